@@ -1,0 +1,40 @@
+"""What kurbel says when it cannot go on: one sentence each."""
+
+
+class KurbelError(Exception):
+    """A sentence for the user: what was given, what is allowed, and why.
+
+    `exit_code` is what the command line ends with: 2 for wrong usage, 1 for a job that failed.
+    """
+
+    exit_code = 2
+
+
+class NotationError(KurbelError):
+    """Text that is not a number, an angle, a ratio or a list of them."""
+
+
+class ProblemError(KurbelError):
+    """A crank drive that cannot be built or cannot turn."""
+
+
+class ChoiceError(KurbelError):
+    """A name that no layout, column, format, language or method has."""
+
+
+class MissingExtraError(KurbelError):
+    """A feature whose library is not installed."""
+
+    exit_code = 1
+
+
+class OutputError(KurbelError):
+    """A file or stream that could not be written."""
+
+    exit_code = 1
+
+
+class LayoutError(KurbelError):
+    """A layout.toml or a template that cannot be used."""
+
+    exit_code = 1
