@@ -103,6 +103,7 @@ class Field:
     symbol: Label = ""
     unit: str = ""
     decimals: int | None = None
+    method: str = ""
 
 
 Value = Number | str | None

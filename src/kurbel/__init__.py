@@ -1,0 +1,3 @@
+"""Certified tables of the crank drive."""
+
+__version__ = "0.1.0"

@@ -1,0 +1,164 @@
+"""The arrangement of a page: which value stands in which row and column, under which heads."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from itertools import groupby, product
+
+from kurbel import captions
+from kurbel.digits import scaled_columns, wants_bulk
+from kurbel.errors import ProblemError
+from kurbel.notation import plain, ratio_text
+from kurbel.numerals import degrees_text, finite_decimals
+from kurbel.request import PageColumn, Request
+from kurbel.rows import angle_decimals, angle_number
+from kurbel.table import DITTO, Cell, Column, Group, Label, Number, Panel, Row
+
+# A page is held in memory whole; records stream.
+LONGEST_PAGE = 200_000
+
+# A place on an axis: the index of a ratio, an angle or a column by the name of its axis.
+Place = Mapping[str, int]
+
+
+def panels(request: Request, columns: tuple[PageColumn, ...]) -> tuple[Panel, ...]:
+    page = _Page(request, columns)
+    across = page.places(request.layout.across)
+    return tuple(page.panel(block) for block in _blocks(across, request.layout.block))
+
+
+def _blocks(places: list[Place], most: int) -> Iterator[list[Place]]:
+    """Split into as few blocks as needed, of equal size, the larger ones last."""
+    count = -(-len(places) // most) if most else 1
+    ends = [len(places) * block // count for block in range(count + 1)]
+    for start, end in zip(ends, ends[1:], strict=False):
+        yield places[start:end]
+
+
+class _Page:
+    """The arrangement of one request: where a place of the three axes is printed, and what stands there."""
+
+    def __init__(self, request: Request, columns: tuple[PageColumn, ...]) -> None:
+        rows = len(request.cranks) * len(request.angles)
+        if rows > LONGEST_PAGE:
+            raise ProblemError(
+                f"a page of {rows} rows is too long; at most {LONGEST_PAGE} are set, use -f csv or -f json"
+            )
+        self.request = request
+        self.layout = request.layout
+        self.columns = columns
+        digits = [column.digits for column in columns]
+        bulk = wants_bulk(digits, rows)
+        self.values = [
+            scaled_columns(digits, crank, request.angles, request.rounding, bulk) for crank in request.cranks
+        ]
+
+    def places(self, axes: Sequence[str]) -> list[Place]:
+        lengths = {
+            "ratio": len(self.request.cranks),
+            "angle": len(self.request.angles),
+            "column": len(self.columns),
+        }
+        return [
+            dict(zip(axes, place, strict=True)) for place in product(*(range(lengths[axis]) for axis in axes))
+        ]
+
+    def panel(self, across: list[Place]) -> Panel:
+        down = self.places(self.layout.down)
+        heads = [axis for axis in self.layout.down if axis not in self.layout.stub]
+        outer = self.layout.down[:1] if len(self.layout.down) > 1 else ()
+        groups = [list(rows) for _, rows in groupby(down, key=lambda place: [place[axis] for axis in outer])]
+        return Panel(
+            stub=tuple(Column(axis, self._stub_heading(axis)) for axis in self.layout.stub),
+            columns=_merged(tuple(self._column(place) for place in across)),
+            groups=tuple(
+                Group(
+                    tuple(self._rows(rows, across)),
+                    " ".join(self._label(axis, rows[0])[0] for axis in heads) if len(groups) > 1 else "",
+                )
+                for rows in groups
+            ),
+        )
+
+    def _rows(self, rows: list[Place], across: list[Place]) -> Iterator[Row]:
+        above: list[Cell | None] = [None] * len(self.layout.stub)
+        for place in rows:
+            stub = [self._stub_cell(axis, place) for axis in self.layout.stub]
+            # Only outer heads are carried over several rows.
+            shown = [
+                Cell(DITTO) if cell == before and index < len(stub) - 1 else cell
+                for index, (cell, before) in enumerate(zip(stub, above, strict=True))
+            ]
+            above = list(stub)
+            yield Row(tuple(shown), tuple(self._cell({**place, **other}) for other in across))
+
+    def _cell(self, place: Place) -> Cell:
+        scaled = self.values[place["ratio"]][place["column"]][place["angle"]]
+        return Cell(Number(int(scaled), self.columns[place["column"]].digits.decimals))
+
+    def _stub_cell(self, axis: str, place: Place) -> Cell:
+        if axis == "angle":
+            return Cell(_angle_cell(self.request.angles[place["angle"]], self.request.angles))
+        return Cell(self._label(axis, place)[-1])
+
+    def _stub_heading(self, axis: str) -> tuple[Label, ...]:
+        default = {
+            "angle": f"${self.layout.angle_symbol}$",
+            "ratio": f"${self.layout.ratio_symbol}$",
+            "column": "",
+        }
+        return (self.layout.stub_headings.get(axis, default[axis]),)
+
+    def _column(self, place: Place) -> Column:
+        """A column with all its heads as spanners; `_merged` makes headings of those that span nothing."""
+        labels = [label for axis in self.layout.across for label in self._label(axis, place, across=True)]
+        key = "-".join(str(place[axis]) for axis in self.layout.across)
+        lines = 2 if self.layout.pairs and "angle" in place else 1
+        return Column(key, tuple(labels[-lines:]), tuple(labels[:-lines]))
+
+    def _label(self, axis: str, place: Place, across: bool = False) -> tuple[Label, ...]:
+        if axis == "ratio":
+            shown = ratio_text(self.request.cranks[place["ratio"]].ratio)
+            return (
+                (f"${shown}$",)
+                if across or axis in self.layout.stub
+                else (f"${self.layout.ratio_symbol} = {shown}$",)
+            )
+        if axis == "angle":
+            angle = self.request.angles[place["angle"]]
+            return (
+                (_angle_label(angle), _angle_label(360 - angle))
+                if self.layout.pairs
+                else (_angle_label(angle),)
+            )
+        column = self.columns[place["column"]]
+        labels = column.spanners + column.heading if across else column.heading
+        if "ratio" not in place:
+            return labels
+        return tuple(
+            captions.with_ratio(label, self.request.cranks[place["ratio"]].ratio) for label in labels
+        )
+
+
+def _merged(columns: tuple[Column, ...]) -> tuple[Column, ...]:
+    """Turn an innermost spanner over a single column everywhere into a line of the heading."""
+    while all(column.spanners for column in columns):
+        paths = [column.spanners for column in columns]
+        if any(one == two for one, two in zip(paths, paths[1:], strict=False)):
+            break
+        if len(columns) == 1 and len(paths[0]) == 1:
+            break
+        columns = tuple(
+            Column(column.key, (column.spanners[-1], *column.heading), column.spanners[:-1])
+            for column in columns
+        )
+    return columns
+
+
+def _angle_cell(angle: Fraction, angles: Sequence[Fraction]) -> Number | Label:
+    return degrees_text(angle) if angle_decimals(angles) is None else angle_number(angle, angles)
+
+
+def _angle_label(angle: Fraction) -> Label:
+    return f"${plain(angle)}$" if finite_decimals(angle) is not None else degrees_text(angle)

@@ -1,0 +1,24 @@
+"""A crank and a layout become a table: the only place where numbers meet pages."""
+
+from __future__ import annotations
+
+from kurbel import captions
+from kurbel.arrange import panels
+from kurbel.request import Request, page_columns
+from kurbel.rows import RecordRows
+from kurbel.table import Note, Records, Table
+
+
+def build(request: Request, pages: bool = True) -> Table:
+    """Return the table that was asked for; without `pages` only its records, which need no memory."""
+    columns = page_columns(request)
+    records = RecordRows(request, columns)
+    return Table(
+        key=request.layout.key,
+        lang=request.lang,
+        caption=captions.caption(request),
+        panels=panels(request, columns) if pages else (),
+        records=Records(records.fields(), records),
+        notes=tuple(Note(text) for text in captions.notes(request, [column.digits for column in columns])),
+        source=request.layout.source[request.lang],
+    )

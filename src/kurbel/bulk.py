@@ -1,0 +1,57 @@
+"""Long tables: kernel columns for very many angles, block by block on all cores."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kurbel.kernel.circle import Circle, circle
+
+# A block and its two dozen intermediate columns stay in the second-level cache (1 MiB a core). Measured
+# for x, c and p: 4096 angles 20 % slower (calls), 65536 angles 30 % slower (memory).
+BLOCK = 16384
+
+Column = Callable[[Circle[Any]], Any]
+
+
+def evaluate(
+    functions: Sequence[Column],
+    angles: NDArray[np.float64],
+    *,
+    out: NDArray[np.float64] | None = None,
+) -> NDArray[np.float64]:
+    """Return one row a function, one column an angle in degrees: shape (len(functions), len(angles)).
+
+    Each function maps the circle of a block of angles to an array (or to one number for all of them).
+    `out` is filled and returned if given; besides it only a block a core is held in memory. The bits do
+    not depend on the number of cores.
+    """
+    if out is None:
+        out = np.empty((len(functions), len(angles)))
+    blocks = [slice(start, start + BLOCK) for start in range(0, len(angles), BLOCK)]
+
+    def fill(block: slice) -> None:
+        point = circle(angles[block])
+        for row, function in zip(out, functions, strict=True):
+            row[block] = function(point)
+
+    workers = min(_cores(), len(blocks))
+    if workers < 2:
+        for block in blocks:
+            fill(block)
+        return out
+    with ThreadPoolExecutor(workers) as pool:
+        # The list asks for every result, so that an exception in a thread is raised here.
+        list(pool.map(fill, blocks))
+    return out
+
+
+def _cores() -> int:
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1

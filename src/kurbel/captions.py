@@ -1,0 +1,224 @@
+"""What a page says about itself: caption, formulas, lengths and dead centres, in both languages."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+from kurbel.kernel import kinematics
+from kurbel.notation import plain, ratio_text
+from kurbel.numerals import finite_decimals, number_text
+from kurbel.problem import Crank
+from kurbel.quantities import DIFFERENCE, METHODS, OUT, RETURN, STROKES, Quantity, numbers_of_balls
+from kurbel.table import Field, Label, Number
+
+if TYPE_CHECKING:
+    from kurbel.digits import Digits
+    from kurbel.request import Request
+
+# {±} is the sign that the return stroke changes, {angle} the letter of the crank angle.
+FORMULAS: Mapping[str, Mapping[str, str]] = {
+    "exact": {
+        "x": "$x/R = 1 - cos {angle} {±} (1 - cos ψ)/λ$",
+        "c": "$c/v = sin {angle} {±} (λ sin {angle} cos {angle})/(cos ψ)$",
+        "p": "$(p R)/v^2 = cos {angle} {±} λ (cos 2 {angle} + λ^2 sin^4 {angle})/(cos^3 ψ)$",
+        "ψ": "",
+    },
+    "series": {
+        "x": "$x/R = 1 - cos {angle} {±} 1/2 λ sin^2 {angle}$",
+        "c": "$c/v = sin {angle} {±} 1/2 λ sin 2 {angle}$",
+        "p": "$(p R)/v^2 = cos {angle} {±} λ cos 2 {angle}$",
+        "ψ": "",
+    },
+    "infinite": {
+        "x": "$x/R = 1 - cos {angle}$",
+        "c": "$c/v = sin {angle}$",
+        "p": "$(p R)/v^2 = cos {angle}$",
+        "ψ": "",
+    },
+}
+OFFSET_FORMULAS = {
+    "x": "$x/R = (cos φ_i - cos {angle}) + (cos ψ_i - cos ψ)/λ$",
+    "c": "$c/v = sin {angle} + cos {angle} tan ψ$",
+    "p": "$(p R)/v^2 = cos {angle} - sin {angle} tan ψ + λ (cos^2 {angle})/(cos^3 ψ)$",
+    "ψ": "",
+}
+SYMBOLS = {
+    "exact": "$sin ψ = λ sin {angle}$, $λ = {ratio}$",
+    "series": "$λ = {ratio}$",
+    "infinite": "",
+    "offset": "$sin ψ = λ (sin {angle} - e/R)$, $λ = {ratio}$",
+}
+WORDS: Mapping[str, Mapping[str, str]] = {
+    "for_ratio": {"de": " für ${symbol} = {ratio}$", "en": " for ${symbol} = {ratio}$"},
+    "signs": {
+        "de": "oberes Zeichen: Hingang, unteres Zeichen: Rückgang",
+        "en": "upper sign: outstroke, lower sign: return stroke",
+    },
+    "offset_return": {
+        "de": "Rückgang: $x$ vom äußeren Totpunkt, $c$ und $p$ mit entgegengesetztem Zeichen, alle bei $180° + {angle}$",
+        "en": "Return: $x$ from the outer dead centre, $c$ and $p$ with opposite sign, all at $180° + {angle}$",
+    },
+    "offset": {
+        "de": "Geschränkt, $e = {offset} R$, $R:L = {ratio}$: Totlagen {inner}° und {outer}°, Hub ${stroke} R$",
+        "en": "Offset $e = {offset} R$, $R:L = {ratio}$: dead centres at {inner}° and {outer}°, stroke ${stroke} R$",
+    },
+    "machine": {
+        "de": '$R = {radius} "mm"${rod}{speed}',
+        "en": '$R = {radius} "mm"${rod}{speed}',
+    },
+    "rod": {"de": ', $L = {rod} "mm"$', "en": ', $L = {rod} "mm"$'},
+    "speed": {
+        "de": '; {turns}$v = {pin} "m/s"$, mittlere Kolbengeschwindigkeit $c_m = {mean} "m/s"$, $v:c_m = {quotient}$',
+        "en": '; {turns}$v = {pin} "m/s"$, mean piston speed $c_m = {mean} "m/s"$, $v:c_m = {quotient}$',
+    },
+    "phi": {"de": "Kurbelwinkel", "en": "Crank angle"},
+    "ratio": {"de": "Kurbelverhältnis R:L", "en": "Crank ratio R:L"},
+}
+
+
+def caption(request: Request) -> Label:
+    """Return the layout's caption with the ratio, if there is only one, and the method filled in."""
+    single = len(request.cranks) == 1
+    ratio = ratio_text(request.cranks[0].ratio)
+    words = WORDS["for_ratio"][request.lang].format(symbol=request.layout.ratio_symbol, ratio=ratio)
+    method = METHODS[request.method or "exact"].caption[request.lang]
+    text = request.layout.caption[request.lang]
+    return text.replace("{for_ratio}", words if single else "").replace("{method}", method)
+
+
+def notes(request: Request, columns: Sequence[Digits]) -> list[Label]:
+    """Return the lines below the table: its own, the formulas, the machine, the offset."""
+    lines = [note[request.lang] for note in request.layout.notes]
+    if request.layout.formulas:
+        lines += _formula_lines(request, columns)
+    lines += [_machine(crank, request.lang) for crank in request.cranks if crank.radius is not None]
+    lines += [_offset(crank, request.lang) for crank in request.cranks if crank.offset and crank.ratio]
+    return lines
+
+
+def axis_fields(request: Request, decimals: int | None) -> dict[str, Field]:
+    lang = request.lang
+    return {
+        "ratio": Field("ratio", WORDS["ratio"][lang], f"${request.layout.ratio_symbol}$"),
+        "phi": Field("phi", WORDS["phi"][lang], f"${request.layout.angle_symbol}$", "°", decimals),
+    }
+
+
+def quantity_name(quantity: Quantity, lang: str) -> str:
+    return f"{quantity.name[lang]}, {STROKES[quantity.stroke][lang]}"
+
+
+def with_ratio(label: Label, ratio: Fraction) -> Label:
+    """Put the ratio as a fraction where the label has {ratio}: 1/4.5."""
+    return label.replace("{ratio}", _fraction(ratio))
+
+
+def _fraction(ratio: Fraction) -> str:
+    if not ratio:
+        return "0"
+    return ratio_text(ratio).replace(":", "/")
+
+
+def _formula_lines(request: Request, columns: Sequence[Digits]) -> Iterator[Label]:
+    offset = any(crank.offset for crank in request.cranks)
+    both = any(column.quantity.stroke == RETURN for column in columns)
+    methods = dict.fromkeys(method for column in columns for method in _methods_of(column.method))
+    for method in methods:
+        table = OFFSET_FORMULAS if offset else FORMULAS[method]
+        symbols = dict.fromkeys(column.quantity.symbol.strip("$") for column in columns)
+        shown = [table[symbol] for symbol in symbols if table[symbol]]
+        last = SYMBOLS["offset" if offset else method]
+        line = ", ".join(part for part in (*shown, last) if part)
+        yield _filled(line, request, "±" if both else "+")
+    if both and offset:
+        yield _filled(WORDS["offset_return"][request.lang], request, "±")
+    elif both and any(method != "infinite" for method in methods):
+        yield WORDS["signs"][request.lang]
+
+
+def _methods_of(method: str) -> tuple[str, ...]:
+    return ("exact", "series") if method == DIFFERENCE else (method,)
+
+
+def _filled(line: str, request: Request, sign: str) -> Label:
+    ratio = request.layout.ratio_symbol.replace(":", "/")
+    return line.replace("{±}", sign).replace("{angle}", request.layout.angle_symbol).replace("{ratio}", ratio)
+
+
+def _machine(crank: Crank, lang: str) -> Label:
+    assert crank.radius is not None
+    rod = WORDS["rod"][lang].format(rod=_plain(1000 * crank.radius / crank.ratio)) if crank.ratio else ""
+    speed = _speed(crank, lang) if crank.speed else ""
+    return WORDS["machine"][lang].format(radius=_plain(1000 * crank.radius), rod=rod, speed=speed)
+
+
+def _speed(crank: Crank, lang: str) -> str:
+    speed = crank.speed
+    assert speed is not None
+    assert crank.radius is not None
+    radius = crank.radius
+
+    def pin(numbers: Any) -> Any:
+        value = numbers.of(radius * speed.value * (2 if speed.turns else 1))
+        return value * numbers.pi if speed.turns else value
+
+    def mean(numbers: Any) -> Any:
+        return pin(numbers) * kinematics.mean_piston_velocity(_stroke(crank, numbers), numbers.pi)
+
+    turns = (
+        f'$n = {_plain(speed.value * 60)} "/min"$, '
+        if speed.turns
+        else f'$ω = {_plain(speed.value)} "rad/s"$, '
+    )
+    return WORDS["speed"][lang].format(
+        turns=turns,
+        pin=_certified(pin, 3),
+        mean=_certified(mean, 3),
+        quotient="π:2" if not crank.offset else _certified(lambda numbers: pin(numbers) / mean(numbers), 4),
+    )
+
+
+def _stroke(crank: Crank, numbers: Any) -> Any:
+    if not crank.offset:
+        return numbers.of(Fraction(2))
+    return kinematics.stroke(numbers.of(crank.ratio), numbers.of(crank.offset))
+
+
+def _offset(crank: Crank, lang: str) -> Label:
+    from kurbel.certify import ball_degrees
+
+    def dead_centre(sign: int) -> Any:
+        def degrees(numbers: Any) -> Any:
+            sine = kinematics.dead_centre_sine(
+                numbers.of(sign * crank.ratio), numbers.of(sign * crank.offset)
+            )
+            return ball_degrees(sine) + (0 if sign == OUT else 180)
+
+        return degrees
+
+    return WORDS["offset"][lang].format(
+        offset=_plain(crank.offset),
+        ratio=ratio_text(crank.ratio),
+        inner=f"${_certified(dead_centre(OUT), 3)}$",
+        outer=f"${_certified(dead_centre(RETURN), 3)}$",
+        stroke=_certified(lambda numbers: _stroke(crank, numbers), 4),
+    )
+
+
+def _certified(value: Any, decimals: int) -> str:
+    from kurbel.certify import rounded
+
+    scaled = rounded(lambda: value(numbers_of_balls()), decimals)
+    return number_text(Number(scaled, decimals))
+
+
+def _plain(value: Fraction) -> str:
+    """The exact decimal where there is a short one, else three places."""
+    decimals = finite_decimals(value)
+    if decimals is not None and decimals <= 6:
+        return plain(value)
+    from kurbel.numerals import nearest
+
+    return number_text(nearest(value, 3))

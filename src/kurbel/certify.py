@@ -1,0 +1,95 @@
+"""Correctly rounded digits: kernel formulas in ball arithmetic, with a proof for every digit.
+
+A ball holds the true value for certain. When it lies between two rounding boundaries the digit is settled;
+when it touches one, the precision is doubled; when it has shrunk below the separation bound of the
+formula (separation.py) and still touches, the value lies on the boundary: a tie.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+import flint
+
+from kurbel.kernel.circle import Circle
+
+if TYPE_CHECKING:
+    from flint import arb
+
+# A page has up to 50 decimals, and no product of formulas here loses more than a few bits.
+GUARD_BITS = 40
+
+
+def ball(value: Fraction | int) -> arb:
+    """Return the ball around a rational number, at the precision in force."""
+    if isinstance(value, int):
+        return flint.arb(value)
+    return flint.arb(flint.fmpq(value.numerator, value.denominator))
+
+
+def ball_circle(degrees: Fraction) -> Circle:
+    """Return sine, cosine and versine of an exact angle in degrees, at the precision in force."""
+    return _ball_circle(degrees, flint.ctx.prec)
+
+
+@lru_cache(maxsize=512)
+def _ball_circle(degrees: Fraction, precision: int) -> Circle:
+    half_turns = degrees / 180
+    turn = flint.fmpq(half_turns.numerator, half_turns.denominator)
+    sine, cosine = flint.arb.sin_cos_pi_fmpq(turn)
+    return Circle(sine, cosine, 2 * flint.arb.sin_pi_fmpq(turn / 2) ** 2)
+
+
+def ball_degrees(sine: arb) -> arb:
+    """Return the angle in degrees, within -90..90, that has this sine."""
+    return sine.asin() * 180 / flint.arb.pi()
+
+
+def rounded(
+    value: Callable[[], arb],
+    decimals: int,
+    rounding: str = "half-away",
+    tie_bits: Callable[[Fraction], float] | None = None,
+) -> int:
+    """Return the true value times 10**decimals, rounded to the nearest integer.
+
+    `value` computes a ball at the precision in force. `tie_bits` takes a boundary, an odd multiple of half
+    a unit in the last place, and returns b such that the value equals the boundary or is at
+    least 2**-b away from it; without it the value is known to equal none (an arc, a multiple of π).
+    """
+    unit = 10**decimals
+    precision = GUARD_BITS + (10 * decimals) // 3
+    before = flint.ctx.prec
+    try:
+        while True:
+            precision *= 2
+            flint.ctx.prec = precision
+            scaled = value() * unit
+            nearest = (abs(scaled) + flint.arb(0.5)).floor().unique_fmpz()
+            if nearest is not None:
+                return _signed(int(nearest), scaled)
+            odd = (2 * abs(scaled) + flint.arb(0.5)).floor().unique_fmpz()
+            if odd is None or tie_bits is None:
+                continue
+            bits = tie_bits(Fraction(int(odd), 2 * unit))
+            if precision > bits and scaled.rad() * 2 < unit * flint.arb(2) ** -int(bits + 1):
+                return _signed(_half(int(odd), rounding), scaled)
+    finally:
+        flint.ctx.prec = before
+
+
+def _half(odd: int, rounding: str) -> int:
+    away = (odd + 1) // 2
+    return away - away % 2 if rounding == "half-even" else away
+
+
+def _signed(magnitude: int, scaled: arb) -> int:
+    return -magnitude if scaled < 0 else magnitude
+
+
+def pi() -> arb:
+    """Return π at the precision in force."""
+    return flint.arb.pi()

@@ -1,0 +1,128 @@
+"""Columns of certified digits: a page in balls outright, long columns in floats with their doubtful cells
+settled in balls.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+from kurbel.notation import Progression
+from kurbel.problem import Crank
+from kurbel.quantities import Numbers, Quantity, certified, value
+
+if TYPE_CHECKING:
+    import numpy as np
+
+# Below this many cells balls are done before NumPy is imported.
+PAGE_CELLS = 20_000
+# At 15 decimals nearly every float is doubtful, and NumPy only costs time.
+FLOAT_DECIMALS = 12
+
+
+@dataclass(frozen=True, slots=True)
+class Digits:
+    """What one column of numbers is: a quantity by a method to so many decimals."""
+
+    quantity: Quantity
+    method: str
+    decimals: int
+
+
+def scaled_columns(
+    columns: Sequence[Digits], crank: Crank, angles: Sequence[Fraction], rounding: str, bulk: bool
+) -> list[Any]:
+    """Return for each column its values times 10**decimals, rounded correctly, one for each angle.
+
+    Lists of ints, or int64 arrays where `bulk` is set.
+    """
+    if not bulk:
+        return [[_settled(column, crank, angle, rounding) for angle in angles] for column in columns]
+    return _bulk_columns(columns, crank, angles, rounding)
+
+
+def wants_bulk(columns: Sequence[Digits], rows: int) -> bool:
+    """Whether so many cells are worth NumPy's start-up."""
+    small = all(column.decimals <= FLOAT_DECIMALS for column in columns)
+    return small and rows * len(columns) > PAGE_CELLS
+
+
+def float_bound(column: Digits, crank: Crank, largest_angle: float) -> float:
+    """Return how far a float of this column can lie from the true value at the exact angle.
+
+    The kernel's own error is a few units in the last place (tests/test_kinematics.py); rounding λ and the
+    angle to floats adds their share times the slope. Powers of 1/(1 - sin² ψ) cover the growth of all of them
+    up to the slope of the acceleration as λ nears 1.
+    """
+    steepest = float(crank.ratio) * (1 + abs(float(crank.offset)))
+    growth = (1 - min(steepest, 1 - 1e-12) ** 2) ** -3.5
+    unit = 2.0**-53
+    in_radians = max(largest_angle, 360.0) / 57
+    degrees = 60.0 if column.quantity.arc else 1.0
+    scale = abs(float(column.quantity.scale(crank, _floats())))
+    return (16 + 4 * in_radians) * unit * growth * degrees * scale
+
+
+def _settled(column: Digits, crank: Crank, angle: Fraction, rounding: str) -> int:
+    return certified(column.quantity, column.method, crank, angle, column.decimals, rounding)
+
+
+def _bulk_columns(
+    columns: Sequence[Digits], crank: Crank, angles: Sequence[Fraction], rounding: str
+) -> list[np.ndarray]:
+    from kurbel.bulk import evaluate
+    from kurbel.columns import nearest
+
+    degrees = float_angles(angles)
+    values = evaluate([_on_floats(column, crank) for column in columns], degrees)
+    largest = float(abs(degrees).max())
+    settled = []
+    for column, floats in zip(columns, values, strict=True):
+        bound = float_bound(column, crank, largest)
+        scaled, doubtful = nearest(floats, column.decimals, bound, half_even=rounding == "half-even")
+        for row in doubtful.nonzero()[0].tolist():
+            scaled[row] = _settled(column, crank, angles[row], rounding)
+        settled.append(scaled)
+    return settled
+
+
+def _on_floats(column: Digits, crank: Crank) -> Any:
+    from kurbel.kernel.circle import arcsine
+
+    return lambda circle: value(column.quantity, column.method, crank, circle, _floats(), arcsine)
+
+
+def _floats() -> Numbers:
+    from math import pi
+
+    return Numbers(float, pi)
+
+
+def float_angles(angles: Sequence[Fraction]) -> np.ndarray:
+    """Return the angles as floats, each at most one unit in the last place off."""
+    import numpy as np
+
+    if isinstance(angles, Progression):
+        numerators, denominator = integer_angles(angles)
+        if abs(int(numerators[0])) < 2**53 and abs(int(numerators[-1])) < 2**53 and denominator < 2**53:
+            return numerators / denominator
+    return np.array([float(angle) for angle in angles])
+
+
+def integer_angles(angles: Progression) -> tuple[np.ndarray, int]:
+    """Return integers and their common denominator; Python integers where 63 bits are too few."""
+    import numpy as np
+
+    denominator = (angles.start.denominator * angles.step.denominator) // _gcd(angles)
+    first, step = int(angles.start * denominator), int(angles.step * denominator)
+    last = first + step * len(angles)
+    kind = np.int64 if max(abs(first), abs(last)) < 2**62 else object
+    return first + step * np.arange(len(angles), dtype=kind), denominator
+
+
+def _gcd(angles: Progression) -> int:
+    from math import gcd
+
+    return gcd(angles.start.denominator, angles.step.denominator)

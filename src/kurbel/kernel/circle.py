@@ -1,0 +1,242 @@
+"""The crank angle as a point on the unit circle: sine, cosine and versine of degrees, and back.
+
+Only + - * /, rounding to whole numbers and the square root touch the numbers, in one order. The results
+are therefore the same bits for floats and arrays and on every machine; the sines of the C libraries differ
+from one to the next.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Generic, NamedTuple, TypeAlias, TypeVar
+
+Number: TypeAlias = Any
+Kind = TypeVar("Kind")
+
+
+class Circle(NamedTuple, Generic[Kind]):
+    """sin φ, cos φ and 1 - cos φ of the crank angle φ, all of one kind of number.
+
+    The tails are what rounding took from floats: sin φ is sine + sine_tail to 60 bits. Balls have none.
+    """
+
+    sine: Kind
+    cosine: Kind
+    versine: Kind
+    sine_tail: Kind | int = 0
+    versine_tail: Kind | int = 0
+
+
+class _Split(NamedTuple):
+    """An unrounded number high + low, low being small."""
+
+    high: Number
+    low: Number
+
+
+# π/180 as 8 bits, of which products with a 9-bit angle and their cubes are exact, and the rest.
+RADIAN = 0.017453292519943295
+RADIAN_HIGH = 0.017333984375
+RADIAN_LOW = 0.00011930814494329577
+
+# Minimax for b up to 45°: sin b = b - b³/6 + b⁵ R(b²), relative error 2**-62.6, and
+# 1 - cos b = b²/2 - b⁴ Q(b²), relative error 2**-58.6.
+SINE_TAIL = (
+    0.00833333333333333,
+    -0.0001984126984126115,
+    2.7557319216859563e-06,
+    -2.5052105517633784e-08,
+    1.6058435369828982e-10,
+    -7.581780065642984e-13,
+)
+VERSINE_TAIL = (
+    0.041666666666666644,
+    -0.0013888888888882057,
+    2.480158729441724e-05,
+    -2.7557315763614026e-07,
+    2.087591245875724e-09,
+    -1.1369285812946273e-11,
+)
+
+# For each quarter turn, sine, cosine and versine as whole + sign * part of the angle beyond the quarter,
+# the part being its sine or its versine: cos(180° + r) = -1 + versine r.
+QUARTERS = (
+    ((0.0, 1.0), (1.0, -1.0), (0.0, 1.0)),
+    ((1.0, -1.0), (0.0, -1.0), (1.0, 1.0)),
+    ((0.0, -1.0), (-1.0, 1.0), (2.0, -1.0)),
+    ((-1.0, 1.0), (0.0, 1.0), (1.0, -1.0)),
+)
+
+
+def circle(degrees: Number) -> Circle[Number]:
+    """Return sine, cosine and versine of an angle in degrees, a float or a float64 array of any shape.
+
+    Sine and cosine are at most 0.57 ulp from the true value, the versine 0.7 ulp (below 1e-140° it loses
+    digits, being subnormal). Exact where the value is 0, ±½, ±1, 1½ or 2; no zero has a sign. Valid for
+    |φ| < 2**50 degrees.
+    """
+    (of_sine, of_cosine, of_versine), across, along = _unrounded(degrees)
+    sine, sine_tail = _settled(of_sine, across)
+    cosine, _ = _settled(of_cosine, along)
+    versine, versine_tail = _settled(of_versine, along)
+    return Circle(sine, cosine, versine, sine_tail, versine_tail)
+
+
+def _unrounded(degrees: Number) -> tuple[Number, _Split, _Split]:
+    """Return the row of QUARTERS, the part that the sine takes and the one that cosine and versine take."""
+    if isinstance(degrees, (int, float)):
+        quarter = round(degrees / 90)
+        return _of_one_quarter(quarter, _parts(degrees - 90.0 * quarter))
+    import numpy as np
+
+    quarters = np.rint(degrees / 90)
+    parts = _parts(degrees - 90.0 * quarters)
+    # Long tables run through the angles in order: nearly every block lies in one quarter and needs no
+    # selection, which is a third of the time.
+    if quarters.size and (quarters == quarters.flat[0]).all():
+        return _of_one_quarter(int(quarters.flat[0]), parts)
+    index = quarters.astype(np.int64) & 3
+    even = index & 1 == 0
+    sine, versine = parts
+    across = _Split(*(np.where(even, *either) for either in zip(sine, versine, strict=True)))
+    along = _Split(*(np.where(even, *either) for either in zip(versine, sine, strict=True)))
+    return np.array(QUARTERS)[index].transpose(1, 2, 0), across, along
+
+
+def _of_one_quarter(quarter: int, parts: tuple[_Split, _Split]) -> tuple[Number, _Split, _Split]:
+    sine, versine = parts
+    turns = QUARTERS[quarter & 3]
+    return (turns, versine, sine) if quarter & 1 else (turns, sine, versine)
+
+
+def _settled(turn: Number, part: _Split) -> tuple[Number, Number]:
+    """Return whole + sign * part rounded, and what rounding took from it."""
+    whole, sign = turn
+    high = sign * part.high
+    total = whole + high
+    rest = whole - total
+    rest += high
+    rest += sign * part.low
+    settled = total + rest
+    total -= settled
+    total += rest
+    return settled, total
+
+
+def _parts(degrees: Number) -> tuple[_Split, _Split]:
+    """Return sine and versine of an angle within ±45°, unrounded."""
+    high, low = _radians(degrees)
+    angle = high + low
+    # b² = high² + (b² - high²), where high² is exact.
+    span = angle + high
+    exact, rest = high * high, low * span
+    square = exact + rest
+    fourth = square * square
+    sine = _sine(high, low, angle * fourth, square, span)
+    exact /= 2
+    rest /= 2
+    fourth *= _polynomial(VERSINE_TAIL, square)
+    rest -= fourth
+    return sine, _Split(exact, rest)
+
+
+def _sine(high: Number, low: Number, fifth: Number, square: Number, span: Number) -> _Split:
+    # b³/6 is a tenth of the sine at 45°; with its few roundings it may not be added to low, or sin 45°
+    # differs from cos 45° and the versine next door, 1 - sin b, loses half an ulp.
+    cube = high * high
+    cube *= high
+    cube /= 6
+    share = high * span
+    share += square
+    share *= low
+    share /= 6
+    fifth *= _polynomial(SINE_TAIL, square)
+    fifth -= share
+    fifth += low
+    upper = high - cube
+    rest = high - upper
+    rest -= cube
+    rest += fifth
+    return _Split(upper, rest)
+
+
+def _radians(degrees: Number) -> _Split:
+    """Return the angle in radians; high has 17 bits, so that its cube is exact."""
+    head = _head(degrees, 44)
+    low = degrees - head
+    low *= RADIAN
+    low += head * RADIAN_LOW
+    head *= RADIAN_HIGH
+    return _Split(head, low)
+
+
+def _head(number: Number, bits: int) -> Number:
+    """Return the number without its last so many bits, rounded (Veltkamp)."""
+    raised = (2.0**bits + 1) * number
+    raised -= raised - number
+    return raised
+
+
+def _polynomial(coefficients: tuple[float, ...], number: Number) -> Number:
+    total = coefficients[-1] * number
+    for coefficient in reversed(coefficients[1:-1]):
+        total += coefficient
+        total *= number
+    total += coefficients[0]
+    return total
+
+
+def arcsine(sine: Number, tail: Number = 0.0) -> Number:
+    """Return the angle in degrees, within ±90, whose sine is sine + tail; a float or a float64 array.
+
+    tail is what rounding took from the sine, if known. At most 0.6 ulp from the true value.
+    """
+    # The libraries' arcsines differ in the last place. Of theirs only the first half of the digits is
+    # used; the rest comes from the circle, by sin a - sin b = tan((a - b)/2) (cos a + cos b).
+    near = _head(_library_arcsine(sine) / RADIAN, 28)
+    turns, across, along = _unrounded(near)
+    whole, sign = turns[0]
+    difference = (((sine - whole) - sign * across.high) - sign * across.low) + tail
+    cosines = root((1 - sine) * (1 + sine)) + _settled(turns[1], along)[0]
+    # 1e-300 matters at ±90° only, where the quotient would be 0/0.
+    return near + 2 * difference / (cosines + 1e-300) / RADIAN + 0.0
+
+
+def _library_arcsine(sine: Number) -> Number:
+    if isinstance(sine, float):
+        return math.asin(sine)
+    import numpy as np
+
+    return np.arcsin(sine)
+
+
+def rod_angle(circle: Circle[Number], ratio: Number, offset: Number = 0.0) -> Number:
+    """Return the rod angle ψ = arcsin(λ (sin φ - η)) in degrees, positive while the pin is on that side.
+
+    Floats and float64 arrays only. At most 1 ulp from the true value while |sin ψ| <= 0.99; with an
+    offset, 1 ulp of max(|ψ|, 5°). Source: Rötscher, eq. (285).
+    """
+    # Nothing that rounding takes from sin φ - η and from the product may be lost: near sin ψ = 1 the
+    # angle changes seven times as fast as its sine, and near sin φ = η only the difference counts.
+    pin = circle.sine - offset
+    taken = pin - circle.sine
+    pin_tail = (circle.sine - (pin - taken)) - (offset + taken) + circle.sine_tail
+    sine = ratio * pin
+    return arcsine(sine, _product_error(ratio, pin, sine) + ratio * pin_tail)
+
+
+def _product_error(one: Number, other: Number, product: Number) -> Number:
+    """Return one * other - product exactly (Dekker)."""
+    one_high, other_high = _head(one, 27), _head(other, 27)
+    one_low, other_low = one - one_high, other - other_high
+    return ((one_high * other_high - product) + one_high * other_low + one_low * other_high) + (
+        one_low * other_low
+    )
+
+
+def root(number: Number) -> Number:
+    """Return the square root of a number of any kind, correctly rounded for floats and arrays."""
+    # float ** 0.5 is libm's pow, which differs from NumPy's square root in one result of a thousand.
+    if isinstance(number, float):
+        return math.sqrt(number)
+    return number**0.5

@@ -1,0 +1,149 @@
+"""Page layouts: what templates/<layout>/layout.toml says, checked, and where the templates lie."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from kurbel.choices import choose
+from kurbel.errors import LayoutError
+from kurbel.table import Label
+
+LANGUAGES = ("de", "en")
+AXES = ("ratio", "angle", "column")
+
+Localised = Mapping[str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class LayoutColumn:
+    """A column of a layout. `method` None leaves the formulas to the user; spanners and heading None to
+    the quantity."""
+
+    key: str
+    quantity: str
+    method: str | None = None
+    spanners: tuple[Localised, ...] | None = None
+    heading: tuple[Localised, ...] | None = None
+    decimals: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Layout:
+    """An arrangement of the three axes ratio, angle and column.
+
+    `down` lists the axes that run down, outermost first; those in `stub` are printed in the stub, the
+    others head a group of rows. `across` lists the axes of the columns, outermost first. `block` is the
+    largest number of columns of one panel, 0 for no limit. With `pairs` an angle stands over its mirror image.
+    `formulas` has the formulas printed below the table; pages whose heads state them do without.
+    """
+
+    key: str
+    title: Localised
+    caption: Localised
+    ratios: tuple[str, ...]
+    angles: tuple[str, ...]
+    down: tuple[str, ...]
+    stub: tuple[str, ...]
+    across: tuple[str, ...]
+    columns: tuple[LayoutColumn, ...]
+    source: Localised
+    notes: tuple[Localised, ...]
+    stub_headings: Mapping[str, Label]
+    angle_symbol: str = "φ"
+    ratio_symbol: str = "R:L"
+    block: int = 0
+    pairs: bool = False
+    formulas: bool = True
+
+    @property
+    def fixed(self) -> bool:
+        """Whether the page's heads state formulas, so that neither columns nor method can be chosen."""
+        return all(column.method is not None for column in self.columns)
+
+
+@cache
+def template_folder() -> Path:
+    """Return the folder of templates: in the installed package, else in the checkout.
+
+    An editable install holds no copy of the templates; the checkout's folder serves it.
+    """
+    packaged = Path(__file__).parent / "templates"
+    return packaged if packaged.is_dir() else Path(__file__).parents[2] / "templates"
+
+
+@cache
+def layout_names() -> tuple[str, ...]:
+    return tuple(sorted(path.parent.name for path in template_folder().glob("*/layout.toml")))
+
+
+@cache
+def layout(name: str) -> Layout:
+    """Return the layout of that name; an unknown name is answered with the nearest and the list."""
+    import tomllib
+
+    path = template_folder() / choose(name, layout_names(), "layout") / "layout.toml"
+    try:
+        return _layout(name, tomllib.loads(path.read_text(encoding="utf-8")))
+    except (tomllib.TOMLDecodeError, KeyError, TypeError, ValueError) as error:
+        raise LayoutError(f"layout {name}: layout.toml cannot be used: {error}") from error
+
+
+def _layout(name: str, page: dict[str, Any]) -> Layout:
+    known = {*Layout.__dataclass_fields__} - {"key"}
+    unknown = sorted(page.keys() - known)
+    if unknown:
+        raise ValueError(f"unknown key {unknown[0]}")
+    down, across = tuple(page["down"]), tuple(page["across"])
+    if sorted(down + across) != sorted(AXES):
+        raise ValueError(f"down and across must share out {', '.join(AXES)}")
+    notes = page.get("notes", {language: [] for language in LANGUAGES})
+    return Layout(
+        key=name,
+        title=_localised(page["title"]),
+        caption=_localised(page["caption"]),
+        ratios=tuple(page["ratios"]),
+        angles=tuple(page["angles"]),
+        down=down,
+        stub=tuple(page["stub"]),
+        across=across,
+        columns=tuple(_column(**column) for column in page["columns"]),
+        source=_localised(page.get("source", "")),
+        notes=tuple({"de": de, "en": en} for de, en in zip(notes["de"], notes["en"], strict=True)),
+        stub_headings=page.get("stub_headings", {}),
+        angle_symbol=page.get("angle_symbol", "φ"),
+        ratio_symbol=page.get("ratio_symbol", "R:L"),
+        block=page.get("block", 0),
+        pairs=page.get("pairs", False),
+        formulas=page.get("formulas", True),
+    )
+
+
+def _column(
+    quantity: str,
+    key: str = "",
+    method: str | None = None,
+    spanners: list[str] | None = None,
+    heading: list[str] | None = None,
+    decimals: int | None = None,
+) -> LayoutColumn:
+    return LayoutColumn(
+        key=key or quantity,
+        quantity=quantity,
+        method=method,
+        spanners=None if spanners is None else tuple(map(_localised, spanners)),
+        heading=None if heading is None else tuple(map(_localised, heading)),
+        decimals=decimals,
+    )
+
+
+def _localised(text: str | dict[str, str]) -> Localised:
+    """Both languages of a text: {de = ..., en = ...}, "German|English", or one text for both."""
+    if isinstance(text, dict):
+        return {language: text[language] for language in LANGUAGES}
+    return (
+        dict(zip(LANGUAGES, text.split("|"), strict=True)) if "|" in text else dict.fromkeys(LANGUAGES, text)
+    )

@@ -1,0 +1,217 @@
+"""Text to exact numbers, and back, as engineers write them: 1:4,5  2..6:0.5  2°30'  0..180:10.
+
+Parsing only: whether a crank with such a ratio can turn is decided in problem.py.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import overload
+
+from kurbel.errors import NotationError
+from kurbel.numerals import finite_decimals, nearest, number_text
+
+LONGEST_NUMBER = 60
+LONGEST_LIST = 10_000
+MOST_ROWS = 10**9
+
+_NUMBER = re.compile(r"([+-]?)(\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE]([+-]?\d{1,3}))?", re.ASCII)
+_ANGLE = re.compile(
+    r"([+-]?)(?:(?P<deg>\d+(?:[.,]\d+)?)\s*(?:°|deg))?\s*"
+    r"(?:(?P<min>\d+(?:[.,]\d+)?)\s*['′’])?\s*(?:(?P<sec>\d+(?:[.,]\d+)?)\s*(?:\"|″|''))?",
+    re.ASCII,
+)
+_AMBIGUOUS = re.compile(r"\s*[+-]?\d+(,\d+)+\s*", re.ASCII)
+_INFINITE = {"∞", "inf", "oo"}
+
+
+@dataclass(frozen=True, slots=True)
+class Progression(Sequence[Fraction]):
+    """Equally spaced exact numbers: start, start + step, ...; a sequence that is never written out."""
+
+    start: Fraction
+    step: Fraction
+    count: int
+
+    def __len__(self) -> int:
+        return self.count
+
+    @overload
+    def __getitem__(self, index: int) -> Fraction: ...
+    @overload
+    def __getitem__(self, index: slice) -> Progression: ...
+
+    def __getitem__(self, index: int | slice) -> Fraction | Progression:
+        if isinstance(index, slice):
+            rows = range(self.count)[index]
+            return Progression(self.start + rows.start * self.step, self.step * rows.step, len(rows))
+        if not -self.count <= index < self.count:
+            raise IndexError(index)
+        return self.start + (index % self.count) * self.step
+
+
+def number(text: str, what: str = "number") -> Fraction:
+    """Return the exact value of a decimal: "4,5", "4.5", "-2e-3"."""
+    stripped = text.strip()
+    if len(stripped) > LONGEST_NUMBER:
+        raise NotationError(
+            f"{what} {_shown(text)} has {len(stripped)} characters; at most {LONGEST_NUMBER} are read"
+        )
+    match = _NUMBER.fullmatch(stripped)
+    if match is None:
+        raise NotationError(f"{what} {_shown(text)} is not a number; write it as 4.5 or 4,5")
+    sign, digits, exponent = match.groups()
+    value = Fraction(digits.replace(",", ".")) * Fraction(10) ** int(exponent or 0)
+    return -value if sign == "-" else value
+
+
+def ratio(text: str) -> Fraction:
+    """Return λ = R/L from "1:5", "1:4,5", "1/4.5", "2:9", "0.2"; "1:∞" is the infinite rod, 0."""
+    parts = re.split(r"[:/]", text.strip())
+    try:
+        if len(parts) == 1:
+            return number(parts[0])
+        crank, rod = parts
+        if rod.strip().lower() in _INFINITE:
+            number(crank)
+            return Fraction(0)
+        length = number(rod)
+        if not length:
+            raise NotationError("the rod has no length")
+        return number(crank) / length
+    except (NotationError, ValueError):
+        raise NotationError(
+            f"crank ratio {_shown(text)} is not a ratio R:L; write it as 1:5, 1:4,5, 1/4.5 or 0.2,"
+            " and 1:∞ for an infinite rod"
+        ) from None
+
+
+def angle(text: str) -> Fraction:
+    """Return degrees from "45", "22.5", "2°30'", "79°20'15\"", with signs."""
+    stripped = text.strip()
+    match = _ANGLE.fullmatch(stripped) if len(stripped) <= LONGEST_NUMBER else None
+    if match is None or not any(match.group("deg", "min", "sec")):
+        try:
+            return number(text)
+        except NotationError:
+            raise NotationError(
+                f"angle {_shown(text)} is not an angle in degrees; write it as 22.5 or 22°30'"
+            ) from None
+    degrees, minutes, seconds = (number(part or "0") for part in match.group("deg", "min", "sec"))
+    if minutes >= 60 or seconds >= 60:
+        raise NotationError(f"angle {_shown(text)} has 60 or more minutes or seconds; carry them over")
+    value = degrees + minutes / 60 + seconds / 3600
+    return -value if match.group(1) == "-" else value
+
+
+def ratios(texts: Iterable[str]) -> tuple[Fraction, ...]:
+    """Return the ratios of lists and ranges: "1:5", "1:4;1:4,5", "1:3..6", "1:3..6:0.5", "0.2..0.3:0.05"."""
+    found: list[Fraction] = []
+    for text in texts:
+        for part in _items(text, ratio, "crank ratio"):
+            found.extend(_ratio_range(part) if ".." in part else [ratio(part)])
+            _check_length(found, LONGEST_LIST, "crank ratios")
+    return tuple(dict.fromkeys(found))
+
+
+def angles(texts: Iterable[str]) -> Sequence[Fraction]:
+    """Return the angles of lists and ranges: "0;30;60", "0..180:10", "2°30'..10°:2°30'"."""
+    parts = [part for text in texts for part in _items(text, angle, "angle")]
+    if len(parts) == 1 and ".." in parts[0]:
+        return _angle_range(parts[0])
+    found: list[Fraction] = []
+    for part in parts:
+        found.extend(_angle_range(part) if ".." in part else [angle(part)])
+        _check_length(found, 10**6, "angles in a list")
+    return tuple(dict.fromkeys(found))
+
+
+def progression(start: Fraction, stop: Fraction, step: Fraction, what: str = "angle") -> Progression:
+    """Return start, start + step, ... up to and including stop."""
+    if stop < start:
+        raise NotationError(
+            f"the {what}s run from {plain(start)} to {plain(stop)}; the end must not lie before the start"
+        )
+    if step <= 0:
+        raise NotationError(f"step {plain(step)} leads nowhere; it must be above 0")
+    if step > stop - start and stop > start:
+        raise NotationError(
+            f"step {plain(step)} is larger than the range {plain(start)}..{plain(stop)};"
+            f" at most {plain(stop - start)} fits"
+        )
+    count = (stop - start) // step + 1
+    if count > MOST_ROWS:
+        raise NotationError(
+            f"step {plain(step)} makes a table of about 10^{len(str(count)) - 1} rows; at most 10^9 are allowed"
+        )
+    return Progression(start, step, count)
+
+
+def ratio_text(value: Fraction, mark: str = ".") -> str:
+    """Return the ratio as books print it: 1:5, 1:4.5, 3:7, 1:∞."""
+    if not value:
+        return "1:∞"
+    if finite_decimals(1 / value) is not None:
+        return f"1:{plain(1 / value, mark)}"
+    return f"{value.numerator}:{value.denominator}"
+
+
+def plain(value: Fraction, mark: str = ".", minus: str = "-") -> str:
+    """Return the shortest exact decimal, or the value to 15 places where none is exact."""
+    decimals = finite_decimals(value)
+    if decimals is not None and decimals <= LONGEST_NUMBER:
+        return number_text(nearest(value, decimals), mark, minus)
+    return number_text(nearest(value, 15), mark, minus)
+
+
+def _items(text: str, read: object, what: str) -> list[str]:
+    if _AMBIGUOUS.fullmatch(text):
+        spellings = text.strip().split(",")
+        as_number = f"the number {'.'.join(spellings)} or " if len(spellings) == 2 else ""
+        raise NotationError(
+            f"{what} {_shown(text)} can be read as {as_number}the list {';'.join(spellings)};"
+            f" write {'.'.join(spellings) + ' or ' if as_number else ''}{';'.join(spellings)}"
+        )
+    parts = [part.strip() for part in text.split(";")]
+    if not all(parts):
+        raise NotationError(f"{what} {_shown(text)} has an empty place; write a list as 2;3;4")
+    return parts
+
+
+def _ratio_range(text: str) -> Sequence[Fraction]:
+    """1:3..6:0.5 and 1:3..1:6 step the rod length L/R; 0.2..0.3:0.05 steps the ratio itself."""
+    match = re.fullmatch(r"(?:(1)\s*[:/])?([^:/]+)\.\.(?:1\s*[:/](?=.))?([^:/]+)(?::([^:/]+))?", text)
+    if match is None:
+        raise NotationError(
+            f"crank ratio {_shown(text)} is not a range; write it as 1:3..6, 1:3..6:0.5 or 0.2..0.3:0.05"
+        )
+    by_length, first, last, step = match.groups()
+    if by_length is None and step is None:
+        raise NotationError(
+            f"crank ratio {_shown(text)} needs a step; write 0.2..0.3:0.05, or 1:3..6 to step the rod length"
+        )
+    values = progression(number(first), number(last), number(step or "1"), "ratio")
+    _check_length(values, LONGEST_LIST, "crank ratios")
+    if by_length and not all(values):
+        raise NotationError(f"crank ratio {_shown(text)} contains 1:0; the rod must have a length")
+    return [1 / value for value in values] if by_length else values
+
+
+def _angle_range(text: str) -> Progression:
+    match = re.fullmatch(r"(.+?)\.\.(.+?)(?::(.+))?", text)
+    if match is None:
+        raise NotationError(f"angle {_shown(text)} is not a range; write it as 0..180:10")
+    first, last, step = match.groups()
+    return progression(angle(first), angle(last), angle(step or "1"))
+
+
+def _check_length(values: Sequence[Fraction], most: int, what: str) -> None:
+    if len(values) > most:
+        raise NotationError(f"{len(values)} {what} were given; at most {most} are allowed")
+
+
+def _shown(text: str) -> str:
+    return f'"{text}"' if len(text) <= LONGEST_NUMBER else f'"{text[:20]}..."'

@@ -1,0 +1,73 @@
+"""Files are written whole or not at all: into a temporary file beside the target, renamed at the end."""
+
+from __future__ import annotations
+
+import os
+import stat
+import sys
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from typing import BinaryIO
+
+from kurbel.errors import OutputError
+
+
+@contextmanager
+def whole_file(target: str) -> Iterator[BinaryIO]:
+    """Give a binary stream that becomes the file `target` when the block ends without an exception.
+
+    "-" is standard output. A link keeps pointing to its file; a device or a pipe is written directly.
+    """
+    if target == "-":
+        yield sys.stdout.buffer
+        sys.stdout.buffer.flush()
+        return
+    path = Path(os.path.realpath(target))
+    try:
+        if path.exists() and not path.is_file() and not path.is_dir():
+            with path.open("wb") as device:
+                yield device
+        else:
+            yield from _replaced(path)
+    except OSError as error:
+        raise OutputError(f"cannot write {target}: {_reason(error)}") from error
+
+
+def _replaced(path: Path) -> Iterator[BinaryIO]:
+    _check(path)
+    handle, name = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".part", dir=path.parent)
+    try:
+        with os.fdopen(handle, "wb") as stream:
+            yield stream
+            stream.flush()
+            os.fsync(stream.fileno())
+        os.chmod(name, _mode(path))
+        os.replace(name, path)
+    except BaseException:
+        with suppress(FileNotFoundError):
+            os.unlink(name)
+        raise
+
+
+def _check(path: Path) -> None:
+    if path.is_dir():
+        raise IsADirectoryError(21, "it is a directory; name a file in it")
+    if not path.parent.is_dir():
+        raise FileNotFoundError(2, f"the directory {path.parent} does not exist")
+    if path.exists() and not os.access(path, os.W_OK):
+        raise PermissionError(13, "the file is read-only")
+
+
+def _mode(path: Path) -> int:
+    """The mode of the old file, or what a new file would get."""
+    if path.exists():
+        return stat.S_IMODE(path.stat().st_mode)
+    mask = os.umask(0)
+    os.umask(mask)
+    return 0o666 & ~mask
+
+
+def _reason(error: OSError) -> str:
+    return error.strerror or str(error)

@@ -1,0 +1,75 @@
+"""The crank drive that a table is about, checked once."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from kurbel.errors import ProblemError
+from kurbel.notation import plain, ratio_text
+
+LONGEST_ROD = 10**9
+LARGEST_ANGLE = 10**6
+
+
+@dataclass(frozen=True, slots=True)
+class Speed:
+    """Angular velocity ω = value (2π)^turns in 1/s: turns per second are exact, and so are radians."""
+
+    value: Fraction
+    turns: bool = True
+
+    def __post_init__(self) -> None:
+        if self.value <= 0:
+            raise ProblemError(f"the speed is {plain(self.value)}/s; it must be above 0")
+
+
+@dataclass(frozen=True, slots=True)
+class Crank:
+    """A crank drive: ratio λ = R/L, offset e/R, crank radius R in metres and speed where they are known.
+
+    Valid for 0 <= λ < 1 and |e| < L − R; λ = 0 is the infinite rod.
+    """
+
+    ratio: Fraction
+    offset: Fraction = Fraction(0)
+    radius: Fraction | None = None
+    speed: Speed | None = None
+
+    def __post_init__(self) -> None:
+        _check_ratio(self.ratio)
+        if self.ratio and abs(self.offset) >= 1 / self.ratio - 1:
+            raise ProblemError(
+                f"offset e = {plain(self.offset)} R is too large for R:L = {ratio_text(self.ratio)};"
+                f" the crank turns only if |e| < L - R = {plain(1 / self.ratio - 1)} R"
+            )
+        if self.radius is not None and self.radius <= 0:
+            raise ProblemError(f"the crank radius is {plain(self.radius)} m; it must be above 0")
+        if self.speed is not None and self.radius is None:
+            raise ProblemError("a speed needs a length to give m/s; add --stroke, for example --stroke 600mm")
+
+
+def check_angles(angles: Sequence[Fraction]) -> None:
+    """Raise ProblemError unless there are angles and all lie within a million degrees of zero."""
+    if not angles:
+        raise ProblemError("no angle was given; write them as --angle 0;45;90 or --from 0 --to 180 --step 10")
+    for angle in (angles[0], angles[-1]) if hasattr(angles, "step") else angles:
+        if abs(angle) > LARGEST_ANGLE:
+            raise ProblemError(f"an angle is beyond {LARGEST_ANGLE}°; give it within one turn, 0..360")
+
+
+def _check_ratio(ratio: Fraction) -> None:
+    if ratio < 0:
+        raise ProblemError(
+            f"crank ratio R:L is {plain(ratio)}; it must not be negative, for both are lengths"
+        )
+    if ratio >= 1:
+        shown = plain(ratio) if len(plain(ratio)) < 20 else "far above 1"
+        raise ProblemError(
+            f"crank ratio R:L is {shown}; it must be below 1, or the rod is too short to pass the dead centre"
+        )
+    if 0 < ratio < Fraction(1, LONGEST_ROD):
+        raise ProblemError(
+            f"crank ratio R:L is below 1:{LONGEST_ROD}; no rod is that long, write 1:∞ for an infinite one"
+        )

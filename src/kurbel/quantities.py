@@ -1,0 +1,275 @@
+"""What can stand in a table: each quantity with its symbol, unit, stroke and formulas, and how to evaluate it.
+
+A quantity is evaluated by one of the kernel's formulas on one of four kinds of number: balls (certified
+digits), separation bounds (ties), floats and arrays (bulk).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
+from typing import Any
+
+from kurbel.errors import ProblemError
+from kurbel.kernel import kinematics
+from kurbel.problem import Crank
+from kurbel.table import Label
+
+Formula = Callable[[Any, Any, Any], Any]
+OUT, RETURN = 1, -1
+STROKES = {
+    OUT: {"de": "Hingang", "en": "Outstroke"},
+    RETURN: {"de": "Rückgang", "en": "Return"},
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Method:
+    """A set of formulas, and what a caption calls it."""
+
+    key: str
+    name: Mapping[str, str]
+    caption: Mapping[str, str]
+
+
+METHODS = {
+    method.key: method
+    for method in (
+        Method(
+            "exact",
+            {"de": "genaue Formeln", "en": "exact formulas"},
+            {"de": "genaue Formeln", "en": "exact formulas"},
+        ),
+        Method(
+            "series",
+            {"de": "Näherung erster Ordnung (Blau 22, 25, 26)", "en": "first order (Blau 22, 25, 26)"},
+            {"de": "Näherung erster Ordnung", "en": "first-order formulas"},
+        ),
+        Method(
+            "infinite",
+            {"de": "Schubstange unendlich lang", "en": "rod of infinite length"},
+            {"de": "unendlich lange Schubstange", "en": "infinitely long rod"},
+        ),
+    )
+}
+
+# The gain of a page that shows two methods: exact minus first order, from unrounded values.
+DIFFERENCE = "difference"
+
+
+@dataclass(frozen=True, slots=True)
+class Numbers:
+    """A kind of number: how an exact rational becomes one, and its π (None where there is none)."""
+
+    of: Callable[[Fraction], Any]
+    pi: Any = None
+
+
+Scale = Callable[[Crank, Numbers], Any]
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """An entry of the registry. `formulas` are by method and take (circle, λ, e/R or None).
+
+    On the return stroke λ and e are negative (the lower sign of the books). `scale` turns the kernel's unit
+    into the quantity's; `arc` means that the formula gives the sine of an angle in degrees.
+    """
+
+    key: str
+    name: Mapping[str, str]
+    symbol: Label
+    heading: Label
+    unit: Mapping[str, str]
+    stroke: int
+    formulas: Mapping[str, Formula]
+    decimals: int
+    scale: Scale
+    needs: str = ""
+    arc: bool = False
+
+    def available(self, crank: Crank) -> bool:
+        return (self.needs != "length" or crank.radius is not None) and (
+            self.needs != "speed" or crank.speed is not None
+        )
+
+    def formula(self, method: str, crank: Crank) -> Formula:
+        if method == DIFFERENCE:
+            exact, series = self.formula("exact", crank), self.formula("series", crank)
+            return lambda circle, ratio, offset: exact(circle, ratio, offset) - series(circle, ratio, offset)
+        if crank.offset and method != "exact":
+            raise ProblemError(
+                f'method "{method}" has no formulas for an offset crank; use --method exact or leave --offset out'
+            )
+        return self.formulas[method]
+
+    def transcendental(self, crank: Crank) -> bool:
+        """Whether no value can lie on a rounding boundary, for it is an arc or a multiple of π.
+
+        An arc: sin ψ = λ(sin φ - e/R) with 0 <= λ < 1 relates at most three sines of rational angles; such
+        relations exist only for ψ = 0 and ±30° (Conway and Jones, Acta Arithmetica 30, 1976), whole degrees.
+        """
+        return self.arc or (self.needs == "speed" and crank.speed is not None and crank.speed.turns)
+
+
+def value(
+    quantity: Quantity, method: str, crank: Crank, circle: Any, numbers: Numbers, arc: Callable[[Any], Any]
+) -> Any:
+    """Return the quantity in its unit, on the kind of number that circle and `numbers` are of."""
+    ratio = Fraction(0) if method == "infinite" else crank.ratio
+    offset = numbers.of(quantity.stroke * crank.offset) if crank.offset else None
+    result = quantity.formula(method, crank)(circle, numbers.of(quantity.stroke * ratio), offset)
+    return (arc(result) if quantity.arc else result) * quantity.scale(crank, numbers)
+
+
+def certified(
+    quantity: Quantity,
+    method: str,
+    crank: Crank,
+    angle: Fraction,
+    decimals: int,
+    rounding: str = "half-away",
+) -> int:
+    """Return the quantity times 10**decimals at an exact angle in degrees, rounded correctly."""
+    from kurbel import certify
+
+    def as_ball() -> Any:
+        circle = certify.ball_circle(angle)
+        return value(quantity, method, crank, circle, numbers_of_balls(), certify.ball_degrees)
+
+    def tie_bits(boundary: Fraction) -> float:
+        return _tie_bits(quantity, method, crank, angle, boundary)
+
+    ties = None if quantity.transcendental(crank) else tie_bits
+    return certify.rounded(as_ball, decimals, rounding, ties)
+
+
+def numbers_of_balls() -> Numbers:
+    """Return balls at the precision in force."""
+    from kurbel import certify
+
+    return Numbers(certify.ball, certify.pi())
+
+
+def _tie_bits(quantity: Quantity, method: str, crank: Crank, angle: Fraction, boundary: Fraction) -> float:
+    from kurbel.kernel.circle import Circle
+    from kurbel.separation import Separation, circle_separation
+
+    circle = Circle(*circle_separation(angle))
+    bound = value(quantity, method, crank, circle, Numbers(Separation.rational), lambda sine: sine)
+    return float((bound - Separation.rational(boundary)).bits())
+
+
+def _straight_or_offset(straight: Callable[..., Any], offset: Callable[..., Any]) -> Formula:
+    return lambda circle, ratio, e: straight(circle, ratio) if e is None else offset(circle, ratio, e)
+
+
+def _straight(formula: Callable[..., Any]) -> Formula:
+    return lambda circle, ratio, e: formula(circle, ratio)
+
+
+def _formulas(exact: Formula, series: Callable[..., Any]) -> Mapping[str, Formula]:
+    return {"exact": exact, "series": _straight(series), "infinite": exact}
+
+
+def _rod_sine(circle: Any, ratio: Any, e: Any) -> Any:
+    return kinematics.rod_sine(circle, ratio, 0 if e is None else e)
+
+
+PATH = _formulas(
+    _straight_or_offset(kinematics.piston_path, kinematics.offset_path), kinematics.piston_path_first_order
+)
+VELOCITY = _formulas(
+    _straight_or_offset(kinematics.piston_velocity, kinematics.offset_velocity),
+    kinematics.piston_velocity_first_order,
+)
+ACCELERATION = _formulas(
+    _straight_or_offset(kinematics.piston_acceleration, kinematics.offset_acceleration),
+    kinematics.piston_acceleration_first_order,
+)
+# The rod's angle enters the first-order formulas nowhere; it is the same arc in all of them.
+ROD_ANGLE = {"exact": _rod_sine, "series": _rod_sine, "infinite": _rod_sine}
+
+
+def _one(crank: Crank, numbers: Numbers) -> Any:
+    return numbers.of(Fraction(1))
+
+
+def _share_of_stroke(share: int) -> Scale:
+    def scale(crank: Crank, numbers: Numbers) -> Any:
+        if not crank.offset:
+            return numbers.of(Fraction(share, 2))
+        return share / kinematics.stroke(numbers.of(crank.ratio), numbers.of(crank.offset))
+
+    return scale
+
+
+def _radius(crank: Crank) -> Fraction:
+    assert crank.radius is not None
+    return crank.radius
+
+
+def _millimetres(crank: Crank, numbers: Numbers) -> Any:
+    return numbers.of(1000 * _radius(crank))
+
+
+def _angular_velocity(power: int) -> Scale:
+    """R ω**power: v for the velocity, v²/R for the acceleration."""
+
+    def scale(crank: Crank, numbers: Numbers) -> Any:
+        assert crank.speed is not None
+        rational = numbers.of(_radius(crank) * (crank.speed.value * (2 if crank.speed.turns else 1)) ** power)
+        return rational * numbers.pi**power if crank.speed.turns and numbers.pi is not None else rational
+
+    return scale
+
+
+_PATH_NAME = {"de": "Kolbenweg", "en": "Piston path"}
+_VELOCITY_NAME = {"de": "Kolbengeschwindigkeit", "en": "Piston velocity"}
+_ACCELERATION_NAME = {"de": "Kolbenbeschleunigung", "en": "Piston acceleration"}
+_ROD_NAME = {"de": "Schubstangenwinkel", "en": "Rod angle"}
+
+
+def _both_strokes(
+    key: str, name: Mapping[str, str], heading: Label, unit: Mapping[str, str] | str, **rest: Any
+) -> list[Quantity]:
+    """The quantity on the outstroke and on the return stroke: x_mm and x_return_mm."""
+    stem, _, rest_of_key = key.partition("_")
+    back = f"{stem}_return_{rest_of_key}" if rest_of_key else f"{stem}_return"
+    units = {"de": unit, "en": unit} if isinstance(unit, str) else unit
+    symbol = "$ψ$" if stem == "psi" else f"${stem}$"
+    return [
+        Quantity(each, name, symbol, heading, units, stroke, **rest)
+        for each, stroke in ((key, OUT), (back, RETURN))
+    ]
+
+
+@cache
+def registry() -> Mapping[str, Quantity]:
+    """Return every quantity by its key, in the order in which `kurbel quantities` lists them."""
+    share = {"de": "Hub", "en": "stroke"}
+    percent = {"de": "% des Hubes", "en": "% of the stroke"}
+    path = {"name": _PATH_NAME, "formulas": PATH}
+    velocity = {"name": _VELOCITY_NAME, "formulas": VELOCITY}
+    acceleration = {"name": _ACCELERATION_NAME, "formulas": ACCELERATION}
+    rod = {"name": _ROD_NAME, "formulas": ROD_ANGLE, "arc": True}
+    length, speed = {"needs": "length"}, {"needs": "speed"}
+    rows: list[tuple[str, Label, Any, int, Scale, dict[str, Any]]] = [
+        ("x", "$x/R$", "R", 4, _one, path),
+        ("x_stroke", "$x/S$", share, 4, _share_of_stroke(1), path),
+        ("x_percent", "$100 x/S$", percent, 2, _share_of_stroke(100), path),
+        ("x_mm", "$x$ in mm", "mm", 2, _millimetres, path | length),
+        ("c", "$c/v$", "v", 4, _one, velocity),
+        ("c_mps", "$c$ in m/s", "m/s", 3, _angular_velocity(1), velocity | speed),
+        ("p", "$(p R)/v^2$", "v²/R", 4, _one, acceleration),
+        ("p_mps2", "$p$ in m/s²", "m/s²", 2, _angular_velocity(2), acceleration | speed),
+        ("psi", "$ψ$ in °", "°", 3, _one, rod),
+    ]
+    entries = [
+        quantity
+        for key, heading, unit, decimals, scale, rest in rows
+        for quantity in _both_strokes(key, heading=heading, unit=unit, decimals=decimals, scale=scale, **rest)
+    ]
+    return {entry.key: entry for entry in entries}

@@ -1,0 +1,101 @@
+"""How near an algebraic number can come to zero without being zero.
+
+A kernel formula that is run on `Separation` numbers returns, instead of a value, a lower bound of the
+value's magnitude in case it is not zero. With it an exact tie (0.575 to two decimals) is recognised as
+one: a ball that contains the tie and is narrower than the bound can contain nothing else.
+
+Rules: Burnikel, Funke, Mehlhorn, Schirra and Schmitt, A separation bound for real algebraic expressions,
+Algorithmica 55 (2009), section 3 (BFMSS without roots of higher degree).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from math import gcd, log2
+
+
+@dataclass(frozen=True, slots=True)
+class Separation:
+    """A quotient U/L of algebraic integers whose conjugates are at most 2**upper and 2**lower.
+
+    `roots` names the square roots that occur, `degree` is the degree of the field below them.
+    """
+
+    upper: float
+    lower: float
+    degree: int = 1
+    roots: frozenset[object] = frozenset()
+
+    @classmethod
+    def rational(cls, value: Fraction | int) -> Separation:
+        exact = Fraction(value)
+        return cls(log2(max(abs(exact.numerator), 1)), log2(exact.denominator))
+
+    def bits(self) -> float:
+        """Return b such that the number is zero or at least 2**-b in magnitude."""
+        degree = self.degree * 2 ** len(self.roots)
+        # One bit more covers the rounding of the logarithms.
+        return (degree - 1) * self.upper + self.lower + 1
+
+    def __add__(self, other: Separation | int) -> Separation:
+        other = _separation(other)
+        upper = max(self.upper + other.lower, other.upper + self.lower) + 1
+        return self._with(other, upper, self.lower + other.lower)
+
+    __radd__ = __sub__ = __rsub__ = __add__
+
+    def __mul__(self, other: Separation | int) -> Separation:
+        other = _separation(other)
+        return self._with(other, self.upper + other.upper, self.lower + other.lower)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Separation | int) -> Separation:
+        other = _separation(other)
+        return self._with(other, self.upper + other.lower, self.lower + other.upper)
+
+    def __rtruediv__(self, other: int) -> Separation:
+        return _separation(other) / self
+
+    def __neg__(self) -> Separation:
+        return self
+
+    def __pow__(self, exponent: float) -> Separation:
+        if exponent == 0.5:
+            # sqrt(U/L) = sqrt(UL)/L.
+            upper = (self.upper + self.lower) / 2
+            return Separation(upper, self.lower, self.degree, self.roots | {object()})
+        if exponent != int(exponent) or exponent < 0:
+            raise ValueError(f"no rule for the exponent {exponent}")
+        return Separation(self.upper * exponent, self.lower * exponent, self.degree, self.roots)
+
+    def _with(self, other: Separation, upper: float, lower: float) -> Separation:
+        return Separation(upper, lower, max(self.degree, other.degree), self.roots | other.roots)
+
+
+def circle_separation(degrees: Fraction) -> tuple[Separation, Separation, Separation]:
+    """Return the bounds of sine, cosine and versine of a rational number of degrees.
+
+    2 sin φ and 2 cos φ are algebraic integers with conjugates up to 2, in the cyclotomic field of order
+    lcm(n, 4), where n is the denominator of φ/360°.
+    """
+    denominator = (degrees / 360).denominator
+    degree = _totient(4 * denominator // gcd(4, denominator))
+    half = Separation(1, 1, degree)
+    return half, half, Separation(2, 1, degree)
+
+
+def _separation(value: Separation | int) -> Separation:
+    return value if isinstance(value, Separation) else Separation.rational(value)
+
+
+def _totient(order: int) -> int:
+    result, rest, prime = order, order, 2
+    while prime * prime <= rest:
+        if rest % prime == 0:
+            result -= result // prime
+            while rest % prime == 0:
+                rest //= prime
+        prime += 1
+    return result - result // rest if rest > 1 else result

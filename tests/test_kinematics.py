@@ -1,0 +1,320 @@
+"""Kinematics: accuracy against the textbook in balls of 300 bits, and what must hold for any crank."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from typing import Any
+
+import flint
+import numpy as np
+import pytest
+from flint import arb, fmpq
+from numpy.testing import assert_allclose
+from numpy.typing import NDArray
+
+from kurbel.kernel import kinematics
+from kurbel.kernel.circle import Circle, circle, rod_angle
+
+Ball = Any
+Textbook = Callable[[Ball, Ball, Ball], Ball]
+
+
+@pytest.fixture(autouse=True)
+def precision() -> Iterator[None]:
+    before = flint.ctx.prec
+    flint.ctx.prec = 300
+    yield
+    flint.ctx.prec = before
+
+
+def ball(number: float) -> Ball:
+    exact = Fraction(float(number))
+    return arb(fmpq(exact.numerator, exact.denominator))
+
+
+def textbook_path(phi: Ball, ratio: Ball, offset: Ball) -> Ball:
+    """x from the outermost position of the crosshead, all lengths in R; the rod is 1/λ long."""
+    rod = 1 / ratio
+    crosshead = phi.cos() + (rod**2 - (phi.sin() - offset) ** 2).sqrt()
+    return ((rod + 1) ** 2 - offset**2).sqrt() - crosshead
+
+
+def textbook_velocity(phi: Ball, ratio: Ball, offset: Ball) -> Ball:
+    psi = (ratio * (phi.sin() - offset)).asin()
+    return (phi + psi).sin() / psi.cos()
+
+
+def textbook_acceleration(phi: Ball, ratio: Ball, offset: Ball) -> Ball:
+    psi = (ratio * (phi.sin() - offset)).asin()
+    return phi.cos() - phi.sin() * psi.tan() + ratio * phi.cos() ** 2 / psi.cos() ** 3
+
+
+def textbook_rod_angle(phi: Ball, ratio: Ball, offset: Ball) -> Ball:
+    return (ratio * (phi.sin() - offset)).asin() * 180 / arb.pi()
+
+
+def blau_path(phi: Ball, ratio: Ball, offset: Ball) -> Ball:
+    return 1 - phi.cos() + ratio * phi.sin() ** 2 / 2
+
+
+def blau_velocity(phi: Ball, ratio: Ball, offset: Ball) -> Ball:
+    return phi.sin() + ratio * (2 * phi).sin() / 2
+
+
+def blau_acceleration(phi: Ball, ratio: Ball, offset: Ball) -> Ball:
+    return phi.cos() + ratio * (2 * phi).cos()
+
+
+# Formula, textbook, the magnitude below which an ulp shrinks no further, bound for |λ| <= 1/3, bound for
+# larger λ. Below 1e-50 a ball is the zero of a dead centre.
+TINY = 1e-50
+
+
+def steep(ratio: float) -> float:
+    return 3 / (1 - ratio)
+
+
+STRAIGHT: dict[str, Any] = {
+    "x": (kinematics.piston_path, textbook_path, TINY, 2, steep),
+    "c": (kinematics.piston_velocity, textbook_velocity, TINY, 2, steep),
+    "p": (kinematics.piston_acceleration, textbook_acceleration, 1.0, 2, lambda ratio: 10),
+    "psi": (rod_angle, textbook_rod_angle, TINY, 1, lambda ratio: 1),
+    "x series": (kinematics.piston_path_first_order, blau_path, TINY, 2, steep),
+    "c series": (kinematics.piston_velocity_first_order, blau_velocity, TINY, 2, steep),
+    "p series": (kinematics.piston_acceleration_first_order, blau_acceleration, 1.0, 2, lambda ratio: 3),
+}
+# Formula, textbook, magnitude as above.
+OFFSET: dict[str, Any] = {
+    "x": (kinematics.offset_path, textbook_path, 1.0),
+    "c": (kinematics.offset_velocity, textbook_velocity, 1.0),
+    "p": (kinematics.offset_acceleration, textbook_acceleration, 1.0),
+    "psi": (rod_angle, textbook_rod_angle, 5.0),
+}
+# What the return stroke makes of the value at 180° + α; the rod angle stays as it is.
+RETURNED: dict[str, Callable[[Ball, Ball], Ball]] = {
+    "x": lambda value, travel: travel - value,
+    "c": lambda value, travel: -value,
+    "p": lambda value, travel: -value,
+    "psi": lambda value, travel: value,
+}
+
+
+def sampled_angles(seed: int) -> NDArray[np.float64]:
+    random = np.random.default_rng(seed)
+    beside = [
+        centre + side * 10.0**-power
+        for centre in (0, 90, 180, 270, 360)
+        for side in (1, -1)
+        for power in (1, 2, 4, 6, 8, 10)
+    ]
+    return np.concatenate(
+        [np.arange(0, 361, 5.0), np.round(random.uniform(0, 360, 60), 1), random.uniform(0, 360, 300), beside]
+    )
+
+
+def worst(values: Any, true: list[Ball], floor: float) -> tuple[float, int]:
+    """Return the largest error in units in the last place of max(|true|, floor), and its row."""
+    errors = [
+        float(abs(arb(float(value)) - expected).mid()) / math.ulp(max(abs(float(expected.mid())), floor))
+        for value, expected in zip(values, true, strict=True)
+    ]
+    row = int(np.argmax(errors))
+    return errors[row], row
+
+
+def textbook_strokes(
+    quantity: str, textbook: Textbook, angles: NDArray[np.float64], ratio: float, offset: float
+) -> tuple[list[Ball], list[Ball]]:
+    """Return the textbook's values on the outstroke, and on the return stroke at the same angles."""
+    lam, eta = ball(ratio), ball(offset)
+    travel = ((1 / lam + 1) ** 2 - eta**2).sqrt() - ((1 / lam - 1) ** 2 - eta**2).sqrt()
+    radians = [ball(angle) * arb.pi() / 180 for angle in angles]
+    returned = RETURNED[quantity.split()[0]]
+    return [textbook(phi, lam, eta) for phi in radians], [
+        returned(textbook(phi + arb.pi(), lam, eta), travel) for phi in radians
+    ]
+
+
+def assert_within(
+    bound: float, quantity: str, entry: Any, ratio: float, offset: float, *crank: float
+) -> None:
+    """Compare both strokes with the textbook; `crank` is what the formula takes besides the circle."""
+    formula, textbook, floor = entry[:3]
+    angles = sampled_angles(int(1e6 * ratio))
+    outward, back = textbook_strokes(quantity, textbook, angles, ratio, offset)
+    for true, sign in ((outward, 1), (back, -1)):
+        values = formula(circle(angles), *(sign * number for number in crank))
+        error, row = worst(values, true, floor)
+        assert error <= bound, (
+            f"{quantity} is {error:.2f} ulp off at φ = {angles[row]!r}°, λ = {sign * ratio!r}, η = {offset!r}"
+        )
+
+
+@pytest.mark.parametrize("ratio", [1 / 3, 0.3101, 0.25, 1 / 4.5, 0.2, 0.1234, 0.01, 1e-6])
+@pytest.mark.parametrize("quantity", STRAIGHT)
+def test_usual_ratios_are_within_two_ulp_of_the_textbook(quantity: str, ratio: float) -> None:
+    bound = STRAIGHT[quantity][3]
+    assert_within(bound, quantity, STRAIGHT[quantity], ratio, 0.0, ratio)
+
+
+@pytest.mark.parametrize("ratio", [0.4, 0.55, 0.7, 0.9, 0.98, 0.99])
+@pytest.mark.parametrize("quantity", STRAIGHT)
+def test_short_rods_are_within_the_stated_bound(quantity: str, ratio: float) -> None:
+    bound = STRAIGHT[quantity][4](ratio)
+    assert_within(bound, quantity, STRAIGHT[quantity], ratio, 0.0, ratio)
+
+
+@pytest.mark.parametrize(
+    ("ratio", "offset", "bound"),
+    [(0.25, 0.9, 3), (0.2, -1.45, 3), (1 / 3, 0.4, 3), (0.3, 1.9, 12), (0.55, -0.6, 12)],
+)
+@pytest.mark.parametrize("quantity", OFFSET)
+def test_offset_cranks_are_within_the_stated_bound(
+    quantity: str, ratio: float, offset: float, bound: float
+) -> None:
+    assert_within(1 if quantity == "psi" else bound, quantity, OFFSET[quantity], ratio, offset, ratio, offset)
+
+
+ANGLES = np.array([3.7, 41.3, 88.8, 97.1, 133.2, 171.9, 204.4, 266.6, 311.5, 352.3])
+RATIOS = [0.23, -0.23, 0.61]
+
+
+def slope(formula: Callable[[Circle[Any]], Any]) -> NDArray[np.float64]:
+    """Return the derivative by the angle in radians, by central differences of fourth order."""
+    step = 0.05
+
+    def at(shift: float) -> Any:
+        return formula(circle(ANGLES + shift * step))
+
+    difference = 8 * (at(1) - at(-1)) - (at(2) - at(-2))
+    return np.asarray(difference / (12 * math.radians(step)))
+
+
+@pytest.mark.parametrize("ratio", RATIOS)
+@pytest.mark.parametrize(
+    ("path", "velocity", "acceleration"),
+    [
+        (kinematics.piston_path, kinematics.piston_velocity, kinematics.piston_acceleration),
+        (
+            kinematics.piston_path_first_order,
+            kinematics.piston_velocity_first_order,
+            kinematics.piston_acceleration_first_order,
+        ),
+    ],
+    ids=["exact", "series"],
+)
+def test_velocity_is_the_slope_of_the_path_and_acceleration_that_of_velocity(
+    path: Any, velocity: Any, acceleration: Any, ratio: float
+) -> None:
+    point = circle(ANGLES)
+    assert_allclose(velocity(point, ratio), slope(lambda c: path(c, ratio)), rtol=1e-9, atol=1e-9)
+    assert_allclose(acceleration(point, ratio), slope(lambda c: velocity(c, ratio)), rtol=1e-9, atol=1e-9)
+
+
+@pytest.mark.parametrize(("ratio", "offset"), [(0.23, 0.7), (-0.23, -0.7), (0.31, -1.1)])
+def test_offset_velocity_is_the_slope_of_the_offset_path(ratio: float, offset: float) -> None:
+    point = circle(ANGLES)
+    velocity = kinematics.offset_velocity
+    path_slope = slope(lambda c: kinematics.offset_path(c, ratio, offset))
+    assert_allclose(velocity(point, ratio, offset), path_slope, rtol=1e-9, atol=1e-9)
+    velocity_slope = slope(lambda c: velocity(c, ratio, offset))
+    acceleration = kinematics.offset_acceleration(point, ratio, offset)
+    assert_allclose(acceleration, velocity_slope, rtol=1e-9, atol=1e-9)
+
+
+@pytest.mark.parametrize(("ratio", "offset"), [(0.23, 0.7), (0.31, -1.1), (0.27, 0.0)])
+def test_return_stroke_mirrors_the_outstroke(ratio: float, offset: float) -> None:
+    here, opposite = circle(ANGLES), circle(ANGLES + 180)
+    travel = kinematics.stroke(ratio, offset)
+    back = kinematics.offset_path(here, -ratio, -offset)
+    assert_allclose(back, travel - kinematics.offset_path(opposite, ratio, offset), rtol=1e-14, atol=1e-15)
+    for formula in (kinematics.offset_velocity, kinematics.offset_acceleration):
+        assert_allclose(
+            formula(here, -ratio, -offset), -formula(opposite, ratio, offset), rtol=1e-13, atol=1e-14
+        )
+
+
+def test_offset_path_starts_at_its_dead_centre_and_ends_after_the_stroke() -> None:
+    ratio, offset = 0.27, 0.8
+    inner = math.degrees(math.asin(kinematics.dead_centre_sine(ratio, offset)))
+    outer = 180 + math.degrees(math.asin(kinematics.dead_centre_sine(-ratio, -offset)))
+    travel = kinematics.stroke(ratio, offset)
+    assert_allclose(kinematics.offset_path(circle(inner), ratio, offset), 0, rtol=0, atol=1e-15)
+    assert_allclose(kinematics.offset_path(circle(outer), ratio, offset), travel, rtol=1e-15, atol=0)
+
+
+def test_an_infinite_rod_gives_pure_sine() -> None:
+    point = circle(sampled_angles(7))
+    for path in (kinematics.piston_path, kinematics.piston_path_first_order):
+        np.testing.assert_array_equal(path(point, 0), point.versine)
+    for velocity in (kinematics.piston_velocity, kinematics.piston_velocity_first_order):
+        np.testing.assert_array_equal(velocity(point, 0), point.sine)
+    for acceleration in (kinematics.piston_acceleration, kinematics.piston_acceleration_first_order):
+        np.testing.assert_array_equal(acceleration(point, 0), point.cosine)
+    np.testing.assert_array_equal(rod_angle(point, 0.0), 0)
+
+
+@pytest.mark.parametrize("ratio", RATIOS)
+def test_a_vanishing_offset_leaves_the_straight_crank(ratio: float) -> None:
+    point = circle(ANGLES)
+    assert_allclose(
+        kinematics.offset_path(point, ratio, 0.0), kinematics.piston_path(point, ratio), rtol=1e-13, atol=0
+    )
+    assert_allclose(
+        kinematics.offset_velocity(point, ratio, 1e-13),
+        kinematics.piston_velocity(point, ratio),
+        rtol=1e-11,
+        atol=0,
+    )
+    assert_allclose(
+        kinematics.offset_acceleration(point, ratio, 1e-13),
+        kinematics.piston_acceleration(point, ratio),
+        rtol=1e-11,
+        atol=1e-11,
+    )
+    assert kinematics.stroke(ratio) == 2
+
+
+FORMULAS = [entry[0] for entry in STRAIGHT.values()]
+
+
+@pytest.mark.parametrize("formula", FORMULAS)
+def test_arrays_give_the_bits_of_scalars(formula: Any) -> None:
+    angles = sampled_angles(11)
+    for ratio in (0.2345, -0.2345):
+        values = formula(circle(angles), ratio)
+        np.testing.assert_array_equal(values, [formula(circle(float(angle)), ratio) for angle in angles])
+
+
+@pytest.mark.parametrize("formula", FORMULAS)
+def test_no_zero_has_a_sign(formula: Any) -> None:
+    for angle in (0.0, 180.0, 360.0):
+        for ratio in (0.2, -0.2, 0.0):
+            value = formula(circle(angle), ratio)
+            assert value or math.copysign(1, value) == 1, f"{formula.__name__} at {angle}°, λ = {ratio}"
+
+
+def test_dead_centres_are_exact() -> None:
+    assert kinematics.piston_path(circle(180), 0.3) == 2 == kinematics.piston_path(circle(180), -0.3)
+    assert kinematics.piston_velocity(circle(180), 0.3) == 0 == kinematics.piston_path(circle(360), -0.3)
+    assert kinematics.piston_acceleration(circle(0), 0.25) == 1.25
+    assert kinematics.piston_acceleration(circle(180), 0.25) == -0.75
+    assert kinematics.piston_acceleration_first_order(circle(45), 0.25) == circle(45).cosine
+
+
+def test_ball_formulas_contain_the_floats() -> None:
+    phi = ball(73.9) * arb.pi() / 180
+    point = Circle(phi.sin(), phi.cos(), 1 - phi.cos())
+    for formula in FORMULAS:
+        if formula is not rod_angle:
+            value = formula(point, ball(0.2345))
+            assert float(value.rad()) < 1e-80
+            assert_allclose(float(value.mid()), formula(circle(73.9), 0.2345), rtol=1e-15, atol=0)
+
+
+def test_mean_speed_is_stroke_times_revolutions_over_thirty() -> None:
+    # Stroke 0.6 m at 250 turns a minute: 300 m in 60 s.
+    assert_allclose(kinematics.mean_piston_speed(0.6, 250), 5.0, rtol=1e-15, atol=0)
+    assert_allclose(kinematics.mean_piston_velocity(kinematics.stroke(0.3)), 2 / math.pi, rtol=1e-15, atol=0)
