@@ -9,10 +9,13 @@ from kurbel.rows import RecordRows
 from kurbel.table import Note, Records, Table
 
 
-def build(request: Request, pages: bool = True) -> Table:
-    """Return the table that was asked for; without `pages` only its records, which need no memory."""
+def build(request: Request, pages: bool = True, mark: str = ".") -> Table:
+    """Return the table that was asked for; without `pages` only its records, which need no memory.
+
+    `mark` is the decimal mark of the ratios in the records, which are text.
+    """
     columns = page_columns(request)
-    records = RecordRows(request, columns)
+    records = RecordRows(request, columns, mark)
     return Table(
         key=request.layout.key,
         lang=request.lang,

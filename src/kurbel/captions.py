@@ -124,17 +124,20 @@ def _fraction(ratio: Fraction) -> str:
 def _formula_lines(request: Request, columns: Sequence[Digits]) -> Iterator[Label]:
     offset = any(crank.offset for crank in request.cranks)
     both = any(column.quantity.stroke == RETURN for column in columns)
-    methods = dict.fromkeys(method for column in columns for method in _methods_of(column.method))
+    pairs = dict.fromkeys(
+        (method, column.quantity.symbol.strip("$"))
+        for column in columns
+        for method in _methods_of(column.method)
+    )
+    methods = dict.fromkeys(method for method, _ in pairs)
     for method in methods:
         table = OFFSET_FORMULAS if offset else FORMULAS[method]
-        symbols = dict.fromkeys(column.quantity.symbol.strip("$") for column in columns)
-        shown = [table[symbol] for symbol in symbols if table[symbol]]
-        last = SYMBOLS["offset" if offset else method]
-        line = ", ".join(part for part in (*shown, last) if part)
+        formulas = [table[symbol] for one, symbol in pairs if one == method]
+        line = ", ".join(part for part in (*formulas, SYMBOLS["offset" if offset else method]) if part)
         yield _filled(line, request, "±" if both else "+")
     if both and offset:
         yield _filled(WORDS["offset_return"][request.lang], request, "±")
-    elif both and any(method != "infinite" for method in methods):
+    elif both and any("±" in FORMULAS[method][symbol] for method, symbol in pairs):
         yield WORDS["signs"][request.lang]
 
 

@@ -16,6 +16,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import groupby
 
 from kurbel.errors import LayoutError
 
@@ -159,6 +160,8 @@ Part = Prose | Formula | Mark
 _PART = re.compile(r"\\(?P<dollar>\$)|\$(?P<formula>[^$]*)(?P<end>\$?)|\[\^(?P<mark>[^\]]+)\]")
 # Everything that breaks or jumps within a line; the no-break and thin spaces of typography stay.
 _WHITE = re.compile(r"[\t-\r\x1c-\x20\x85\u2028\u2029]+")
+# Minutes and seconds of an angle typed with quotation marks.
+_MINUTES = re.compile(r"(°[0-9.,]+)'(?:([0-9.,]+)\")?")
 _TOKEN = re.compile(r'[0-9]+(?:\.[0-9]+)?|[A-Za-z]+|"[^"]*"|[\s]+|.', re.DOTALL)
 _DEEPEST = 20
 
@@ -192,17 +195,16 @@ def _parts(label: str) -> Iterator[Part]:
 
 
 def _joined(parts: Iterable[Part]) -> Iterator[Part]:
-    prose = ""
-    for part in parts:
-        if isinstance(part, Prose):
-            prose += part.text
-            continue
-        if prose:
-            yield Prose(prose)
-        prose = ""
-        yield part
-    if prose:
-        yield Prose(prose)
+    for is_prose, run in groupby(parts, key=lambda part: isinstance(part, Prose)):
+        if not is_prose:
+            yield from run
+        elif prose := "".join(part.text for part in run if isinstance(part, Prose)):
+            yield Prose(_MINUTES.sub(_primes, prose))
+
+
+def _primes(angle: re.Match[str]) -> str:
+    minutes, seconds = angle.groups()
+    return f"{minutes}′{seconds}″" if seconds else f"{minutes}′"
 
 
 class _Malformed(Exception):
@@ -344,9 +346,9 @@ def escape_text(prose: str) -> str:
     return prose
 
 
-_MARKDOWN = re.compile(r"[\\`*_\[\]<>|~$&#{}]")
+_MARKDOWN = re.compile(r"[\\`*_\[\]<>|~$]|&(?=[#A-Za-z])")
 # At the start of a line these make a list or a heading.
-_MARKDOWN_START = re.compile(r"^( *)([-+=]|[0-9]+(?=[.)]))(?=[ .)]|$)")
+_MARKDOWN_START = re.compile(r"^( *)([-+=]|#+|[0-9]+(?=[.)]))(?=[ .)]|$)")
 
 
 def escape_markdown(prose: str) -> str:

@@ -89,10 +89,13 @@ def _block(panel: PagePanel, place: int) -> list[str]:
         return [text.ljust(room) for text in texts]
     figures = [_seen(cell) + " " * len(cell.tail) for cell in cells]
     room = max((len(text) for text in figures), default=0)
-    return [
-        (text.strip().center(room) if cell.kind == "missing" else text.rjust(room)) + cell.marks.ljust(hang)
-        for text, cell in zip(figures, cells, strict=True)
-    ]
+    return [_hung(text, cell, room, hang) for text, cell in zip(figures, cells, strict=True)]
+
+
+def _hung(text: str, cell: PageCell, room: int, hang: int) -> str:
+    if cell.kind == "missing":
+        return (text.center(room).rstrip() + cell.marks).ljust(room + hang)
+    return text.rjust(room) + cell.marks.ljust(hang)
 
 
 def _seen(cell: PageCell) -> str:

@@ -1,0 +1,45 @@
+"""`kurbel layouts` and `kurbel quantities`: what there is, a line each."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import click
+
+from kurbel.cli.options import Name
+from kurbel.layouts import LANGUAGES
+
+lang_option = click.option(
+    "--lang", type=Name("language", lambda: LANGUAGES), default="de", show_default=True, envvar="KURBEL_LANG",
+    help="Language of the list: de or en.",
+)  # fmt: skip
+
+
+@click.command()
+@lang_option
+def layouts(lang: str) -> None:
+    """List the page layouts."""
+    from kurbel.layouts import layout, layout_names
+
+    _print([(name, layout(name).title[lang]) for name in layout_names()])
+
+
+@click.command()
+@lang_option
+def quantities(lang: str) -> None:
+    """List the quantities that columns can show."""
+    from kurbel.captions import quantity_name
+    from kurbel.quantities import registry
+
+    axes = {"ratio": {"de": "Kurbelverhältnis", "en": "crank ratio"}, "phi": {"de": "Kurbelwinkel", "en": "crank angle"}}
+    rows = [("ratio", axes["ratio"][lang], "R:L", ""), ("phi", axes["phi"][lang], "°", "")]
+    for key, quantity in registry().items():
+        options = {"": "", "length": "--stroke", "speed": "--stroke --speed"}[quantity.needs]
+        rows.append((key, quantity_name(quantity, lang), quantity.unit[lang], options))
+    _print(rows)
+
+
+def _print(rows: Sequence[Sequence[str]]) -> None:
+    from tabulate import tabulate
+
+    click.echo(tabulate(rows, tablefmt="plain", disable_numparse=True))

@@ -1,0 +1,97 @@
+"""The options that all printing commands share, and how their names are completed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import Any, TypeVar
+
+import click
+from click.shell_completion import CompletionItem
+
+from kurbel.choices import choose
+from kurbel.formats import DECIMALS, FORMATS, Format
+from kurbel.layouts import LANGUAGES, layout_names
+from kurbel.numerals import ROUNDINGS
+
+Command = TypeVar("Command", bound=Callable[..., Any])
+MOST_DIGITS = 50
+
+
+class Name(click.ParamType):
+    """One of a few names; a wrong one is answered with the nearest and the list."""
+
+    def __init__(self, what: str, names: Callable[[], Iterable[str]]) -> None:
+        self.name = what
+        self.names = names
+
+    def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> str:
+        return choose(value, self.names(), self.name)
+
+    def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
+        return [CompletionItem(name) for name in self.names() if name.startswith(incomplete)]
+
+
+class Columns(click.ParamType):
+    """Names of columns, parted by commas; which there are depends on the layout."""
+
+    name = "names"
+
+    def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> str:
+        return value
+
+    def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
+        from kurbel.layouts import layout
+        from kurbel.request import column_keys
+
+        before, comma, last = incomplete.rpartition(",")
+        chosen = before.split(",")
+        keys = column_keys(layout(ctx.params.get("layout") or "kinematics"))
+        return [
+            CompletionItem(before + comma + key) for key in keys if key.startswith(last) and key not in chosen
+        ]
+
+
+def layout_option(default: str) -> Callable[[Command], Command]:
+    return click.option(
+        "--layout", type=Name("layout", layout_names), default=default, show_default=True,
+        help="Page layout; `kurbel layouts` lists them.",
+    )  # fmt: skip
+
+
+def output_options(command: Command) -> Command:
+    """Add -f, -o, --lang, --decimal, --digits, --rounding, --standalone and --longtable."""
+    options = (
+        click.option("-f", "--format", "format_name", type=Name("format", lambda: FORMATS), envvar="KURBEL_FORMAT",
+                     help="Output format; default: by the suffix of -o, else text."),
+        click.option("-o", "--output", metavar="FILE", default="-",
+                     help="File to write, whole or not at all; - is standard output."),
+        click.option("--lang", type=Name("language", lambda: LANGUAGES), default="de", show_default=True,
+                     envvar="KURBEL_LANG", help="Language of headings and captions: de or en."),
+        click.option("--decimal", type=Name("decimal mark", lambda: DECIMALS), envvar="KURBEL_DECIMAL",
+                     help="comma or point; default: by the language, point in CSV and JSON."),
+        click.option("--digits", type=click.IntRange(0, MOST_DIGITS), metavar="N",
+                     help=f"Decimals of every column, 0 to {MOST_DIGITS}."),
+        click.option("--rounding", type=Name("rounding", lambda: ROUNDINGS), default=ROUNDINGS[0],
+                     show_default=True, help="What becomes of a tie."),
+        click.option("--standalone", is_flag=True, help="LaTeX and HTML: a whole document, not a fragment."),
+        click.option("--longtable", is_flag=True, help="LaTeX: a longtable, which breaks across pages."),
+    )  # fmt: skip
+    for option in reversed(options):
+        command = option(command)
+    return command
+
+
+def chosen_format(format_name: str | None, output: str, standalone: bool, longtable: bool) -> Format:
+    """Return the format named, or the one of the file's suffix, or text."""
+    from kurbel.formats import for_suffix
+
+    if format_name is not None:
+        chosen = FORMATS[format_name]
+    else:
+        chosen = FORMATS["text"] if output == "-" else for_suffix(output)
+    if standalone and not chosen.document:
+        documents = " and ".join(name for name, entry in FORMATS.items() if entry.document)
+        raise click.UsageError(f"--standalone is for {documents}; {chosen.name} has no documents.")
+    if longtable and chosen.name != "latex":
+        raise click.UsageError(f"--longtable is for latex; the format is {chosen.name}.")
+    return chosen

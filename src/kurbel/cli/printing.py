@@ -1,0 +1,62 @@
+"""From a request to a file: the pages whole, the records of long tables in a stream."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from contextlib import AbstractContextManager, nullcontext
+from typing import Any
+
+import click
+
+from kurbel.build import build
+from kurbel.formats import Format
+from kurbel.output import whole_file
+from kurbel.request import Request
+
+# Shorter tables are done before a bar could be read.
+BAR_ROWS = 200_000
+
+
+def print_table(
+    request: Request, chosen: Format, output: str, *, decimal: str | None, standalone: bool, longtable: bool
+) -> None:
+    """Write the table in the format to the file, whole or not at all."""
+    if chosen.kind == "page":
+        pieces: Iterator[bytes] = _page(request, chosen, decimal, standalone, longtable)
+        rows = 0
+    else:
+        from kurbel.streams import record_chunks
+
+        rows = len(request.cranks) * len(request.angles)
+        pieces = record_chunks(request, chosen.name, chosen.decimal_name(request.lang, decimal))
+    # The first piece is made before the file is opened, so that bad input leaves no trace.
+    first = next(pieces)
+    with whole_file(output) as stream, _bar(rows) as bar:
+        stream.write(first)
+        for piece in pieces:
+            stream.write(piece)
+            bar.update(1)
+
+
+def _page(
+    request: Request, chosen: Format, decimal: str | None, standalone: bool, longtable: bool
+) -> Iterator[bytes]:
+    from kurbel.render import render
+
+    text = render(build(request), chosen.name, decimal=decimal, standalone=standalone, longtable=longtable)
+    yield text.encode()
+
+
+class _NoBar:
+    def update(self, steps: int) -> None:
+        """Show nothing."""
+
+
+def _bar(rows: int) -> AbstractContextManager[Any]:
+    """A bar on the terminal for long tables, counted in chunks of rows."""
+    from kurbel.rows import CHUNK
+
+    if rows < BAR_ROWS or not sys.stderr.isatty():
+        return nullcontext(_NoBar())
+    return click.progressbar(length=-(-rows // CHUNK), label=f"{rows} rows", file=sys.stderr)

@@ -1,0 +1,154 @@
+"""`kurbel table`: piston path, velocity and acceleration over the crank angle."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any
+
+import click
+
+from kurbel import notation
+from kurbel.cli.options import Columns, Name, chosen_format, layout_option, output_options
+from kurbel.errors import NotationError, ProblemError
+from kurbel.layouts import Layout
+from kurbel.problem import Crank, Speed
+from kurbel.quantities import METHODS
+
+FULL_TURN = Fraction(360)
+STEP = Fraction(10)
+
+
+@click.command()
+@click.option("-r", "--ratio", "ratios", multiple=True, metavar="R:L",
+              help="Crank ratio: 1:5, 1:4,5, 0.2; lists 1:4;1:5 and ranges 1:3..6:0.5; 1:∞ is the infinite rod.")
+@click.option("--angle", "angles", multiple=True, metavar="ANGLES",
+              help="Crank angles in degrees: 22.5, 2°30', lists 0;45;90, ranges 0..180:10.")
+@click.option("--from", "start", metavar="ANGLE", help="First angle; default 0.")
+@click.option("--to", "stop", metavar="ANGLE", help="Last angle; default 360, the whole turn.")
+@click.option("--step", metavar="ANGLE", help="Step of the angles; default 10. Without any of these options"
+              " a layout has its own angles.")
+@click.option("--columns", type=Columns(), metavar="NAMES",
+              help="Columns and their order: phi,x,c,p; `kurbel quantities` lists them.")
+@click.option("--method", type=Name("method", lambda: METHODS),
+              help="exact (default), series (first order, as Blau prints) or infinite (rod of infinite length).")
+@click.option("--offset", metavar="E", help="Offset crank: e as a share of R, or as a length with --stroke.")
+@click.option("--stroke", metavar="LENGTH", help="2R, for columns in mm: 600mm.")
+@click.option("--rod", metavar="LENGTH", help="Rod length L, which with --stroke gives the ratio: 1500mm.")
+@click.option("--speed", metavar="SPEED", help="Speed, for columns in m/s and m/s²: 120/min, 12.5rad/s.")
+@layout_option("kinematics")
+@output_options
+def table(**options: Any) -> None:
+    """Print a table of piston path, velocity and acceleration.
+
+    \b
+    kurbel table --ratio 1:5
+    kurbel table --ratio '1:4;1:4,5' --step 15 --to 180 -f latex -o anhang.tex
+    kurbel table --layout roetscher-112 --ratio 1:5 --ratio 1:4,5 --ratio 1:4
+    kurbel table --stroke 600mm --rod 1500mm --speed 120/min
+    """  # fmt: skip
+    from kurbel.cli.printing import print_table
+    from kurbel.layouts import layout
+    from kurbel.request import Request
+
+    page = layout(options["layout"])
+    chosen = chosen_format(options["format_name"], options["output"], options["standalone"], options["longtable"])
+    request = Request(
+        layout=page,
+        cranks=_cranks(page, **{name: options[name] for name in ("ratios", "stroke", "rod", "speed", "offset")}),
+        angles=_angles(page, options["angles"], options["start"], options["stop"], options["step"]),
+        method=options["method"],
+        digits=options["digits"],
+        rounding=options["rounding"],
+        lang=options["lang"],
+        columns=_names(options["columns"]),
+    )
+    print_table(
+        request,
+        chosen,
+        options["output"],
+        decimal=options["decimal"],
+        standalone=options["standalone"],
+        longtable=options["longtable"],
+    )
+
+
+def _angles(
+    page: Layout, angles: tuple[str, ...], start: str | None, stop: str | None, step: str | None
+) -> Sequence[Fraction]:
+    """The angles of --angle, or of --from, --to and --step, or the layout's own."""
+    run = (start, stop, step)
+    if angles and any(run):
+        raise ProblemError("--angle lists the angles and --from, --to, --step run through them; use one or the other")
+    if angles:
+        return notation.angles(angles)
+    if not any(text is not None for text in run):
+        return notation.angles(page.angles)
+    first = Fraction(0) if start is None else notation.angle(start)
+    last = FULL_TURN if stop is None else notation.angle(stop)
+    width = min(STEP, last - first) if step is None and last > first else STEP
+    return notation.progression(first, last, width if step is None else notation.angle(step))
+
+
+def _cranks(
+    page: Layout,
+    ratios: tuple[str, ...],
+    stroke: str | None,
+    rod: str | None,
+    speed: str | None,
+    offset: str | None,
+) -> tuple[Crank, ...]:
+    if rod is not None and ratios and stroke is not None:
+        raise ProblemError("--stroke and --rod already give the ratio; leave --ratio out")
+    radius, length = _length(stroke, "stroke"), _length(rod, "rod")
+    radius = None if radius is None else radius / 2
+    if radius is not None and length is not None:
+        values: Sequence[Fraction] = (radius / length,)
+    else:
+        values = notation.ratios(ratios or page.ratios)
+    return tuple(
+        Crank(ratio, _offset(offset, size), size, _speed(speed))
+        for ratio in values
+        for size in [length * ratio if length is not None and radius is None else radius]
+    )
+
+
+def _length(text: str | None, what: str) -> Fraction | None:
+    if text is None:
+        return None
+    from kurbel.units import length
+
+    return length(text, what)
+
+
+def _speed(text: str | None) -> Speed | None:
+    if text is None:
+        return None
+    from kurbel.units import speed
+
+    return speed(text)
+
+
+def _offset(text: str | None, radius: Fraction | None) -> Fraction:
+    """e/R from a share of R or a length, which may be negative."""
+    if text is None:
+        return Fraction(0)
+    from kurbel import units
+
+    if not units.is_measure(text):
+        return notation.number(text, "offset")
+    if radius is None:
+        raise NotationError(
+            f'offset "{text[:40]}" is a length, but no length of the crank is known; add --stroke or give e as a share of R'
+        )
+    sign, size = (-1, text.strip()[1:]) if text.strip().startswith("-") else (1, text)
+    return sign * units.length(size, "offset") / radius
+
+
+def _names(text: str | None) -> tuple[str, ...]:
+    if text is None:
+        return ()
+    names = tuple(name.strip() for name in text.replace(";", ",").split(","))
+    if not all(names):
+        raise NotationError(f'columns "{text[:60]}" have an empty place; write them as phi,x,c,p')
+    return names

@@ -1,0 +1,54 @@
+"""The registry of formats."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+
+from kurbel.errors import ChoiceError
+from kurbel.formats import FORMATS, by_name, for_suffix
+from kurbel.render import templates_folder
+
+
+def test_every_format_is_found_by_each_of_its_suffixes() -> None:
+    suffixes = [suffix for entry in FORMATS.values() for suffix in entry.suffixes]
+    assert len(suffixes) == len(set(suffixes)) == 7
+    for entry in FORMATS.values():
+        for suffix in entry.suffixes:
+            assert for_suffix(f"a.b{suffix.upper()}") is entry
+
+
+def test_every_page_format_has_its_templates() -> None:
+    base = templates_folder() / "base"
+    for entry in FORMATS.values():
+        assert (base / f"{entry.name}.jinja").exists() == (entry.kind == "page")
+        assert (base / f"{entry.name}.document.jinja").exists() == entry.document
+
+
+def test_unknown_choices_are_sentences() -> None:
+    with pytest.raises(ChoiceError) as caught:
+        by_name("pdf")
+    assert str(caught.value) == "format is 'pdf'; it must be one of text, markdown, latex, html, csv, json"
+    with pytest.raises(ChoiceError) as caught:
+        for_suffix("out/page.pdf")
+    assert str(caught.value) == (
+        "the file name 'out/page.pdf' names no format; its suffix must be one of"
+        " .txt, .md, .tex, .html, .htm, .csv, .json"
+    )
+    with pytest.raises(ChoiceError) as caught:
+        by_name("text").decimal_mark("de", "semicolon")
+    assert str(caught.value) == "decimal mark is 'semicolon'; it must be comma or point"
+
+
+@pytest.mark.parametrize(("name", "german"), [("text", ","), ("latex", ","), ("csv", "."), ("json", ".")])
+def test_decimal_mark_follows_the_language_on_pages_only(name: str, german: str) -> None:
+    assert by_name(name).decimal_mark("de") == german
+    assert by_name(name).decimal_mark("en") == "."
+    assert by_name(name).decimal_mark("en", "comma") == ","
+
+
+def test_registry_is_cheap_to_import() -> None:
+    code = "import sys, kurbel.formats; print([m for m in ('jinja2', 'numpy', 'json', 'csv') if m in sys.modules])"
+    assert subprocess.check_output([sys.executable, "-c", code], text=True) == "[]\n"

@@ -1,0 +1,164 @@
+"""The notation of labels: what is printed for it in each format, and what it refuses."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kurbel import labels
+from kurbel.errors import LayoutError
+from kurbel.labels import Formula, Mark, Prose, parse, plain
+
+
+def formula(source: str) -> Formula:
+    (part,) = parse(f"${source}$")
+    assert isinstance(part, Formula)
+    return part
+
+
+@pytest.mark.parametrize(
+    ("source", "text"),
+    [
+        ("x/R", "x/R"),
+        ("cos φ ± 1/4.5 cos 2φ", "cos φ ± 1/4,5 cos 2φ"),
+        ("(sin(φ±ψ))/(cos ψ)", "sin(φ±ψ)/cos ψ"),
+        ("(a + b)/(c d)", "(a + b)/(c d)"),
+        ("sin (a b)/c", "sin (a b)/c"),
+        ("(cos φ)/(cos ψ) x", "(cos φ)/(cos ψ) x"),
+        ("(a/b)/c", "(a/b)/c"),
+        ("x_m - x_(max)", "xₘ − xₘₐₓ"),
+        ("x_R + φ^2", "x_R + φ²"),
+        ("λ^(n+1)", "λⁿ⁺¹"),
+        ("2.5^(1.5)", "2,5^(1,5)"),
+        ("∓Δx = ∞ %", "∓Δx = ∞ %"),
+        ("R [1 - cos α]", "R [1 − cos α]"),
+        ('v = 2.5 "m/s"', "v = 2,5 m/s"),
+        ("0°0'20\"", "0°0′20″"),
+    ],
+)
+def test_formula_in_one_line_of_text(source: str, text: str) -> None:
+    assert labels.formula_text(formula(source), ",") == text
+
+
+@pytest.mark.parametrize(
+    ("source", "latex"),
+    [
+        ("x/R", "x/R"),
+        ("x/(2 R)", "x/(2R)"),
+        ("R:L = 1:4.5", "R{:}L=1{:}4{,}5"),
+        ("cos φ ± 1/4.5 cos 2φ", r"\cos\varphi\pm\frac{1}{4{,}5}\cos2\varphi"),
+        ("(sin(φ±ψ))/(cos ψ)", r"\frac{\sin(\varphi\pm\psi)}{\cos\psi}"),
+        ("sin φ a", r"\sin\varphi a"),
+        ("x_m + x_(max)^2", r"x_{m}+x_{\max}^{2}"),
+        ("ε λ ω α", r"\varepsilon\lambda\omega\alpha"),
+        ("x^2° %", r"x^{2}{}^{\circ}\%"),
+        ('2 "mm" 3', r"2\,\text{mm}\,3"),
+        ("1 2", r"1\,2"),
+        ("[1 + R/L sin φ]", r"\left[1+\frac{R}{L}\sin\varphi\right]"),
+        ("a · b × c ≤ ∞", r"a\cdot b\times c\le\infty"),
+    ],
+)
+def test_formula_in_latex(source: str, latex: str) -> None:
+    assert labels.formula_latex(formula(source), ",") == f"${latex}$"
+
+
+def test_only_a_formula_with_a_bar_needs_height_of_its_own() -> None:
+    assert "displaystyle" not in labels.formula_latex(formula("x/R"), display=True)
+    assert "displaystyle" not in labels.formula_html(formula("x/R"), display=True)
+    assert labels.formula_latex(formula("1/4 cos φ"), display=True).startswith(r"$\displaystyle \frac")
+    assert labels.formula_html(formula("R (1/4 cos φ)"), display=True).startswith('<math displaystyle="true">')
+
+
+@pytest.mark.parametrize(
+    ("source", "mathml"),
+    [
+        ("2φ", "<mn>2</mn><mi>φ</mi>"),
+        ("Δx", '<mi mathvariant="normal">Δ</mi><mi>x</mi>'),
+        ("sin(φ)", '<mi>sin</mi><mo>&#x2061;</mo><mrow><mo stretchy="false">(</mo><mi>φ</mi><mo stretchy="false">)</mo></mrow>'),
+        ("1/4.5 a", "<mfrac><mn>1</mn><mn>4,5</mn></mfrac><mi>a</mi>"),
+        ("c_m^2", "<msubsup><mi>c</mi><mi>m</mi><mn>2</mn></msubsup>"),
+        ("a < b", "<mi>a</mi><mo>&lt;</mo><mi>b</mi>"),
+        ('"<b>"', "<mtext>&lt;b&gt;</mtext>"),
+    ],
+)
+def test_formula_in_mathml(source: str, mathml: str) -> None:
+    assert labels.formula_html(formula(source), ",") == f"<math>{mathml}</math>"
+
+
+def test_label_falls_into_prose_formulas_and_marks() -> None:
+    assert parse(r"5 \$ a[^b] $x$") == (Prose("5 $ a"), Mark("b"), Prose(" "), formula("x"))
+
+
+def test_white_space_is_one_space_and_no_break_spaces_stay() -> None:
+    assert plain("a\n\t b\u00a0c\u2028d") == "a b\u00a0c d"
+
+
+def test_angle_in_prose_has_primes() -> None:
+    assert plain("2°30'") == "2°30′"
+    assert plain("0°0'20\" or 'so'") == "0°0′20″ or 'so'"
+
+
+@pytest.mark.parametrize(
+    ("label", "reason"),
+    [
+        ("Kolbenweg $x/R", r"a formula needs a second $; a dollar sign in prose is written \$"),
+        ("$$", "a formula or a pair of parentheses is empty"),
+        ("$sn φ$", "sn is no function; letters of a product stand apart, words in double quotes"),
+        ("$a/$", "a number, a letter or parentheses are missing"),
+        ("$/a$", "before / stands a number, a letter or parentheses"),
+        ("$a/b/c$", "a second / needs parentheses, (a/b)/c or a/(b c)"),
+        ("$1/cos ψ$", "a function after / needs parentheses, 1/(cos ψ)"),
+        ("$(a$", "an opening ( has no partner"),
+        ("$(a]$", "an opening ( has no partner"),
+        ("$a)$", "a closing ) has no partner"),
+        ("$x_m_n$", "a second _ needs parentheses"),
+        ("$a & b$", "'&' has no meaning in a formula"),
+        (f"${'(' * 21}a{')' * 21}$", "parentheses are nested more than 20 deep"),
+    ],
+)
+def test_malformed_formula_is_a_sentence_that_names_the_label(label: str, reason: str) -> None:
+    with pytest.raises(LayoutError) as caught:
+        parse(label)
+    assert str(caught.value) == f'the label "{label}" cannot be set: {reason}'
+
+
+_PIECES = st.sampled_from(
+    ["$", "\\", "(", ")", "[", "]", "/", "_", "^", " ", "sin", "cos", "x", "φ", "2", "4.5", "-", "±", ":", '"', "[^a]"]
+)
+
+
+@given(st.one_of(st.text(), st.lists(_PIECES).map(lambda pieces: f"${''.join(pieces)}$")))
+def test_any_label_is_set_in_every_notation_or_refused(label: str) -> None:
+    try:
+        parts = parse(label)
+    except LayoutError:
+        return
+    for part in parts:
+        if isinstance(part, Formula):
+            for notation in (labels.formula_text, labels.formula_latex, labels.formula_html, labels.formula_markdown):
+                assert notation(part, ",", True)
+    assert "\n" not in plain(label)
+
+
+@given(st.text(alphabet="-,'<>` a"))
+def test_latex_prose_has_no_ligatures(prose: str) -> None:
+    escaped = labels.escape_latex(prose)
+    assert not any(pair in escaped for pair in ("--", ",,", "''", "<<", ">>", "`"))
+
+
+@pytest.mark.parametrize(
+    ("prose", "escaped"),
+    [("1. a", "1\\. a"), ("- a", "\\- a"), ("# a", "\\# a"), ("-5", "-5"), ("2.5", "2.5"), ("&amp;", "\\&amp;")],
+)
+def test_markdown_prose_starts_no_list(prose: str, escaped: str) -> None:
+    assert labels.escape_markdown(prose) == escaped
+
+
+def test_marks_are_raised_where_unicode_can() -> None:
+    assert labels.mark_text("a") == "ᵃ⁾"
+    assert labels.mark_text("12") == "¹²⁾"
+    assert labels.mark_text("*") == "*)"
+    assert labels.mark_markdown("*") == "\\*)"
+    assert labels.mark_latex("a") == r"\textsuperscript{a)}"
+    assert labels.mark_html("a", "t-1") == '<sup><a href="#t-1">a)</a></sup>'
