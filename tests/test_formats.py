@@ -50,5 +50,8 @@ def test_decimal_mark_follows_the_language_on_pages_only(name: str, german: str)
 
 
 def test_registry_is_cheap_to_import() -> None:
-    code = "import sys, kurbel.formats; print([m for m in ('jinja2', 'numpy', 'json', 'csv') if m in sys.modules])"
+    code = (
+        "import sys, kurbel.formats;"
+        "print([name for name in ('jinja2', 'numpy', 'json', 'csv') if name in sys.modules])"
+    )
     assert subprocess.check_output([sys.executable, "-c", code], text=True) == "[]\n"

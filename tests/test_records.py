@@ -77,4 +77,4 @@ def test_records_are_streamed() -> None:
     assert list(islice(csv_rows(table.records), 3)) == ["x\n", "0.1\n", "0.2\n"]
     assert isinstance(table.records.rows, Endless)
     assert table.records.rows.asked == 2
-    assert "".join(islice(json_rows(table), 20)).endswith('{"x": 0.3}')
+    assert '{"x": 0.3},\n{"x": 0.4}' in "".join(islice(json_rows(table), 20))

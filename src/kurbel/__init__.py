@@ -1,3 +1,35 @@
-"""Certified tables of the crank drive."""
+"""Certified tables of the crank drive, as a library.
+
+Four functions give what the command line gives. They are imported when they are first used, so that
+`import kurbel` loads neither click nor Jinja nor NumPy.
+
+>>> import kurbel
+>>> kurbel.certified("x", "1:5", 60, digits=30)
+Decimal('0.575624216967857970687803846783')
+>>> kurbel.certified("x", "1:5", 60, digits=2, method="series")
+Decimal('0.58')
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from kurbel.errors import KurbelError
+
+if TYPE_CHECKING:
+    from kurbel.library import certified, compute, render, table
 
 __version__ = "0.1.0"
+__all__ = ["KurbelError", "__version__", "certified", "compute", "render", "table"]
+
+
+def __getattr__(name: str) -> object:
+    if name not in __all__:
+        raise AttributeError(f"module 'kurbel' has no attribute {name!r}")
+    from kurbel import library
+
+    return getattr(library, name)
+
+
+def __dir__() -> list[str]:
+    return __all__

@@ -5,9 +5,8 @@ settled in balls.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.notation import Progression
 from kurbel.problem import Crank
@@ -22,8 +21,7 @@ PAGE_CELLS = 20_000
 FLOAT_DECIMALS = 12
 
 
-@dataclass(frozen=True, slots=True)
-class Digits:
+class Digits(NamedTuple):
     """What one column of numbers is: a quantity by a method to so many decimals."""
 
     quantity: Quantity
@@ -76,7 +74,7 @@ def _bulk_columns(
     from kurbel.columns import nearest
 
     degrees = float_angles(angles)
-    values = evaluate([_on_floats(column, crank) for column in columns], degrees)
+    values = evaluate([on_floats(column, crank) for column in columns], degrees)
     largest = float(abs(degrees).max())
     settled = []
     for column, floats in zip(columns, values, strict=True):
@@ -88,7 +86,7 @@ def _bulk_columns(
     return settled
 
 
-def _on_floats(column: Digits, crank: Crank) -> Any:
+def on_floats(column: Digits, crank: Crank) -> Any:
     from kurbel.kernel.circle import arcsine
 
     return lambda circle: value(column.quantity, column.method, crank, circle, _floats(), arcsine)

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from pathlib import PurePath
 from typing import Literal
 
-from kurbel import labels
+from kurbel import escapes, formula_print
 from kurbel.errors import ChoiceError
+from kurbel.formula import Formula
 
 DECIMALS = {"comma": ",", "point": "."}
 DECIMAL_OF_LANGUAGE = {"de": "comma", "en": "point"}
@@ -19,9 +20,9 @@ class Format:
     """What distinguishes one format from another, apart from its templates.
 
     `decimal` is "language" or "point": where the decimal mark comes from unless the user sets it.
-    `escape` sets prose, `formula` a formula with a given decimal mark, in a
-    cell of its own or among words, `note_mark` a mark and the name of
-    the note it points to, which is empty for the mark before the note itself. `document` tells that a standalone page differs from a fragment.
+    `escape` sets prose. `formula` sets a formula with a given decimal mark, and with full-sized fractions in
+    a cell of its own. `note_mark` sets a mark and a link to the note of the given name, which is empty for
+    the mark before the note itself. `document` tells that a standalone page differs from a fragment.
     """
 
     name: str
@@ -30,9 +31,9 @@ class Format:
     kind: Literal["page", "records"]
     decimal: Literal["language", "point"]
     minus: str = "−"
-    escape: Callable[[str], str] = labels.escape_text
-    formula: Callable[[labels.Formula, str, bool], str] = labels.formula_text
-    note_mark: Callable[[str, str], str] = labels.mark_text
+    escape: Callable[[str], str] = escapes.escape_text
+    formula: Callable[[Formula, str, bool], str] = formula_print.formula_text
+    note_mark: Callable[[str, str], str] = escapes.mark_text
     missing: str = "–"
     document: bool = False
 
@@ -59,9 +60,9 @@ FORMATS = {
             "Markdown tables as GitHub and most wikis read them",
             "page",
             "language",
-            escape=labels.escape_markdown,
-            formula=labels.formula_markdown,
-            note_mark=labels.mark_markdown,
+            escape=escapes.escape_markdown,
+            formula=formula_print.formula_markdown,
+            note_mark=escapes.mark_markdown,
         ),
         Format(
             "latex",
@@ -70,9 +71,9 @@ FORMATS = {
             "page",
             "language",
             minus="$-$",
-            escape=labels.escape_latex,
-            formula=labels.formula_latex,
-            note_mark=labels.mark_latex,
+            escape=escapes.escape_latex,
+            formula=formula_print.formula_latex,
+            note_mark=escapes.mark_latex,
             missing="--",
             document=True,
         ),
@@ -82,13 +83,20 @@ FORMATS = {
             "HTML with MathML, for a page or as a page",
             "page",
             "language",
-            escape=labels.escape_html,
-            formula=labels.formula_html,
-            note_mark=labels.mark_html,
+            escape=escapes.escape_html,
+            formula=formula_print.formula_html,
+            note_mark=escapes.mark_html,
             document=True,
         ),
         Format("csv", (".csv",), "one record a line, for spreadsheets", "records", "point", minus="-"),
-        Format("json", (".json",), "one object with columns and rows, for programs", "records", "point", minus="-"),
+        Format(
+            "json",
+            (".json",),
+            "one object with columns and rows, for programs",
+            "records",
+            "point",
+            minus="-",
+        ),
     )
 }
 

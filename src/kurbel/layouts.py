@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from kurbel.choices import choose
 from kurbel.errors import LayoutError
@@ -18,8 +17,7 @@ AXES = ("ratio", "angle", "column")
 Localised = Mapping[str, str]
 
 
-@dataclass(frozen=True, slots=True)
-class LayoutColumn:
+class LayoutColumn(NamedTuple):
     """A column of a layout. `method` None leaves the formulas to the user; spanners and heading None to
     the quantity."""
 
@@ -31,8 +29,7 @@ class LayoutColumn:
     decimals: int | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Layout:
+class Layout(NamedTuple):
     """An arrangement of the three axes ratio, angle and column.
 
     `down` lists the axes that run down, outermost first; those in `stub` are printed in the stub, the
@@ -93,7 +90,7 @@ def layout(name: str) -> Layout:
 
 
 def _layout(name: str, page: dict[str, Any]) -> Layout:
-    known = {*Layout.__dataclass_fields__} - {"key"}
+    known = {*Layout._fields} - {"key"}
     unknown = sorted(page.keys() - known)
     if unknown:
         raise ValueError(f"unknown key {unknown[0]}")

@@ -85,7 +85,8 @@ class PagePanel:
     @property
     def column_groups(self) -> tuple[range, ...]:
         """The columns that belong together: those of the stub, then those below each outermost spanner."""
-        ends = {edge for cell in self.head[0] if cell.kind == "spanner" for edge in (cell.first, cell.last + 1)}
+        outermost = self.spanners[0] if self.spanners else ()
+        ends = {edge for cell in outermost for edge in (cell.first, cell.last + 1)}
         edges = sorted({0, self.stubs, len(self.columns)} | ends)
         return tuple(range(start, end) for start, end in pairwise(edges))
 
@@ -189,7 +190,8 @@ class Setter:
             stubs=len(panel.stub),
             head=tuple(tuple(self.head_cell(cell) for cell in row) for row in head_rows(panel)),
             groups=tuple(
-                PageGroup(self.label(group.label), tuple(islice(lines, len(group.rows)))) for group in panel.groups
+                PageGroup(self.label(group.label), tuple(islice(lines, len(group.rows))))
+                for group in panel.groups
             ),
         )
 

@@ -7,10 +7,9 @@ digits), separation bounds (ties), floats and arrays (bulk).
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
-from typing import Any
+from typing import Any, NamedTuple
 
 from kurbel.errors import ProblemError
 from kurbel.kernel import kinematics
@@ -25,8 +24,7 @@ STROKES = {
 }
 
 
-@dataclass(frozen=True, slots=True)
-class Method:
+class Method(NamedTuple):
     """A set of formulas, and what a caption calls it."""
 
     key: str
@@ -59,8 +57,7 @@ METHODS = {
 DIFFERENCE = "difference"
 
 
-@dataclass(frozen=True, slots=True)
-class Numbers:
+class Numbers(NamedTuple):
     """A kind of number: how an exact rational becomes one, and its π (None where there is none)."""
 
     of: Callable[[Fraction], Any]
@@ -70,8 +67,7 @@ class Numbers:
 Scale = Callable[[Crank, Numbers], Any]
 
 
-@dataclass(frozen=True, slots=True)
-class Quantity:
+class Quantity(NamedTuple):
     """An entry of the registry. `formulas` are by method and take (circle, λ, e/R or None).
 
     On the return stroke λ and e are negative (the lower sign of the books). `scale` turns the kernel's unit

@@ -49,14 +49,7 @@ def json_rows(table: Table) -> Iterator[str]:
         yield f'"{name}": {_json(value)},\n'
     yield from _json_array("columns", (_json(_json_field(field)) for field in table.records.fields))
     yield ",\n"
-    keys = [_json(field.key) for field in table.records.fields]
-    yield from _json_array(
-        "rows",
-        (
-            "{" + ", ".join(f"{key}: {_json_value(value)}" for key, value in zip(keys, row, strict=True)) + "}"
-            for row in table.records.rows
-        ),
-    )
+    yield from _json_array("rows", _json_records(table.records))
     yield "\n}\n"
 
 
@@ -79,6 +72,13 @@ def _json_field(field: Field) -> dict[str, Any]:
         "unit": field.unit,
         "decimals": field.decimals,
     }
+
+
+def _json_records(records: Records) -> Iterator[str]:
+    keys = [_json(field.key) for field in records.fields]
+    for row in records.rows:
+        pairs = (f"{key}: {_json_value(value)}" for key, value in zip(keys, row, strict=True))
+        yield f"{{{', '.join(pairs)}}}"
 
 
 def _json_array(name: str, lines: Iterator[str]) -> Iterator[str]:

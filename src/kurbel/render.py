@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import lru_cache
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,8 +14,8 @@ from kurbel.page import blank, page
 from kurbel.pipes import pipe_tables
 from kurbel.records import csv_rows, json_rows
 from kurbel.table import Table
-from kurbel.texwidth import blank_filled, tex_layout
 from kurbel.textgrid import grid_of, panel_lines, wrapped
+from kurbel.texwidth import blank_filled, tex_layout
 
 if TYPE_CHECKING:
     from jinja2 import Environment, Template
@@ -70,7 +70,7 @@ def _template(table: Table, format: str, name: str) -> Template:
 
 
 # LaTeX is full of braces and percent signs.
-_DELIMITERS = {
+_DELIMITERS: dict[str, dict[str, Any]] = {
     "latex": {
         "block_start_string": "<%",
         "block_end_string": "%>",
@@ -82,7 +82,7 @@ _DELIMITERS = {
 }
 
 
-@lru_cache(maxsize=None)
+@cache
 def _environment(name: str) -> Environment:
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
@@ -97,7 +97,11 @@ def _environment(name: str) -> Environment:
         **_DELIMITERS.get(name, {}),
     )
     environment.filters.update(
-        blank=blank, blank_filled=blank_filled, panel_lines=panel_lines, pipe_tables=pipe_tables, wrapped=wrapped
+        blank=blank,
+        blank_filled=blank_filled,
+        panel_lines=panel_lines,
+        pipe_tables=pipe_tables,
+        wrapped=wrapped,
     )
     return environment
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import NamedTuple
 
 from kurbel.choices import choose
 from kurbel.digits import Digits
@@ -41,8 +42,7 @@ class Request:
             )
 
 
-@dataclass(frozen=True, slots=True)
-class PageColumn:
+class PageColumn(NamedTuple):
     """A column of the page with all choices made."""
 
     key: str

@@ -11,14 +11,14 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from enum import Enum
+from typing import NamedTuple
 
 Label = str
 
 _MARK = re.compile(r"\[\^([^\]]+)\]")
 
 
-@dataclass(frozen=True, slots=True)
-class Number:
+class Number(NamedTuple):
     """A printed number: scaled / 10**decimals, already rounded; every digit is meant."""
 
     scaled: int
@@ -34,16 +34,14 @@ class Ditto(Enum):
 DITTO = Ditto.DITTO
 
 
-@dataclass(frozen=True, slots=True)
-class Cell:
+class Cell(NamedTuple):
     """A number, a label, the continuation of the cell above (stub only), or None for a missing value."""
 
     value: Number | Label | Ditto | None
     notes: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class Column:
+class Column(NamedTuple):
     """A column: its key, the lines of its heading, and the spanners above it, outermost first."""
 
     key: str
@@ -51,14 +49,12 @@ class Column:
     spanners: tuple[Label, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class Row:
+class Row(NamedTuple):
     stub: tuple[Cell, ...]
     cells: tuple[Cell, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Group:
+class Group(NamedTuple):
     """Rows that belong together; a rule or a space parts them from the next group."""
 
     rows: tuple[Row, ...]
@@ -86,16 +82,14 @@ class Panel:
             yield from group.rows
 
 
-@dataclass(frozen=True, slots=True)
-class Note:
+class Note(NamedTuple):
     """A line below the table; without a mark it speaks of the whole table."""
 
     text: Label
     mark: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class Field:
+class Field(NamedTuple):
     """A column of the records: a stable key, and what it means."""
 
     key: str
@@ -109,8 +103,7 @@ class Field:
 Value = Number | str | None
 
 
-@dataclass(frozen=True, slots=True)
-class Records:
+class Records(NamedTuple):
     """The same values for programs: one record a point, whatever the arrangement of the page.
 
     `rows` may be any iterable that can be run through again; it need not fit in memory.

@@ -26,6 +26,8 @@ class Grid:
 
     lefts: tuple[int, ...]
     widths: tuple[int, ...]
+    figures: tuple[int, ...]
+    """The longest figure of each column, which stands in the middle of it."""
 
     @property
     def total(self) -> int:
@@ -69,7 +71,14 @@ def _grid_with(page: Page, narrower: int) -> Grid:
     widths = _longest(_widths(panel, gaps) for panel in page.panels)
     rights = accumulate(gap + width for gap, width in zip(gaps, widths, strict=True))
     lefts = tuple(right - width for right, width in zip(rights, widths, strict=True))
-    return Grid(lefts, tuple(widths))
+    return Grid(lefts, tuple(widths), tuple(_longest(_figures(panel) for panel in page.panels)))
+
+
+def _figures(panel: PagePanel) -> list[int]:
+    return [
+        max(map(len, _block(panel, place)), default=0) if column.align == "right" else 0
+        for place, column in enumerate(panel.columns)
+    ]
 
 
 def _longest(panels: Iterable[Sequence[int]]) -> list[int]:
@@ -168,4 +177,5 @@ def _body(panel: PagePanel, grid: Grid) -> Iterator[str]:
             yield group.label.center(grid.total)
             yield ""
         for texts in islice(lines, len(group.rows)):
-            yield _line(texts, panel, grid)
+            in_line = [text.rjust(room) for text, room in zip(texts, grid.figures, strict=False)]
+            yield _line(in_line, panel, grid)

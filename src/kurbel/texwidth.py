@@ -22,18 +22,19 @@ NARROWEST = 0.6
 
 @dataclass(frozen=True, slots=True)
 class Size:
+    """A type size. `em` is its width in points; small sizes of Computer Modern are cut wider."""
+
     command: str
-    points: float
+    em: float
     leading: float
     tabcolsep: float
 
 
 SIZES = (
     Size("", 10, 12, 6),
-    Size(r"\small", 9, 11, 5),
-    Size(r"\footnotesize", 8, 9.5, 4),
-    Size(r"\scriptsize", 7, 8, 2.5),
-    Size(r"\tiny", 5, 6, 2),
+    Size(r"\small", 9.25, 11, 5),
+    Size(r"\footnotesize", 8.5, 9.5, 4),
+    Size(r"\scriptsize", 8, 8, 2.5),
 )
 
 
@@ -41,12 +42,14 @@ SIZES = (
 class TexLayout:
     """How a table is set: the columns, which all panels share, and the size.
 
-    `share` is the width of the table as a part of the line; `tall` tells that it is longer than a page.
+    `share` is the width of the table as a part of the line, `wide` tells that it does not fit even in the
+    smallest size, `tall` that it is longer than a page.
     """
 
     columns: tuple[str, ...]
     size: Size
     share: float
+    wide: bool
     tall: bool
 
     @property
@@ -69,9 +72,13 @@ def tex_layout(page: Page) -> TexLayout:
         place for panel in page.panels for place, column in enumerate(panel.columns) if column.align == "left"
     }
     return TexLayout(
-        columns=tuple("l" if place in words else _figures(widths[place] - cells[place]) for place in range(count)),
+        columns=tuple(
+            "l" if place in words else _figures(room - own)
+            for place, (room, own) in enumerate(zip(widths, cells, strict=True))
+        ),
         size=size,
         share=min(1.0, round(_points(widths, size) / TYPE_WIDTH, 2)),
+        wide=_points(widths, size) > TYPE_WIDTH,
         tall=_lines(page) * size.leading > TYPE_HEIGHT,
     )
 
@@ -88,7 +95,7 @@ def _lines(page: Page) -> int:
 
 
 def _points(widths: Sequence[float], size: Size) -> float:
-    return sum(widths) * size.points + 2 * len(widths) * size.tabcolsep
+    return sum(widths) * size.em + 2 * len(widths) * size.tabcolsep
 
 
 _CHARACTERS = (

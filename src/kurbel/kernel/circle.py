@@ -100,7 +100,8 @@ def _unrounded(degrees: Number) -> tuple[Number, _Split, _Split]:
     sine, versine = parts
     across = _Split(*(np.where(even, *either) for either in zip(sine, versine, strict=True)))
     along = _Split(*(np.where(even, *either) for either in zip(versine, sine, strict=True)))
-    return np.array(QUARTERS)[index].transpose(1, 2, 0), across, along
+    turns = np.array(QUARTERS).transpose(1, 2, 0)
+    return [[column.take(index) for column in turn] for turn in turns], across, along
 
 
 def _of_one_quarter(quarter: int, parts: tuple[_Split, _Split]) -> tuple[Number, _Split, _Split]:

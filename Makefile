@@ -1,0 +1,49 @@
+# Every target sets up what it needs in .venv; `make` alone lists the targets.
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+READY := $(VENV)/ready
+
+.DEFAULT_GOAL := help
+.PHONY: help demo test check bench docs golden tools clean
+
+help: ## list the targets
+	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+
+$(READY): pyproject.toml
+	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "kurbel needs Python 3.11 or newer")'
+	$(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --upgrade 'pip>=25.1'
+	$(BIN)/python -m pip install --quiet --editable '.[units]' --group dev
+	touch $(READY)
+
+demo: $(READY) ## print the table for R:L = 1:5
+	@$(BIN)/kurbel table --ratio 1:5
+
+test: $(READY) check ## run linters, type checks and all tests
+	$(BIN)/python -m pytest -n 2
+
+check: $(READY)
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/python docs/reference.py --check
+
+bench: $(READY) ## measure start-up, kernels and CSV against their rivals
+	$(BIN)/python -m pip install --quiet --group bench
+	$(BIN)/python benchmarks/bench_start.py
+	$(BIN)/python benchmarks/bench_kernel.py
+	$(BIN)/python benchmarks/bench_csv.py
+
+docs: $(READY) ## write docs/reference.md anew
+	$(BIN)/python docs/reference.py
+
+golden: $(READY) ## write the golden files anew; then read the difference
+	KURBEL_PROMOTE=1 $(BIN)/python -m pytest -q -n 2 tests || true
+	git diff --stat -- tests/golden
+
+tools: ## install TeX, Chromium and poppler, which some tests need (Debian, as root)
+	sh scripts/debian-tools.sh
+
+clean: ## remove what was built
+	rm -rf $(VENV) build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis

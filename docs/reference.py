@@ -1,0 +1,79 @@
+"""Write docs/reference.md from the registries, the layouts and the help texts; --check fails when it is stale."""
+
+from __future__ import annotations
+
+import importlib
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import click
+
+from kurbel.captions import quantity_name
+from kurbel.cli import COMMANDS
+from kurbel.formats import FORMATS
+from kurbel.layouts import layout, layout_names
+from kurbel.notation import ratio_text, ratios
+from kurbel.quantities import METHODS, registry
+
+PAGE = Path(__file__).with_name("reference.md")
+OPTIONS = {"": "", "length": "`--stroke`", "speed": "`--stroke --speed`"}
+
+
+def reference() -> str:
+    """Return the whole page."""
+    return "\n".join([*_commands(), *_quantities(), *_layouts(), *_formats(), *_methods()]) + "\n"
+
+
+def _commands() -> Iterator[str]:
+    yield "# Reference\n\nWritten by `make docs` from the program itself.\n\n## Commands"
+    for name, (module, line) in COMMANDS.items():
+        command = getattr(importlib.import_module(module), name)
+        context = click.Context(command, info_name=f"kurbel {name}", terminal_width=98, max_content_width=98)
+        context.help_option_names = ["-h", "--help"]
+        yield f"\n### kurbel {name}\n\n{line}\n\n```text\n{command.get_help(context)}\n```"
+
+
+def _quantities() -> Iterator[str]:
+    yield "\n## Quantities\n\nKeys of `--columns`, of CSV headers and of JSON; they stay stable.\n"
+    yield "| key | quantity | unit | decimals | needs |\n| --- | --- | --- | ---: | --- |"
+    yield "| `ratio` | Crank ratio R:L | | | |\n| `phi` | Crank angle from the dead centre of the stroke | ° | | |"
+    for key, quantity in registry().items():
+        name, unit = quantity_name(quantity, "en"), quantity.unit["en"]
+        yield f"| `{key}` | {name} | {unit} | {quantity.decimals} | {OPTIONS[quantity.needs]} |"
+
+
+def _layouts() -> Iterator[str]:
+    yield "\n## Layouts\n\n| name | page | ratios | angles | columns |\n| --- | --- | --- | --- | --- |"
+    for name in layout_names():
+        page = layout(name)
+        defaults = ", ".join(ratio_text(ratio) for ratio in ratios(page.ratios))
+        columns = ", ".join(f"`{column.key}`" for column in page.columns)
+        yield f"| `{name}` | {page.title['en']} | {defaults} | {'; '.join(page.angles)} | {columns} |"
+
+
+def _formats() -> Iterator[str]:
+    yield "\n## Formats\n\n| name | suffix | what it is |\n| --- | --- | --- |"
+    for form in FORMATS.values():
+        yield f"| `{form.name}` | {' '.join(form.suffixes)} | {form.media} |"
+
+
+def _methods() -> Iterator[str]:
+    yield "\n## Methods\n\n| name | formulas |\n| --- | --- |"
+    for method in METHODS.values():
+        yield f"| `{method.key}` | {method.name['en']} |"
+
+
+def main() -> int:
+    text = reference()
+    if "--check" not in sys.argv:
+        PAGE.write_text(text, encoding="utf-8")
+        return 0
+    if PAGE.exists() and PAGE.read_text(encoding="utf-8") == text:
+        return 0
+    print("docs/reference.md is stale; write it anew with: make docs", file=sys.stderr)
+    return 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

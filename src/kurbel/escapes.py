@@ -1,0 +1,88 @@
+"""Prose and note marks in the notation of each format: every character is printed, none is obeyed."""
+
+from __future__ import annotations
+
+import re
+
+from kurbel.formula import GREEK, SIGNS, SYMBOLS
+
+# Characters that Unicode has raised.
+POWERS = dict(
+    zip(
+        "0123456789−+)abcdefghijklmnoprstuvwxyz",
+        "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺⁾ᵃᵇᶜᵈᵉᶠᵍʰⁱʲᵏˡᵐⁿᵒᵖʳˢᵗᵘᵛʷˣʸᶻ",
+        strict=True,
+    )
+)
+
+
+def escape_text(prose: str) -> str:
+    return prose
+
+
+_MARKDOWN = re.compile(r"[\\`*_\[\]<>|~$]|&(?=[#A-Za-z])")
+# At the start of a line these make a list or a heading.
+_MARKDOWN_START = re.compile(r"^( *)([-+=]|#+|[0-9]+(?=[.)](?: |$)))(?=[ .)]|$)")
+
+
+def escape_markdown(prose: str) -> str:
+    escaped = _MARKDOWN.sub(r"\\\g<0>", prose)
+    return _MARKDOWN_START.sub(_escape_start, escaped)
+
+
+def _escape_start(match: re.Match[str]) -> str:
+    space, start = match.groups()
+    return f"{space}{start}\\" if start.isdigit() else f"{space}\\{start}"
+
+
+_HTML = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;"})
+
+
+def escape_html(prose: str) -> str:
+    return prose.translate(_HTML)
+
+
+_LATEX = str.maketrans(
+    {letter: f"${command}$" for letter, command in GREEK.items()}
+    | {symbol: f"${latex}$" for symbol, (_, latex) in (SIGNS | SYMBOLS).items() if not symbol.isascii()}
+    | {character: f"\\{character}" for character in "#$%&_{}"}
+    | {
+        "\\": r"\textbackslash{}",
+        "~": r"\textasciitilde{}",
+        "^": r"\textasciicircum{}",
+        "`": r"\textasciigrave{}",
+        # babel makes " active in German; \textquotedbl is missing in the old default encoding.
+        '"': r"\char34{}",
+        # After \\ a bracket or a star would be read as its argument.
+        "[": "{[}",
+        "]": "{]}",
+        "*": "{*}",
+        "°": r"\textdegree{}",
+    }
+)
+# Two of these in a row are one sign in TeX fonts: --, ,, '' << >>.
+_LIGATURE = re.compile(r"([-,'<>])(?=\1)")
+
+
+def escape_latex(prose: str) -> str:
+    return _LIGATURE.sub(r"\1{}", prose.translate(_LATEX))
+
+
+def mark_text(mark: str, target: str = "") -> str:
+    """Return a mark raised, ᵃ⁾, or as it is, *), where Unicode has no raised character. Text has no links."""
+    closed = f"{mark})"
+    return "".join(POWERS[character] for character in closed) if set(closed) <= POWERS.keys() else closed
+
+
+def mark_markdown(mark: str, target: str = "") -> str:
+    """Return a mark without a link: an anchor in Markdown is HTML, which many readers drop."""
+    return escape_markdown(mark_text(mark))
+
+
+def mark_latex(mark: str, target: str = "") -> str:
+    return f"\\textsuperscript{{{escape_latex(mark)})}}"
+
+
+def mark_html(mark: str, target: str = "") -> str:
+    text = f"{escape_html(mark)})"
+    return f'<sup><a href="#{escape_html(target)}">{text}</a></sup>' if target else f"<sup>{text}</sup>"

@@ -1,0 +1,270 @@
+"""Formulas in print: one line of Unicode, LaTeX, MathML.
+
+A new notation is one more function beside `formula_text`, `formula_latex` and `formula_html`.
+"""
+
+from __future__ import annotations
+
+import re
+
+from kurbel.escapes import POWERS, escape_html, escape_latex, escape_markdown
+from kurbel.formula import (
+    CAPITALS,
+    GREEK,
+    SIGNS,
+    SYMBOLS,
+    Formula,
+    Fraction,
+    Group,
+    Node,
+    Nodes,
+    Numeral,
+    Script,
+    Sign,
+    Space,
+    Symbol,
+    Upright,
+    Variable,
+    Word,
+    is_function,
+)
+
+
+def formula_text(formula: Formula, mark: str = ".", display: bool = False) -> str:
+    """Return a formula in one line of Unicode: sin(φ±ψ)/cos ψ, xₘ, φ². It has no other size."""
+    return _text(formula.content, mark)
+
+
+def _text(nodes: Nodes, mark: str) -> str:
+    return "".join(_text_node(nodes, place, mark) for place in range(len(nodes)))
+
+
+def _text_node(nodes: Nodes, place: int, mark: str) -> str:
+    match nodes[place]:
+        case Sign(text):
+            return SIGNS[text][0]
+        case Symbol(text):
+            return SYMBOLS[text][0]
+        case Numeral(text):
+            return text.replace(".", mark)
+        case Space():
+            return " "
+        case Group(content, fences):
+            return f"{fences[0]}{_text(content, mark)}{fences[1]}"
+        case Fraction(top, bottom):
+            return _text_fraction(nodes, place, top, bottom, mark)
+        case Script(base, index, power):
+            scripts = _small(index, "_", _INDICES, mark) + _small(power, "^", POWERS, mark)
+            return _text((base,), mark) + scripts
+        case Word(text) | Variable(text) | Upright(text):
+            return text
+
+
+def _text_fraction(nodes: Nodes, place: int, top: Nodes, bottom: Nodes, mark: str) -> str:
+    """Write a fraction with a stroke, and with parentheses where the stroke alone would be misread."""
+    alone_before = place == 0 or isinstance(_beside(nodes, place, -1), Sign)
+    alone_after = place == len(nodes) - 1 or isinstance(_beside(nodes, place, 1), Sign)
+    above, below = _text(top, mark), _text(bottom, mark)
+    if _is_sum(top) or _is_open(top) or (len(top) > 1 and not alone_before):
+        above = f"({above})"
+    if _is_sum(bottom) or (len(bottom) > 1 and not (alone_after and is_function(bottom[0]))):
+        below = f"({below})"
+    return f"{above}/{below}"
+
+
+def _is_open(nodes: Nodes) -> bool:
+    """Tell whether the argument of a function has no parentheses: (cos φ)/2 is not cos φ/2."""
+    return any(
+        is_function(node) and not isinstance(after, Group)
+        for node, after in zip(nodes, (*nodes[1:], None), strict=True)
+    )
+
+
+_RELATIONS = frozenset("=<>≤≥≈:")
+
+
+def _has_stroke(nodes: Nodes, place: int) -> bool:
+    """Tell whether an engine should set a fraction with a stroke: x/R, not a small x over a small R.
+
+    So it does for a fraction of letters and numbers that is a whole side of its formula. One that stands
+    among factors or in a sum would be misread, and one of functions is easier to read with a bar.
+    """
+    fraction = nodes[place]
+    assert isinstance(fraction, Fraction)
+    neighbours = [_beside(nodes, place, step) for step in (-1, 1) if 0 <= place + step < len(nodes)]
+    if not all(isinstance(node, Sign) and node.text in _RELATIONS for node in neighbours):
+        return False
+    parts = fraction.top + fraction.bottom
+    return not _is_sum(parts) and not any(is_function(node) for node in parts)
+
+
+def _has_bar(nodes: Nodes) -> bool:
+    """Tell whether a sequence has a fraction with a bar, which needs height."""
+    return any(
+        _has_bar(node.content)
+        if isinstance(node, Group)
+        else isinstance(node, Fraction) and not _has_stroke(nodes, place)
+        for place, node in enumerate(nodes)
+    )
+
+
+def _beside(nodes: Nodes, place: int, step: int) -> Node:
+    """Return the next node that is not a space; spaces never end a sequence."""
+    place += step
+    return nodes[place + step] if isinstance(nodes[place], Space) else nodes[place]
+
+
+def _is_sum(nodes: Nodes) -> bool:
+    return any(isinstance(node, Sign | Fraction) for node in nodes)
+
+
+_INDICES = dict(zip("0123456789aehijklmnoprstuvxβγρφχ", "₀₁₂₃₄₅₆₇₈₉ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓᵦᵧᵨᵩᵪ", strict=True))
+
+
+def _small(nodes: Nodes, sign: str, small: dict[str, str], mark: str) -> str:
+    if not nodes:
+        return ""
+    text = _text(nodes, mark)
+    if all(character in small for character in text):
+        return "".join(small[character] for character in text)
+    return f"{sign}{text}" if len(text) == 1 else f"{sign}({text})"
+
+
+def formula_markdown(formula: Formula, mark: str = ".", display: bool = False) -> str:
+    """Return a formula as text; dollar signs are left alone, since many readers of Markdown print them."""
+    return escape_markdown(formula_text(formula, mark))
+
+
+_COMMAND = re.compile(r"\\[A-Za-z]+$")
+
+
+def formula_latex(formula: Formula, mark: str = ".", display: bool = False) -> str:
+    r"""Return a formula for LaTeX, dollar signs included: $x/R$, $\frac{1}{4{,}5}\cos\varphi$. Needs amsmath.
+
+    `display` gives fractions their full size, and the line the height for it.
+    """
+    content = _latex(formula.content, mark)
+    if display and _has_bar(formula.content):
+        return f"$\\displaystyle {content}\\rule[-1.05em]{{0pt}}{{2.7em}}$"
+    return f"${content}$"
+
+
+def _latex(nodes: Nodes, mark: str) -> str:
+    result = ""
+    for place in range(len(nodes)):
+        piece = _latex_node(nodes, place, mark)
+        if piece[:1].isalpha() and _COMMAND.search(result):
+            result += " "
+        result += piece
+    return result
+
+
+def _latex_node(nodes: Nodes, place: int, mark: str) -> str:
+    node = nodes[place]
+    match node:
+        case Word(text):
+            return f"\\{text}"
+        case Variable(text):
+            return GREEK.get(text, text)
+        case Numeral(text):
+            return text.replace(".", "{,}" if mark == "," else mark)
+        case Sign(text):
+            return SIGNS[text][1]
+        case Symbol(text):
+            return SYMBOLS[text][1]
+        case Upright(text):
+            return f"\\text{{{escape_latex(text)}}}"
+        case Space():
+            return r"\," * _is_seen(nodes, place)
+        case Group(content, fences):
+            left, right = (r"\left", r"\right") if _has_bar(content) else ("", "")
+            return f"{left}{fences[0]}{_latex(content, mark)}{right}{fences[1]}"
+        case Fraction(top, bottom) if _has_stroke(nodes, place):
+            below = _latex(bottom if len(bottom) == 1 else (Group(bottom),), mark)
+            return f"{_latex(top, mark)}/{below}"
+        case Fraction(top, bottom):
+            return f"\\frac{{{_latex(top, mark)}}}{{{_latex(bottom, mark)}}}"
+        case Script(base, index, power):
+            inner = _latex((base,), mark)
+            below = f"_{{{_latex(index, mark)}}}" if index else ""
+            above = f"^{{{_latex(power, mark)}}}" if power else ""
+            return (f"{{{inner}}}" if isinstance(base, Symbol) else inner) + below + above
+
+
+def _is_seen(nodes: Nodes, place: int) -> bool:
+    """Tell whether a space must be set because the engine, which spaces by itself, would set none.
+
+    A unit needs it, and two numbers, which would run into one.
+    """
+    before, after = nodes[place - 1], nodes[place + 1]
+    both_numbers = isinstance(before, Numeral) and isinstance(after, Numeral)
+    return both_numbers or isinstance(before, Upright) or isinstance(after, Upright)
+
+
+def formula_html(formula: Formula, mark: str = ".", display: bool = False) -> str:
+    """Return a formula in MathML; `display` gives fractions their full size."""
+    style = ' displaystyle="true"' if display and _has_bar(formula.content) else ""
+    return f"<math{style}>{_mathml(formula.content, mark)}</math>"
+
+
+def _mathml(nodes: Nodes, mark: str) -> str:
+    return "".join(_mathml_node(nodes, place, mark) for place in range(len(nodes)))
+
+
+def _mathml_node(nodes: Nodes, place: int, mark: str) -> str:
+    node = nodes[place]
+    match node:
+        case Word(text):
+            return f"{_apart(nodes, place)}<mi>{text}</mi>{_apply(nodes, place)}"
+        case Variable(text):
+            return f'<mi mathvariant="normal">{text}</mi>' if text in CAPITALS else f"<mi>{text}</mi>"
+        case Numeral(text):
+            return f"<mn>{text.replace('.', mark)}</mn>"
+        case Sign(text):
+            tight = ' lspace="0" rspace="0"' if text == ":" else ""
+            return f"<mo{tight}>{escape_html(SIGNS[text][0])}</mo>"
+        case Symbol(text):
+            return f'<mi mathvariant="normal">{SYMBOLS[text][0]}</mi>'
+        case Upright(text):
+            return f"<mtext>{escape_html(text)}</mtext>"
+        case Space():
+            return _THIN * _is_seen(nodes, place)
+        case Group(content, fences):
+            # Fences that may stretch are set with side bearings, even around a single line.
+            fixed = "" if _has_bar(content) else ' stretchy="false"'
+            opening, closing = (f"<mo{fixed}>{fence}</mo>" for fence in fences)
+            return f"<mrow>{opening}{_mathml(content, mark)}{closing}</mrow>"
+        case Fraction(top, bottom) if _has_stroke(nodes, place):
+            below = _mathml(bottom if len(bottom) == 1 else (Group(bottom),), mark)
+            return f'{_mathml(top, mark)}<mo lspace="0" rspace="0">/</mo>{below}'
+        case Fraction(top, bottom):
+            return f"<mfrac>{_row(top, mark)}{_row(bottom, mark)}</mfrac>"
+        case Script(base, index, power):
+            tag = "m" + "sub" * bool(index) + "sup" * bool(power)
+            inner = "".join(_row(nodes, mark) for nodes in ((base,), index, power) if nodes)
+            function = is_function(base)
+            before, after = (_apart(nodes, place), _apply(nodes, place)) if function else ("", "")
+            return f"{before}<{tag}>{inner}</{tag}>{after}"
+
+
+def _row(nodes: Nodes, mark: str) -> str:
+    content = _mathml(nodes, mark)
+    return content if len(nodes) == 1 else f"<mrow>{content}</mrow>"
+
+
+_THIN = '<mspace width="0.167em"/>'
+
+
+def _apart(nodes: Nodes, place: int) -> str:
+    """Return the thin space between a factor and a function, which browsers do not set by themselves."""
+    return "" if place == 0 or isinstance(_beside(nodes, place, -1), Sign) else _THIN
+
+
+def _apply(nodes: Nodes, place: int) -> str:
+    """Return the invisible sign that binds a function to what follows it, and the space after it."""
+    if place == len(nodes) - 1 or isinstance(_beside(nodes, place, 1), Sign):
+        return ""
+    argument = _beside(nodes, place, 1)
+    return "<mo>&#x2061;</mo>" + _THIN * (
+        not isinstance(argument, Group | Word) and not is_function(argument)
+    )

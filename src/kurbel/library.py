@@ -1,0 +1,176 @@
+"""The functions of `import kurbel`: digits, arrays, tables and pages."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from decimal import Context, Decimal
+from fractions import Fraction
+from typing import TYPE_CHECKING, TypeAlias
+
+from kurbel import notation
+from kurbel.choices import choose
+from kurbel.problem import Crank, Speed, check_angles
+from kurbel.quantities import METHODS, Quantity, registry
+from kurbel.table import Table
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
+
+# A float is read by its shortest decimal, so that 0.2 is 1/5; text as on the command line.
+Exact: TypeAlias = str | int | float | Fraction | Decimal
+
+
+def certified(
+    quantity: str,
+    ratio: Exact,
+    angle: Exact,
+    *,
+    digits: int | None = None,
+    method: str = "exact",
+    offset: Exact = 0,
+    rounding: str = "half-away",
+) -> Decimal:
+    """Return one value, correctly rounded to so many decimals.
+
+    `quantity` is a key such as "x", "c_return", "psi" (units of R, v, v²/R; degrees); `ratio` is R:L and
+    `angle` the crank angle in degrees from the inner dead centre, on the return stroke from the outer
+    one; `offset` is e/R. Valid for 0 <= R:L < 1 and |e| < L - R. Raises KurbelError for anything else.
+
+    >>> certified("c", "1:4,5", "22°30'", digits=6)
+    Decimal('0.463114')
+    """
+    from kurbel.quantities import certified as scaled
+
+    chosen = _quantity(quantity)
+    decimals = chosen.decimals if digits is None else digits
+    crank, at = Crank(_ratio(ratio), _exact(offset)), _angle(angle)
+    check_angles((at,))
+    number = scaled(chosen, choose(method, METHODS, "method"), crank, at, decimals, rounding)
+    return Decimal(number).scaleb(-decimals, context=Context(prec=max(50, len(str(number)))))
+
+
+def compute(
+    angles: ArrayLike,
+    ratio: Exact,
+    columns: Sequence[str] = ("x", "c", "p"),
+    *,
+    method: str = "exact",
+    offset: Exact = 0,
+) -> dict[str, NDArray[np.float64]]:
+    """Return each quantity as an array of floats of the shape of `angles`, in degrees.
+
+    Bulk: NumPy on all cores, memory bounded by the output and a fixed block a core. For the straight
+    crank x, c and ψ are at most 2 units in the last place from the true value up to R:L = 1:3, and p at
+    most 2 units of max(|p|, 1); `kurbel.kernel.kinematics` states the bounds beyond. Raises KurbelError.
+
+    >>> compute([0, 90, 180], "1:5")["p"].tolist()
+    [1.2, -0.20412414523193154, -0.8]
+    """
+    import numpy as np
+
+    from kurbel.bulk import evaluate
+    from kurbel.digits import Digits, on_floats
+
+    crank = Crank(_ratio(ratio), _exact(offset))
+    degrees = np.asarray(angles, dtype=np.float64)
+    choose(method, METHODS, "method")
+    chosen = [Digits(_quantity(key), method, 0) for key in columns]
+    rows = evaluate([on_floats(column, crank) for column in chosen], degrees.ravel())
+    return {key: row.reshape(degrees.shape) for key, row in zip(columns, rows, strict=True)}
+
+
+def table(
+    ratios: Exact | Iterable[Exact] | None = None,
+    *,
+    layout: str = "kinematics",
+    angles: Iterable[Exact] | None = None,
+    columns: Sequence[str] = (),
+    method: str | None = None,
+    digits: int | None = None,
+    rounding: str = "half-away",
+    lang: str = "de",
+    offset: Exact = 0,
+    radius: Exact | None = None,
+    speed: Exact | None = None,
+) -> Table:
+    """Return a page with its certified digits; ratios and angles default to the layout's own.
+
+    `radius` is R in metres and `speed` the speed in turns per second; they add columns in mm, m/s, m/s².
+    Raises KurbelError.
+
+    >>> page = table("1:5", angles=[0, 45, 90], columns=["phi", "x", "c"])
+    >>> print(render(page, "csv"), end="")
+    phi,x,c
+    0,0.0000,0.0000
+    45,0.3431,0.8081
+    90,1.1010,1.0000
+    """
+    from kurbel.build import build
+    from kurbel.layouts import LANGUAGES
+    from kurbel.layouts import layout as find
+    from kurbel.request import Request
+
+    page = find(layout)
+    size = None if radius is None else _exact(radius)
+    turns = None if speed is None else Speed(_exact(speed))
+    return build(
+        Request(
+            layout=page,
+            cranks=tuple(Crank(ratio, _exact(offset), size, turns) for ratio in _ratios(ratios, page.ratios)),
+            angles=notation.angles(page.angles) if angles is None else tuple(map(_angle, angles)),
+            method=None if method is None else choose(method, METHODS, "method"),
+            digits=digits,
+            rounding=rounding,
+            lang=choose(lang, LANGUAGES, "language"),
+            columns=tuple(columns),
+        )
+    )
+
+
+def render(
+    page: Table,
+    format: str = "text",
+    *,
+    decimal: str | None = None,
+    standalone: bool = False,
+    longtable: bool = False,
+) -> str:
+    """Return the page in a format: text, markdown, latex, html, csv or json.
+
+    `decimal` is "comma" or "point", by default the mark of the page's language (point in CSV and JSON);
+    `standalone` gives a whole document (LaTeX, HTML), `longtable` a LaTeX longtable. Raises KurbelError.
+
+    >>> print(render(table("1:4", layout="blau-kolbenwege", angles=[90]), "markdown").splitlines()[-3])
+    | 90 | 1,125 | 0,563 |
+    """
+    from kurbel.render import render as rendered
+
+    return rendered(page, format, decimal=decimal, standalone=standalone, longtable=longtable)
+
+
+def _quantity(key: str) -> Quantity:
+    plain = [name for name, quantity in registry().items() if not quantity.needs]
+    return registry()[choose(key, plain, "quantity")]
+
+
+def _ratios(given: Exact | Iterable[Exact] | None, default: Sequence[str]) -> Sequence[Fraction]:
+    if given is None:
+        return notation.ratios(default)
+    if isinstance(given, str):
+        return notation.ratios([given])
+    return [_ratio(ratio) for ratio in (given if isinstance(given, Iterable) else [given])]
+
+
+def _ratio(value: Exact) -> Fraction:
+    return notation.ratio(value) if isinstance(value, str) else _exact(value)
+
+
+def _angle(value: Exact) -> Fraction:
+    return notation.angle(value) if isinstance(value, str) else _exact(value)
+
+
+def _exact(value: Exact) -> Fraction:
+    if isinstance(value, (int, Fraction)):
+        return Fraction(value)
+    return notation.number(str(value))
