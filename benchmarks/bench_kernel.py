@@ -9,6 +9,7 @@ import statistics
 import sys
 import time
 from collections.abc import Callable
+from importlib import import_module
 from importlib.util import find_spec
 from typing import Any
 
@@ -34,7 +35,7 @@ def naive(angles: Columns) -> Columns:
 
 
 def with_numexpr() -> Callable[[Columns], Columns]:
-    import numexpr
+    numexpr = import_module("numexpr")
 
     def columns(angles: Columns) -> Columns:
         out = np.empty((3, len(angles)))
@@ -52,7 +53,7 @@ def with_numexpr() -> Callable[[Columns], Columns]:
 def with_numba() -> Callable[[Columns], Columns]:
     import math
 
-    import numba
+    numba = import_module("numba")
 
     @numba.njit(parallel=True)  # type: ignore[untyped-decorator, unused-ignore]
     def fill(angles: Any, out: Any) -> None:
@@ -123,9 +124,8 @@ def main() -> None:
             if seconds is None:
                 print(f"  {name:18} not installed")
             else:
-                print(
-                    f"  {name:18} {seconds * 1e3:7.0f} ms {count / seconds / 1e6:6.1f} M/s {base / seconds:6.2f} x"
-                )
+                rate, gain = count / seconds / 1e6, base / seconds
+                print(f"  {name:18} {seconds * 1e3:7.0f} ms {rate:6.1f} M/s {gain:6.2f} x")
 
 
 if __name__ == "__main__":

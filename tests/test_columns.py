@@ -43,7 +43,13 @@ def test_numbers_print_as_decimal_prints_them(numbers: list[int], decimals: int)
 @given(st.lists(st.tuples(INTEGERS, INTEGERS, INTEGERS), min_size=1, max_size=20), DECIMALS, DECIMALS)
 def test_columns_stand_side_by_side(rows: list[tuple[int, int, int]], one: int, other: int) -> None:
     first, second, third = (list(numbers) for numbers in zip(*rows, strict=True))
-    fields: list[Field] = [b"1:5", column(first, one, b","), column(second, other, b","), b"", column(third, 0)]
+    fields: list[Field] = [
+        b"1:5",
+        column(first, one, b","),
+        column(second, other, b","),
+        b"",
+        column(third, 0),
+    ]
     text = csv_lines(fields, b"; ").decode()
     assert text == "".join(
         f"1:5; {expected(a, one, ',')}; {expected(b, other, ',')}; ; {c}\n" for a, b, c in rows
@@ -118,6 +124,14 @@ def test_only_numbers_near_a_boundary_are_doubtful(value: float, decimals: int, 
     distance = abs(exact - int(exact) - Fraction(1, 2))
     if doubtful and exact < 2**51:
         assert distance <= Fraction(bound) * 10**decimals * (1 + Fraction(1, 10**14)) + exact / 2**52
+
+
+@given(st.integers(-(10**9), 10**9), st.integers(1, 8), st.integers(-1000, 1000))
+def test_a_bound_that_just_reaches_the_boundary_makes_doubt(whole: int, decimals: int, steps: int) -> None:
+    boundary = Fraction(2 * whole + 1, 2 * 10**decimals)
+    value = float(boundary) * (1 + steps * 2.0**-52)
+    reach = np.nextafter(float(abs(Fraction(value) - boundary)), 1)
+    assert nearest(np.array([value]), decimals, float(reach))[1].all()
 
 
 def test_ties_follow_the_rule_and_are_doubtful() -> None:

@@ -27,6 +27,14 @@ def test_every_page_format_has_its_templates() -> None:
         assert (base / f"{entry.name}.document.jinja").exists() == entry.document
 
 
+def test_every_page_format_sets_labels() -> None:
+    for entry in FORMATS.values():
+        if entry.kind == "page":
+            assert callable(entry.escape)
+            assert callable(entry.formula)
+            assert callable(entry.note_mark)
+
+
 def test_unknown_choices_are_sentences() -> None:
     with pytest.raises(ChoiceError) as caught:
         by_name("pdf")
@@ -52,6 +60,6 @@ def test_decimal_mark_follows_the_language_on_pages_only(name: str, german: str)
 def test_registry_is_cheap_to_import() -> None:
     code = (
         "import sys, kurbel.formats;"
-        "print([name for name in ('jinja2', 'numpy', 'json', 'csv') if name in sys.modules])"
+        "print({'jinja2', 'numpy', 'json', 'csv', 'kurbel.formula'} & set(sys.modules))"
     )
-    assert subprocess.check_output([sys.executable, "-c", code], text=True) == "[]\n"
+    assert subprocess.check_output([sys.executable, "-c", code], text=True) == "set()\n"

@@ -55,4 +55,4 @@ def test_page_does_not_overflow_a_narrow_screen(tmp_path: Path) -> None:
     assert body <= 360
     assert table > 360
     assert caption == 96
-    assert cells == 69
+    assert cells == 55

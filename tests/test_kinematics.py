@@ -14,6 +14,7 @@ from flint import arb, fmpq
 from numpy.testing import assert_allclose
 from numpy.typing import NDArray
 
+from kurbel import bulk
 from kurbel.kernel import kinematics
 from kurbel.kernel.circle import Circle, circle, rod_angle
 
@@ -77,7 +78,7 @@ def steep(ratio: float) -> float:
 
 
 STRAIGHT: dict[str, Any] = {
-    "x": (kinematics.piston_path, textbook_path, TINY, 2, steep),
+    "x": (kinematics.piston_path, textbook_path, TINY, 1.8, steep),
     "c": (kinematics.piston_velocity, textbook_velocity, TINY, 2, steep),
     "p": (kinematics.piston_acceleration, textbook_acceleration, 1.0, 2, lambda ratio: 10),
     "psi": (rod_angle, textbook_rod_angle, TINY, 1, lambda ratio: 1),
@@ -157,6 +158,15 @@ def assert_within(
 def test_usual_ratios_are_within_two_ulp_of_the_textbook(quantity: str, ratio: float) -> None:
     bound = STRAIGHT[quantity][3]
     assert_within(bound, quantity, STRAIGHT[quantity], ratio, 0.0, ratio)
+
+
+@pytest.mark.parametrize("quantity", ["x", "c"])
+def test_the_bound_holds_where_the_rod_takes_most_away(quantity: str) -> None:
+    formula, textbook, floor, bound, _ = STRAIGHT[quantity]
+    angles = np.random.default_rng(32).uniform(0, 40, 6000)
+    _, back = textbook_strokes(quantity, textbook, angles, 0.3275, 0.0)
+    error, row = worst(formula(circle(angles), -0.3275), back, floor)
+    assert error <= bound, f"{error:.2f} ulp at {angles[row]!r}°"
 
 
 @pytest.mark.parametrize("ratio", [0.4, 0.55, 0.7, 0.9, 0.98, 0.99])
@@ -318,3 +328,34 @@ def test_mean_speed_is_stroke_times_revolutions_over_thirty() -> None:
     # Stroke 0.6 m at 250 turns a minute: 300 m in 60 s.
     assert_allclose(kinematics.mean_piston_speed(0.6, 250), 5.0, rtol=1e-15, atol=0)
     assert_allclose(kinematics.mean_piston_velocity(kinematics.stroke(0.3)), 2 / math.pi, rtol=1e-15, atol=0)
+
+
+@pytest.mark.parametrize("cores", [1, 3])
+def test_bulk_gives_the_bits_of_the_kernel(monkeypatch: pytest.MonkeyPatch, cores: int) -> None:
+    monkeypatch.setattr(bulk, "_cores", lambda: cores)
+    monkeypatch.setattr(bulk, "BLOCK", 100)
+    angles = sampled_angles(3)
+    functions: list[bulk.Column] = [
+        lambda point: kinematics.piston_path(point, 0.2345),
+        lambda point: rod_angle(point, 0.2345),
+        lambda point: 0.0,
+    ]
+    whole = circle(angles)
+    table = bulk.evaluate(functions, angles)
+    assert table.shape == (3, len(angles))
+    for row, function in zip(table, functions, strict=True):
+        np.testing.assert_array_equal(row, np.broadcast_to(function(whole), len(angles)))
+    out = np.empty_like(table)
+    assert bulk.evaluate(functions, angles, out=out) is out
+    np.testing.assert_array_equal(out, table)
+
+
+def test_an_error_in_a_bulk_thread_is_raised(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(bulk, "_cores", lambda: 2)
+    monkeypatch.setattr(bulk, "BLOCK", 10)
+    with pytest.raises(ZeroDivisionError):
+        bulk.evaluate([lambda point: 1 / 0], sampled_angles(5))
+
+
+def test_no_angles_give_no_columns() -> None:
+    assert bulk.evaluate([lambda point: point.sine], np.empty(0)).shape == (1, 0)

@@ -8,6 +8,7 @@ import sys
 from collections.abc import Iterator
 from dataclasses import replace
 from html.parser import HTMLParser
+from importlib import import_module
 from itertools import pairwise
 from pathlib import Path
 from xml.etree import ElementTree
@@ -17,8 +18,9 @@ from everything import AWKWARD_TEXT, everything, n
 from golden import assert_golden
 from markdown_it import MarkdownIt
 
+from kurbel.escapes import mark_text
 from kurbel.formats import FORMATS, by_name
-from kurbel.labels import mark_text, plain
+from kurbel.labels import plain
 from kurbel.numerals import number_text
 from kurbel.page import page
 from kurbel.render import render
@@ -64,26 +66,25 @@ def test_table_without_caption_notes_and_source_is_set(name: str) -> None:
 
 
 def test_layout_may_bring_a_template_of_its_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    import kurbel.render
-
-    folder = tmp_path
-    (folder / "base").mkdir()
-    (folder / "base" / "text.jinja").write_text("common\n")
-    (folder / "mine").mkdir()
-    (folder / "mine" / "text.jinja").write_text("mine: {{ page.caption }}\n")
-    monkeypatch.setattr(kurbel.render, "templates_folder", lambda: folder)
-    kurbel.render._environment.cache_clear()
+    for name, template in (("base", "common\n"), ("mine", "mine: {{ page.caption }}\n")):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "text.jinja").write_text(template)
+    # The package offers the function under the name of the module.
+    module = import_module("kurbel.render")
+    monkeypatch.setattr(module, "templates_folder", lambda: tmp_path)
+    module._environment.cache_clear()
     try:
         assert render(everything("mine", caption="A"), "text") == "mine: A\n"
         assert render(everything("other"), "text") == "common\n"
     finally:
-        kurbel.render._environment.cache_clear()
+        module._environment.cache_clear()
 
 
 def test_text_needs_no_numpy_and_no_scipy() -> None:
     code = (
         "import sys; sys.path.insert(0, sys.argv[1]);"
-        "from everything import everything; from kurbel.render import render; render(everything(), 'text'); print([m for m in ('numpy', 'scipy', 'flint') if m in sys.modules])"
+        "from everything import everything; from kurbel.render import render; render(everything(), 'text');"
+        "print([name for name in ('numpy', 'scipy', 'flint') if name in sys.modules])"
     )
     command = [sys.executable, "-c", code, str(Path(__file__).parent)]
     assert subprocess.check_output(command, text=True) == "[]\n"
@@ -117,6 +118,14 @@ def test_wide_page_of_text_closes_its_gaps_before_it_leaves_the_terminal() -> No
     columns = tuple(Column(str(place), ("Kopf",)) for place in range(13))
     lines = render(table_of(columns, Row((), tuple(n(-1234) for _ in columns))), "text").splitlines()
     assert max(map(len, lines)) <= 100
+
+
+def test_no_line_end_cuts_a_formula_in_text() -> None:
+    label = "Ein Satz, dessen Formel am Ende der Zeile stünde, nämlich $R:L = 1:5$"
+    table = replace(table_of((Column("x", ("x",)),), Row((), (n(1),))), caption=label)
+    text = render(table, "text")
+    assert "\n R:L = 1:5\n" in text
+    assert "\u00a0" not in text
 
 
 def test_panels_of_text_stand_in_line() -> None:

@@ -5,7 +5,7 @@ Four functions give what the command line gives. They are imported when they are
 
 >>> import kurbel
 >>> kurbel.certified("x", "1:5", 60, digits=30)
-Decimal('0.575624216967857970687803846783')
+Decimal('0.575571099101947639126894292541')
 >>> kurbel.certified("x", "1:5", 60, digits=2, method="series")
 Decimal('0.58')
 """
@@ -17,10 +17,10 @@ from typing import TYPE_CHECKING
 from kurbel.errors import KurbelError
 
 if TYPE_CHECKING:
-    from kurbel.library import certified, compute, render, table
+    from kurbel.library import certified, compute, make_table, typeset
 
 __version__ = "0.1.0"
-__all__ = ["KurbelError", "__version__", "certified", "compute", "render", "table"]
+__all__ = ["KurbelError", "__version__", "certified", "compute", "make_table", "typeset"]
 
 
 def __getattr__(name: str) -> object:

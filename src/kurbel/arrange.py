@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
-from itertools import groupby, product
+from itertools import groupby, pairwise, product
 
 from kurbel import captions
 from kurbel.digits import scaled_columns, wants_bulk
@@ -32,7 +32,7 @@ def _blocks(places: list[Place], most: int) -> Iterator[list[Place]]:
     """Split into as few blocks as needed, of equal size, the larger ones last."""
     count = -(-len(places) // most) if most else 1
     ends = [len(places) * block // count for block in range(count + 1)]
-    for start, end in zip(ends, ends[1:], strict=False):
+    for start, end in pairwise(ends):
         yield places[start:end]
 
 
@@ -49,7 +49,7 @@ class _Page:
         self.layout = request.layout
         self.columns = columns
         digits = [column.digits for column in columns]
-        bulk = wants_bulk(digits, rows)
+        bulk = wants_bulk(digits, request.cranks, request.angles)
         self.values = [
             scaled_columns(digits, crank, request.angles, request.rounding, bulk) for crank in request.cranks
         ]
@@ -145,7 +145,7 @@ def _merged(columns: tuple[Column, ...]) -> tuple[Column, ...]:
     """Turn an innermost spanner over a single column everywhere into a line of the heading."""
     while all(column.spanners for column in columns):
         paths = [column.spanners for column in columns]
-        if any(one == two for one, two in zip(paths, paths[1:], strict=False)):
+        if any(one == two for one, two in pairwise(paths)):
             break
         if len(columns) == 1 and len(paths[0]) == 1:
             break

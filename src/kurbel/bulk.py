@@ -12,9 +12,12 @@ from numpy.typing import NDArray
 
 from kurbel.kernel.circle import Circle, circle
 
-# A block and its two dozen intermediate columns stay in the last-level cache. Measured for x, c and p on two
-# cores: 16384 angles 35 % slower (threads wait for each other between calls), 262144 60 % slower (memory).
+# A block and its two dozen intermediate columns (13 MB a thread) stay in the last-level cache. Measured for
+# x, c and p on two cores: with 16384 angles threads wait for each other between calls (40 % slower).
 BLOCK = 65536
+
+# Just below the largest size that glibc's malloc may keep for itself, 32 MiB.
+LARGEST_KEPT = (1 << 25) - (1 << 16)
 
 Column = Callable[[Circle[Any]], Any]
 
@@ -31,6 +34,7 @@ def evaluate(
     `out` is filled and returned if given; besides it only a block a core is held in memory. The bits do
     not depend on the number of cores.
     """
+    _keep_freed_memory()
     if out is None:
         out = np.empty((len(functions), len(angles)))
     blocks = [slice(start, start + BLOCK) for start in range(0, len(angles), BLOCK)]
@@ -49,6 +53,13 @@ def evaluate(
         # The list asks for every result, so that an exception in a thread is raised here.
         list(pool.map(fill, blocks))
     return out
+
+
+def _keep_freed_memory() -> None:
+    # glibc returns an intermediate column to the system as soon as it is freed, and the next one is mapped
+    # and cleared page by page: two thirds of the time. Having freed one large array, which is never
+    # touched, it keeps what is smaller (mallopt(3), M_MMAP_THRESHOLD). Elsewhere this does nothing.
+    np.empty(LARGEST_KEPT, np.uint8)
 
 
 def _cores() -> int:

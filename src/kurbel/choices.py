@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from kurbel.errors import ChoiceError
 
@@ -12,8 +12,14 @@ def choose(name: str, allowed: Iterable[str], what: str) -> str:
     names = list(allowed)
     if name in names:
         return name
+    raise ChoiceError(
+        f'there is no {what} "{name[:60]}"{did_you_mean(name, names)}; choose from {", ".join(names)}'
+    )
+
+
+def did_you_mean(name: str, names: Sequence[str]) -> str:
+    """Return a question with the nearest of the names, or nothing if none is near."""
     from difflib import get_close_matches
 
-    near = get_close_matches(name.lower(), names, n=1)
-    hint = f", did you mean {near[0]}?" if near else ";"
-    raise ChoiceError(f'there is no {what} "{name[:60]}"{hint} There are: {", ".join(names)}')
+    near = get_close_matches(name[:60].lower(), names, n=1)
+    return f" (did you mean {near[0]}?)" if near else ""

@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 
 # Below this many cells balls are done before NumPy is imported.
 PAGE_CELLS = 20_000
-# At 15 decimals nearly every float is doubtful, and NumPy only costs time.
-FLOAT_DECIMALS = 12
+# Floats are worth their while as long as few of them are doubtful: at half of this share they save nothing.
+DOUBTFUL_SHARE = 0.1
 
 
 class Digits(NamedTuple):
@@ -41,10 +41,15 @@ def scaled_columns(
     return _bulk_columns(columns, crank, angles, rounding)
 
 
-def wants_bulk(columns: Sequence[Digits], rows: int) -> bool:
-    """Whether so many cells are worth NumPy's start-up."""
-    small = all(column.decimals <= FLOAT_DECIMALS for column in columns)
-    return small and rows * len(columns) > PAGE_CELLS
+def wants_bulk(columns: Sequence[Digits], cranks: Sequence[Crank], angles: Sequence[Fraction]) -> bool:
+    """Whether so many cells, to so few decimals, are worth NumPy's start-up."""
+    if len(columns) * len(cranks) * len(angles) <= PAGE_CELLS:
+        return False
+    largest = float(max(abs(angles[0]), abs(angles[-1])))
+    doubtful = (
+        2 * float_bound(column, crank, largest) * 10.0**column.decimals for column in columns for crank in cranks
+    )
+    return max(doubtful) < DOUBTFUL_SHARE
 
 
 def float_bound(column: Digits, crank: Crank, largest_angle: float) -> float:
@@ -110,7 +115,7 @@ def float_angles(angles: Sequence[Fraction]) -> np.ndarray:
 
 
 def integer_angles(angles: Progression) -> tuple[np.ndarray, int]:
-    """Return integers and their common denominator; Python integers where 63 bits are too few."""
+    """Return the numerators of all angles over one denominator; Python integers where 62 bits are too few."""
     import numpy as np
 
     denominator = (angles.start.denominator * angles.step.denominator) // _gcd(angles)

@@ -1,4 +1,7 @@
-"""Prose and note marks in the notation of each format: every character is printed, none is obeyed."""
+"""Prose and note marks in the notation of each format: every character is printed, none is obeyed.
+
+A new format adds two functions named after it; `Format.escape` and `Format.note_mark` find them by this name.
+"""
 
 from __future__ import annotations
 

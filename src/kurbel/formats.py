@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import PurePath
-from typing import Literal
+from typing import TYPE_CHECKING, Literal, cast
 
-from kurbel import escapes, formula_print
 from kurbel.errors import ChoiceError
-from kurbel.formula import Formula
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from kurbel.formula import Formula
 
 DECIMALS = {"comma": ",", "point": "."}
 DECIMAL_OF_LANGUAGE = {"de": "comma", "en": "point"}
@@ -20,9 +22,8 @@ class Format:
     """What distinguishes one format from another, apart from its templates.
 
     `decimal` is "language" or "point": where the decimal mark comes from unless the user sets it.
-    `escape` sets prose. `formula` sets a formula with a given decimal mark, and with full-sized fractions in
-    a cell of its own. `note_mark` sets a mark and a link to the note of the given name, which is empty for
-    the mark before the note itself. `document` tells that a standalone page differs from a fragment.
+    `document` tells that a standalone page differs from a fragment. Formats of pages also set labels, with
+    functions that carry their name and are looked up when the first label is set, to keep the registry cheap.
     """
 
     name: str
@@ -31,11 +32,32 @@ class Format:
     kind: Literal["page", "records"]
     decimal: Literal["language", "point"]
     minus: str = "−"
-    escape: Callable[[str], str] = escapes.escape_text
-    formula: Callable[[Formula, str, bool], str] = formula_print.formula_text
-    note_mark: Callable[[str, str], str] = escapes.mark_text
     missing: str = "–"
     document: bool = False
+
+    @property
+    def escape(self) -> Callable[[str], str]:
+        """The function that sets prose."""
+        from kurbel import escapes
+
+        return cast("Callable[[str], str]", getattr(escapes, f"escape_{self.name}"))
+
+    @property
+    def note_mark(self) -> Callable[[str, str], str]:
+        """The function that sets a mark and a link to the note of the given name.
+
+        The name is empty for the mark before the note itself.
+        """
+        from kurbel import escapes
+
+        return cast("Callable[[str, str], str]", getattr(escapes, f"mark_{self.name}"))
+
+    @property
+    def formula(self) -> Callable[[Formula, str, bool], str]:
+        """The function that sets a formula with a decimal mark, and on wish with fractions of full size."""
+        from kurbel import formula_print
+
+        return cast("Callable[[Formula, str, bool], str]", getattr(formula_print, f"formula_{self.name}"))
 
     def decimal_name(self, lang: str, decimal: str | None = None) -> str:
         """Return "comma" or "point": what the user asks for, else the rule of the format."""
@@ -53,16 +75,19 @@ class Format:
 FORMATS = {
     entry.name: entry
     for entry in (
-        Format("text", (".txt",), "plain text for terminals and e-mail", "page", "language"),
+        Format(
+            "text",
+            (".txt",),
+            "plain text for terminals and e-mail",
+            "page",
+            "language",
+        ),
         Format(
             "markdown",
             (".md",),
             "Markdown tables as GitHub and most wikis read them",
             "page",
             "language",
-            escape=escapes.escape_markdown,
-            formula=formula_print.formula_markdown,
-            note_mark=escapes.mark_markdown,
         ),
         Format(
             "latex",
@@ -71,9 +96,6 @@ FORMATS = {
             "page",
             "language",
             minus="$-$",
-            escape=escapes.escape_latex,
-            formula=formula_print.formula_latex,
-            note_mark=escapes.mark_latex,
             missing="--",
             document=True,
         ),
@@ -83,9 +105,6 @@ FORMATS = {
             "HTML with MathML, for a page or as a page",
             "page",
             "language",
-            escape=escapes.escape_html,
-            formula=formula_print.formula_html,
-            note_mark=escapes.mark_html,
             document=True,
         ),
         Format("csv", (".csv",), "one record a line, for spreadsheets", "records", "point", minus="-"),

@@ -11,7 +11,7 @@ Spaces are kept: text needs them ("cos φ ± ψ"), other engines set their own.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from typing import NamedTuple
 
 FENCES = {"(": ")", "[": "]"}
 FUNCTIONS = frozenset(("sin", "cos", "tan", "cot", "arcsin", "arccos", "arctan", "max", "min", "ln", "log"))
@@ -61,80 +61,69 @@ GREEK = _greek(_GREEK_SMALL, _GREEK_REST, _GREEK_CAPITALS)
 CAPITALS = frozenset(_greek(_GREEK_CAPITALS))
 
 
-@dataclass(frozen=True, slots=True)
-class Word:
+class Word(NamedTuple):
     """An upright function name."""
 
     text: str
 
 
-@dataclass(frozen=True, slots=True)
-class Variable:
+class Variable(NamedTuple):
     text: str
 
 
-@dataclass(frozen=True, slots=True)
-class Numeral:
+class Numeral(NamedTuple):
     """A number, with a decimal point whatever the page prints."""
 
     text: str
 
 
-@dataclass(frozen=True, slots=True)
-class Sign:
+class Sign(NamedTuple):
     """A sign between two terms, or before one."""
 
     text: str
 
 
-@dataclass(frozen=True, slots=True)
-class Symbol:
+class Symbol(NamedTuple):
     """A sign that stands for a value or belongs to one: ∞, %, °."""
 
     text: str
 
 
-@dataclass(frozen=True, slots=True)
-class Upright:
+class Upright(NamedTuple):
     """Text in double quotes: a unit or a word."""
 
     text: str
 
 
-@dataclass(frozen=True, slots=True)
-class Space:
+class Space(NamedTuple):
     """White space in the source."""
 
 
-@dataclass(frozen=True, slots=True)
-class Group:
+class Group(NamedTuple):
     """Parentheses or brackets that are printed."""
 
     content: Nodes
     fences: str = "()"
 
 
-@dataclass(frozen=True, slots=True)
-class Fraction:
+class Fraction(NamedTuple):
     top: Nodes
     bottom: Nodes
 
 
-@dataclass(frozen=True, slots=True)
-class Script:
+class Script(NamedTuple):
     """An atom with an index, a power or both."""
 
     base: Node
-    index: Nodes
-    power: Nodes
+    sub: Nodes
+    sup: Nodes
 
 
 Node = Word | Variable | Numeral | Sign | Symbol | Upright | Space | Group | Fraction | Script
 Nodes = tuple[Node, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Formula:
+class Formula(NamedTuple):
     content: Nodes
 
 
@@ -244,7 +233,7 @@ class _Parser:
             return Variable(token)
         if token in SYMBOLS:
             return Symbol(token)
-        if token.startswith('"'):
+        if token.startswith('"') and token[1:-1].strip():
             return Upright(token[1:-1])
         raise MalformedError(_unexpected(token))
 
@@ -264,6 +253,8 @@ def _unexpected(token: str) -> str:
         return "a number, a letter or parentheses are missing"
     if token.isalpha() and token.isascii():
         return f"{token} is no function; letters of a product stand apart, words in double quotes"
+    if token.startswith('"'):
+        return "double quotes are empty"
     return f"{token!r} has no meaning in a formula"
 
 

@@ -1,6 +1,6 @@
 """Formulas in print: one line of Unicode, LaTeX, MathML.
 
-A new notation is one more function beside `formula_text`, `formula_latex` and `formula_html`.
+A new format adds a function named after it; `Format.formula` finds it by this name.
 """
 
 from __future__ import annotations
@@ -30,9 +30,14 @@ from kurbel.formula import (
 )
 
 
-def formula_text(formula: Formula, mark: str = ".", display: bool = False) -> str:
+def formula_plain(formula: Formula, mark: str = ".", display: bool = False) -> str:
     """Return a formula in one line of Unicode: sin(φ±ψ)/cos ψ, xₘ, φ². It has no other size."""
     return _text(formula.content, mark)
+
+
+def formula_text(formula: Formula, mark: str = ".", display: bool = False) -> str:
+    """Return a formula in one line of Unicode that no line end may cut."""
+    return formula_plain(formula, mark).replace(" ", "\u00a0")
 
 
 def _text(nodes: Nodes, mark: str) -> str:
@@ -132,7 +137,7 @@ def _small(nodes: Nodes, sign: str, small: dict[str, str], mark: str) -> str:
 
 def formula_markdown(formula: Formula, mark: str = ".", display: bool = False) -> str:
     """Return a formula as text; dollar signs are left alone, since many readers of Markdown print them."""
-    return escape_markdown(formula_text(formula, mark))
+    return escape_markdown(formula_plain(formula, mark))
 
 
 _COMMAND = re.compile(r"\\[A-Za-z]+$")

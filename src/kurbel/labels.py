@@ -9,23 +9,21 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
 from functools import lru_cache
 from itertools import groupby
+from typing import NamedTuple
 
 from kurbel.errors import LayoutError
 from kurbel.escapes import escape_text, mark_text
 from kurbel.formula import Formula, MalformedError, parse_formula
-from kurbel.formula_print import formula_text
+from kurbel.formula_print import formula_plain
 
 
-@dataclass(frozen=True, slots=True)
-class Prose:
+class Prose(NamedTuple):
     text: str
 
 
-@dataclass(frozen=True, slots=True)
-class Mark:
+class Mark(NamedTuple):
     """A mark that points to a note."""
 
     text: str
@@ -83,7 +81,7 @@ def _primes(angle: re.Match[str]) -> str:
 
 def plain(label: str, mark: str = ".") -> str:
     """Return a label as Unicode text."""
-    return set_label(label, escape_text, lambda formula: formula_text(formula, mark), mark_text)
+    return set_label(label, escape_text, lambda formula: formula_plain(formula, mark), mark_text)
 
 
 def set_label(

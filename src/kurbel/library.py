@@ -38,7 +38,7 @@ def certified(
     one; `offset` is e/R. Valid for 0 <= R:L < 1 and |e| < L - R. Raises KurbelError for anything else.
 
     >>> certified("c", "1:4,5", "22°30'", digits=6)
-    Decimal('0.463114')
+    Decimal('0.461536')
     """
     from kurbel.quantities import certified as scaled
 
@@ -80,7 +80,7 @@ def compute(
     return {key: row.reshape(degrees.shape) for key, row in zip(columns, rows, strict=True)}
 
 
-def table(
+def make_table(
     ratios: Exact | Iterable[Exact] | None = None,
     *,
     layout: str = "kinematics",
@@ -99,8 +99,8 @@ def table(
     `radius` is R in metres and `speed` the speed in turns per second; they add columns in mm, m/s, m/s².
     Raises KurbelError.
 
-    >>> page = table("1:5", angles=[0, 45, 90], columns=["phi", "x", "c"])
-    >>> print(render(page, "csv"), end="")
+    >>> page = make_table("1:5", angles=[0, 45, 90], columns=["phi", "x", "c"])
+    >>> print(typeset(page, "csv"), end="")
     phi,x,c
     0,0.0000,0.0000
     45,0.3431,0.8081
@@ -128,7 +128,7 @@ def table(
     )
 
 
-def render(
+def typeset(
     page: Table,
     format: str = "text",
     *,
@@ -141,8 +141,8 @@ def render(
     `decimal` is "comma" or "point", by default the mark of the page's language (point in CSV and JSON);
     `standalone` gives a whole document (LaTeX, HTML), `longtable` a LaTeX longtable. Raises KurbelError.
 
-    >>> print(render(table("1:4", layout="blau-kolbenwege", angles=[90]), "markdown").splitlines()[-3])
-    | 90 | 1,125 | 0,563 |
+    >>> print(typeset(make_table("1:4", layout="blau-kolbenwege", angles=[90]), "markdown").splitlines()[-3])
+    |  90 |         1,125 |             0,563 |
     """
     from kurbel.render import render as rendered
 

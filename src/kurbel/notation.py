@@ -6,8 +6,9 @@ Parsing only: whether a crank with such a ratio can turn is decided in problem.p
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from decimal import Context, Decimal
 from fractions import Fraction
 from typing import overload
 
@@ -15,7 +16,10 @@ from kurbel.errors import NotationError
 from kurbel.numerals import finite_decimals, nearest, number_text
 
 LONGEST_NUMBER = 60
+# A range is three numbers; a longer text would keep the patterns of ranges busy for minutes.
+LONGEST_RANGE = 4 * LONGEST_NUMBER
 LONGEST_LIST = 10_000
+LONGEST_ANGLE_LIST = 10**6
 MOST_ROWS = 10**9
 
 _NUMBER = re.compile(r"([+-]?)(\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE]([+-]?\d{1,3}))?", re.ASCII)
@@ -24,7 +28,7 @@ _ANGLE = re.compile(
     r"(?:(?P<min>\d+(?:[.,]\d+)?)\s*['′’])?\s*(?:(?P<sec>\d+(?:[.,]\d+)?)\s*(?:\"|″|''))?",
     re.ASCII,
 )
-_AMBIGUOUS = re.compile(r"\s*[+-]?\d+(,\d+)+\s*", re.ASCII)
+_WHOLE = re.compile(r"[+-]?\d+", re.ASCII)
 _INFINITE = {"∞", "inf", "oo"}
 
 
@@ -89,7 +93,7 @@ def ratio(text: str) -> Fraction:
         ) from None
 
 
-def angle(text: str) -> Fraction:
+def angle(text: str, what: str = "angle") -> Fraction:
     """Return degrees from "45", "22.5", "2°30'", "79°20'15\"", with signs."""
     stripped = text.strip()
     match = _ANGLE.fullmatch(stripped) if len(stripped) <= LONGEST_NUMBER else None
@@ -98,11 +102,11 @@ def angle(text: str) -> Fraction:
             return number(text)
         except NotationError:
             raise NotationError(
-                f"angle {_shown(text)} is not an angle in degrees; write it as 22.5 or 22°30'"
+                f"{what} {_shown(text)} is not an angle in degrees; write it as 22.5 or 22°30'"
             ) from None
     degrees, minutes, seconds = (number(part or "0") for part in match.group("deg", "min", "sec"))
     if minutes >= 60 or seconds >= 60:
-        raise NotationError(f"angle {_shown(text)} has 60 or more minutes or seconds; carry them over")
+        raise NotationError(f"{what} {_shown(text)} has 60 or more minutes or seconds; carry them over")
     value = degrees + minutes / 60 + seconds / 3600
     return -value if match.group(1) == "-" else value
 
@@ -113,7 +117,7 @@ def ratios(texts: Iterable[str]) -> tuple[Fraction, ...]:
     for text in texts:
         for part in _items(text, ratio, "crank ratio"):
             found.extend(_ratio_range(part) if ".." in part else [ratio(part)])
-            _check_length(found, LONGEST_LIST, "crank ratios")
+            _check_length(len(found), LONGEST_LIST, "crank ratios")
     return tuple(dict.fromkeys(found))
 
 
@@ -124,8 +128,9 @@ def angles(texts: Iterable[str]) -> Sequence[Fraction]:
         return _angle_range(parts[0])
     found: list[Fraction] = []
     for part in parts:
-        found.extend(_angle_range(part) if ".." in part else [angle(part)])
-        _check_length(found, 10**6, "angles in a list")
+        values = _angle_range(part) if ".." in part else [angle(part)]
+        _check_length(len(found) + len(values), LONGEST_ANGLE_LIST, "angles in a list")
+        found.extend(values)
     return tuple(dict.fromkeys(found))
 
 
@@ -133,19 +138,19 @@ def progression(start: Fraction, stop: Fraction, step: Fraction, what: str = "an
     """Return start, start + step, ... up to and including stop."""
     if stop < start:
         raise NotationError(
-            f"the {what}s run from {plain(start)} to {plain(stop)}; the end must not lie before the start"
+            f"the {what}s run from {about(start)} to {about(stop)}; the end must not lie before the start"
         )
     if step <= 0:
-        raise NotationError(f"step {plain(step)} leads nowhere; it must be above 0")
+        raise NotationError(f"step {about(step)} leads nowhere; it must be above 0")
     if step > stop - start and stop > start:
         raise NotationError(
-            f"step {plain(step)} is larger than the range {plain(start)}..{plain(stop)};"
-            f" at most {plain(stop - start)} fits"
+            f"step {about(step)} is larger than the range {about(start)}..{about(stop)};"
+            f" at most {about(stop - start)} fits"
         )
     count = (stop - start) // step + 1
     if count > MOST_ROWS:
         raise NotationError(
-            f"step {plain(step)} makes a table of about 10^{len(str(count)) - 1} rows; at most 10^9 are allowed"
+            f"step {about(step)} makes a table of {about(Fraction(count))} rows; at most 10^9 are allowed"
         )
     return Progression(start, step, count)
 
@@ -167,18 +172,50 @@ def plain(value: Fraction, mark: str = ".", minus: str = "-") -> str:
     return number_text(nearest(value, 15), mark, minus)
 
 
-def _items(text: str, read: object, what: str) -> list[str]:
-    if _AMBIGUOUS.fullmatch(text):
-        spellings = text.strip().split(",")
-        as_number = f"the number {'.'.join(spellings)} or " if len(spellings) == 2 else ""
-        raise NotationError(
-            f"{what} {_shown(text)} can be read as {as_number}the list {';'.join(spellings)};"
-            f" write {'.'.join(spellings) + ' or ' if as_number else ''}{';'.join(spellings)}"
-        )
+def about(value: Fraction) -> str:
+    """Return the value for a message: exact where that is short, else "1e-300" or 0.333333333333333."""
+    exact = plain(value)
+    if finite_decimals(value) is not None and len(exact) <= 20 and bool(value) == (exact.strip("-0.") != ""):
+        return exact
+    shortened = Decimal(value.numerator) / value.denominator
+    return f"{shortened.normalize(Context(prec=15)):g}"
+
+
+def _items(text: str, read: Callable[[str], Fraction], what: str) -> list[str]:
+    _check_commas(text, read, what)
     parts = [part.strip() for part in text.split(";")]
-    if not all(parts):
+    if len(parts) > 1 and not all(parts):
         raise NotationError(f"{what} {_shown(text)} has an empty place; write a list as 2;3;4")
+    longest = max(parts, key=len)
+    if len(longest) > LONGEST_RANGE:
+        raise NotationError(
+            f"{what} {_shown(longest)} has {len(longest)} characters; at most {LONGEST_RANGE} are read"
+        )
     return parts
+
+
+def _check_commas(text: str, read: Callable[[str], Fraction], what: str) -> None:
+    """Raise NotationError if commas could part a list: 2,3 or 1:4,1:5; in 1:4,5 they cannot."""
+    parts = [part.strip() for part in text.split(",")]
+    if len(parts) == 1 or not all(_is_read(part, read) for part in parts):
+        return
+    listed = _clipped(";".join(parts))
+    if not _is_read(text, read):
+        raise NotationError(f"{what} {_shown(text)} has commas between its values; write the list as {listed}")
+    if all(_WHOLE.fullmatch(part) for part in parts):
+        decimal = ".".join(parts)
+        raise NotationError(
+            f"{what} {_shown(text)} can be read as the number {decimal} or the list {listed};"
+            f" write {decimal} or {listed}"
+        )
+
+
+def _is_read(text: str, read: Callable[[str], Fraction]) -> bool:
+    try:
+        read(text)
+    except NotationError:
+        return False
+    return True
 
 
 def _ratio_range(text: str) -> Sequence[Fraction]:
@@ -194,7 +231,7 @@ def _ratio_range(text: str) -> Sequence[Fraction]:
             f"crank ratio {_shown(text)} needs a step; write 0.2..0.3:0.05, or 1:3..6 to step the rod length"
         )
     values = progression(number(first), number(last), number(step or "1"), "ratio")
-    _check_length(values, LONGEST_LIST, "crank ratios")
+    _check_length(len(values), LONGEST_LIST, "crank ratios")
     if by_length and not all(values):
         raise NotationError(f"crank ratio {_shown(text)} contains 1:0; the rod must have a length")
     return [1 / value for value in values] if by_length else values
@@ -208,10 +245,14 @@ def _angle_range(text: str) -> Progression:
     return progression(angle(first), angle(last), angle(step or "1"))
 
 
-def _check_length(values: Sequence[Fraction], most: int, what: str) -> None:
-    if len(values) > most:
-        raise NotationError(f"{len(values)} {what} were given; at most {most} are allowed")
+def _check_length(count: int, most: int, what: str) -> None:
+    if count > most:
+        raise NotationError(f"{count} {what} were given; at most {most} are allowed")
 
 
 def _shown(text: str) -> str:
-    return f'"{text}"' if len(text) <= LONGEST_NUMBER else f'"{text[:20]}..."'
+    return f'"{_clipped(text)}"'
+
+
+def _clipped(text: str) -> str:
+    return text if len(text) <= LONGEST_NUMBER else f"{text[:20]}..."

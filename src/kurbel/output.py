@@ -23,20 +23,26 @@ def whole_file(target: str) -> Iterator[BinaryIO]:
         yield sys.stdout.buffer
         sys.stdout.buffer.flush()
         return
-    path = Path(os.path.realpath(target))
     try:
-        if path.exists() and not path.is_file() and not path.is_dir():
-            with path.open("wb") as device:
+        if _is_device(Path(target)):
+            with open(target, "wb") as device:
                 yield device
         else:
-            yield from _replaced(path)
+            yield from _replaced(Path(os.path.realpath(target)))
     except OSError as error:
         raise OutputError(f"cannot write {target}: {_reason(error)}") from error
 
 
+def _is_device(path: Path) -> bool:
+    # Asked of the target as it was given: a link such as /dev/stdout may lead to a pipe that has no path.
+    return path.exists() and not path.is_file() and not path.is_dir()
+
+
 def _replaced(path: Path) -> Iterator[BinaryIO]:
     _check(path)
-    name = path.with_name(f".{path.name}.{os.getpid()}.part")
+    # Random, for a process killed in a container leaves its file, and the next one often has its number. The
+    # target's name is cut, for with the additions it must not be longer than file names may be.
+    name = path.with_name(f".{path.name[:40]}.{os.urandom(6).hex()}.part")
     handle = os.open(name, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
     try:
         with os.fdopen(handle, "wb") as stream:
@@ -54,6 +60,8 @@ def _replaced(path: Path) -> Iterator[BinaryIO]:
 def _check(path: Path) -> None:
     if path.is_dir():
         raise IsADirectoryError(21, "it is a directory; name a file in it")
+    if path.parent.exists() and not path.parent.is_dir():
+        raise NotADirectoryError(20, f"{path.parent} is not a directory")
     if not path.parent.is_dir():
         raise FileNotFoundError(2, f"the directory {path.parent} does not exist")
     if path.exists() and not os.access(path, os.W_OK):

@@ -8,9 +8,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence, Set
-from dataclasses import dataclass, replace
 from itertools import accumulate, groupby, islice, pairwise, zip_longest
-from typing import Literal
+from typing import Literal, NamedTuple
 
 from kurbel.formats import Format
 from kurbel.labels import plain, set_label
@@ -23,8 +22,7 @@ WORDS = {
 }
 
 
-@dataclass(frozen=True, slots=True)
-class PageCell:
+class PageCell(NamedTuple):
     """A cell as text, its note marks apart so that they can hang beside an aligned number.
 
     `tail` is what a number lacks to the longest fraction of its column, such as "00" or ",000".
@@ -39,14 +37,12 @@ class PageCell:
     down: int = 1
 
 
-@dataclass(frozen=True, slots=True)
-class PageColumn:
+class PageColumn(NamedTuple):
     heading: tuple[str, ...]
     align: Literal["left", "right"]
 
 
-@dataclass(frozen=True, slots=True)
-class HeadCell:
+class HeadCell(NamedTuple):
     """A cell of the head. `level` counts the spanners above it: 0 for the outermost one."""
 
     lines: tuple[str, ...]
@@ -61,14 +57,12 @@ class HeadCell:
         return self.first + self.across - 1
 
 
-@dataclass(frozen=True, slots=True)
-class PageGroup:
+class PageGroup(NamedTuple):
     label: str
     rows: tuple[tuple[PageCell, ...], ...]
 
 
-@dataclass(frozen=True, slots=True)
-class PagePanel:
+class PagePanel(NamedTuple):
     """`head` holds one row a spanner level and, last, the row of the headings; a heading under fewer
     spanners than its neighbours starts in a higher row and reaches down."""
 
@@ -98,15 +92,13 @@ class PagePanel:
         return tuple(zip(*padded, strict=True))
 
 
-@dataclass(frozen=True, slots=True)
-class PageNote:
+class PageNote(NamedTuple):
     text: str
     mark: str
     target: str
 
 
-@dataclass(frozen=True, slots=True)
-class Page:
+class Page(NamedTuple):
     """`widths` are the characters of the longest figure in each column of any panel, so that the columns of
     several panels can stand in line; 0 for a column of words."""
 
@@ -173,7 +165,9 @@ class Setter:
     def notes(self) -> Iterator[PageNote]:
         for place, note in enumerate(self.table.notes, 1):
             mark = self.form.note_mark(note.mark, "") if note.mark else ""
-            yield PageNote(self.label(note.text), mark, self.form.escape(f"{self.table.key}-note-{place}"))
+            # Readers calculate with the formulas below a table: small fractions are no help.
+            text = self.label(note.text, display=True)
+            yield PageNote(text, mark, self.form.escape(f"{self.table.key}-note-{place}"))
 
     def panel(self, panel: Panel) -> PagePanel:
         model = panel.stub + panel.columns
@@ -196,7 +190,7 @@ class Setter:
         )
 
     def head_cell(self, cell: HeadCell) -> HeadCell:
-        return replace(cell, lines=self.labels(cell.lines))
+        return cell._replace(lines=self.labels(cell.lines))
 
     def cells(self, cells: Sequence[Cell], starts: Set[int]) -> list[PageCell]:
         """Return the cells of one column; `starts` are the rows that begin a group."""
@@ -209,11 +203,11 @@ class Setter:
                 owner = place
             elif place in starts:
                 # A cell cannot reach over the rule between two groups: it begins anew.
-                done.append(replace(done[owner], down=1))
+                done.append(done[owner]._replace(down=1))
                 owner = place
             else:
-                done.append(replace(done[owner], down=0))
-                done[owner] = replace(done[owner], down=done[owner].down + 1)
+                done.append(done[owner]._replace(down=0))
+                done[owner] = done[owner]._replace(down=done[owner].down + 1)
         return done
 
     def cell(self, cell: Cell, decimals: int) -> PageCell:

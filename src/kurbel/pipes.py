@@ -9,15 +9,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from kurbel.page import PageCell, PagePanel
 
 _FIGURES = re.compile(r"[0-9][0-9.,]*°?")
 
 
-@dataclass(frozen=True, slots=True)
-class PipeTable:
+class PipeTable(NamedTuple):
     label: str
     lines: tuple[str, ...]
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from kurbel.errors import ProblemError
-from kurbel.notation import plain, ratio_text
+from kurbel.notation import about, ratio_text
 
 LONGEST_ROD = 10**9
 LARGEST_ANGLE = 10**6
@@ -22,7 +22,7 @@ class Speed:
 
     def __post_init__(self) -> None:
         if self.value <= 0:
-            raise ProblemError(f"the speed is {plain(self.value)}/s; it must be above 0")
+            raise ProblemError(f"the speed is {about(self.value)}/s; it must be above 0")
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,11 +41,11 @@ class Crank:
         _check_ratio(self.ratio)
         if self.ratio and abs(self.offset) >= 1 / self.ratio - 1:
             raise ProblemError(
-                f"offset e = {plain(self.offset)} R is too large for R:L = {ratio_text(self.ratio)};"
-                f" the crank turns only if |e| < L - R = {plain(1 / self.ratio - 1)} R"
+                f"offset e = {about(self.offset)} R is too large for R:L = {ratio_text(self.ratio)};"
+                f" the crank turns only if |e| < L - R = {about(1 / self.ratio - 1)} R"
             )
         if self.radius is not None and self.radius <= 0:
-            raise ProblemError(f"the crank radius is {plain(self.radius)} m; it must be above 0")
+            raise ProblemError(f"the crank radius is {about(self.radius)} m; it must be above 0")
         if self.speed is not None and self.radius is None:
             raise ProblemError("a speed needs a length to give m/s; add --stroke, for example --stroke 600mm")
 
@@ -62,12 +62,11 @@ def check_angles(angles: Sequence[Fraction]) -> None:
 def _check_ratio(ratio: Fraction) -> None:
     if ratio < 0:
         raise ProblemError(
-            f"crank ratio R:L is {plain(ratio)}; it must not be negative, for both are lengths"
+            f"crank ratio R:L is {about(ratio)}; it must not be negative, for both are lengths"
         )
     if ratio >= 1:
-        shown = plain(ratio) if len(plain(ratio)) < 20 else "far above 1"
         raise ProblemError(
-            f"crank ratio R:L is {shown}; it must be below 1, or the rod is too short to pass the dead centre"
+            f"crank ratio R:L is {about(ratio)}; it must be below 1, or the rod is too short to pass the dead centre"
         )
     if 0 < ratio < Fraction(1, LONGEST_ROD):
         raise ProblemError(

@@ -71,6 +71,7 @@ def _json_field(field: Field) -> dict[str, Any]:
         "symbol": plain(field.symbol),
         "unit": field.unit,
         "decimals": field.decimals,
+        "method": field.method,
     }
 
 

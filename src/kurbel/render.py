@@ -12,7 +12,6 @@ from kurbel.formats import Format, by_name
 from kurbel.labels import plain
 from kurbel.page import blank, page
 from kurbel.pipes import pipe_tables
-from kurbel.records import csv_rows, json_rows
 from kurbel.table import Table
 from kurbel.textgrid import grid_of, panel_lines, wrapped
 from kurbel.texwidth import blank_filled, tex_layout
@@ -43,6 +42,8 @@ def render(
 
 def rows(table: Table, form: Format, decimal: str | None = None) -> Iterator[str]:
     """Yield the text of a records format in pieces, for tables that need not fit in memory."""
+    from kurbel.records import csv_rows, json_rows
+
     if form.name == "json":
         return json_rows(table)
     return csv_rows(table.records, form.decimal_name(table.lang, decimal))

@@ -8,14 +8,14 @@ from fractions import Fraction
 from typing import Any
 
 from kurbel import captions
-from kurbel.digits import scaled_columns, wants_bulk
+from kurbel.digits import Digits, scaled_columns, wants_bulk
 from kurbel.notation import Progression, ratio_text
 from kurbel.numerals import finite_decimals, nearest
 from kurbel.problem import Crank
 from kurbel.request import AXIS_KEYS, PageColumn, Request
 from kurbel.table import Field, Number, Value
 
-CHUNK = 1 << 16
+CHUNK = 1 << 15
 # An angle that is no finite decimal, such as 0°20', is given to programs to this many places.
 ANGLE_DECIMALS = 15
 
@@ -28,37 +28,42 @@ class RecordRows:
     columns: tuple[PageColumn, ...]
     mark: str = "."
 
-    def keys(self) -> tuple[str, ...]:
+    def names(self) -> tuple[str, ...]:
         return self.request.columns or (*AXIS_KEYS, *(column.key for column in self.columns))
 
     def fields(self) -> tuple[Field, ...]:
         axes = captions.axis_fields(self.request, angle_decimals(self.request.angles))
-        return tuple(axes.get(key) or self._field(key) for key in self.keys())
+        return tuple(axes.get(key) or self._field(key) for key in self.names())
 
     def __len__(self) -> int:
         return len(self.request.cranks) * len(self.request.angles)
 
     def __iter__(self) -> Iterator[tuple[Value, ...]]:
         decimals = {column.key: column.digits.decimals for column in self.columns}
-        for crank, angles, values in self.chunks(bulk=False):
+        for crank, angles, values in self.chunks():
             ratio = ratio_text(crank.ratio, self.mark)
             for row, angle in enumerate(angles):
                 axes: dict[str, Value] = {"ratio": ratio, "phi": angle_number(angle, self.request.angles)}
                 yield tuple(
                     axes[key] if key in axes else Number(int(values[key][row]), decimals[key])
-                    for key in self.keys()
+                    for key in self.names()
                 )
 
-    def chunks(self, bulk: bool) -> Iterator[tuple[Crank, Sequence[Fraction], Mapping[str, Any]]]:
+    def bulk(self) -> bool:
+        """Whether the chunks come as arrays."""
+        return wants_bulk(self._digits(), self.request.cranks, self.request.angles)
+
+    def chunks(self) -> Iterator[tuple[Crank, Sequence[Fraction], Mapping[str, Any]]]:
         """Yield ratio by ratio and chunk by chunk the scaled digits of every column by its key."""
-        digits = [column.digits for column in self.columns]
-        bulk = bulk or wants_bulk(digits, len(self))
-        angles = self.request.angles
+        bulk, angles = self.bulk(), self.request.angles
         for crank in self.request.cranks:
             for start in range(0, len(angles), CHUNK):
                 part = angles[start : start + CHUNK]
-                values = scaled_columns(digits, crank, part, self.request.rounding, bulk)
+                values = scaled_columns(self._digits(), crank, part, self.request.rounding, bulk)
                 yield crank, part, {column.key: one for column, one in zip(self.columns, values, strict=True)}
+
+    def _digits(self) -> list[Digits]:
+        return [column.digits for column in self.columns]
 
     def _field(self, key: str) -> Field:
         column = next(column for column in self.columns if column.key == key)

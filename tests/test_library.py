@@ -1,0 +1,69 @@
+"""The library: its examples run, and it gives what the command line gives."""
+
+from __future__ import annotations
+
+import doctest
+from decimal import Decimal
+
+import numpy as np
+import pytest
+
+import kurbel
+import kurbel.library
+
+
+@pytest.mark.parametrize(("module", "examples"), [(kurbel, 3), (kurbel.library, 5)])
+def test_the_examples_of_the_docstrings_are_true(module: object, examples: int) -> None:
+    result = doctest.testmod(module)  # type: ignore[arg-type]
+    assert (result.failed, result.attempted) == (0, examples)
+
+
+def test_a_float_ratio_is_read_by_its_shortest_decimal() -> None:
+    assert kurbel.certified("x", 0.2, 90, digits=40) == kurbel.certified("x", "1:5", "90", digits=40)
+
+
+def test_digits_beyond_the_default_precision_of_decimals_are_kept() -> None:
+    assert kurbel.certified("x", "1:5", 90, digits=50).as_tuple().exponent == -50
+    assert kurbel.certified("c", "1:5", 90, digits=50) == Decimal(1)
+
+
+def test_arrays_keep_their_shape() -> None:
+    angles = np.linspace(0.0, 360.0, 12).reshape(3, 4)
+    columns = kurbel.compute(angles, "1:4", ["x", "x_return", "psi"], offset="0.1")
+    assert {key: array.shape for key, array in columns.items()} == dict.fromkeys(columns, (3, 4))
+
+
+def test_one_angle_is_an_array_without_dimensions() -> None:
+    assert kurbel.compute(90, "1:5")["c"].shape == ()
+    assert float(kurbel.compute(90.0, "1:5")["c"]) == 1.0
+
+
+def test_arrays_agree_with_certified_digits() -> None:
+    angles = [0.0, 12.5, 90.0, 179.0, 251.25]
+    for key, array in kurbel.compute(angles, "2:9", ["x", "x_return", "c", "p", "psi"]).items():
+        exact = [float(kurbel.certified(key, "2:9", angle, digits=30)) for angle in angles]
+        np.testing.assert_allclose(array, exact, rtol=1e-14, atol=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("quantity", "sentence"),
+    [
+        ("y", 'there is no quantity "y"; choose from x, x_return'),
+        ("x_retrun", 'there is no quantity "x_retrun" (did you mean x_return?); choose from x, '),
+    ],
+)
+def test_an_unknown_quantity_is_answered_with_the_list(quantity: str, sentence: str) -> None:
+    with pytest.raises(kurbel.KurbelError) as raised:
+        kurbel.certified(quantity, "1:5", 90)
+    assert str(raised.value).startswith(sentence)
+
+
+def test_a_page_of_the_library_is_the_page_of_the_command_line(capfd: pytest.CaptureFixture[str]) -> None:
+    import sys
+    from unittest.mock import patch
+
+    from kurbel.cli import main
+
+    with patch.object(sys, "argv", ["kurbel", "table", "--ratio", "1:4,5", "--digits", "6"]), pytest.raises(SystemExit):
+        main()
+    assert kurbel.typeset(kurbel.make_table("1:4,5", digits=6)) == capfd.readouterr().out

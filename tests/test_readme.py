@@ -1,0 +1,65 @@
+"""The README's commands are run and their output compared; KURBEL_PROMOTE=1 writes the output anew."""
+
+from __future__ import annotations
+
+import doctest
+import os
+import re
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+README = Path(__file__).parents[1] / "README.md"
+BLOCK = re.compile(r"(?<=```console\n).*?(?=```)", re.DOTALL)
+COMMAND = re.compile(r"^\$ (.+)\n", re.MULTILINE)
+
+
+def commands(text: str) -> list[str]:
+    return [command for block in BLOCK.findall(text) for command in COMMAND.findall(block)]
+
+
+def printed(command: str) -> str:
+    program, *arguments = shlex.split(command)
+    assert program == "kurbel"
+    environment = {name: value for name, value in os.environ.items() if not name.startswith("KURBEL_")}
+    run = subprocess.run(
+        [sys.executable, "-m", "kurbel", *arguments],
+        check=True, capture_output=True, encoding="utf-8", env=environment | {"PYTHONUTF8": "1"},
+    )  # fmt: skip
+    return run.stdout
+
+
+def true_block(block: str) -> str:
+    return "\n".join(f"$ {command}\n{printed(command)}" for command in COMMAND.findall(block))
+
+
+@pytest.mark.skipif("KURBEL_PROMOTE" not in os.environ, reason="only `make golden` writes the README")
+def test_readme_is_written_anew() -> None:
+    text = BLOCK.sub(lambda block: true_block(block.group()), README.read_text(encoding="utf-8"))
+    README.write_text(text, encoding="utf-8")
+    assert commands(text)
+
+
+def test_every_command_of_the_readme_prints_what_stands_there() -> None:
+    text = README.read_text(encoding="utf-8")
+    assert len(commands(text)) >= 5
+    for block in BLOCK.findall(text):
+        assert block == true_block(block)
+
+
+def test_the_first_command_prints_a_table() -> None:
+    text = README.read_text(encoding="utf-8")
+    assert commands(text)[0] == "kurbel table --ratio 1:5"
+    assert " 90    1,1010" in text.split("```")[1]
+
+
+def test_the_python_session_of_the_readme_is_true() -> None:
+    tests = doctest.DocTestParser().get_doctest(
+        "".join(re.findall(r"```pycon\n(.*?)```", README.read_text(encoding="utf-8"), re.DOTALL)),
+        {}, "README", str(README), 0,
+    )  # fmt: skip
+    assert len(tests.examples) >= 4
+    assert doctest.DocTestRunner().run(tests).failed == 0

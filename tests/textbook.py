@@ -1,0 +1,143 @@
+"""The formulas as the books print them, in mpmath: what kurbel's digits are compared with.
+
+Nothing here knows kurbel's kernel. The return stroke is taken from the outstroke half a turn later,
+x_return(α) = S - x(180° + α), and never from a negative ratio; ψ is an arcsine; lengths are in R and the rod
+is 1/λ long. Sources: Blau (22), (25), (26); Rötscher (285) and Zusammenstellung 112; for the offset crank
+the triangle of crank, rod and slide line.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from mpmath import mp
+
+# mpmath has no types.
+Real = Any
+
+
+@dataclass(frozen=True)
+class Drive:
+    """Ratio R/L and offset e/R; R in metres and ω in 1/s = speed (2π)^turns for the quantities with units."""
+
+    ratio: Fraction
+    offset: Fraction = Fraction(0)
+    radius: Fraction = Fraction(1)
+    speed: Fraction = Fraction(1)
+    turns: bool = False
+
+
+def real(number: Fraction | int) -> Real:
+    exact = Fraction(number)
+    return mp.mpf(exact.numerator) / exact.denominator
+
+
+def evaluate(key: str, method: str, drive: Drive, degrees: Fraction, bits: int = 640) -> Real:
+    """Return the quantity that kurbel calls `key`, in its unit."""
+    name, returning, unit = parted(key)
+    with mp.workprec(bits):
+        if method == "difference":
+            return evaluate(key, "exact", drive, degrees, bits) - evaluate(key, "series", drive, degrees, bits)
+        angle = real(degrees + 180 if returning else degrees) * mp.pi / 180
+        value = _VALUES[name](method, drive, angle)
+        if returning and name == "x":
+            value = stroke(drive) - value
+        elif returning and name in ("c", "p"):
+            value = -value
+        return value * _unit(unit, drive)
+
+
+def parted(key: str) -> tuple[str, bool, str]:
+    """Return the letter, whether it is the return stroke, and the unit: "x_return_mm" is x, True, mm."""
+    name, *rest = key.split("_")
+    returning = rest[:1] == ["return"]
+    return name, returning, "_".join(rest[returning:])
+
+
+def stroke(drive: Drive) -> Real:
+    """√((L + R)² - e²) - √((L - R)² - e²), in R."""
+    if not drive.ratio:
+        return mp.mpf(2)
+    rod, e = 1 / real(drive.ratio), real(drive.offset)
+    return mp.sqrt((rod + 1) ** 2 - e**2) - mp.sqrt((rod - 1) ** 2 - e**2)
+
+
+def rounded(value: Real, decimals: int, rounding: str = "half-away", bits: int = 640) -> int | None:
+    """Return the value times 10**decimals rounded to the nearest integer.
+
+    None if it is within 2**-150 of a boundary, where digits alone prove nothing.
+    """
+    with mp.workprec(bits):
+        scaled = value * mp.mpf(10) ** decimals
+        below = int(mp.floor(scaled))
+        rest = scaled - below
+        if abs(rest - mp.mpf(0.5)) < mp.mpf(2) ** -150:
+            return None
+        return below + (rest > mp.mpf(0.5))
+
+
+def printed(scaled: int, decimals: int, mark: str = ".") -> str:
+    """Return the digits of scaled / 10**decimals."""
+    whole, rest = divmod(abs(scaled), 10**decimals)
+    sign = "-" if scaled < 0 else ""
+    return f"{sign}{whole}{mark}{rest:0{decimals}d}" if decimals else f"{sign}{whole}"
+
+
+def _path(method: str, drive: Drive, angle: Real) -> Real:
+    lam, e = real(drive.ratio), real(drive.offset)
+    if method == "series":
+        return 1 - mp.cos(angle) + lam * mp.sin(angle) ** 2 / 2
+    if method == "infinite" or not lam:
+        return 1 - mp.cos(angle)
+    if not e:
+        return (1 - mp.cos(angle)) + (1 - mp.sqrt(1 - (lam * mp.sin(angle)) ** 2)) / lam
+    rod = 1 / lam
+    crosshead = mp.cos(angle) + mp.sqrt(rod**2 - (mp.sin(angle) - e) ** 2)
+    return mp.sqrt((rod + 1) ** 2 - e**2) - crosshead
+
+
+def _velocity(method: str, drive: Drive, angle: Real) -> Real:
+    if method == "series":
+        return mp.sin(angle) + real(drive.ratio) * mp.sin(2 * angle) / 2
+    if method == "infinite":
+        return mp.sin(angle)
+    psi = _rod_angle(drive, angle)
+    return mp.sin(angle + psi) / mp.cos(psi)
+
+
+def _acceleration(method: str, drive: Drive, angle: Real) -> Real:
+    lam = real(drive.ratio)
+    if method == "series":
+        return mp.cos(angle) + lam * mp.cos(2 * angle)
+    if method == "infinite":
+        return mp.cos(angle)
+    psi = _rod_angle(drive, angle)
+    if drive.offset:
+        return mp.cos(angle) - mp.sin(angle) * mp.tan(psi) + lam * mp.cos(angle) ** 2 / mp.cos(psi) ** 3
+    return mp.cos(angle) + lam * (mp.cos(2 * angle) + lam**2 * mp.sin(angle) ** 4) / mp.cos(psi) ** 3
+
+
+def _rod_degrees(method: str, drive: Drive, angle: Real) -> Real:
+    return mp.mpf(0) if method == "infinite" else _rod_angle(drive, angle) * 180 / mp.pi
+
+
+def _rod_angle(drive: Drive, angle: Real) -> Real:
+    return mp.asin(real(drive.ratio) * (mp.sin(angle) - real(drive.offset)))
+
+
+_VALUES = {"x": _path, "c": _velocity, "p": _acceleration, "psi": _rod_degrees}
+
+
+def _unit(unit: str, drive: Drive) -> Real:
+    omega = real(drive.speed) * (2 * mp.pi if drive.turns else 1)
+    radius = real(drive.radius)
+    return {
+        "": lambda: mp.mpf(1),
+        "stroke": lambda: 1 / stroke(drive),
+        "percent": lambda: 100 / stroke(drive),
+        "mm": lambda: 1000 * radius,
+        "mps": lambda: radius * omega,
+        "mps2": lambda: radius * omega**2,
+    }[unit]()
