@@ -26,7 +26,7 @@ _FLAGS = (
 _MEASURE = """<!DOCTYPE html><body><iframe style="width: {width}px; height: 640px; border: 0" srcdoc="{page}"
 onload="const d = this.contentDocument; document.title = [d.documentElement.scrollWidth, d.body.scrollWidth,
   Math.max(...[...d.querySelectorAll('.scroll')].map(e => e.scrollWidth)),
-  d.querySelector('figcaption').textContent.length,
+  d.querySelector('caption').textContent.length,
   d.querySelectorAll('td, th').length].join(' ')"></iframe>"""
 
 

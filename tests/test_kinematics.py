@@ -78,12 +78,12 @@ def steep(ratio: float) -> float:
 
 
 STRAIGHT: dict[str, Any] = {
-    "x": (kinematics.piston_path, textbook_path, TINY, 1.8, steep),
-    "c": (kinematics.piston_velocity, textbook_velocity, TINY, 2, steep),
+    "x": (kinematics.piston_path, textbook_path, TINY, 1.6, steep),
+    "c": (kinematics.piston_velocity, textbook_velocity, TINY, 1.8, steep),
     "p": (kinematics.piston_acceleration, textbook_acceleration, 1.0, 2, lambda ratio: 10),
     "psi": (rod_angle, textbook_rod_angle, TINY, 1, lambda ratio: 1),
-    "x series": (kinematics.piston_path_first_order, blau_path, TINY, 2, steep),
-    "c series": (kinematics.piston_velocity_first_order, blau_velocity, TINY, 2, steep),
+    "x series": (kinematics.piston_path_first_order, blau_path, TINY, 1.6, steep),
+    "c series": (kinematics.piston_velocity_first_order, blau_velocity, TINY, 1.8, steep),
     "p series": (kinematics.piston_acceleration_first_order, blau_acceleration, 1.0, 2, lambda ratio: 3),
 }
 # Formula, textbook, magnitude as above.
@@ -160,12 +160,13 @@ def test_usual_ratios_are_within_two_ulp_of_the_textbook(quantity: str, ratio: f
     assert_within(bound, quantity, STRAIGHT[quantity], ratio, 0.0, ratio)
 
 
-@pytest.mark.parametrize("quantity", ["x", "c"])
-def test_the_bound_holds_where_the_rod_takes_most_away(quantity: str) -> None:
+@pytest.mark.parametrize(("quantity", "ratio"), [("x", 0.258), ("c", 0.28)])
+def test_the_bound_holds_where_the_rod_takes_most_away(quantity: str, ratio: float) -> None:
+    # Without the tails of sine and versine this search finds 1.7 ulp for x and 2.0 ulp for c.
     formula, textbook, floor, bound, _ = STRAIGHT[quantity]
-    angles = np.random.default_rng(32).uniform(0, 40, 6000)
-    _, back = textbook_strokes(quantity, textbook, angles, 0.3275, 0.0)
-    error, row = worst(formula(circle(angles), -0.3275), back, floor)
+    angles = np.arange(1, 4000) / 100
+    _, back = textbook_strokes(quantity, textbook, angles, ratio, 0.0)
+    error, row = worst(formula(circle(angles), -ratio), back, floor)
     assert error <= bound, f"{error:.2f} ulp at {angles[row]!r}°"
 
 

@@ -142,18 +142,20 @@ class _Page:
 
 
 def _merged(columns: tuple[Column, ...]) -> tuple[Column, ...]:
-    """Turn an innermost spanner over a single column everywhere into a line of the heading."""
-    while all(column.spanners for column in columns):
-        paths = [column.spanners for column in columns]
-        if any(one == two for one, two in pairwise(paths)):
-            break
-        if len(columns) == 1 and len(paths[0]) == 1:
-            break
-        columns = tuple(
-            Column(column.key, (column.spanners[-1], *column.heading), column.spanners[:-1])
-            for column in columns
-        )
-    return columns
+    """Turn spanners over a single column into lines of its heading."""
+    paths = [column.spanners for column in columns]
+    around = [(), *paths, ()]
+    return tuple(
+        _own_heading(column, before, after)
+        for column, before, after in zip(columns, around, around[2:], strict=False)
+    )
+
+
+def _own_heading(column: Column, before: tuple[Label, ...], after: tuple[Label, ...]) -> Column:
+    shared = len(column.spanners)
+    while shared and column.spanners[:shared] not in (before[:shared], after[:shared]):
+        shared -= 1
+    return Column(column.key, column.spanners[shared:] + column.heading, column.spanners[:shared])
 
 
 def _angle_cell(angle: Fraction, angles: Sequence[Fraction]) -> Number | Label:

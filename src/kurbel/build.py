@@ -9,19 +9,17 @@ from kurbel.rows import RecordRows
 from kurbel.table import Note, Records, Table
 
 
-def build(request: Request, pages: bool = True, mark: str = ".") -> Table:
-    """Return the table that was asked for; without `pages` only its records, which need no memory.
-
-    `mark` is the decimal mark of the ratios in the records, which are text.
-    """
+def build(request: Request, pages: bool = True) -> Table:
+    """Return the table that was asked for; without `pages` only its records, which need no memory."""
     columns = page_columns(request)
-    records = RecordRows(request, columns, mark)
+    digits = [column.digits for column in columns]
+    records = RecordRows(request, columns)
     return Table(
         key=request.layout.key,
         lang=request.lang,
-        caption=captions.caption(request),
+        caption=captions.caption(request, digits),
         panels=panels(request, columns) if pages else (),
         records=Records(records.fields(), records),
-        notes=tuple(Note(text) for text in captions.notes(request, [column.digits for column in columns])),
+        notes=tuple(Note(text) for text in captions.notes(request, digits)),
         source=request.layout.source[request.lang],
     )

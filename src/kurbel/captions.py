@@ -51,6 +51,7 @@ SYMBOLS = {
     "offset": "$sin ψ = λ (sin {angle} - e/R)$, $λ = {ratio}$",
 }
 WORDS: Mapping[str, Mapping[str, str]] = {
+    "and": {"de": " und ", "en": " and "},
     "for_ratio": {"de": " für ${symbol} = {ratio}$", "en": " for ${symbol} = {ratio}$"},
     "signs": {
         "de": "oberes Zeichen: Hingang, unteres Zeichen: Rückgang",
@@ -78,14 +79,27 @@ WORDS: Mapping[str, Mapping[str, str]] = {
 }
 
 
-def caption(request: Request) -> Label:
-    """Return the layout's caption with the ratio, if there is only one, and the method filled in."""
-    single = len(request.cranks) == 1
+def caption(request: Request, columns: Sequence[Digits]) -> Label:
+    """Return the layout's caption with its quantities, the ratio, if there is only one, and the method."""
     ratio = ratio_text(request.cranks[0].ratio)
     words = WORDS["for_ratio"][request.lang].format(symbol=request.layout.ratio_symbol, ratio=ratio)
-    method = METHODS[request.method or "exact"].caption[request.lang]
+    parts = {
+        "{quantities}": _enumerated(columns, request.lang),
+        "{for_ratio}": words if len(request.cranks) == 1 else "",
+        "{method}": METHODS[request.method or "exact"].caption[request.lang],
+    }
     text = request.layout.caption[request.lang]
-    return text.replace("{for_ratio}", words if single else "").replace("{method}", method)
+    for place, part in parts.items():
+        text = text.replace(place, part)
+    return text
+
+
+def _enumerated(columns: Sequence[Digits], lang: str) -> str:
+    """The names of the quantities: Kolbenweg, Kolbengeschwindigkeit und Kolbenbeschleunigung."""
+    names = list(dict.fromkeys(column.quantity.name[lang] for column in columns))
+    if lang == "en":
+        names[1:] = [name.lower() for name in names[1:]]
+    return WORDS["and"][lang].join(part for part in (", ".join(names[:-1]), names[-1]) if part)
 
 
 def notes(request: Request, columns: Sequence[Digits]) -> list[Label]:

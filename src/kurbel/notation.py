@@ -38,10 +38,10 @@ class Progression(Sequence[Fraction]):
 
     start: Fraction
     step: Fraction
-    count: int
+    size: int
 
     def __len__(self) -> int:
-        return self.count
+        return self.size
 
     @overload
     def __getitem__(self, index: int) -> Fraction: ...
@@ -50,11 +50,11 @@ class Progression(Sequence[Fraction]):
 
     def __getitem__(self, index: int | slice) -> Fraction | Progression:
         if isinstance(index, slice):
-            rows = range(self.count)[index]
+            rows = range(self.size)[index]
             return Progression(self.start + rows.start * self.step, self.step * rows.step, len(rows))
-        if not -self.count <= index < self.count:
+        if not -self.size <= index < self.size:
             raise IndexError(index)
-        return self.start + (index % self.count) * self.step
+        return self.start + (index % self.size) * self.step
 
 
 def number(text: str, what: str = "number") -> Fraction:
@@ -201,7 +201,9 @@ def _check_commas(text: str, read: Callable[[str], Fraction], what: str) -> None
         return
     listed = _clipped(";".join(parts))
     if not _is_read(text, read):
-        raise NotationError(f"{what} {_shown(text)} has commas between its values; write the list as {listed}")
+        raise NotationError(
+            f"{what} {_shown(text)} has commas between its values; write the list as {listed}"
+        )
     if all(_WHOLE.fullmatch(part) for part in parts):
         decimal = ".".join(parts)
         raise NotationError(

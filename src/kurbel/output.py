@@ -29,6 +29,8 @@ def whole_file(target: str) -> Iterator[BinaryIO]:
                 yield device
         else:
             yield from _replaced(Path(os.path.realpath(target)))
+    except BrokenPipeError:
+        raise
     except OSError as error:
         raise OutputError(f"cannot write {target}: {_reason(error)}") from error
 

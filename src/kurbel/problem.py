@@ -66,7 +66,8 @@ def _check_ratio(ratio: Fraction) -> None:
         )
     if ratio >= 1:
         raise ProblemError(
-            f"crank ratio R:L is {about(ratio)}; it must be below 1, or the rod is too short to pass the dead centre"
+            f"crank ratio R:L is {about(ratio)}; it must be below 1,"
+            " or the rod is too short to pass the dead centre"
         )
     if 0 < ratio < Fraction(1, LONGEST_ROD):
         raise ProblemError(

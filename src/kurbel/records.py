@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import json
 from collections.abc import Iterator
+from functools import lru_cache
 from typing import Any
 
 from kurbel.formats import DECIMALS
@@ -36,7 +37,7 @@ class _Line:
 def _csv_value(value: Value, mark: str) -> str:
     if isinstance(value, Number):
         return number_text(value, mark)
-    return value or ""
+    return _plain(value, mark) if value else ""
 
 
 def json_rows(table: Table) -> Iterator[str]:
@@ -44,13 +45,23 @@ def json_rows(table: Table) -> Iterator[str]:
 
     Numbers carry exactly the printed digits (0.500), which json.dumps cannot write; a missing value is null.
     """
-    yield "{\n"
-    for name, value in _json_head(table).items():
-        yield f'"{name}": {_json(value)},\n'
-    yield from _json_array("columns", (_json(_json_field(field)) for field in table.records.fields))
-    yield ",\n"
-    yield from _json_array("rows", _json_records(table.records))
-    yield "\n}\n"
+    yield json_opening(table)
+    separator = ""
+    for row in _json_records(table.records):
+        yield f"{separator}{row}"
+        separator = JSON_SEPARATOR
+    yield JSON_CLOSING
+
+
+JSON_SEPARATOR = ",\n"
+JSON_CLOSING = "\n]\n}\n"
+
+
+def json_opening(table: Table) -> str:
+    """Return all that stands before the first row."""
+    head = "".join(f'"{name}": {_json(value)},\n' for name, value in _json_head(table).items())
+    columns = JSON_SEPARATOR.join(_json(_json_field(field)) for field in table.records.fields)
+    return f'{{\n{head}"columns": [\n{columns}\n],\n"rows": [\n'
 
 
 def _json_head(table: Table) -> dict[str, Any]:
@@ -82,17 +93,14 @@ def _json_records(records: Records) -> Iterator[str]:
         yield f"{{{', '.join(pairs)}}}"
 
 
-def _json_array(name: str, lines: Iterator[str]) -> Iterator[str]:
-    yield f'"{name}": ['
-    separator = "\n"
-    for line in lines:
-        yield f"{separator}{line}"
-        separator = ",\n"
-    yield "\n]"
-
-
 def _json_value(value: Value) -> str:
-    return number_text(value) if isinstance(value, Number) else _json(value)
+    if isinstance(value, Number):
+        return number_text(value)
+    return _json(value and _plain(value, "."))
+
+
+# The labels of records, the ratios, repeat in many rows.
+_plain = lru_cache(plain)
 
 
 def _json(value: Any) -> str:

@@ -26,7 +26,6 @@ class RecordRows:
 
     request: Request
     columns: tuple[PageColumn, ...]
-    mark: str = "."
 
     def names(self) -> tuple[str, ...]:
         return self.request.columns or (*AXIS_KEYS, *(column.key for column in self.columns))
@@ -41,7 +40,7 @@ class RecordRows:
     def __iter__(self) -> Iterator[tuple[Value, ...]]:
         decimals = {column.key: column.digits.decimals for column in self.columns}
         for crank, angles, values in self.chunks():
-            ratio = ratio_text(crank.ratio, self.mark)
+            ratio = f"${ratio_text(crank.ratio)}$"
             for row, angle in enumerate(angles):
                 axes: dict[str, Value] = {"ratio": ratio, "phi": angle_number(angle, self.request.angles)}
                 yield tuple(

@@ -12,6 +12,7 @@ from kurbel.formats import DECIMALS
 from kurbel.notation import Progression, ratio_text
 from kurbel.request import Request
 from kurbel.rows import CHUNK, RecordRows, angle_decimals, angle_number
+from kurbel.table import Table
 
 if TYPE_CHECKING:
     from kurbel.columns import Scaled
@@ -21,11 +22,11 @@ def record_chunks(request: Request, format_name: str, decimal: str) -> Iterator[
     """Yield the table's records as CSV or JSON, a chunk of rows at a time."""
     from kurbel.records import csv_rows, json_rows
 
-    table = build(request, pages=False, mark=DECIMALS[decimal])
+    table = build(request, pages=False)
     rows = table.records.rows
     assert isinstance(rows, RecordRows)
-    if format_name == "csv" and rows.bulk() and _fits(request.angles):
-        yield from _bulk_csv(rows, decimal)
+    if rows.bulk() and _fits(request.angles):
+        yield from _bulk_csv(rows, decimal) if format_name == "csv" else _bulk_json(table, rows)
         return
     lines = csv_rows(table.records, decimal) if format_name == "csv" else json_rows(table)
     for line in lines:
@@ -33,16 +34,47 @@ def record_chunks(request: Request, format_name: str, decimal: str) -> Iterator[
 
 
 def _bulk_csv(rows: RecordRows, decimal: str) -> Iterator[bytes]:
-    from kurbel.columns import Scaled, csv_lines
+    from kurbel.columns import csv_lines
 
-    mark, separator = DECIMALS[decimal].encode(), b";" if decimal == "comma" else b","
-    decimals = {column.key: column.digits.decimals for column in rows.columns}
+    separator = b";" if decimal == "comma" else b","
     yield separator.join(key.encode() for key in rows.names()) + b"\n"
+    for fields in _bulk_fields(rows, DECIMALS[decimal]):
+        yield csv_lines([fields[key] for key in rows.names()], separator)
+
+
+def _bulk_json(table: Table, rows: RecordRows) -> Iterator[bytes]:
+    from kurbel.columns import csv_lines
+    from kurbel.records import JSON_CLOSING, JSON_SEPARATOR, json_opening
+
+    before = json_opening(table)
+    for fields in _bulk_fields(rows, "."):
+        line: list[Scaled | bytes] = []
+        for place, key in enumerate(rows.names()):
+            value = fields[key]
+            line += [f'{", " if place else "{"}"{key}": '.encode(), _quoted(value)]
+        # Every line ends with the separator; the last one of the table must not.
+        lines = csv_lines([*line, b"},"], b"")
+        yield before.encode() + lines.removesuffix(JSON_SEPARATOR.encode())
+        before = JSON_SEPARATOR
+    yield JSON_CLOSING.encode()
+
+
+def _quoted(value: Scaled | bytes) -> Scaled | bytes:
+    return b'"' + value + b'"' if isinstance(value, bytes) else value
+
+
+def _bulk_fields(rows: RecordRows, mark: str) -> Iterator[dict[str, Scaled | bytes]]:
+    """Yield the columns of each chunk by their keys."""
+    from kurbel.columns import Scaled
+
+    decimals = {column.key: column.digits.decimals for column in rows.columns}
     for crank, angles, values in rows.chunks():
-        columns: dict[str, Scaled | bytes] = {key: Scaled(values[key], decimals[key], mark) for key in values}
-        columns["ratio"] = ratio_text(crank.ratio, DECIMALS[decimal]).encode()
-        columns["phi"] = _scaled_angles(angles, mark)
-        yield csv_lines([columns[key] for key in rows.names()], separator)
+        fields: dict[str, Scaled | bytes] = {
+            key: Scaled(values[key], decimals[key], mark.encode()) for key in values
+        }
+        fields["ratio"] = ratio_text(crank.ratio, mark).encode()
+        fields["phi"] = _scaled_angles(angles, mark.encode())
+        yield fields
 
 
 def _fits(angles: Sequence[Fraction]) -> bool:

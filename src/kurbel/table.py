@@ -100,7 +100,7 @@ class Field(NamedTuple):
     method: str = ""
 
 
-Value = Number | str | None
+Value = Number | Label | None
 
 
 class Records(NamedTuple):

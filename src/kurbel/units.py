@@ -1,4 +1,7 @@
-"""Lengths and speeds with their units, exact: 600mm, 23.5 inch, 120/min, 12.5 rad/s. Needs the extra `units`."""
+"""Lengths and speeds with their units, exact: 600mm, 23.5 inch, 120/min, 12.5 rad/s.
+
+Needs the extra `units`.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +15,10 @@ from kurbel.notation import number
 from kurbel.problem import Speed
 
 # The number is read by kurbel, for pint would evaluate 9**9**9; the unit may not compute either.
-_MEASURE = re.compile(r"\s*([+-]?[\d.,]+(?:[eE][+-]?\d+)?)\s*(/?\s*[A-Za-zµ]+(?:\s*[/*·]\s*[A-Za-zµ]+)*|1\s*/\s*[A-Za-z]+)?\s*")
+_MEASURE = re.compile(
+    r"\s*([+-]?[\d.,]+(?:[eE][+-]?\d+)?)\s*"
+    r"(/?\s*[A-Za-zµ]+(?:\s*[/*·]\s*[A-Za-zµ]+)*|1\s*/\s*[A-Za-z]+)?\s*"
+)
 _LONGEST = 80
 _LARGEST = Fraction(10**9)
 # Umdrehungen, as German data sheets write it; pint's U is the unit of enzymes.
@@ -30,7 +36,7 @@ def displacement(text: str, what: str) -> Fraction:
 
 
 def speed(text: str) -> Speed:
-    """Return a speed of rotation: "120/min", "120rpm", "2 Hz", "720 deg/s" in turns, "12.5 rad/s" in radians."""
+    """Return a speed of rotation: "120/min", "2 Hz", "720 deg/s" in turns, "12.5 rad/s" in radians."""
     example = "a speed of rotation such as 120/min, 120rpm or 12.5rad/s"
     quantity = _quantity(text, "speed", example, "1/[time]")
     name, root = str(quantity.units), str(quantity.to_root_units().units)
@@ -76,7 +82,9 @@ def _with_turns(text: str) -> str:
 
 def _checked(value: Fraction, text: str, what: str, unit: str) -> Fraction:
     if not 0 < value <= _LARGEST:
-        raise NotationError(f'{what} "{text[:40]}" is out of range; it must be above 0 and at most 10^9 {unit}')
+        raise NotationError(
+            f'{what} "{text[:40]}" is out of range; it must be above 0 and at most 10^9 {unit}'
+        )
     return value
 
 

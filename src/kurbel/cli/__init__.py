@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import io
 import os
 import signal
 import sys
@@ -63,6 +64,9 @@ def cli() -> None:
 def main() -> NoReturn:
     """Run the command line and leave with its exit code: 0 done, 1 failed, 2 wrong usage."""
     _open_closed_streams()
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        # Help and lists have characters, such as ∞, that an old terminal lacks.
+        sys.stdout.reconfigure(errors="replace")
     for number in (signal.SIGTERM, signal.SIGHUP):
         # nohup has a program ignore the end of its terminal.
         if signal.getsignal(number) is not signal.SIG_IGN:
@@ -114,7 +118,7 @@ def _one_line(error: click.ClickException) -> str:
         hint = did_you_mean(error.option_name, error.possibilities or ())
         message = f'there is no option "{error.option_name}"{hint}'
     else:
-        message = " ".join(error.format_message().split()).rstrip(".")
+        message = " ".join(error.format_message().split()).rstrip(".").replace(". ", "; ")
     command = getattr(getattr(error, "ctx", None), "command_path", "")
     return f"{message}; see {command} --help" if command else message
 

@@ -31,7 +31,10 @@ def quantities(lang: str) -> None:
     from kurbel.captions import quantity_name
     from kurbel.quantities import registry
 
-    axes = {"ratio": {"de": "Kurbelverhältnis", "en": "crank ratio"}, "phi": {"de": "Kurbelwinkel", "en": "crank angle"}}
+    axes = {
+        "ratio": {"de": "Kurbelverhältnis", "en": "crank ratio"},
+        "phi": {"de": "Kurbelwinkel", "en": "crank angle"},
+    }
     rows = [("ratio", axes["ratio"][lang], "R:L", ""), ("phi", axes["phi"][lang], "°", "")]
     for key, quantity in registry().items():
         options = {"": "", "length": "--stroke", "speed": "--stroke --speed"}[quantity.needs]

@@ -19,7 +19,8 @@ Command = TypeVar("Command", bound=Callable[..., Any])
 MOST_DIGITS = 50
 
 
-class Name(click.ParamType):
+# Generic from click 8.5 on, and not to be subscripted before.
+class Name(click.ParamType):  # type: ignore[type-arg]
     """One of a few names; a wrong one is answered with the nearest and the list."""
 
     def __init__(self, what: str, names: Callable[[], Iterable[str]]) -> None:
@@ -29,11 +30,13 @@ class Name(click.ParamType):
     def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> str:
         return choose(value, self.names(), self.name)
 
-    def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
+    def shell_complete(
+        self, ctx: click.Context, param: click.Parameter, incomplete: str
+    ) -> list[CompletionItem]:
         return [CompletionItem(name) for name in self.names() if name.startswith(incomplete)]
 
 
-class Digits(click.ParamType):
+class Digits(click.ParamType):  # type: ignore[type-arg]
     """A count of decimals."""
 
     name = "number"
@@ -47,7 +50,7 @@ class Digits(click.ParamType):
         return allowed[str(value)]
 
 
-class Columns(click.ParamType):
+class Columns(click.ParamType):  # type: ignore[type-arg]
     """Names of columns, parted by commas; which there are depends on the layout."""
 
     name = "names"
@@ -55,7 +58,9 @@ class Columns(click.ParamType):
     def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> str:
         return value
 
-    def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
+    def shell_complete(
+        self, ctx: click.Context, param: click.Parameter, incomplete: str
+    ) -> list[CompletionItem]:
         from kurbel.layouts import layout
         from kurbel.request import column_keys
 
@@ -77,8 +82,8 @@ def layout_option(default: str) -> Callable[[Command], Command]:
 def output_options(command: Command) -> Command:
     """Add -f, -o, --lang, --decimal, --digits, --rounding, --standalone and --longtable."""
     options = (
-        click.option("-f", "--format", "format_name", type=Name("format", lambda: FORMATS), envvar="KURBEL_FORMAT",
-                     help="Output format; default: by the suffix of -o, else text."),
+        click.option("-f", "--format", "format_name", type=Name("format", lambda: FORMATS),
+                     envvar="KURBEL_FORMAT", help="Output format; default: by the suffix of -o, else text."),
         click.option("-o", "--output", metavar="FILE", default="-",
                      help="File to write, whole or not at all; - is standard output."),
         click.option("--lang", type=Name("language", lambda: LANGUAGES), default="de", show_default=True,

@@ -21,7 +21,8 @@ STEP = Fraction(10)
 
 @click.command()
 @click.option("-r", "--ratio", "ratios", multiple=True, metavar="R:L",
-              help="Crank ratio: 1:5, 1:4,5, 0.2; lists 1:4;1:5 and ranges 1:3..6:0.5; 1:∞ is the infinite rod.")
+              help="Crank ratio: 1:5, 1:4,5, 0.2; lists 1:4;1:5 and ranges 1:3..6:0.5;"
+              " 1:∞ is the infinite rod.")
 @click.option("--angle", "angles", multiple=True, metavar="ANGLES",
               help="Crank angles in degrees: 22.5, 2°30', lists 0;45;90, ranges 0..180:10.")
 @click.option("--from", "start", metavar="ANGLE", help="First angle; default 0.")
@@ -31,7 +32,8 @@ STEP = Fraction(10)
 @click.option("--columns", type=Columns(), metavar="NAMES",
               help="Columns and their order: phi,x,c,p; `kurbel quantities` lists them.")
 @click.option("--method", type=Name("method", lambda: METHODS),
-              help="exact (default), series (first order, as Blau prints) or infinite (rod of infinite length).")
+              help="exact (default), series (first order, as Blau prints) or infinite"
+              " (rod of infinite length).")
 @click.option("--offset", metavar="E", help="Offset crank: e as a share of R, or as a length with --stroke.")
 @click.option("--stroke", metavar="LENGTH", help="2R, for columns in mm: 600mm.")
 @click.option("--rod", metavar="LENGTH", help="Rod length L, which with --stroke gives the ratio: 1500mm.")
@@ -52,7 +54,7 @@ def table(**options: Any) -> None:
     from kurbel.request import Request
 
     page = layout(options["layout"])
-    chosen = chosen_format(options["format_name"], options["output"], options["standalone"], options["longtable"])
+    chosen = chosen_format(*(options[name] for name in ("format_name", "output", "standalone", "longtable")))
     cranks = _cranks(page, **{name: options[name] for name in ("ratios", "stroke", "rod", "speed", "offset")})
     angles = _angles(page, options["angles"], options["start"], options["stop"], options["step"])
     _check_rows(len(cranks), len(angles))
@@ -83,7 +85,9 @@ def _angles(
     run = (start, stop, step)
     running = any(text is not None for text in run)
     if angles and running:
-        raise ProblemError("--angle lists the angles and --from, --to, --step run through them; use one or the other")
+        raise ProblemError(
+            "--angle lists the angles and --from, --to, --step run through them; use one or the other"
+        )
     if not running:
         return notation.angles(angles or page.angles)
     first = Fraction(0) if start is None else notation.angle(start, "first angle")
@@ -95,7 +99,8 @@ def _angles(
 def _check_rows(ratios: int, angles: int) -> None:
     if ratios * angles > notation.MOST_ROWS:
         raise ProblemError(
-            f"{ratios} ratios at {angles} angles make a table of {ratios * angles} rows; at most 10^9 are allowed"
+            f"{ratios} ratios at {angles} angles make a table of {ratios * angles} rows;"
+            " at most 10^9 are allowed"
         )
 
 
@@ -116,7 +121,9 @@ def _cranks(
     else:
         values = notation.ratios(ratios or page.ratios)
         if length is not None and 0 in values:
-            raise ProblemError("--rod gives the rod a length, but ratio 1:∞ asks for an infinite one; leave one out")
+            raise ProblemError(
+                "--rod gives the rod a length, but ratio 1:∞ asks for an infinite one; leave one out"
+            )
     return tuple(
         Crank(ratio, _offset(offset, size), size, _speed(speed))
         for ratio in values
@@ -150,7 +157,8 @@ def _offset(text: str | None, radius: Fraction | None) -> Fraction:
         return notation.number(text, "offset")
     if radius is None:
         raise NotationError(
-            f'offset "{text[:40]}" is a length, but no length of the crank is known; add --stroke or give e as a share of R'
+            f'offset "{text[:40]}" is a length, but no length of the crank is known;'
+            " add --stroke or give e as a share of R"
         )
     return units.displacement(text, "offset") / radius
 
