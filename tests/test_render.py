@@ -259,7 +259,8 @@ def test_html_stub_cell_reaches_over_its_rows() -> None:
 def test_html_links_and_references_have_their_targets() -> None:
     tree = fragment(everything())
     targets = [element.get("id") for element in tree.iter() if element.get("id")]
-    assert len(targets) == len(set(targets)) == 5
+    # The figure, a caption for each of two panels, three notes.
+    assert len(targets) == len(set(targets)) == 6
     links = [str(link.get("href")).removeprefix("#") for link in tree.iter("a")]
     labelled = [element.get("aria-labelledby") for element in tree.iter() if element.get("aria-labelledby")]
     assert len(links) == 4

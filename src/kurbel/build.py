@@ -15,7 +15,8 @@ def build(request: Request, pages: bool = True) -> Table:
     digits = [column.digits for column in columns]
     records = RecordRows(request, columns)
     return Table(
-        key=request.layout.key,
+        key=request.label or request.layout.key,
+        layout=request.layout.key,
         lang=request.lang,
         caption=captions.caption(request, digits),
         panels=panels(request, columns) if pages else (),

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 import flint
 
 from kurbel.kernel.circle import Circle
+from kurbel.kernel.kinematics import rod_sine
 
 if TYPE_CHECKING:
     from flint import arb
@@ -30,13 +31,13 @@ def ball(value: Fraction | int) -> arb:
     return flint.arb(flint.fmpq(value.numerator, value.denominator))
 
 
-def ball_circle(degrees: Fraction) -> Circle:
+def ball_circle(degrees: Fraction) -> Circle[arb]:
     """Return sine, cosine and versine of an exact angle in degrees, at the precision in force."""
     return _ball_circle(degrees, flint.ctx.prec)
 
 
 @lru_cache(maxsize=512)
-def _ball_circle(degrees: Fraction, precision: int) -> Circle:
+def _ball_circle(degrees: Fraction, precision: int) -> Circle[arb]:
     half_turns = degrees / 180
     turn = flint.fmpq(half_turns.numerator, half_turns.denominator)
     sine, cosine = flint.arb.sin_cos_pi_fmpq(turn)
@@ -46,6 +47,11 @@ def _ball_circle(degrees: Fraction, precision: int) -> Circle:
 def ball_degrees(sine: arb) -> arb:
     """Return the angle in degrees, within -90..90, that has this sine."""
     return sine.asin() * 180 / flint.arb.pi()
+
+
+def rod_angle(circle: Circle[arb], ratio: arb, offset: arb | None) -> arb:
+    """Return the rod angle ψ in degrees. Source: Rötscher, eq. (285)."""
+    return ball_degrees(rod_sine(circle, ratio, 0 if offset is None else offset))
 
 
 def rounded(

@@ -4,7 +4,7 @@ settled in balls.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -65,7 +65,7 @@ def float_bound(column: Digits, crank: Crank, largest_angle: float) -> float:
     in_radians = max(largest_angle, 360.0) / 57
     degrees = 60.0 if column.quantity.arc else 1.0
     scale = abs(float(column.quantity.scale(crank, _floats())))
-    return (16 + 4 * in_radians) * unit * growth * degrees * scale
+    return float((16 + 4 * in_radians) * unit * growth * degrees * scale)
 
 
 def _settled(column: Digits, crank: Crank, angle: Fraction, rounding: str) -> int:
@@ -91,16 +91,17 @@ def _bulk_columns(
     return settled
 
 
-def on_floats(column: Digits, crank: Crank) -> Any:
-    from kurbel.kernel.circle import arcsine
-
-    return lambda circle: value(column.quantity, column.method, crank, circle, _floats(), arcsine)
+def on_floats(column: Digits, crank: Crank) -> Callable[[Any], Any]:
+    """Return the column as a function of the circle of floats or arrays."""
+    return lambda circle: value(column.quantity, column.method, crank, circle, _floats())
 
 
 def _floats() -> Numbers:
     from math import pi
 
-    return Numbers(float, pi)
+    from kurbel.kernel.circle import rod_angle
+
+    return Numbers(float, pi, lambda circle, ratio, offset: rod_angle(circle, ratio, offset or 0.0))
 
 
 def float_angles(angles: Sequence[Fraction]) -> np.ndarray:

@@ -58,10 +58,14 @@ DIFFERENCE = "difference"
 
 
 class Numbers(NamedTuple):
-    """A kind of number: how an exact rational becomes one, and its π (None where there is none)."""
+    """A kind of number: how an exact rational becomes one, its π, and the rod angle in degrees on it.
+
+    Separation bounds have neither π nor arcs.
+    """
 
     of: Callable[[Fraction], Any]
     pi: Any = None
+    rod_angle: Formula | None = None
 
 
 Scale = Callable[[Crank, Numbers], Any]
@@ -71,7 +75,7 @@ class Quantity(NamedTuple):
     """An entry of the registry. `formulas` are by method and take (circle, λ, e/R or None).
 
     On the return stroke λ and e are negative (the lower sign of the books). `scale` turns the kernel's unit
-    into the quantity's; `arc` means that the formula gives the sine of an angle in degrees.
+    into the quantity's; `arc` means the rod angle, which each kind of number finds in its own way.
     """
 
     key: str
@@ -91,15 +95,18 @@ class Quantity(NamedTuple):
             self.needs != "speed" or crank.speed is not None
         )
 
-    def formula(self, method: str, crank: Crank) -> Formula:
-        if method == DIFFERENCE:
-            exact, series = self.formula("exact", crank), self.formula("series", crank)
-            return lambda circle, ratio, offset: exact(circle, ratio, offset) - series(circle, ratio, offset)
+    def formula(self, method: str, crank: Crank, numbers: Numbers) -> Formula:
         if crank.offset and method != "exact":
             raise ProblemError(
-                f'method "{method}" has no formulas for an offset crank; use --method exact or leave --offset out'
+                f'method "{method}" has no formulas for an offset crank; use exact, or leave the offset out'
             )
-        return self.formulas[method]
+        if method == DIFFERENCE:
+            exact, series = self.formulas["exact"], self.formulas["series"]
+            return lambda circle, ratio, offset: exact(circle, ratio, offset) - series(circle, ratio, offset)
+        if not self.arc:
+            return self.formulas[method]
+        assert numbers.rod_angle is not None
+        return numbers.rod_angle
 
     def transcendental(self, crank: Crank) -> bool:
         """Whether no value can lie on a rounding boundary, for it is an arc or a multiple of π.
@@ -110,14 +117,12 @@ class Quantity(NamedTuple):
         return self.arc or (self.needs == "speed" and crank.speed is not None and crank.speed.turns)
 
 
-def value(
-    quantity: Quantity, method: str, crank: Crank, circle: Any, numbers: Numbers, arc: Callable[[Any], Any]
-) -> Any:
+def value(quantity: Quantity, method: str, crank: Crank, circle: Any, numbers: Numbers) -> Any:
     """Return the quantity in its unit, on the kind of number that circle and `numbers` are of."""
-    ratio = Fraction(0) if method == "infinite" else crank.ratio
+    ratio = numbers.of(quantity.stroke * (Fraction(0) if method == "infinite" else crank.ratio))
     offset = numbers.of(quantity.stroke * crank.offset) if crank.offset else None
-    result = quantity.formula(method, crank)(circle, numbers.of(quantity.stroke * ratio), offset)
-    return (arc(result) if quantity.arc else result) * quantity.scale(crank, numbers)
+    formula = quantity.formula(method, crank, numbers)
+    return formula(circle, ratio, offset) * quantity.scale(crank, numbers)
 
 
 def certified(
@@ -133,7 +138,7 @@ def certified(
 
     def as_ball() -> Any:
         circle = certify.ball_circle(angle)
-        return value(quantity, method, crank, circle, numbers_of_balls(), certify.ball_degrees)
+        return value(quantity, method, crank, circle, numbers_of_balls())
 
     def tie_bits(boundary: Fraction) -> float:
         return _tie_bits(quantity, method, crank, angle, boundary)
@@ -146,7 +151,7 @@ def numbers_of_balls() -> Numbers:
     """Return balls at the precision in force."""
     from kurbel import certify
 
-    return Numbers(certify.ball, certify.pi())
+    return Numbers(certify.ball, certify.pi(), certify.rod_angle)
 
 
 def _tie_bits(quantity: Quantity, method: str, crank: Crank, angle: Fraction, boundary: Fraction) -> float:
@@ -154,7 +159,7 @@ def _tie_bits(quantity: Quantity, method: str, crank: Crank, angle: Fraction, bo
     from kurbel.separation import Separation, circle_separation
 
     circle = Circle(*circle_separation(angle))
-    bound = value(quantity, method, crank, circle, Numbers(Separation.rational), lambda sine: sine)
+    bound = value(quantity, method, crank, circle, Numbers(Separation.rational))
     return float((bound - Separation.rational(boundary)).bits())
 
 
@@ -170,10 +175,6 @@ def _formulas(exact: Formula, series: Callable[..., Any]) -> Mapping[str, Formul
     return {"exact": exact, "series": _straight(series), "infinite": exact}
 
 
-def _rod_sine(circle: Any, ratio: Any, e: Any) -> Any:
-    return kinematics.rod_sine(circle, ratio, 0 if e is None else e)
-
-
 PATH = _formulas(
     _straight_or_offset(kinematics.piston_path, kinematics.offset_path), kinematics.piston_path_first_order
 )
@@ -185,8 +186,6 @@ ACCELERATION = _formulas(
     _straight_or_offset(kinematics.piston_acceleration, kinematics.offset_acceleration),
     kinematics.piston_acceleration_first_order,
 )
-# The rod's angle enters the first-order formulas nowhere; it is the same arc in all of them.
-ROD_ANGLE = {"exact": _rod_sine, "series": _rod_sine, "infinite": _rod_sine}
 
 
 def _one(crank: Crank, numbers: Numbers) -> Any:
@@ -250,7 +249,8 @@ def registry() -> Mapping[str, Quantity]:
     path = {"name": _PATH_NAME, "formulas": PATH}
     velocity = {"name": _VELOCITY_NAME, "formulas": VELOCITY}
     acceleration = {"name": _ACCELERATION_NAME, "formulas": ACCELERATION}
-    rod = {"name": _ROD_NAME, "formulas": ROD_ANGLE, "arc": True}
+    # The rod angle enters the first-order formulas nowhere; it is the same arc by every method.
+    rod = {"name": _ROD_NAME, "formulas": {}, "arc": True}
     length, speed = {"needs": "length"}, {"needs": "speed"}
     rows: list[tuple[str, Label, Any, int, Scale, dict[str, Any]]] = [
         ("x", "$x/R$", "R", 4, _one, path),

@@ -67,7 +67,8 @@ def _page(table: Table, form: Format, mark: str, standalone: bool, longtable: bo
 
 def _template(table: Table, format: str, name: str) -> Template:
     """Return the template of the layout, if it has its own, else the common one."""
-    return _environment(format).select_template([f"{table.key}/{name}.jinja", f"base/{name}.jinja"])
+    folder = table.layout or table.key
+    return _environment(format).select_template([f"{folder}/{name}.jinja", f"base/{name}.jinja"])
 
 
 # LaTeX is full of braces and percent signs.

@@ -30,6 +30,7 @@ class Request:
     rounding: str = "half-away"
     lang: str = "de"
     columns: tuple[str, ...] = ()
+    label: str = ""
 
     def __post_init__(self) -> None:
         check_angles(self.angles)

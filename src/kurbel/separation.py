@@ -34,7 +34,7 @@ class Separation:
 
     def bits(self) -> float:
         """Return b such that the number is zero or at least 2**-b in magnitude."""
-        degree = self.degree * 2 ** len(self.roots)
+        degree = self.degree << len(self.roots)
         # One bit more covers the rounding of the logarithms.
         return (degree - 1) * self.upper + self.lower + 1
 
@@ -91,8 +91,10 @@ def _separation(value: Separation | int) -> Separation:
 
 
 def _totient(order: int) -> int:
+    """Return how many numbers below the order share no factor with it, or more if a large prime divides it."""
+    # Degrees as typed have small primes only; to factor any 30 digits takes years, and more is safe.
     result, rest, prime = order, order, 2
-    while prime * prime <= rest:
+    while prime * prime <= rest and prime < 1000:
         if rest % prime == 0:
             result -= result // prime
             while rest % prime == 0:

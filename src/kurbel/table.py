@@ -115,7 +115,10 @@ class Records(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """A finished table. `key` is its name for cross references, without a prefix: "kinematics"."""
+    """A finished table. `key` is its name for cross references, without a prefix: "kinematics".
+
+    `layout` names the templates' folder, where it is not the key.
+    """
 
     key: str
     lang: str
@@ -124,6 +127,7 @@ class Table:
     records: Records
     notes: tuple[Note, ...] = ()
     source: Label = ""
+    layout: str = ""
 
     def __post_init__(self) -> None:
         defined = {note.mark for note in self.notes}

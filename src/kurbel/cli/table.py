@@ -20,13 +20,13 @@ STEP = Fraction(10)
 
 
 @click.command()
-@click.option("-r", "--ratio", "ratios", multiple=True, metavar="R:L",
+@click.option("-r", "--ratio", multiple=True, metavar="R:L",
               help="Crank ratio: 1:5, 1:4,5, 0.2; lists 1:4;1:5 and ranges 1:3..6:0.5;"
               " 1:∞ is the infinite rod.")
-@click.option("--angle", "angles", multiple=True, metavar="ANGLES",
+@click.option("--angle", multiple=True, metavar="ANGLES",
               help="Crank angles in degrees: 22.5, 2°30', lists 0;45;90, ranges 0..180:10.")
-@click.option("--from", "start", metavar="ANGLE", help="First angle; default 0.")
-@click.option("--to", "stop", metavar="ANGLE", help="Last angle; default 360, the whole turn.")
+@click.option("--from", metavar="ANGLE", help="First angle; default 0.")
+@click.option("--to", metavar="ANGLE", help="Last angle; default 360, the whole turn.")
 @click.option("--step", metavar="ANGLE", help="Step of the angles; default 10. Without any of these options"
               " a layout has its own angles.")
 @click.option("--columns", type=Columns(), metavar="NAMES",
@@ -55,8 +55,8 @@ def table(**options: Any) -> None:
 
     page = layout(options["layout"])
     chosen = chosen_format(*(options[name] for name in ("format_name", "output", "standalone", "longtable")))
-    cranks = _cranks(page, **{name: options[name] for name in ("ratios", "stroke", "rod", "speed", "offset")})
-    angles = _angles(page, options["angles"], options["start"], options["stop"], options["step"])
+    cranks = _cranks(page, **{name: options[name] for name in ("ratio", "stroke", "rod", "speed", "offset")})
+    angles = _angles(page, *(options[name] for name in ("angle", "from", "to", "step")))
     _check_rows(len(cranks), len(angles))
     request = Request(
         layout=page,
@@ -106,28 +106,28 @@ def _check_rows(ratios: int, angles: int) -> None:
 
 def _cranks(
     page: Layout,
-    ratios: tuple[str, ...],
+    ratio: tuple[str, ...],
     stroke: str | None,
     rod: str | None,
     speed: str | None,
     offset: str | None,
 ) -> tuple[Crank, ...]:
-    if rod is not None and ratios and stroke is not None:
+    if rod is not None and ratio and stroke is not None:
         raise ProblemError("--stroke and --rod already give the ratio; leave --ratio out")
     radius, length = _length(stroke, "stroke"), _length(rod, "rod")
     radius = None if radius is None else radius / 2
     if radius is not None and length is not None:
         values: Sequence[Fraction] = (radius / length,)
     else:
-        values = notation.ratios(ratios or page.ratios)
+        values = notation.ratios(ratio or page.ratios)
         if length is not None and 0 in values:
             raise ProblemError(
                 "--rod gives the rod a length, but ratio 1:∞ asks for an infinite one; leave one out"
             )
     return tuple(
-        Crank(ratio, _offset(offset, size), size, _speed(speed))
-        for ratio in values
-        for size in [length * ratio if length is not None and radius is None else radius]
+        Crank(value, _offset(offset, size), size, _speed(speed))
+        for value in values
+        for size in [length * value if length is not None and radius is None else radius]
     )
 
 

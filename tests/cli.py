@@ -1,0 +1,73 @@
+"""The command line in this process: main() with its error sentences and exit codes, without 100 ms of start-up."""
+
+from __future__ import annotations
+
+import csv
+import io
+import os
+import signal
+import sys
+from contextlib import ExitStack, redirect_stderr, redirect_stdout
+from dataclasses import dataclass
+from unittest import mock
+
+from kurbel.cli import main
+
+HANDLED = (signal.SIGTERM, signal.SIGHUP)
+
+
+@dataclass(frozen=True)
+class Result:
+    code: int
+    out: str
+    err: str
+
+    def records(self, delimiter: str = ",") -> list[dict[str, str]]:
+        return list(csv.DictReader(io.StringIO(self.out, newline=""), delimiter=delimiter))
+
+
+def kurbel(*words: str, **environment: str) -> Result:
+    """Run `kurbel` with these words; of the tester's KURBEL_ variables only those given here are set."""
+    out = io.TextIOWrapper(io.BytesIO(), encoding="utf-8", write_through=True)
+    err = io.StringIO()
+    clean = {name: value for name, value in os.environ.items() if "KURBEL" not in name} | environment
+    handlers = {number: signal.getsignal(number) for number in HANDLED}
+    with ExitStack() as stack:
+        stack.enter_context(mock.patch.object(sys, "argv", ["kurbel", *words]))
+        stack.enter_context(mock.patch.dict(os.environ, clean, clear=True))
+        stack.enter_context(redirect_stdout(out))
+        stack.enter_context(redirect_stderr(err))
+        try:
+            main()
+        except SystemExit as end:
+            code = end.code
+        finally:
+            for number, handler in handlers.items():
+                signal.signal(number, handler)
+    assert isinstance(code, int)
+    out.flush()
+    buffer = out.buffer
+    assert isinstance(buffer, io.BytesIO)
+    return Result(code, buffer.getvalue().decode(), err.getvalue())
+
+
+def printed(*words: str, **environment: str) -> Result:
+    """Run a command that must succeed without a word on standard error."""
+    result = kurbel(*words, **environment)
+    assert (result.code, result.err) == (0, "")
+    return result
+
+
+def refusal(*words: str, code: int = 2, **environment: str) -> str:
+    """Run a command that must fail: nothing on standard output, one line on standard error, which is returned."""
+    result = kurbel(*words, **environment)
+    assert (result.code, result.out) == (code, ""), result.err
+    name, sentence = result.err.split(": ", 1)
+    assert name == "kurbel"
+    assert sentence.endswith("\n")
+    line = sentence.removesuffix("\n")
+    assert line
+    assert line.isprintable()
+    assert not line.endswith(".")
+    assert ". " not in line
+    return line

@@ -1,0 +1,211 @@
+"""Bad input: one sentence on standard error, nothing on standard output, no file, and the right exit code."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from cli import kurbel, refusal
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from kurbel.cli import main
+from kurbel.formats import FORMATS
+from kurbel.layouts import LANGUAGES, layout_names
+from kurbel.quantities import registry
+
+TOO_SHORT = "it must be below 1, or the rod is too short to pass the dead centre"
+NO_RATIO = "is not a ratio R:L; write it as 1:5, 1:4,5, 1/4.5 or 0.2, and 1:∞ for an infinite rod"
+NO_ANGLE = "is not an angle in degrees; write it as 22.5 or 22°30'"
+HELP = "see kurbel table --help"
+LAYOUTS = ", ".join(layout_names())
+ENDLESS_ROD = "crank ratio R:L is below 1:1000000000; no rod is that long, write 1:∞ for an infinite one"
+
+RATIOS = [
+    ("-1:5", "crank ratio R:L is -0.2; it must not be negative, for both are lengths"),
+    ("1:1", f"crank ratio R:L is 1; {TOO_SHORT}"),
+    ("3:2", f"crank ratio R:L is 1.5; {TOO_SHORT}"),
+    ("1e400", f"crank ratio R:L is 1e+400; {TOO_SHORT}"),
+    ("1:1e400", ENDLESS_ROD),
+    ("1:", f'crank ratio "1:" {NO_RATIO}'),
+    ("", f'crank ratio "" {NO_RATIO}'),
+    ("abc", f'crank ratio "abc" {NO_RATIO}'),
+    ("nan", f'crank ratio "nan" {NO_RATIO}'),
+    ("１:５", f'crank ratio "１:５" {NO_RATIO}'),
+    ("1\n:5\x1b[31m", f'crank ratio "1\\n:5\\x1b[31m" {NO_RATIO}'),
+    ("2,3", 'crank ratio "2,3" can be read as the number 2.3 or the list 2;3; write 2.3 or 2;3'),
+    ("1:3..1000000:0.001", "999997001 crank ratios were given; at most 10000 are allowed"),
+]
+ANGLES = [
+    (("--step", "0"), "step 0 leads nowhere; it must be above 0"),
+    (("--step", "-1"), "step -1 leads nowhere; it must be above 0"),
+    (("--step", "361"), "step 361 is larger than the range 0..360; at most 360 fits"),
+    (("--step", "1e-7"), "step 0.0000001 makes a table of 3600000001 rows; at most 10^9 are allowed"),
+    (("--step", "1e-300"), "step 1e-300 makes a table of 3.6e+302 rows; at most 10^9 are allowed"),
+    (("--step", ""), f'step "" {NO_ANGLE}'),
+    (("--from", "x"), f'first angle "x" {NO_ANGLE}'),
+    (("--to", "nan"), f'last angle "nan" {NO_ANGLE}'),
+    (("--from", "20", "--to", "10"), "the angles run from 20 to 10; the end must not lie before the start"),
+    (("--to", "1e30"), "step 10 makes a table of 1e+29 rows; at most 10^9 are allowed"),
+    (("--to", "1e6", "--from", "999999", "--angle", "5"), "--angle lists the angles and --from, --to, --step run through them; use one or the other"),
+    (("--to", "1000010", "--from", "999990"), "an angle is beyond 1000000°; give it within one turn, 0..360"),
+    (("--angle", ""), f'angle "" {NO_ANGLE}'),
+    (("--angle", "2,3"), 'angle "2,3" can be read as the number 2.3 or the list 2;3; write 2.3 or 2;3'),
+    (("--angle", "0..360:1e-6;5"), "360000001 angles in a list were given; at most 1000000 are allowed"),
+    (("--ratio", "1:3..12", "--step", "1e-6", "-f", "csv"), "10 ratios at 360000001 angles make a table of 3600000010 rows; at most 10^9 are allowed"),
+    (("--step", "0.001"), "a page of 360001 rows is too long; at most 200000 are set, use -f csv or -f json"),
+]  # fmt: skip
+CHOICES = [
+    (("--layout", "kinematic"), f'there is no layout "kinematic" (did you mean kinematics?); choose from {LAYOUTS}'),
+    (("--layout", "?"), f'there is no layout "?"; choose from {LAYOUTS}'),
+    (("--layout", "../base"), f'there is no layout "../base"; choose from {LAYOUTS}'),
+    (("-f", "latx"), f'there is no format "latx" (did you mean latex?); choose from {", ".join(FORMATS)}'),
+    (("-f", ""), f'there is no format ""; choose from {", ".join(FORMATS)}'),
+    (("--lang", "fr"), f'there is no language "fr"; choose from {", ".join(LANGUAGES)}'),
+    (("--decimal", "komma"), 'there is no decimal mark "komma" (did you mean comma?); choose from comma, point'),
+    (("--rounding", "even"), 'there is no rounding "even" (did you mean half-even?); choose from half-away, half-even'),
+    (("--method", "exakt"), 'there is no method "exakt" (did you mean exact?); choose from exact, series, infinite'),
+    (("--columns", ","), 'columns "," have an empty place; write them as phi,x,c,p'),
+    (("--columns", ""), 'columns "" have an empty place; write them as phi,x,c,p'),
+    (("--columns", "ratio,phi"), "--columns names no quantity; add one, for example --columns phi,x,c,p"),
+    (("--columns", "phi,x_mm"), "column x_mm is in mm and needs --stroke"),
+    (("--columns", "phi,c_mps"), "column c_mps is in m/s and needs --stroke and --speed"),
+    (("--digits", "51"), 'digits "51" cannot be printed; write a whole number from 0 to 50'),
+    (("--digits", "-1"), 'digits "-1" cannot be printed; write a whole number from 0 to 50'),
+    (("--digits", ""), 'digits "" cannot be printed; write a whole number from 0 to 50'),
+    (("--digits", "٣"), 'digits "٣" cannot be printed; write a whole number from 0 to 50'),
+    (("--standalone", "-f", "csv"), f"--standalone is for latex and html; csv has no documents; {HELP}"),
+    (("--longtable", "-f", "html"), f"--longtable is for latex; the format is html; {HELP}"),
+    (("--layout", "roetscher-112", "--method", "exact"), "layout roetscher-112 states its formulas in its heads and takes no method; use --layout kinematics to choose one"),
+]  # fmt: skip
+DRIVES = [
+    (("--offset", "4"), "offset e = 4 R is too large for R:L = 1:5; the crank turns only if |e| < L - R = 4 R"),
+    (("--offset", "-4,5"), "offset e = -4.5 R is too large for R:L = 1:5; the crank turns only if |e| < L - R = 4 R"),
+    (("--offset", "abc"), 'offset "abc" is not a number; write it as 4.5 or 4,5'),
+    (("--offset", "5mm"), 'offset "5mm" is a length, but no length of the crank is known; add --stroke or give e as a share of R'),
+    (("--offset", "0.1", "--method", "series"), 'method "series" has no formulas for an offset crank; use --method exact or leave --offset out'),
+    (("--stroke", "3kg"), 'stroke "3kg" is in kilogram; it must be a length such as 600mm'),
+    (("--stroke", "600"), 'stroke "600" has no unit; write a length such as 600mm'),
+    (("--stroke", ""), 'stroke "" is not a length such as 600mm'),
+    (("--stroke", "600mm", "--rod", "200mm"), f"crank ratio R:L is 1.5; {TOO_SHORT}"),
+    (("--stroke", "600mm", "--rod", "2m", "--ratio", "1:5"), "--stroke and --rod already give the ratio; leave --ratio out"),
+    (("--rod", "3m", "--ratio", "1:∞"), "--rod gives the rod a length, but ratio 1:∞ asks for an infinite one; leave one out"),
+    (("--speed", "120/min"), "a speed needs a length to give m/s; add --stroke, for example --stroke 600mm"),
+    (("--stroke", "1m", "--speed", "3m"), 'speed "3m" is in meter; it must be a speed of rotation such as 120/min, 120rpm or 12.5rad/s'),
+]  # fmt: skip
+USAGE = [
+    (("tabel",), 'there is no command "tabel" (did you mean table?); choose from table, layouts, quantities'),
+    (("",), 'there is no command ""; choose from table, layouts, quantities'),
+    (("--foo",), 'there is no option "--foo"; see kurbel --help'),
+    (("table", "--ratoi", "1:5"), f'there is no option "--ratoi" (did you mean --ratio?); {HELP}'),
+    (("table", "1:5"), f"Got unexpected extra argument (1:5); {HELP}"),
+    (("table", "--ratio"), "Option '--ratio' requires an argument"),
+    (("layouts", "--lang", "xx"), 'there is no language "xx"; choose from de, en'),
+]  # fmt: skip
+# What is given with a file name in place of {}.
+OUTPUTS = [
+    (("-o", ""), f"--output names no file; - is standard output; {HELP}"),
+    (("-f", "csv", "-o", ""), f"--output names no file; - is standard output; {HELP}"),
+    (
+        ("-o", "x.foo"),
+        "the file name 'x.foo' names no format;"
+        " its suffix must be one of .txt, .md, .tex, .html, .htm, .csv, .json",
+    ),
+]
+
+
+def labelled(cases: list[tuple[tuple[str, ...], str]]) -> list[object]:
+    return [pytest.param(words, sentence, id=" ".join(words)) for words, sentence in cases]
+
+
+@pytest.mark.parametrize(("text", "sentence"), RATIOS)
+def test_a_wrong_ratio_is_answered_with_a_sentence(text: str, sentence: str) -> None:
+    assert refusal("table", "--ratio", text) == sentence
+
+
+@pytest.mark.parametrize(("words", "sentence"), labelled(ANGLES + CHOICES + DRIVES + OUTPUTS))
+def test_wrong_usage_of_the_table_is_answered_with_a_sentence(words: tuple[str, ...], sentence: str) -> None:
+    assert refusal("table", *words) == sentence
+
+
+@pytest.mark.parametrize(("words", "sentence"), labelled(USAGE))
+def test_a_wrong_command_or_option_is_answered_with_a_sentence(words: tuple[str, ...], sentence: str) -> None:
+    assert refusal(*words) == sentence
+
+
+def test_an_unknown_column_is_answered_with_the_nearest_and_all_of_the_layout() -> None:
+    sentence = refusal("table", "--columns", "phi,x_retrun")
+    start = 'there is no column "x_retrun" (did you mean x_return?); choose from '
+    assert sentence.startswith(start)
+    assert set(sentence.removeprefix(start).split(", ")) == {"ratio", "phi", *registry()}
+    assert refusal("table", "--layout", "lueger-kolbenbewegung", "--columns", "pbracket").startswith(
+        'there is no column "pbracket" (did you mean p_bracket?); choose from ratio, phi, '
+    )
+
+
+@pytest.mark.parametrize("format_name", FORMATS)
+@pytest.mark.parametrize(
+    "words",
+    [("--ratio", "1:1"), ("--columns", "foo"), ("--offset", "0.1", "--method", "series"), ("--stroke", "3kg")],
+)
+def test_nothing_is_written_on_an_error(words: tuple[str, ...], format_name: str, tmp_path: Path) -> None:
+    old, new = tmp_path / "old", tmp_path / "new"
+    old.write_text("as it was")
+    for path in (old, new):
+        refusal("table", "-f", format_name, *words, "-o", str(path))
+    assert [path.name for path in tmp_path.iterdir()] == ["old"]
+    assert old.read_text() == "as it was"
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "sentence"),
+    [
+        ("KURBEL_LANG", "xx", 'there is no language "xx"; choose from de, en'),
+        ("KURBEL_FORMAT", "pdf", f'there is no format "pdf"; choose from {", ".join(FORMATS)}'),
+        ("KURBEL_DECIMAL", ".", 'there is no decimal mark "."; choose from comma, point'),
+        ("KURBEL_TABLE_RATIO", "1:1", f"crank ratio R:L is 1; {TOO_SHORT}"),
+        ("KURBEL_TABLE_STEP", "x", f'step "x" {NO_ANGLE}'),
+        ("KURBEL_TABLE_DIGITS", "many", 'digits "many" cannot be printed; write a whole number from 0 to 50'),
+        ("KURBEL_TABLE_LAYOUT", "?", f'there is no layout "?"; choose from {LAYOUTS}'),
+    ],
+)
+def test_nonsense_in_the_environment_is_answered_with_a_sentence(name: str, value: str, sentence: str) -> None:
+    assert refusal("table", **{name: value}) == sentence
+
+
+def test_a_flag_of_the_environment_is_yes_or_no() -> None:
+    assert "'maybe' is not a valid boolean" in refusal("table", KURBEL_TABLE_STANDALONE="maybe")
+
+
+def test_a_traceback_is_left_to_faults_of_ours(monkeypatch: pytest.MonkeyPatch) -> None:
+    def fault(**options: object) -> None:
+        raise ZeroDivisionError
+
+    monkeypatch.setattr("kurbel.cli.table.table.callback", fault)
+    with pytest.raises(ZeroDivisionError):
+        kurbel("table")
+    assert main.__name__ == "main"
+
+
+options = st.sampled_from(
+    ["--ratio", "--angle", "--from", "--to", "--step", "--columns", "--offset", "--stroke", "--rod", "--speed"]
+    + ["--layout", "-f", "--lang", "--decimal", "--digits", "--method", "--rounding"]
+)
+values = st.one_of(
+    st.text(st.sampled_from("0123456789.,:;/°'-+e∞ xcpmskg\n"), max_size=10),
+    st.sampled_from(["1:5", "0.3", "600mm", "1500mm", "120/min", "x,c", "0..20:10", "series", "csv", "en", "5"]),
+)
+
+
+@settings(deadline=None, max_examples=150)
+@given(st.lists(st.tuples(options, values), min_size=1, max_size=3))
+def test_whatever_is_typed_is_answered_with_a_table_or_a_sentence(typed: list[tuple[str, str]]) -> None:
+    words = [f"{option}={value}" if option.startswith("--") else f"{option}{value}" for option, value in typed]
+    # The angles last, so that no table is long.
+    result = kurbel("table", "--layout", "kinematics", *words, "--digits", "2")
+    if result.code == 0:
+        assert result.out.endswith("\n")
+        assert result.err == ""
+    else:
+        assert (result.code, result.out, result.err.count("\n")) == (2, "", 1)
+        assert result.err.startswith("kurbel: ")

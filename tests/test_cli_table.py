@@ -1,0 +1,256 @@
+"""`kurbel table` and the lists: what is asked for is what is printed."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+
+import pytest
+from cli import kurbel, printed
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from textbook import Drive, evaluate, rounded
+from textbook import printed as digits
+
+from kurbel.layouts import layout_names
+from kurbel.quantities import registry
+
+NINTHS = Fraction(2, 9)
+
+
+def csv(*words: str, **environment: str) -> list[dict[str, str]]:
+    return printed("table", "-f", "csv", *words, **environment).records()
+
+
+def column(key: str, *words: str) -> list[str]:
+    return [record[key] for record in csv(*words)]
+
+
+def textbook(key: str, drive: Drive, angle: Fraction, decimals: int, method: str = "exact") -> str:
+    scaled = rounded(evaluate(key, method, drive, angle), decimals)
+    assert scaled is not None
+    return digits(scaled, decimals)
+
+
+def test_the_default_is_the_crank_of_one_to_five_every_ten_degrees() -> None:
+    assert printed("table").out == printed("table", "--ratio", "1:5", "--angle", "0..180:10").out
+
+
+def test_ratios_are_repeated_listed_and_run_through_in_the_order_typed() -> None:
+    words = ("--ratio", "1:4,5;1:3", "-r", "1:5..6:0,5", "--angle", "60", "--digits", "6")
+    records = csv(*words)
+    assert [record["ratio"] for record in records] == ["1:4.5", "1:3", "1:5", "1:5.5", "1:6"]
+    rods = [Fraction(9, 2), Fraction(3), Fraction(5), Fraction(11, 2), Fraction(6)]
+    assert [record["x"] for record in records] == [
+        textbook("x", Drive(1 / rod), Fraction(60), 6) for rod in rods
+    ]
+
+
+@pytest.mark.parametrize("ratio", ["0", "1:∞", "1:inf"])
+def test_the_infinite_rod_gives_the_pure_sine(ratio: str) -> None:
+    (record,) = csv("--ratio", ratio, "--angle", "30", "--digits", "5")
+    assert record["ratio"] == "1:∞"
+    # 1 - √3/2, 1/2 and √3/2.
+    assert [record[key] for key in ("x", "x_return", "c", "p")] == ["0.13397", "0.13397", "0.50000", "0.86603"]
+
+
+@pytest.mark.parametrize(
+    ("words", "angles"),
+    [
+        (("--step", "90"), ["0", "90", "180", "270", "360"]),
+        (("--from", "350"), ["350", "360"]),
+        (("--to", "5"), ["0", "5"]),
+        (("--from", "20", "--to", "40"), ["20", "30", "40"]),
+        (("--from", "7", "--to", "7"), ["7"]),
+        (("--from", "-30", "--to", "30", "--step", "22,5"), ["-30.0", "-7.5", "15.0"]),
+        (("--angle", "0;45;90"), ["0", "45", "90"]),
+        (("--angle", "80..90:5", "--angle", "11.25"), ["80.00", "85.00", "90.00", "11.25"]),
+        (("--angle", "2°30'", "--angle", "7°45'"), ["2.50", "7.75"]),
+        (("--step", "30'", "--to", "1"), ["0.0", "0.5", "1.0"]),
+        (("--step", "1°30'", "--from", "1°30'", "--to", "4°30'"), ["1.5", "3.0", "4.5"]),
+    ],
+)
+def test_angles_are_listed_and_run_through(words: tuple[str, ...], angles: list[str]) -> None:
+    assert column("phi", *words) == angles
+
+
+def test_angles_that_are_no_decimals_are_printed_in_degrees_and_minutes() -> None:
+    page = printed("table", "--angle", "0°20';0°40'").out
+    assert "0°20′" in page
+    assert "0°40′" in page
+
+
+def test_columns_are_picked_and_ordered() -> None:
+    out = printed("table", "-f", "csv", "--columns", "c, phi;psi", "--angle", "90", "--ratio", "1:2").out
+    assert out == "c,phi,psi\n1.0000,90,30.000\n"
+
+
+def test_a_column_named_twice_is_printed_once() -> None:
+    assert list(csv("--columns", "x,phi,x")[0]) == ["x", "phi"]
+
+
+def test_columns_of_a_page_are_those_of_its_records() -> None:
+    page = printed("table", "--columns", "phi,psi", "--angle", "90", "--ratio", "1:2", "--lang", "en").out
+    assert "30.000" in page
+    assert "velocity" not in page.split("\n", 2)[2]
+
+
+def test_digits_are_the_decimals_of_every_column() -> None:
+    for count in (0, 7, 50):
+        (record,) = csv("--angle", "60", "--ratio", "1:4,5", "--digits", str(count))
+        for key in ("x", "c_return", "p"):
+            assert record[key] == textbook(key, Drive(NINTHS), Fraction(60), count)
+
+
+def test_ties_are_rounded_as_asked() -> None:
+    # p = 1 + 1/8 at the inner dead centre.
+    words = ("--ratio", "1:8", "--angle", "0", "--digits", "2")
+    assert column("p", *words) == ["1.13"]
+    assert column("p", *words, "--rounding", "half-even") == ["1.12"]
+
+
+@pytest.mark.parametrize("method", ["exact", "series", "infinite"])
+def test_the_method_is_the_formula_of_the_columns(method: str) -> None:
+    (record,) = csv("--angle", "50", "--ratio", "1:4,5", "--method", method)
+    for key in ("x", "x_return", "c", "c_return", "p", "p_return"):
+        assert record[key] == textbook(key, Drive(NINTHS), Fraction(50), 4, method)
+
+
+def test_an_offset_is_a_share_of_the_crank_radius() -> None:
+    (record,) = csv("--offset", "-0,25", "--angle", "50", "--ratio", "1:4,5")
+    for key in ("x", "x_return", "c", "p"):
+        assert record[key] == textbook(key, Drive(NINTHS, Fraction(-1, 4)), Fraction(50), 4)
+
+
+@pytest.mark.parametrize(("length", "share"), [("75mm", "0.25"), ("-7,5 cm", "-1/4"), ("0mm", "0")])
+def test_an_offset_is_a_length_where_the_stroke_is_known(length: str, share: str) -> None:
+    machine = ("--stroke", "600mm", "--rod", "1350mm", "--angle", "50")
+    drive = Drive(NINTHS, Fraction(share), radius=Fraction(3, 10))
+    (record,) = csv(*machine, "--offset", length)
+    assert record["x_mm"] == textbook("x_mm", drive, Fraction(50), 2)
+    assert record["c"] == textbook("c", drive, Fraction(50), 4)
+
+
+@pytest.mark.parametrize(
+    ("speed", "value", "turns"),
+    [("120/min", Fraction(2), True), ("720deg/s", Fraction(2), True), ("12.5rad/s", Fraction(25, 2), False)],
+)
+def test_a_machine_is_printed_in_millimetres_and_metres_per_second(
+    speed: str, value: Fraction, turns: bool
+) -> None:
+    (record,) = csv("--stroke", "600mm", "--rod", "1350mm", "--speed", speed, "--angle", "50")
+    drive = Drive(NINTHS, radius=Fraction(3, 10), speed=value, turns=turns)
+    assert record["ratio"] == "1:4.5"
+    places = {"x_mm": 2, "x_return_mm": 2, "c_mps": 3, "c_return_mps": 3, "p_mps2": 2, "p_return_mps2": 2, "x": 4}
+    for key, decimals in places.items():
+        assert record[key] == textbook(key, drive, Fraction(50), decimals)
+
+
+def test_a_rod_and_a_ratio_give_the_stroke() -> None:
+    by_rod = csv("--rod", "1350mm", "--ratio", "1:4,5", "--angle", "50")
+    by_stroke = csv("--stroke", "600mm", "--ratio", "1:4,5", "--angle", "50")
+    assert by_rod == by_stroke
+
+
+def test_csv_has_commas_and_points_unless_commas_are_asked_for() -> None:
+    words = ("table", "-f", "csv", "--angle", "22.5", "--ratio", "1:4,5", "--columns", "ratio,phi,p_return")
+    value = textbook("p_return", Drive(NINTHS), Fraction(45, 2), 4)
+    assert printed(*words).out == f"ratio,phi,p_return\n1:4.5,22.5,{value}\n"
+    with_commas = f"ratio;phi;p_return\n1:4,5;22,5;{value}\n".replace(".", ",")
+    assert printed(*words, "--decimal", "comma").out == with_commas
+
+
+def test_json_has_the_rows_of_csv() -> None:
+    words = ("--ratio", "1:4;1:6", "--step", "45")
+    rows = json.loads(printed("table", "-f", "json", *words).out, parse_float=str, parse_int=str)["rows"]
+    assert rows == csv(*words)
+
+
+@pytest.mark.parametrize("format_name", ["text", "markdown", "latex", "html"])
+def test_every_page_has_the_values_with_the_decimal_mark_of_the_language(format_name: str) -> None:
+    value = textbook("c", Drive(NINTHS), Fraction(50), 4)
+    words = ("table", "-f", format_name, "--ratio", "1:4,5", "--angle", "50")
+    assert value.replace(".", ",") in printed(*words).out
+    assert value in printed(*words, "--lang", "en").out
+    assert value in printed(*words, "--decimal", "point").out
+
+
+@pytest.mark.parametrize("layout", layout_names())
+def test_every_layout_is_printed_in_both_languages(layout: str) -> None:
+    german, english = (printed("table", "--layout", layout, "--lang", lang).out for lang in ("de", "en"))
+    assert german.count("\n") > 5
+    assert english.count("\n") > 5
+    assert german != english
+
+
+def test_layouts_are_listed_a_line_each() -> None:
+    lines = printed("layouts").out.splitlines()
+    assert [line.split()[0] for line in lines] == list(layout_names())
+    assert all(len(line.split()) > 3 for line in lines)
+    assert printed("layouts", "--lang", "en").out.splitlines() != lines
+
+
+def test_quantities_are_listed_a_line_each() -> None:
+    lines = printed("quantities").out.splitlines()
+    assert [line.split()[0] for line in lines] == ["ratio", "phi", *registry()]
+    assert all(len(line.split()) > 2 for line in lines)
+    assert printed("quantities", "--lang", "en").out.splitlines() != lines
+
+
+def test_the_environment_sets_defaults_and_options_override_them() -> None:
+    words = ("table", "--angle", "50")
+    environment = {"KURBEL_FORMAT": "csv", "KURBEL_TABLE_RATIO": "1:4", "KURBEL_TABLE_DIGITS": "2"}
+    (record,) = printed(*words, **environment).records()
+    assert (record["ratio"], record["c"]) == ("1:4", textbook("c", Drive(Fraction(1, 4)), Fraction(50), 2))
+    (record,) = printed(*words, "--ratio", "1:6", **environment).records()
+    assert record["ratio"] == "1:6"
+    assert printed(*words, "-f", "text", **environment).out.lstrip().startswith("Kolbenweg")
+    assert printed(*words, KURBEL_LANG="en").out == printed(*words, "--lang", "en").out
+    assert printed(*words, KURBEL_TABLE_RATIO="1:4 1:6").out == printed(*words, "--ratio", "1:4;1:6").out
+    assert printed(*words, KURBEL_TABLE_RATIO="").out == printed(*words).out
+
+
+def test_help_and_version_are_answers_and_not_errors() -> None:
+    assert printed("--version").out.split()[0] == "kurbel"
+    assert printed("-h").out == printed("--help").out
+    assert printed("table", "-h").out == printed("table", "--help").out
+    assert printed("--help").out.startswith("Usage: kurbel ")
+
+
+def test_without_a_command_the_help_is_shown_as_an_error() -> None:
+    result = kurbel()
+    assert (result.code, result.out) == (2, "")
+    assert result.err == printed("--help").out
+
+
+drives = st.builds(
+    lambda rod, share: (rod, (rod - 1) * share),
+    st.fractions(min_value=Fraction(11, 10), max_value=20, max_denominator=10),
+    st.fractions(min_value=Fraction(-9, 10), max_value=Fraction(9, 10), max_denominator=10),
+)
+
+
+@settings(deadline=None, max_examples=30)
+@given(
+    drive=drives,
+    seconds=st.lists(st.integers(-360 * 3600, 720 * 3600), min_size=1, max_size=3, unique=True),
+    decimals=st.integers(0, 30),
+)
+def test_every_digit_of_a_random_table_is_that_of_the_textbook(
+    drive: tuple[Fraction, Fraction], seconds: list[int], decimals: int
+) -> None:
+    rod, offset = drive
+    angles = [Fraction(count, 3600) for count in seconds]
+    written = ";".join(f"{'-' * (count < 0)}{abs(count) // 3600}°{abs(count) % 3600 // 60}'{abs(count) % 60}\"" for count in seconds)
+    # Numbers on the command line are decimals; e = share of R to 12 places.
+    share = round(offset, 12)
+    ratio = f"{rod.denominator}:{rod.numerator}"
+    keys = ("x", "x_return", "c", "p", "psi")
+    words = ("--ratio", ratio, "--offset", f"{float(share):.12f}", "--digits", str(decimals), "--columns", ",".join(keys))
+    records = csv(*words, f"--angle={written}")
+    assert len(records) == len(angles)
+    for record, angle in zip(records, angles, strict=True):
+        for key in keys:
+            scaled = rounded(evaluate(key, "exact", Drive(1 / rod, share), angle), decimals)
+            if scaled is not None:
+                assert record[key] == digits(scaled, decimals), (ratio, share, angle, key)

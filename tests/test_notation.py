@@ -1,0 +1,328 @@
+"""Text as engineers write it, read to exact numbers; whatever is typed, the answer is a number or a sentence."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+from typing import Any
+
+import pytest
+from hypothesis import example, given
+from hypothesis import strategies as st
+
+from kurbel import notation
+from kurbel.errors import KurbelError, NotationError
+from kurbel.notation import Progression
+from kurbel.numerals import degrees_text
+
+RATIO_HELP = "write it as 1:5, 1:4,5, 1/4.5 or 0.2, and 1:∞ for an infinite rod"
+
+positive = st.fractions(min_value=Fraction(1, 1000), max_value=1000, max_denominator=1000)
+# Text that nearly is notation finds more than arbitrary text.
+notations = st.text(st.sampled_from("0123456789.,:;/°'\"′″+-eE∞ ٣１²\n"), max_size=30)
+anything = st.one_of(st.text(max_size=80), notations)
+
+
+def sentence_of(read: Callable[[Any], object], text: Any) -> str:
+    with pytest.raises(NotationError) as raised:
+        read(text)
+    return str(raised.value)
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("4.5", Fraction(9, 2)),
+        ("4,5", Fraction(9, 2)),
+        (" 7 ", Fraction(7)),
+        ("-2e-3", Fraction(-1, 500)),
+        ("+1,25E+2", Fraction(125)),
+        (".5", Fraction(1, 2)),
+        ("3.", Fraction(3)),
+        ("0.1000000000000000055511151231257827", Fraction(1000000000000000055511151231257827, 10**34)),
+    ],
+)
+def test_numbers_are_read_exactly_with_point_or_comma(text: str, value: Fraction) -> None:
+    assert notation.number(text) == value
+
+
+@pytest.mark.parametrize("text", ["", " ", "abc", "nan", "inf", "1.2.3", "1,2,3", "1e", "0x1", "1_000", "٣", "１", "²", "--1"])
+def test_what_is_no_number_is_refused(text: str) -> None:
+    assert sentence_of(notation.number, text) == f'number "{text}" is not a number; write it as 4.5 or 4,5'
+
+
+def test_a_number_of_too_many_characters_is_shortened_in_the_sentence() -> None:
+    assert sentence_of(notation.number, "9" * 61) == (
+        f'number "{"9" * 20}..." has 61 characters; at most 60 are read'
+    )
+
+
+@given(st.decimals(allow_nan=False, allow_infinity=False, places=12, min_value=-(10**9), max_value=10**9))
+def test_a_decimal_is_read_back_from_what_plain_writes(value: Any) -> None:
+    exact = Fraction(value)
+    assert notation.number(notation.plain(exact)) == exact
+    assert notation.number(notation.plain(exact, ",")) == exact
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("1:5", Fraction(1, 5)),
+        ("1:4,5", Fraction(2, 9)),
+        ("1/4.5", Fraction(2, 9)),
+        ("2:9", Fraction(2, 9)),
+        ("300:1350", Fraction(2, 9)),
+        ("0.2", Fraction(1, 5)),
+        ("0,25", Fraction(1, 4)),
+        (" 1 : 6 ", Fraction(1, 6)),
+        ("0", Fraction(0)),
+        ("1:∞", Fraction(0)),
+        ("1:inf", Fraction(0)),
+        ("1/oo", Fraction(0)),
+    ],
+)
+def test_ratios_are_the_fractions_that_were_typed(text: str, value: Fraction) -> None:
+    assert notation.ratio(text) == value
+
+
+@pytest.mark.parametrize("text", ["", "1:", ":5", "abc", "nan", "∞", "∞:1", "x:∞", "1:0", "1:2:3", "1:1e1000", "１:５"])
+def test_what_is_no_ratio_is_answered_with_the_spellings(text: str) -> None:
+    assert sentence_of(notation.ratio, text) == f'crank ratio "{text}" is not a ratio R:L; {RATIO_HELP}'
+
+
+@given(st.fractions(min_value=0, max_value=1, max_denominator=10**6))
+def test_a_ratio_is_read_back_from_what_is_printed(value: Fraction) -> None:
+    assert notation.ratio(notation.ratio_text(value)) == value
+    assert notation.ratio(notation.ratio_text(value, ",")) == value
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (Fraction(1, 5), "1:5"),
+        (Fraction(2, 9), "1:4.5"),
+        (Fraction(3, 7), "3:7"),
+        (Fraction(4, 9), "1:2.25"),
+        (Fraction(0), "1:∞"),
+    ],
+)
+def test_a_ratio_is_printed_over_one_where_the_rod_is_a_finite_decimal(value: Fraction, text: str) -> None:
+    assert notation.ratio_text(value) == text
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("45", Fraction(45)),
+        ("22,5", Fraction(45, 2)),
+        ("2°30'", Fraction(5, 2)),
+        ("2° 30′", Fraction(5, 2)),
+        ("30'", Fraction(1, 2)),
+        ("0°20'", Fraction(1, 3)),
+        ("79°20'15\"", 79 + Fraction(20, 60) + Fraction(15, 3600)),
+        ("79°20'15''", 79 + Fraction(20, 60) + Fraction(15, 3600)),
+        ("-79°20′15″", -79 - Fraction(20, 60) - Fraction(15, 3600)),
+        ("12deg", Fraction(12)),
+        ("1e-8", Fraction(1, 10**8)),
+    ],
+)
+def test_angles_are_read_in_degrees_minutes_and_seconds(text: str, value: Fraction) -> None:
+    assert notation.angle(text) == value
+
+
+@pytest.mark.parametrize("text", ["", "-", "°", "abc", "1:5", "30'2°", "2°30'40", "nan", "1e1000"])
+def test_what_is_no_angle_is_answered_with_the_spellings(text: str) -> None:
+    assert sentence_of(notation.angle, text) == (
+        f"angle \"{text}\" is not an angle in degrees; write it as 22.5 or 22°30'"
+    )
+
+
+@pytest.mark.parametrize("text", ["2°60'", "2°0'60\"", "75'"])
+def test_sixty_minutes_are_a_slip_and_not_a_degree(text: str) -> None:
+    assert sentence_of(notation.angle, text) == (
+        f'angle "{text}" has 60 or more minutes or seconds; carry them over'
+    )
+
+
+@given(st.integers(-(10**7), 10**7))
+def test_an_angle_in_seconds_is_read_back_from_what_is_printed(seconds: int) -> None:
+    angle = Fraction(seconds, 3600)
+    assert notation.angle(degrees_text(angle)) == angle
+
+
+@pytest.mark.parametrize(
+    ("texts", "rods"),
+    [
+        (["1:5"], [5]),
+        (["1:4;1:4,5", "1:5"], [4, Fraction(9, 2), 5]),
+        (["1:3..6"], [3, 4, 5, 6]),
+        (["1:3..1:6"], [3, 4, 5, 6]),
+        (["1/3..4:0,5"], [3, Fraction(7, 2), 4]),
+        (["0.2..0.25:0.05"], [5, 4]),
+        (["1:5;0.2;2:10"], [5]),
+    ],
+)
+def test_lists_and_ranges_of_ratios(texts: list[str], rods: list[Fraction]) -> None:
+    assert notation.ratios(texts) == tuple(1 / Fraction(rod) for rod in rods)
+
+
+@pytest.mark.parametrize(
+    ("texts", "angles"),
+    [
+        (["0;30;60"], [0, 30, 60]),
+        (["0", "30;60", "30"], [0, 30, 60]),
+        (["0..30:10"], [0, 10, 20, 30]),
+        (["0..25:10"], [0, 10, 20]),
+        (["88..91"], [88, 89, 90, 91]),
+        (["2°30'..7°30':2°30'"], [Fraction(5, 2), 5, Fraction(15, 2)]),
+        (["0..20:10;45"], [0, 10, 20, 45]),
+        (["-10..10:10"], [-10, 0, 10]),
+        (["0..1,5:0,5"], [0, Fraction(1, 2), 1, Fraction(3, 2)]),
+    ],
+)
+def test_lists_and_ranges_of_angles(texts: list[str], angles: list[Fraction]) -> None:
+    assert list(notation.angles(texts)) == angles
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        ("2,3", '"2,3" can be read as the number 2.3 or the list 2;3; write 2.3 or 2;3'),
+        ("2,3,4", '"2,3,4" has commas between its values; write the list as 2;3;4'),
+        ("2, 3", '"2, 3" has commas between its values; write the list as 2;3'),
+        ("2.5,3.5", '"2.5,3.5" has commas between its values; write the list as 2.5;3.5'),
+        ("2;;3", '"2;;3" has an empty place; write a list as 2;3;4'),
+        (";", '";" has an empty place; write a list as 2;3;4'),
+    ],
+)
+def test_a_comma_that_may_part_a_list_is_answered_with_the_spellings(text: str, sentence: str) -> None:
+    assert sentence_of(notation.angles, [text]) == f"angle {sentence}"
+    assert sentence_of(notation.ratios, [text]) == f"crank ratio {sentence}"
+
+
+def test_a_comma_inside_a_ratio_is_a_decimal_comma_and_between_ratios_it_is_not() -> None:
+    assert notation.ratios(["1:4,5"]) == (Fraction(2, 9),)
+    assert sentence_of(notation.ratios, ["1:4,1:5"]) == (
+        'crank ratio "1:4,1:5" has commas between its values; write the list as 1:4;1:5'
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        ("1:3..", 'crank ratio "1:3.." is not a range; write it as 1:3..6, 1:3..6:0.5 or 0.2..0.3:0.05'),
+        ("2..6", 'crank ratio "2..6" needs a step; write 0.2..0.3:0.05, or 1:3..6 to step the rod length'),
+        ("1:6..3", "the ratios run from 6 to 3; the end must not lie before the start"),
+        ("1:3..6:0", "step 0 leads nowhere; it must be above 0"),
+        ("1:0..4", 'crank ratio "1:0..4" contains 1:0; the rod must have a length'),
+        ("1:3..x", 'number "x" is not a number; write it as 4.5 or 4,5'),
+        ("1:3..1000000:0.001", "999997001 crank ratios were given; at most 10000 are allowed"),
+        (
+            "1:3..1e300:1e-300",
+            "step 1e-300 makes a table of 1e+600 rows; at most 10^9 are allowed",
+        ),
+    ],
+)
+def test_a_range_of_ratios_that_cannot_be_run_through(text: str, sentence: str) -> None:
+    assert sentence_of(notation.ratios, [text]) == sentence
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        ("0..", 'angle "0.." is not a range; write it as 0..180:10'),
+        ("0..x", "angle \"x\" is not an angle in degrees; write it as 22.5 or 22°30'"),
+        ("10..0:5", "the angles run from 10 to 0; the end must not lie before the start"),
+        ("0..10:-5", "step -5 leads nowhere; it must be above 0"),
+        ("0..10:11", "step 11 is larger than the range 0..10; at most 10 fits"),
+        ("0..1000:1e-6", "step 0.000001 makes a table of 1000000001 rows; at most 10^9 are allowed"),
+        ("0..360:1e-300", "step 1e-300 makes a table of 3.6e+302 rows; at most 10^9 are allowed"),
+    ],
+)
+def test_a_range_of_angles_that_cannot_be_run_through(text: str, sentence: str) -> None:
+    assert sentence_of(notation.angles, [text]) == sentence
+
+
+def test_a_range_of_a_billion_angles_is_not_written_out() -> None:
+    angles = notation.angles(["0..999.999999:1e-6"])
+    assert len(angles) == 10**9
+    assert angles[-1] == Fraction(999999999, 10**6)
+
+
+def test_a_list_is_refused_before_its_ranges_are_written_out() -> None:
+    assert sentence_of(notation.angles, ["0..360:1e-6;5"]) == (
+        "360000001 angles in a list were given; at most 1000000 are allowed"
+    )
+
+
+@pytest.mark.parametrize("read", [notation.ratios, notation.angles])
+@pytest.mark.parametrize("text", ["." * 100_000 + ":", "1:" + " " * 100_000 + "..", "0.." * 50_000, "9" * 100_000])
+def test_a_text_of_enormous_length_is_refused_at_once(read: Callable[[list[str]], object], text: str) -> None:
+    assert len(sentence_of(read, [text])) < 200
+
+
+@given(anything)
+@example("1:4..∞")
+@example("1e999..1e-999:1e-999")
+def test_any_text_is_read_or_answered_with_one_sentence(text: str) -> None:
+    def as_list(read: Callable[[list[str]], object]) -> Callable[[str], object]:
+        return lambda one: read([one])
+
+    for read in (
+        notation.number,
+        notation.ratio,
+        notation.angle,
+        as_list(notation.ratios),
+        as_list(notation.angles),
+    ):
+        try:
+            read(text)
+        except KurbelError as error:
+            assert 0 < len(str(error)) < 300
+
+
+@given(
+    start=st.fractions(max_denominator=60),
+    step=positive,
+    size=st.integers(0, 40),
+    cut=st.slices(45),
+)
+def test_a_progression_is_the_list_of_its_numbers(start: Fraction, step: Fraction, size: int, cut: slice) -> None:
+    progression = Progression(start, step, size)
+    written = [start + place * step for place in range(size)]
+    assert list(progression) == written
+    assert list(reversed(progression)) == written[::-1]
+    assert list(progression[cut]) == written[cut]
+    assert [progression[-place] for place in range(1, size + 1)] == written[::-1]
+    assert all(number in progression and progression.count(number) == 1 for number in written)
+    for beyond in (size, -size - 1):
+        with pytest.raises(IndexError):
+            progression[beyond]
+
+
+@given(start=positive, width=positive, step=positive)
+def test_a_progression_ends_at_or_within_a_step_before_the_stop(
+    start: Fraction, width: Fraction, step: Fraction
+) -> None:
+    stop = start + max(width, step)
+    numbers = notation.progression(start, stop, step)
+    assert numbers[0] == start
+    assert stop - step < numbers[-1] <= stop
+
+
+def test_a_run_from_an_angle_to_itself_is_that_angle() -> None:
+    assert list(notation.progression(Fraction(7), Fraction(7), Fraction(10))) == [7]
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (Fraction(-1, 5), "-0.2"),
+        (Fraction(0), "0"),
+        (Fraction(1, 3), "0.333333333333333"),
+        (Fraction(1, 10**300), "1e-300"),
+        (Fraction(10) ** 400, "1e+400"),
+    ],
+)
+def test_a_value_in_a_sentence_is_short_and_never_a_false_zero(value: Fraction, text: str) -> None:
+    assert notation.about(value) == text

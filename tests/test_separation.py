@@ -1,0 +1,136 @@
+"""Separation bounds: no value comes nearer to a fraction than its bound says, unless it is that fraction."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from typing import Any
+
+import flint
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from kurbel import certify
+from kurbel.kernel.circle import Circle
+from kurbel.problem import Crank
+from kurbel.quantities import DIFFERENCE, Numbers, registry, value
+from kurbel.separation import Separation, circle_separation
+
+WIDE = 4000
+"""Bits at which values are compared with their bounds."""
+
+
+@pytest.fixture
+def wide() -> Iterator[None]:
+    before = flint.ctx.prec
+    flint.ctx.prec = WIDE
+    yield
+    flint.ctx.prec = before
+
+
+def assert_bound(number: Any, bound: Separation) -> None:
+    """A number is 0, or at least as large as its bound; beyond WIDE bits nothing is claimed."""
+    if bound.bits() < WIDE - 200 and not (number.contains(0) and number.rad() < flint.arb(2) ** (200 - WIDE)):
+        assert abs(number) > flint.arb(2) ** -int(bound.bits() + 1)
+
+
+def convergents(number: Any, largest: int) -> Iterator[Fraction]:
+    """Yield the continued fractions of a ball, the best of all rational approximations."""
+    above, below, before = (1, 0), (0, 1), number
+    while True:
+        whole = before.floor().unique_fmpz()
+        if whole is None or above[0] * int(whole) > largest or above[1] * int(whole) > largest:
+            return
+        above, below = (int(whole) * above[0] + below[0], int(whole) * above[1] + below[1]), above
+        if above[1]:
+            yield Fraction(*above)
+        rest = before - whole
+        if rest.contains(0):
+            return
+        before = 1 / rest
+
+
+@pytest.mark.parametrize("key", ["x", "x_return", "c", "p", "p_return", "x_stroke"])
+@pytest.mark.parametrize("method", ["exact", "series", DIFFERENCE])
+@settings(max_examples=20, deadline=None)
+@given(
+    ratio=st.fractions(0, Fraction(9, 10), max_denominator=9),
+    angle=st.sampled_from([15, 18, 24, 30, 36, 40, 45, 60, 72, 90, 108, 120, 225]),
+)
+def test_values_keep_their_distance_from_the_best_fractions(
+    key: str, method: str, ratio: Fraction, angle: int
+) -> None:
+    quantity, crank = registry()[key], Crank(ratio)
+    bound = value(quantity, method, crank, separations(Fraction(angle)), Numbers(Separation.rational))
+    before = flint.ctx.prec
+    flint.ctx.prec = WIDE
+    try:
+        number = value(quantity, method, crank, certify.ball_circle(Fraction(angle)), Numbers(certify.ball))
+        for fraction in convergents(number, 2**200):
+            assert_bound(number - certify.ball(fraction), bound - Separation.rational(fraction))
+    finally:
+        flint.ctx.prec = before
+
+
+def separations(angle: Fraction) -> Circle[Separation]:
+    return Circle(*circle_separation(angle))
+
+
+Expression = tuple[Any, Separation]
+"""A ball and the bound of the same number."""
+
+
+@st.composite
+def expressions(draw: st.DrawFn) -> Expression:
+    """Numbers made by sums, products, quotients and roots from fractions and the sines of one angle."""
+    angle = draw(st.sampled_from([Fraction(n) for n in (30, 36, 45, 60, 72, 90, 120)]))
+    leaves: list[Expression] = list(zip(certify.ball_circle(angle)[:3], circle_separation(angle), strict=True))
+    for fraction in draw(st.lists(st.fractions(-3, 3, max_denominator=5), min_size=1, max_size=3)):
+        leaves.append((certify.ball(fraction), Separation.rational(fraction)))
+    for _ in range(draw(st.integers(1, 5))):
+        one, other = draw(st.sampled_from(leaves)), draw(st.sampled_from(leaves))
+        leaves.append(combined(draw(st.sampled_from("+-*/r2")), one, other))
+    return leaves[-1]
+
+
+def combined(operation: str, one: Expression, other: Expression) -> Expression:
+    (number, bound), (second, second_bound) = one, other
+    if operation == "/" and not second.contains(0):
+        return number / second, bound / second_bound
+    if operation == "r" and number > 0:
+        return number**0.5, bound**0.5
+    if operation == "2":
+        return number**2, bound**2
+    if operation == "*":
+        return number * second, bound * second_bound
+    return (number - second, bound - second_bound) if operation == "-" else (number + second, bound + second_bound)
+
+
+@settings(max_examples=200, deadline=None)
+@given(drawn=st.data())
+def test_no_expression_comes_nearer_to_zero_than_its_bound(drawn: Any) -> None:
+    before = flint.ctx.prec
+    flint.ctx.prec = WIDE
+    try:
+        number, bound = drawn.draw(expressions())
+        for fraction in convergents(number, 2**100):
+            assert_bound(number - certify.ball(fraction), bound - Separation.rational(fraction))
+    finally:
+        flint.ctx.prec = before
+
+
+@pytest.mark.usefixtures("wide")
+def test_bound_of_a_root_is_not_far_from_the_truth() -> None:
+    # A convergent p/q of √2 is about 1/(2√2 q²) away, log2 of which the bound may miss by a few bits.
+    number, bound = certify.ball(2) ** 0.5, Separation.rational(2) ** 0.5
+    for fraction in convergents(number, 2**120):
+        distance = abs(number - certify.ball(fraction))
+        bits = (bound - Separation.rational(fraction)).bits()
+        assert flint.arb(2) ** -int(bits + 1) < distance < flint.arb(2) ** -int(bits - 4)
+
+
+def test_separation_refuses_what_it_has_no_rule_for() -> None:
+    for exponent in (-1, 1.5):
+        with pytest.raises(ValueError, match="no rule for the exponent"):
+            Separation.rational(2) ** exponent

@@ -1,0 +1,303 @@
+"""Ties, values that nearly tie, and zeros, against exact fractions."""
+
+from __future__ import annotations
+
+import json
+import re
+from fractions import Fraction
+from math import isqrt
+
+import flint
+import pytest
+import textbook
+from click.testing import CliRunner
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+from mpmath import mp
+from textbook import Drive
+from timed import kurbel
+
+from kurbel import certify
+from kurbel.cli import cli
+from kurbel.quantities import DIFFERENCE, METHODS, registry
+
+MOST_DECIMALS = 50
+BITS = 640
+"""50 decimals take 166 bits and the check of the boundary 150; a rod of 10^9 R costs the textbook 60."""
+
+
+def root(number: Fraction) -> Fraction:
+    """Return the square root of a rational square."""
+    found = Fraction(isqrt(number.numerator), isqrt(number.denominator))
+    assert found**2 == number
+    return found
+
+
+def rounded_fraction(exact: Fraction, decimals: int, rounding: str) -> int:
+    scaled = exact * 10**decimals
+    below = scaled.numerator // scaled.denominator
+    rest = scaled - below
+    if rest == Fraction(1, 2):
+        away = below + 1 if exact > 0 else below
+        return below + below % 2 if rounding == "half-even" else away
+    return below + (rest > Fraction(1, 2))
+
+
+def is_tie(exact: Fraction, decimals: int) -> bool:
+    return (2 * exact * 10**decimals).denominator == 1 and (exact * 10**decimals).denominator == 2
+
+
+def assert_tie(exact: Fraction, key: str, method: str, drive: Drive, angle: Fraction, decimals: int) -> None:
+    assert is_tie(exact, decimals), f"{exact} is no tie to {decimals} decimals"
+    for rounding in ("half-away", "half-even"):
+        expected = rounded_fraction(exact, decimals, rounding)
+        assert kurbel(key, method, drive, angle, decimals, rounding) == expected
+    with mp.workprec(BITS):
+        assert abs(textbook.evaluate(key, method, drive, angle, BITS) - textbook.real(exact)) < mp.mpf(2) ** -500
+
+
+COSINES = {0: Fraction(1), 60: Fraction(1, 2), 90: Fraction(0), 120: Fraction(-1, 2), 180: Fraction(-1)}
+COSINES |= {360 - angle: cosine for angle, cosine in COSINES.items()}
+
+
+@pytest.mark.parametrize(
+    ("key", "method", "ratio", "angle", "decimals", "away", "even"),
+    [
+        ("x", "series", "1/5", 60, 2, 58, 58),  # 0.575
+        ("x_stroke", "series", "1/4", 90, 3, 563, 562),  # 0.5625
+        ("x_return_stroke", "series", "1/4", 90, 3, 438, 438),  # 0.4375
+        ("p", "series", "1/4", 0, 1, 13, 12),  # 1.25
+        ("p", "exact", "1/4", 0, 1, 13, 12),
+        ("p", "exact", "1/4", 180, 1, -8, -8),  # -0.75
+        ("p_return", "exact", "1/4", 180, 1, -13, -12),
+        ("p_return", "series", "1/4", 0, 1, 8, 8),
+        ("p", "series", "1/8", 90, 2, -13, -12),  # -0.125
+        ("p_return", "series", "1/8", 90, 2, 13, 12),
+        ("p", "series", "1/8", 120, 3, -563, -562),
+        ("x", "exact", "4/5", 90, 0, 2, 2),  # 1.5
+        ("x_return", "exact", "4/5", 90, 0, 1, 0),  # 0.5
+        ("x", "exact", "8/17", 90, 1, 13, 12),  # 1.25
+        ("x_return", "exact", "8/17", 90, 1, 8, 8),
+        ("x_stroke", "exact", "3/5", 90, 0, 1, 1),  # 2/3, no tie
+        ("x_stroke", "exact", "5/13", 90, 1, 6, 6),  # 0.6
+        ("p", "exact", "3/5", 90, 1, -8, -8),  # -0.75
+        ("p", "exact", "3/5", 270, 1, -8, -8),
+        ("p_return", "exact", "3/5", 90, 1, 8, 8),
+        ("x", "infinite", "1/5", 60, 0, 1, 0),  # 0.5
+        ("x", "infinite", "1/5", 120, 0, 2, 2),
+        ("c", "infinite", "1/5", 30, 0, 1, 0),
+        ("c", "infinite", "1/5", 210, 0, -1, 0),
+        ("c_return", "infinite", "1/5", 210, 0, 1, 0),
+        ("p", "infinite", "1/5", 120, 0, -1, 0),
+        ("p", "infinite", "1/5", -60, 0, 1, 0),
+        ("x_percent", "infinite", "1/5", 300, 0, 25, 25),
+        ("x_mm", "series", "1/5", 60, 0, 173, 172),  # 300 mm · 0.575 = 172.5 mm
+        ("p_mps2", "series", "1/4", 0, 0, 8, 8),  # 0.3 m · 25/s² · 1.25 = 9.375; see below
+    ],
+)  # fmt: skip
+def test_ties_that_books_meet(
+    key: str, method: str, ratio: str, angle: int, decimals: int, away: int, even: int
+) -> None:
+    speed = Fraction(5) if key != "p_mps2" else Fraction(2) * Fraction(1, 1)
+    drive = Drive(Fraction(ratio), Fraction(0), Fraction(3, 10) if key != "p_mps2" else Fraction(3, 2), speed)
+    assert kurbel(key, method, drive, Fraction(angle), decimals) == away
+    assert kurbel(key, method, drive, Fraction(angle), decimals, "half-even") == even
+
+
+HALF_UNITS = st.integers(0, MOST_DECIMALS).flatmap(
+    lambda decimals: st.tuples(st.just(decimals), st.integers(0, 10**decimals - 1))
+)
+"""Decimals d and k of an odd number of half units, (k + ½)/10^d, between 0 and 1."""
+
+
+def half_units(drawn: tuple[int, int]) -> Fraction:
+    decimals, count = drawn
+    return Fraction(2 * count + 1, 2 * 10**decimals)
+
+
+@settings(max_examples=150, deadline=None)
+@given(drawn=HALF_UNITS, angle=st.sampled_from([60, 120, 240, 300]), key=st.sampled_from(["x", "x_return"]))
+def test_first_order_path_at_60_degrees_meets_ties(drawn: tuple[int, int], angle: int, key: str) -> None:
+    # x = 1 - cos φ ± 3/8 λ, made to end in half a unit by the choice of λ.
+    ratio = half_units(drawn) * Fraction(8, 3)
+    assume(ratio < 1)
+    decimals = max(drawn[0], 1)
+    exact = 1 - COSINES[angle] + (1 if key == "x" else -1) * Fraction(3, 8) * ratio
+    assume(is_tie(exact, decimals))
+    assert_tie(exact, key, "series", Drive(ratio), Fraction(angle), decimals)
+
+
+@settings(max_examples=150, deadline=None)
+@given(
+    drawn=HALF_UNITS,
+    angle=st.sampled_from([60, 90, 120, 240, 270, 300]),
+    key=st.sampled_from(["x", "x_return", "x_mm", "x_return_stroke"]),
+)
+def test_exact_path_meets_ties_where_the_root_is_rational(drawn: tuple[int, int], angle: int, key: str) -> None:
+    # With λ = 2t/(t² + sin² φ) the share of the rod, (1 - cos ψ)/λ, is t itself.
+    t = half_units(drawn)
+    ratio = 2 * t / (t**2 + 1 - COSINES[angle] ** 2)
+    assume(ratio < 1)
+    share = 1 - COSINES[angle]
+    assert t == (1 - root(1 - ratio**2 * (1 - COSINES[angle] ** 2))) / ratio or t > ratio
+    exact = share + (-t if "return" in key else t)
+    assume(abs(t) < ratio)
+    unit = {"x_mm": Fraction(1000), "x_return_stroke": Fraction(1, 2)}.get(key, Fraction(1))
+    decimals = next((d for d in range(drawn[0] + 3) if is_tie(exact * unit, d)), None)
+    assume(decimals is not None)
+    assert decimals is not None
+    assert_tie(exact * unit, key, "exact", Drive(ratio), Fraction(angle), decimals)
+
+
+@settings(max_examples=100, deadline=None)
+@given(
+    drawn=HALF_UNITS,
+    angle=st.sampled_from([0, 60, 90, 120, 180, 240, 270, 300, 360]),
+    back=st.booleans(),
+)
+def test_first_order_acceleration_meets_ties(drawn: tuple[int, int], angle: int, back: bool) -> None:
+    twice = 2 * COSINES[angle] ** 2 - 1
+    ratio = half_units(drawn) / abs(twice)
+    assume(ratio < 1)
+    exact = COSINES[angle] + (-ratio if back else ratio) * twice
+    decimals = max(drawn[0], 1)
+    assume(is_tie(exact, decimals))
+    key = "p_return" if back else "p"
+    assert_tie(exact, key, "series", Drive(ratio), Fraction(angle), decimals)
+    if angle % 180 == 0:
+        assert_tie(exact, key, "exact", Drive(ratio), Fraction(angle), decimals)
+
+
+@pytest.mark.parametrize(
+    ("rod", "offset", "key", "angle", "exact", "decimals"),
+    [
+        ("13/4", "2", "x", 270, "5/2", 0),
+        ("29/8", "3/2", "x", 270, "7/4", 1),
+        ("45/8", "7/2", "x", 270, "9/4", 1),
+        ("29/8", "3/2", "x", -90, "7/4", 1),
+        ("3", "9/5", "c", 0, "-3/4", 1),
+        ("3", "9/5", "c_return", 0, "-3/4", 1),
+        ("3", "-4/5", "p", 90, "-3/4", 1),
+        ("2", "-1/5", "p", 90, "-3/4", 1),
+        ("3", "4/5", "p_return", 90, "3/4", 1),
+    ],
+)
+def test_offset_cranks_meet_ties(
+    rod: str, offset: str, key: str, angle: int, exact: str, decimals: int
+) -> None:
+    drive = Drive(1 / Fraction(rod), Fraction(offset))
+    assert_tie(Fraction(exact), key, "exact", drive, Fraction(angle), decimals)
+
+
+@pytest.mark.parametrize(
+    ("sine_squared", "angle", "t", "decimals"),
+    [("1", 90, "3/4", 2), ("1", 270, "3/4", 2), ("1", 90, "1/2", 1), ("1/2", 45, "1/4", 2), ("1/2", 135, "1/4", 2)],
+)
+def test_difference_of_the_methods_meets_ties(sine_squared: str, angle: int, t: str, decimals: int) -> None:
+    share, square = Fraction(t), Fraction(sine_squared)
+    ratio = 2 * share / (share**2 + square)
+    exact = share - ratio * square / 2
+    # In S = 2R, and in mm with a radius that makes it a tie.
+    radius = Fraction(2 * 3 + 1, 2 * 10**decimals) / exact / 1000
+    drive = Drive(ratio, Fraction(0), radius)
+    assert_tie(exact * radius * 1000, "x_mm", DIFFERENCE, drive, Fraction(angle), decimals)
+
+
+def test_rod_angle_of_30_degrees_is_exact() -> None:
+    half = Drive(Fraction(1, 2))
+    for decimals in (0, 1, MOST_DECIMALS):
+        assert kurbel("psi", "exact", half, Fraction(90), decimals) == 30 * 10**decimals
+        assert kurbel("psi_return", "exact", half, Fraction(90), decimals) == -30 * 10**decimals
+        assert kurbel("psi", "exact", half, Fraction(180), decimals) == 0
+
+
+@pytest.mark.parametrize("side", [-1, 1], ids=["below", "above"])
+@pytest.mark.parametrize("agreeing", [20, 40, 55])
+@pytest.mark.parametrize("angle", ["37", "60", "11.25", "90", "123.456", "1/3"])
+@pytest.mark.parametrize("method", ["exact", "series"])
+def test_values_that_nearly_tie_are_resolved(method: str, angle: str, agreeing: int, side: int) -> None:
+    # x is the tie that lies nearest to its value for λ = 1/4, but for a few units in decimal `agreeing`.
+    phi = Fraction(angle)
+    with mp.workprec(BITS):
+        cosine = mp.cos(textbook.real(phi) * mp.pi / 180)
+        guess = textbook.evaluate("x", "series", Drive(Fraction(1, 4)), phi)
+        tie = (mp.floor(guess * 100) + mp.mpf(0.5)) / 100
+        t, square = tie - (1 - cosine), 1 - cosine**2
+        ratio = 2 * t / square if method == "series" else 2 * t / (t**2 + square)
+        drive = Drive(Fraction(int(mp.nint(ratio * 10**agreeing)) + 5 * side, 10**agreeing))
+        assert 0 < drive.ratio < 1
+        distance = textbook.evaluate("x", method, drive, phi) - tie
+        assert 0 < side * distance < mp.mpf(10) ** (2 - agreeing)
+        expected = int(mp.floor(tie * 100)) + (side > 0)
+    assert kurbel("x", method, drive, phi, 2) == expected
+    assert kurbel("x", method, drive, phi, 2, "half-even") == expected
+
+
+@pytest.mark.parametrize("side", [-1, 1], ids=["below", "above"])
+@pytest.mark.parametrize("tiny", [Fraction(1, 10**50), Fraction(1, 3 * 10**45), Fraction(1, 10**30 + 57)])
+def test_angles_that_nearly_tie_are_resolved(tiny: Fraction, side: int) -> None:
+    angle = 60 + side * tiny
+    assert kurbel("x", "infinite", Drive(Fraction(0)), angle, 0, "half-even") == (side > 0)
+    assert kurbel("x", "series", Drive(Fraction(1, 5)), angle, 2) == 57 + (side > 0)
+
+
+def test_methods_need_not_agree_on_a_tie() -> None:
+    drive = Drive(Fraction(1, 5))
+    assert [kurbel("x", method, drive, Fraction(60), 2) for method in METHODS] == [58, 58, 50]
+    assert [kurbel("x", method, drive, Fraction(60), 4) for method in METHODS] == [5756, 5750, 5000]
+
+
+NEGATIVE_ZERO = re.compile(r"(?<![\d.,])[-−]0(?:[.,]0*)?(?![\d.,])")
+
+
+def test_the_pattern_of_a_negative_zero_finds_one() -> None:
+    for text in ("-0.000", "−0,00", "-0", "a,-0.0,b"):
+        assert NEGATIVE_ZERO.search(text)
+    for text in ("-0.001", "1-0.05", "−0,0001", "0.000"):
+        assert not NEGATIVE_ZERO.search(text)
+
+
+@pytest.mark.parametrize("name", ["text", "markdown", "latex", "csv", "html", "json"])
+def test_no_zero_has_a_sign(name: str) -> None:
+    columns = ",".join(["phi", *WITHOUT_UNITS])
+    for digits in ("0", "1", "3"):
+        shown = table("--ratio=1:5", "--from=-90", "--to=360", "--step=2.5", f"--digits={digits}", f"--columns={columns}", "-f", name)
+        assert not NEGATIVE_ZERO.search(shown.replace("$", " ").replace("<", " ").replace(">", " "))
+    verfahren = table("--layout=verfahren", "--digits=2", "-f", name)
+    assert not NEGATIVE_ZERO.search(verfahren.replace("$", " ").replace("<", " ").replace(">", " "))
+
+
+def test_negative_values_that_round_to_nothing_are_a_plain_zero() -> None:
+    assert [row["c"] for row in rows(table("--ratio=1:5", "--angle=181;359;360", "--columns=c", "--digits=1", "-f", "csv"))] == ["0.0"] * 3  # fmt: skip
+    assert json.loads(table("--ratio=1:5", "--angle=181", "--columns=c", "--digits=1", "-f", "json"))["rows"] == [{"c": 0.0}]
+
+
+def test_dead_centres_are_zero_to_every_decimal() -> None:
+    for ratio in (Fraction(0), Fraction(1, 5), Fraction(99, 100)):
+        for angle in (Fraction(0), Fraction(180), Fraction(360), Fraction(-540)):
+            for key in ("c", "c_return", "c_mps", "psi"):
+                assert kurbel(key, "exact", Drive(ratio), angle, MOST_DECIMALS) == 0
+        assert kurbel("x", "exact", Drive(ratio), Fraction(360), MOST_DECIMALS) == 0
+        assert kurbel("x_return_mm", "exact", Drive(ratio), Fraction(0), MOST_DECIMALS) == 0
+
+
+def test_precision_in_force_is_left_as_it_was() -> None:
+    before = flint.ctx.prec
+    kurbel("x", "series", Drive(Fraction(1, 5)), Fraction(60), 2)
+    assert flint.ctx.prec == before
+    with pytest.raises(ZeroDivisionError):
+        certify.rounded(lambda: 1 / 0, 3)  # type: ignore[arg-type]
+    assert flint.ctx.prec == before
+
+
+def test_a_doubtful_digit_raises_the_precision() -> None:
+    seen: list[int] = []
+
+    def third() -> Any:
+        seen.append(flint.ctx.prec)
+        exact = certify.ball(Fraction(1, 2) + Fraction(1, 10**60))
+        return exact
+
+    assert certify.rounded(third, 0, "half-even", lambda boundary: 10**6) == 1
+    assert len(seen) > 1
+    assert seen == sorted(set(seen))

@@ -1,0 +1,148 @@
+"""Lengths and speeds with their units, exact."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from fractions import Fraction
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kurbel import units
+from kurbel.errors import KurbelError, MissingExtraError, NotationError
+
+SPEED_HELP = "a speed of rotation such as 120/min, 120rpm or 12.5rad/s"
+
+
+def length(text: str) -> Fraction:
+    return units.length(text, "stroke")
+
+
+def sentence_of(read: Callable[[str], object], text: str) -> str:
+    with pytest.raises(NotationError) as raised:
+        read(text)
+    return str(raised.value)
+
+
+@pytest.mark.parametrize(
+    ("text", "metres"),
+    [
+        ("600mm", Fraction(3, 5)),
+        ("0,6 m", Fraction(3, 5)),
+        (" 60.0 cm ", Fraction(3, 5)),
+        ("6e2mm", Fraction(3, 5)),
+        # The inch is 25.4 mm and the foot 12 inches, by definition.
+        ("23.5 inch", Fraction("23.5") * Fraction("0.0254")),
+        ("23.5in", Fraction("23.5") * Fraction("0.0254")),
+        ("2ft", 24 * Fraction("0.0254")),
+        ("7µm", Fraction(7, 10**6)),
+        ("3 m/s*s", Fraction(3)),
+    ],
+)
+def test_lengths_are_exact_metres(text: str, metres: Fraction) -> None:
+    assert length(text) == metres
+
+
+def test_a_displacement_may_be_zero_or_negative() -> None:
+    assert units.displacement("-20mm", "offset") == Fraction(-1, 50)
+    assert units.displacement("0mm", "offset") == 0
+
+
+@pytest.mark.parametrize(
+    ("text", "turns_per_second"),
+    [
+        ("120/min", 2),
+        ("120 1/min", 2),
+        ("120min⁻¹", 2),
+        ("120rpm", 2),
+        ("120U/min", 2),
+        ("120 Upm", 2),
+        ("2U/s", 2),
+        ("2 Hz", 2),
+        ("2/s", 2),
+        ("7200/h", 2),
+        ("2 turn/s", 2),
+        ("120 revolution/min", 2),
+        ("720 deg/s", 2),
+        ("1,5/s", Fraction(3, 2)),
+    ],
+)
+def test_turns_are_exact(text: str, turns_per_second: Fraction) -> None:
+    speed = units.speed(text)
+    assert (speed.value, speed.turns) == (turns_per_second, True)
+
+
+@pytest.mark.parametrize(("text", "value"), [("12.5rad/s", Fraction(25, 2)), ("750 rad/min", Fraction(25, 2))])
+def test_radians_are_exact_and_no_turns(text: str, value: Fraction) -> None:
+    speed = units.speed(text)
+    assert (speed.value, speed.turns) == (value, False)
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        ("3kg", 'stroke "3kg" is in kilogram; it must be a length such as 600mm'),
+        ("3 rad", 'stroke "3 rad" is in radian; it must be a length such as 600mm'),
+        ("3 degC", 'stroke "3 degC" is in degree_Celsius; it must be a length such as 600mm'),
+        ("600", 'stroke "600" has no unit; write a length such as 600mm'),
+        ("600 xyz", 'stroke "600 xyz" has the unknown unit xyz; write a length such as 600mm'),
+        ("", 'stroke "" is not a length such as 600mm'),
+        ("mm", 'stroke "mm" is not a length such as 600mm'),
+        ("3 m**2", 'stroke "3 m**2" is not a length such as 600mm'),
+        ("9**9**9 m", 'stroke "9**9**9 m" is not a length such as 600mm'),
+        ("m" * 200, f'stroke "{"m" * 40}" is not a length such as 600mm'),
+        ("1.2.3mm", 'stroke "1.2.3" is not a number; write it as 4.5 or 4,5'),
+        ("0mm", 'stroke "0mm" is out of range; it must be above 0 and at most 10^9 m'),
+        ("-3mm", 'stroke "-3mm" is out of range; it must be above 0 and at most 10^9 m'),
+        ("1e400mm", 'stroke "1e400mm" is out of range; it must be above 0 and at most 10^9 m'),
+    ],
+)
+def test_what_is_no_length_is_refused(text: str, sentence: str) -> None:
+    assert sentence_of(length, text) == sentence
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        ("3m", f'speed "3m" is in meter; it must be {SPEED_HELP}'),
+        ("3 m/s", f'speed "3 m/s" is in meter / second; it must be {SPEED_HELP}'),
+        ("3 Bq", f'speed "3 Bq" is in becquerel; it must be {SPEED_HELP}'),
+        ("120", f'speed "120" has no unit; write {SPEED_HELP}'),
+        ("0/min", 'speed "0/min" is out of range; it must be above 0 and at most 10^9 turns a second'),
+        ("1e10rad/s", 'speed "1e10rad/s" is out of range; it must be above 0 and at most 10^9 rad/s'),
+    ],
+)
+def test_what_is_no_speed_is_refused(text: str, sentence: str) -> None:
+    assert sentence_of(units.speed, text) == sentence
+
+
+letters = st.text(st.sampled_from("mMkKsSrRaAdDegGnNiIhHzZcCµ/*·1 "), max_size=8)
+
+
+@given(st.one_of(st.text(max_size=100), st.builds("{}{}".format, st.sampled_from(["3", "-2,5", "1e-5", "²"]), letters)))
+def test_any_text_is_read_or_answered_with_one_sentence(text: str) -> None:
+    units.is_measure(text)
+    for read in (length, units.speed):
+        try:
+            read(text)
+        except KurbelError as error:
+            assert 0 < len(str(error)) < 300
+
+
+def test_text_with_a_unit_is_told_from_a_number() -> None:
+    assert units.is_measure("5 mm")
+    assert not units.is_measure("0,25")
+    assert not units.is_measure("abc")
+    assert not units.is_measure(" " * 100_000 + "!")
+
+
+def test_without_pint_the_sentence_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
+    units._registry.cache_clear()
+    monkeypatch.setitem(sys.modules, "pint", None)
+    with pytest.raises(MissingExtraError) as raised:
+        length("600mm")
+    assert str(raised.value) == (
+        "lengths and speeds with units need pint; install it with: pip install 'kurbel[units]'"
+    )

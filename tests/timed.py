@@ -1,0 +1,28 @@
+"""kurbel's digits, which may not keep anyone waiting."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from time import process_time
+
+from textbook import Drive
+
+from kurbel.problem import Crank, Speed
+from kurbel.quantities import certified, registry
+
+ONE_SECOND = 1.0
+
+
+def crank_of(drive: Drive) -> Crank:
+    return Crank(drive.ratio, drive.offset, drive.radius, Speed(drive.speed, drive.turns))
+
+
+def kurbel(
+    key: str, method: str, drive: Drive, angle: Fraction, decimals: int, rounding: str = "half-away"
+) -> int:
+    """Return kurbel's digits, which must not take longer than a second."""
+    before = process_time()
+    scaled = certified(registry()[key], method, crank_of(drive), angle, decimals, rounding)
+    took = process_time() - before
+    assert took < ONE_SECOND, f"{key} for {drive} at {angle}° to {decimals} decimals took {took:.1f} s"
+    return scaled
