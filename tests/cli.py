@@ -1,4 +1,4 @@
-"""The command line in this process: main() with its error sentences and exit codes, without 100 ms of start-up."""
+"""The command line run in this process: main() with its sentences and exit codes, without its start-up."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def printed(*words: str, **environment: str) -> Result:
 
 
 def refusal(*words: str, code: int = 2, **environment: str) -> str:
-    """Run a command that must fail: nothing on standard output, one line on standard error, which is returned."""
+    """Run a command that must fail with an empty output, and return its one line on standard error."""
     result = kurbel(*words, **environment)
     assert (result.code, result.out) == (code, ""), result.err
     name, sentence = result.err.split(": ", 1)

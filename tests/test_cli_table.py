@@ -51,7 +51,12 @@ def test_the_infinite_rod_gives_the_pure_sine(ratio: str) -> None:
     (record,) = csv("--ratio", ratio, "--angle", "30", "--digits", "5")
     assert record["ratio"] == "1:∞"
     # 1 - √3/2, 1/2 and √3/2.
-    assert [record[key] for key in ("x", "x_return", "c", "p")] == ["0.13397", "0.13397", "0.50000", "0.86603"]
+    assert [record[key] for key in ("x", "x_return", "c", "p")] == [
+        "0.13397",
+        "0.13397",
+        "0.50000",
+        "0.86603",
+    ]
 
 
 @pytest.mark.parametrize(
@@ -141,7 +146,15 @@ def test_a_machine_is_printed_in_millimetres_and_metres_per_second(
     (record,) = csv("--stroke", "600mm", "--rod", "1350mm", "--speed", speed, "--angle", "50")
     drive = Drive(NINTHS, radius=Fraction(3, 10), speed=value, turns=turns)
     assert record["ratio"] == "1:4.5"
-    places = {"x_mm": 2, "x_return_mm": 2, "c_mps": 3, "c_return_mps": 3, "p_mps2": 2, "p_return_mps2": 2, "x": 4}
+    places = {
+        "x_mm": 2,
+        "x_return_mm": 2,
+        "c_mps": 3,
+        "c_return_mps": 3,
+        "p_mps2": 2,
+        "p_return_mps2": 2,
+        "x": 4,
+    }
     for key, decimals in places.items():
         assert record[key] == textbook(key, drive, Fraction(50), decimals)
 
@@ -241,12 +254,24 @@ def test_every_digit_of_a_random_table_is_that_of_the_textbook(
 ) -> None:
     rod, offset = drive
     angles = [Fraction(count, 3600) for count in seconds]
-    written = ";".join(f"{'-' * (count < 0)}{abs(count) // 3600}°{abs(count) % 3600 // 60}'{abs(count) % 60}\"" for count in seconds)
+    written = ";".join(
+        f"{'-' * (count < 0)}{abs(count) // 3600}°{abs(count) % 3600 // 60}'{abs(count) % 60}\""
+        for count in seconds
+    )
     # Numbers on the command line are decimals; e = share of R to 12 places.
     share = round(offset, 12)
     ratio = f"{rod.denominator}:{rod.numerator}"
     keys = ("x", "x_return", "c", "p", "psi")
-    words = ("--ratio", ratio, "--offset", f"{float(share):.12f}", "--digits", str(decimals), "--columns", ",".join(keys))
+    words = (
+        "--ratio",
+        ratio,
+        "--offset",
+        f"{float(share):.12f}",
+        "--digits",
+        str(decimals),
+        "--columns",
+        ",".join(keys),
+    )
     records = csv(*words, f"--angle={written}")
     assert len(records) == len(angles)
     for record, angle in zip(records, angles, strict=True):

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
 from kurbel.errors import ChoiceError
 from kurbel.formats import FORMATS, by_name, for_suffix
-from kurbel.render import templates_folder
+from kurbel.layouts import template_folder
 
 
 def test_every_format_is_found_by_each_of_its_suffixes() -> None:
@@ -21,9 +22,10 @@ def test_every_format_is_found_by_each_of_its_suffixes() -> None:
 
 
 def test_every_page_format_has_its_templates() -> None:
-    base = templates_folder() / "base"
+    base = Path(template_folder()) / "base"
     for entry in FORMATS.values():
-        assert (base / f"{entry.name}.jinja").exists() == (entry.kind == "page")
+        # Plain text is a grid and no template.
+        assert (base / f"{entry.name}.jinja").exists() == (entry.kind == "page" and entry.name != "text")
         assert (base / f"{entry.name}.document.jinja").exists() == entry.document
 
 

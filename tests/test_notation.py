@@ -1,4 +1,4 @@
-"""Text as engineers write it, read to exact numbers; whatever is typed, the answer is a number or a sentence."""
+"""Text as engineers write it, read to exact numbers; what cannot be read is answered with a sentence."""
 
 from __future__ import annotations
 
@@ -46,7 +46,9 @@ def test_numbers_are_read_exactly_with_point_or_comma(text: str, value: Fraction
     assert notation.number(text) == value
 
 
-@pytest.mark.parametrize("text", ["", " ", "abc", "nan", "inf", "1.2.3", "1,2,3", "1e", "0x1", "1_000", "٣", "１", "²", "--1"])
+@pytest.mark.parametrize(
+    "text", ["", " ", "abc", "nan", "inf", "1.2.3", "1,2,3", "1e", "0x1", "1_000", "٣", "１", "²", "--1"]
+)
 def test_what_is_no_number_is_refused(text: str) -> None:
     assert sentence_of(notation.number, text) == f'number "{text}" is not a number; write it as 4.5 or 4,5'
 
@@ -85,7 +87,9 @@ def test_ratios_are_the_fractions_that_were_typed(text: str, value: Fraction) ->
     assert notation.ratio(text) == value
 
 
-@pytest.mark.parametrize("text", ["", "1:", ":5", "abc", "nan", "∞", "∞:1", "x:∞", "1:0", "1:2:3", "1:1e1000", "１:５"])
+@pytest.mark.parametrize(
+    "text", ["", "1:", ":5", "abc", "nan", "∞", "∞:1", "x:∞", "1:0", "1:2:3", "1:1e1000", "１:５"]
+)
 def test_what_is_no_ratio_is_answered_with_the_spellings(text: str) -> None:
     assert sentence_of(notation.ratio, text) == f'crank ratio "{text}" is not a ratio R:L; {RATIO_HELP}'
 
@@ -133,7 +137,7 @@ def test_angles_are_read_in_degrees_minutes_and_seconds(text: str, value: Fracti
 @pytest.mark.parametrize("text", ["", "-", "°", "abc", "1:5", "30'2°", "2°30'40", "nan", "1e1000"])
 def test_what_is_no_angle_is_answered_with_the_spellings(text: str) -> None:
     assert sentence_of(notation.angle, text) == (
-        f"angle \"{text}\" is not an angle in degrees; write it as 22.5 or 22°30'"
+        f'angle "{text}" is not an angle in degrees; write it as 22.5 or 22°30\''
     )
 
 
@@ -231,7 +235,7 @@ def test_a_range_of_ratios_that_cannot_be_run_through(text: str, sentence: str) 
     ("text", "sentence"),
     [
         ("0..", 'angle "0.." is not a range; write it as 0..180:10'),
-        ("0..x", "angle \"x\" is not an angle in degrees; write it as 22.5 or 22°30'"),
+        ("0..x", 'angle "x" is not an angle in degrees; write it as 22.5 or 22°30\''),
         ("10..0:5", "the angles run from 10 to 0; the end must not lie before the start"),
         ("0..10:-5", "step -5 leads nowhere; it must be above 0"),
         ("0..10:11", "step 11 is larger than the range 0..10; at most 10 fits"),
@@ -256,7 +260,9 @@ def test_a_list_is_refused_before_its_ranges_are_written_out() -> None:
 
 
 @pytest.mark.parametrize("read", [notation.ratios, notation.angles])
-@pytest.mark.parametrize("text", ["." * 100_000 + ":", "1:" + " " * 100_000 + "..", "0.." * 50_000, "9" * 100_000])
+@pytest.mark.parametrize(
+    "text", ["." * 100_000 + ":", "1:" + " " * 100_000 + "..", "0.." * 50_000, "9" * 100_000]
+)
 def test_a_text_of_enormous_length_is_refused_at_once(read: Callable[[list[str]], object], text: str) -> None:
     assert len(sentence_of(read, [text])) < 200
 
@@ -287,7 +293,9 @@ def test_any_text_is_read_or_answered_with_one_sentence(text: str) -> None:
     size=st.integers(0, 40),
     cut=st.slices(45),
 )
-def test_a_progression_is_the_list_of_its_numbers(start: Fraction, step: Fraction, size: int, cut: slice) -> None:
+def test_a_progression_is_the_list_of_its_numbers(
+    start: Fraction, step: Fraction, size: int, cut: slice
+) -> None:
     progression = Progression(start, step, size)
     written = [start + place * step for place in range(size)]
     assert list(progression) == written

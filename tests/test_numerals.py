@@ -16,15 +16,19 @@ EXACT = 200
 # Decimal's HALF_UP is half away from zero.
 MODES = {"half-away": ROUND_HALF_UP, "half-even": ROUND_HALF_EVEN}
 
-decimals_typed = st.decimals(allow_nan=False, allow_infinity=False, places=8, min_value=-(10**6), max_value=10**6)
+decimals_typed = st.decimals(
+    allow_nan=False, allow_infinity=False, places=8, min_value=-(10**6), max_value=10**6
+)
 # Odd multiples of half a unit: each is a tie.
-ties = st.builds(lambda odd, places: (Decimal(2 * odd + 1) / 2).scaleb(-places), st.integers(-999, 999), st.integers(0, 6))
+ties = st.builds(
+    lambda odd, places: (Decimal(2 * odd + 1) / 2).scaleb(-places), st.integers(-999, 999), st.integers(0, 6)
+)
 
 
 def quantized(value: Decimal, places: int, mode: str) -> str:
     """The digits by decimal arithmetic; Decimal keeps the sign of a zero, a printed table does not."""
     rounded = value.quantize(Decimal(1).scaleb(-places), rounding=MODES[mode], context=Context(prec=EXACT))
-    return format(abs(rounded) if not rounded else rounded, "f")
+    return format(rounded or abs(rounded), "f")
 
 
 @pytest.mark.parametrize("mode", MODES)

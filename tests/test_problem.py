@@ -90,7 +90,9 @@ def test_a_table_needs_an_angle() -> None:
     ],
 )
 def test_angles_beyond_a_million_degrees_are_refused(angles: tuple[Fraction, ...] | Progression) -> None:
-    with pytest.raises(ProblemError, match=r"^an angle is beyond 1000000°; give it within one turn, 0\.\.360$"):
+    with pytest.raises(
+        ProblemError, match=r"^an angle is beyond 1000000°; give it within one turn, 0\.\.360$"
+    ):
         check_angles(angles)
 
 

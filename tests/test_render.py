@@ -68,14 +68,16 @@ def test_table_without_caption_notes_and_source_is_set(name: str) -> None:
 def test_layout_may_bring_a_template_of_its_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     for name, template in (("base", "common\n"), ("mine", "mine: {{ page.caption }}\n")):
         (tmp_path / name).mkdir()
-        (tmp_path / name / "text.jinja").write_text(template)
+        for form in ("text", "markdown"):
+            (tmp_path / name / f"{form}.jinja").write_text(template)
     # The package offers the function under the name of the module.
     module = import_module("kurbel.render")
-    monkeypatch.setattr(module, "templates_folder", lambda: tmp_path)
+    monkeypatch.setattr(module, "template_folder", lambda: str(tmp_path))
     module._environment.cache_clear()
     try:
         assert render(everything("mine", caption="A"), "text") == "mine: A\n"
-        assert render(everything("other"), "text") == "common\n"
+        assert render(everything("mine", caption="A"), "markdown") == "mine: A\n"
+        assert render(everything("other"), "markdown") == "common\n"
     finally:
         module._environment.cache_clear()
 

@@ -6,20 +6,21 @@ import json
 import re
 from fractions import Fraction
 from math import isqrt
+from typing import Any
 
 import flint
 import pytest
 import textbook
-from click.testing import CliRunner
+from cli import printed
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from mpmath import mp
 from textbook import Drive
-from timed import kurbel
+from timed import WITHOUT_UNITS, kurbel
 
 from kurbel import certify
-from kurbel.cli import cli
-from kurbel.quantities import DIFFERENCE, METHODS, registry
+from kurbel.formats import FORMATS
+from kurbel.quantities import DIFFERENCE, METHODS
 
 MOST_DECIMALS = 50
 BITS = 640
@@ -35,16 +36,16 @@ def root(number: Fraction) -> Fraction:
 
 def rounded_fraction(exact: Fraction, decimals: int, rounding: str) -> int:
     scaled = exact * 10**decimals
-    below = scaled.numerator // scaled.denominator
+    below = int(scaled.numerator // scaled.denominator)
     rest = scaled - below
     if rest == Fraction(1, 2):
         away = below + 1 if exact > 0 else below
         return below + below % 2 if rounding == "half-even" else away
-    return below + (rest > Fraction(1, 2))
+    return below + int(rest > Fraction(1, 2))
 
 
 def is_tie(exact: Fraction, decimals: int) -> bool:
-    return (2 * exact * 10**decimals).denominator == 1 and (exact * 10**decimals).denominator == 2
+    return bool((exact * 10**decimals).denominator == 2)
 
 
 def assert_tie(exact: Fraction, key: str, method: str, drive: Drive, angle: Fraction, decimals: int) -> None:
@@ -53,53 +54,55 @@ def assert_tie(exact: Fraction, key: str, method: str, drive: Drive, angle: Frac
         expected = rounded_fraction(exact, decimals, rounding)
         assert kurbel(key, method, drive, angle, decimals, rounding) == expected
     with mp.workprec(BITS):
-        assert abs(textbook.evaluate(key, method, drive, angle, BITS) - textbook.real(exact)) < mp.mpf(2) ** -500
+        distance = textbook.evaluate(key, method, drive, angle, BITS) - textbook.real(exact)
+        assert abs(distance) < mp.mpf(2) ** -500
 
 
 COSINES = {0: Fraction(1), 60: Fraction(1, 2), 90: Fraction(0), 120: Fraction(-1, 2), 180: Fraction(-1)}
 COSINES |= {360 - angle: cosine for angle, cosine in COSINES.items()}
 
 
+# With R = 0.3 m and ω = 5/s where a unit is asked for.
 @pytest.mark.parametrize(
-    ("key", "method", "ratio", "angle", "decimals", "away", "even"),
+    ("key", "method", "ratio", "angle", "exact", "decimals", "away", "even"),
     [
-        ("x", "series", "1/5", 60, 2, 58, 58),  # 0.575
-        ("x_stroke", "series", "1/4", 90, 3, 563, 562),  # 0.5625
-        ("x_return_stroke", "series", "1/4", 90, 3, 438, 438),  # 0.4375
-        ("p", "series", "1/4", 0, 1, 13, 12),  # 1.25
-        ("p", "exact", "1/4", 0, 1, 13, 12),
-        ("p", "exact", "1/4", 180, 1, -8, -8),  # -0.75
-        ("p_return", "exact", "1/4", 180, 1, -13, -12),
-        ("p_return", "series", "1/4", 0, 1, 8, 8),
-        ("p", "series", "1/8", 90, 2, -13, -12),  # -0.125
-        ("p_return", "series", "1/8", 90, 2, 13, 12),
-        ("p", "series", "1/8", 120, 3, -563, -562),
-        ("x", "exact", "4/5", 90, 0, 2, 2),  # 1.5
-        ("x_return", "exact", "4/5", 90, 0, 1, 0),  # 0.5
-        ("x", "exact", "8/17", 90, 1, 13, 12),  # 1.25
-        ("x_return", "exact", "8/17", 90, 1, 8, 8),
-        ("x_stroke", "exact", "3/5", 90, 0, 1, 1),  # 2/3, no tie
-        ("x_stroke", "exact", "5/13", 90, 1, 6, 6),  # 0.6
-        ("p", "exact", "3/5", 90, 1, -8, -8),  # -0.75
-        ("p", "exact", "3/5", 270, 1, -8, -8),
-        ("p_return", "exact", "3/5", 90, 1, 8, 8),
-        ("x", "infinite", "1/5", 60, 0, 1, 0),  # 0.5
-        ("x", "infinite", "1/5", 120, 0, 2, 2),
-        ("c", "infinite", "1/5", 30, 0, 1, 0),
-        ("c", "infinite", "1/5", 210, 0, -1, 0),
-        ("c_return", "infinite", "1/5", 210, 0, 1, 0),
-        ("p", "infinite", "1/5", 120, 0, -1, 0),
-        ("p", "infinite", "1/5", -60, 0, 1, 0),
-        ("x_percent", "infinite", "1/5", 300, 0, 25, 25),
-        ("x_mm", "series", "1/5", 60, 0, 173, 172),  # 300 mm · 0.575 = 172.5 mm
-        ("p_mps2", "series", "1/4", 0, 0, 8, 8),  # 0.3 m · 25/s² · 1.25 = 9.375; see below
+        ("x", "series", "1/5", 60, "0.575", 2, 58, 58),
+        ("x_stroke", "series", "1/4", 90, "0.5625", 3, 563, 562),
+        ("x_return_stroke", "series", "1/4", 90, "0.4375", 3, 438, 438),
+        ("p", "series", "1/4", 0, "1.25", 1, 13, 12),
+        ("p", "exact", "1/4", 0, "1.25", 1, 13, 12),
+        ("p", "exact", "1/4", 180, "-0.75", 1, -8, -8),
+        ("p_return", "exact", "1/4", 180, "-1.25", 1, -13, -12),
+        ("p_return", "series", "1/4", 0, "0.75", 1, 8, 8),
+        ("p", "series", "1/8", 90, "-0.125", 2, -13, -12),
+        ("p_return", "series", "1/8", 90, "0.125", 2, 13, 12),
+        ("p", "series", "1/8", 120, "-0.5625", 3, -563, -562),
+        ("x", "exact", "4/5", 90, "1.5", 0, 2, 2),
+        ("x_return", "exact", "4/5", 90, "0.5", 0, 1, 0),
+        ("x", "exact", "8/17", 90, "1.25", 1, 13, 12),
+        ("x_return", "exact", "8/17", 90, "0.75", 1, 8, 8),
+        ("x_return_percent", "exact", "8/17", 90, "37.5", 0, 38, 38),
+        ("p", "exact", "3/5", 90, "-0.75", 1, -8, -8),
+        ("p", "exact", "3/5", 270, "-0.75", 1, -8, -8),
+        ("p_return", "exact", "3/5", 90, "0.75", 1, 8, 8),
+        ("x", "infinite", "1/5", 60, "0.5", 0, 1, 0),
+        ("x", "infinite", "1/5", 120, "1.5", 0, 2, 2),
+        ("c", "infinite", "1/5", 30, "0.5", 0, 1, 0),
+        ("c", "infinite", "1/5", 210, "-0.5", 0, -1, 0),
+        ("c_return", "infinite", "1/5", 210, "-0.5", 0, -1, 0),
+        ("p", "infinite", "1/5", 120, "-0.5", 0, -1, 0),
+        ("p", "infinite", "1/5", -60, "0.5", 0, 1, 0),
+        ("x_mm", "series", "1/5", 60, "172.5", 0, 173, 172),
+        ("c_mps", "exact", "1/5", 90, "1.5", 0, 2, 2),
+        ("p_mps2", "series", "1/4", 0, "9.375", 2, 938, 938),
+        ("p_return_mps2", "exact", "1/4", 180, "-9.375", 2, -938, -938),
     ],
 )  # fmt: skip
-def test_ties_that_books_meet(
-    key: str, method: str, ratio: str, angle: int, decimals: int, away: int, even: int
+def test_ties_that_tables_meet(
+    key: str, method: str, ratio: str, angle: int, exact: str, decimals: int, away: int, even: int
 ) -> None:
-    speed = Fraction(5) if key != "p_mps2" else Fraction(2) * Fraction(1, 1)
-    drive = Drive(Fraction(ratio), Fraction(0), Fraction(3, 10) if key != "p_mps2" else Fraction(3, 2), speed)
+    drive = Drive(Fraction(ratio), Fraction(0), Fraction(3, 10), Fraction(5))
+    assert_tie(Fraction(exact), key, method, drive, Fraction(angle), decimals)
     assert kurbel(key, method, drive, Fraction(angle), decimals) == away
     assert kurbel(key, method, drive, Fraction(angle), decimals, "half-even") == even
 
@@ -108,6 +111,8 @@ HALF_UNITS = st.integers(0, MOST_DECIMALS).flatmap(
     lambda decimals: st.tuples(st.just(decimals), st.integers(0, 10**decimals - 1))
 )
 """Decimals d and k of an odd number of half units, (k + ½)/10^d, between 0 and 1."""
+SHORTEST = Fraction(1, 10**9)
+"""The ratio of the longest rod."""
 
 
 def half_units(drawn: tuple[int, int]) -> Fraction:
@@ -120,7 +125,7 @@ def half_units(drawn: tuple[int, int]) -> Fraction:
 def test_first_order_path_at_60_degrees_meets_ties(drawn: tuple[int, int], angle: int, key: str) -> None:
     # x = 1 - cos φ ± 3/8 λ, made to end in half a unit by the choice of λ.
     ratio = half_units(drawn) * Fraction(8, 3)
-    assume(ratio < 1)
+    assume(SHORTEST < ratio < 1)
     decimals = max(drawn[0], 1)
     exact = 1 - COSINES[angle] + (1 if key == "x" else -1) * Fraction(3, 8) * ratio
     assume(is_tie(exact, decimals))
@@ -133,15 +138,16 @@ def test_first_order_path_at_60_degrees_meets_ties(drawn: tuple[int, int], angle
     angle=st.sampled_from([60, 90, 120, 240, 270, 300]),
     key=st.sampled_from(["x", "x_return", "x_mm", "x_return_stroke"]),
 )
-def test_exact_path_meets_ties_where_the_root_is_rational(drawn: tuple[int, int], angle: int, key: str) -> None:
+def test_exact_path_meets_ties_where_its_root_is_rational(
+    drawn: tuple[int, int], angle: int, key: str
+) -> None:
     # With λ = 2t/(t² + sin² φ) the share of the rod, (1 - cos ψ)/λ, is t itself.
-    t = half_units(drawn)
-    ratio = 2 * t / (t**2 + 1 - COSINES[angle] ** 2)
-    assume(ratio < 1)
+    t, square = half_units(drawn), 1 - COSINES[angle] ** 2
+    ratio = 2 * t / (t**2 + square)
+    assume(t**2 < square and SHORTEST < ratio < 1)
+    assert (1 - root(1 - ratio**2 * square)) / ratio == t
     share = 1 - COSINES[angle]
-    assert t == (1 - root(1 - ratio**2 * (1 - COSINES[angle] ** 2))) / ratio or t > ratio
     exact = share + (-t if "return" in key else t)
-    assume(abs(t) < ratio)
     unit = {"x_mm": Fraction(1000), "x_return_stroke": Fraction(1, 2)}.get(key, Fraction(1))
     decimals = next((d for d in range(drawn[0] + 3) if is_tie(exact * unit, d)), None)
     assume(decimals is not None)
@@ -158,7 +164,7 @@ def test_exact_path_meets_ties_where_the_root_is_rational(drawn: tuple[int, int]
 def test_first_order_acceleration_meets_ties(drawn: tuple[int, int], angle: int, back: bool) -> None:
     twice = 2 * COSINES[angle] ** 2 - 1
     ratio = half_units(drawn) / abs(twice)
-    assume(ratio < 1)
+    assume(SHORTEST < ratio < 1)
     exact = COSINES[angle] + (-ratio if back else ratio) * twice
     decimals = max(drawn[0], 1)
     assume(is_tie(exact, decimals))
@@ -191,13 +197,19 @@ def test_offset_cranks_meet_ties(
 
 @pytest.mark.parametrize(
     ("sine_squared", "angle", "t", "decimals"),
-    [("1", 90, "3/4", 2), ("1", 270, "3/4", 2), ("1", 90, "1/2", 1), ("1/2", 45, "1/4", 2), ("1/2", 135, "1/4", 2)],
+    [
+        ("1", 90, "3/4", 2),
+        ("1", 270, "3/4", 2),
+        ("1", 90, "1/2", 1),
+        ("1/2", 45, "1/4", 2),
+        ("1/2", 135, "1/4", 2),
+    ],
 )
 def test_difference_of_the_methods_meets_ties(sine_squared: str, angle: int, t: str, decimals: int) -> None:
     share, square = Fraction(t), Fraction(sine_squared)
     ratio = 2 * share / (share**2 + square)
     exact = share - ratio * square / 2
-    # In S = 2R, and in mm with a radius that makes it a tie.
+    # In mm, with a radius that makes it 3½ units in the last place.
     radius = Fraction(2 * 3 + 1, 2 * 10**decimals) / exact / 1000
     drive = Drive(ratio, Fraction(0), radius)
     assert_tie(exact * radius * 1000, "x_mm", DIFFERENCE, drive, Fraction(angle), decimals)
@@ -213,7 +225,7 @@ def test_rod_angle_of_30_degrees_is_exact() -> None:
 
 @pytest.mark.parametrize("side", [-1, 1], ids=["below", "above"])
 @pytest.mark.parametrize("agreeing", [20, 40, 55])
-@pytest.mark.parametrize("angle", ["37", "60", "11.25", "90", "123.456", "1/3"])
+@pytest.mark.parametrize("angle", ["37", "60", "11.25", "90", "123.456", "61/3"])
 @pytest.mark.parametrize("method", ["exact", "series"])
 def test_values_that_nearly_tie_are_resolved(method: str, angle: str, agreeing: int, side: int) -> None:
     # x is the tie that lies nearest to its value for λ = 1/4, but for a few units in decimal `agreeing`.
@@ -247,29 +259,30 @@ def test_methods_need_not_agree_on_a_tie() -> None:
     assert [kurbel("x", method, drive, Fraction(60), 4) for method in METHODS] == [5756, 5750, 5000]
 
 
-NEGATIVE_ZERO = re.compile(r"(?<![\d.,])[-−]0(?:[.,]0*)?(?![\d.,])")
+def negative_zero(text: str) -> bool:
+    """Whether a zero with a sign stands anywhere in a rendered table."""
+    return re.search(r"(?<![\d°])[-−]0(?:[.,]0+)?(?![\d.]|,\d)", text) is not None
 
 
-def test_the_pattern_of_a_negative_zero_finds_one() -> None:
-    for text in ("-0.000", "−0,00", "-0", "a,-0.0,b"):
-        assert NEGATIVE_ZERO.search(text)
-    for text in ("-0.001", "1-0.05", "−0,0001", "0.000"):
-        assert not NEGATIVE_ZERO.search(text)
+def test_a_negative_zero_would_be_found() -> None:
+    for text in ("-0.000", "−0,00", "$-0$", "a,-0.0,b", "<td>−0</td>", "[-0.0, 1]"):
+        assert negative_zero(text), text
+    for text in ("-0.001", "1-0.05", "−0,0001", "0.000", "-0,010"):
+        assert not negative_zero(text), text
 
 
-@pytest.mark.parametrize("name", ["text", "markdown", "latex", "csv", "html", "json"])
+@pytest.mark.parametrize("name", FORMATS)
 def test_no_zero_has_a_sign(name: str) -> None:
-    columns = ",".join(["phi", *WITHOUT_UNITS])
-    for digits in ("0", "1", "3"):
-        shown = table("--ratio=1:5", "--from=-90", "--to=360", "--step=2.5", f"--digits={digits}", f"--columns={columns}", "-f", name)
-        assert not NEGATIVE_ZERO.search(shown.replace("$", " ").replace("<", " ").replace(">", " "))
-    verfahren = table("--layout=verfahren", "--digits=2", "-f", name)
-    assert not NEGATIVE_ZERO.search(verfahren.replace("$", " ").replace("<", " ").replace(">", " "))
+    run = ["--ratio=1:5", "--from=-90", "--to=360", "--step=7.5", "--columns=phi," + ",".join(WITHOUT_UNITS)]
+    for digits in range(3):
+        assert not negative_zero(printed("table", *run, f"--digits={digits}", "-f", name).out)
+    assert not negative_zero(printed("table", "--layout=verfahren", "--digits=2", "-f", name).out)
 
 
 def test_negative_values_that_round_to_nothing_are_a_plain_zero() -> None:
-    assert [row["c"] for row in rows(table("--ratio=1:5", "--angle=181;359;360", "--columns=c", "--digits=1", "-f", "csv"))] == ["0.0"] * 3  # fmt: skip
-    assert json.loads(table("--ratio=1:5", "--angle=181", "--columns=c", "--digits=1", "-f", "json"))["rows"] == [{"c": 0.0}]
+    run = ["--ratio=1:5", "--angle=181;359;360", "--columns=c", "--digits=1"]
+    assert printed("table", *run, "-f", "csv").records() == [{"c": "0.0"}] * 3
+    assert str(json.loads(printed("table", *run, "-f", "json").out)["rows"]) == str([{"c": 0.0}] * 3)
 
 
 def test_dead_centres_are_zero_to_every_decimal() -> None:
@@ -286,7 +299,7 @@ def test_precision_in_force_is_left_as_it_was() -> None:
     kurbel("x", "series", Drive(Fraction(1, 5)), Fraction(60), 2)
     assert flint.ctx.prec == before
     with pytest.raises(ZeroDivisionError):
-        certify.rounded(lambda: 1 / 0, 3)  # type: ignore[arg-type]
+        certify.rounded(lambda: certify.ball(Fraction(1, 0)), 3)
     assert flint.ctx.prec == before
 
 

@@ -74,7 +74,9 @@ def test_turns_are_exact(text: str, turns_per_second: Fraction) -> None:
     assert (speed.value, speed.turns) == (turns_per_second, True)
 
 
-@pytest.mark.parametrize(("text", "value"), [("12.5rad/s", Fraction(25, 2)), ("750 rad/min", Fraction(25, 2))])
+@pytest.mark.parametrize(
+    ("text", "value"), [("12.5rad/s", Fraction(25, 2)), ("750 rad/min", Fraction(25, 2))]
+)
 def test_radians_are_exact_and_no_turns(text: str, value: Fraction) -> None:
     speed = units.speed(text)
     assert (speed.value, speed.turns) == (value, False)
@@ -121,7 +123,11 @@ def test_what_is_no_speed_is_refused(text: str, sentence: str) -> None:
 letters = st.text(st.sampled_from("mMkKsSrRaAdDegGnNiIhHzZcCµ/*·1 "), max_size=8)
 
 
-@given(st.one_of(st.text(max_size=100), st.builds("{}{}".format, st.sampled_from(["3", "-2,5", "1e-5", "²"]), letters)))
+@given(
+    st.one_of(
+        st.text(max_size=100), st.builds("{}{}".format, st.sampled_from(["3", "-2,5", "1e-5", "²"]), letters)
+    )
+)
 def test_any_text_is_read_or_answered_with_one_sentence(text: str) -> None:
     units.is_measure(text)
     for read in (length, units.speed):

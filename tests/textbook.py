@@ -39,7 +39,8 @@ def evaluate(key: str, method: str, drive: Drive, degrees: Fraction, bits: int =
     name, returning, unit = parted(key)
     with mp.workprec(bits):
         if method == "difference":
-            return evaluate(key, "exact", drive, degrees, bits) - evaluate(key, "series", drive, degrees, bits)
+            exact, series = (evaluate(key, one, drive, degrees, bits) for one in ("exact", "series"))
+            return exact - series
         angle = real(degrees + 180 if returning else degrees) * mp.pi / 180
         value = _VALUES[name](method, drive, angle)
         if returning and name == "x":
@@ -64,7 +65,7 @@ def stroke(drive: Drive) -> Real:
     return mp.sqrt((rod + 1) ** 2 - e**2) - mp.sqrt((rod - 1) ** 2 - e**2)
 
 
-def rounded(value: Real, decimals: int, rounding: str = "half-away", bits: int = 640) -> int | None:
+def rounded(value: Real, decimals: int, bits: int = 640) -> int | None:
     """Return the value times 10**decimals rounded to the nearest integer.
 
     None if it is within 2**-150 of a boundary, where digits alone prove nothing.
@@ -75,7 +76,7 @@ def rounded(value: Real, decimals: int, rounding: str = "half-away", bits: int =
         rest = scaled - below
         if abs(rest - mp.mpf(0.5)) < mp.mpf(2) ** -150:
             return None
-        return below + (rest > mp.mpf(0.5))
+        return below + int(rest > mp.mpf(0.5))
 
 
 def printed(scaled: int, decimals: int, mark: str = ".") -> str:

@@ -11,6 +11,7 @@ from kurbel.problem import Crank, Speed
 from kurbel.quantities import certified, registry
 
 ONE_SECOND = 1.0
+WITHOUT_UNITS = [key for key, quantity in registry().items() if not quantity.needs]
 
 
 def crank_of(drive: Drive) -> Crank:

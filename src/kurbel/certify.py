@@ -74,8 +74,10 @@ def rounded(
             precision *= 2
             flint.ctx.prec = precision
             scaled = value() * unit
-            nearest = (abs(scaled) + flint.arb(0.5)).floor().unique_fmpz()
-            if nearest is not None:
+            raised = abs(scaled) + flint.arb(0.5)
+            nearest = raised.floor().unique_fmpz()
+            # A ball that touches a boundary from above, such as the exact 1.25, is settled for half away only.
+            if nearest is not None and (rounding == "half-away" or not raised.contains_integer()):
                 return _signed(int(nearest), scaled)
             odd = (2 * abs(scaled) + flint.arb(0.5)).floor().unique_fmpz()
             if odd is None or tie_bits is None:

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from pathlib import PurePath
-from typing import TYPE_CHECKING, Literal, cast
+import os
+from typing import TYPE_CHECKING, Literal, NamedTuple, cast
 
 from kurbel.errors import ChoiceError
 
@@ -17,8 +16,7 @@ DECIMALS = {"comma": ",", "point": "."}
 DECIMAL_OF_LANGUAGE = {"de": "comma", "en": "point"}
 
 
-@dataclass(frozen=True, slots=True)
-class Format:
+class Format(NamedTuple):
     """What distinguishes one format from another, apart from its templates.
 
     `decimal` is "language" or "point": where the decimal mark comes from unless the user sets it.
@@ -127,9 +125,9 @@ def by_name(name: str) -> Format:
     return FORMATS[name]
 
 
-def for_suffix(path: str | PurePath) -> Format:
+def for_suffix(path: str) -> Format:
     """Return the format that a file name asks for; raise ChoiceError if its suffix belongs to none."""
-    suffix = PurePath(path).suffix.lower()
+    suffix = os.path.splitext(path)[1].lower()
     for entry in FORMATS.values():
         if suffix in entry.suffixes:
             return entry

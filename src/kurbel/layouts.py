@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from functools import cache
-from pathlib import Path
 from typing import Any, NamedTuple
 
 from kurbel.choices import choose
@@ -63,18 +63,22 @@ class Layout(NamedTuple):
 
 
 @cache
-def template_folder() -> Path:
+def template_folder() -> str:
     """Return the folder of templates: in the installed package, else in the checkout.
 
     An editable install holds no copy of the templates; the checkout's folder serves it.
     """
-    packaged = Path(__file__).parent / "templates"
-    return packaged if packaged.is_dir() else Path(__file__).parents[2] / "templates"
+    package = os.path.dirname(os.path.abspath(__file__))
+    for folder in (f"{package}/templates", f"{package}/../../templates"):
+        if os.path.isdir(folder):
+            return os.path.normpath(folder)
+    raise LayoutError(f"there are no templates beside {package}; the installation is not complete")
 
 
 @cache
 def layout_names() -> tuple[str, ...]:
-    return tuple(sorted(path.parent.name for path in template_folder().glob("*/layout.toml")))
+    folder = template_folder()
+    return tuple(sorted(name for name in os.listdir(folder) if os.path.exists(f"{folder}/{name}/layout.toml")))
 
 
 @cache
@@ -82,9 +86,10 @@ def layout(name: str) -> Layout:
     """Return the layout of that name; an unknown name is answered with the nearest and the list."""
     import tomllib
 
-    path = template_folder() / choose(name, layout_names(), "layout") / "layout.toml"
+    path = f"{template_folder()}/{choose(name, layout_names(), 'layout')}/layout.toml"
     try:
-        return _layout(name, tomllib.loads(path.read_text(encoding="utf-8")))
+        with open(path, "rb") as file:
+            return _layout(name, tomllib.load(file))
     except (tomllib.TOMLDecodeError, KeyError, TypeError, ValueError) as error:
         raise LayoutError(f"layout {name}: layout.toml cannot be used: {error}") from error
 

@@ -7,10 +7,12 @@ import stat
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
-from pathlib import Path
-from typing import BinaryIO
+from typing import TYPE_CHECKING, BinaryIO
 
 from kurbel.errors import OutputError
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 
 @contextmanager
@@ -23,6 +25,9 @@ def whole_file(target: str) -> Iterator[BinaryIO]:
         yield sys.stdout.buffer
         sys.stdout.buffer.flush()
         return
+    # Later than most imports: the first table on a terminal is there sooner without it.
+    from pathlib import Path
+
     try:
         if _is_device(Path(target)):
             with open(target, "wb") as device:

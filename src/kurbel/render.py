@@ -1,20 +1,22 @@
-"""From a table to text in a format. The only module that knows Jinja; templates only arrange."""
+"""From a table to text in a format. The only module that knows Jinja; templates only arrange.
+
+Plain text needs no template, for its grid is all there is to it: that saves the first table on a terminal
+the third of its time that loading Jinja takes.
+"""
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from functools import cache
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from kurbel.errors import LayoutError
 from kurbel.formats import Format, by_name
 from kurbel.labels import plain
+from kurbel.layouts import template_folder
 from kurbel.page import blank, page
-from kurbel.pipes import pipe_tables
 from kurbel.table import Table
-from kurbel.textgrid import grid_of, panel_lines, wrapped
-from kurbel.texwidth import blank_filled, tex_layout
+from kurbel.textgrid import text_page
 
 if TYPE_CHECKING:
     from jinja2 import Environment, Template
@@ -50,10 +52,13 @@ def rows(table: Table, form: Format, decimal: str | None = None) -> Iterator[str
 
 
 def _page(table: Table, form: Format, mark: str, standalone: bool, longtable: bool) -> str:
-    values: dict[str, Any] = {"page": page(table, form, mark)}
-    if form.name == "text":
-        values["grid"] = grid_of(values["page"])
+    ready = page(table, form, mark)
+    if form.name == "text" and not _own_template(table, form.name):
+        return text_page(ready)
+    values: dict[str, Any] = {"page": ready}
     if form.name == "latex":
+        from kurbel.texwidth import tex_layout
+
         tex = tex_layout(page(table, by_name("text"), mark))
         # A float longer than a page would run out of a document that has nothing else on it.
         values |= {"tex": tex, "longtable": longtable or (standalone and tex.tall)}
@@ -67,8 +72,12 @@ def _page(table: Table, form: Format, mark: str, standalone: bool, longtable: bo
 
 def _template(table: Table, format: str, name: str) -> Template:
     """Return the template of the layout, if it has its own, else the common one."""
-    folder = table.layout or table.key
-    return _environment(format).select_template([f"{folder}/{name}.jinja", f"base/{name}.jinja"])
+    return _environment(format).get_template(_own_template(table, name) or f"base/{name}.jinja")
+
+
+def _own_template(table: Table, name: str) -> str:
+    own = f"{table.layout or table.key}/{name}.jinja"
+    return own if os.path.exists(os.path.join(template_folder(), own)) else ""
 
 
 # LaTeX is full of braces and percent signs.
@@ -88,9 +97,12 @@ _DELIMITERS: dict[str, dict[str, Any]] = {
 def _environment(name: str) -> Environment:
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
+    from kurbel.pipes import pipe_tables
+    from kurbel.texwidth import blank_filled
+
     # No autoescape: every string of a page is finished text of its format, formulas included.
     environment = Environment(
-        loader=FileSystemLoader(templates_folder()),
+        loader=FileSystemLoader(template_folder()),
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
@@ -98,20 +110,5 @@ def _environment(name: str) -> Environment:
         auto_reload=False,
         **_DELIMITERS.get(name, {}),
     )
-    environment.filters.update(
-        blank=blank,
-        blank_filled=blank_filled,
-        panel_lines=panel_lines,
-        pipe_tables=pipe_tables,
-        wrapped=wrapped,
-    )
+    environment.filters.update(blank=blank, blank_filled=blank_filled, pipe_tables=pipe_tables)
     return environment
-
-
-def templates_folder() -> Path:
-    """Return the folder of the templates: in the installed package, else in the checkout."""
-    here = Path(__file__).resolve().parent
-    for folder in (here / "templates", here.parent.parent / "templates"):
-        if (folder / "base").is_dir():
-            return folder
-    raise LayoutError(f"no templates found beside {here}; the installation is not complete")

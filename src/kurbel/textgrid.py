@@ -36,6 +36,19 @@ class Grid(NamedTuple):
         return self.lefts[cell.last] + self.widths[cell.last] - self.lefts[cell.first]
 
 
+def text_page(page: Page) -> str:
+    """Return the whole page: caption, panels, notes and source."""
+    grid = grid_of(page)
+    parts = [wrapped(page.caption, grid) + "\n"] if page.caption else []
+    parts.append("\n\n".join("\n".join(panel_lines(panel, grid)) for panel in page.panels))
+    for note in page.notes:
+        hang = len(note.mark) + 1 if note.mark else 0
+        parts.append(wrapped(f"{note.mark} {note.text}" if note.mark else note.text, grid, hang))
+    if page.source:
+        parts.append(wrapped(f"{page.words['source']}: {page.source}", grid))
+    return "\n".join(parts) + "\n"
+
+
 def panel_lines(panel: PagePanel, grid: Grid) -> list[str]:
     """Return the lines of one panel, from the heavy rule above its head to the one below its body."""
     lines = [HEAVY * grid.total]

@@ -1,70 +1,55 @@
-"""The command line: parses, calls, writes. Commands are imported when they are called."""
+"""The command line: what `kurbel` answers at once, and how it ends.
+
+Only commands import click (app.py), so that `kurbel --help` is there before one notices.
+"""
 
 from __future__ import annotations
 
-import importlib
-import io
 import os
 import signal
 import sys
 from types import FrameType
 from typing import NoReturn
 
-import click
-
 from kurbel import __version__
-from kurbel.errors import KurbelError
 
-# Name, module and one line of help, so that `kurbel --help` imports no command.
+# Name, module and one line of help.
 COMMANDS = {
     "table": ("kurbel.cli.table", "Print a table of piston path, velocity and acceleration."),
     "layouts": ("kurbel.cli.lists", "List the page layouts."),
     "quantities": ("kurbel.cli.lists", "List the quantities that columns can show."),
 }
 
+HELP = """\
+Usage: kurbel [OPTIONS] COMMAND [ARGS]...
 
-class LazyGroup(click.Group):
-    """A group that imports a command's module only to run it or to print its own help."""
+  Compute and typeset tables of the crank drive; every printed digit is right.
 
-    def list_commands(self, ctx: click.Context) -> list[str]:
-        return list(COMMANDS)
+Options:
+  --version   Show the version and exit.
+  -h, --help  Show this message and exit.
 
-    def get_command(self, ctx: click.Context, name: str) -> click.Command | None:
-        if name not in COMMANDS:
-            return None
-        command = getattr(importlib.import_module(COMMANDS[name][0]), name)
-        assert isinstance(command, click.Command)
-        return command
+Commands:
+{commands}
 
-    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        with formatter.section("Commands"):
-            formatter.write_dl([(name, line) for name, (_, line) in COMMANDS.items()])
+  Each command has its own help: kurbel table --help.
 
-    def resolve_command(
-        self, ctx: click.Context, args: list[str]
-    ) -> tuple[str | None, click.Command | None, list[str]]:
-        from kurbel.choices import choose
-
-        # The help text is the answer to an option in place of a command.
-        if not args[0].startswith("-") and not ctx.resilient_parsing:
-            choose(args[0], COMMANDS, "command")
-        return super().resolve_command(ctx, args)
+  Environment: KURBEL_LANG, KURBEL_FORMAT and KURBEL_DECIMAL set defaults for
+  all commands, KURBEL_TABLE_RATIO and the like one option of a command.
+"""
 
 
-@click.group(
-    cls=LazyGroup,
-    context_settings={"help_option_names": ["-h", "--help"], "auto_envvar_prefix": "KURBEL"},
-    epilog="Environment: KURBEL_LANG, KURBEL_FORMAT, KURBEL_DECIMAL, KURBEL_TABLE_RATIO ... set defaults.",
-)
-@click.version_option(__version__, "--version", message="kurbel %(version)s")
-def cli() -> None:
-    """Compute and typeset tables of the crank drive; every printed digit is right."""
+def help_text() -> str:
+    """Return the help of `kurbel` itself."""
+    width = max(map(len, COMMANDS))
+    lines = (f"  {name:{width}}  {line}" for name, (_, line) in COMMANDS.items())
+    return HELP.format(commands="\n".join(lines))
 
 
 def main() -> NoReturn:
     """Run the command line and leave with its exit code: 0 done, 1 failed, 2 wrong usage."""
     _open_closed_streams()
-    if isinstance(sys.stdout, io.TextIOWrapper):
+    if hasattr(sys.stdout, "reconfigure"):
         # Help and lists have characters, such as ∞, that an old terminal lacks.
         sys.stdout.reconfigure(errors="replace")
     for number in (signal.SIGTERM, signal.SIGHUP):
@@ -95,32 +80,24 @@ def _open_closed_streams() -> None:
 
 
 def _run() -> int:
-    try:
-        result = cli.main(prog_name="kurbel", standalone_mode=False)
-        sys.stdout.flush()
-        return result if isinstance(result, int) else 0
-    except KurbelError as error:
-        return _failed(str(error), error.exit_code)
-    except click.Abort:
-        return 128 + signal.SIGINT
-    except click.exceptions.NoArgsIsHelpError as error:
-        print(error.format_message(), file=sys.stderr)
-        return error.exit_code
-    except click.ClickException as error:
-        return _failed(_one_line(error), error.exit_code)
-
-
-def _one_line(error: click.ClickException) -> str:
-    """Return click's sentences as one of ours."""
-    if isinstance(error, click.NoSuchOption):
-        from kurbel.choices import did_you_mean
-
-        hint = did_you_mean(error.option_name, error.possibilities or ())
-        message = f'there is no option "{error.option_name}"{hint}'
+    if sys.argv[1:] in (["-h"], ["--help"]):
+        sys.stdout.write(help_text())
+    elif sys.argv[1:] == ["--version"]:
+        print(f"kurbel {__version__}")
+    elif not sys.argv[1:] and "_KURBEL_COMPLETE" not in os.environ:
+        sys.stderr.write(help_text())
+        return 2
     else:
-        message = " ".join(error.format_message().split()).rstrip(".").replace(". ", "; ")
-    command = getattr(getattr(error, "ctx", None), "command_path", "")
-    return f"{message}; see {command} --help" if command else message
+        return _command()
+    sys.stdout.flush()
+    return 0
+
+
+def _command() -> int:
+    from kurbel.cli.app import run
+
+    code, message = run()
+    return _failed(message, code) if message else code
 
 
 def _failed(message: str, code: int) -> int:

@@ -1,0 +1,76 @@
+"""The click application: commands are imported when they are called, and errors become one sentence."""
+
+from __future__ import annotations
+
+import importlib
+import signal
+import sys
+
+import click
+
+from kurbel import __version__
+from kurbel.cli import COMMANDS, help_text
+from kurbel.errors import KurbelError
+
+
+class LazyGroup(click.Group):
+    """A group that imports a command's module only to run it or to print its own help."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        return list(COMMANDS)
+
+    def get_command(self, ctx: click.Context, name: str) -> click.Command | None:
+        if name not in COMMANDS:
+            return None
+        command = getattr(importlib.import_module(COMMANDS[name][0]), name)
+        assert isinstance(command, click.Command)
+        return command
+
+    def get_help(self, ctx: click.Context) -> str:
+        return help_text().rstrip()
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        from kurbel.choices import choose
+
+        # The help text is the answer to an option in place of a command.
+        if not args[0].startswith("-") and not ctx.resilient_parsing:
+            choose(args[0], COMMANDS, "command")
+        return super().resolve_command(ctx, args)
+
+
+@click.group(
+    cls=LazyGroup,
+    context_settings={"help_option_names": ["-h", "--help"], "auto_envvar_prefix": "KURBEL"},
+)
+@click.version_option(__version__, "--version", message="kurbel %(version)s")
+def cli() -> None:
+    """Compute and typeset tables of the crank drive; every printed digit is right."""
+
+
+def run() -> tuple[int, str]:
+    """Run the command of the command line; return its exit code and, if it failed, why."""
+    try:
+        result = cli.main(prog_name="kurbel", standalone_mode=False)
+        sys.stdout.flush()
+        return (result if isinstance(result, int) else 0), ""
+    except KurbelError as error:
+        return error.exit_code, str(error)
+    except click.Abort:
+        return 128 + signal.SIGINT, ""
+    except click.ClickException as error:
+        return error.exit_code, _one_line(error)
+
+
+def _one_line(error: click.ClickException) -> str:
+    """Return click's sentences as one of ours."""
+    if isinstance(error, click.NoSuchOption):
+        from kurbel.choices import did_you_mean
+
+        hint = did_you_mean(error.option_name, error.possibilities or ())
+        message = f'there is no option "{error.option_name}"{hint}'
+    else:
+        message = " ".join(error.format_message().split()).rstrip(".").replace(". ", "; ")
+    command = getattr(getattr(error, "ctx", None), "command_path", "")
+    return f"{message}; see {command} --help" if command else message

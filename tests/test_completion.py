@@ -1,0 +1,93 @@
+"""Shells complete commands, layouts, formats and the columns of the layout that was typed."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+
+import pytest
+from cli import Result, kurbel, printed
+
+from kurbel.formats import FORMATS
+from kurbel.layouts import LANGUAGES, layout, layout_names
+from kurbel.quantities import METHODS, registry
+
+SHELLS = ("bash", "zsh", "fish")
+
+
+def asked(shell: str, *words: str) -> Result:
+    """Ask as the shell does: the last word is the incomplete one."""
+    environment = {"_KURBEL_COMPLETE": f"{shell}_complete", "COMP_WORDS": " ".join(("kurbel", *words))}
+    # fish passes the incomplete word itself, bash and zsh its place.
+    environment["COMP_CWORD"] = words[-1] if shell == "fish" else str(len(words))
+    return kurbel(**environment)
+
+
+def completed(shell: str, *words: str) -> list[str]:
+    """What the shell would offer, in its own notation taken apart."""
+    result = asked(shell, *words)
+    assert (result.code, result.err) == (0, "")
+    lines = [line for line in result.out.splitlines() if line]
+    if shell == "zsh":
+        # Three lines an entry: kind, word, description.
+        assert lines[::3] == ["plain"] * (len(lines) // 3)
+        return lines[1::3]
+    return [line.split(",", 1)[1].split("\t")[0] for line in lines]
+
+
+@pytest.mark.parametrize("shell", SHELLS)
+def test_layouts_formats_and_columns_are_completed(shell: str) -> None:
+    assert completed(shell, "table", "--layout", "") == list(layout_names())
+    assert completed(shell, "table", "--layout", "kin") == ["kinematics"]
+    assert completed(shell, "table", "--format", "") == list(FORMATS)
+    assert completed(shell, "table", "-f", "m") == ["markdown"]
+    assert set(completed(shell, "table", "--columns", "")) == {"ratio", "phi", *registry()}
+    assert completed(shell, "table", "--columns", "x_m") == ["x_mm"]
+
+
+@pytest.mark.parametrize("shell", SHELLS)
+def test_commands_and_options_are_completed(shell: str) -> None:
+    assert completed(shell, "") == ["table", "layouts", "quantities"]
+    assert completed(shell, "table", "--lay") == ["--layout"]
+
+
+def test_a_list_of_columns_is_completed_after_the_comma_without_those_it_has() -> None:
+    assert completed("bash", "table", "--columns", "phi,psi,ps") == ["phi,psi,psi_return"]
+    assert completed("bash", "table", "--columns", "phi,x_mm,x_m") == []
+
+
+def test_the_columns_are_those_of_the_layout_that_was_typed() -> None:
+    own = {"ratio", "phi", *(column.key for column in layout("verfahren").columns)}
+    assert set(completed("bash", "table", "--layout", "verfahren", "--columns", "")) == own
+    assert completed("bash", "table", "--layout", "verfahren", "--columns", "p_d") == ["p_difference"]
+
+
+def test_names_of_the_other_options_are_completed() -> None:
+    assert completed("bash", "table", "--lang", "") == list(LANGUAGES)
+    assert completed("bash", "table", "--method", "") == list(METHODS)
+    assert completed("bash", "table", "--decimal", "c") == ["comma"]
+    assert completed("bash", "table", "--rounding", "half-e") == ["half-even"]
+    assert completed("bash", "layouts", "--lang", "e") == ["en"]
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("tabel", ""),
+        ("table", "--layout", "nonsense", "--columns", "x_m"),
+        ("table", "--ratio", "1:1", "--digits", "many", "--lang", "xx", "-f", "h"),
+        ("table", "--foo", "--layout", ""),
+    ],
+)
+def test_a_line_with_mistakes_is_completed_without_a_word_about_them(words: tuple[str, ...]) -> None:
+    result = asked("bash", *words)
+    assert (result.code, result.err) == (0, "")
+
+
+@pytest.mark.parametrize("shell", SHELLS)
+def test_every_shell_gets_its_script(shell: str) -> None:
+    script = printed(_KURBEL_COMPLETE=f"{shell}_source").out
+    assert f"_KURBEL_COMPLETE={shell}_complete" in script
+    assert "python" not in script
+    if shutil.which(shell):
+        subprocess.run([shell, "-n"], input=script, text=True, check=True, capture_output=True)

@@ -1,0 +1,307 @@
+"""A file is written whole or not at all, whatever goes wrong, and what was there before is kept."""
+
+from __future__ import annotations
+
+import errno
+import io
+import os
+import resource
+import signal
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import pytest
+from cli import printed, refusal
+
+from kurbel.errors import OutputError
+from kurbel.output import whole_file
+
+NOBODY = 65534
+LONG = ("table", "-f", "csv", "--step", "0.0001")
+ENDLESS = ("table", "-f", "json", "--step", "0.000001")
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    (tmp_path / "old.csv").write_text("as it was")
+    return tmp_path
+
+
+def names(folder: Path) -> list[str]:
+    return sorted(path.name for path in folder.iterdir())
+
+
+def write(target: Path, content: bytes = b"new") -> None:
+    with whole_file(str(target)) as stream:
+        stream.write(content)
+
+
+def sentence_of(target: Path | str) -> str:
+    with pytest.raises(OutputError) as raised, whole_file(str(target)):
+        pytest.fail("the stream was opened")
+    return str(raised.value)
+
+
+def program(*words: str, **rest: Any) -> subprocess.Popen[bytes]:
+    return subprocess.Popen([sys.executable, "-m", "kurbel", *words], stderr=subprocess.PIPE, **rest)
+
+
+def test_a_file_appears_only_when_it_is_complete(folder: Path) -> None:
+    with whole_file(str(folder / "old.csv")) as stream:
+        stream.write(b"new")
+        stream.flush()
+        assert (folder / "old.csv").read_text() == "as it was"
+    assert (folder / "old.csv").read_text() == "new"
+    assert names(folder) == ["old.csv"]
+
+
+@pytest.mark.parametrize(
+    "failure", [OSError(errno.ENOSPC, "No space left on device"), KeyboardInterrupt(), SystemExit(143)]
+)
+@pytest.mark.parametrize("name", ["old.csv", "new.csv"])
+def test_a_failure_while_writing_leaves_what_was_there(
+    failure: BaseException, name: str, folder: Path
+) -> None:
+    expected = OutputError if isinstance(failure, OSError) else type(failure)
+    with pytest.raises(expected), whole_file(str(folder / name)) as stream:
+        stream.write(b"half")
+        raise failure
+    assert names(folder) == ["old.csv"]
+    assert (folder / "old.csv").read_text() == "as it was"
+
+
+def test_a_full_disk_is_one_sentence(folder: Path) -> None:
+    target = folder / "new.csv"
+    with pytest.raises(OutputError) as raised, whole_file(str(target)):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+    assert str(raised.value) == f"cannot write {target}: No space left on device"
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="/dev/full is a device of Linux")
+def test_a_full_device_is_one_sentence() -> None:
+    sentence = "cannot write /dev/full: No space left on device"
+    for format_name in ("csv", "text"):
+        assert refusal("table", "-f", format_name, "-o", "/dev/full", code=1) == sentence
+
+
+def test_a_missing_directory_is_named(folder: Path) -> None:
+    target = folder / "missing" / "table.csv"
+    sentence = f"cannot write {target}: the directory {folder / 'missing'} does not exist"
+    assert sentence_of(target) == sentence
+    assert refusal("table", "-o", str(target), code=1) == sentence
+    assert names(folder) == ["old.csv"]
+
+
+def test_a_file_is_no_directory(folder: Path) -> None:
+    target = folder / "old.csv" / "table.csv"
+    assert sentence_of(target) == f"cannot write {target}: {folder / 'old.csv'} is not a directory"
+
+
+def test_a_directory_is_no_file(folder: Path) -> None:
+    assert refusal("table", "-f", "csv", "-o", str(folder), code=1) == (
+        f"cannot write {folder}: it is a directory; name a file in it"
+    )
+
+
+@pytest.fixture
+def owned_folder() -> Iterator[Path]:
+    """A folder of this user or, since root may write everything, of a user that root turns into."""
+    with TemporaryDirectory() as name:
+        if os.geteuid() == 0:
+            os.chown(name, NOBODY, NOBODY)
+            os.setresuid(NOBODY, NOBODY, 0)
+        try:
+            yield Path(name)
+        finally:
+            if os.getresuid()[2] == 0:
+                os.setresuid(0, 0, 0)
+            os.chmod(name, 0o700)
+
+
+def test_a_read_only_directory_or_file_is_left_alone(owned_folder: Path) -> None:
+    old, new = owned_folder / "old.csv", owned_folder / "new.csv"
+    old.write_text("as it was")
+    old.chmod(0o400)
+    assert refusal("table", "-o", str(old), code=1) == f"cannot write {old}: the file is read-only"
+    owned_folder.chmod(0o500)
+    assert refusal("table", "-o", str(new), code=1) == f"cannot write {new}: Permission denied"
+    assert names(owned_folder) == ["old.csv"]
+    assert old.read_text() == "as it was"
+
+
+def test_the_mode_of_the_old_file_is_kept(folder: Path) -> None:
+    (folder / "old.csv").chmod(0o640)
+    write(folder / "old.csv")
+    assert (folder / "old.csv").stat().st_mode & 0o777 == 0o640
+
+
+def test_a_new_file_has_the_mode_of_any_new_file(folder: Path) -> None:
+    write(folder / "new.csv")
+    (folder / "plain").write_text("")
+    assert (folder / "new.csv").stat().st_mode == (folder / "plain").stat().st_mode
+
+
+def test_a_link_keeps_pointing_to_its_file(folder: Path) -> None:
+    elsewhere = folder / "elsewhere"
+    elsewhere.mkdir()
+    (elsewhere / "real.csv").write_text("as it was")
+    (folder / "link.csv").symlink_to(elsewhere / "real.csv")
+    write(folder / "link.csv")
+    assert (folder / "link.csv").readlink() == elsewhere / "real.csv"
+    assert (elsewhere / "real.csv").read_text() == "new"
+    assert names(elsewhere) == ["real.csv"]
+
+
+def test_a_link_to_a_file_that_is_not_there_makes_it(folder: Path) -> None:
+    (folder / "link.csv").symlink_to(folder / "later.csv")
+    write(folder / "link.csv")
+    assert (folder / "link.csv").is_symlink()
+    assert (folder / "later.csv").read_text() == "new"
+
+
+def test_the_longest_name_of_a_file_can_be_written(folder: Path) -> None:
+    for name in ("n" * 251 + ".csv", "ü" * 125 + ".csv"):
+        write(folder / name)
+        assert (folder / name).read_text() == "new"
+    assert sentence_of(folder / ("n" * 252 + ".csv")).endswith(": File name too long")
+
+
+def test_what_a_killed_run_left_behind_is_not_in_the_way(folder: Path) -> None:
+    left = folder / f".old.csv.{os.getpid()}.part"
+    left.write_text("half")
+    write(folder / "old.csv")
+    assert (folder / "old.csv").read_text() == "new"
+
+
+def test_a_name_with_a_line_end_is_still_one_line(folder: Path) -> None:
+    sentence = refusal("table", "-o", str(folder / "two\nlines" / "x.csv"), code=1)
+    assert "two\\nlines" in sentence
+
+
+def test_a_pipe_is_written_directly(folder: Path) -> None:
+    pipe = folder / "pipe"
+    os.mkfifo(pipe)
+    received: list[bytes] = []
+    reader = threading.Thread(target=lambda: received.append(pipe.read_bytes()))
+    reader.start()
+    write(pipe)
+    reader.join(timeout=10)
+    assert received == [b"new"]
+    assert pipe.is_fifo()
+
+
+def test_the_format_is_that_of_the_suffix_unless_it_is_typed(folder: Path) -> None:
+    words = ("table", "--angle", "50")
+    for name, format_name in (("a.tex", "latex"), ("b.HTM", "html"), ("c.md", "markdown"), ("d.txt", "text")):
+        printed(*words, "-o", str(folder / name), KURBEL_FORMAT="json")
+        assert (folder / name).read_text() == printed(*words, "-f", format_name).out
+    printed(*words, "-f", "latex", "-o", str(folder / "e.html"))
+    assert (folder / "e.html").read_text() == (folder / "a.tex").read_text()
+
+
+def test_a_file_has_the_bytes_of_standard_output(folder: Path) -> None:
+    words = ("table", "-f", "csv", "--step", "0.01")
+    result = printed(*words, "-o", str(folder / "old.csv"))
+    assert result.out == ""
+    assert (folder / "old.csv").read_bytes() == printed(*words, "-o", "-").out.encode()
+
+
+def test_a_closed_pipe_ends_quietly() -> None:
+    with program(*LONG, stdout=subprocess.PIPE) as run:
+        assert run.stdout is not None
+        assert run.stderr is not None
+        assert run.stdout.readline() == b"ratio,phi,x,x_return,c,c_return,p,p_return\n"
+        run.stdout.close()
+        assert run.stderr.read() == b""
+        assert run.wait(timeout=20) != 0
+
+
+def test_a_full_disk_behind_standard_output_is_one_sentence() -> None:
+    if not Path("/dev/full").exists():
+        pytest.skip("/dev/full is a device of Linux")
+    with open("/dev/full", "wb") as full:
+        run = program("table", stdout=full)
+        _, errors = run.communicate(timeout=20)
+    assert (run.returncode, errors) == (1, b"kurbel: cannot write: No space left on device\n")
+
+
+def test_a_closed_standard_output_is_one_sentence_and_a_closed_error_takes_nothing() -> None:
+    run = program("table", preexec_fn=lambda: os.close(1))
+    _, errors = run.communicate(timeout=20)
+    assert (run.returncode, errors) == (1, b"kurbel: cannot write: Bad file descriptor\n")
+    run = program("table", "--ratio", "abc", stdout=subprocess.PIPE, preexec_fn=lambda: os.close(2))
+    output, _ = run.communicate(timeout=20)
+    assert (run.returncode, output) == (2, b"")
+
+
+def test_a_disk_that_fills_up_leaves_the_old_file(folder: Path) -> None:
+    # The limit on the size of files fails for root too, and in the middle of the table.
+    run = program(
+        *LONG, "-o", str(folder / "old.csv"),
+        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (10**5, 10**5)),
+    )  # fmt: skip
+    _, errors = run.communicate(timeout=20)
+    assert (run.returncode, errors.count(b"\n")) == (1, 1)
+    assert errors == f"kurbel: cannot write {folder / 'old.csv'}: File too large\n".encode()
+    assert names(folder) == ["old.csv"]
+    assert (folder / "old.csv").read_text() == "as it was"
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+def test_a_signal_in_a_long_table_leaves_the_old_file(number: signal.Signals, folder: Path) -> None:
+    run = program(*ENDLESS, "-o", str(folder / "old.csv"))
+    wait_until(lambda: any(path.stat().st_size for path in folder.glob(".old.csv.*")))
+    run.send_signal(number)
+    _, errors = run.communicate(timeout=20)
+    assert run.returncode == 128 + number
+    assert errors.strip() == b""
+    assert names(folder) == ["old.csv"]
+    assert (folder / "old.csv").read_text() == "as it was"
+
+
+def wait_until(condition: Callable[[], bool]) -> None:
+    for _ in range(2000):
+        if condition():
+            return
+        time.sleep(0.005)
+    pytest.fail("nothing was written within ten seconds")
+
+
+@pytest.fixture
+def terminal() -> Iterator[tuple[int, int]]:
+    pty = pytest.importorskip("pty")
+    master, slave = pty.openpty()
+    yield master, slave
+    os.close(master)
+
+
+def test_a_long_table_shows_a_bar_on_a_terminal_and_only_there(
+    folder: Path, terminal: tuple[int, int]
+) -> None:
+    master, slave = terminal
+    words = [sys.executable, "-m", "kurbel", "table", "-f", "csv", "--step", "0.001", "--columns", "phi,x"]
+    run = subprocess.Popen([*words, "-o", str(folder / "new.csv")], stderr=slave)
+    os.close(slave)
+    shown = io.BytesIO()
+    while True:
+        try:
+            part = os.read(master, 4096)
+        except OSError:
+            # Linux ends a terminal that nobody holds with an error.
+            break
+        if not part:
+            break
+        shown.write(part)
+    assert run.wait(timeout=20) == 0
+    assert b"360001 rows" in shown.getvalue()
+    assert b"100%" in shown.getvalue()
+    quiet = subprocess.run(words, capture_output=True, check=True)
+    assert quiet.stderr == b""
+    assert (folder / "new.csv").read_bytes() == quiet.stdout
+    assert quiet.stdout.count(b"\n") == 360_002
