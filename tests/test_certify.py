@@ -78,7 +78,7 @@ def test_every_digit_is_that_of_an_independent_computation(key: str, offset: boo
     assert kurbel(key, method, drive, angle, decimals) == expected
 
 
-@pytest.mark.parametrize("angle", [Fraction(45, 4), Fraction(1, 3), Fraction(1, 3600), Fraction(359999, 1000)])
+@pytest.mark.parametrize("angle", [Fraction(text) for text in ("11.25", "1/3", "1/3600", "359.999")], ids=str)
 @pytest.mark.parametrize("key", registry())
 def test_angles_in_minutes_and_small_fractions(key: str, angle: Fraction) -> None:
     drive = Drive(Fraction(2, 9), Fraction(0), Fraction(3, 10), Fraction(2), turns=True)

@@ -64,7 +64,7 @@ ANGLES = [
         "360000001 angles in a list were given; at most 1000000 are allowed",
     ),
     (
-        ("--ratio", "1:3..12", "--step", "1e-6", "-f", "csv"),
+        ("--ratio", "1:3..12", "--step", "1e-6"),
         "10 ratios at 360000001 angles make a table of 3600000010 rows; at most 10^9 are allowed",
     ),
     (

@@ -119,6 +119,7 @@ def test_the_page_of_roetscher_112_holds_the_computed_values() -> None:
     page = layout("roetscher-112")
     request = Request(page, tuple(Crank(ratio(text)) for text in page.ratios), angles(page.angles))
     block = panels(request, page_columns(request))[0]
-    shown = [number_text(cell.value, ",") for row in block.rows() for cell in row.cells if isinstance(cell.value, Number)]
+    values = [cell.value for row in block.rows() for cell in row.cells]
+    shown = [number_text(value, ",") for value in values if isinstance(value, Number)]
     computed = [cell.computed for cell in CELLS if cell.place.startswith("roetscher-112/")]
     assert shown == ["0,000" if text == "0" else text for text in computed]

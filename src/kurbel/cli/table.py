@@ -74,7 +74,7 @@ def table(**options: Any) -> None:
     chosen = chosen_format(*(options[name] for name in ("format_name", "output", "standalone", "longtable")))
     cranks = _cranks(page, **{name: options[name] for name in ("ratio", "stroke", "rod", "speed", "offset")})
     angles = _angles(page, *(options[name] for name in ("angle", "from", "to", "step")))
-    pass
+    _check_rows(len(cranks), len(angles))
     request = Request(
         layout=page,
         cranks=cranks,
