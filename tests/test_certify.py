@@ -147,7 +147,7 @@ def test_csv_of_an_offset_crank_has_the_independent_digits() -> None:
 
 @pytest.mark.parametrize(
     ("ratio", "method", "digits", "step"),
-    [("0.987", "exact", 6, "0.05"), ("0.3101", "series", 12, "0.03"), ("0.25", "exact", 2, "0.05")],
+    [("0.987", "exact", 6, "0.05"), ("0.3101", "series", 9, "0.03"), ("0.25", "exact", 2, "0.05")],
 )
 def test_long_csv_has_the_independent_digits(ratio: str, method: str, digits: int, step: str) -> None:
     keys = ["x", "x_return", "c", "p", "psi"]
@@ -156,7 +156,7 @@ def test_long_csv_has_the_independent_digits(ratio: str, method: str, digits: in
         "--columns=phi," + ",".join(keys),
     )  # fmt: skip
     assert len(records) == 360 / float(step) + 1
-    # Every angle where a tie or a zero can be, and a draw of the others.
+    # Every angle where a zero can be, and a draw of the others.
     chosen = [row for row in records if Fraction(row["phi"]) % 15 == 0]
     chosen += random.Random(112).sample(records, 150)
     for row in chosen:
@@ -164,13 +164,24 @@ def test_long_csv_has_the_independent_digits(ratio: str, method: str, digits: in
             assert_cell(row[key], key, method, Drive(Fraction(ratio)), Fraction(row["phi"]), bits=320)
 
 
+def test_every_cell_of_a_long_csv_with_all_the_digits_of_floats() -> None:
+    # At 12 decimals a float alone is rounded wrongly once in some thousand cells.
+    records = table("--ratio=0.3101", "--method=series", "--digits=12", "--step=0.04", "--columns=phi,x,p,c")
+    assert len(records) == 9001
+    for row in records:
+        for key in ("x", "p"):
+            assert_cell(row[key], key, "series", Drive(Fraction("0.3101")), Fraction(row["phi"]), bits=240)
+
+
 @pytest.mark.parametrize("rounding", ["half-away", "half-even"])
-def test_long_csv_is_the_short_one_cell_by_cell(rounding: str) -> None:
-    # With λ = 1/4 the first-order values at 60° and 90° are ties to two decimals.
-    run = ["--ratio=1:4", "--method=series", "--digits=2", f"--rounding={rounding}"]
-    long = {Fraction(row["phi"]): row for row in table(*run, "--step=0.1")}
-    short = table(*run, "--step=7.5")
-    assert (len(long), len(short)) == (3601, 49)
+def test_long_csv_meets_the_ties_of_the_short_one(rounding: str) -> None:
+    run = ["--ratio=0.2;0.12;0.28;0.36", "--method=series", "--digits=2", f"--rounding={rounding}"]
+    long = {(row["ratio"], Fraction(row["phi"])): row for row in table(*run, "--step=0.1")}
+    short = table(*run, "--step=30")
+    assert (len(long), len(short)) == (4 * 3601, 4 * 13)
     for row in short:
-        same = long[Fraction(row["phi"])]
+        same = long[row["ratio"], Fraction(row["phi"])]
         assert {**same, "phi": ""} == {**row, "phi": ""}
+    at_60 = [row["x"] for row in short if row["phi"] == "60"]
+    # 1/2 + 3/8 λ: 0.575, 0.545, 0.605, 0.635.
+    assert at_60 == (["0.58", "0.55", "0.61", "0.64"] if rounding == "half-away" else ["0.58", "0.54", "0.60", "0.64"])

@@ -78,7 +78,7 @@ def separations(angle: Fraction) -> Circle[Separation]:
 
 
 Expression = tuple[Any, Separation]
-"""A ball and the bound of the same number."""
+"""A number, be it a ball or a fraction, and its bound."""
 
 
 @st.composite
@@ -92,15 +92,16 @@ def expressions(draw: st.DrawFn) -> Expression:
     for _ in range(draw(st.integers(1, 5))):
         places = st.integers(0, len(leaves) - 1)
         one, other = leaves[draw(places)], leaves[draw(places)]
-        leaves.append(combined(draw(st.sampled_from("+-*/r2")), one, other))
+        allowed = "+-*2" + "/" * (not other[0].contains(0)) + "r" * bool(one[0] > 0)
+        leaves.append(combined(draw(st.sampled_from(allowed)), one, other))
     return leaves[-1]
 
 
 def combined(operation: str, one: Expression, other: Expression) -> Expression:
     (number, bound), (second, second_bound) = one, other
-    if operation == "/" and not second.contains(0):
+    if operation == "/":
         return number / second, bound / second_bound
-    if operation == "r" and number > 0:
+    if operation == "r":
         return number**0.5, bound**0.5
     if operation == "2":
         return number**2, bound**2
@@ -122,6 +123,20 @@ def test_no_expression_comes_nearer_to_zero_than_its_bound(drawn: Any) -> None:
             assert_bound(number - certify.ball(fraction), bound - Separation.rational(fraction))
     finally:
         flint.ctx.prec = before
+
+
+@given(
+    first=st.fractions(-9, 9, max_denominator=40),
+    others=st.lists(st.tuples(st.sampled_from("+-*/"), st.fractions(-9, 9, max_denominator=40)), max_size=5),
+)
+def test_rational_numbers_keep_their_bound(first: Fraction, others: list[tuple[str, Fraction]]) -> None:
+    number, bound = first, Separation.rational(first)
+    for operation, other in others:
+        if other or operation != "/":
+            number, bound = combined(operation, (number, bound), (other, Separation.rational(other)))
+    # Of a rational number the bound is the denominator's size alone.
+    assert not number or abs(number) >= Fraction(1, 2 ** int(bound.bits() + 1))
+    assert bound.bits() == bound.lower + 1
 
 
 @pytest.mark.usefixtures("wide")

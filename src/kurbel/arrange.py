@@ -15,8 +15,9 @@ from kurbel.request import PageColumn, Request
 from kurbel.rows import angle_decimals, angle_number
 from kurbel.table import DITTO, Cell, Column, Group, Label, Number, Panel, Row
 
-# A page is held in memory whole; records stream.
-LONGEST_PAGE = 200_000
+# A page is held in memory whole; records stream. 300,000 cells take some seconds and 200 MB.
+MOST_CELLS = 300_000
+MOST_COLUMNS = 500
 
 # A place on an axis: the index of a ratio, an angle or a column by the name of its axis.
 Place = Mapping[str, int]
@@ -40,11 +41,7 @@ class _Page:
     """The arrangement of one request: where a place of the three axes is printed, and what stands there."""
 
     def __init__(self, request: Request, columns: tuple[PageColumn, ...]) -> None:
-        rows = len(request.cranks) * len(request.angles)
-        if rows > LONGEST_PAGE:
-            raise ProblemError(
-                f"a page of {rows} rows is too long; at most {LONGEST_PAGE} are set, use -f csv or -f json"
-            )
+        _check_size(request, columns)
         self.request = request
         self.layout = request.layout
         self.columns = columns
@@ -138,6 +135,19 @@ class _Page:
             return labels
         return tuple(
             captions.with_ratio(label, self.request.cranks[place["ratio"]].ratio) for label in labels
+        )
+
+
+def _check_size(request: Request, columns: tuple[PageColumn, ...]) -> None:
+    cells = len(request.cranks) * len(request.angles) * len(columns)
+    if cells > MOST_CELLS:
+        raise ProblemError(
+            f"a page of {cells} numbers is too long; at most {MOST_CELLS} are set, use -f csv or -f json"
+        )
+    if "ratio" in request.layout.across and len(request.cranks) * len(columns) > MOST_COLUMNS:
+        raise ProblemError(
+            f"a page of {len(request.cranks)} ratios across is too wide;"
+            f" at most {MOST_COLUMNS} columns are set, use -f csv or -f json"
         )
 
 

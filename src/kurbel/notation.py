@@ -22,9 +22,11 @@ LONGEST_LIST = 10_000
 LONGEST_ANGLE_LIST = 10**6
 MOST_ROWS = 10**9
 
-_NUMBER = re.compile(r"([+-]?)(\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE]([+-]?\d{1,3}))?", re.ASCII)
+# Pages print U+2212 for minus, and what is copied from them is read back.
+_MINUS = ("-", "−")
+_NUMBER = re.compile(r"([+−-]?)(\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE]([+-]?\d{1,3}))?", re.ASCII)
 _ANGLE = re.compile(
-    r"([+-]?)(?:(?P<deg>\d+(?:[.,]\d+)?)\s*(?:°|deg))?\s*"
+    r"([+−-]?)(?:(?P<deg>\d+(?:[.,]\d+)?)\s*(?:°|deg))?\s*"
     r"(?:(?P<min>\d+(?:[.,]\d+)?)\s*['′’])?\s*(?:(?P<sec>\d+(?:[.,]\d+)?)\s*(?:\"|″|''))?",
     re.ASCII,
 )
@@ -69,7 +71,7 @@ def number(text: str, what: str = "number") -> Fraction:
         raise NotationError(f"{what} {_shown(text)} is not a number; write it as 4.5 or 4,5")
     sign, digits, exponent = match.groups()
     value = Fraction(digits.replace(",", ".")) * Fraction(10) ** int(exponent or 0)
-    return -value if sign == "-" else value
+    return -value if sign in _MINUS else value
 
 
 def ratio(text: str) -> Fraction:
@@ -85,7 +87,9 @@ def ratio(text: str) -> Fraction:
         length = number(rod)
         if not length:
             raise NotationError("the rod has no length")
-        return number(crank) / length
+        value = number(crank) / length
+        # Two negative lengths are no ratio either; the sign lets problem.py say so.
+        return -abs(value) if length < 0 else value
     except (NotationError, ValueError):
         raise NotationError(
             f"crank ratio {_shown(text)} is not a ratio R:L; write it as 1:5, 1:4,5, 1/4.5 or 0.2,"
@@ -108,7 +112,7 @@ def angle(text: str, what: str = "angle") -> Fraction:
     if minutes >= 60 or seconds >= 60:
         raise NotationError(f"{what} {_shown(text)} has 60 or more minutes or seconds; carry them over")
     value = degrees + minutes / 60 + seconds / 3600
-    return -value if match.group(1) == "-" else value
+    return -value if match.group(1) in _MINUS else value
 
 
 def ratios(texts: Iterable[str]) -> tuple[Fraction, ...]:
