@@ -184,4 +184,6 @@ def test_long_csv_meets_the_ties_of_the_short_one(rounding: str) -> None:
         assert {**same, "phi": ""} == {**row, "phi": ""}
     at_60 = [row["x"] for row in short if row["phi"] == "60"]
     # 1/2 + 3/8 λ: 0.575, 0.545, 0.605, 0.635.
-    assert at_60 == (["0.58", "0.55", "0.61", "0.64"] if rounding == "half-away" else ["0.58", "0.54", "0.60", "0.64"])
+    assert at_60 == (
+        ["0.58", "0.55", "0.61", "0.64"] if rounding == "half-away" else ["0.58", "0.54", "0.60", "0.64"]
+    )

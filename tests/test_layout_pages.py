@@ -10,7 +10,11 @@ from kurbel.layouts import LANGUAGES, layout_names
 
 MACHINE = ("--stroke=600mm", "--rod=1500mm", "--speed=120/min")
 PAGES = {
-    **{f"{name}.{lang}": (f"--layout={name}", f"--lang={lang}") for name in layout_names() for lang in LANGUAGES},
+    **{
+        f"{name}.{lang}": (f"--layout={name}", f"--lang={lang}")
+        for name in layout_names()
+        for lang in LANGUAGES
+    },
     "kinematics-units.de": MACHINE,
     "kinematics-units.en": (*MACHINE, "--lang=en"),
     "kinematics-offset.de": ("--ratio=1:4", "--offset=0,5", "--step=15"),

@@ -480,13 +480,21 @@ def test_digits_go_for_every_column() -> None:
 
 def test_a_page_that_nobody_could_print_is_refused_but_its_records_are_not() -> None:
     own = layout("kinematics")
-    angles = notation.progression(Fraction(0), Fraction(360), Fraction(360, 200_000))
-    request = Request(own, (Crank(Fraction(1, 5)),), angles, columns=("phi", "x"))
+    angles = notation.progression(Fraction(0), Fraction(360), Fraction(360, 100_000))
+    request = Request(own, (Crank(Fraction(1, 5)),), angles, columns=("phi", "x", "c", "p"))
     with pytest.raises(ProblemError) as caught:
         build(request)
-    sentence = "a page of 200001 rows is too long; at most 200000 are set, use -f csv or -f json"
+    sentence = "a page of 300003 numbers is too long; at most 300000 are set, use -f csv or -f json"
     assert str(caught.value) == sentence
     rows = build(request, pages=False).records.rows
     assert isinstance(rows, RecordRows)
-    assert len(rows) == 200_001
-    assert [shown(value) for value in next(iter(rows))] == ["0.0000", "0.0000"]
+    assert len(rows) == 100_001
+    assert [shown(value) for value in next(iter(rows))] == ["0.0000", "0.0000", "0.0000", "1.2000"]
+
+
+def test_a_page_with_too_many_ratios_across_is_refused() -> None:
+    assert len(page("kolbenwege", ratios=("1:3..252",), angles="30").panels[0].columns) == 500
+    with pytest.raises(ProblemError) as caught:
+        page("kolbenwege", ratios=("1:3..253",), angles="30")
+    sentence = "a page of 251 ratios across is too wide; at most 500 columns are set, use -f csv or -f json"
+    assert str(caught.value) == sentence
