@@ -1,6 +1,6 @@
-"""Time whole processes from a cold start: kurbel against an empty Python and the least script that prints the same.
+"""Time whole processes from a cold start: kurbel, an empty Python, the least script that prints the same.
 
-    python benchmarks/bench_start.py
+python benchmarks/bench_start.py
 """
 
 from __future__ import annotations
@@ -31,10 +31,14 @@ def columns(ratio):
     sine, cosine = np.sin(phi), np.cos(phi)
     w = np.sqrt(1 - (ratio * sine) ** 2)
     path = 1 - cosine + (1 - w) / ratio
-    return path, sine + ratio * sine * cosine / w, cosine + ratio * (np.cos(2 * phi) + ratio**2 * sine**4) / w**3
+    velocity = sine + ratio * sine * cosine / w
+    return path, velocity, cosine + ratio * (np.cos(2 * phi) + ratio**2 * sine**4) / w**3
 
 pairs = [column for both in zip(columns(0.2), columns(-0.2)) for column in both]
-rows = [[angle, *(f"{column[i]:.4f}".replace(".", ",") for column in pairs)] for i, angle in enumerate(angles)]
+rows = [
+    [angle, *(f"{column[i]:.4f}".replace(".", ",") for column in pairs)]
+    for i, angle in enumerate(angles)
+]
 print(Template("""{% for row in rows %}
 {{ "%4d"|format(row[0]) }}{% for cell in row[1:] %}{{ "%10s"|format(cell) }}{% endfor %}
 {% endfor %}""").render(rows=rows))

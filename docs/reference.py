@@ -1,4 +1,4 @@
-"""Write docs/reference.md from the registries, the layouts and the help texts; --check fails when it is stale."""
+"""Write docs/reference.md from registries, layouts and help texts; --check fails when it is stale."""
 
 from __future__ import annotations
 
@@ -37,7 +37,8 @@ def _commands() -> Iterator[str]:
 def _quantities() -> Iterator[str]:
     yield "\n## Quantities\n\nKeys of `--columns`, of CSV headers and of JSON; they stay stable.\n"
     yield "| key | quantity | unit | decimals | needs |\n| --- | --- | --- | ---: | --- |"
-    yield "| `ratio` | Crank ratio R:L | | | |\n| `phi` | Crank angle from the dead centre of the stroke | ° | | |"
+    yield "| `ratio` | Crank ratio R:L | | | |"
+    yield "| `phi` | Crank angle from the dead centre of the stroke | ° | | |"
     for key, quantity in registry().items():
         name, unit = quantity_name(quantity, "en"), quantity.unit["en"]
         yield f"| `{key}` | {name} | {unit} | {quantity.decimals} | {OPTIONS[quantity.needs]} |"

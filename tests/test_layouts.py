@@ -292,7 +292,7 @@ def test_machine_is_stated_with_mean_piston_speed() -> None:
     # c_m = S n/30 = 0.6 · 120/30 m/s, v = R ω = 0.3 · 4π m/s.
     line = page("kinematics", ratios=("1:5",), crank=MACHINE).notes[-1].text
     assert line == (
-        '$R = 300 "mm"$, $L = 1500 "mm"$; $n = 120 "/min"$, $v = 3.770 "m/s"$,'
+        '$R = 300 "mm"$, $L = 1500 "mm"$; $n = 120 "min"^(-1)$, $v = 3.770 "m/s"$,'
         ' mittlere Kolbengeschwindigkeit $c_m = 2.400 "m/s"$, $v:c_m = π:2$'
     )
     crank = MACHINE | {"speed": Speed(Fraction(5, 2), turns=False), "offset": Fraction(1, 2)}
@@ -370,7 +370,8 @@ def test_verfahren_states_both_methods_and_where_the_difference_comes_from() -> 
     texts = [note.text for note in page("verfahren").notes]
     assert texts == [
         "Unterschied: genauer Wert weniger Näherung, vor dem Runden gebildet.",
-        *(FORMULAS[method].replace("±", "+") for method in ("exact", "series")),
+        "genaue Formeln: " + FORMULAS["exact"].replace("±", "+"),
+        "Näherung erster Ordnung: " + FORMULAS["series"].replace("±", "+"),
     ]
     found = cells(page("verfahren", angles="20"))
     assert found["", "20", "Kolbengeschwindigkeit $c/v$", "Unterschied"] == "0.0002"
@@ -379,8 +380,8 @@ def test_verfahren_states_both_methods_and_where_the_difference_comes_from() -> 
 def test_lueger_has_the_letters_of_its_source_in_every_line() -> None:
     table = page("lueger-kolbenbewegung")
     assert [note.text for note in table.notes] == [
-        "$x/R = 1 - cos α + (1 - cos ψ)/λ$, $sin ψ = λ sin α$, $λ = r/l$",
-        "$(p R)/v^2 = cos α + λ cos 2 α$, $λ = r/l$",
+        "genaue Formeln: $x/R = 1 - cos α + (1 - cos ψ)/λ$, $sin ψ = λ sin α$, $λ = r/l$",
+        "Näherung erster Ordnung: $(p R)/v^2 = cos α + λ cos 2 α$, $λ = r/l$",
     ]
     assert [stub.heading for panel in table.panels for stub in panel.stub] == [("$α$",)]
 

@@ -64,6 +64,9 @@ def test_a_page_of_the_library_is_the_page_of_the_command_line(capfd: pytest.Cap
 
     from kurbel.cli import main
 
-    with patch.object(sys, "argv", ["kurbel", "table", "--ratio", "1:4,5", "--digits", "6"]), pytest.raises(SystemExit):
+    with (
+        patch.object(sys, "argv", ["kurbel", "table", "--ratio", "1:4,5", "--digits", "6"]),
+        pytest.raises(SystemExit),
+    ):
         main()
     assert kurbel.typeset(kurbel.make_table("1:4,5", digits=6)) == capfd.readouterr().out

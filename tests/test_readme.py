@@ -10,8 +10,6 @@ import subprocess
 import sys
 from pathlib import Path
 
-import pytest
-
 README = Path(__file__).parents[1] / "README.md"
 BLOCK = re.compile(r"(?<=```console\n).*?(?=```)", re.DOTALL)
 COMMAND = re.compile(r"^\$ (.+)\n", re.MULTILINE)
@@ -36,15 +34,11 @@ def true_block(block: str) -> str:
     return "\n".join(f"$ {command}\n{printed(command)}" for command in COMMAND.findall(block))
 
 
-@pytest.mark.skipif("KURBEL_PROMOTE" not in os.environ, reason="only `make golden` writes the README")
-def test_readme_is_written_anew() -> None:
-    text = BLOCK.sub(lambda block: true_block(block.group()), README.read_text(encoding="utf-8"))
-    README.write_text(text, encoding="utf-8")
-    assert commands(text)
-
-
 def test_every_command_of_the_readme_prints_what_stands_there() -> None:
     text = README.read_text(encoding="utf-8")
+    if os.environ.get("KURBEL_PROMOTE") == "1":
+        text = BLOCK.sub(lambda block: true_block(block.group()), text)
+        README.write_text(text, encoding="utf-8")
     assert len(commands(text)) >= 5
     for block in BLOCK.findall(text):
         assert block == true_block(block)

@@ -37,7 +37,11 @@ def shipped(name: str, lang: str, **machine: object) -> Table:
 def all_pages() -> list[Table]:
     pages = [shipped(name, lang) for name in layout_names() for lang in LANGUAGES]
     machine = {"radius": Fraction(3, 10), "speed": Speed(Fraction(2))}
-    return [*pages, shipped("kinematics", "de", **machine), shipped("kinematics", "en", offset=Fraction(1, 10))]
+    return [
+        *pages,
+        shipped("kinematics", "de", **machine),
+        shipped("kinematics", "en", offset=Fraction(1, 10)),
+    ]
 
 
 @pytest.mark.parametrize("longtable", [False, True], ids=["table", "longtable"])
@@ -48,9 +52,9 @@ def test_all_shipped_layouts_compile_in_one_document(engine: str, longtable: boo
     for page in pages:
         text = render(page, "latex", longtable=longtable)
         (tmp_path / f"{page.key}.tex").write_text(text, encoding="utf-8")
+    babel = {"de": "ngerman", "en": "english"}
     inputs = "".join(
-        f"\\selectlanguage{{{'ngerman' if page.lang == 'de' else 'english'}}}\n\\input{{{page.key}}}\n\\clearpage\n"
-        for page in pages
+        f"\\selectlanguage{{{babel[page.lang]}}}\n\\input{{{page.key}}}\n\\clearpage\n" for page in pages
     )
     log = compiled(engine, f"{PREAMBLE}{inputs}\\end{{document}}\n", tmp_path, runs=3 if longtable else 2)
     assert complaints(log) == []

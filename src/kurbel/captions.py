@@ -11,13 +11,14 @@ from kurbel.notation import plain, ratio_text
 from kurbel.numerals import finite_decimals, number_text
 from kurbel.problem import Crank
 from kurbel.quantities import DIFFERENCE, METHODS, OUT, RETURN, STROKES, Quantity, numbers_of_balls
+from kurbel.request import AXIS_KEYS, Request
 from kurbel.table import Field, Label, Number
 
 if TYPE_CHECKING:
     from kurbel.digits import Digits
-    from kurbel.request import Request
 
-# {±} is the sign that the return stroke changes, {angle} the letter of the crank angle.
+# {±} is the sign that the return stroke changes, {ψ} the same where ψ itself is printed (cos ψ knows no
+# sign), {angle} the letter of the crank angle.
 FORMULAS: Mapping[str, Mapping[str, str]] = {
     "exact": {
         "x": "$x/R = 1 - cos {angle} {±} (1 - cos ψ)/λ$",
@@ -45,11 +46,13 @@ OFFSET_FORMULAS = {
     "ψ": "",
 }
 SYMBOLS = {
-    "exact": "$sin ψ = λ sin {angle}$, $λ = {ratio}$",
+    "exact": "$sin ψ = {ψ}λ sin {angle}$, $λ = {ratio}$",
     "series": "$λ = {ratio}$",
     "infinite": "",
     "offset": "$sin ψ = λ (sin {angle} - e/R)$, $λ = {ratio}$",
 }
+# For columns that the layout's own caption does not know.
+PLAIN_CAPTION = "{quantities}{for_ratio}; {method}"
 WORDS: Mapping[str, Mapping[str, str]] = {
     "and": {"de": " und ", "en": " and "},
     "for_ratio": {"de": " für ${symbol} = {ratio}$", "en": " for ${symbol} = {ratio}$"},
@@ -58,12 +61,16 @@ WORDS: Mapping[str, Mapping[str, str]] = {
         "en": "upper sign: outstroke, lower sign: return stroke",
     },
     "offset_return": {
-        "de": "Rückgang: $x$ vom äußeren Totpunkt, $c$ und $p$ mit entgegengesetztem Zeichen, alle bei $180° + {angle}$",
-        "en": "Return: $x$ from the outer dead centre, $c$ and $p$ with opposite sign, all at $180° + {angle}$",
+        "de": "Rückgang: $x$ vom äußeren Totpunkt, $c$ und $p$ mit entgegengesetztem Zeichen,"
+        " alle bei $180° + {angle}$",
+        "en": "Return: $x$ from the outer dead centre, $c$ and $p$ with opposite sign,"
+        " all at $180° + {angle}$",
     },
     "offset": {
-        "de": "Geschränkt, $e = {offset} R$, $R:L = {ratio}$: Totlagen {inner}° und {outer}°, Hub ${stroke} R$",
-        "en": "Offset $e = {offset} R$, $R:L = {ratio}$: dead centres at {inner}° and {outer}°, stroke ${stroke} R$",
+        "de": "Geschränkt, $e = {offset} R$, $R:L = {ratio}$:"
+        " Totlagen {inner}° und {outer}°, Hub ${stroke} R$",
+        "en": "Offset $e = {offset} R$, $R:L = {ratio}$:"
+        " dead centres at {inner}° and {outer}°, stroke ${stroke} R$",
     },
     "machine": {
         "de": '$R = {radius} "mm"${rod}{speed}',
@@ -71,7 +78,8 @@ WORDS: Mapping[str, Mapping[str, str]] = {
     },
     "rod": {"de": ', $L = {rod} "mm"$', "en": ', $L = {rod} "mm"$'},
     "speed": {
-        "de": '; {turns}$v = {pin} "m/s"$, mittlere Kolbengeschwindigkeit $c_m = {mean} "m/s"$, $v:c_m = {quotient}$',
+        "de": '; {turns}$v = {pin} "m/s"$, mittlere Kolbengeschwindigkeit $c_m = {mean} "m/s"$,'
+        " $v:c_m = {quotient}$",
         "en": '; {turns}$v = {pin} "m/s"$, mean piston speed $c_m = {mean} "m/s"$, $v:c_m = {quotient}$',
     },
     "phi": {"de": "Kurbelwinkel", "en": "Crank angle"},
@@ -88,7 +96,8 @@ def caption(request: Request, columns: Sequence[Digits]) -> Label:
         "{for_ratio}": words if len(request.cranks) == 1 else "",
         "{method}": METHODS[request.method or "exact"].caption[request.lang],
     }
-    text = request.layout.caption[request.lang]
+    known = {*AXIS_KEYS, *(column.key for column in request.layout.columns)}
+    text = request.layout.caption[request.lang] if known.issuperset(request.columns) else PLAIN_CAPTION
     for place, part in parts.items():
         text = text.replace(place, part)
     return text
@@ -148,10 +157,11 @@ def _formula_lines(request: Request, columns: Sequence[Digits]) -> Iterator[Labe
         table = OFFSET_FORMULAS if offset else FORMULAS[method]
         formulas = [table[symbol] for one, symbol in pairs if one == method]
         line = ", ".join(part for part in (*formulas, SYMBOLS["offset" if offset else method]) if part)
-        yield _filled(line, request, "±" if both else "+")
+        name = f"{METHODS[method].caption[request.lang]}: " if len(methods) > 1 else ""
+        yield name + _filled(line, request, both, both and (method, "ψ") in pairs)
     if both and offset:
-        yield _filled(WORDS["offset_return"][request.lang], request, "±")
-    elif both and any("±" in FORMULAS[method][symbol] for method, symbol in pairs):
+        yield _filled(WORDS["offset_return"][request.lang], request, both, both)
+    elif both and any("±" in FORMULAS[method][symbol] or symbol == "ψ" for method, symbol in pairs):
         yield WORDS["signs"][request.lang]
 
 
@@ -159,9 +169,16 @@ def _methods_of(method: str) -> tuple[str, ...]:
     return ("exact", "series") if method == DIFFERENCE else (method,)
 
 
-def _filled(line: str, request: Request, sign: str) -> Label:
-    ratio = request.layout.ratio_symbol.replace(":", "/")
-    return line.replace("{±}", sign).replace("{angle}", request.layout.angle_symbol).replace("{ratio}", ratio)
+def _filled(line: str, request: Request, both: bool, rod_angle: bool) -> Label:
+    parts = {
+        "{±}": "±" if both else "+",
+        "{ψ}": "± " if rod_angle else "",
+        "{angle}": request.layout.angle_symbol,
+        "{ratio}": request.layout.ratio_symbol.replace(":", "/"),
+    }
+    for place, part in parts.items():
+        line = line.replace(place, part)
+    return line
 
 
 def _machine(crank: Crank, lang: str) -> Label:
@@ -185,7 +202,7 @@ def _speed(crank: Crank, lang: str) -> str:
         return pin(numbers) * kinematics.mean_piston_velocity(_stroke(crank, numbers), numbers.pi)
 
     turns = (
-        f'$n = {_plain(speed.value * 60)} "/min"$, '
+        f'$n = {_plain(speed.value * 60)} "min"^(-1)$, '
         if speed.turns
         else f'$ω = {_plain(speed.value)} "rad/s"$, '
     )

@@ -76,7 +76,7 @@ def rounded(
             scaled = value() * unit
             raised = abs(scaled) + flint.arb(0.5)
             nearest = raised.floor().unique_fmpz()
-            # A ball that touches a boundary from above, such as the exact 1.25, is settled for half away only.
+            # A ball that touches a boundary from above, such as the exact 1.25, is settled for half away.
             if nearest is not None and (rounding == "half-away" or not raised.contains_integer()):
                 return _signed(int(nearest), scaled)
             odd = (2 * abs(scaled) + flint.arb(0.5)).floor().unique_fmpz()

@@ -47,7 +47,9 @@ def wants_bulk(columns: Sequence[Digits], cranks: Sequence[Crank], angles: Seque
         return False
     largest = float(max(abs(angles[0]), abs(angles[-1])))
     doubtful = (
-        2 * float_bound(column, crank, largest) * 10.0**column.decimals for column in columns for crank in cranks
+        2 * float_bound(column, crank, largest) * 10.0**column.decimals
+        for column in columns
+        for crank in cranks
     )
     return max(doubtful) < DOUBTFUL_SHARE
 

@@ -203,7 +203,12 @@ def _is_seen(nodes: Nodes, place: int) -> bool:
     """
     before, after = nodes[place - 1], nodes[place + 1]
     both_numbers = isinstance(before, Numeral) and isinstance(after, Numeral)
-    return both_numbers or isinstance(before, Upright) or isinstance(after, Upright)
+    return both_numbers or _is_unit(before) or _is_unit(after)
+
+
+def _is_unit(node: Node) -> bool:
+    """Tell whether a node is a unit or the power of one: min^(-1)."""
+    return isinstance(node.base if isinstance(node, Script) else node, Upright)
 
 
 def formula_html(formula: Formula, mark: str = ".", display: bool = False) -> str:

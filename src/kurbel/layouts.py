@@ -34,8 +34,8 @@ class Layout(NamedTuple):
 
     `down` lists the axes that run down, outermost first; those in `stub` are printed in the stub, the
     others head a group of rows. `across` lists the axes of the columns, outermost first. `block` is the
-    largest number of columns of one panel, 0 for no limit. With `pairs` an angle stands over its mirror image.
-    `formulas` has the formulas printed below the table; pages whose heads state them do without.
+    largest number of columns of one panel, 0 for no limit. With `pairs` an angle stands over its mirror
+    image. `formulas` has the formulas printed below the table; pages whose heads state them do without.
     """
 
     key: str
@@ -78,7 +78,9 @@ def template_folder() -> str:
 @cache
 def layout_names() -> tuple[str, ...]:
     folder = template_folder()
-    return tuple(sorted(name for name in os.listdir(folder) if os.path.exists(f"{folder}/{name}/layout.toml")))
+    return tuple(
+        sorted(name for name in os.listdir(folder) if os.path.exists(f"{folder}/{name}/layout.toml"))
+    )
 
 
 @cache

@@ -1,4 +1,4 @@
-"""What can stand in a table: each quantity with its symbol, unit, stroke and formulas, and how to evaluate it.
+"""What can stand in a table: each quantity with its symbol, unit, stroke and formulas, and its evaluation.
 
 A quantity is evaluated by one of the kernel's formulas on one of four kinds of number: balls (certified
 digits), separation bounds (ties), floats and arrays (bulk).

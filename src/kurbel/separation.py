@@ -91,7 +91,7 @@ def _separation(value: Separation | int) -> Separation:
 
 
 def _totient(order: int) -> int:
-    """Return how many numbers below the order share no factor with it, or more if a large prime divides it."""
+    """Return how many numbers below the order share no factor with it, or more if large primes divide it."""
     # Degrees as typed have small primes only; to factor any 30 digits takes years, and more is safe.
     result, rest, prime = order, order, 2
     while prime * prime <= rest and prime < 1000:
