@@ -39,7 +39,7 @@ docs: $(READY) ## write docs/reference.md anew
 	$(BIN)/python docs/reference.py
 
 golden: $(READY) ## write the golden files anew; then read the difference
-	KURBEL_PROMOTE=1 $(BIN)/python -m pytest -q -n 2 tests || true
+	KURBEL_PROMOTE=1 $(BIN)/python -m pytest -q -n 2 tests
 	git diff --stat -- tests/golden
 
 tools: ## install TeX, Chromium and poppler, which some tests need (Debian, as root)

@@ -14,11 +14,13 @@ from kurbel.layouts import LANGUAGES, layout_names
 from kurbel.quantities import registry
 
 TOO_SHORT = "it must be below 1, or the rod is too short to pass the dead centre"
-NO_RATIO = "is not a ratio R:L; write it as 1:5, 1:4,5, 1/4.5 or 0.2, and 1:∞ for an infinite rod"
+NO_RATIO = "is not a ratio R:L; write it as 1:5, 1:4,5, 1/4.5 or 0.2, and 1:∞ or 1:inf for an infinite rod"
 NO_ANGLE = "is not an angle in degrees; write it as 22.5 or 22°30'"
 HELP = "see kurbel table --help"
 LAYOUTS = ", ".join(layout_names())
-ENDLESS_ROD = "crank ratio R:L is below 1:1000000000; no rod is that long, write 1:∞ for an infinite one"
+ENDLESS_ROD = (
+    "crank ratio R:L is below 1:1000000000; no rod is that long, write 1:∞ or 1:inf for an infinite one"
+)
 
 RATIOS = [
     ("-1:5", "crank ratio R:L is -0.2; it must not be negative, for both are lengths"),

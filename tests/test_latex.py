@@ -87,7 +87,7 @@ def test_longtable_has_every_part_too(tmp_path: Path) -> None:
 
 
 def test_fragment_names_the_packages_it_needs() -> None:
-    assert render(everything(), "latex").startswith("% Packages: amsmath, array, booktabs\n")
+    assert render(everything(), "latex").startswith("% Packages: amsmath, array, booktabs, graphicx\n")
     assert render(everything(), "latex", longtable=True).startswith(
         "% Packages: amsmath, array, booktabs, longtable\n"
     )

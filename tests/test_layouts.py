@@ -326,7 +326,7 @@ def test_offset_crank_states_its_dead_centres_and_stroke() -> None:
     assert [note.text for note in table.notes] == [
         "$x/R = (cos φ_i - cos φ) + (cos ψ_i - cos ψ)/λ$, $c/v = sin φ + cos φ tan ψ$,"
         " $(p R)/v^2 = cos φ - sin φ tan ψ + λ (cos^2 φ)/(cos^3 ψ)$, $sin ψ = λ (sin φ - e/R)$, $λ = R/L$",
-        "Rückgang: $x$ vom äußeren Totpunkt, $c$ und $p$ mit entgegengesetztem Zeichen, alle bei $180° + φ$",
+        "Rückgang bei $180° + φ$, vom äußeren Totpunkt und in Richtung des Rückgangs gerechnet",
         "Geschränkt, $e = 0.5 R$, $R:L = 1:4$: Totlagen $5.739$° und $189.594$°, Hub $2.0169 R$",
     ]
 
@@ -383,7 +383,7 @@ def test_lueger_has_the_letters_of_its_source_in_every_line() -> None:
         "genaue Formeln: $x/R = 1 - cos α + (1 - cos ψ)/λ$, $sin ψ = λ sin α$, $λ = r/l$",
         "Näherung erster Ordnung: $(p R)/v^2 = cos α + λ cos 2 α$, $λ = r/l$",
     ]
-    assert [stub.heading for panel in table.panels for stub in panel.stub] == [("$α$",)]
+    assert [stub.heading for panel in table.panels for stub in panel.stub] == [("$α$ in °",)]
 
 
 @pytest.mark.parametrize("name", [name for name in layout_names() if layout(name).fixed])
@@ -466,9 +466,9 @@ def test_columns_that_a_layout_adds_have_keys_of_their_own() -> None:
 def test_angles_are_printed_as_they_are() -> None:
     for angles, heads in (
         ("11.25;22.5;180", ["11.25", "22.50", "180.00"]),
-        ("0°20';45", ["0°20'", "45°0'"]),
+        ("0°20';45", ["$0°20'$", "$45°0'$"]),
         ("30°15'", ["30.25"]),
-        ("0..1:0°20'", ["0°0'", "0°20'", "0°40'", "1°0'"]),
+        ("0..1:0°20'", ["$0°0'$", "$0°20'$", "$0°40'$", "$1°0'$"]),
     ):
         assert [address[1] for address in cells(page("kinematics", angles=angles, columns=("x",)))] == heads
 

@@ -15,7 +15,7 @@ from kurbel.errors import KurbelError, NotationError
 from kurbel.notation import Progression
 from kurbel.numerals import degrees_text
 
-RATIO_HELP = "write it as 1:5, 1:4,5, 1/4.5 or 0.2, and 1:∞ for an infinite rod"
+RATIO_HELP = "write it as 1:5, 1:4,5, 1/4.5 or 0.2, and 1:∞ or 1:inf for an infinite rod"
 
 positive = st.fractions(min_value=Fraction(1, 1000), max_value=1000, max_denominator=1000)
 # Text that nearly is notation finds more than arbitrary text.

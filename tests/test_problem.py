@@ -43,7 +43,7 @@ def test_a_negative_ratio_is_refused() -> None:
 def test_a_rod_of_a_thousand_million_radii_is_the_longest() -> None:
     assert Crank(Fraction(1, 10**9)).ratio == Fraction(1, 10**9)
     assert sentence_of_crank(Fraction(1, 10**9 + 1)) == (
-        "crank ratio R:L is below 1:1000000000; no rod is that long, write 1:∞ for an infinite one"
+        "crank ratio R:L is below 1:1000000000; no rod is that long, write 1:∞ or 1:inf for an infinite one"
     )
 
 

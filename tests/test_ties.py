@@ -311,7 +311,7 @@ def test_precision_in_force_is_left_as_it_was() -> None:
     kurbel("x", "series", Drive(Fraction(1, 5)), Fraction(60), 2)
     assert flint.ctx.prec == before
     with pytest.raises(ZeroDivisionError):
-        certify.rounded(lambda: certify.ball(Fraction(1, 0)), 3)
+        certify.rounded(lambda: certify.ball(Fraction(1, 0)), 3, "half-away", certify.NEVER_TIES)
     assert flint.ctx.prec == before
 
 

@@ -45,6 +45,7 @@ class _Page:
         self.request = request
         self.layout = request.layout
         self.columns = columns
+        self.angle_decimals = angle_decimals(request.angles)
         digits = [column.digits for column in columns]
         bulk = wants_bulk(digits, request.cranks, request.angles)
         self.values = [
@@ -96,12 +97,12 @@ class _Page:
 
     def _stub_cell(self, axis: str, place: Place) -> Cell:
         if axis == "angle":
-            return Cell(_angle_cell(self.request.angles[place["angle"]], self.request.angles))
+            return Cell(_angle_cell(self.request.angles[place["angle"]], self.angle_decimals))
         return Cell(self._label(axis, place)[-1])
 
     def _stub_heading(self, axis: str) -> tuple[Label, ...]:
         default = {
-            "angle": f"${self.layout.angle_symbol}$",
+            "angle": f"${self.layout.angle_symbol}$" + (" in °" if self.angle_decimals is not None else ""),
             "ratio": f"${self.layout.ratio_symbol}$",
             "column": "",
         }
@@ -131,6 +132,9 @@ class _Page:
             )
         column = self.columns[place["column"]]
         labels = column.spanners + column.heading if across else column.heading
+        if "ratio" in self.layout.across:
+            # The ratios stand below without their letters: "Hingang, R:L" over 1:4, 1:5.
+            return (*labels[:-1], f"{labels[-1]}, ${self.layout.ratio_symbol}$")
         if "ratio" not in place:
             return labels
         return tuple(
@@ -168,9 +172,9 @@ def _own_heading(column: Column, before: tuple[Label, ...], after: tuple[Label, 
     return Column(column.key, column.spanners[shared:] + column.heading, column.spanners[:shared])
 
 
-def _angle_cell(angle: Fraction, angles: Sequence[Fraction]) -> Number | Label:
-    return degrees_text(angle) if angle_decimals(angles) is None else angle_number(angle, angles)
+def _angle_cell(angle: Fraction, decimals: int | None) -> Number | Label:
+    return f"${degrees_text(angle)}$" if decimals is None else angle_number(angle, decimals)
 
 
 def _angle_label(angle: Fraction) -> Label:
-    return f"${plain(angle)}$" if finite_decimals(angle) is not None else degrees_text(angle)
+    return f"${plain(angle) if finite_decimals(angle) is not None else degrees_text(angle)}$"

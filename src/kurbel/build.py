@@ -13,12 +13,14 @@ def build(request: Request, pages: bool = True) -> Table:
     """Return the table that was asked for; without `pages` only its records, which need no memory."""
     columns = page_columns(request)
     digits = [column.digits for column in columns]
+    shown = {column.key for column in columns}
+    chosen = bool(request.columns) and not shown.issuperset(column.key for column in request.layout.columns)
     records = RecordRows(request, columns)
     return Table(
         key=request.label or request.layout.key,
         layout=request.layout.key,
         lang=request.lang,
-        caption=captions.caption(request, digits),
+        caption=captions.caption(request, digits, chosen),
         panels=panels(request, columns) if pages else (),
         records=Records(records.fields(), records),
         notes=tuple(Note(text) for text in captions.notes(request, digits)),

@@ -2,16 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from kurbel.kernel import kinematics
 from kurbel.notation import plain, ratio_text
-from kurbel.numerals import finite_decimals, number_text
+from kurbel.numerals import finite_decimals, nearest, number_text
 from kurbel.problem import Crank
-from kurbel.quantities import DIFFERENCE, METHODS, OUT, RETURN, STROKES, Quantity, numbers_of_balls
-from kurbel.request import AXIS_KEYS, Request
+from kurbel.quantities import (
+    DIFFERENCE,
+    METHODS,
+    OUT,
+    RETURN,
+    STROKES,
+    Numbers,
+    Quantity,
+    numbers_of_balls,
+    pin_velocity,
+)
+from kurbel.request import Request
 from kurbel.table import Field, Label, Number
 
 if TYPE_CHECKING:
@@ -30,13 +40,13 @@ FORMULAS: Mapping[str, Mapping[str, str]] = {
         "x": "$x/R = 1 - cos {angle} {±} 1/2 λ sin^2 {angle}$",
         "c": "$c/v = sin {angle} {±} 1/2 λ sin 2 {angle}$",
         "p": "$(p R)/v^2 = cos {angle} {±} λ cos 2 {angle}$",
-        "ψ": "",
+        "ψ": "$sin ψ = {ψ}λ sin {angle}$",
     },
     "infinite": {
         "x": "$x/R = 1 - cos {angle}$",
         "c": "$c/v = sin {angle}$",
         "p": "$(p R)/v^2 = cos {angle}$",
-        "ψ": "",
+        "ψ": "$ψ = 0$",
     },
 }
 OFFSET_FORMULAS = {
@@ -54,6 +64,10 @@ SYMBOLS = {
 # For columns that the layout's own caption does not know.
 PLAIN_CAPTION = "{quantities}{for_ratio}; {method}"
 WORDS: Mapping[str, Mapping[str, str]] = {
+    "difference": {
+        "de": "Unterschied: genauer Wert weniger Näherung, vor dem Runden gebildet.",
+        "en": "Difference: exact value less first order, taken before rounding.",
+    },
     "and": {"de": " und ", "en": " and "},
     "for_ratio": {"de": " für ${symbol} = {ratio}$", "en": " for ${symbol} = {ratio}$"},
     "signs": {
@@ -61,10 +75,8 @@ WORDS: Mapping[str, Mapping[str, str]] = {
         "en": "upper sign: outstroke, lower sign: return stroke",
     },
     "offset_return": {
-        "de": "Rückgang: $x$ vom äußeren Totpunkt, $c$ und $p$ mit entgegengesetztem Zeichen,"
-        " alle bei $180° + {angle}$",
-        "en": "Return: $x$ from the outer dead centre, $c$ and $p$ with opposite sign,"
-        " all at $180° + {angle}$",
+        "de": "Rückgang bei $180° + {angle}$, vom äußeren Totpunkt und in Richtung des Rückgangs gerechnet",
+        "en": "Return at $180° + {angle}$, counted from the outer dead centre in the direction of the return",
     },
     "offset": {
         "de": "Geschränkt, $e = {offset} R$, $R:L = {ratio}$:"
@@ -87,17 +99,20 @@ WORDS: Mapping[str, Mapping[str, str]] = {
 }
 
 
-def caption(request: Request, columns: Sequence[Digits]) -> Label:
-    """Return the layout's caption with its quantities, the ratio, if there is only one, and the method."""
+def caption(request: Request, columns: Sequence[Digits], chosen: bool) -> Label:
+    """Return the layout's caption with its quantities, the ratio, if there is only one, and the methods.
+
+    A page whose columns the user chose has a caption of its own, for the layout's may speak of others.
+    """
     ratio = ratio_text(request.cranks[0].ratio)
     words = WORDS["for_ratio"][request.lang].format(symbol=request.layout.ratio_symbol, ratio=ratio)
+    methods = dict.fromkeys(method for column in columns for method in _methods_of(column.method))
     parts = {
         "{quantities}": _enumerated(columns, request.lang),
-        "{for_ratio}": words if len(request.cranks) == 1 else "",
-        "{method}": METHODS[request.method or "exact"].caption[request.lang],
+        "{for_ratio}": words if len(request.cranks) == 1 and request.method != "infinite" else "",
+        "{method}": WORDS["and"][request.lang].join(METHODS[one].caption[request.lang] for one in methods),
     }
-    known = {*AXIS_KEYS, *(column.key for column in request.layout.columns)}
-    text = request.layout.caption[request.lang] if known.issuperset(request.columns) else PLAIN_CAPTION
+    text = PLAIN_CAPTION if chosen else request.layout.caption[request.lang]
     for place, part in parts.items():
         text = text.replace(place, part)
     return text
@@ -114,6 +129,8 @@ def _enumerated(columns: Sequence[Digits], lang: str) -> str:
 def notes(request: Request, columns: Sequence[Digits]) -> list[Label]:
     """Return the lines below the table: its own, the formulas, the machine, the offset."""
     lines = [note[request.lang] for note in request.layout.notes]
+    if any(column.method == DIFFERENCE for column in columns):
+        lines.append(WORDS["difference"][request.lang])
     if request.layout.formulas:
         lines += _formula_lines(request, columns)
     lines += [_machine(crank, request.lang) for crank in request.cranks if crank.radius is not None]
@@ -191,30 +208,28 @@ def _machine(crank: Crank, lang: str) -> Label:
 def _speed(crank: Crank, lang: str) -> str:
     speed = crank.speed
     assert speed is not None
-    assert crank.radius is not None
-    radius = crank.radius
-
-    def pin(numbers: Any) -> Any:
-        value = numbers.of(radius * speed.value * (2 if speed.turns else 1))
-        return value * numbers.pi if speed.turns else value
-
-    def mean(numbers: Any) -> Any:
-        return pin(numbers) * kinematics.mean_piston_velocity(_stroke(crank, numbers), numbers.pi)
-
-    turns = (
-        f'$n = {_plain(speed.value * 60)} "min"^(-1)$, '
-        if speed.turns
-        else f'$ω = {_plain(speed.value)} "rad/s"$, '
-    )
+    turns, radians = f'$n = {_plain(speed.value * 60)} "min"^(-1)$', f'$ω = {_plain(speed.value)} "rad/s"$'
+    quotient = _certified(lambda numbers: numbers.pi / _stroke(crank, numbers), 4, algebraic=False)
     return WORDS["speed"][lang].format(
-        turns=turns,
-        pin=_certified(pin, 3),
-        mean=_certified(mean, 3),
-        quotient="π:2" if not crank.offset else _certified(lambda numbers: pin(numbers) / mean(numbers), 4),
+        turns=f"{turns if speed.turns else radians}, ",
+        pin=_certified(lambda numbers: pin_velocity(crank, numbers), 3, algebraic=not speed.turns),
+        mean=_certified(lambda numbers: _mean_speed(crank, numbers), 3, algebraic=speed.turns),
+        quotient=quotient if crank.offset else "π:2",
     )
 
 
-def _stroke(crank: Crank, numbers: Any) -> Any:
+def _mean_speed(crank: Crank, numbers: Numbers) -> Any:
+    """c_m in m/s. Of turns it is S n/30, without the π that the crank-pin velocity has."""
+    speed, radius = crank.speed, crank.radius
+    assert speed is not None
+    assert radius is not None
+    if speed.turns:
+        stroke = _stroke(crank, numbers) * numbers.of(radius)
+        return kinematics.mean_piston_speed(stroke, numbers.of(60 * speed.value))
+    return pin_velocity(crank, numbers) * kinematics.mean_piston_velocity(_stroke(crank, numbers), numbers.pi)
+
+
+def _stroke(crank: Crank, numbers: Numbers) -> Any:
     if not crank.offset:
         return numbers.of(Fraction(2))
     return kinematics.stroke(numbers.of(crank.ratio), numbers.of(crank.offset))
@@ -235,24 +250,32 @@ def _offset(crank: Crank, lang: str) -> Label:
     return WORDS["offset"][lang].format(
         offset=_plain(crank.offset),
         ratio=ratio_text(crank.ratio),
-        inner=f"${_certified(dead_centre(OUT), 3)}$",
-        outer=f"${_certified(dead_centre(RETURN), 3)}$",
-        stroke=_certified(lambda numbers: _stroke(crank, numbers), 4),
+        inner=f"${_certified(dead_centre(OUT), 3, algebraic=False)}$",
+        outer=f"${_certified(dead_centre(RETURN), 3, algebraic=False)}$",
+        stroke=_certified(lambda numbers: _stroke(crank, numbers), 4, algebraic=True),
     )
 
 
-def _certified(value: Any, decimals: int) -> str:
-    from kurbel.certify import rounded
+def _certified(value: Callable[[Numbers], Any], decimals: int, algebraic: bool) -> str:
+    """The digits of a value that is either algebraic or an arc or a multiple or fraction of π."""
+    from kurbel.certify import NEVER_TIES, rounded
+    from kurbel.separation import Separation
 
-    scaled = rounded(lambda: value(numbers_of_balls()), decimals)
+    def tie_bits(boundary: Fraction) -> float:
+        bound = value(Numbers(Separation.rational)) - Separation.rational(boundary)
+        return float(bound.bits())
+
+    scaled = rounded(
+        lambda: value(numbers_of_balls()), decimals, "half-away", tie_bits if algebraic else NEVER_TIES
+    )
     return number_text(Number(scaled, decimals))
 
 
 def _plain(value: Fraction) -> str:
-    """The exact decimal where there is a short one, else three places."""
+    """The exact decimal or fraction where there is a short one, else three places."""
     decimals = finite_decimals(value)
     if decimals is not None and decimals <= 6:
         return plain(value)
-    from kurbel.numerals import nearest
-
+    if value.denominator < 1000:
+        return f"{value.numerator}/{value.denominator}"
     return number_text(nearest(value, 3))

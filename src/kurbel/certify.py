@@ -54,17 +54,18 @@ def rod_angle(circle: Circle[arb], ratio: arb, offset: arb | None) -> arb:
     return ball_degrees(rod_sine(circle, ratio, 0 if offset is None else offset))
 
 
-def rounded(
-    value: Callable[[], arb],
-    decimals: int,
-    rounding: str = "half-away",
-    tie_bits: Callable[[Fraction], float] | None = None,
-) -> int:
+TieBits = Callable[[Fraction], float]
+NEVER_TIES = None
+"""For arcs and multiples of π: no value of theirs is a rational number other than zero or a whole degree."""
+
+
+def rounded(value: Callable[[], arb], decimals: int, rounding: str, tie_bits: TieBits | None) -> int:
     """Return the true value times 10**decimals, rounded to the nearest integer.
 
     `value` computes a ball at the precision in force. `tie_bits` takes a boundary, an odd multiple of half
     a unit in the last place, and returns b such that the value equals the boundary or is at
-    least 2**-b away from it; without it the value is known to equal none (an arc, a multiple of π).
+    least 2**-b away from it. NEVER_TIES claims that there is none to equal; where that is wrong, a tie is
+    never settled.
     """
     unit = 10**decimals
     precision = GUARD_BITS + (10 * decimals) // 3

@@ -21,5 +21,5 @@ def did_you_mean(name: str, names: Sequence[str]) -> str:
     """Return a question with the nearest of the names, or nothing if none is near."""
     from difflib import get_close_matches
 
-    near = get_close_matches(name[:60].lower(), names, n=1)
+    near = get_close_matches(name[:60].lower(), names, n=1, cutoff=0.5)
     return f" (did you mean {near[0]}?)" if near else ""

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 PAGE_CELLS = 20_000
 # Floats are worth their while as long as few of them are doubtful: at half of this share they save nothing.
 DOUBTFUL_SHARE = 0.1
+# Integers of 64 bits have no more digits.
+MOST_DECIMALS = 18
 
 
 class Digits(NamedTuple):
@@ -45,13 +47,21 @@ def wants_bulk(columns: Sequence[Digits], cranks: Sequence[Crank], angles: Seque
     """Whether so many cells, to so few decimals, are worth NumPy's start-up."""
     if len(columns) * len(cranks) * len(angles) <= PAGE_CELLS:
         return False
-    largest = float(max(abs(angles[0]), abs(angles[-1])))
+    if max(column.decimals for column in columns) > MOST_DECIMALS:
+        return False
+    reach = float(largest(angles))
     doubtful = (
-        2 * float_bound(column, crank, largest) * 10.0**column.decimals
+        2 * float_bound(column, crank, reach) * 10.0**column.decimals
         for column in columns
         for crank in cranks
     )
     return max(doubtful) < DOUBTFUL_SHARE
+
+
+def largest(angles: Sequence[Fraction]) -> Fraction:
+    """Return the greatest magnitude among the angles."""
+    ends = (angles[0], angles[-1]) if isinstance(angles, Progression) else angles
+    return max(map(abs, ends))
 
 
 def float_bound(column: Digits, crank: Crank, largest_angle: float) -> float:
@@ -82,10 +92,10 @@ def _bulk_columns(
 
     degrees = float_angles(angles)
     values = evaluate([on_floats(column, crank) for column in columns], degrees)
-    largest = float(abs(degrees).max())
+    reach = float(abs(degrees).max())
     settled = []
     for column, floats in zip(columns, values, strict=True):
-        bound = float_bound(column, crank, largest)
+        bound = float_bound(column, crank, reach)
         scaled, doubtful = nearest(floats, column.decimals, bound, half_even=rounding == "half-even")
         for row in doubtful.nonzero()[0].tolist():
             scaled[row] = _settled(column, crank, angles[row], rounding)

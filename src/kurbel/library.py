@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING, TypeAlias
 
 from kurbel import notation
 from kurbel.choices import choose
-from kurbel.problem import Crank, Speed, check_angles
+from kurbel.errors import NotationError, ProblemError
+from kurbel.problem import LARGEST_ANGLE, Crank, Speed, check_angles
 from kurbel.quantities import METHODS, Quantity, registry
+from kurbel.request import check_rounding
 from kurbel.table import Table
 
 if TYPE_CHECKING:
@@ -43,6 +45,7 @@ def certified(
     from kurbel.quantities import certified as scaled
 
     chosen = _quantity(quantity)
+    check_rounding(digits, rounding)
     decimals = chosen.decimals if digits is None else digits
     crank, at = Crank(_ratio(ratio), _exact(offset)), _angle(angle)
     check_angles((at,))
@@ -53,7 +56,7 @@ def certified(
 def compute(
     angles: ArrayLike,
     ratio: Exact,
-    columns: Sequence[str] = ("x", "c", "p"),
+    columns: str | Sequence[str] = ("x", "c", "p"),
     *,
     method: str = "exact",
     offset: Exact = 0,
@@ -67,14 +70,13 @@ def compute(
     >>> compute([0, 90, 180], "1:5")["p"].tolist()
     [1.2, -0.20412414523193154, -0.8]
     """
-    import numpy as np
-
     from kurbel.bulk import evaluate
     from kurbel.digits import Digits, on_floats
 
     crank = Crank(_ratio(ratio), _exact(offset))
-    degrees = np.asarray(angles, dtype=np.float64)
+    degrees = _degrees(angles)
     choose(method, METHODS, "method")
+    columns = notation.names([columns], "columns", "x,c,p") if isinstance(columns, str) else columns
     chosen = [Digits(_quantity(key), method, 0) for key in columns]
     rows = evaluate([on_floats(column, crank) for column in chosen], degrees.ravel())
     return {key: row.reshape(degrees.shape) for key, row in zip(columns, rows, strict=True)}
@@ -84,8 +86,8 @@ def make_table(
     ratios: Exact | Iterable[Exact] | None = None,
     *,
     layout: str = "kinematics",
-    angles: Iterable[Exact] | None = None,
-    columns: Sequence[str] = (),
+    angles: str | Iterable[Exact] | None = None,
+    columns: str | Sequence[str] = (),
     method: str | None = None,
     digits: int | None = None,
     rounding: str = "half-away",
@@ -93,10 +95,12 @@ def make_table(
     offset: Exact = 0,
     radius: Exact | None = None,
     speed: Exact | None = None,
+    label: str = "",
 ) -> Table:
     """Return a page with its certified digits; ratios and angles default to the layout's own.
 
     `radius` is R in metres and `speed` the speed in turns per second; they add columns in mm, m/s, m/s².
+    Ratios, angles and columns may be text as on the command line; `label` names the page for references.
     Raises KurbelError.
 
     >>> page = make_table("1:5", angles=[0, 45, 90], columns=["phi", "x", "c"])
@@ -118,12 +122,15 @@ def make_table(
         Request(
             layout=page,
             cranks=tuple(Crank(ratio, _exact(offset), size, turns) for ratio in _ratios(ratios, page.ratios)),
-            angles=notation.angles(page.angles) if angles is None else tuple(map(_angle, angles)),
+            angles=_angles(page.angles if angles is None else angles),
             method=None if method is None else choose(method, METHODS, "method"),
             digits=digits,
             rounding=rounding,
             lang=choose(lang, LANGUAGES, "language"),
-            columns=tuple(columns),
+            columns=notation.names([columns], "columns", "phi,x,c,p")
+            if isinstance(columns, str)
+            else tuple(columns),
+            label=label,
         )
     )
 
@@ -142,7 +149,7 @@ def typeset(
     `standalone` gives a whole document (LaTeX, HTML), `longtable` a LaTeX longtable. Raises KurbelError.
 
     >>> print(typeset(make_table("1:4", layout="blau-kolbenwege", angles=[90]), "markdown").splitlines()[-3])
-    |  90 |         1,125 |             0,563 |
+    |     90 |         1,125 |             0,563 |
     """
     from kurbel.render import render as rendered
 
@@ -160,6 +167,29 @@ def _ratios(given: Exact | Iterable[Exact] | None, default: Sequence[str]) -> Se
     if isinstance(given, str):
         return notation.ratios([given])
     return [_ratio(ratio) for ratio in (given if isinstance(given, Iterable) else [given])]
+
+
+def _angles(given: str | Iterable[Exact]) -> Sequence[Fraction]:
+    if isinstance(given, str):
+        return notation.angles([given])
+    if isinstance(given, tuple) and all(isinstance(angle, str) for angle in given):
+        return notation.angles(given)
+    return tuple(map(_angle, given))
+
+
+def _degrees(angles: ArrayLike) -> NDArray[np.float64]:
+    import numpy as np
+
+    if isinstance(angles, str):
+        angles = [float(angle) for angle in notation.angles([angles])]
+    try:
+        degrees = np.asarray(angles, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise NotationError("angles must be numbers of degrees, or text such as 0..180:10") from None
+    # Not a comparison of extremes, which NaN would pass.
+    if not (np.abs(degrees) <= LARGEST_ANGLE).all():
+        raise ProblemError(f"angles must be finite and within {LARGEST_ANGLE}° of zero")
+    return degrees
 
 
 def _ratio(value: Exact) -> Fraction:

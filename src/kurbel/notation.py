@@ -1,6 +1,6 @@
 """Text to exact numbers, and back, as engineers write them: 1:4,5  2..6:0.5  2°30'  0..180:10.
 
-Parsing only: whether a crank with such a ratio can turn is decided in problem.py.
+Whether a crank with such a ratio can turn is decided in problem.py.
 """
 
 from __future__ import annotations
@@ -76,7 +76,7 @@ def number(text: str, what: str = "number") -> Fraction:
 
 def ratio(text: str) -> Fraction:
     """Return λ = R/L from "1:5", "1:4,5", "1/4.5", "2:9", "0.2"; "1:∞" is the infinite rod, 0."""
-    parts = re.split(r"[:/]", text.strip())
+    parts = re.split(r"[:/∶]", text.strip())
     try:
         if len(parts) == 1:
             return number(parts[0])
@@ -93,7 +93,7 @@ def ratio(text: str) -> Fraction:
     except (NotationError, ValueError):
         raise NotationError(
             f"crank ratio {_shown(text)} is not a ratio R:L; write it as 1:5, 1:4,5, 1/4.5 or 0.2,"
-            " and 1:∞ for an infinite rod"
+            " and 1:∞ or 1:inf for an infinite rod"
         ) from None
 
 
@@ -136,6 +136,17 @@ def angles(texts: Iterable[str]) -> Sequence[Fraction]:
         _check_length(len(found) + len(values), LONGEST_ANGLE_LIST, "angles in a list")
         found.extend(values)
     return tuple(dict.fromkeys(found))
+
+
+def names(texts: Iterable[str], what: str, example: str) -> tuple[str, ...]:
+    """Return the names of lists such as "phi,x,c,p", each once."""
+    found: dict[str, None] = {}
+    for text in texts:
+        parts = [part.strip() for part in text.replace(";", ",").split(",")]
+        if not all(parts):
+            raise NotationError(f"{what} {_shown(text)} have an empty place; write them as {example}")
+        found |= dict.fromkeys(parts)
+    return tuple(found)
 
 
 def progression(start: Fraction, stop: Fraction, step: Fraction, what: str = "angle") -> Progression:

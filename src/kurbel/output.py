@@ -42,6 +42,8 @@ def whole_file(target: str) -> Iterator[BinaryIO]:
 
 def _is_device(path: Path) -> bool:
     # Asked of the target as it was given: a link such as /dev/stdout may lead to a pipe that has no path.
+    if path.as_posix().startswith(("/dev/", "/proc/")) and path.exists():
+        return True
     return path.exists() and not path.is_file() and not path.is_dir()
 
 
@@ -50,8 +52,8 @@ def _replaced(path: Path) -> Iterator[BinaryIO]:
     # Random, for a process killed in a container leaves its file, and the next one often has its number. The
     # target's name is cut, for with the additions it must not be longer than file names may be.
     name = path.with_name(f".{path.name[:40]}.{os.urandom(6).hex()}.part")
-    handle = os.open(name, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
     try:
+        handle = os.open(name, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
         with os.fdopen(handle, "wb") as stream:
             yield stream
             stream.flush()

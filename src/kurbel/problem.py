@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from kurbel.errors import ProblemError
-from kurbel.notation import about, ratio_text
+from kurbel.notation import Progression, about, ratio_text
 
 LONGEST_ROD = 10**9
 LARGEST_ANGLE = 10**6
@@ -39,6 +39,8 @@ class Crank:
 
     def __post_init__(self) -> None:
         _check_ratio(self.ratio)
+        if abs(self.offset) > LONGEST_ROD:
+            raise ProblemError(f"offset e is above {LONGEST_ROD} R; no crank turns so far from its slide")
         if self.ratio and abs(self.offset) >= 1 / self.ratio - 1:
             raise ProblemError(
                 f"offset e = {about(self.offset)} R is too large for R:L = {ratio_text(self.ratio)};"
@@ -54,7 +56,8 @@ def check_angles(angles: Sequence[Fraction]) -> None:
     """Raise ProblemError unless there are angles and all lie within a million degrees of zero."""
     if not angles:
         raise ProblemError("no angle was given; write them as --angle 0;45;90 or --from 0 --to 180 --step 10")
-    for angle in (angles[0], angles[-1]) if hasattr(angles, "step") else angles:
+    # A progression has its ends for its extremes, and may be too long to be looked at whole.
+    for angle in (angles[0], angles[-1]) if isinstance(angles, Progression) else angles:
         if abs(angle) > LARGEST_ANGLE:
             raise ProblemError(f"an angle is beyond {LARGEST_ANGLE}°; give it within one turn, 0..360")
 
@@ -71,5 +74,6 @@ def _check_ratio(ratio: Fraction) -> None:
         )
     if 0 < ratio < Fraction(1, LONGEST_ROD):
         raise ProblemError(
-            f"crank ratio R:L is below 1:{LONGEST_ROD}; no rod is that long, write 1:∞ for an infinite one"
+            f"crank ratio R:L is below 1:{LONGEST_ROD}; no rod is that long,"
+            " write 1:∞ or 1:inf for an infinite one"
         )

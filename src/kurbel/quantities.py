@@ -81,7 +81,7 @@ class Quantity(NamedTuple):
     key: str
     name: Mapping[str, str]
     symbol: Label
-    heading: Label
+    heading: Mapping[str, Label]
     unit: Mapping[str, str]
     stroke: int
     formulas: Mapping[str, Formula]
@@ -97,9 +97,7 @@ class Quantity(NamedTuple):
 
     def formula(self, method: str, crank: Crank, numbers: Numbers) -> Formula:
         if crank.offset and method != "exact":
-            raise ProblemError(
-                f'method "{method}" has no formulas for an offset crank; use exact, or leave the offset out'
-            )
+            raise ProblemError(f'method "{method}" has no formulas for an offset crank; use exact')
         if method == DIFFERENCE:
             exact, series = self.formulas["exact"], self.formulas["series"]
             return lambda circle, ratio, offset: exact(circle, ratio, offset) - series(circle, ratio, offset)
@@ -111,8 +109,9 @@ class Quantity(NamedTuple):
     def transcendental(self, crank: Crank) -> bool:
         """Whether no value can lie on a rounding boundary, for it is an arc or a multiple of π.
 
-        An arc: sin ψ = λ(sin φ - e/R) with 0 <= λ < 1 relates at most three sines of rational angles; such
-        relations exist only for ψ = 0 and ±30° (Conway and Jones, Acta Arithmetica 30, 1976), whole degrees.
+        An arc: sin ψ = λ(sin φ - e/R) relates at most two sines of rational angles and a rational number.
+        Such relations exist only for ψ = 0 and ±30°, which are whole degrees, and as cos 36° - cos 72° = 1/2,
+        which would need λ = 1 (Conway and Jones, Acta Arithmetica 30, 1976, theorem 7).
         """
         return self.arc or (self.needs == "speed" and crank.speed is not None and crank.speed.turns)
 
@@ -143,7 +142,7 @@ def certified(
     def tie_bits(boundary: Fraction) -> float:
         return _tie_bits(quantity, method, crank, angle, boundary)
 
-    ties = None if quantity.transcendental(crank) else tie_bits
+    ties = certify.NEVER_TIES if quantity.transcendental(crank) else tie_bits
     return certify.rounded(as_ball, decimals, rounding, ties)
 
 
@@ -210,15 +209,20 @@ def _millimetres(crank: Crank, numbers: Numbers) -> Any:
     return numbers.of(1000 * _radius(crank))
 
 
-def _angular_velocity(power: int) -> Scale:
-    """R ω**power: v for the velocity, v²/R for the acceleration."""
+def pin_velocity(crank: Crank, numbers: Numbers) -> Any:
+    """Return v = R ω of the crank pin in m/s; bounds, which know no π, leave it out."""
+    speed = crank.speed
+    assert speed is not None
+    if not speed.turns:
+        return numbers.of(_radius(crank) * speed.value)
+    rational = numbers.of(2 * _radius(crank) * speed.value)
+    return rational if numbers.pi is None else rational * numbers.pi
 
-    def scale(crank: Crank, numbers: Numbers) -> Any:
-        assert crank.speed is not None
-        rational = numbers.of(_radius(crank) * (crank.speed.value * (2 if crank.speed.turns else 1)) ** power)
-        return rational * numbers.pi**power if crank.speed.turns and numbers.pi is not None else rational
 
-    return scale
+def _pin_acceleration(crank: Crank, numbers: Numbers) -> Any:
+    """v²/R of the crank pin in m/s²."""
+    velocity = pin_velocity(crank, numbers)
+    return velocity * velocity / numbers.of(_radius(crank))
 
 
 _PATH_NAME = {"de": "Kolbenweg", "en": "Piston path"}
@@ -228,15 +232,17 @@ _ROD_NAME = {"de": "Schubstangenwinkel", "en": "Rod angle"}
 
 
 def _both_strokes(
-    key: str, name: Mapping[str, str], heading: Label, unit: Mapping[str, str] | str, **rest: Any
+    key: str, name: Mapping[str, str], heading: str, unit: Mapping[str, str] | str, **rest: Any
 ) -> list[Quantity]:
     """The quantity on the outstroke and on the return stroke: x_mm and x_return_mm."""
     stem, _, rest_of_key = key.partition("_")
     back = f"{stem}_return_{rest_of_key}" if rest_of_key else f"{stem}_return"
     units = {"de": unit, "en": unit} if isinstance(unit, str) else unit
     symbol = "$ψ$" if stem == "psi" else f"${stem}$"
+    de, _, en = heading.partition("|")
+    headings = {"de": de, "en": en or de}
     return [
-        Quantity(each, name, symbol, heading, units, stroke, **rest)
+        Quantity(each, name, symbol, headings, units, stroke, **rest)
         for each, stroke in ((key, OUT), (back, RETURN))
     ]
 
@@ -254,13 +260,13 @@ def registry() -> Mapping[str, Quantity]:
     length, speed = {"needs": "length"}, {"needs": "speed"}
     rows: list[tuple[str, Label, Any, int, Scale, dict[str, Any]]] = [
         ("x", "$x/R$", "R", 4, _one, path),
-        ("x_stroke", "$x/S$", share, 4, _share_of_stroke(1), path),
-        ("x_percent", "$100 x/S$", percent, 2, _share_of_stroke(100), path),
+        ("x_stroke", "in Teilen des Hubes|in strokes", share, 4, _share_of_stroke(1), path),
+        ("x_percent", "in % des Hubes|in % of stroke", percent, 2, _share_of_stroke(100), path),
         ("x_mm", "$x$ in mm", "mm", 2, _millimetres, path | length),
         ("c", "$c/v$", "v", 4, _one, velocity),
-        ("c_mps", "$c$ in m/s", "m/s", 3, _angular_velocity(1), velocity | speed),
+        ("c_mps", "$c$ in m/s", "m/s", 3, pin_velocity, velocity | speed),
         ("p", "$(p R)/v^2$", "v²/R", 4, _one, acceleration),
-        ("p_mps2", "$p$ in m/s²", "m/s²", 2, _angular_velocity(2), acceleration | speed),
+        ("p_mps2", "$p$ in m/s²", "m/s²", 2, _pin_acceleration, acceleration | speed),
         ("psi", "$ψ$ in °", "°", 3, _one, rod),
     ]
     entries = [

@@ -16,7 +16,7 @@ from kurbel.labels import plain
 from kurbel.layouts import template_folder
 from kurbel.page import blank, page
 from kurbel.table import Table
-from kurbel.textgrid import text_page
+from kurbel.textgrid import grid_of, text_page
 
 if TYPE_CHECKING:
     from jinja2 import Environment, Template
@@ -29,17 +29,24 @@ def render(
     decimal: str | None = None,
     standalone: bool = False,
     longtable: bool = False,
+    width: int | None = None,
 ) -> str:
     """Return the table as text in the named format.
 
     `decimal` is "comma" or "point"; by default it follows the language of the table, and is a point in CSV
     and JSON. `standalone` makes a document of what is otherwise a fragment, in the formats that have
-    documents; `longtable` lets a LaTeX table break over pages. JSON has only points.
+    documents; `longtable` lets a LaTeX table break over pages. JSON has only points. Plain text goes on in
+    further panels where it would be wider than `width` characters.
     """
     form = by_name(format)
     if form.kind == "records":
         return "".join(rows(table, form, decimal))
-    return _page(table, form, form.decimal_mark(table.lang, decimal), standalone, longtable)
+    mark = form.decimal_mark(table.lang, decimal)
+    if form.name == "text" and width is not None:
+        from kurbel.narrow import narrowed
+
+        table = narrowed(table, lambda parted: grid_of(page(parted, form, mark)).total <= width)
+    return _page(table, form, mark, standalone, longtable)
 
 
 def rows(table: Table, form: Format, decimal: str | None = None) -> Iterator[str]:
@@ -68,6 +75,13 @@ def _page(table: Table, form: Format, mark: str, standalone: bool, longtable: bo
             values, fragment=fragment, title=form.escape(plain(table.caption, mark))
         )
     return fragment
+
+
+def is_taller_than_a_page(table: Table) -> bool:
+    """Tell whether the table, set by LaTeX, is too long for a float."""
+    from kurbel.texwidth import tex_layout
+
+    return tex_layout(page(table, by_name("text"), ".")).tall
 
 
 def _template(table: Table, format: str, name: str) -> Template:

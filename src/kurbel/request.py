@@ -11,16 +11,22 @@ from kurbel.choices import choose
 from kurbel.digits import Digits
 from kurbel.errors import ProblemError
 from kurbel.layouts import Layout, LayoutColumn
+from kurbel.notation import MOST_ROWS
+from kurbel.numerals import ROUNDINGS
 from kurbel.problem import Crank, check_angles
 from kurbel.quantities import STROKES, Quantity, registry
 from kurbel.table import Label
 
 AXIS_KEYS = ("ratio", "phi")
+MOST_DIGITS = 50
 
 
 @dataclass(frozen=True, slots=True)
 class Request:
-    """What is asked for. `method` and `digits` None leave both to the layout and the quantities."""
+    """What is asked for. `method` and `digits` None leave both to the layout and the quantities.
+
+    A page of paired angles has each pair once; by the method of the infinite rod all ratios are 1:∞.
+    """
 
     layout: Layout
     cranks: tuple[Crank, ...]
@@ -36,11 +42,50 @@ class Request:
         check_angles(self.angles)
         if not self.cranks:
             raise ProblemError("no crank ratio was given; write one as --ratio 1:5")
+        check_rounding(self.digits, self.rounding)
+        rows = len(self.cranks) * len(self.angles)
+        if rows > MOST_ROWS:
+            raise ProblemError(
+                f"{len(self.cranks)} ratios at {len(self.angles)} angles make a table of {rows} rows;"
+                " at most 10^9 are allowed"
+            )
         if self.method and self.layout.fixed:
             raise ProblemError(
                 f"layout {self.layout.key} states its formulas in its heads and takes no method;"
                 " use --layout kinematics to choose one"
             )
+        if any(crank.offset for crank in self.cranks):
+            self._check_offset()
+        if self.layout.pairs:
+            # Equal values: 200° stands in the pair of 160°.
+            object.__setattr__(self, "angles", tuple(dict.fromkeys(map(_first_of_pair, self.angles))))
+        if self.method == "infinite":
+            cranks = (Crank(Fraction(0), crank.offset, crank.radius, crank.speed) for crank in self.cranks)
+            object.__setattr__(self, "cranks", tuple(dict.fromkeys(cranks)))
+
+    def _check_offset(self) -> None:
+        if self.method not in (None, "exact"):
+            raise ProblemError(
+                f'method "{self.method}" has no formulas for an offset crank;'
+                " use exact, or leave the offset out"
+            )
+        if any(column.method not in (None, "exact") for column in self.layout.columns):
+            raise ProblemError(
+                f"layout {self.layout.key} prints first-order formulas, which an offset crank does not have;"
+                " use --layout kinematics or leave the offset out"
+            )
+
+
+def check_rounding(digits: int | None, rounding: str) -> None:
+    """Raise a KurbelError unless so many decimals can be printed, and rounded in this way."""
+    if digits is not None and (not isinstance(digits, int) or not 0 <= digits <= MOST_DIGITS):
+        raise ProblemError(f"digits is {digits}; it must be a whole number from 0 to {MOST_DIGITS}")
+    choose(rounding, ROUNDINGS, "rounding")
+
+
+def _first_of_pair(angle: Fraction) -> Fraction:
+    within = angle % 360
+    return min(within, 360 - within)
 
 
 class PageColumn(NamedTuple):
@@ -84,7 +129,7 @@ def _require(quantity: Quantity, request: Request) -> None:
 
 
 def _page_column(column: LayoutColumn, request: Request) -> PageColumn:
-    quantity = registry()[column.quantity]
+    quantity, lang = registry()[column.quantity], request.lang
     decimals = request.digits if request.digits is not None else column.decimals
     digits = Digits(
         quantity,
@@ -92,10 +137,10 @@ def _page_column(column: LayoutColumn, request: Request) -> PageColumn:
         quantity.decimals if decimals is None else decimals,
     )
     spanners = (quantity.name, STROKES[quantity.stroke]) if column.spanners is None else column.spanners
-    heading = ({request.lang: quantity.heading},) if column.heading is None else column.heading
+    heading = (quantity.heading,) if column.heading is None else column.heading
     return PageColumn(
         column.key,
         digits,
-        tuple(spanner[request.lang] for spanner in spanners),
-        tuple(line[request.lang] for line in heading),
+        tuple(spanner[lang] for spanner in spanners),
+        tuple(line[lang] for line in heading),
     )

@@ -18,6 +18,7 @@ from kurbel.table import Field, Number, Value
 CHUNK = 1 << 15
 # An angle that is no finite decimal, such as 0°20', is given to programs to this many places.
 ANGLE_DECIMALS = 15
+MOST_ANGLE_DECIMALS = 50
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,10 +40,11 @@ class RecordRows:
 
     def __iter__(self) -> Iterator[tuple[Value, ...]]:
         decimals = {column.key: column.digits.decimals for column in self.columns}
+        of_angles = angle_decimals(self.request.angles)
         for crank, angles, values in self.chunks():
             ratio = f"${ratio_text(crank.ratio)}$"
             for row, angle in enumerate(angles):
-                axes: dict[str, Value] = {"ratio": ratio, "phi": angle_number(angle, self.request.angles)}
+                axes: dict[str, Value] = {"ratio": ratio, "phi": angle_number(angle, of_angles)}
                 yield tuple(
                     axes[key] if key in axes else Number(int(values[key][row]), decimals[key])
                     for key in self.names()
@@ -78,13 +80,20 @@ class RecordRows:
 
 
 def angle_decimals(angles: Sequence[Fraction]) -> int | None:
-    """Return how many decimals write every angle exactly, or None if no number of them does."""
+    """Return how many decimals write every angle exactly, or None if no number up to 50 of them does."""
     ends = (angles.start, angles.step) if isinstance(angles, Progression) else angles
-    counts = [finite_decimals(angle) for angle in ends]
+    counts = [_decimals(angle) for angle in ends]
     known = [count for count in counts if count is not None]
     return max(known) if len(known) == len(counts) else None
 
 
-def angle_number(angle: Fraction, angles: Sequence[Fraction]) -> Number:
-    decimals = angle_decimals(angles)
+def angle_number(angle: Fraction, decimals: int | None) -> Number:
+    """Return the angle to the decimals of its column, or to its own where the column has no common ones."""
+    if decimals is None:
+        decimals = _decimals(angle)
     return nearest(angle, ANGLE_DECIMALS if decimals is None else decimals)
+
+
+def _decimals(angle: Fraction) -> int | None:
+    count = finite_decimals(angle)
+    return None if count is None or count > MOST_ANGLE_DECIMALS else count

@@ -8,6 +8,7 @@ from itertools import chain, islice
 from typing import TYPE_CHECKING
 
 from kurbel.build import build
+from kurbel.digits import MOST_DECIMALS, largest
 from kurbel.formats import DECIMALS
 from kurbel.notation import Progression, ratio_text
 from kurbel.request import Request
@@ -68,32 +69,32 @@ def _bulk_fields(rows: RecordRows, mark: str) -> Iterator[dict[str, Scaled | byt
     from kurbel.columns import Scaled
 
     decimals = {column.key: column.digits.decimals for column in rows.columns}
+    of_angles = angle_decimals(rows.request.angles) or 0
     for crank, angles, values in rows.chunks():
         fields: dict[str, Scaled | bytes] = {
             key: Scaled(values[key], decimals[key], mark.encode()) for key in values
         }
         fields["ratio"] = ratio_text(crank.ratio, mark).encode()
-        fields["phi"] = _scaled_angles(angles, mark.encode())
+        fields["phi"] = _scaled_angles(angles, of_angles, mark.encode())
         yield fields
 
 
 def _fits(angles: Sequence[Fraction]) -> bool:
     """Whether every angle is a finite decimal that fits an int64."""
     decimals = angle_decimals(angles)
-    return decimals is not None and max(abs(angles[0]), abs(angles[-1])) * 10**decimals < 2**62
+    return decimals is not None and decimals <= MOST_DECIMALS and largest(angles) * 10**decimals < 2**62
 
 
-def _scaled_angles(angles: Sequence[Fraction], mark: bytes) -> Scaled:
+def _scaled_angles(angles: Sequence[Fraction], decimals: int, mark: bytes) -> Scaled:
     import numpy as np
 
     from kurbel.columns import Scaled
     from kurbel.digits import integer_angles
 
-    decimals = angle_decimals(angles) or 0
     if isinstance(angles, Progression):
         numerators, denominator = integer_angles(angles)
         # A denominator of tens only divides the power of ten.
         scaled = numerators * (10**decimals // denominator)
     else:
-        scaled = np.array([angle_number(angle, angles).scaled for angle in angles], dtype=np.int64)
+        scaled = np.array([angle_number(angle, decimals).scaled for angle in angles], dtype=np.int64)
     return Scaled(scaled.astype(np.int64), decimals, mark)

@@ -83,12 +83,10 @@ def _plain_spaces(text: str) -> str:
 
 
 def grid_of(page: Page) -> Grid:
-    """Return the grid of a page, with narrower gaps if it is wider than the usual terminal."""
-    for narrower in (0, 1):
-        grid = _grid_with(page, narrower)
-        if grid.total <= WIDEST:
-            break
-    return grid
+    """Return the grid of a page, with narrower gaps if it then fits the width of a page."""
+    grid = _grid_with(page, 0)
+    narrower = _grid_with(page, 1) if grid.total > WIDEST else grid
+    return narrower if narrower.total <= WIDEST else grid
 
 
 def _grid_with(page: Page, narrower: int) -> Grid:

@@ -40,14 +40,12 @@ SIZES = (
 class TexLayout(NamedTuple):
     """How a table is set: the columns, which all panels share, and the size.
 
-    `share` is the width of the table as a part of the line, `wide` tells that it does not fit even in the
-    smallest size, `tall` that it is longer than a page.
+    `share` is the width of the table as a part of the line, `tall` tells that it is longer than a page.
     """
 
     columns: tuple[str, ...]
     size: Size
     share: float
-    wide: bool
     tall: bool
 
     @property
@@ -81,7 +79,6 @@ def tex_layout(page: Page) -> TexLayout:
         ),
         size=size,
         share=min(1.0, round(_points(widths, size) / TYPE_WIDTH, 2)),
-        wide=_points(widths, size) > TYPE_WIDTH,
         tall=_lines(page) * size.leading > TYPE_HEIGHT,
     )
 

@@ -52,7 +52,7 @@ def main() -> NoReturn:
     if hasattr(sys.stdout, "reconfigure"):
         # Help and lists have characters, such as ∞, that an old terminal lacks.
         sys.stdout.reconfigure(errors="replace")
-    for number in (signal.SIGTERM, signal.SIGHUP):
+    for number in (signal.SIGTERM, getattr(signal, "SIGHUP", signal.SIGTERM)):
         # nohup has a program ignore the end of its terminal.
         if signal.getsignal(number) is not signal.SIG_IGN:
             signal.signal(number, _terminated)

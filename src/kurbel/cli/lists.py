@@ -28,14 +28,10 @@ def layouts(lang: str) -> None:
 @lang_option
 def quantities(lang: str) -> None:
     """List the quantities that columns can show."""
-    from kurbel.captions import quantity_name
+    from kurbel.captions import WORDS, quantity_name
     from kurbel.quantities import registry
 
-    axes = {
-        "ratio": {"de": "Kurbelverhältnis", "en": "crank ratio"},
-        "phi": {"de": "Kurbelwinkel", "en": "crank angle"},
-    }
-    rows = [("ratio", axes["ratio"][lang], "R:L", ""), ("phi", axes["phi"][lang], "°", "")]
+    rows = [("ratio", WORDS["ratio"][lang], "", ""), ("phi", WORDS["phi"][lang], "°", "")]
     for key, quantity in registry().items():
         options = {"": "", "length": "--stroke", "speed": "--stroke --speed"}[quantity.needs]
         rows.append((key, quantity_name(quantity, lang), quantity.unit[lang], options))

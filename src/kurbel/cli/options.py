@@ -16,6 +16,7 @@ from kurbel.layouts import LANGUAGES, layout_names
 from kurbel.numerals import ROUNDINGS
 
 Command = TypeVar("Command", bound=Callable[..., Any])
+# request.py checks it too; here it is known without loading that.
 MOST_DIGITS = 50
 
 
@@ -50,6 +51,25 @@ class Digits(click.ParamType):  # type: ignore[type-arg]
         return allowed[str(value)]
 
 
+class FormatName(Name):
+    """A format by its name or by a suffix: latex, tex."""
+
+    def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> str:
+        suffixes = {suffix[1:]: name for name, entry in FORMATS.items() for suffix in entry.suffixes}
+        return super().convert(suffixes.get(value, value), param, ctx)
+
+
+class Label(click.ParamType):  # type: ignore[type-arg]
+    """A name that is safe in LaTeX and HTML alike."""
+
+    name = "name"
+
+    def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> str:
+        if not all(one.isascii() and (one.isalnum() or one in "-.:") for one in value):
+            raise NotationError(f'label "{value[:40]}" may have letters, digits and - . : only')
+        return value
+
+
 class Columns(click.ParamType):  # type: ignore[type-arg]
     """Names of columns, parted by commas; which there are depends on the layout."""
 
@@ -82,9 +102,10 @@ def layout_option(default: str) -> Callable[[Command], Command]:
 def output_options(command: Command) -> Command:
     """Add -f, -o, --lang, --decimal, --digits, --rounding, --standalone and --longtable."""
     options = (
-        click.option("-f", "--format", "format_name", type=Name("format", lambda: FORMATS),
-                     envvar="KURBEL_FORMAT", help="Output format; default: by the suffix of -o, else text."),
-        click.option("-o", "--output", metavar="FILE", default="-",
+        click.option("-f", "--format", type=FormatName("format", lambda: FORMATS),
+                     envvar=["KURBEL_TABLE_FORMAT", "KURBEL_FORMAT"],
+                     help="Output format; default: by the suffix of -o, else text."),
+        click.option("-o", "--output", type=click.Path(allow_dash=True), metavar="FILE", default="-",
                      help="File to write, whole or not at all; - is standard output."),
         click.option("--lang", type=Name("language", lambda: LANGUAGES), default="de", show_default=True,
                      envvar="KURBEL_LANG", help="Language of headings and captions: de or en."),
@@ -94,6 +115,8 @@ def output_options(command: Command) -> Command:
                      help=f"Decimals of every column, 0 to {MOST_DIGITS}."),
         click.option("--rounding", type=Name("rounding", lambda: ROUNDINGS), default=ROUNDINGS[0],
                      show_default=True, help="What becomes of a tie."),
+        click.option("--label", type=Label(), metavar="NAME", default="",
+                     help="Name for cross references: \\label{tab:NAME}; default: the layout's."),
         click.option("--standalone", is_flag=True, help="LaTeX and HTML: a whole document, not a fragment."),
         click.option("--longtable", is_flag=True, help="LaTeX: a longtable, which breaks across pages."),
     )  # fmt: skip
@@ -108,14 +131,22 @@ def chosen_format(format_name: str | None, output: str, standalone: bool, longta
 
     if not output:
         raise click.UsageError("--output names no file; - is standard output.")
-    source = click.get_current_context().get_parameter_source("format_name")
-    if output == "-" or source is ParameterSource.COMMANDLINE:
-        chosen = FORMATS[format_name or "text"]
-    else:
-        chosen = for_suffix(output)
-    if standalone and not chosen.document:
+    named = output == "-" or _typed("format")
+    chosen = FORMATS[format_name or "text"] if named else for_suffix(output)
+    if standalone and not chosen.document and _typed("standalone"):
         documents = " and ".join(name for name, entry in FORMATS.items() if entry.document)
         raise click.UsageError(f"--standalone is for {documents}; {chosen.name} has no documents.")
-    if longtable and chosen.name != "latex":
+    if longtable and chosen.name != "latex" and _typed("longtable"):
         raise click.UsageError(f"--longtable is for latex; the format is {chosen.name}.")
     return chosen
+
+
+def _typed(option: str) -> bool:
+    """Whether an option stands on the command line; a default from the environment gives way."""
+    return click.get_current_context().get_parameter_source(option) is ParameterSource.COMMANDLINE
+
+
+def typed_or_alone(options: dict[str, Any], option: str, rivals: tuple[str, ...]) -> Any:
+    """Return an option's value, but nothing if it comes from the environment and a rival was typed."""
+    outdone = not _typed(option) and all(_typed(rival) for rival in rivals)
+    return () if outdone else options[option]

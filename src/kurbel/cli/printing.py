@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterator
 from contextlib import AbstractContextManager, nullcontext
+from shutil import get_terminal_size
 from typing import Any
 
 import click
@@ -23,7 +24,7 @@ def print_table(
 ) -> None:
     """Write the table in the format to the file, whole or not at all."""
     if chosen.kind == "page":
-        pieces: Iterator[bytes] = _page(request, chosen, decimal, standalone, longtable)
+        pieces: Iterator[bytes] = _page(request, chosen, output, decimal, standalone, longtable)
         rows = 0
     else:
         from kurbel.streams import record_chunks
@@ -40,12 +41,18 @@ def print_table(
 
 
 def _page(
-    request: Request, chosen: Format, decimal: str | None, standalone: bool, longtable: bool
+    request: Request, chosen: Format, output: str, decimal: str | None, standalone: bool, longtable: bool
 ) -> Iterator[bytes]:
-    from kurbel.render import render
+    from kurbel.render import is_taller_than_a_page, render
 
-    text = render(build(request), chosen.name, decimal=decimal, standalone=standalone, longtable=longtable)
+    table = build(request)
+    width = get_terminal_size().columns if output == "-" and sys.stdout.isatty() else None
+    text = render(
+        table, chosen.name, decimal=decimal, standalone=standalone, longtable=longtable, width=width
+    )
     yield text.encode()
+    if chosen.name == "latex" and not (standalone or longtable) and is_taller_than_a_page(table):
+        click.echo("kurbel: the table is longer than a page; --longtable lets it break", err=True)
 
 
 class _NoBar:

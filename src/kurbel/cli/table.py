@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 from kurbel import notation
-from kurbel.cli.options import Columns, Name, chosen_format, layout_option, output_options
+from kurbel.cli.options import Columns, Name, chosen_format, layout_option, output_options, typed_or_alone
 from kurbel.errors import NotationError, ProblemError
 from kurbel.layouts import Layout
 from kurbel.problem import Crank, Speed
@@ -43,8 +43,9 @@ STEP = Fraction(10)
 @click.option(
     "--columns",
     type=Columns(),
+    multiple=True,
     metavar="NAMES",
-    help="Columns and their order: phi,x,c,p; `kurbel quantities` lists them.",
+    help="Columns and their order: phi,x,c,p; `kurbel quantities` lists them. Pages keep φ at the left.",
 )
 @click.option(
     "--method",
@@ -71,10 +72,10 @@ def table(**options: Any) -> None:
     from kurbel.request import Request
 
     page = layout(options["layout"])
-    chosen = chosen_format(*(options[name] for name in ("format_name", "output", "standalone", "longtable")))
-    cranks = _cranks(page, **{name: options[name] for name in ("ratio", "stroke", "rod", "speed", "offset")})
-    angles = _angles(page, *(options[name] for name in ("angle", "from", "to", "step")))
-    _check_rows(len(cranks), len(angles))
+    chosen = chosen_format(*(options[name] for name in ("format", "output", "standalone", "longtable")))
+    ratio = typed_or_alone(options, "ratio", ("stroke", "rod"))
+    cranks = _cranks(page, ratio, *(options[name] for name in ("stroke", "rod", "speed", "offset")))
+    angles = _angles(page, options["angle"], *(options[name] for name in ("from", "to", "step")))
     request = Request(
         layout=page,
         cranks=cranks,
@@ -83,7 +84,8 @@ def table(**options: Any) -> None:
         digits=options["digits"],
         rounding=options["rounding"],
         lang=options["lang"],
-        columns=_names(options["columns"]),
+        columns=notation.names(options["columns"], "columns", "phi,x,c,p"),
+        label=options["label"],
     )
     print_table(
         request,
@@ -111,14 +113,6 @@ def _angles(
     last = FULL_TURN if stop is None else notation.angle(stop, "last angle")
     width = min(STEP, last - first) if step is None and last > first else STEP
     return notation.progression(first, last, width if step is None else notation.angle(step, "step"))
-
-
-def _check_rows(ratios: int, angles: int) -> None:
-    if ratios * angles > notation.MOST_ROWS:
-        raise ProblemError(
-            f"{ratios} ratios at {angles} angles make a table of {ratios * angles} rows;"
-            " at most 10^9 are allowed"
-        )
 
 
 def _cranks(
@@ -170,20 +164,13 @@ def _offset(text: str | None, radius: Fraction | None) -> Fraction:
         return Fraction(0)
     from kurbel import units
 
-    if not units.is_measure(text):
-        return notation.number(text, "offset")
+    share = text.strip().removesuffix("R")
+    if not units.is_measure(share):
+        return notation.number(share, "offset")
+    displacement = units.displacement(text, "offset")
     if radius is None:
         raise NotationError(
             f'offset "{text[:40]}" is a length, but no length of the crank is known;'
             " add --stroke or give e as a share of R"
         )
-    return units.displacement(text, "offset") / radius
-
-
-def _names(text: str | None) -> tuple[str, ...]:
-    if text is None:
-        return ()
-    names = tuple(name.strip() for name in text.replace(";", ",").split(","))
-    if not all(names):
-        raise NotationError(f'columns "{text[:60]}" have an empty place; write them as phi,x,c,p')
-    return tuple(dict.fromkeys(names))
+    return displacement / radius
