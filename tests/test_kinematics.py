@@ -74,7 +74,7 @@ TINY = 1e-50
 
 
 def steep(ratio: float) -> float:
-    return 3 / (1 - ratio)
+    return 4 / (1 - ratio)
 
 
 STRAIGHT: dict[str, Any] = {
@@ -360,3 +360,17 @@ def test_an_error_in_a_bulk_thread_is_raised(monkeypatch: pytest.MonkeyPatch) ->
 
 def test_no_angles_give_no_columns() -> None:
     assert bulk.evaluate([lambda point: point.sine], np.empty(0)).shape == (1, 0)
+
+
+@pytest.mark.parametrize(
+    ("quantity", "angle", "ratio"),
+    [("c", 180.95213232, 0.9990974744), ("x", 357.33954, 0.94514826)],
+)
+def test_the_worst_cases_of_a_long_search_keep_the_bound(quantity: str, angle: float, ratio: float) -> None:
+    formula, textbook, floor, _, larger = STRAIGHT[quantity]
+    around = angle + np.arange(-200, 200, dtype=np.float64) * 1e-6
+    for stroke in (1, -1):
+        values = formula(circle(around), stroke * ratio)
+        out, back = textbook_strokes(quantity, textbook, around, ratio, 0.0)
+        error, row = worst(values, out if stroke > 0 else back, floor)
+        assert error <= larger(ratio), f"{error} ulp at {around[row]}°"

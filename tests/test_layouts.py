@@ -499,3 +499,38 @@ def test_a_page_with_too_many_ratios_across_is_refused() -> None:
         page("kolbenwege", ratios=("1:3..253",), angles="30")
     sentence = "a page of 251 ratios across is too wide; at most 500 columns are set, use -f csv or -f json"
     assert str(caught.value) == sentence
+
+
+@pytest.mark.parametrize(
+    ("crank", "ratio", "expected"),
+    [
+        # c_m = S n/30 = 0.075 · 125/30 = 0.3125 m/s, a tie at three decimals.
+        ({"radius": Fraction(75, 2000), "speed": Speed(Fraction(125, 60))}, "1:5", '$c_m = 0.313 "m/s"$'),
+        # v = R ω = 0.3 · 12.345 = 3.7035 m/s, another.
+        (
+            {"radius": Fraction(3, 10), "speed": Speed(Fraction(12345, 1000), turns=False)},
+            "1:5",
+            '$v = 3.704 "m/s"$',
+        ),
+        ({"radius": Fraction(93, 2000), "speed": Speed(Fraction(2005, 60))}, "1:4", '$c_m = 6.216 "m/s"$'),
+    ],
+)
+def test_ties_in_the_notes_are_settled(crank: dict[str, Any], ratio: str, expected: str) -> None:
+    assert expected in page("kinematics", ratios=(ratio,), angles="90", crank=crank).notes[-1].text
+
+
+def test_pairs_of_angles_stand_once_and_below_180() -> None:
+    table = page("roetscher-112", angles="200;160;-20;380;0;360")
+    headings = [column.heading for panel in table.panels for column in panel.columns]
+    assert headings == [("$160$", "$200$"), ("$20$", "$340$"), ("$0$", "$360$")]
+
+
+def test_ratios_of_an_infinite_rod_are_one() -> None:
+    table = page("kolbenwege", method="infinite", angles="90")
+    assert [len(panel.columns) for panel in table.panels] == [2]
+
+
+def test_label_names_the_table_and_keeps_the_templates_of_its_layout() -> None:
+    own = layout("kinematics")
+    request = Request(own, (Crank(Fraction(1, 5)),), notation.angles(["90"]), label="eins")
+    assert (build(request).key, build(request).layout) == ("eins", "kinematics")

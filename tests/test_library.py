@@ -70,3 +70,34 @@ def test_a_page_of_the_library_is_the_page_of_the_command_line(capfd: pytest.Cap
     ):
         main()
     assert kurbel.typeset(kurbel.make_table("1:4,5", digits=6)) == capfd.readouterr().out
+
+
+def test_text_is_read_as_on_the_command_line() -> None:
+    page = kurbel.make_table("1:5", angles="0..20:10", columns="phi, x", lang="en")
+    assert [len(panel.groups[0].rows) for panel in page.panels] == [3]
+    assert kurbel.compute("0;90", "1:5", "c")["c"].tolist() == [0.0, 1.0]
+
+
+@pytest.mark.parametrize("digits", [-1, 51, 5000, 2.5])
+def test_decimals_that_cannot_be_printed_are_refused(digits: int) -> None:
+    for call in (
+        lambda: kurbel.certified("x", "1:5", 90, digits=digits),
+        lambda: kurbel.make_table("1:5", digits=digits),
+    ):
+        with pytest.raises(
+            kurbel.KurbelError, match=f"^digits is {digits}; it must be a whole number from 0 to 50"
+        ):
+            call()
+
+
+def test_a_misspelt_rounding_is_not_ignored() -> None:
+    with pytest.raises(kurbel.KurbelError, match="did you mean half-even"):
+        kurbel.certified("x", "1:5", 60, digits=2, rounding="half_even")
+    with pytest.raises(kurbel.KurbelError, match="there is no rounding"):
+        kurbel.make_table("1:5", rounding="bogus")
+
+
+@pytest.mark.parametrize("angles", [[float("nan")], [float("inf")], [1e300], "abc", [[1], [2, 3]], None])
+def test_angles_that_are_none_are_refused(angles: object) -> None:
+    with pytest.raises(kurbel.KurbelError):
+        kurbel.compute(angles, "1:5")  # type: ignore[arg-type]

@@ -10,6 +10,7 @@ import flint
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from mpmath import mp
 
 from kurbel import certify
 from kurbel.kernel.circle import Circle
@@ -152,3 +153,16 @@ def test_separation_refuses_what_it_has_no_rule_for() -> None:
     for exponent in (-1, 1.5):
         with pytest.raises(ValueError, match="no rule for the exponent"):
             Separation.rational(2) ** exponent
+
+
+@given(st.integers(1, 10**30), st.integers(1, 10**30))
+def test_root_of_a_fraction_bounds_its_numerator_and_its_denominator(top: int, bottom: int) -> None:
+    # sqrt(a/b) = sqrt(ab)/b: both are algebraic integers, and b is the denominator the bound must know.
+    fraction = Fraction(top, bottom)
+    root = Separation.rational(fraction) ** 0.5
+    with mp.workprec(300):
+        denominator = mp.mpf(fraction.denominator)
+        numerator = mp.sqrt(mp.mpf(fraction.numerator) * denominator)
+        slack = mp.mpf(2) ** -40
+        assert mp.log(numerator, 2) <= root.upper + slack
+        assert mp.log(denominator, 2) <= root.lower + slack

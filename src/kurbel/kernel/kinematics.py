@@ -34,7 +34,7 @@ def rod_cosine(circle: Circle[Number], ratio: Number) -> Number:
 def piston_path(circle: Circle[Number], ratio: Number) -> Number:
     """Return the piston path x = 1 - cos φ + (1 - cos ψ)/λ from the dead centre, in units of R.
 
-    Floats: at most 1.6 ulp from the true value for |λ| <= 1/3, else 3/(1 - |λ|) ulp.
+    Floats: at most 1.6 ulp from the true value for |λ| <= 1/3, else 4/(1 - |λ|) ulp.
     Source: Rötscher, eq. (285), rewritten.
     """
     # The textbook (1 - cos ψ)/λ divides by zero for an infinite rod and keeps half its digits at
@@ -51,7 +51,7 @@ def piston_path(circle: Circle[Number], ratio: Number) -> Number:
 def piston_velocity(circle: Circle[Number], ratio: Number) -> Number:
     """Return the piston velocity c = sin(φ + ψ)/cos ψ away from the dead centre, in units of v.
 
-    Floats: at most 1.8 ulp from the true value for |λ| <= 1/3, else 3/(1 - |λ|) ulp.
+    Floats: at most 1.8 ulp from the true value for |λ| <= 1/3, else 4/(1 - |λ|) ulp.
     Source: FORMULAS, kinematics: c = sin φ + cos φ tan ψ.
     """
     # sin ψ cos φ/cos ψ outright reaches 2.2 ulp where it takes half of sin φ away; 1/cos ψ is
@@ -79,7 +79,7 @@ def piston_acceleration(circle: Circle[Number], ratio: Number) -> Number:
 def piston_path_first_order(circle: Circle[Number], ratio: Number) -> Number:
     """Return x = 1 - cos φ + ½ λ sin² φ from the dead centre, in units of R.
 
-    Floats: at most 1.6 ulp from the true value for |λ| <= 1/3, else 3/(1 - |λ|) ulp.
+    Floats: at most 1.6 ulp from the true value for |λ| <= 1/3, else 4/(1 - |λ|) ulp.
     Source: Blau, eq. (22), with sin² φ written as (1 - cos φ)(2 - (1 - cos φ)).
     """
     slant = ratio * circle.versine
@@ -89,7 +89,7 @@ def piston_path_first_order(circle: Circle[Number], ratio: Number) -> Number:
 def piston_velocity_first_order(circle: Circle[Number], ratio: Number) -> Number:
     """Return c = sin φ + ½ λ sin 2φ, in units of v.
 
-    Floats: at most 1.8 ulp from the true value for |λ| <= 1/3, else 3/(1 - |λ|) ulp.
+    Floats: at most 1.8 ulp from the true value for |λ| <= 1/3, else 4/(1 - |λ|) ulp.
     Source: Blau, eq. (25).
     """
     return circle.sine + (circle.sine * (ratio * circle.cosine) + circle.sine_tail)

@@ -1,0 +1,60 @@
+"""Pages on a narrow terminal: parted into panels, with nothing lost."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+
+from kurbel import notation
+from kurbel.build import build
+from kurbel.layouts import layout, layout_names
+from kurbel.problem import Crank, Speed
+from kurbel.render import render
+from kurbel.request import Request
+from kurbel.table import Table
+
+
+def page(name: str, **machine: object) -> Table:
+    own = layout(name)
+    ratios = notation.ratios(own.ratios)
+    cranks = tuple(Crank(ratio, **machine) for ratio in ratios)  # type: ignore[arg-type]
+    return build(Request(own, cranks, notation.angles(["30;90"])))
+
+
+def figures(text: str) -> list[str]:
+    return sorted(word for word in text.split() if word.removeprefix("−").replace(",", "").isdigit())
+
+
+PAGES = [
+    *((name, {}) for name in layout_names()),
+    ("kinematics", {"radius": Fraction(1), "speed": Speed(Fraction(3))}),
+]
+
+
+@pytest.mark.parametrize("width", [60, 72, 80, 120])
+@pytest.mark.parametrize(("name", "machine"), PAGES)
+def test_no_line_is_wider_than_the_terminal_and_no_figure_is_lost(
+    name: str, machine: dict[str, object], width: int
+) -> None:
+    table = page(name, **machine)
+    narrow = render(table, "text", width=width)
+    assert max(map(len, narrow.splitlines())) <= max(width, 62)
+    # The stub repeats in every panel.
+    assert set(figures(narrow)) == set(figures(render(table, "text")))
+    assert len(figures(narrow)) >= len(figures(render(table, "text")))
+
+
+def test_a_wide_terminal_changes_nothing() -> None:
+    for name in layout_names():
+        assert render(page(name), "text", width=200) == render(page(name), "text")
+
+
+def test_panels_are_parted_between_spanners() -> None:
+    narrow = render(page("verfahren"), "text", width=80)
+    assert narrow.count("Kolbengeschwindigkeit") == narrow.count("Kolbenbeschleunigung") == 1
+    assert narrow.count("φ in °") == 2
+
+
+def test_a_page_that_fits_nowhere_is_printed_as_it_is() -> None:
+    assert render(page("kinematics"), "text", width=10) == render(page("kinematics"), "text")
