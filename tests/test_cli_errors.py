@@ -308,3 +308,23 @@ def test_whatever_is_typed_is_answered_with_a_table_or_a_sentence(typed: list[tu
     else:
         assert (result.code, result.out, result.err.count("\n")) == (2, "", 1)
         assert result.err.startswith("kurbel: ")
+
+
+def test_an_offset_crank_has_no_first_order_formulas_and_nobody_is_sent_in_circles() -> None:
+    for name in ("roetscher-112", "blau-kolbenwege", "lueger-kolbenbewegung", "verfahren"):
+        result = kurbel("table", "--layout", name, "--offset", "0.1")
+        assert (result.code, result.out) == (2, "")
+        assert result.err == (
+            f"kurbel: layout {name} prints first-order formulas, which an offset crank does not have;"
+            " use --layout kinematics or leave the offset out\n"
+        )
+
+
+def test_label_with_signs_that_references_do_not_have_is_refused() -> None:
+    result = kurbel("table", "--label", "a}b")
+    assert (result.code, result.err) == (2, 'kurbel: label "a}b" may have letters, digits and - . : only\n')
+
+
+def test_a_mass_is_no_offset_with_or_without_a_stroke() -> None:
+    for words in ((), ("--stroke", "600mm")):
+        assert "kilogram" in kurbel("table", "--offset", "3kg", *words).err

@@ -279,3 +279,45 @@ def test_every_digit_of_a_random_table_is_that_of_the_textbook(
             scaled = rounded(evaluate(key, "exact", Drive(1 / rod, share), angle), decimals)
             if scaled is not None:
                 assert record[key] == digits(scaled, decimals), (ratio, share, angle, key)
+
+
+def test_formats_are_known_by_their_suffixes_too() -> None:
+    assert printed("table", "-f", "md").out == printed("table", "-f", "markdown").out
+    assert printed("table", "-f", "tex").out == printed("table", "-f", "latex").out
+
+
+def test_label_is_the_name_of_the_reference() -> None:
+    assert r"\label{tab:eins}" in printed("table", "-f", "latex", "--label", "eins").out
+    assert r"\label{tab:kinematics}" in printed("table", "-f", "latex").out
+    assert 'id="tab-eins"' in printed("table", "-f", "html", "--label", "eins").out
+
+
+def test_environment_gives_way_to_what_is_typed() -> None:
+    typed = ("table", "--stroke", "600mm", "--rod", "1500mm", "--angle", "90")
+    assert printed(*typed, KURBEL_TABLE_RATIO="1:3").out == printed(*typed).out
+    csv = printed("table", "--angle", "90", KURBEL_TABLE_FORMAT="csv").out
+    assert csv == printed("table", "--angle", "90", "-f", "csv").out
+    assert printed("table", KURBEL_TABLE_STANDALONE="1").out == printed("table").out
+
+
+def test_columns_may_be_given_in_several_options() -> None:
+    header = printed("table", "-f", "csv", "--columns", "phi", "--columns", "c;x").out.splitlines()[0]
+    assert header == "phi,c,x"
+
+
+def test_offset_is_read_as_the_page_prints_it() -> None:
+    assert printed("table", "--offset", "0,2 R").out == printed("table", "--offset", "0.2").out
+
+
+def test_an_angle_that_is_no_decimal_leaves_the_others_as_they_are() -> None:
+    records = printed("table", "--angle", "11.25;0°20'", "-f", "csv").records()
+    assert [row["phi"] for row in records] == ["11.25", "0.333333333333333"]
+
+
+def test_captions_speak_of_the_columns_on_the_page() -> None:
+    assert "Prozent" not in printed("table", "--layout", "kolbenwege", "--columns", "c").out
+    assert printed("table", "--layout", "roetscher-112", "--columns", "c", "--ratio", "1:5").out.startswith(
+        " Kolbengeschwindigkeit für R:L = 1:5; genaue Formeln\n"
+    )
+    assert "sin ψ = ± λ sin φ" in printed("table", "--columns", "psi,psi_return", "--method", "series").out
+    assert "Unterschied" not in printed("table", "--layout", "verfahren", "--columns", "p_exact,p_series").out

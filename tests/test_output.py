@@ -17,7 +17,7 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 import pytest
-from cli import printed, refusal
+from cli import kurbel, printed, refusal
 
 from kurbel.errors import OutputError
 from kurbel.output import whole_file
@@ -305,3 +305,20 @@ def test_a_long_table_shows_a_bar_on_a_terminal_and_only_there(
     assert quiet.stderr == b""
     assert (folder / "new.csv").read_bytes() == quiet.stdout
     assert quiet.stdout.count(b"\n") == 360_002
+
+
+def test_dev_stdout_is_the_stream_and_not_a_file_to_replace(tmp_path: Path) -> None:
+    target = tmp_path / "all.txt"
+    command = f"echo head; {sys.executable} -m kurbel table --angle 60 -f csv -o /dev/stdout; echo tail"
+    with target.open("wb") as stream:
+        subprocess.run(["sh", "-c", command], stdout=stream, check=True)
+    lines = target.read_text(encoding="utf-8").splitlines()
+    assert (lines[0], lines[-1], len(lines)) == ("head", "tail", 4)
+
+
+def test_a_page_longer_than_a_page_is_pointed_out(tmp_path: Path) -> None:
+    result = kurbel("table", "--step", "2", "-o", str(tmp_path / "long.tex"))
+    assert (result.code, result.err) == (
+        0, "kurbel: the table is longer than a page; --longtable lets it break\n"
+    )  # fmt: skip
+    assert kurbel("table", "--step", "2", "--longtable", "-o", str(tmp_path / "long.tex")).err == ""

@@ -29,7 +29,11 @@ def whole_file(target: str) -> Iterator[BinaryIO]:
     from pathlib import Path
 
     try:
-        if _is_device(Path(target)):
+        descriptor = _descriptor(target)
+        if descriptor is not None:
+            with os.fdopen(os.dup(descriptor), "wb") as stream:
+                yield stream
+        elif _is_device(Path(target)):
             with open(target, "wb") as device:
                 yield device
         else:
@@ -40,10 +44,17 @@ def whole_file(target: str) -> Iterator[BinaryIO]:
         raise OutputError(f"cannot write {target}: {_reason(error)}") from error
 
 
+def _descriptor(target: str) -> int | None:
+    """The number of the open stream that the target names: opened by name, a file behind it would be cut."""
+    names = {"/dev/stdout": 1, "/dev/stderr": 2}
+    folder, _, number = target.rpartition("/")
+    if folder in ("/dev/fd", "/proc/self/fd") and number.isdecimal():
+        return int(number)
+    return names.get(target)
+
+
 def _is_device(path: Path) -> bool:
-    # Asked of the target as it was given: a link such as /dev/stdout may lead to a pipe that has no path.
-    if path.as_posix().startswith(("/dev/", "/proc/")) and path.exists():
-        return True
+    # Asked of the target as it was given: a link such as /dev/fd/.. may lead to a pipe that has no path.
     return path.exists() and not path.is_file() and not path.is_dir()
 
 
