@@ -14,10 +14,9 @@ from kurbel.cli import COMMANDS
 from kurbel.formats import FORMATS
 from kurbel.layouts import layout, layout_names
 from kurbel.notation import ratio_text, ratios
-from kurbel.quantities import METHODS, registry
+from kurbel.quantities import METHODS, NEEDS, registry
 
 PAGE = Path(__file__).with_name("reference.md")
-OPTIONS = {"": "", "length": "`--stroke`", "speed": "`--stroke --speed`"}
 
 
 def reference() -> str:
@@ -41,7 +40,8 @@ def _quantities() -> Iterator[str]:
     yield "| `phi` | Crank angle from the dead centre of the stroke | ° | | |"
     for key, quantity in registry().items():
         name, unit = quantity_name(quantity, "en"), quantity.unit["en"]
-        yield f"| `{key}` | {name} | {unit} | {quantity.decimals} | {OPTIONS[quantity.needs]} |"
+        options = " ".join(f"`{option}`" for option in NEEDS[quantity.needs])
+        yield f"| `{key}` | {name} | {unit} | {quantity.decimals} | {options} |"
 
 
 def _layouts() -> Iterator[str]:

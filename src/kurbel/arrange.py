@@ -7,7 +7,7 @@ from fractions import Fraction
 from itertools import groupby, pairwise, product
 
 from kurbel import captions
-from kurbel.digits import scaled_columns, wants_bulk
+from kurbel.digits import columns_in_balls, columns_in_floats, is_long
 from kurbel.errors import ProblemError
 from kurbel.notation import plain, ratio_text
 from kurbel.numerals import degrees_text, finite_decimals
@@ -47,10 +47,9 @@ class _Page:
         self.columns = columns
         self.angle_decimals = angle_decimals(request.angles)
         digits = [column.digits for column in columns]
-        bulk = wants_bulk(digits, request.cranks, request.angles)
-        self.values = [
-            scaled_columns(digits, crank, request.angles, request.rounding, bulk) for crank in request.cranks
-        ]
+        long = is_long(digits, request.cranks, request.angles)
+        compute = columns_in_floats if long else columns_in_balls
+        self.values = [compute(digits, crank, request.angles, request.rounding) for crank in request.cranks]
 
     def places(self, axes: Sequence[str]) -> list[Place]:
         lengths = {

@@ -31,20 +31,18 @@ class Digits(NamedTuple):
     decimals: int
 
 
-def scaled_columns(
-    columns: Sequence[Digits], crank: Crank, angles: Sequence[Fraction], rounding: str, bulk: bool
-) -> list[Any]:
+def columns_in_balls(
+    columns: Sequence[Digits], crank: Crank, angles: Sequence[Fraction], rounding: str
+) -> list[list[int]]:
     """Return for each column its values times 10**decimals, rounded correctly, one for each angle.
 
-    Lists of ints, or int64 arrays where `bulk` is set.
+    Every value is certified by itself: no NumPy, any number of decimals.
     """
-    if not bulk:
-        return [[_settled(column, crank, angle, rounding) for angle in angles] for column in columns]
-    return _bulk_columns(columns, crank, angles, rounding)
+    return [[_settled(column, crank, angle, rounding) for angle in angles] for column in columns]
 
 
-def wants_bulk(columns: Sequence[Digits], cranks: Sequence[Crank], angles: Sequence[Fraction]) -> bool:
-    """Whether so many cells, to so few decimals, are worth NumPy's start-up."""
+def is_long(columns: Sequence[Digits], cranks: Sequence[Crank], angles: Sequence[Fraction]) -> bool:
+    """Whether so many cells, to so few decimals, are worth NumPy's start-up: `columns_in_floats`."""
     if len(columns) * len(cranks) * len(angles) <= PAGE_CELLS:
         return False
     if max(column.decimals for column in columns) > MOST_DECIMALS:
@@ -84,9 +82,10 @@ def _settled(column: Digits, crank: Crank, angle: Fraction, rounding: str) -> in
     return certified(column.quantity, column.method, crank, angle, column.decimals, rounding)
 
 
-def _bulk_columns(
+def columns_in_floats(
     columns: Sequence[Digits], crank: Crank, angles: Sequence[Fraction], rounding: str
 ) -> list[np.ndarray]:
+    """Return the same as int64 arrays: all values in floats, certified where they are doubtful."""
     from kurbel.bulk import evaluate
     from kurbel.columns import nearest
 

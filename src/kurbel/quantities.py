@@ -17,6 +17,8 @@ from kurbel.problem import Crank
 from kurbel.table import Label
 
 Formula = Callable[[Any, Any, Any], Any]
+# What of the crank a quantity needs to be known, and the options that tell it.
+NEEDS: Mapping[str, tuple[str, ...]] = {"": (), "length": ("--stroke",), "speed": ("--stroke", "--speed")}
 OUT, RETURN = 1, -1
 STROKES = {
     OUT: {"de": "Hingang", "en": "Outstroke"},

@@ -14,7 +14,7 @@ from kurbel.layouts import Layout, LayoutColumn
 from kurbel.notation import MOST_ROWS
 from kurbel.numerals import ROUNDINGS
 from kurbel.problem import Crank, check_angles
-from kurbel.quantities import STROKES, Quantity, registry
+from kurbel.quantities import NEEDS, STROKES, Quantity, registry
 from kurbel.table import Label
 
 AXIS_KEYS = ("ratio", "phi")
@@ -124,7 +124,7 @@ def _available(quantity: Quantity, request: Request) -> bool:
 
 def _require(quantity: Quantity, request: Request) -> None:
     if not _available(quantity, request):
-        options = "--stroke" if quantity.needs == "length" else "--stroke and --speed"
+        options = " and ".join(NEEDS[quantity.needs])
         raise ProblemError(f"column {quantity.key} is in {quantity.unit['en']} and needs {options}")
 
 

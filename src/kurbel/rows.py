@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from kurbel import captions
-from kurbel.digits import Digits, scaled_columns, wants_bulk
+from kurbel.digits import Digits, columns_in_balls, columns_in_floats, is_long
 from kurbel.notation import Progression, ratio_text
 from kurbel.numerals import finite_decimals, nearest
 from kurbel.problem import Crank
@@ -52,15 +52,16 @@ class RecordRows:
 
     def bulk(self) -> bool:
         """Whether the chunks come as arrays."""
-        return wants_bulk(self._digits(), self.request.cranks, self.request.angles)
+        return is_long(self._digits(), self.request.cranks, self.request.angles)
 
     def chunks(self) -> Iterator[tuple[Crank, Sequence[Fraction], Mapping[str, Any]]]:
         """Yield ratio by ratio and chunk by chunk the scaled digits of every column by its key."""
-        bulk, angles = self.bulk(), self.request.angles
+        compute = columns_in_floats if self.bulk() else columns_in_balls
+        angles = self.request.angles
         for crank in self.request.cranks:
             for start in range(0, len(angles), CHUNK):
                 part = angles[start : start + CHUNK]
-                values = scaled_columns(self._digits(), crank, part, self.request.rounding, bulk)
+                values = compute(self._digits(), crank, part, self.request.rounding)
                 yield crank, part, {column.key: one for column, one in zip(self.columns, values, strict=True)}
 
     def _digits(self) -> list[Digits]:

@@ -29,11 +29,11 @@ def layouts(lang: str) -> None:
 def quantities(lang: str) -> None:
     """List the quantities that columns can show."""
     from kurbel.captions import WORDS, quantity_name
-    from kurbel.quantities import registry
+    from kurbel.quantities import NEEDS, registry
 
     rows = [("ratio", WORDS["ratio"][lang], "", ""), ("phi", WORDS["phi"][lang], "°", "")]
     for key, quantity in registry().items():
-        options = {"": "", "length": "--stroke", "speed": "--stroke --speed"}[quantity.needs]
+        options = " ".join(NEEDS[quantity.needs])
         rows.append((key, quantity_name(quantity, lang), quantity.unit[lang], options))
     _print(rows)
 
