@@ -319,5 +319,7 @@ def test_captions_speak_of_the_columns_on_the_page() -> None:
     assert printed("table", "--layout", "roetscher-112", "--columns", "c", "--ratio", "1:5").out.startswith(
         " Kolbengeschwindigkeit für R:L = 1:5; genaue Formeln\n"
     )
-    assert "sin ψ = ± λ sin φ" in printed("table", "--columns", "psi,psi_return", "--method", "series").out
+    both = printed("table", "--columns", "psi,psi_return", "--method", "series").out
+    assert "sin ψ = ± λ sin φ" in both
+    assert "oberes Zeichen" in both
     assert "Unterschied" not in printed("table", "--layout", "verfahren", "--columns", "p_exact,p_series").out

@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+import csv
+import io
+import re
+import subprocess
 from fractions import Fraction
 from pathlib import Path
 
 import pytest
 from test_latex import ENGINES, compiled, complaints
+from test_render import fragment
+from tools import require
 
 from kurbel import notation
 from kurbel.build import build
@@ -59,3 +65,36 @@ def test_all_shipped_layouts_compile_in_one_document(engine: str, longtable: boo
     log = compiled(engine, f"{PREAMBLE}{inputs}\\end{{document}}\n", tmp_path, runs=3 if longtable else 2)
     assert complaints(log) == []
     assert f"Output written on page.pdf ({len(pages)} pages" in log
+
+
+FIGURE = re.compile(r"(?<![\w.,])[−-]?[0-9]+(?:[.,][0-9]+)?(?![\w.,])")
+
+
+def rows_of_figures(lines: list[str]) -> list[list[str]]:
+    """Return the figures of each line that has a whole row of them, in the notation of CSV."""
+    rows = [FIGURE.findall(line) for line in lines]
+    return [[figure.replace("−", "-").replace(",", ".") for figure in row] for row in rows if len(row) == 7]
+
+
+def in_pdf(page: Table, folder: Path) -> list[str]:
+    program = require("pdftotext")
+    compiled("pdflatex", render(page, "latex", standalone=True), folder)
+    subprocess.run([program, "-layout", "page.pdf", "page.txt"], cwd=folder, check=True)
+    return (folder / "page.txt").read_text(encoding="utf-8").splitlines()
+
+
+def in_html(page: Table) -> list[str]:
+    return [" ".join("".join(cell.itertext()) for cell in row) for row in fragment(page).iter("tr")]
+
+
+@pytest.mark.parametrize("lang", LANGUAGES)
+@pytest.mark.parametrize("form", ["pdf", "html", "markdown", "text"])
+def test_the_same_digits_stand_in_every_format(form: str, lang: str, tmp_path: Path) -> None:
+    page = shipped("kinematics", lang)
+    records = list(csv.reader(io.StringIO(render(page, "csv"))))[1:]
+    if form == "pdf":
+        lines = in_pdf(page, tmp_path)
+    else:
+        lines = in_html(page) if form == "html" else render(page, form).splitlines()
+    assert rows_of_figures(lines) == [record[1:] for record in records]
+    assert len(records) == 19

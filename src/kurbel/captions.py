@@ -34,7 +34,6 @@ FORMULAS: Mapping[str, Mapping[str, str]] = {
         "x": "$x/R = 1 - cos {angle} {±} (1 - cos ψ)/λ$",
         "c": "$c/v = sin {angle} {±} (λ sin {angle} cos {angle})/(cos ψ)$",
         "p": "$(p R)/v^2 = cos {angle} {±} λ (cos 2 {angle} + λ^2 sin^4 {angle})/(cos^3 ψ)$",
-        "ψ": "",
     },
     "series": {
         "x": "$x/R = 1 - cos {angle} {±} 1/2 λ sin^2 {angle}$",
@@ -53,7 +52,6 @@ OFFSET_FORMULAS = {
     "x": "$x/R = (cos φ_i - cos {angle}) + (cos ψ_i - cos ψ)/λ$",
     "c": "$c/v = sin {angle} + cos {angle} tan ψ$",
     "p": "$(p R)/v^2 = cos {angle} - sin {angle} tan ψ + λ (cos^2 {angle})/(cos^3 ψ)$",
-    "ψ": "",
 }
 SYMBOLS = {
     "exact": "$sin ψ = {ψ}λ sin {angle}$, $λ = {ratio}$",
@@ -172,14 +170,18 @@ def _formula_lines(request: Request, columns: Sequence[Digits]) -> Iterator[Labe
     methods = dict.fromkeys(method for method, _ in pairs)
     for method in methods:
         table = OFFSET_FORMULAS if offset else FORMULAS[method]
-        formulas = [table[symbol] for one, symbol in pairs if one == method]
+        formulas = [table.get(symbol, "") for one, symbol in pairs if one == method]
         line = ", ".join(part for part in (*formulas, SYMBOLS["offset" if offset else method]) if part)
         name = f"{METHODS[method].caption[request.lang]}: " if len(methods) > 1 else ""
         yield name + _filled(line, request, both, both and (method, "ψ") in pairs)
     if both and offset:
         yield _filled(WORDS["offset_return"][request.lang], request, both, both)
-    elif both and any("±" in FORMULAS[method][symbol] or symbol == "ψ" for method, symbol in pairs):
+    elif both and any(_has_signs(FORMULAS[method].get(symbol, "{±}")) for method, symbol in pairs):
         yield WORDS["signs"][request.lang]
+
+
+def _has_signs(formula: str) -> bool:
+    return "{±}" in formula or "{ψ}" in formula
 
 
 def _methods_of(method: str) -> tuple[str, ...]:

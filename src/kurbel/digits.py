@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 # Below this many cells balls are done before NumPy is imported.
 PAGE_CELLS = 20_000
-# Floats are worth their while as long as few of them are doubtful: at half of this share they save nothing.
+# Floats are worth their while as long as few of them are doubtful.
 DOUBTFUL_SHARE = 0.1
 # Integers of 64 bits have no more digits.
 MOST_DECIMALS = 18
