@@ -99,8 +99,8 @@ CHOICES = [
         ("--method", "exakt"),
         'there is no method "exakt" (did you mean exact?); choose from exact, series, infinite',
     ),
-    (("--columns", ","), 'columns "," have an empty place; write them as phi,x,c,p'),
-    (("--columns", ""), 'columns "" have an empty place; write them as phi,x,c,p'),
+    (("--columns", ","), 'columns "," has an empty place; write it as phi,x,c,p'),
+    (("--columns", ""), 'columns "" has an empty place; write it as phi,x,c,p'),
     (
         ("--columns", "ratio,phi"),
         "--columns names no quantity; add one, for example --columns phi,x,c,p",

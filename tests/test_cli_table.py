@@ -298,6 +298,10 @@ def test_environment_gives_way_to_what_is_typed() -> None:
     csv = printed("table", "--angle", "90", KURBEL_TABLE_FORMAT="csv").out
     assert csv == printed("table", "--angle", "90", "-f", "csv").out
     assert printed("table", KURBEL_TABLE_STANDALONE="1").out == printed("table").out
+    step = printed("table", "--step", "90", KURBEL_TABLE_ANGLE="30").out
+    assert step == printed("table", "--step", "90").out
+    ratio = printed("table", "--ratio", "1:4", KURBEL_TABLE_STROKE="600mm", KURBEL_TABLE_ROD="1500mm").out
+    assert ratio == printed("table", "--ratio", "1:4", "--stroke", "600mm").out
 
 
 def test_columns_may_be_given_in_several_options() -> None:
@@ -323,3 +327,35 @@ def test_captions_speak_of_the_columns_on_the_page() -> None:
     assert "sin ψ = ± λ sin φ" in both
     assert "oberes Zeichen" in both
     assert "Unterschied" not in printed("table", "--layout", "verfahren", "--columns", "p_exact,p_series").out
+
+
+def test_fixed_formulas_keep_their_ratio_beside_an_infinite_rod() -> None:
+    words = (
+        "table",
+        "--layout",
+        "lueger-kolbenbewegung",
+        "--ratio",
+        "1:4",
+        "--method",
+        "infinite",
+        "--angle",
+        "0",
+    )
+    assert printed(*words, "-f", "csv").records() == [
+        {"ratio": "1:4", "phi": "0", "x_percent": "0.00", "p_bracket": "1.2500"}
+    ]
+
+
+def test_one_stroke_has_one_sign() -> None:
+    page = printed("table", "--columns", "x_return,psi_return", "--angle", "60").out
+    assert "±" not in page
+    assert "1 − cos φ − (1 − cos ψ)/λ" in page
+    assert "sin ψ = − λ sin φ" in page
+
+
+def test_records_of_paired_pages_are_at_the_angles_asked_for() -> None:
+    words = ("table", "--layout", "roetscher-112", "--ratio", "1:5", "--angle", "160;200", "-f", "csv")
+    assert [(row["phi"], row["c"]) for row in printed(*words).records()] == [
+        ("160", "0.278"),
+        ("200", "-0.278"),
+    ]

@@ -327,7 +327,7 @@ def test_offset_crank_states_its_dead_centres_and_stroke() -> None:
         "$x/R = (cos φ_i - cos φ) + (cos ψ_i - cos ψ)/λ$, $c/v = sin φ + cos φ tan ψ$,"
         " $(p R)/v^2 = cos φ - sin φ tan ψ + λ (cos^2 φ)/(cos^3 ψ)$, $sin ψ = λ (sin φ - e/R)$, $λ = R/L$",
         "Rückgang bei $180° + φ$, vom äußeren Totpunkt und in Richtung des Rückgangs gerechnet",
-        "Geschränkt, $e = 0.5 R$, $R:L = 1:4$: Totlagen $5.739$° und $189.594$°, Hub $2.0169 R$",
+        "Geschränkt, $e = 0.5 R$, $R:L = 1:4$: Totlagen $φ_i = 5.739°$ und $φ_o = 189.594°$, Hub $2.0169 R$",
     ]
 
 

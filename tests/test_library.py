@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import doctest
+from collections.abc import Callable
 from decimal import Decimal
 
 import numpy as np
@@ -95,6 +96,30 @@ def test_a_misspelt_rounding_is_not_ignored() -> None:
         kurbel.certified("x", "1:5", 60, digits=2, rounding="half_even")
     with pytest.raises(kurbel.KurbelError, match="there is no rounding"):
         kurbel.make_table("1:5", rounding="bogus")
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda: kurbel.certified(None, "1:5", 60),  # type: ignore[arg-type]
+        lambda: kurbel.certified("x", "1:5", 60, method=None),  # type: ignore[arg-type]
+        lambda: kurbel.make_table("1:5", layout=None),  # type: ignore[arg-type]
+        lambda: kurbel.make_table("1:5", columns=5),  # type: ignore[arg-type]
+        lambda: kurbel.make_table("1:5", angles=[0], label="a b}"),
+        lambda: kurbel.compute([0], "1:5", [None]),  # type: ignore[list-item]
+        lambda: kurbel.compute(10**400, "1:5"),
+        lambda: kurbel.compute([1 + 2j], "1:5"),
+        lambda: kurbel.typeset(None),  # type: ignore[arg-type]
+    ],
+)
+def test_wrong_kinds_of_arguments_are_answered_with_a_sentence(call: Callable[[], object]) -> None:
+    with pytest.raises(kurbel.KurbelError):
+        call()
+
+
+def test_one_angle_and_one_ratio_need_no_list() -> None:
+    page = kurbel.make_table(0.2, angles=90, columns=("phi", "x"))
+    assert kurbel.typeset(page, "csv") == "phi,x\n90,1.1010\n"
 
 
 @pytest.mark.parametrize("angles", [[float("nan")], [float("inf")], [1e300], "abc", [[1], [2, 3]], None])

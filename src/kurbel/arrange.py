@@ -42,19 +42,20 @@ class _Page:
 
     def __init__(self, request: Request, columns: tuple[PageColumn, ...]) -> None:
         _check_size(request, columns)
+        self.angles = _pairs(request.angles) if request.layout.pairs else request.angles
         self.request = request
         self.layout = request.layout
         self.columns = columns
-        self.angle_decimals = angle_decimals(request.angles)
+        self.angle_decimals = angle_decimals(self.angles)
         digits = [column.digits for column in columns]
         long = is_long(digits, request.cranks, request.angles)
         compute = columns_in_floats if long else columns_in_balls
-        self.values = [compute(digits, crank, request.angles, request.rounding) for crank in request.cranks]
+        self.values = [compute(digits, crank, self.angles, request.rounding) for crank in request.cranks]
 
     def places(self, axes: Sequence[str]) -> list[Place]:
         lengths = {
             "ratio": len(self.request.cranks),
-            "angle": len(self.request.angles),
+            "angle": len(self.angles),
             "column": len(self.columns),
         }
         return [
@@ -96,7 +97,7 @@ class _Page:
 
     def _stub_cell(self, axis: str, place: Place) -> Cell:
         if axis == "angle":
-            return Cell(_angle_cell(self.request.angles[place["angle"]], self.angle_decimals))
+            return Cell(_angle_cell(self.angles[place["angle"]], self.angle_decimals))
         return Cell(self._label(axis, place)[-1])
 
     def _stub_heading(self, axis: str) -> tuple[Label, ...]:
@@ -123,7 +124,7 @@ class _Page:
                 else (f"${self.layout.ratio_symbol} = {shown}$",)
             )
         if axis == "angle":
-            angle = self.request.angles[place["angle"]]
+            angle = self.angles[place["angle"]]
             return (
                 (_angle_label(angle), _angle_label(360 - angle))
                 if self.layout.pairs
@@ -139,6 +140,12 @@ class _Page:
         return tuple(
             captions.with_ratio(label, self.request.cranks[place["ratio"]].ratio) for label in labels
         )
+
+
+def _pairs(angles: Sequence[Fraction]) -> tuple[Fraction, ...]:
+    """Return each pair of angles once, by the one up to 180°: 200° stands in the pair of 160°."""
+    within = (angle % 360 for angle in angles)
+    return tuple(dict.fromkeys(min(angle, 360 - angle) for angle in within))
 
 
 def _check_size(request: Request, columns: tuple[PageColumn, ...]) -> None:

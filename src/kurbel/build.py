@@ -13,8 +13,9 @@ def build(request: Request, pages: bool = True) -> Table:
     """Return the table that was asked for; without `pages` only its records, which need no memory."""
     columns = page_columns(request)
     digits = [column.digits for column in columns]
-    shown = {column.key for column in columns}
-    chosen = bool(request.columns) and not shown.issuperset(column.key for column in request.layout.columns)
+    shown, own = {column.key for column in columns}, {column.key for column in request.layout.columns}
+    # A fixed page's caption names its formulas, all of them.
+    chosen = bool(request.columns) and (not shown <= own or (request.layout.fixed and shown < own))
     records = RecordRows(request, columns)
     return Table(
         key=request.label or request.layout.key,

@@ -78,9 +78,9 @@ WORDS: Mapping[str, Mapping[str, str]] = {
     },
     "offset": {
         "de": "Geschränkt, $e = {offset} R$, $R:L = {ratio}$:"
-        " Totlagen {inner}° und {outer}°, Hub ${stroke} R$",
+        " Totlagen $φ_i = {inner}°$ und $φ_o = {outer}°$, Hub ${stroke} R$",
         "en": "Offset $e = {offset} R$, $R:L = {ratio}$:"
-        " dead centres at {inner}° and {outer}°, stroke ${stroke} R$",
+        " dead centres at $φ_i = {inner}°$ and $φ_o = {outer}°$, stroke ${stroke} R$",
     },
     "machine": {
         "de": '$R = {radius} "mm"${rod}{speed}',
@@ -105,9 +105,10 @@ def caption(request: Request, columns: Sequence[Digits], chosen: bool) -> Label:
     ratio = ratio_text(request.cranks[0].ratio)
     words = WORDS["for_ratio"][request.lang].format(symbol=request.layout.ratio_symbol, ratio=ratio)
     methods = dict.fromkeys(method for column in columns for method in _methods_of(column.method))
+    folded = request.method == "infinite" and not request.cranks[0].ratio
     parts = {
         "{quantities}": _enumerated(columns, request.lang),
-        "{for_ratio}": words if len(request.cranks) == 1 and request.method != "infinite" else "",
+        "{for_ratio}": words if len(request.cranks) == 1 and not folded else "",
         "{method}": WORDS["and"][request.lang].join(METHODS[one].caption[request.lang] for one in methods),
     }
     text = PLAIN_CAPTION if chosen else request.layout.caption[request.lang]
@@ -161,7 +162,8 @@ def _fraction(ratio: Fraction) -> str:
 
 def _formula_lines(request: Request, columns: Sequence[Digits]) -> Iterator[Label]:
     offset = any(crank.offset for crank in request.cranks)
-    both = any(column.quantity.stroke == RETURN for column in columns)
+    strokes = {column.quantity.stroke for column in columns}
+    sign = "±" if len(strokes) > 1 else "+" if strokes == {OUT} else "-"
     pairs = dict.fromkeys(
         (method, column.quantity.symbol.strip("$"))
         for column in columns
@@ -173,10 +175,10 @@ def _formula_lines(request: Request, columns: Sequence[Digits]) -> Iterator[Labe
         formulas = [table.get(symbol, "") for one, symbol in pairs if one == method]
         line = ", ".join(part for part in (*formulas, SYMBOLS["offset" if offset else method]) if part)
         name = f"{METHODS[method].caption[request.lang]}: " if len(methods) > 1 else ""
-        yield name + _filled(line, request, both, both and (method, "ψ") in pairs)
-    if both and offset:
-        yield _filled(WORDS["offset_return"][request.lang], request, both, both)
-    elif both and any(_has_signs(FORMULAS[method].get(symbol, "{±}")) for method, symbol in pairs):
+        yield name + _filled(line, request, sign, (method, "ψ") in pairs)
+    if RETURN in strokes and offset:
+        yield _filled(WORDS["offset_return"][request.lang], request, sign, False)
+    elif sign == "±" and any(_has_signs(FORMULAS[method].get(symbol, "{±}")) for method, symbol in pairs):
         yield WORDS["signs"][request.lang]
 
 
@@ -188,10 +190,10 @@ def _methods_of(method: str) -> tuple[str, ...]:
     return ("exact", "series") if method == DIFFERENCE else (method,)
 
 
-def _filled(line: str, request: Request, both: bool, rod_angle: bool) -> Label:
+def _filled(line: str, request: Request, sign: str, rod_angle: bool) -> Label:
     parts = {
-        "{±}": "±" if both else "+",
-        "{ψ}": "± " if rod_angle else "",
+        "{±}": sign,
+        "{ψ}": f"{sign} " if rod_angle and sign != "+" else "",
         "{angle}": request.layout.angle_symbol,
         "{ratio}": request.layout.ratio_symbol.replace(":", "/"),
     }
@@ -252,8 +254,8 @@ def _offset(crank: Crank, lang: str) -> Label:
     return WORDS["offset"][lang].format(
         offset=_plain(crank.offset),
         ratio=ratio_text(crank.ratio),
-        inner=f"${_certified(dead_centre(OUT), 3, algebraic=False)}$",
-        outer=f"${_certified(dead_centre(RETURN), 3, algebraic=False)}$",
+        inner=_certified(dead_centre(OUT), 3, algebraic=False),
+        outer=_certified(dead_centre(RETURN), 3, algebraic=False),
         stroke=_certified(lambda numbers: _stroke(crank, numbers), 4, algebraic=True),
     )
 

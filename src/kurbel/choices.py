@@ -10,6 +10,8 @@ from kurbel.errors import ChoiceError
 def choose(name: str, allowed: Iterable[str], what: str) -> str:
     """Return the name if it is allowed, else raise ChoiceError with the nearest name and the list."""
     names = list(allowed)
+    if not isinstance(name, str):
+        raise ChoiceError(f"{what} is {name!r}; choose from {', '.join(names)}")
     if name in names:
         return name
     raise ChoiceError(

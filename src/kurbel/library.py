@@ -76,7 +76,7 @@ def compute(
     crank = Crank(_ratio(ratio), _exact(offset))
     degrees = _degrees(angles)
     choose(method, METHODS, "method")
-    columns = notation.names([columns], "columns", "x,c,p") if isinstance(columns, str) else columns
+    columns = _names(columns)
     chosen = [Digits(_quantity(key), method, 0) for key in columns]
     rows = evaluate([on_floats(column, crank) for column in chosen], degrees.ravel())
     return {key: row.reshape(degrees.shape) for key, row in zip(columns, rows, strict=True)}
@@ -86,7 +86,7 @@ def make_table(
     ratios: Exact | Iterable[Exact] | None = None,
     *,
     layout: str = "kinematics",
-    angles: str | Iterable[Exact] | None = None,
+    angles: Exact | Iterable[Exact] | None = None,
     columns: str | Sequence[str] = (),
     method: str | None = None,
     digits: int | None = None,
@@ -127,9 +127,7 @@ def make_table(
             digits=digits,
             rounding=rounding,
             lang=choose(lang, LANGUAGES, "language"),
-            columns=notation.names([columns], "columns", "phi,x,c,p")
-            if isinstance(columns, str)
-            else tuple(columns),
+            columns=_names(columns),
             label=label,
         )
     )
@@ -153,6 +151,8 @@ def typeset(
     """
     from kurbel.render import render as rendered
 
+    if not isinstance(page, Table):
+        raise ProblemError(f"a {type(page).__name__} cannot be set; make a page with make_table")
     return rendered(page, format, decimal=decimal, standalone=standalone, longtable=longtable)
 
 
@@ -166,15 +166,29 @@ def _ratios(given: Exact | Iterable[Exact] | None, default: Sequence[str]) -> Se
         return notation.ratios(default)
     if isinstance(given, str):
         return notation.ratios([given])
-    return [_ratio(ratio) for ratio in (given if isinstance(given, Iterable) else [given])]
+    ratios = list(given) if isinstance(given, Iterable) else [given]
+    texts = [ratio for ratio in ratios if isinstance(ratio, str)]
+    if len(texts) == len(ratios):
+        return notation.ratios(texts)
+    return tuple(dict.fromkeys(map(_ratio, ratios)))
 
 
-def _angles(given: str | Iterable[Exact]) -> Sequence[Fraction]:
+def _angles(given: str | Exact | Iterable[Exact]) -> Sequence[Fraction]:
     if isinstance(given, str):
         return notation.angles([given])
-    if isinstance(given, tuple) and all(isinstance(angle, str) for angle in given):
-        return notation.angles(given)
-    return tuple(map(_angle, given))
+    angles = list(given) if isinstance(given, Iterable) else [given]
+    texts = [angle for angle in angles if isinstance(angle, str)]
+    if len(texts) == len(angles):
+        return notation.angles(texts)
+    return tuple(dict.fromkeys(map(_angle, angles)))
+
+
+def _names(given: str | Iterable[str]) -> tuple[str, ...]:
+    if isinstance(given, str):
+        return notation.names([given], "columns", "phi,x,c,p")
+    if not isinstance(given, Iterable):
+        raise NotationError(f"columns is {given!r}; write names as phi,x,c,p or in a list")
+    return tuple(given)
 
 
 def _degrees(angles: ArrayLike) -> NDArray[np.float64]:
@@ -183,8 +197,10 @@ def _degrees(angles: ArrayLike) -> NDArray[np.float64]:
     if isinstance(angles, str):
         angles = [float(angle) for angle in notation.angles([angles])]
     try:
+        if np.iscomplexobj(angles):
+            raise TypeError
         degrees = np.asarray(angles, dtype=np.float64)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise NotationError("angles must be numbers of degrees, or text such as 0..180:10") from None
     # Not a comparison of extremes, which NaN would pass.
     if not (np.abs(degrees) <= LARGEST_ANGLE).all():
@@ -201,6 +217,4 @@ def _angle(value: Exact) -> Fraction:
 
 
 def _exact(value: Exact) -> Fraction:
-    if isinstance(value, (int, Fraction)):
-        return Fraction(value)
-    return notation.number(str(value))
+    return Fraction(value) if isinstance(value, (int, Fraction)) else notation.number(str(value))

@@ -40,7 +40,8 @@ def _parted(panel: Panel, blocks_of: Callable[[Sequence[Column]], list[int]], pi
     """Yield the panel in so many pieces with about as many blocks each."""
     blocks = blocks_of(panel.columns)
     pieces = min(pieces, len(blocks))
-    ends = [sum(blocks[: len(blocks) * piece // pieces]) for piece in range(pieces + 1)]
+    # The first pieces take what is left over, as a book fills its first block.
+    ends = [sum(blocks[: -(-len(blocks) * piece // pieces)]) for piece in range(pieces + 1)]
     for start, end in pairwise(ends):
         groups = tuple(
             Group(tuple(Row(row.stub, row.cells[start:end]) for row in group.rows), group.label)

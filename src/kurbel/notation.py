@@ -144,7 +144,7 @@ def names(texts: Iterable[str], what: str, example: str) -> tuple[str, ...]:
     for text in texts:
         parts = [part.strip() for part in text.replace(";", ",").split(",")]
         if not all(parts):
-            raise NotationError(f"{what} {_shown(text)} have an empty place; write them as {example}")
+            raise NotationError(f"{what} {_shown(text)} has an empty place; write it as {example}")
         found |= dict.fromkeys(parts)
     return tuple(found)
 

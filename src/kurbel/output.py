@@ -48,7 +48,7 @@ def _descriptor(target: str) -> int | None:
     """The number of the open stream that the target names: opened by name, a file behind it would be cut."""
     names = {"/dev/stdout": 1, "/dev/stderr": 2}
     folder, _, number = target.rpartition("/")
-    if folder in ("/dev/fd", "/proc/self/fd") and number.isdecimal():
+    if folder in ("/dev/fd", "/proc/self/fd") and number.isdecimal() and len(number) < 6:
         return int(number)
     return names.get(target)
 

@@ -46,6 +46,7 @@ def render(
         from kurbel.narrow import narrowed
 
         table = narrowed(table, lambda parted: grid_of(page(parted, form, mark)).total <= width)
+        return text_page(page(table, form, mark), width)
     return _page(table, form, mark, standalone, longtable)
 
 

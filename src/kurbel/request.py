@@ -25,7 +25,7 @@ MOST_DIGITS = 50
 class Request:
     """What is asked for. `method` and `digits` None leave both to the layout and the quantities.
 
-    A page of paired angles has each pair once; by the method of the infinite rod all ratios are 1:∞.
+    By the method of the infinite rod all ratios are 1:∞, but for a page that also has other formulas.
     """
 
     layout: Layout
@@ -56,10 +56,9 @@ class Request:
             )
         if any(crank.offset for crank in self.cranks):
             self._check_offset()
-        if self.layout.pairs:
-            # Equal values: 200° stands in the pair of 160°.
-            object.__setattr__(self, "angles", tuple(dict.fromkeys(map(_first_of_pair, self.angles))))
-        if self.method == "infinite":
+        if any(not (one.isascii() and (one.isalnum() or one in "-.:")) for one in str(self.label)):
+            raise ProblemError(f'label "{str(self.label)[:40]}" may have letters, digits and - . : only')
+        if self.method == "infinite" and all(column.method is None for column in self.layout.columns):
             cranks = (Crank(Fraction(0), crank.offset, crank.radius, crank.speed) for crank in self.cranks)
             object.__setattr__(self, "cranks", tuple(dict.fromkeys(cranks)))
 
@@ -81,11 +80,6 @@ def check_rounding(digits: int | None, rounding: str) -> None:
     if digits is not None and (not isinstance(digits, int) or not 0 <= digits <= MOST_DIGITS):
         raise ProblemError(f"digits is {digits}; it must be a whole number from 0 to {MOST_DIGITS}")
     choose(rounding, ROUNDINGS, "rounding")
-
-
-def _first_of_pair(angle: Fraction) -> Fraction:
-    within = angle % 360
-    return min(within, 360 - within)
 
 
 class PageColumn(NamedTuple):
@@ -110,7 +104,13 @@ def page_columns(request: Request) -> tuple[PageColumn, ...]:
         return tuple(_page_column(column, request) for column in shown)
     own = {column.key: column for column in layout.columns}
     keys = [choose(key, column_keys(layout), "column") for key in request.columns]
-    chosen = [own.get(key) or LayoutColumn(key, key) for key in dict.fromkeys(keys) if key not in AXIS_KEYS]
+    keys = [key for key in dict.fromkeys(keys) if key not in AXIS_KEYS]
+    # Beside foreign columns the layout's heads say too little, such as "Hingang" where all are paths.
+    foreign = not own.keys() >= set(keys)
+    chosen = [
+        LayoutColumn(key, key) if foreign and key in registry() else own.get(key) or LayoutColumn(key, key)
+        for key in keys
+    ]
     if not chosen:
         raise ProblemError("--columns names no quantity; add one, for example --columns phi,x,c,p")
     for column in chosen:

@@ -36,16 +36,17 @@ class Grid(NamedTuple):
         return self.lefts[cell.last] + self.widths[cell.last] - self.lefts[cell.first]
 
 
-def text_page(page: Page) -> str:
-    """Return the whole page: caption, panels, notes and source."""
+def text_page(page: Page, width: int | None = None) -> str:
+    """Return the whole page: caption, panels, notes and source; prose no wider than `width`."""
     grid = grid_of(page)
-    parts = [wrapped(page.caption, grid) + "\n"] if page.caption else []
+    room = min(max(NARROWEST, grid.total), width or WIDEST + grid.total)
+    parts = [wrapped(page.caption, room) + "\n"] if page.caption else []
     parts.append("\n\n".join("\n".join(panel_lines(panel, grid)) for panel in page.panels))
     for note in page.notes:
         hang = len(note.mark) + 1 if note.mark else 0
-        parts.append(wrapped(f"{note.mark} {note.text}" if note.mark else note.text, grid, hang))
+        parts.append(wrapped(f"{note.mark} {note.text}" if note.mark else note.text, room, hang))
     if page.source:
-        parts.append(wrapped(f"{page.words['source']}: {page.source}", grid))
+        parts.append(wrapped(f"{page.words['source']}: {page.source}", room))
     return "\n".join(parts) + "\n"
 
 
@@ -61,9 +62,8 @@ def panel_lines(panel: PagePanel, grid: Grid) -> list[str]:
     return [_plain_spaces(line).rstrip() for line in lines]
 
 
-def wrapped(text: str, grid: Grid, indent: int = 0) -> str:
-    """Return prose in lines no longer than the rules, the second and later ones indented."""
-    room = max(NARROWEST, grid.total)
+def wrapped(text: str, room: int, indent: int = 0) -> str:
+    """Return prose in lines no longer than the room, the second and later ones indented."""
     hang = " " * (indent + 1)
     # The spaces of a formula are no-break spaces until its line is found.
     lines = fill(

@@ -146,7 +146,10 @@ def _typed(option: str) -> bool:
     return click.get_current_context().get_parameter_source(option) is ParameterSource.COMMANDLINE
 
 
-def typed_or_alone(options: dict[str, Any], option: str, rivals: tuple[str, ...]) -> Any:
-    """Return an option's value, but nothing if it comes from the environment and a rival was typed."""
-    outdone = not _typed(option) and all(_typed(rival) for rival in rivals)
-    return () if outdone else options[option]
+def without_outdone(options: dict[str, Any], rivals: Iterable[tuple[str, set[str]]]) -> dict[str, Any]:
+    """Return the options without defaults of the environment whose rivals were all typed."""
+    kept = dict(options)
+    for option, others in rivals:
+        if not _typed(option) and all(map(_typed, others)):
+            kept[option] = () if isinstance(options[option], tuple) else None
+    return kept

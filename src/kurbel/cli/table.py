@@ -9,12 +9,23 @@ from typing import Any
 import click
 
 from kurbel import notation
-from kurbel.cli.options import Columns, Name, chosen_format, layout_option, output_options, typed_or_alone
+from kurbel.cli.options import Columns, Name, chosen_format, layout_option, output_options, without_outdone
 from kurbel.errors import NotationError, ProblemError
 from kurbel.layouts import Layout
 from kurbel.problem import Crank, Speed
 from kurbel.quantities import METHODS
 
+# What gives way, where it only comes from the environment, to what is typed.
+RIVALS = (
+    ("angle", {"from"}),
+    ("angle", {"to"}),
+    ("angle", {"step"}),
+    ("from", {"angle"}),
+    ("to", {"angle"}),
+    ("step", {"angle"}),
+    ("rod", {"ratio"}),
+    ("ratio", {"stroke", "rod"}),
+)
 FULL_TURN = Fraction(360)
 STEP = Fraction(10)
 
@@ -71,10 +82,12 @@ def table(**options: Any) -> None:
     from kurbel.layouts import layout
     from kurbel.request import Request
 
+    options = without_outdone(options, RIVALS)
     page = layout(options["layout"])
     chosen = chosen_format(*(options[name] for name in ("format", "output", "standalone", "longtable")))
-    ratio = typed_or_alone(options, "ratio", ("stroke", "rod"))
-    cranks = _cranks(page, ratio, *(options[name] for name in ("stroke", "rod", "speed", "offset")))
+    cranks = _cranks(page, *(options[name] for name in ("ratio", "stroke", "rod", "speed", "offset")))
+    if options["method"] == "infinite" and options["rod"] and not options["stroke"]:
+        raise ProblemError("--rod gives the rod a length, but --method infinite takes none; use --stroke")
     angles = _angles(page, options["angle"], *(options[name] for name in ("from", "to", "step")))
     request = Request(
         layout=page,
