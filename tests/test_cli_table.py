@@ -359,3 +359,9 @@ def test_records_of_paired_pages_are_at_the_angles_asked_for() -> None:
         ("160", "0.278"),
         ("200", "-0.278"),
     ]
+
+
+def test_notes_do_not_divide_by_the_ratio_of_an_infinite_rod() -> None:
+    page = printed("table", "--ratio", "1:inf", "--angle", "90", "--columns", "x").out
+    assert " x/R = 1 − cos φ\n" in page
+    assert "λ" not in page

@@ -161,11 +161,13 @@ def _fraction(ratio: Fraction) -> str:
 
 
 def _formula_lines(request: Request, columns: Sequence[Digits]) -> Iterator[Label]:
-    offset = any(crank.offset for crank in request.cranks)
+    finite = [crank for crank in request.cranks if crank.ratio]
+    offset = any(crank.offset for crank in finite)
     strokes = {column.quantity.stroke for column in columns}
     sign = "±" if len(strokes) > 1 else "+" if strokes == {OUT} else "-"
     pairs = dict.fromkeys(
-        (method, column.quantity.symbol.strip("$"))
+        # Where no rod is finite, the formulas that divide by λ say nothing.
+        (method if finite else "infinite", column.quantity.symbol.strip("$"))
         for column in columns
         for method in _methods_of(column.method)
     )
