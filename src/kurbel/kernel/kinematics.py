@@ -18,7 +18,7 @@ from kurbel.kernel.circle import Circle, Number, root
 def rod_sine(circle: Circle[Number], ratio: Number, offset: Number = 0) -> Number:
     """Return sin ψ = λ (sin φ - η) of the rod angle ψ, positive while the pin is on the positive side.
 
-    offset is η = e/R. Source: Rötscher, eq. (285); FORMULAS, offset crank.
+    offset is η = e/R. Source: Rötscher, eq. (285), with the offset.
     """
     return ratio * (circle.sine - offset)
 
@@ -52,7 +52,7 @@ def piston_velocity(circle: Circle[Number], ratio: Number) -> Number:
     """Return the piston velocity c = sin(φ + ψ)/cos ψ away from the dead centre, in units of v.
 
     Floats: at most 1.8 ulp from the true value for |λ| <= 1/3, else 4/(1 - |λ|) ulp.
-    Source: FORMULAS, kinematics: c = sin φ + cos φ tan ψ.
+    Re-derived: the slope of Rötscher, eq. (285), c = sin φ + cos φ tan ψ.
     """
     # sin ψ cos φ/cos ψ outright reaches 2.2 ulp where it takes half of sin φ away; 1/cos ψ is
     # 1 + (1 - cos ψ)/cos ψ, and the last share is small there.
@@ -67,7 +67,7 @@ def piston_acceleration(circle: Circle[Number], ratio: Number) -> Number:
     """Return the piston acceleration p = cos φ + λ (cos 2φ + λ² sin⁴ φ)/cos³ ψ, in units of v²/R.
 
     Positive away from the dead centre. Floats: at most 2 ulp of max(|p|, 1) from the true value for
-    |λ| <= 1/3, 10 ulp for |λ| <= 0.99. Source: FORMULAS, kinematics.
+    |λ| <= 1/3, 10 ulp for |λ| <= 0.99. Re-derived: the slope of the velocity.
     """
     # cos 2φ + λ² sin⁴ φ is cos² φ - (sin φ cos ψ)²; the product of sum and difference keeps its
     # digits where it passes through zero.
@@ -120,7 +120,7 @@ def offset_path(circle: Circle[Number], ratio: Number, offset: Number) -> Number
     The slide line passes the shaft at e = ηR, on the side of the crank pin during the outstroke. φ counts
     from the line through the shaft along the slide, so x = 0 at φ_i (`dead_centre_sine`). The return
     stroke (-λ, -η) counts from the outer dead centre. Floats: at most 3 ulp of max(|x|, 1) from the true
-    value while |sin ψ| <= ½, 12 ulp while it is <= 0.9. Re-derived from FORMULAS, offset crank.
+    value while |sin ψ| <= ½, 12 ulp while it is <= 0.9. Re-derived.
     """
     # With the dead centre's angles: x = cos φ_i - cos φ + (cos ψ_i - cos ψ)/λ. The last term is
     # rewritten as a quotient, as in piston_path, so that no 1/λ is left.
@@ -136,7 +136,7 @@ def offset_path(circle: Circle[Number], ratio: Number, offset: Number) -> Number
 def offset_velocity(circle: Circle[Number], ratio: Number, offset: Number) -> Number:
     """Return c = sin φ + cos φ tan ψ of the offset crank, in units of v.
 
-    Floats: as close to the true value as `offset_path`. Source: FORMULAS, offset crank.
+    Floats: as close to the true value as `offset_path`. Re-derived: a slope of the path.
     """
     sine = rod_sine(circle, ratio, offset)
     return circle.sine + circle.cosine * (sine / _offset_rod_cosine(sine))
@@ -145,7 +145,7 @@ def offset_velocity(circle: Circle[Number], ratio: Number, offset: Number) -> Nu
 def offset_acceleration(circle: Circle[Number], ratio: Number, offset: Number) -> Number:
     """Return p = cos φ - sin φ tan ψ + λ cos² φ/cos³ ψ of the offset crank, in units of v²/R.
 
-    Floats: as close to the true value as `offset_path`. Source: FORMULAS, offset crank.
+    Floats: as close to the true value as `offset_path`. Re-derived: a slope of the path.
     """
     sine = rod_sine(circle, ratio, offset)
     w = _offset_rod_cosine(sine)
@@ -160,7 +160,7 @@ def _offset_rod_cosine(sine: Number) -> Number:
 def stroke(ratio: Number, offset: Number = 0) -> Number:
     """Return the piston stroke √((L + R)² - e²) - √((L - R)² - e²) in units of R; 2 for the straight crank.
 
-    The sign of the ratio does not matter. Source: FORMULAS, offset crank, rewritten.
+    The sign of the ratio does not matter. Re-derived from the two dead centres.
     """
     # The textbook difference of two long sides loses digits for a long rod: at λ = 1e-8 half of them.
     side = (ratio * offset) * (ratio * offset)
