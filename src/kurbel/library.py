@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from decimal import Context, Decimal
 from fractions import Fraction
 from typing import TYPE_CHECKING, TypeAlias
@@ -121,8 +121,11 @@ def make_table(
     return build(
         Request(
             layout=page,
-            cranks=tuple(Crank(ratio, _exact(offset), size, turns) for ratio in _ratios(ratios, page.ratios)),
-            angles=_angles(page.angles if angles is None else angles),
+            cranks=tuple(
+                Crank(ratio, _exact(offset), size, turns)
+                for ratio in _read(page.ratios if ratios is None else ratios, notation.ratios, _ratio)
+            ),
+            angles=_read(page.angles if angles is None else angles, notation.angles, _angle),
             method=None if method is None else choose(method, METHODS, "method"),
             digits=digits,
             rounding=rounding,
@@ -161,26 +164,15 @@ def _quantity(key: str) -> Quantity:
     return registry()[choose(key, plain, "quantity")]
 
 
-def _ratios(given: Exact | Iterable[Exact] | None, default: Sequence[str]) -> Sequence[Fraction]:
-    if given is None:
-        return notation.ratios(default)
-    if isinstance(given, str):
-        return notation.ratios([given])
-    ratios = list(given) if isinstance(given, Iterable) else [given]
-    texts = [ratio for ratio in ratios if isinstance(ratio, str)]
-    if len(texts) == len(ratios):
-        return notation.ratios(texts)
-    return tuple(dict.fromkeys(map(_ratio, ratios)))
-
-
-def _angles(given: str | Exact | Iterable[Exact]) -> Sequence[Fraction]:
-    if isinstance(given, str):
-        return notation.angles([given])
-    angles = list(given) if isinstance(given, Iterable) else [given]
-    texts = [angle for angle in angles if isinstance(angle, str)]
-    if len(texts) == len(angles):
-        return notation.angles(texts)
-    return tuple(dict.fromkeys(map(_angle, angles)))
+def _read(
+    given: Exact | Iterable[Exact],
+    texts: Callable[[Iterable[str]], Sequence[Fraction]],
+    one: Callable[[Exact], Fraction],
+) -> Sequence[Fraction]:
+    """Read one value or many; text may hold lists and ranges, as on the command line."""
+    values = [given] if isinstance(given, str) or not isinstance(given, Iterable) else list(given)
+    as_text = [value for value in values if isinstance(value, str)]
+    return texts(as_text) if len(as_text) == len(values) else tuple(dict.fromkeys(map(one, values)))
 
 
 def _names(given: str | Iterable[str]) -> tuple[str, ...]:

@@ -7,6 +7,7 @@ from fractions import Fraction
 from kurbel.table import Number
 
 ROUNDINGS = ("half-away", "half-even")
+MOST_DIGITS = 50
 
 
 def nearest(value: Fraction, decimals: int, rounding: str = "half-away") -> Number:

@@ -12,13 +12,12 @@ from kurbel.digits import Digits
 from kurbel.errors import ProblemError
 from kurbel.layouts import Layout, LayoutColumn
 from kurbel.notation import MOST_ROWS
-from kurbel.numerals import ROUNDINGS
+from kurbel.numerals import MOST_DIGITS, ROUNDINGS
 from kurbel.problem import Crank, check_angles
 from kurbel.quantities import NEEDS, STROKES, Quantity, registry
 from kurbel.table import Label
 
 AXIS_KEYS = ("ratio", "phi")
-MOST_DIGITS = 50
 
 
 @dataclass(frozen=True, slots=True)

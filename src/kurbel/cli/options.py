@@ -13,11 +13,9 @@ from kurbel.choices import choose
 from kurbel.errors import NotationError
 from kurbel.formats import DECIMALS, FORMATS, Format
 from kurbel.layouts import LANGUAGES, layout_names
-from kurbel.numerals import ROUNDINGS
+from kurbel.numerals import MOST_DIGITS, ROUNDINGS
 
 Command = TypeVar("Command", bound=Callable[..., Any])
-# request.py checks it too; here it is known without loading that.
-MOST_DIGITS = 50
 
 
 # Generic from click 8.5 on, and not to be subscripted before.
@@ -57,17 +55,6 @@ class FormatName(Name):
     def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> str:
         suffixes = {suffix[1:]: name for name, entry in FORMATS.items() for suffix in entry.suffixes}
         return super().convert(suffixes.get(value, value), param, ctx)
-
-
-class Label(click.ParamType):  # type: ignore[type-arg]
-    """A name that is safe in LaTeX and HTML alike."""
-
-    name = "name"
-
-    def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> str:
-        if not all(one.isascii() and (one.isalnum() or one in "-.:") for one in value):
-            raise NotationError(f'label "{value[:40]}" may have letters, digits and - . : only')
-        return value
 
 
 class Columns(click.ParamType):  # type: ignore[type-arg]
@@ -115,7 +102,7 @@ def output_options(command: Command) -> Command:
                      help=f"Decimals of every column, 0 to {MOST_DIGITS}."),
         click.option("--rounding", type=Name("rounding", lambda: ROUNDINGS), default=ROUNDINGS[0],
                      show_default=True, help="What becomes of a tie."),
-        click.option("--label", type=Label(), metavar="NAME", default="",
+        click.option("--label", metavar="NAME", default="",
                      help="Name for cross references: \\label{tab:NAME}; default: the layout's."),
         click.option("--standalone", is_flag=True, help="LaTeX and HTML: a whole document, not a fragment."),
         click.option("--longtable", is_flag=True, help="LaTeX: a longtable, which breaks across pages."),
