@@ -42,7 +42,7 @@ golden: $(READY) ## write the golden files anew; then read the difference
 	KURBEL_PROMOTE=1 $(BIN)/python -m pytest -q -n 2 tests
 	git diff --stat -- tests/golden
 
-tools: ## install TeX, Chromium and poppler, which some tests need (Debian, as root)
+tools: ## install TeX, Chromium, poppler and fish, which some tests need (Debian, as root)
 	sh scripts/debian-tools.sh
 
 clean: ## remove what was built

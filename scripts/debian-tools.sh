@@ -1,8 +1,8 @@
 #!/bin/sh
-# Install the programs that check printed pages: pdflatex, lualatex, Chromium, pdftoppm.
+# Install the programs that check printed pages and completion: TeX, Chromium, pdftotext, fish.
 set -eu
 
-packages="texlive-latex-base texlive-latex-recommended texlive-luatex texlive-lang-german lmodern chromium poppler-utils"
+packages="texlive-latex-base texlive-latex-recommended texlive-luatex texlive-lang-german lmodern chromium poppler-utils fish"
 
 missing=""
 for package in $packages; do

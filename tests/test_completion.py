@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 import subprocess
+import sys
+from pathlib import Path
 
 import pytest
 from cli import Result, kurbel, printed
+from tools import require
 
 from kurbel.formats import FORMATS
 from kurbel.layouts import LANGUAGES, layout, layout_names
@@ -91,3 +95,24 @@ def test_every_shell_gets_its_script(shell: str) -> None:
     assert "python" not in script
     if shutil.which(shell):
         subprocess.run([shell, "-n"], input=script, text=True, check=True, capture_output=True)
+
+
+@pytest.mark.parametrize(
+    ("line", "expected"),
+    [
+        ("kurbel table --layout roe", ["roetscher-112"]),
+        ("kurbel table --columns phi,x_m", ["phi,x_mm"]),
+        ("kurbel table --columns phi,x,psi_", ["phi,x,psi_return"]),
+        ("kurbel table -f mark", ["markdown"]),
+    ],
+)
+def test_fish_itself_completes(line: str, expected: list[str]) -> None:
+    program = require("fish")
+    script = f"_KURBEL_COMPLETE=fish_source kurbel | source; complete -C '{line}'"
+    folder = Path(sys.executable).parent
+    environment = {name: value for name, value in os.environ.items() if "KURBEL" not in name}
+    environment["PATH"] = f"{folder}:{environment['PATH']}"
+    run = subprocess.run(
+        [program, "--no-config", "-c", script], check=True, capture_output=True, text=True, env=environment
+    )
+    assert run.stdout.split() == expected

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import os
 import signal
 import sys
 
@@ -51,6 +52,8 @@ def cli() -> None:
 
 def run() -> tuple[int, str]:
     """Run the command of the command line; return its exit code and, if it failed, why."""
+    if "_KURBEL_COMPLETE" in os.environ:
+        importlib.import_module("kurbel.cli.completion")
     try:
         result = cli.main(prog_name="kurbel", standalone_mode=False)
         sys.stdout.flush()
