@@ -1,0 +1,110 @@
+"""The steam engine that a table is about, checked once: cut-off, expansion, back pressure, cranks."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from kurbel.errors import ProblemError
+from kurbel.kernel.steam import Expansion, best_back, net_work
+from kurbel.notation import about, plain
+from kurbel.problem import Crank
+
+LARGEST_EXPANSION = 10**6
+LARGEST_EXPONENT = 10
+LARGEST_CLEARANCE = 10
+MOST_CRANKS = 24
+# Below this share of Q no mean force drives anything, and δ, counted in it, grows beyond all bounds.
+LEAST_WORK = 1e-9
+
+
+@dataclass(frozen=True, slots=True)
+class Steam:
+    """Expansion ratio ε (cut-off after the share 1/ε of the stroke), back pressure b = R/Q, exponent n of
+    p V^n = const, clearance as a share of the stroke.
+
+    `back` None is the best back pressure, that of the steam at the end of the stroke: 1/ε for n = 1 without
+    clearance. Valid for ε >= 1, 0 <= b <= 1, n > 0, κ >= 0, as long as work is left.
+    """
+
+    expansion: Fraction
+    back: Fraction | None = None
+    exponent: Fraction = Fraction(1)
+    clearance: Fraction = Fraction(0)
+
+    def __post_init__(self) -> None:
+        if self.expansion < 1:
+            raise ProblemError(
+                f"expansion ratio ε is {about(self.expansion)}; it must be 1 (no expansion) or more,"
+                " for the cut-off comes after the share 1/ε of the stroke"
+            )
+        if self.expansion > LARGEST_EXPANSION:
+            raise ProblemError(
+                f"expansion ratio ε is {about(self.expansion)}; at most {LARGEST_EXPANSION} is allowed"
+            )
+        if self.back is not None and not 0 <= self.back <= 1:
+            raise ProblemError(
+                f"back pressure b is {about(self.back)}; it must lie within 0..1,"
+                " for it is a share of the steam pressure before cut-off"
+            )
+        if not 0 < self.exponent <= LARGEST_EXPONENT:
+            raise ProblemError(
+                f"exponent n is {about(self.exponent)}; it must be above 0 and at most {LARGEST_EXPONENT},"
+                " for the pressure falls as the steam expands"
+            )
+        if not 0 <= self.clearance <= LARGEST_CLEARANCE:
+            raise ProblemError(
+                f"clearance is {about(self.clearance)}; it must lie within 0..{LARGEST_CLEARANCE},"
+                " for it is a share of the volume swept in a stroke"
+            )
+        self._check_work()
+
+    def numbers(self, of: Callable[[Fraction], Any]) -> Expansion[Any]:
+        """Return the same in a kind of number."""
+        cut_off, exponent, clearance = of(1 / self.expansion), of(self.exponent), of(self.clearance)
+        back = best_back(cut_off, exponent, clearance) if self.back is None else of(self.back)
+        return Expansion(cut_off, back, exponent, clearance)
+
+    def _check_work(self) -> None:
+        if net_work(1.0, self.numbers(float)) > LEAST_WORK:
+            return
+        ratio = plain(self.expansion)
+        if self.back is None:
+            raise ProblemError(
+                f"expansion ratio ε = {ratio} at its best back pressure, that of the steam at the end of the"
+                " stroke, leaves no work; give a lower one, for example --back 0"
+            )
+        raise ProblemError(
+            f"back pressure b = {about(self.back)} leaves no work at ε = {ratio}: the mean force P would not"
+            f" be above 0; b must be below {self._greatest_back():.6g}"
+        )
+
+    def _greatest_back(self) -> float:
+        return float(net_work(1.0, self.numbers(float)._replace(back=0.0)))
+
+
+@dataclass(frozen=True, slots=True)
+class Engine:
+    """A straight crank drive whose piston is driven by steam, double-acting or not, on one crank or several.
+
+    `cranks` are the angles in degrees by which each crank follows the first; all have cylinders alike. A
+    double-acting cylinder works on both strokes, another on the outstroke and idles on the return.
+    """
+
+    crank: Crank
+    steam: Steam
+    double: bool = True
+    cranks: tuple[Fraction, ...] = (Fraction(0),)
+
+    def __post_init__(self) -> None:
+        if self.crank.offset:
+            raise ProblemError("the irregularity of an offset crank is not computed; leave the offset out")
+        if not 1 <= len(self.cranks) <= MOST_CRANKS:
+            raise ProblemError(f"the engine has {len(self.cranks)} cranks; 1 to {MOST_CRANKS} are allowed")
+
+    @property
+    def plain(self) -> bool:
+        """Whether it is the book's: one crank, double-acting."""
+        return self.double and len(self.cranks) == 1

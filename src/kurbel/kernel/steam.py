@@ -1,0 +1,124 @@
+"""Steam in the cylinder: pressure and work over the share of the stroke, with cut-off and expansion.
+
+Pressures are in units of the steam pressure before cut-off, work in units of that pressure times the whole
+stroke: a piston force Q works 2 Q R times the work here. The share counts from the dead centre at which
+the stroke begins, 0 to 1. Numbers are floats, arrays or balls.
+"""
+
+from __future__ import annotations
+
+from typing import Generic, NamedTuple, TypeVar
+
+from kurbel.kernel.circle import Circle, root
+from kurbel.kernel.kinds import Number, larger, logarithm, smaller
+
+Kind = TypeVar("Kind")
+
+
+class Expansion(NamedTuple, Generic[Kind]):
+    """Cut-off at the share 1/ε of the stroke, then expansion by p V^n = const from the volume 1/ε + κ.
+
+    The clearance κ is a share of the volume swept in a stroke; n = 1 is Mariotte's law. The back pressure b
+    acts on the other face throughout the stroke.
+    """
+
+    cut_off: Kind
+    back: Kind
+    exponent: Kind
+    clearance: Kind
+
+
+def best_back(cut_off: Number, exponent: Number, clearance: Number) -> Number:
+    """Return the pressure of the steam at the end of the stroke, the best back pressure.
+
+    1/ε for n = 1, κ = 0. Source: Weisbach-Herrmann, § 150 (Q = εR); the exponent and the clearance are ours.
+    """
+    return _power((cut_off + clearance) / (1 + clearance), exponent)
+
+
+def pressure(share: Number, steam: Expansion[Number]) -> Number:
+    """Return the pressure on the piston at a share of the stroke, back pressure not taken off."""
+    return _power(_volume(steam) / _expanded(share, steam), steam.exponent)
+
+
+def net_pressure(share: Number, steam: Expansion[Number]) -> Number:
+    """Return the pressure less the back pressure."""
+    return pressure(share, steam) - steam.back
+
+
+def expansion_slope(share: Number, steam: Expansion[Number]) -> Number:
+    """Return the change of the pressure with the share beyond cut-off, at cut-off from the right."""
+    return -steam.exponent * pressure(share, steam) / _expanded(share, steam)
+
+
+def net_work(share: Number, steam: Expansion[Number]) -> Number:
+    """Return the work done on the piston from the dead centre to a share of the stroke.
+
+    Source: Weisbach-Herrmann, § 150 (A₁ + A₂ - A₃); the exponent and the clearance are ours.
+    """
+    before = smaller(share, steam.cut_off)
+    gain = _expansion_work(_expanded(share, steam) / _volume(steam), steam.exponent)
+    return before + _volume(steam) * gain - steam.back * share
+
+
+def _volume(steam: Expansion[Number]) -> Number:
+    return steam.cut_off + steam.clearance
+
+
+def _expanded(share: Number, steam: Expansion[Number]) -> Number:
+    # Before cut-off the volume at cut-off stands in: one formula for both periods, also for a ball that
+    # reaches over both.
+    return larger(share, steam.cut_off) + steam.clearance
+
+
+def _power(base: Number, exponent: Number) -> Number:
+    return base if exponent == 1 else base**exponent
+
+
+def _expansion_work(growth: Number, exponent: Number) -> Number:
+    """∫ V^-n dV from 1 to the growth of the volume."""
+    if exponent == 1:
+        return logarithm(growth)
+    return (1 - growth ** (1 - exponent)) / (exponent - 1)
+
+
+def crank_versine(path: Number, ratio: Number) -> Number:
+    """Return 1 - cos φ at which the piston has covered the path from its dead centre, in units of R.
+
+    A negative ratio is the return stroke. Re-derived from the triangle of crank, rod and slide, of which
+    all three sides are known.
+    """
+    return path * (2 - ratio * path) / (2 * (1 + ratio * (1 - path)))
+
+
+def crank_versine_first_order(path: Number, ratio: Number) -> Number:
+    """Return 1 - cos φ at which 1 - cos φ + ½ λ sin² φ is the path, in units of R.
+
+    Source: Weisbach-Herrmann, § 150 (cos α_ε), solved for the cosine.
+    """
+    lever = 1 + ratio
+    return 2 * path / (lever + root(lever * lever - 2 * ratio * path))
+
+
+def half_angle_sine(versine: Number) -> Number:
+    """Return sin(φ/2) of the angle whose versine is given."""
+    return root(versine / 2)
+
+
+def weisbach_maximum(
+    half: tuple[Number, Number], circle: Circle[Number], ratio: Number, loss: Number, gain: Number, pi: Number
+) -> tuple[Number, Number]:
+    """Return the relation cot(α/2) = gain/(π [...]) for the greatest speed as a function with that zero.
+
+    And its slope over α. `half` is (sin α/2, cos α/2), `gain` is 1 + ln ε - ε b, `loss` is ε b. The
+    function is gain sin(α/2) - π [...] cos(α/2), below zero before the angle and above zero beyond. His
+    upper sign is the negative ratio. Source: Weisbach-Herrmann, § 150.
+    """
+    sine, cosine = half
+    square = sine * sine
+    lever = 1 + ratio * circle.cosine
+    bracket = 1 - ratio * square - loss * square * lever
+    change = -circle.sine / 2 * (ratio + loss * (lever - 2 * ratio * square))
+    value = gain * sine - pi * bracket * cosine
+    slope = gain * cosine / 2 + pi * (bracket * sine / 2 - change * cosine)
+    return value, slope

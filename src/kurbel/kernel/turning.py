@@ -1,0 +1,75 @@
+"""The turning of the crank by the piston force: tangential force and energy of one crank, over one stroke.
+
+Forces are in units of the piston force Q before cut-off, energy in units of Q R. A stroke is known by the
+net pressure on its piston over the share travelled, and the work of that pressure.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple, Protocol
+
+from kurbel.kernel import kinematics
+from kurbel.kernel.circle import Circle
+from kurbel.kernel.kinds import Number
+
+Formula = Callable[[Circle[Number], Number], Number]
+
+
+class Stroke(Protocol):
+    """The net pressure on the piston and its work, over the share of the stroke travelled."""
+
+    def force(self, share: Number) -> Number: ...
+
+    def work(self, share: Number) -> Number: ...
+
+
+class Motion(NamedTuple):
+    """The kinematics in force: piston path, velocity and acceleration."""
+
+    path: Formula
+    velocity: Formula
+    acceleration: Formula
+
+
+EXACT = Motion(kinematics.piston_path, kinematics.piston_velocity, kinematics.piston_acceleration)
+FIRST_ORDER = Motion(
+    kinematics.piston_path_first_order,
+    kinematics.piston_velocity_first_order,
+    kinematics.piston_acceleration_first_order,
+)
+
+
+def tangential_force(stroke: Stroke, motion: Motion, circle: Circle[Number], ratio: Number) -> Number:
+    """Return the tangential force at the crank pin, F c/v, in the direction in which the crank turns.
+
+    Source: Weisbach-Herrmann, § 150; the principle of virtual displacements.
+    """
+    return stroke.force(motion.path(circle, ratio) / 2) * motion.velocity(circle, ratio)
+
+
+def work_done(stroke: Stroke, motion: Motion, circle: Circle[Number], ratio: Number) -> Number:
+    """Return the work of the piston force from the dead centre on, in units of Q R."""
+    return 2 * stroke.work(motion.path(circle, ratio) / 2)
+
+
+def mean_force(strokes: tuple[Stroke, Stroke], pi: Number) -> Number:
+    """Return the constant tangential force that does the work of both strokes in one turn.
+
+    Source: Weisbach-Herrmann, § 150 (P π r for one stroke).
+    """
+    return (strokes[0].work(1) + strokes[1].work(1)) / pi
+
+
+def energy_swing(irregularity: Number, mean_torque: Number) -> Number:
+    """Return ΔW = k P R in joules from k, the δ in units of P r/(m₁ v₁²), and P R in N m."""
+    return irregularity * mean_torque
+
+
+def moment_of_inertia(swing: Number, irregularity: Number, speed: Number) -> Number:
+    """Return J = ΔW/(δ ω²) in kg m² that keeps (v_max - v_min)/v at δ; ΔW in J, ω in 1/s.
+
+    First order in δ: the exact energy swing of a flywheel between ω(1 ± δ/2) is the same.
+    Source: Weisbach-Herrmann, § 150, with m₁ r² = J.
+    """
+    return swing / (irregularity * speed * speed)
