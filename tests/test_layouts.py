@@ -497,7 +497,7 @@ def test_a_page_with_too_many_ratios_across_is_refused() -> None:
     assert len(page("kolbenwege", ratios=("1:3..252",), angles="30").panels[0].columns) == 500
     with pytest.raises(ProblemError) as caught:
         page("kolbenwege", ratios=("1:3..253",), angles="30")
-    sentence = "a page of 251 ratios across is too wide; at most 500 columns are set, use -f csv or -f json"
+    sentence = "a page of 502 columns is too wide; at most 500 are set, use -f csv or -f json"
     assert str(caught.value) == sentence
 
 

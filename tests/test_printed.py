@@ -12,6 +12,7 @@ import textbook
 
 from kurbel.arrange import panels
 from kurbel.layouts import layout
+from kurbel.motion import motion_grid
 from kurbel.notation import angles, ratio
 from kurbel.numerals import number_text
 from kurbel.problem import Crank
@@ -118,7 +119,7 @@ def test_every_value_of_the_sources_is_there() -> None:
 def test_the_page_of_roetscher_112_holds_the_computed_values() -> None:
     page = layout("roetscher-112")
     request = Request(page, tuple(Crank(ratio(text)) for text in page.ratios), angles(page.angles))
-    block = panels(request, page_columns(request))[0]
+    block = panels(page, motion_grid(request, page_columns(request)))[0]
     values = [cell.value for row in block.rows() for cell in row.cells]
     shown = [number_text(value, ",") for value in values if isinstance(value, Number)]
     computed = [cell.computed for cell in CELLS if cell.place.startswith("roetscher-112/")]

@@ -9,7 +9,7 @@ from fractions import Fraction
 import pytest
 from cli import printed
 
-from kurbel import arrange, digits, notation, rows, streams
+from kurbel import axes, digits, notation, rows, streams
 from kurbel.build import build
 from kurbel.layouts import layout
 from kurbel.problem import Crank
@@ -58,7 +58,7 @@ def test_a_list_of_angles_is_looked_through_a_few_times_only(monkeypatch: pytest
         looks.append(len(angles))
         return original(angles)
 
-    for module in (rows, arrange, streams):
+    for module in (rows, axes, streams):
         monkeypatch.setattr(module, "angle_decimals", counted)
     request = asked(notation.angles(["0..200;0.5"]))
     streamed(request, "csv")

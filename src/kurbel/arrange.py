@@ -2,31 +2,83 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from fractions import Fraction
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import groupby, pairwise, product
+from math import prod
 
-from kurbel import captions
-from kurbel.digits import columns_in_balls, columns_in_floats, is_long
 from kurbel.errors import ProblemError
-from kurbel.notation import plain, ratio_text
-from kurbel.numerals import degrees_text, finite_decimals
-from kurbel.request import PageColumn, Request
-from kurbel.rows import angle_decimals, angle_number
+from kurbel.layouts import Layout
 from kurbel.table import DITTO, Cell, Column, Group, Label, Number, Panel, Row
 
 # A page is held in memory whole; records stream. 300,000 cells take some seconds and 200 MB.
 MOST_CELLS = 300_000
 MOST_COLUMNS = 500
 
-# A place on an axis: the index of a ratio, an angle or a column by the name of its axis.
+# A place on a page: the index on each axis by the axis' name.
 Place = Mapping[str, int]
 
 
-def panels(request: Request, columns: tuple[PageColumn, ...]) -> tuple[Panel, ...]:
-    page = _Page(request, columns)
-    across = page.places(request.layout.across)
-    return tuple(page.panel(block) for block in _blocks(across, request.layout.block))
+class Axis:
+    """What varies along a page: its places, and how each is written as a head, in the stub, over a group."""
+
+    # How many lines of the heads stay in the heading when the others span several columns.
+    lines = 1
+
+    def __init__(self, size: int) -> None:
+        self.size = size
+
+    def stub_heading(self) -> Label:
+        raise NotImplementedError
+
+    def heads(self, place: Place) -> tuple[Label, ...]:
+        """The heads above a column, outermost first."""
+        raise NotImplementedError
+
+    def stub(self, place: Place) -> Number | Label:
+        return self.heads(place)[-1]
+
+    def over_group(self, place: Place) -> Label:
+        return self.heads(place)[0]
+
+
+class Grid:
+    """The axes of a page by their names, and what stands at a place.
+
+    `unit` gives a last column with the unit of each row, where the quantities run down.
+    """
+
+    def __init__(
+        self,
+        axes: Mapping[str, Axis],
+        cell: Callable[[Place], Cell],
+        unit: Callable[[Place], Label] | None = None,
+    ) -> None:
+        self.axes = axes
+        self.cell = cell
+        self.unit = unit
+
+    def places(self, names: Sequence[str]) -> list[Place]:
+        sizes = (range(self.axes[name].size) for name in names)
+        return [dict(zip(names, place, strict=True)) for place in product(*sizes)]
+
+
+def panels(layout: Layout, grid: Grid) -> tuple[Panel, ...]:
+    across = grid.places(layout.across)
+    return tuple(_panel(layout, grid, block) for block in _blocks(across, layout.block))
+
+
+def check_size(layout: Layout, sizes: Mapping[str, int]) -> None:
+    """Raise ProblemError for a page of so many places that it cannot be held."""
+    cells, across = prod(sizes.values()), prod(sizes[name] for name in layout.across)
+    if cells > MOST_CELLS:
+        raise ProblemError(
+            f"a page of {cells} numbers is too long; at most {MOST_CELLS} are set, use -f csv or -f json"
+        )
+    # A panel of a block goes on below.
+    if across > MOST_COLUMNS and not layout.block:
+        raise ProblemError(
+            f"a page of {across} columns is too wide; at most {MOST_COLUMNS} are set, use -f csv or -f json"
+        )
 
 
 def _blocks(places: list[Place], most: int) -> Iterator[list[Place]]:
@@ -37,128 +89,46 @@ def _blocks(places: list[Place], most: int) -> Iterator[list[Place]]:
         yield places[start:end]
 
 
-class _Page:
-    """The arrangement of one request: where a place of the three axes is printed, and what stands there."""
+def _panel(layout: Layout, grid: Grid, across: list[Place]) -> Panel:
+    heads = [name for name in layout.down if name not in layout.stub]
+    # Where all heads stand in the stub, the outermost parts the groups.
+    outer = heads or (layout.down[:1] if len(layout.down) > 1 else ())
+    down = grid.places(layout.down)
+    groups = [list(rows) for _, rows in groupby(down, key=lambda place: [place[name] for name in outer])]
+    columns = _merged(tuple(_column(layout, grid, place) for place in across))
+    return Panel(
+        stub=tuple(Column(name, (grid.axes[name].stub_heading(),)) for name in layout.stub),
+        columns=(*columns, Column("unit", ("",))) if grid.unit else columns,
+        groups=tuple(
+            Group(
+                tuple(_rows(layout, grid, rows, across)),
+                ", ".join(grid.axes[name].over_group(rows[0]) for name in heads) if len(groups) > 1 else "",
+            )
+            for rows in groups
+        ),
+    )
 
-    def __init__(self, request: Request, columns: tuple[PageColumn, ...]) -> None:
-        _check_size(request, columns)
-        self.angles = _pairs(request.angles) if request.layout.pairs else request.angles
-        self.request = request
-        self.layout = request.layout
-        self.columns = columns
-        self.angle_decimals = angle_decimals(self.angles)
-        digits = [column.digits for column in columns]
-        long = is_long(digits, request.cranks, request.angles)
-        compute = columns_in_floats if long else columns_in_balls
-        self.values = [compute(digits, crank, self.angles, request.rounding) for crank in request.cranks]
 
-    def places(self, axes: Sequence[str]) -> list[Place]:
-        lengths = {
-            "ratio": len(self.request.cranks),
-            "angle": len(self.angles),
-            "column": len(self.columns),
-        }
-        return [
-            dict(zip(axes, place, strict=True)) for place in product(*(range(lengths[axis]) for axis in axes))
+def _rows(layout: Layout, grid: Grid, rows: list[Place], across: list[Place]) -> Iterator[Row]:
+    above: list[Cell | None] = [None] * len(layout.stub)
+    for place in rows:
+        stub = [Cell(grid.axes[name].stub(place)) for name in layout.stub]
+        # Only outer heads are carried over several rows.
+        shown = [
+            Cell(DITTO) if cell == before and index < len(stub) - 1 else cell
+            for index, (cell, before) in enumerate(zip(stub, above, strict=True))
         ]
-
-    def panel(self, across: list[Place]) -> Panel:
-        down = self.places(self.layout.down)
-        heads = [axis for axis in self.layout.down if axis not in self.layout.stub]
-        outer = self.layout.down[:1] if len(self.layout.down) > 1 else ()
-        groups = [list(rows) for _, rows in groupby(down, key=lambda place: [place[axis] for axis in outer])]
-        return Panel(
-            stub=tuple(Column(axis, self._stub_heading(axis)) for axis in self.layout.stub),
-            columns=_merged(tuple(self._column(place) for place in across)),
-            groups=tuple(
-                Group(
-                    tuple(self._rows(rows, across)),
-                    " ".join(self._label(axis, rows[0])[0] for axis in heads) if len(groups) > 1 else "",
-                )
-                for rows in groups
-            ),
-        )
-
-    def _rows(self, rows: list[Place], across: list[Place]) -> Iterator[Row]:
-        above: list[Cell | None] = [None] * len(self.layout.stub)
-        for place in rows:
-            stub = [self._stub_cell(axis, place) for axis in self.layout.stub]
-            # Only outer heads are carried over several rows.
-            shown = [
-                Cell(DITTO) if cell == before and index < len(stub) - 1 else cell
-                for index, (cell, before) in enumerate(zip(stub, above, strict=True))
-            ]
-            above = list(stub)
-            yield Row(tuple(shown), tuple(self._cell({**place, **other}) for other in across))
-
-    def _cell(self, place: Place) -> Cell:
-        scaled = self.values[place["ratio"]][place["column"]][place["angle"]]
-        return Cell(Number(int(scaled), self.columns[place["column"]].digits.decimals))
-
-    def _stub_cell(self, axis: str, place: Place) -> Cell:
-        if axis == "angle":
-            return Cell(_angle_cell(self.angles[place["angle"]], self.angle_decimals))
-        return Cell(self._label(axis, place)[-1])
-
-    def _stub_heading(self, axis: str) -> tuple[Label, ...]:
-        default = {
-            "angle": f"${self.layout.angle_symbol}$" + (" in °" if self.angle_decimals is not None else ""),
-            "ratio": f"${self.layout.ratio_symbol}$",
-            "column": "",
-        }
-        return (self.layout.stub_headings.get(axis, default[axis]),)
-
-    def _column(self, place: Place) -> Column:
-        """A column with all its heads as spanners; `_merged` makes headings of those that span nothing."""
-        labels = [label for axis in self.layout.across for label in self._label(axis, place, across=True)]
-        key = "-".join(str(place[axis]) for axis in self.layout.across)
-        lines = 2 if self.layout.pairs and "angle" in place else 1
-        return Column(key, tuple(labels[-lines:]), tuple(labels[:-lines]))
-
-    def _label(self, axis: str, place: Place, across: bool = False) -> tuple[Label, ...]:
-        if axis == "ratio":
-            shown = ratio_text(self.request.cranks[place["ratio"]].ratio)
-            return (
-                (f"${shown}$",)
-                if across or axis in self.layout.stub
-                else (f"${self.layout.ratio_symbol} = {shown}$",)
-            )
-        if axis == "angle":
-            angle = self.angles[place["angle"]]
-            return (
-                (_angle_label(angle), _angle_label(360 - angle))
-                if self.layout.pairs
-                else (_angle_label(angle),)
-            )
-        column = self.columns[place["column"]]
-        labels = column.spanners + column.heading if across else column.heading
-        if "ratio" in self.layout.across:
-            # The ratios stand below without their letters: "Hingang, R:L" over 1:4, 1:5.
-            return (*labels[:-1], f"{labels[-1]}, ${self.layout.ratio_symbol}$")
-        if "ratio" not in place:
-            return labels
-        return tuple(
-            captions.with_ratio(label, self.request.cranks[place["ratio"]].ratio) for label in labels
-        )
+        above = list(stub)
+        unit = (Cell(grid.unit(place)),) if grid.unit else ()
+        yield Row(tuple(shown), (*(grid.cell({**place, **other}) for other in across), *unit))
 
 
-def _pairs(angles: Sequence[Fraction]) -> tuple[Fraction, ...]:
-    """Return each pair of angles once, by the one up to 180°: 200° stands in the pair of 160°."""
-    within = (angle % 360 for angle in angles)
-    return tuple(dict.fromkeys(min(angle, 360 - angle) for angle in within))
-
-
-def _check_size(request: Request, columns: tuple[PageColumn, ...]) -> None:
-    cells = len(request.cranks) * len(request.angles) * len(columns)
-    if cells > MOST_CELLS:
-        raise ProblemError(
-            f"a page of {cells} numbers is too long; at most {MOST_CELLS} are set, use -f csv or -f json"
-        )
-    if "ratio" in request.layout.across and len(request.cranks) * len(columns) > MOST_COLUMNS:
-        raise ProblemError(
-            f"a page of {len(request.cranks)} ratios across is too wide;"
-            f" at most {MOST_COLUMNS} columns are set, use -f csv or -f json"
-        )
+def _column(layout: Layout, grid: Grid, place: Place) -> Column:
+    """A column with all its heads as spanners; `_merged` makes headings of those that span nothing."""
+    labels = [label for name in layout.across for label in grid.axes[name].heads(place)]
+    key = "-".join(str(place[name]) for name in layout.across)
+    lines = max(grid.axes[name].lines for name in layout.across)
+    return Column(key, tuple(labels[-lines:]), tuple(labels[:-lines]))
 
 
 def _merged(columns: tuple[Column, ...]) -> tuple[Column, ...]:
@@ -176,11 +146,3 @@ def _own_heading(column: Column, before: tuple[Label, ...], after: tuple[Label, 
     while shared and column.spanners[:shared] not in (before[:shared], after[:shared]):
         shared -= 1
     return Column(column.key, column.spanners[shared:] + column.heading, column.spanners[:shared])
-
-
-def _angle_cell(angle: Fraction, decimals: int | None) -> Number | Label:
-    return f"${degrees_text(angle)}$" if decimals is None else angle_number(angle, decimals)
-
-
-def _angle_label(angle: Fraction) -> Label:
-    return f"${plain(angle) if finite_decimals(angle) is not None else degrees_text(angle)}$"

@@ -1,16 +1,30 @@
-"""A crank and a layout become a table: the only place where numbers meet pages."""
+"""What was asked for becomes a table: the only place where numbers meet pages."""
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from kurbel import captions
 from kurbel.arrange import panels
+from kurbel.motion import motion_grid
 from kurbel.request import Request, page_columns
 from kurbel.rows import RecordRows
 from kurbel.table import Note, Records, Table
 
+if TYPE_CHECKING:
+    from kurbel.engine_request import EngineRequest
 
-def build(request: Request, pages: bool = True) -> Table:
+
+def build(request: Request | EngineRequest, pages: bool = True) -> Table:
     """Return the table that was asked for; without `pages` only its records, which need no memory."""
+    if isinstance(request, Request):
+        return _motion(request, pages)
+    from kurbel.engine_page import build_engine
+
+    return build_engine(request, pages)
+
+
+def _motion(request: Request, pages: bool) -> Table:
     columns = page_columns(request)
     digits = [column.digits for column in columns]
     shown, own = {column.key for column in columns}, {column.key for column in request.layout.columns}
@@ -22,7 +36,7 @@ def build(request: Request, pages: bool = True) -> Table:
         layout=request.layout.key,
         lang=request.lang,
         caption=captions.caption(request, digits, chosen),
-        panels=panels(request, columns) if pages else (),
+        panels=panels(request.layout, motion_grid(request, columns)) if pages else (),
         records=Records(records.fields(), records),
         notes=tuple(Note(text) for text in captions.notes(request, digits)),
         source=request.layout.source[request.lang],

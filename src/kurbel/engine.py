@@ -105,6 +105,11 @@ class Engine:
             raise ProblemError(f"the engine has {len(self.cranks)} cranks; 1 to {MOST_CRANKS} are allowed")
 
     @property
+    def carded(self) -> bool:
+        """Whether the piston force comes from an indicator card."""
+        return not isinstance(self.steam, Steam)
+
+    @property
     def plain(self) -> bool:
         """Whether it is the book's: one crank, double-acting."""
         return self.double and len(self.cranks) == 1

@@ -3,16 +3,23 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cache
 from typing import Any, NamedTuple
 
 from kurbel.choices import choose
-from kurbel.errors import LayoutError
+from kurbel.errors import ChoiceError, LayoutError
 from kurbel.table import Label
 
 LANGUAGES = ("de", "en")
-AXES = ("ratio", "angle", "column")
+# What a page is about, and the axes that it shares out.
+SUBJECTS: Mapping[str, tuple[str, ...]] = {
+    "motion": ("ratio", "angle", "column"),
+    "irregularity": ("expansion", "ratio", "column"),
+    "strokes": ("expansion", "ratio", "stroke", "column"),
+    "turning": ("expansion", "ratio", "angle", "column"),
+    "flywheel": ("expansion", "ratio", "target", "column"),
+}
 
 Localised = Mapping[str, str]
 
@@ -30,12 +37,13 @@ class LayoutColumn(NamedTuple):
 
 
 class Layout(NamedTuple):
-    """An arrangement of the three axes ratio, angle and column.
+    """An arrangement of the axes of its subject.
 
     `down` lists the axes that run down, outermost first; those in `stub` are printed in the stub, the
     others head a group of rows. `across` lists the axes of the columns, outermost first. `block` is the
     largest number of columns of one panel, 0 for no limit. With `pairs` an angle stands over its mirror
     image. `formulas` has the formulas printed below the table; pages whose heads state them do without.
+    `unit` adds a last column with the unit of each row.
     """
 
     key: str
@@ -49,12 +57,19 @@ class Layout(NamedTuple):
     columns: tuple[LayoutColumn, ...]
     source: Localised
     notes: tuple[Localised, ...]
-    stub_headings: Mapping[str, Label]
+    stub_headings: Mapping[str, Localised]
     angle_symbol: str = "φ"
     ratio_symbol: str = "R:L"
     block: int = 0
     pairs: bool = False
     formulas: bool = True
+    subject: str = "motion"
+    expansions: tuple[str, ...] = ()
+    unit: bool = False
+
+    def stub_heading(self, axis: str, default: Label, lang: str) -> Label:
+        """Return the heading over the stub column of an axis."""
+        return self.stub_headings[axis][lang] if axis in self.stub_headings else default
 
     @property
     def fixed(self) -> bool:
@@ -83,6 +98,15 @@ def layout_names() -> tuple[str, ...]:
     )
 
 
+def layout_of(name: str, subjects: Sequence[str]) -> Layout:
+    """Return the layout of that name if it is about one of the subjects."""
+    page = layout(name)
+    if page.subject not in subjects:
+        fitting = [other for other in layout_names() if layout(other).subject in subjects]
+        raise ChoiceError(f"layout {name} is about something else; choose from {', '.join(fitting)}")
+    return page
+
+
 @cache
 def layout(name: str) -> Layout:
     """Return the layout of that name; an unknown name is answered with the nearest and the list."""
@@ -102,27 +126,32 @@ def _layout(name: str, page: dict[str, Any]) -> Layout:
     if unknown:
         raise ValueError(f"unknown key {unknown[0]}")
     down, across = tuple(page["down"]), tuple(page["across"])
-    if sorted(down + across) != sorted(AXES):
-        raise ValueError(f"down and across must share out {', '.join(AXES)}")
+    subject = page.get("subject", "motion")
+    axes = SUBJECTS[subject]
+    if sorted(down + across) != sorted(axes):
+        raise ValueError(f"down and across must share out {', '.join(axes)}")
     notes = page.get("notes", {language: [] for language in LANGUAGES})
     return Layout(
         key=name,
         title=_localised(page["title"]),
         caption=_localised(page["caption"]),
         ratios=tuple(page["ratios"]),
-        angles=tuple(page["angles"]),
+        angles=tuple(page.get("angles", ())),
         down=down,
         stub=tuple(page["stub"]),
         across=across,
         columns=tuple(_column(**column) for column in page["columns"]),
         source=_localised(page.get("source", "")),
         notes=tuple({"de": de, "en": en} for de, en in zip(notes["de"], notes["en"], strict=True)),
-        stub_headings=page.get("stub_headings", {}),
+        stub_headings={axis: _localised(text) for axis, text in page.get("stub_headings", {}).items()},
         angle_symbol=page.get("angle_symbol", "φ"),
         ratio_symbol=page.get("ratio_symbol", "R:L"),
         block=page.get("block", 0),
         pairs=page.get("pairs", False),
         formulas=page.get("formulas", True),
+        subject=subject,
+        expansions=tuple(page.get("expansions", ())),
+        unit=page.get("unit", False),
     )
 
 

@@ -138,6 +138,33 @@ def angles(texts: Iterable[str]) -> Sequence[Fraction]:
     return tuple(dict.fromkeys(found))
 
 
+def expansions(texts: Iterable[str]) -> tuple[Fraction, ...]:
+    """Return the expansion ratios ε of lists and ranges: "4", "2;3;4", "2..6", "2..6:0.5"."""
+    found: list[Fraction] = []
+    what = "expansion ratio"
+    for text in texts:
+        for part in _items(text, _expansion, what):
+            values = _number_range(part, what, "2..6 or 2..6:0.5") if ".." in part else [_expansion(part)]
+            _check_length(len(found) + len(values), LONGEST_LIST, "expansion ratios")
+            found.extend(values)
+    return tuple(dict.fromkeys(found))
+
+
+def irregularities(texts: Iterable[str]) -> tuple[Fraction, ...]:
+    """Return the degrees of irregularity of lists: "1:100", "0.01;1/150"."""
+    parts = [part for text in texts for part in _items(text, _irregularity, "degree of irregularity")]
+    _check_length(len(parts), LONGEST_LIST, "degrees of irregularity")
+    return tuple(dict.fromkeys(map(_irregularity, parts)))
+
+
+def share(text: str, what: str) -> Fraction:
+    """Return a share: "0.05", "0,05", "5%"."""
+    stripped = text.strip()
+    if stripped.endswith("%"):
+        return number(stripped[:-1], what) / 100
+    return number(stripped, what)
+
+
 def names(texts: Iterable[str], what: str, example: str) -> tuple[str, ...]:
     """Return the names of lists such as "phi,x,c,p", each once."""
     found: dict[str, None] = {}
@@ -252,6 +279,27 @@ def _ratio_range(text: str) -> Sequence[Fraction]:
     if by_length and not all(values):
         raise NotationError(f"crank ratio {_shown(text)} contains 1:0; the rod must have a length")
     return [1 / value for value in values] if by_length else values
+
+
+def _expansion(text: str) -> Fraction:
+    return number(text, "expansion ratio")
+
+
+def _irregularity(text: str) -> Fraction:
+    try:
+        return ratio(text)
+    except NotationError:
+        raise NotationError(
+            f"degree of irregularity {_shown(text)} cannot be read; write it as 1:100 or 0.01"
+        ) from None
+
+
+def _number_range(text: str, what: str, example: str) -> Sequence[Fraction]:
+    match = re.fullmatch(r"([^:]+?)\.\.([^:]+)(?::([^:]+))?", text)
+    if match is None:
+        raise NotationError(f"{what} {_shown(text)} is not a range; write it as {example}")
+    first, last, step = match.groups()
+    return progression(number(first, what), number(last, what), number(step or "1", "step"), what)
 
 
 def _angle_range(text: str) -> Progression:

@@ -42,10 +42,9 @@ class Request:
         if not self.cranks:
             raise ProblemError("no crank ratio was given; write one as --ratio 1:5")
         check_rounding(self.digits, self.rounding)
-        rows = len(self.cranks) * len(self.angles)
-        if rows > MOST_ROWS:
+        if len(self) > MOST_ROWS:
             raise ProblemError(
-                f"{len(self.cranks)} ratios at {len(self.angles)} angles make a table of {rows} rows;"
+                f"{len(self.cranks)} ratios at {len(self.angles)} angles make a table of {len(self)} rows;"
                 " at most 10^9 are allowed"
             )
         if self.method and self.layout.fixed:
@@ -55,11 +54,14 @@ class Request:
             )
         if any(crank.offset for crank in self.cranks):
             self._check_offset()
-        if any(not (one.isascii() and (one.isalnum() or one in "-.:")) for one in str(self.label)):
-            raise ProblemError(f'label "{str(self.label)[:40]}" may have letters, digits and - . : only')
+        check_label(self.label)
         if self.method == "infinite" and all(column.method is None for column in self.layout.columns):
             cranks = (Crank(Fraction(0), crank.offset, crank.radius, crank.speed) for crank in self.cranks)
             object.__setattr__(self, "cranks", tuple(dict.fromkeys(cranks)))
+
+    def __len__(self) -> int:
+        """How many records there are."""
+        return len(self.cranks) * len(self.angles)
 
     def _check_offset(self) -> None:
         if self.method not in (None, "exact"):
@@ -79,6 +81,12 @@ def check_rounding(digits: int | None, rounding: str) -> None:
     if digits is not None and (not isinstance(digits, int) or not 0 <= digits <= MOST_DIGITS):
         raise ProblemError(f"digits is {digits}; it must be a whole number from 0 to {MOST_DIGITS}")
     choose(rounding, ROUNDINGS, "rounding")
+
+
+def check_label(label: str) -> None:
+    """Raise a KurbelError unless cross references can bear the label."""
+    if any(not (one.isascii() and (one.isalnum() or one in "-.:")) for one in str(label)):
+        raise ProblemError(f'label "{str(label)[:40]}" may have letters, digits and - . : only')
 
 
 class PageColumn(NamedTuple):

@@ -11,11 +11,11 @@ from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property, partial, reduce
 from itertools import pairwise
-from typing import NamedTuple, Protocol
+from typing import NamedTuple, Protocol, TypeAlias
 
 import flint
 
-from kurbel.certify import ball
+from kurbel.certify import ball, ball_circle
 from kurbel.engine import Engine
 from kurbel.errors import ProblemError
 from kurbel.kernel import steam, turning
@@ -81,14 +81,14 @@ class Cylinder(NamedTuple):
     strokes: tuple[BallStroke, BallStroke]
     mean: Number
 
-    def excess(self, stroke: int, angle: Number) -> Number:
+    def excess(self, stroke: int, angle: Angle) -> Number:
         """The tangential force less its mean, at half turns from the dead centre of the stroke."""
         force = turning.tangential_force(
             self.strokes[stroke], self.motion, circle(angle), self.ratio * SIGNS[stroke]
         )
         return force - self.mean
 
-    def slope(self, stroke: int, angle: Number) -> Number:
+    def slope(self, stroke: int, angle: Angle) -> Number:
         """The change of the excess with the half turns."""
         at, ratio = circle(angle), self.ratio * SIGNS[stroke]
         share, velocity = self.motion.path(at, ratio) / 2, self.motion.velocity(at, ratio)
@@ -96,14 +96,19 @@ class Cylinder(NamedTuple):
         change = acting.slope(share) * velocity * velocity / 2
         return (change + acting.force(share) * self.motion.acceleration(at, ratio)) * flint.arb.pi()
 
-    def energy(self, stroke: int, angle: Number) -> Number:
+    def energy(self, stroke: int, angle: Angle) -> Number:
         """The work of the excess since the inner dead centre."""
         work = turning.work_done(self.strokes[stroke], self.motion, circle(angle), self.ratio * SIGNS[stroke])
         before = 2 * self.strokes[0].work(flint.arb(1)) if stroke else flint.arb(0)
-        return before + work - self.mean * (angle + stroke) * flint.arb.pi()
+        turned = ball(angle + stroke) if isinstance(angle, Fraction) else angle + stroke
+        return before + work - self.mean * turned * flint.arb.pi()
 
 
 SIGNS = (OUT, RETURN)
+
+
+# Half turns: an exact number of them, or a ball.
+Angle: TypeAlias = Fraction | Number
 
 
 class Piece(NamedTuple):
@@ -162,26 +167,48 @@ class Turn:
         versine = CUT_OFF[self.method](ball(2 / expansion), self.cylinder.ratio * SIGNS[stroke])
         return 2 * steam.half_angle_sine(versine).asin() / flint.arb.pi()
 
+    @property
+    def pi(self) -> Number:
+        return flint.arb.pi()
+
+    def of(self, value: Fraction) -> Number:
+        return ball(value)
+
+    def back(self) -> Number:
+        """The back pressure R_b/Q."""
+        return self.engine.steam.numbers(ball).back
+
     def mean_force(self) -> Number:
         """P/Q, the mean tangential force of all cranks together."""
         return self.cylinder.mean * len(self.engine.cranks)
 
-    def excess(self, piece: Piece, place: Number) -> Number:
+    def excess(self, piece: Piece, place: Angle) -> Number:
         cylinder = self.cylinder
-        return _total(cylinder.excess(stroke, place - ball(begun)) for stroke, begun in piece.strokes)
+        return _total(cylinder.excess(stroke, _since(place, begun)) for stroke, begun in piece.strokes)
 
-    def slope(self, piece: Piece, place: Number) -> Number:
+    def slope(self, piece: Piece, place: Angle) -> Number:
         cylinder = self.cylinder
-        return _total(cylinder.slope(stroke, place - ball(begun)) for stroke, begun in piece.strokes)
+        return _total(cylinder.slope(stroke, _since(place, begun)) for stroke, begun in piece.strokes)
 
-    def energy(self, piece: Piece, place: Number) -> Number:
+    def energy(self, piece: Piece, place: Angle) -> Number:
         """The excess work W/(Q R) since the first crank's inner dead centre."""
         cylinder = self.cylinder
         first = self.pieces[0].strokes
         return _total(
-            cylinder.energy(stroke, place - ball(begun)) - cylinder.energy(at_zero, -ball(zero))
+            cylinder.energy(stroke, _since(place, begun)) - cylinder.energy(at_zero, -zero)
             for (stroke, begun), (at_zero, zero) in zip(piece.strokes, first, strict=True)
         )
+
+    def tangential_force(self, half_turns: Fraction) -> Number:
+        """The tangential force T/Q of all cranks at an exact angle, in any turn."""
+        return self.excess(self._piece(half_turns % 2), half_turns % 2) + self.mean_force()
+
+    def energy_at(self, half_turns: Fraction) -> Number:
+        """The excess work W/(Q R) since the first crank's inner dead centre, at an exact angle."""
+        return self.energy(self._piece(half_turns % 2), half_turns % 2)
+
+    def _piece(self, half_turns: Fraction) -> Piece:
+        return next(piece for piece in self.pieces if half_turns < piece.end)
 
     @cached_property
     def extrema(self) -> tuple[Extremum, ...]:
@@ -199,6 +226,10 @@ class Turn:
         chosen = self._extremes(greatest, stroke)
         energies = [self.energy(one.piece, place(one)) for one in chosen]
         return Peak(place(chosen[0]) - (stroke or 0), reduce(larger if greatest else smaller, energies))
+
+    def extreme_strokes(self, greatest: bool) -> frozenset[int]:
+        """Return the strokes of the one crank in which the turn's least or greatest speed lies."""
+        return frozenset(int(one.piece.start) for one in self._extremes(greatest, None))
 
     def irregularity(self) -> Number:
         """Return δ in units of P R/(m₁ v₁²)."""
@@ -302,8 +333,14 @@ def _zeros(piece: Piece, function: Function, slope: Function) -> Iterator[Extrem
         yield Extremum(piece, root, function, slope)
 
 
-def circle(half_turns: Number) -> Circle[Number]:
-    """Return sine, cosine and versine of a ball of half turns."""
+def _since(place: Angle, begun: Fraction) -> Angle:
+    return place - begun if isinstance(place, Fraction) else place - ball(begun)
+
+
+def circle(half_turns: Angle) -> Circle[Number]:
+    """Return sine, cosine and versine of half turns, exact ones or a ball."""
+    if isinstance(half_turns, Fraction):
+        return ball_circle(180 * half_turns)
     sine, cosine = half_turns.sin_cos_pi()
     return Circle(sine, cosine, 2 * (half_turns / 2).sin_pi() ** 2)
 

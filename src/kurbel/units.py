@@ -1,4 +1,4 @@
-"""Lengths and speeds with their units, exact: 600mm, 23.5 inch, 120/min, 12.5 rad/s.
+"""Lengths, speeds and powers with their units, exact: 600mm, 23.5 inch, 120/min, 12.5 rad/s, 50kW.
 
 Needs the extra `units`.
 """
@@ -17,12 +17,15 @@ from kurbel.problem import Speed
 # The number is read by kurbel, for pint would evaluate 9**9**9; the unit may not compute either.
 _MEASURE = re.compile(
     r"\s*([+-]?[\d.,]+(?:[eE][+-]?\d+)?)\s*"
-    r"(/?\s*[A-Za-zµ]+(?:\s*[/*·]\s*[A-Za-zµ]+)*|1\s*/\s*[A-Za-z]+)?\s*"
+    r"(/?\s*[A-Za-zµ_]+(?:\s*[/*·]\s*[A-Za-zµ]+)*|1\s*/\s*[A-Za-z]+)?\s*"
 )
 _LONGEST = 80
-_LARGEST = Fraction(10**9)
-# Umdrehungen, as German data sheets write it; pint's U is the unit of enzymes.
-_TURNS = {"U/min": "rpm", "Upm": "rpm", "U/s": "turn/s", "min⁻¹": "/min"}
+_LARGEST = 10**9
+# Umdrehungen and Pferdestärken, as German data sheets write them; pint's U is the unit of enzymes, and its
+# PS are petasiemens.
+_GERMAN = {
+    "U/min": "rpm", "Upm": "rpm", "U/s": "turn/s", "min⁻¹": "/min", "PS": "metric_horsepower",
+}  # fmt: skip
 
 
 def length(text: str, what: str) -> Fraction:
@@ -50,6 +53,12 @@ def speed(text: str) -> Speed:
     return Speed(_checked(quantity.to(per_second).magnitude, text, "speed", "turns a second"))
 
 
+def power(text: str) -> Fraction:
+    """Return a power in watts, above 0: "50kW", "68 PS"."""
+    watts = _quantity(text, "power", "a power such as 50kW or 68PS", "[power]").to("W").magnitude
+    return _checked(Fraction(watts), text, "power", "W", 10**12)
+
+
 def is_measure(text: str) -> bool:
     """Whether the text has a unit."""
     match = _MEASURE.fullmatch(text) if len(text) <= _LONGEST else None
@@ -57,7 +66,7 @@ def is_measure(text: str) -> bool:
 
 
 def _quantity(text: str, what: str, example: str, dimension: str) -> Any:
-    match = _MEASURE.fullmatch(_with_turns(text)) if len(text) <= _LONGEST else None
+    match = _MEASURE.fullmatch(_translated(text)) if len(text) <= _LONGEST else None
     if match is None:
         raise NotationError(f'{what} "{text[:40]}" is not {example}')
     digits, unit = match.groups()
@@ -73,17 +82,18 @@ def _quantity(text: str, what: str, example: str, dimension: str) -> Any:
     return quantity
 
 
-def _with_turns(text: str) -> str:
-    for written, read in _TURNS.items():
+def _translated(text: str) -> str:
+    for written, read in _GERMAN.items():
         if text.rstrip().endswith(written):
             return text.rstrip().removesuffix(written) + read
     return text
 
 
-def _checked(value: Fraction, text: str, what: str, unit: str) -> Fraction:
-    if not 0 < value <= _LARGEST:
+def _checked(value: Fraction, text: str, what: str, unit: str, most: int = _LARGEST) -> Fraction:
+    if not 0 < value <= most:
+        power = len(str(most)) - 1
         raise NotationError(
-            f'{what} "{text[:40]}" is out of range; it must be above 0 and at most 10^9 {unit}'
+            f'{what} "{text[:40]}" is out of range; it must be above 0 and at most 10^{power} {unit}'
         )
     return value
 
@@ -94,6 +104,6 @@ def _registry() -> Any:
         import pint
     except ImportError:
         raise MissingExtraError(
-            "lengths and speeds with units need pint; install it with: pip install 'kurbel[units]'"
+            "lengths, speeds and powers with units need pint; install it with: pip install 'kurbel[units]'"
         ) from None
     return pint.UnitRegistry(non_int_type=Fraction)

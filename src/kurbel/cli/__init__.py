@@ -16,6 +16,9 @@ from kurbel import __version__
 # Name, module and one line of help.
 COMMANDS = {
     "table": ("kurbel.cli.table", "Print a table of piston path, velocity and acceleration."),
+    "delta": ("kurbel.cli.engine", "Print the degree of irregularity of a steam engine."),
+    "turning": ("kurbel.cli.engine", "Print tangential force and excess energy over the crank angle."),
+    "flywheel": ("kurbel.cli.engine", "Print the flywheel that keeps an engine even."),
     "layouts": ("kurbel.cli.lists", "List the page layouts."),
     "quantities": ("kurbel.cli.lists", "List the quantities that columns can show."),
 }

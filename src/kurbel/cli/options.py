@@ -62,26 +62,56 @@ class Columns(click.ParamType):  # type: ignore[type-arg]
 
     name = "names"
 
+    def __init__(self, layout: str) -> None:
+        self.layout = layout
+
     def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> str:
         return value
 
     def shell_complete(
         self, ctx: click.Context, param: click.Parameter, incomplete: str
     ) -> list[CompletionItem]:
-        from kurbel.layouts import layout
-        from kurbel.request import column_keys
-
         before, comma, last = incomplete.rpartition(",")
         chosen = before.split(",")
-        keys = column_keys(layout(ctx.params.get("layout") or "kinematics"))
+        keys = _column_keys(ctx.params.get("layout") or self.layout)
         return [
             CompletionItem(before + comma + key) for key in keys if key.startswith(last) and key not in chosen
         ]
 
 
-def layout_option(default: str) -> Callable[[Command], Command]:
+def _column_keys(name: str) -> tuple[str, ...]:
+    from kurbel.layouts import layout
+
+    page = layout(name)
+    if page.subject == "motion":
+        from kurbel.request import column_keys
+
+        return column_keys(page)
+    from kurbel.engine_request import engine_column_keys
+
+    return engine_column_keys(page)
+
+
+class LayoutName(Name):
+    """A layout by its name; those about other subjects are not offered."""
+
+    def __init__(self, subjects: tuple[str, ...]) -> None:
+        super().__init__("layout", layout_names)
+        self.subjects = subjects
+
+    def shell_complete(
+        self, ctx: click.Context, param: click.Parameter, incomplete: str
+    ) -> list[CompletionItem]:
+        from kurbel.layouts import layout
+
+        items = super().shell_complete(ctx, param, incomplete)
+        return [item for item in items if layout(item.value).subject in self.subjects]
+
+
+def layout_option(default: str, *subjects: str) -> Callable[[Command], Command]:
+    """Add --layout; with an empty default the command chooses by its other options."""
     return click.option(
-        "--layout", type=Name("layout", layout_names), default=default, show_default=True,
+        "--layout", type=LayoutName(subjects), default=default or None, show_default=True,
         help="Page layout; `kurbel layouts` lists them.",
     )  # fmt: skip
 

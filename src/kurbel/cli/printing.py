@@ -1,36 +1,54 @@
-"""From a request to a file: the pages whole, the records of long tables in a stream."""
+"""From what was asked for to a file: the pages whole, the records of long tables in a stream."""
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import AbstractContextManager, nullcontext
 from shutil import get_terminal_size
-from typing import Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
-from kurbel.build import build
+from kurbel.cli.options import chosen_format
 from kurbel.formats import Format
 from kurbel.output import whole_file
-from kurbel.request import Request
+
+if TYPE_CHECKING:
+    from kurbel.engine_request import EngineRequest
+    from kurbel.request import Request
 
 # Shorter tables are done before a bar could be read.
 BAR_ROWS = 200_000
 
 
-def print_table(
-    request: Request, chosen: Format, output: str, *, decimal: str | None, standalone: bool, longtable: bool
-) -> None:
+class Printing(NamedTuple):
+    """How a table is to be printed: the options that all printing commands share."""
+
+    format: Format
+    output: str
+    decimal: str | None
+    standalone: bool
+    longtable: bool
+
+    @classmethod
+    def chosen(cls, options: Mapping[str, Any]) -> Printing:
+        """Return what the options say, checked."""
+        names = ("format", "output", "standalone", "longtable")
+        form = chosen_format(*(options[name] for name in names))
+        return cls(form, *(options[name] for name in ("output", "decimal", "standalone", "longtable")))
+
+
+def print_table(request: Request | EngineRequest, printing: Printing) -> None:
     """Write the table in the format to the file, whole or not at all."""
+    chosen, output = printing.format, printing.output
     if chosen.kind == "page":
-        pieces: Iterator[bytes] = _page(request, chosen, output, decimal, standalone, longtable)
-        rows = 0
+        pieces, rows = _page(request, printing), 0
     else:
         from kurbel.streams import record_chunks
 
-        rows = len(request.cranks) * len(request.angles)
-        pieces = record_chunks(request, chosen.name, chosen.decimal_name(request.lang, decimal))
+        rows = len(request)
+        pieces = record_chunks(request, chosen.name, chosen.decimal_name(request.lang, printing.decimal))
     # The first piece is made before the file is opened, so that bad input leaves no trace.
     first = next(pieces)
     with whole_file(output) as stream, _bar(rows) as bar:
@@ -40,18 +58,17 @@ def print_table(
             bar.update(1)
 
 
-def _page(
-    request: Request, chosen: Format, output: str, decimal: str | None, standalone: bool, longtable: bool
-) -> Iterator[bytes]:
+def _page(request: Request | EngineRequest, printing: Printing) -> Iterator[bytes]:
+    from kurbel.build import build
     from kurbel.render import is_taller_than_a_page, render
 
+    form, output, decimal, standalone, longtable = printing
+    name = form.name
     table = build(request)
     width = get_terminal_size().columns if output == "-" and sys.stdout.isatty() else None
-    text = render(
-        table, chosen.name, decimal=decimal, standalone=standalone, longtable=longtable, width=width
-    )
+    text = render(table, name, decimal=decimal, standalone=standalone, longtable=longtable, width=width)
     yield text.encode()
-    if chosen.name == "latex" and not (standalone or longtable) and is_taller_than_a_page(table):
+    if name == "latex" and not (standalone or longtable) and is_taller_than_a_page(table):
         click.echo("kurbel: the table is longer than a page; --longtable lets it break", err=True)
 
 

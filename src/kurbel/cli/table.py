@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 from kurbel import notation
-from kurbel.cli.options import Columns, Name, chosen_format, layout_option, output_options, without_outdone
+from kurbel.cli.options import Columns, Name, layout_option, output_options, without_outdone
 from kurbel.errors import NotationError, ProblemError
 from kurbel.layouts import Layout
 from kurbel.problem import Crank, Speed
@@ -53,7 +53,7 @@ STEP = Fraction(10)
 )
 @click.option(
     "--columns",
-    type=Columns(),
+    type=Columns("kinematics"),
     multiple=True,
     metavar="NAMES",
     help="Columns and their order: phi,x,c,p; `kurbel quantities` lists them. Pages keep φ at the left.",
@@ -67,7 +67,7 @@ STEP = Fraction(10)
 @click.option("--stroke", metavar="LENGTH", help="2R, for columns in mm: 600mm.")
 @click.option("--rod", metavar="LENGTH", help="Rod length L, which with --stroke gives the ratio: 1500mm.")
 @click.option("--speed", metavar="SPEED", help="Speed, for columns in m/s and m/s²: 120/min, 12.5rad/s.")
-@layout_option("kinematics")
+@layout_option("kinematics", "motion")
 @output_options
 def table(**options: Any) -> None:
     """Print a table of piston path, velocity and acceleration.
@@ -78,13 +78,13 @@ def table(**options: Any) -> None:
     kurbel table --layout roetscher-112 --ratio 1:5 --ratio 1:4,5 --ratio 1:4
     kurbel table --stroke 600mm --rod 1500mm --speed 120/min
     """  # fmt: skip
-    from kurbel.cli.printing import print_table
-    from kurbel.layouts import layout
+    from kurbel.cli.printing import Printing, print_table
+    from kurbel.layouts import layout_of
     from kurbel.request import Request
 
     options = without_outdone(options, RIVALS)
-    page = layout(options["layout"])
-    chosen = chosen_format(*(options[name] for name in ("format", "output", "standalone", "longtable")))
+    page = layout_of(options["layout"], ["motion"])
+    printing = Printing.chosen(options)
     cranks = _cranks(page, *(options[name] for name in ("ratio", "stroke", "rod", "speed", "offset")))
     if options["method"] == "infinite" and options["rod"] and not options["stroke"]:
         raise ProblemError("--rod gives the rod a length, but --method infinite takes none; use --stroke")
@@ -100,14 +100,7 @@ def table(**options: Any) -> None:
         columns=notation.names(options["columns"], "columns", "phi,x,c,p"),
         label=options["label"],
     )
-    print_table(
-        request,
-        chosen,
-        options["output"],
-        decimal=options["decimal"],
-        standalone=options["standalone"],
-        longtable=options["longtable"],
-    )
+    print_table(request, printing)
 
 
 def _angles(

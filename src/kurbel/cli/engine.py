@@ -1,0 +1,185 @@
+"""`kurbel delta`, `kurbel turning` and `kurbel flywheel`: the steam engine and how evenly it turns."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import click
+
+from kurbel import notation
+from kurbel.cli.options import Columns, Name, layout_option, output_options
+from kurbel.errors import ProblemError
+
+if TYPE_CHECKING:
+    from kurbel.engine import Engine
+    from kurbel.layouts import Layout
+
+Command = TypeVar("Command", bound=Callable[..., Any])
+
+
+def _method_names() -> tuple[str, ...]:
+    from kurbel.engine_request import ENGINE_METHODS
+
+    return tuple(ENGINE_METHODS)
+
+
+def engine_options(command: Command) -> Command:
+    """Add what describes the engine: --eps, --ratio, --back and so on, and --method."""
+    options = (
+        click.option("--eps", multiple=True, metavar="ε",
+                     help="Expansion ratio, cut-off after 1/ε of the stroke: 4; lists 2;3;4, ranges 2..6."),
+        click.option("-r", "--ratio", multiple=True, metavar="R:L",
+                     help="Crank ratio: 1:5, 1:4,5; lists and ranges 1:3..6; 1:∞ is the infinite rod."),
+        click.option("--back", metavar="B",
+                     help="Back pressure as a share of the steam pressure: 0.1, 10%; default: the best, to"
+                     " which the steam expands."),
+        click.option("--exponent", metavar="N", help="n of p Vⁿ = const.; default 1, Mariotte's law."),
+        click.option("--clearance", metavar="C", help="Clearance as a share of the swept volume: 0.05, 5%."),
+        click.option("--single-acting", is_flag=True, help="Steam works on the outstroke only."),
+        click.option("--cranks", metavar="ANGLES",
+                     help="Angles of several cranks with cylinders alike: 0;90 or 0;120;240."),
+        click.option("--method", type=Name("method", _method_names), multiple=True,
+                     help="exact (default), series (first order) or weisbach (his equations of § 150)."),
+    )  # fmt: skip
+    for option in reversed(options):
+        command = option(command)
+    return command
+
+
+def columns_option(layout: str, example: str) -> Callable[[Command], Command]:
+    return click.option(
+        "--columns", type=Columns(layout), multiple=True, metavar="NAMES",
+        help=f"Columns and their order: {example}; `kurbel quantities` lists them.",
+    )  # fmt: skip
+
+
+@click.command()
+@engine_options
+@click.option("--detail", is_flag=True, help="All that leads to δ: angles and speeds of both strokes.")
+@columns_option("weisbach-150", "epsilon,delta,mean_force")
+@layout_option("", "irregularity", "strokes")
+@output_options
+def delta(**options: Any) -> None:
+    """Print the degree of irregularity δ of a steam engine over the expansion ratio ε.
+
+    \b
+    kurbel delta --eps 2..6
+    kurbel delta --eps 2 --detail
+    kurbel delta --eps 2..6 --method exact --method series --method weisbach
+    kurbel delta --eps 2..8 --ratio '1:4;1:5;1:∞' --back 0.1 -f latex -o anhang.tex
+    kurbel delta --eps 4 --cranks '0;90' --detail
+    """  # fmt: skip
+    _print(options, _delta_layout(options), ("irregularity", "strokes"))
+
+
+def _delta_layout(options: Mapping[str, Any]) -> str:
+    """The layout named, or the one that shows what was asked for."""
+    if options["detail"]:
+        if options["layout"] not in (None, "delta-detail"):
+            raise ProblemError(
+                f"--detail is layout delta-detail, and --layout names {options['layout']}; leave one out"
+            )
+        return "delta-detail"
+    if options["layout"]:
+        return str(options["layout"])
+    if len(options["method"]) > 1:
+        return "delta-verfahren"
+    return "delta-tafel" if len(notation.ratios(options["ratio"])) > 1 else "weisbach-150"
+
+
+@click.command()
+@engine_options
+@click.option("--angle", multiple=True, metavar="ANGLES",
+              help="Crank angles in degrees: 22.5, 2°30', lists 0;45;90, ranges 0..360:10.")  # fmt: skip
+@click.option("--step", metavar="ANGLE", help="Step of the angles through the whole turn; default 10.")
+@columns_option("turning", "phi,tangential,energy")
+@layout_option("turning", "turning")
+@output_options
+def turning(**options: Any) -> None:
+    """Print the turning effort of a steam engine: tangential force and excess energy over the crank angle.
+
+    \b
+    kurbel turning --eps 4 --ratio 1:5
+    kurbel turning --eps 4 --cranks '0;90' --step 15
+    kurbel turning --eps 4 --step 0.5 -f csv -o drehkraft.csv
+    """  # fmt: skip
+    if options["angle"] and options["step"] is not None:
+        raise ProblemError("--angle lists the angles and --step runs through the turn; use one or the other")
+    angles = options["angle"]
+    if options["step"] is not None:
+        angles = (notation.progression(Fraction(0), Fraction(360), notation.angle(options["step"], "step")),)
+    _print(options, options["layout"], ("turning",), angles)
+
+
+@click.command()
+@engine_options
+@click.option("--power", metavar="POWER", required=True, help="Power of the engine: 50kW, 68PS.")
+@click.option("--speed", metavar="SPEED", required=True, help="Speed: 120/min, 12.5rad/s.")
+@click.option("--delta", multiple=True, metavar="δ", required=True,
+              help="Degree of irregularity to keep: 1:100, 0.01; lists 1:50;1:100.")  # fmt: skip
+@click.option("--radius", metavar="LENGTH", help="Radius at which the mass of the rim is wanted: 1.5m.")
+@columns_option("flywheel", "delta,swing,inertia")
+@layout_option("flywheel", "flywheel")
+@output_options
+def flywheel(**options: Any) -> None:
+    """Print the flywheel that keeps a steam engine even: energy swing, moment of inertia, mass.
+
+    \b
+    kurbel flywheel --power 50kW --speed 120/min --delta 1:100 --eps 4 --ratio 1:5
+    kurbel flywheel --power 50kW --speed 120/min --delta '1:50;1:100' --eps 4 --radius 1.5m
+    """  # fmt: skip
+    from kurbel.flywheel import Flywheel
+    from kurbel.units import length, power, speed
+
+    watts, turns = power(options["power"]), speed(options["speed"])
+    radius = None if options["radius"] is None else length(options["radius"], "radius")
+    wheels = [Flywheel(watts, turns, each, radius) for each in notation.irregularities(options["delta"])]
+    _print(options, options["layout"], ("flywheel",), flywheels=tuple(wheels))
+
+
+def _print(
+    options: dict[str, Any], name: str, subjects: tuple[str, ...], angles: Any = (), **rest: Any
+) -> None:
+    from kurbel.cli.printing import Printing, print_table
+    from kurbel.engine_request import EngineRequest
+    from kurbel.layouts import layout_of
+
+    printing = Printing.chosen(options)
+    page = layout_of(name, subjects)
+    if angles and not isinstance(angles[0], str):
+        (turned,) = angles
+    else:
+        turned = notation.angles(angles or page.angles or ("0",))
+    request = EngineRequest(
+        layout=page,
+        engines=_engines(page, options),
+        methods=tuple(dict.fromkeys(options["method"])),
+        angles=turned,
+        digits=options["digits"],
+        rounding=options["rounding"],
+        lang=options["lang"],
+        columns=notation.names(options["columns"], "columns", "epsilon,delta"),
+        label=options["label"],
+        **rest,
+    )
+    print_table(request, printing)
+
+
+def _engines(page: Layout, options: Mapping[str, Any]) -> tuple[tuple[Engine, ...], ...]:
+    from kurbel.engine import Engine, Steam
+    from kurbel.problem import Crank
+
+    back = None if options["back"] is None else notation.share(options["back"], "back pressure")
+    exponent = notation.number(options["exponent"] or "1", "exponent")
+    clearance = notation.share(options["clearance"] or "0", "clearance")
+    cranks = tuple(notation.angles([options["cranks"]])) if options["cranks"] else (Fraction(0),)
+    drives = [Crank(ratio) for ratio in notation.ratios(options["ratio"] or page.ratios)]
+    return tuple(
+        tuple(
+            Engine(drive, Steam(expansion, back, exponent, clearance), not options["single_acting"], cranks)
+            for drive in drives
+        )
+        for expansion in notation.expansions(options["eps"] or page.expansions)
+    )

@@ -1,0 +1,191 @@
+"""What a page about engines says of itself: caption, units, steam and cranks, in both languages."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from kurbel.captions import WORDS as MOTION_WORDS
+from kurbel.engine import Engine
+from kurbel.engine_axes import expansion_label, expansion_text
+from kurbel.engine_request import ENGINE_METHODS, EngineRequest
+from kurbel.labels import plain as plain_label
+from kurbel.notation import plain, ratio_text
+from kurbel.numerals import number_text
+from kurbel.table import Field, Label, Number
+
+Words = Mapping[str, str]
+WORDS: Mapping[str, Words] = {
+    "for": {"de": " für ", "en": " for "},
+    "and": {"de": " und ", "en": " and "},
+    "makes_delta": {"de": "aus diesen beiden folgt $δ$", "en": "these two make $δ$"},
+    "delta": {
+        "de": '$δ = (v_"max" - v_"min")/v_1$; $P$ mittlere Umfangskraft,'
+        " $m_1$ Schwungmasse am Kurbelhalbmesser $r$, $v_1$ Kurbelgeschwindigkeit im Totpunkt",
+        "en": '$δ = (v_"max" - v_"min")/v_1$; $P$ mean tangential force,'
+        " $m_1$ flywheel mass at the crank radius $r$, $v_1$ crank-pin velocity at the dead centre",
+    },
+    "forces": {
+        "de": "$Q$ Dampfkraft auf den Kolben vor der Absperrung, $r$ Kurbelhalbmesser",
+        "en": "$Q$ steam force on the piston before cut-off, $r$ crank radius",
+    },
+    "energy": {
+        "de": "$W$ Arbeit des Überschusses seit dem inneren Totpunkt der ersten Kurbel",
+        "en": "$W$ work of the excess since the inner dead centre of the first crank",
+    },
+    "flywheel": {
+        "de": "$ΔW$ in $P r$ ist $δ$ in $(P r)/(m_1 v_1^2)$, $J = (ΔW)/(δ ω^2)$;"
+        " $P$ mittlere Umfangskraft am Kurbelhalbmesser $r$",
+        "en": "$ΔW$ in $P r$ is $δ$ in $(P r)/(m_1 v_1^2)$, $J = (ΔW)/(δ ω^2)$;"
+        " $P$ mean tangential force at the crank radius $r$",
+    },
+    "radius": {"de": '$ρ = {radius} "m"$', "en": '$ρ = {radius} "m"$'},
+    "turn": {
+        "de": "Winkel vom Totpunkt des Hubes, in der Umdrehung vom inneren Totpunkt der ersten Kurbel",
+        "en": "Angles from the dead centre of the stroke, over the turn from the first crank's inner one",
+    },
+    "mariotte": {"de": "Expansion nach Mariotte", "en": "Expansion by Mariotte's law"},
+    "polytropic": {
+        "de": 'Expansion nach $p V^n = "const"$, $n = {exponent}$',
+        "en": 'Expansion by $p V^n = "const"$, $n = {exponent}$',
+    },
+    "uncut": {"de": "Volldruck über den ganzen Hub", "en": "Full pressure over the whole stroke"},
+    "clearance": {
+        "de": "schädlicher Raum ${clearance}$ des Hubraumes",
+        "en": "clearance ${clearance}$ of the swept volume",
+    },
+    "best": {
+        "de": "Gegendruck $R_b = Q/ε$, der vorteilhafteste",
+        "en": "back pressure $R_b = Q/ε$, the best",
+    },
+    "best_end": {
+        "de": "Gegendruck gleich der Endspannung des Dampfes, der vorteilhafteste",
+        "en": "back pressure equal to the steam's at the end of the stroke, the best",
+    },
+    "back": {"de": "Gegendruck $R_b = {back} Q$", "en": "back pressure $R_b = {back} Q$"},
+    "single": {"de": "einfachwirkend", "en": "single-acting"},
+    "cranks": {"de": "Kurbeln unter {angles}", "en": "cranks at {angles}"},
+    "mean_force": {
+        "de": "mittlere Umfangskraft $P = {force} Q$",
+        "en": "mean tangential force $P = {force} Q$",
+    },
+    "difference": {
+        "de": "Unterschied: genauer Wert weniger Näherung, vor dem Runden gebildet.",
+        "en": "Difference: exact value less approximation, taken before rounding.",
+    },
+    "weisbach": {
+        "de": "$sin α_1 = P/(Q - R_b) ± r/(2 l) sin 2 α_1$,"
+        " $cot(α_2/2) = P/(2 Q/ε (1 ± r/l sin^2(α_2/2)) - 2 R_b sin^2(α_2/2) (1 ∓ r/l cos α_2))$;"
+        " oberes Zeichen: Rückgang, unteres Zeichen: Hingang",
+        "en": "$sin α_1 = P/(Q - R_b) ± r/(2 l) sin 2 α_1$,"
+        " $cot(α_2/2) = P/(2 Q/ε (1 ± r/l sin^2(α_2/2)) - 2 R_b sin^2(α_2/2) (1 ∓ r/l cos α_2))$;"
+        " upper sign: return stroke, lower sign: outstroke",
+    },
+    "epsilon": {"de": "Expansionsverhältnis", "en": "Expansion ratio"},
+    "stroke": {"de": "Hub", "en": "Stroke"},
+    "target": {"de": "Ungleichförmigkeitsgrad, zulässiger", "en": "Degree of irregularity allowed"},
+}
+
+
+def caption(request: EngineRequest) -> Label:
+    """Return the layout's caption with what all its engines have in common, and the method."""
+    lang = request.lang
+    methods = dict.fromkeys(method for column in request.page_columns for method in column.methods)
+    parts = {
+        "{for_engine}": _joined(list(_common(request)), lang, WORDS["for"][lang]),
+        "{method}": WORDS["and"][lang].join(ENGINE_METHODS[one].caption[lang] for one in methods),
+    }
+    text = request.layout.caption[lang]
+    for place, part in parts.items():
+        text = text.replace(place, part)
+    return text
+
+
+def _joined(parts: list[str], lang: str, before: str) -> str:
+    return before + ", ".join(parts) if parts else ""
+
+
+def _common(request: EngineRequest) -> Iterator[Label]:
+    shown = (*request.layout.across, *request.layout.stub)
+    if len(request.engines) == 1 and "expansion" not in shown:
+        yield f"$ε = {expansion_text(request.first.steam.expansion)}$"
+    if len(request.ratios) == 1 and "ratio" not in shown:
+        yield f"${request.layout.ratio_symbol} = {ratio_text(request.ratios[0])}$"
+
+
+def notes(request: EngineRequest) -> Iterator[Label]:
+    """Yield the lines below the table: its own, the units, the method, the engine."""
+    lang, subject = request.lang, request.layout.subject
+    yield from (note[lang] for note in request.layout.notes)
+    if any(len(column.methods) > 1 for column in request.page_columns):
+        yield WORDS["difference"][lang]
+    if subject in ("irregularity", "strokes"):
+        yield WORDS["delta"][lang]
+    if subject == "flywheel":
+        yield WORDS["flywheel"][lang]
+        radius = request.flywheels[0].radius
+        if radius is not None:
+            yield WORDS["radius"][lang].format(radius=plain(radius))
+    if subject == "strokes":
+        yield WORDS["turn"][lang]
+    if subject in ("strokes", "turning"):
+        yield WORDS["forces"][lang]
+    if subject == "turning":
+        yield WORDS["energy"][lang]
+    if any(column.methods == ("weisbach",) for column in request.page_columns):
+        yield WORDS["weisbach"][lang]
+    yield "; ".join(_engine(request, lang))
+
+
+def _engine(request: EngineRequest, lang: str) -> Iterator[Label]:
+    engine = request.first
+    steam = engine.steam
+    if all(row[0].steam.expansion == 1 for row in request.engines):
+        yield WORDS["uncut"][lang]
+    elif steam.exponent == 1:
+        yield WORDS["mariotte"][lang]
+    else:
+        yield WORDS["polytropic"][lang].format(exponent=plain(steam.exponent))
+    if steam.clearance:
+        yield WORDS["clearance"][lang].format(clearance=plain(steam.clearance))
+    if steam.back is not None:
+        yield WORDS["back"][lang].format(back=plain(steam.back))
+    else:
+        yield WORDS["best" if steam.exponent == 1 and not steam.clearance else "best_end"][lang]
+    yield from _cranks(engine, lang)
+
+
+def _cranks(engine: Engine, lang: str) -> Iterator[Label]:
+    if not engine.double:
+        yield WORDS["single"][lang]
+    if len(engine.cranks) > 1:
+        angles = ", ".join(f"${plain(angle)}°$" for angle in engine.cranks)
+        yield WORDS["cranks"][lang].format(angles=angles)
+
+
+def mean_force(request: EngineRequest, expansion: int, ratio: int, force: Number) -> Label:
+    """Return the line on P of one engine."""
+    line = WORDS["mean_force"][request.lang].format(force=number_text(force))
+    apart = []
+    if len(request.engines) > 1:
+        apart.append(f"$ε = {expansion_label(request, expansion).strip('$')}$")
+    if len(request.ratios) > 1:
+        apart.append(f"${request.layout.ratio_symbol} = {ratio_text(request.ratios[ratio])}$")
+    return line + _joined(apart, request.lang, WORDS["for"][request.lang])
+
+
+def axis_fields(request: EngineRequest, decimals: int | None) -> dict[str, Field]:
+    """Return what the axes are in records."""
+    lang, layout = request.lang, request.layout
+    fields = {
+        "epsilon": Field("epsilon", WORDS["epsilon"][lang], "$ε$"),
+        "ratio": Field("ratio", MOTION_WORDS["ratio"][lang], f"${layout.ratio_symbol}$"),
+        "stroke": Field("stroke", WORDS["stroke"][lang]),
+        "phi": Field("phi", MOTION_WORDS["phi"][lang], f"${layout.angle_symbol}$", "°", decimals),
+    }
+    if layout.subject == "flywheel":
+        fields["delta"] = Field("delta", WORDS["target"][lang], "$δ$")
+    return fields
+
+
+def unit_text(unit: Label) -> str:
+    return plain_label(unit)

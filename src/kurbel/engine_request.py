@@ -1,0 +1,185 @@
+"""What is asked for of an engine, with all choices made: layout, engines, methods and the columns."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import NamedTuple
+
+from kurbel.choices import choose
+from kurbel.engine import Engine
+from kurbel.engine_quantities import OUTSTROKE, RETURN_STROKE, WHOLE, EngineQuantity, engine_registry
+from kurbel.errors import ProblemError
+from kurbel.flywheel import Flywheel
+from kurbel.layouts import Layout, LayoutColumn
+from kurbel.notation import MOST_ROWS
+from kurbel.problem import check_angles
+from kurbel.quantities import Method
+from kurbel.request import check_label, check_rounding
+from kurbel.table import Label
+
+ENGINE_METHODS: Mapping[str, Method] = {
+    method.key: method
+    for method in (
+        Method(
+            "exact",
+            {"de": "genaue Formeln", "en": "exact formulas, true extremes of the speed"},
+            {"de": "genaue Formeln", "en": "exact formulas"},
+        ),
+        Method(
+            "series",
+            {"de": "Näherung erster Ordnung", "en": "first-order motion of the piston, true extremes"},
+            {"de": "Näherung erster Ordnung", "en": "first-order formulas"},
+        ),
+        Method(
+            "weisbach",
+            {"de": "Weisbachs Gleichungen", "en": "first order, angles by the equations of § 150"},
+            {
+                "de": "nach Weisbachs Gleichungen für $α_1$ und $α_2$",
+                "en": "by Weisbach's equations for $α_1$ and $α_2$",
+            },
+        ),
+    )
+}
+# The quantities that a page can show, by what it is about.
+SCOPES: Mapping[str, tuple[str, ...]] = {
+    "irregularity": ("turn", "span"),
+    "strokes": ("turn", "span", "stroke"),
+    "turning": ("angle",),
+    "flywheel": ("flywheel",),
+}
+# The keys of the axes in records, and on the command line.
+ENGINE_AXES: Mapping[str, tuple[str, ...]] = {
+    "irregularity": ("epsilon", "ratio"),
+    "strokes": ("epsilon", "ratio", "stroke"),
+    "turning": ("epsilon", "ratio", "phi"),
+    "flywheel": ("epsilon", "ratio", "delta"),
+}
+
+
+class EngineColumn(NamedTuple):
+    """A column of the page with all choices made. `methods` are one, or two whose difference is shown."""
+
+    key: str
+    quantity: EngineQuantity
+    methods: tuple[str, ...]
+    decimals: int | None
+    spanners: tuple[Label, ...]
+    heading: tuple[Label, ...]
+
+
+@dataclass(frozen=True)
+class EngineRequest:
+    """What is asked for: the engines of all expansions (outer) and crank ratios (inner).
+
+    `methods` empty leaves them to the layout, or is exact.
+    """
+
+    layout: Layout
+    engines: tuple[tuple[Engine, ...], ...]
+    methods: tuple[str, ...] = ()
+    angles: Sequence[Fraction] = (Fraction(0),)
+    flywheels: tuple[Flywheel, ...] = ()
+    digits: int | None = None
+    rounding: str = "half-away"
+    lang: str = "de"
+    columns: tuple[str, ...] = ()
+    label: str = ""
+
+    def __post_init__(self) -> None:
+        check_angles(self.angles)
+        check_rounding(self.digits, self.rounding)
+        check_label(self.label)
+        for method in self.methods:
+            choose(method, ENGINE_METHODS, "method")
+        if len(self.methods) > 1 and not self.layout.fixed:
+            raise ProblemError(
+                f"layout {self.layout.key} shows one method, and {len(self.methods)} were given;"
+                " use --layout delta-verfahren"
+            )
+        if len(self) > MOST_ROWS:
+            raise ProblemError(f"the table would have {len(self)} rows; at most 10^9 are allowed")
+
+    def __len__(self) -> int:
+        """How many records there are."""
+        count = len(self.engines) * len(self.engines[0])
+        spans = {"strokes": len(self.spans), "turning": len(self.angles), "flywheel": len(self.flywheels)}
+        return count * spans.get(self.layout.subject, 1)
+
+    @property
+    def first(self) -> Engine:
+        return self.engines[0][0]
+
+    @property
+    def carded(self) -> bool:
+        """Whether the piston force comes from an indicator card."""
+        return self.first.carded
+
+    @property
+    def ratios(self) -> list[Fraction]:
+        return [engine.crank.ratio for engine in self.engines[0]]
+
+    @property
+    def spans(self) -> tuple[int | None, ...]:
+        """The strokes have extremes of their own where one crank turns by one double-acting cylinder."""
+        return (OUTSTROKE, RETURN_STROKE, WHOLE) if self.first.plain else (WHOLE,)
+
+    @cached_property
+    def page_columns(self) -> tuple[EngineColumn, ...]:
+        """The columns asked for, or the layout's own as far as they are known."""
+        own = {column.key: column for column in self.layout.columns}
+        if not self.columns:
+            shown = [column for column in self.layout.columns if self._shown(column)]
+            return tuple(self._column(column) for column in shown)
+        axes = ENGINE_AXES[self.layout.subject]
+        keys = [choose(key, engine_column_keys(self.layout), "column") for key in self.columns]
+        chosen = [own.get(key, LayoutColumn(key, key)) for key in dict.fromkeys(keys) if key not in axes]
+        if not chosen:
+            raise ProblemError("there is no column beside the axes; add one, such as delta")
+        for column in chosen:
+            if not self._known(engine_registry()[column.quantity]):
+                raise ProblemError(f"column {column.key} is not known for this engine; leave it out")
+        return tuple(map(self._column, chosen))
+
+    def _shown(self, column: LayoutColumn) -> bool:
+        methods = _methods(column.method)
+        asked = not methods or not self.methods or set(methods) <= set(self.methods)
+        return asked and self._known(engine_registry()[column.quantity])
+
+    def _known(self, quantity: EngineQuantity) -> bool:
+        if quantity.key in ("back", "alpha_cutoff") and self.carded:
+            return False
+        if quantity.scope == "stroke":
+            return self.first.plain
+        return quantity.key != "mass" or self.flywheels[0].radius is not None
+
+    def _column(self, column: LayoutColumn) -> EngineColumn:
+        quantity, lang = engine_registry()[column.quantity], self.lang
+        decimals = quantity.decimals if column.decimals is None else column.decimals
+        name = quantity.name[lang]
+        down = "column" in self.layout.down
+        spanners = () if down else (f"{name}",)
+        heading = (f"{name} {quantity.symbol}",) if down else (f"{quantity.symbol} in {quantity.unit}",)
+        return EngineColumn(
+            column.key,
+            quantity,
+            _methods(column.method) or self.methods or ("exact",),
+            decimals if self.digits is None else self.digits,
+            spanners if column.spanners is None else tuple(one[lang] for one in column.spanners),
+            heading if column.heading is None else tuple(one[lang] for one in column.heading),
+        )
+
+
+def engine_column_keys(layout: Layout) -> tuple[str, ...]:
+    """Return what --columns can choose from; a page whose heads state methods has only its own columns."""
+    scopes = SCOPES[layout.subject]
+    own = [column.key for column in layout.columns]
+    fitting = [key for key, quantity in engine_registry().items() if quantity.scope in scopes]
+    return tuple(dict.fromkeys((*ENGINE_AXES[layout.subject], *own, *([] if layout.fixed else fitting))))
+
+
+def _methods(method: str | None) -> tuple[str, ...]:
+    """exact-series is the difference of two methods."""
+    return tuple(method.split("-")) if method else ()
