@@ -1,6 +1,6 @@
 """Certified tables of the crank drive, as a library.
 
-Four functions give what the command line gives. They are imported when they are first used, so that
+These functions give what the command line gives. They are imported when they are first used, so that
 `import kurbel` loads neither click nor Jinja nor NumPy.
 
 >>> import kurbel
@@ -17,18 +17,30 @@ from typing import TYPE_CHECKING
 from kurbel.errors import KurbelError
 
 if TYPE_CHECKING:
+    from kurbel.engine_library import make_engine_table
+    from kurbel.irregularity import delta
     from kurbel.library import certified, compute, make_table, typeset
 
 __version__ = "0.1.0"
-__all__ = ["KurbelError", "__version__", "certified", "compute", "make_table", "typeset"]
+__all__ = [
+    "KurbelError",
+    "__version__",
+    "certified",
+    "compute",
+    "delta",
+    "make_engine_table",
+    "make_table",
+    "typeset",
+]
+_MODULES = {"delta": "kurbel.irregularity", "make_engine_table": "kurbel.engine_library"}
 
 
 def __getattr__(name: str) -> object:
     if name not in __all__:
         raise AttributeError(f"module 'kurbel' has no attribute {name!r}")
-    from kurbel import library
+    from importlib import import_module
 
-    return getattr(library, name)
+    return getattr(import_module(_MODULES.get(name, "kurbel.library")), name)
 
 
 def __dir__() -> list[str]:

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from decimal import Context, Decimal
-from fractions import Fraction
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING
 
 from kurbel import notation
 from kurbel.choices import choose
 from kurbel.errors import NotationError, ProblemError
+from kurbel.given import Exact, as_angle, as_fraction, as_names, as_ratio, read_values
 from kurbel.problem import LARGEST_ANGLE, Crank, Speed, check_angles
 from kurbel.quantities import METHODS, Quantity, registry
 from kurbel.request import check_rounding
@@ -18,9 +18,6 @@ from kurbel.table import Table
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
-
-# A float is read by its shortest decimal, so that 0.2 is 1/5; text as on the command line.
-Exact: TypeAlias = str | int | float | Fraction | Decimal
 
 
 def certified(
@@ -47,7 +44,7 @@ def certified(
     chosen = _quantity(quantity)
     check_rounding(digits, rounding)
     decimals = chosen.decimals if digits is None else digits
-    crank, at = Crank(_ratio(ratio), _exact(offset)), _angle(angle)
+    crank, at = Crank(as_ratio(ratio), as_fraction(offset)), as_angle(angle)
     check_angles((at,))
     number = scaled(chosen, choose(method, METHODS, "method"), crank, at, decimals, rounding)
     return Decimal(number).scaleb(-decimals, context=Context(prec=max(50, len(str(number)))))
@@ -73,10 +70,10 @@ def compute(
     from kurbel.bulk import evaluate
     from kurbel.digits import Digits, on_floats
 
-    crank = Crank(_ratio(ratio), _exact(offset))
+    crank = Crank(as_ratio(ratio), as_fraction(offset))
     degrees = _degrees(angles)
     choose(method, METHODS, "method")
-    columns = _names(columns)
+    columns = as_names(columns)
     chosen = [Digits(_quantity(key), method, 0) for key in columns]
     rows = evaluate([on_floats(column, crank) for column in chosen], degrees.ravel())
     return {key: row.reshape(degrees.shape) for key, row in zip(columns, rows, strict=True)}
@@ -111,26 +108,25 @@ def make_table(
     90,1.1010,1.0000
     """
     from kurbel.build import build
-    from kurbel.layouts import LANGUAGES
-    from kurbel.layouts import layout as find
+    from kurbel.layouts import LANGUAGES, layout_of
     from kurbel.request import Request
 
-    page = find(layout)
-    size = None if radius is None else _exact(radius)
-    turns = None if speed is None else Speed(_exact(speed))
+    page = layout_of(layout, ("motion",))
+    size = None if radius is None else as_fraction(radius)
+    turns = None if speed is None else Speed(as_fraction(speed))
     return build(
         Request(
             layout=page,
             cranks=tuple(
-                Crank(ratio, _exact(offset), size, turns)
-                for ratio in _read(page.ratios if ratios is None else ratios, notation.ratios, _ratio)
+                Crank(ratio, as_fraction(offset), size, turns)
+                for ratio in read_values(page.ratios if ratios is None else ratios, notation.ratios, as_ratio)
             ),
-            angles=_read(page.angles if angles is None else angles, notation.angles, _angle),
+            angles=read_values(page.angles if angles is None else angles, notation.angles, as_angle),
             method=None if method is None else choose(method, METHODS, "method"),
             digits=digits,
             rounding=rounding,
             lang=choose(lang, LANGUAGES, "language"),
-            columns=_names(columns),
+            columns=as_names(columns),
             label=label,
         )
     )
@@ -164,25 +160,6 @@ def _quantity(key: str) -> Quantity:
     return registry()[choose(key, plain, "quantity")]
 
 
-def _read(
-    given: Exact | Iterable[Exact],
-    texts: Callable[[Iterable[str]], Sequence[Fraction]],
-    one: Callable[[Exact], Fraction],
-) -> Sequence[Fraction]:
-    """Read one value or many; text may hold lists and ranges, as on the command line."""
-    values = [given] if isinstance(given, str) or not isinstance(given, Iterable) else list(given)
-    as_text = [value for value in values if isinstance(value, str)]
-    return texts(as_text) if len(as_text) == len(values) else tuple(dict.fromkeys(map(one, values)))
-
-
-def _names(given: str | Iterable[str]) -> tuple[str, ...]:
-    if isinstance(given, str):
-        return notation.names([given], "columns", "phi,x,c,p")
-    if not isinstance(given, Iterable):
-        raise NotationError(f"columns is {given!r}; write names as phi,x,c,p or in a list")
-    return tuple(given)
-
-
 def _degrees(angles: ArrayLike) -> NDArray[np.float64]:
     import numpy as np
 
@@ -198,15 +175,3 @@ def _degrees(angles: ArrayLike) -> NDArray[np.float64]:
     if not (np.abs(degrees) <= LARGEST_ANGLE).all():
         raise ProblemError(f"angles must be finite and within {LARGEST_ANGLE}° of zero")
     return degrees
-
-
-def _ratio(value: Exact) -> Fraction:
-    return notation.ratio(value) if isinstance(value, str) else _exact(value)
-
-
-def _angle(value: Exact) -> Fraction:
-    return notation.angle(value) if isinstance(value, str) else _exact(value)
-
-
-def _exact(value: Exact) -> Fraction:
-    return Fraction(value) if isinstance(value, (int, Fraction)) else notation.number(str(value))

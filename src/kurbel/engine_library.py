@@ -1,0 +1,109 @@
+"""The functions of `import kurbel` about engines: pages of irregularity, turning effort, flywheels."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from kurbel import notation
+from kurbel.choices import choose
+from kurbel.errors import ProblemError
+from kurbel.given import Exact, as_angle, as_fraction, as_names, as_ratio, read_values
+from kurbel.layouts import LANGUAGES, SUBJECTS, layout_of
+from kurbel.problem import Crank, Speed
+from kurbel.table import Table
+
+if TYPE_CHECKING:
+    from kurbel.flywheel import Flywheel
+
+ENGINE_SUBJECTS = tuple(subject for subject in SUBJECTS if subject != "motion")
+
+
+def make_engine_table(
+    expansions: Exact | Iterable[Exact] | None = None,
+    ratios: Exact | Iterable[Exact] | None = None,
+    *,
+    layout: str = "weisbach-150",
+    methods: str | Iterable[str] = (),
+    back: Exact | None = None,
+    exponent: Exact = 1,
+    clearance: Exact = 0,
+    double_acting: bool = True,
+    cranks: Exact | Iterable[Exact] = 0,
+    angles: Exact | Iterable[Exact] | None = None,
+    power: Exact | None = None,
+    speed: Exact | None = None,
+    irregularities: Exact | Iterable[Exact] = (),
+    radius: Exact | None = None,
+    columns: str | Iterable[str] = (),
+    digits: int | None = None,
+    rounding: str = "half-away",
+    lang: str = "de",
+    label: str = "",
+) -> Table:
+    """Return a page about steam engines with its certified digits, as `kurbel delta` and its like print.
+
+    Expansion ratios, crank ratios and angles default to the layout's own; values may be text as on the
+    command line. `back`, `exponent` and `clearance` are b = R_b/Q (None: the best), n and κ; `cranks` the
+    angles of several cranks in degrees. A page of flywheels needs `power` in W, `speed` in turns per second
+    and the `irregularities` δ to keep; `radius` in m adds the mass there. Raises KurbelError.
+
+    >>> from kurbel import typeset
+    >>> print(typeset(make_engine_table("2..4"), "csv"), end="")
+    epsilon,ratio,delta
+    2,1:5,1.282
+    3,1:5,1.374
+    4,1:5,1.423
+    """
+    from kurbel.build import build
+    from kurbel.engine import Engine, Steam
+    from kurbel.engine_request import EngineRequest
+
+    page = layout_of(layout, ENGINE_SUBJECTS)
+    steams = [
+        Steam(
+            expansion,
+            None if back is None else as_fraction(back),
+            as_fraction(exponent),
+            as_fraction(clearance),
+        )
+        for expansion in read_values(
+            page.expansions if expansions is None else expansions, notation.expansions, as_fraction
+        )
+    ]
+    drives = [
+        Crank(ratio)
+        for ratio in read_values(page.ratios if ratios is None else ratios, notation.ratios, as_ratio)
+    ]
+    shifts = tuple(read_values(cranks, notation.angles, as_angle))
+    return build(
+        EngineRequest(
+            layout=page,
+            engines=tuple(
+                tuple(Engine(drive, steam, double_acting, shifts) for drive in drives) for steam in steams
+            ),
+            methods=(methods,) if isinstance(methods, str) else tuple(methods),
+            angles=read_values((page.angles or "0") if angles is None else angles, notation.angles, as_angle),
+            flywheels=_flywheels(power, speed, irregularities, radius) if page.subject == "flywheel" else (),
+            digits=digits,
+            rounding=rounding,
+            lang=choose(lang, LANGUAGES, "language"),
+            columns=as_names(columns),
+            label=label,
+        )
+    )
+
+
+def _flywheels(
+    power: Exact | None, speed: Exact | None, irregularities: Exact | Iterable[Exact], radius: Exact | None
+) -> tuple[Flywheel, ...]:
+    from kurbel.flywheel import Flywheel
+
+    if power is None or speed is None:
+        raise ProblemError("a page of flywheels needs the power in W and the speed in turns per second")
+    size = None if radius is None else as_fraction(radius)
+    turns = Speed(as_fraction(speed))
+    return tuple(
+        Flywheel(as_fraction(power), turns, each, size)
+        for each in read_values(irregularities, notation.irregularities, as_ratio)
+    )
