@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 from kurbel import captions
 from kurbel.arrange import panels
@@ -11,17 +11,19 @@ from kurbel.request import Request, page_columns
 from kurbel.rows import RecordRows
 from kurbel.table import Note, Records, Table
 
-if TYPE_CHECKING:
-    from kurbel.engine_request import EngineRequest
+
+class Asked(Protocol):
+    """What is asked for of an engine: its language, how many records it has, and the table."""
+
+    @property
+    def lang(self) -> str: ...
+    def __len__(self) -> int: ...
+    def table(self, pages: bool) -> Table: ...
 
 
-def build(request: Request | EngineRequest, pages: bool = True) -> Table:
+def build(request: Request | Asked, pages: bool = True) -> Table:
     """Return the table that was asked for; without `pages` only its records, which need no memory."""
-    if isinstance(request, Request):
-        return _motion(request, pages)
-    from kurbel.engine_page import build_engine
-
-    return build_engine(request, pages)
+    return _motion(request, pages) if isinstance(request, Request) else request.table(pages)
 
 
 def _motion(request: Request, pages: bool) -> Table:

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 import flint
 
+from kurbel.errors import ProblemError
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.kinematics import rod_sine
 
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
 
 # A page has up to 50 decimals, and no product of formulas here loses more than a few bits.
 GUARD_BITS = 40
+# No value is so near to a boundary by chance, and a root to so many bits takes a second.
+MOST_BITS = 20_000
 
 
 def ball(value: Fraction | int) -> arb:
@@ -64,8 +67,8 @@ def rounded(value: Callable[[], arb], decimals: int, rounding: str, tie_bits: Ti
 
     `value` computes a ball at the precision in force. `tie_bits` takes a boundary, an odd multiple of half
     a unit in the last place, and returns b such that the value equals the boundary or is at
-    least 2**-b away from it. NEVER_TIES claims that there is none to equal; where that is wrong, a tie is
-    never settled.
+    least 2**-b away from it. NEVER_TIES claims that there is none to equal; a value that comes nearer to a
+    boundary than 2**-MOST_BITS all the same raises ProblemError.
     """
     unit = 10**decimals
     precision = GUARD_BITS + (10 * decimals) // 3
@@ -81,6 +84,11 @@ def rounded(value: Callable[[], arb], decimals: int, rounding: str, tie_bits: Ti
             if nearest is not None and (rounding == "half-away" or not raised.contains_integer()):
                 return _signed(int(nearest), scaled)
             odd = (2 * abs(scaled) + flint.arb(0.5)).floor().unique_fmpz()
+            if tie_bits is None and precision > MOST_BITS:
+                raise ProblemError(
+                    f"a digit is not settled by {MOST_BITS} bits: the value may lie half-way between two"
+                    " printed ones; ask for another number of digits"
+                )
             if odd is None or tie_bits is None:
                 continue
             bits = tie_bits(Fraction(int(odd), 2 * unit))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from kurbel import notation
@@ -68,7 +68,7 @@ def make_engine_table(
             as_fraction(clearance),
         )
         for expansion in read_values(
-            page.expansions if expansions is None else expansions, notation.expansions, as_fraction
+            page.expansions if expansions is None else expansions, _expansion_ratios, as_fraction
         )
     ]
     drives = [
@@ -92,6 +92,10 @@ def make_engine_table(
             label=label,
         )
     )
+
+
+def _expansion_ratios(texts: Iterable[str]) -> Sequence[Fraction]:
+    return notation.numbers(texts, "expansion ratio")
 
 
 def _flywheels(

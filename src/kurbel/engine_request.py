@@ -18,7 +18,7 @@ from kurbel.notation import MOST_ROWS
 from kurbel.problem import check_angles
 from kurbel.quantities import Method
 from kurbel.request import check_label, check_rounding
-from kurbel.table import Label
+from kurbel.table import Label, Table
 
 ENGINE_METHODS: Mapping[str, Method] = {
     method.key: method
@@ -107,6 +107,12 @@ class EngineRequest:
         count = len(self.engines) * len(self.engines[0])
         spans = {"strokes": len(self.spans), "turning": len(self.angles), "flywheel": len(self.flywheels)}
         return count * spans.get(self.layout.subject, 1)
+
+    def table(self, pages: bool) -> Table:
+        """Return the table; without `pages` only its records."""
+        from kurbel.engine_page import build_engine
+
+        return build_engine(self, pages)
 
     @property
     def first(self) -> Engine:

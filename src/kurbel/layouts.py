@@ -19,6 +19,7 @@ SUBJECTS: Mapping[str, tuple[str, ...]] = {
     "strokes": ("expansion", "ratio", "stroke", "column"),
     "turning": ("expansion", "ratio", "angle", "column"),
     "flywheel": ("expansion", "ratio", "target", "column"),
+    "dead centres": ("arm", "ratio", "column"),
 }
 
 Localised = Mapping[str, str]
@@ -65,6 +66,7 @@ class Layout(NamedTuple):
     formulas: bool = True
     subject: str = "motion"
     expansions: tuple[str, ...] = ()
+    arms: tuple[str, ...] = ()
     unit: bool = False
 
     def stub_heading(self, axis: str, default: Label, lang: str) -> Label:
@@ -151,6 +153,7 @@ def _layout(name: str, page: dict[str, Any]) -> Layout:
         formulas=page.get("formulas", True),
         subject=subject,
         expansions=tuple(page.get("expansions", ())),
+        arms=tuple(page.get("arms", ())),
         unit=page.get("unit", False),
     )
 

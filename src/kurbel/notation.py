@@ -138,14 +138,17 @@ def angles(texts: Iterable[str]) -> Sequence[Fraction]:
     return tuple(dict.fromkeys(found))
 
 
-def expansions(texts: Iterable[str]) -> tuple[Fraction, ...]:
-    """Return the expansion ratios ε of lists and ranges: "4", "2;3;4", "2..6", "2..6:0.5"."""
+def numbers(texts: Iterable[str], what: str) -> tuple[Fraction, ...]:
+    """Return the numbers of lists and ranges: "4", "2;3;4", "2..6", "2..6:0.5"."""
+
+    def one(text: str) -> Fraction:
+        return number(text, what)
+
     found: list[Fraction] = []
-    what = "expansion ratio"
     for text in texts:
-        for part in _items(text, _expansion, what):
-            values = _number_range(part, what, "2..6 or 2..6:0.5") if ".." in part else [_expansion(part)]
-            _check_length(len(found) + len(values), LONGEST_LIST, "expansion ratios")
+        for part in _items(text, one, what):
+            values = _number_range(part, what) if ".." in part else [one(part)]
+            _check_length(len(found) + len(values), LONGEST_LIST, f"{what}s")
             found.extend(values)
     return tuple(dict.fromkeys(found))
 
@@ -281,10 +284,6 @@ def _ratio_range(text: str) -> Sequence[Fraction]:
     return [1 / value for value in values] if by_length else values
 
 
-def _expansion(text: str) -> Fraction:
-    return number(text, "expansion ratio")
-
-
 def _irregularity(text: str) -> Fraction:
     try:
         return ratio(text)
@@ -294,10 +293,10 @@ def _irregularity(text: str) -> Fraction:
         ) from None
 
 
-def _number_range(text: str, what: str, example: str) -> Sequence[Fraction]:
+def _number_range(text: str, what: str) -> Sequence[Fraction]:
     match = re.fullmatch(r"([^:]+?)\.\.([^:]+)(?::([^:]+))?", text)
     if match is None:
-        raise NotationError(f"{what} {_shown(text)} is not a range; write it as {example}")
+        raise NotationError(f"{what} {_shown(text)} is not a range; write it as 2..6 or 2..6:0.5")
     first, last, step = match.groups()
     return progression(number(first, what), number(last, what), number(step or "1", "step"), what)
 

@@ -7,7 +7,7 @@ from fractions import Fraction
 from itertools import chain, islice
 from typing import TYPE_CHECKING
 
-from kurbel.build import build
+from kurbel.build import Asked, build
 from kurbel.digits import MOST_DECIMALS, largest
 from kurbel.formats import DECIMALS
 from kurbel.notation import Progression, ratio_text
@@ -17,16 +17,15 @@ from kurbel.table import Table
 
 if TYPE_CHECKING:
     from kurbel.columns import Scaled
-    from kurbel.engine_request import EngineRequest
 
 
-def record_chunks(request: Request | EngineRequest, format_name: str, decimal: str) -> Iterator[bytes]:
+def record_chunks(request: Request | Asked, format_name: str, decimal: str) -> Iterator[bytes]:
     """Yield the table's records as CSV or JSON, a chunk of rows at a time."""
     from kurbel.records import csv_rows, json_rows
 
     table = build(request, pages=False)
     rows = table.records.rows
-    if isinstance(rows, RecordRows) and rows.bulk() and _fits(request.angles):
+    if isinstance(rows, RecordRows) and rows.bulk() and _fits(rows.request.angles):
         yield from _bulk_csv(rows, decimal) if format_name == "csv" else _bulk_json(table, rows)
         return
     lines = csv_rows(table.records, decimal) if format_name == "csv" else json_rows(table)

@@ -19,6 +19,7 @@ COMMANDS = {
     "delta": ("kurbel.cli.engine", "Print the degree of irregularity of a steam engine."),
     "turning": ("kurbel.cli.engine", "Print tangential force and excess energy over the crank angle."),
     "flywheel": ("kurbel.cli.engine", "Print the flywheel that keeps an engine even."),
+    "deadcentres": ("kurbel.cli.beam", "Print the dead centres of a beam engine."),
     "layouts": ("kurbel.cli.lists", "List the page layouts."),
     "quantities": ("kurbel.cli.lists", "List the quantities that columns can show."),
 }

@@ -181,5 +181,5 @@ def _engines(page: Layout, options: Mapping[str, Any]) -> tuple[tuple[Engine, ..
             Engine(drive, Steam(expansion, back, exponent, clearance), not options["single_acting"], cranks)
             for drive in drives
         )
-        for expansion in notation.expansions(options["eps"] or page.expansions)
+        for expansion in notation.numbers(options["eps"] or page.expansions, "expansion ratio")
     )

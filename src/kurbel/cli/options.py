@@ -87,6 +87,10 @@ def _column_keys(name: str) -> tuple[str, ...]:
         from kurbel.request import column_keys
 
         return column_keys(page)
+    if page.subject == "dead centres":
+        from kurbel.beam_page import beam_column_keys
+
+        return beam_column_keys()
     from kurbel.engine_request import engine_column_keys
 
     return engine_column_keys(page)

@@ -1,0 +1,228 @@
+"""Beam engines and a layout become a table of their dead centres."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import NamedTuple
+
+from kurbel.arrange import Axis, Grid, Place, check_size, panels
+from kurbel.axes import ColumnAxis, RatioAxis
+from kurbel.beam import MINUTES, BeamEngine, BeamQuantity, certified, registry
+from kurbel.captions import WORDS as MOTION_WORDS
+from kurbel.choices import choose
+from kurbel.errors import ProblemError
+from kurbel.layouts import Layout
+from kurbel.notation import plain, ratio_text
+from kurbel.numerals import degrees_text
+from kurbel.request import check_label, check_rounding
+from kurbel.table import Cell, Field, Label, Note, Number, Records, Table, Value
+
+AXIS_KEYS = ("arm", "ratio")
+# A page prints degrees and minutes, records degrees.
+DEGREE_DECIMALS = 4
+FORMULAS = "$μ = r^2/(4 a (l + r))$, $ν = r^2/(4 a (l - r))$, $σ_1 = r (1 - cos μ)$, $σ_2 = r (1 - cos ν)$"
+WORDS: Mapping[str, Mapping[str, str]] = {
+    "approximate": {"de": "Näherungen des § 149", "en": "approximations of § 149"},
+    "exact": {"de": "wahre Gestalt des Getriebes", "en": "true geometry of the linkage"},
+    "formulas": {"de": FORMULAS, "en": FORMULAS},
+    "symbols": {
+        "de": "$r$ Kurbelhalbmesser, $l$ Stangenlänge, $a$ Arm des Balanciers; die Welle liegt unter der Mitte"
+        " der Pfeilhöhe seines Bogens",
+        "en": "$r$ crank radius, $l$ length of the rod, $a$ arm of the beam; the shaft lies below the middle"
+        " of the sagitta of its arc",
+    },
+    "sides": {
+        "de": "Strecklage: Stange und Kurbel gestreckt; der Abstand $180° + (ν - μ)$ liegt auf der Seite des"
+        " Drehpunkts; Wege bis zur senkrechten Kurbel",
+        "en": "stretched: rod and crank in line; the distance $180° + (ν - μ)$ lies on the side of the pivot;"
+        " paths up to the vertical crank",
+    },
+    "arm": {"de": "Arm des Balanciers a/r", "en": "Arm of the beam a/r"},
+}
+
+
+@dataclass(frozen=True)
+class BeamRequest:
+    """What is asked for: the beam engines of all arms (outer) and crank ratios (inner)."""
+
+    layout: Layout
+    arms: tuple[Fraction, ...]
+    ratios: tuple[Fraction, ...]
+    exact: bool = False
+    digits: int | None = None
+    rounding: str = "half-away"
+    lang: str = "de"
+    columns: tuple[str, ...] = ()
+    label: str = ""
+
+    def __post_init__(self) -> None:
+        check_rounding(self.digits, self.rounding)
+        check_label(self.label)
+        for key in self.columns:
+            choose(key, beam_column_keys(), "column")
+        for place in self.places():
+            self.engine(place)
+
+    def __len__(self) -> int:
+        """How many records there are."""
+        return len(self.arms) * len(self.ratios)
+
+    def table(self, pages: bool) -> Table:
+        """Return the table; without `pages` only its records."""
+        return build_beam(self, pages)
+
+    def places(self) -> Iterator[Place]:
+        for arm in range(len(self.arms)):
+            for ratio in range(len(self.ratios)):
+                yield {"arm": arm, "ratio": ratio}
+
+    def engine(self, place: Place) -> BeamEngine:
+        return BeamEngine(self.arms[place["arm"]], self.ratios[place["ratio"]])
+
+    @property
+    def quantities(self) -> tuple[BeamQuantity, ...]:
+        keys = self.columns or tuple(column.quantity for column in self.layout.columns)
+        chosen = tuple(registry()[key] for key in keys if key not in AXIS_KEYS)
+        if not chosen:
+            raise ProblemError("there is no column beside the axes; add one, such as mu")
+        return chosen
+
+
+def beam_column_keys() -> tuple[str, ...]:
+    """Return what --columns can choose from."""
+    return (*AXIS_KEYS, *registry())
+
+
+class _Headed(NamedTuple):
+    spanners: tuple[Label, ...]
+    heading: tuple[Label, ...]
+
+
+class _ArmAxis(Axis):
+    """The arms of the beam in crank radii."""
+
+    def __init__(self, request: BeamRequest) -> None:
+        super().__init__(len(request.arms))
+        self.request = request
+
+    def heads(self, place: Place) -> tuple[Label, ...]:
+        return (f"$a = {plain(self.request.arms[place['arm']])} r$",)
+
+
+class _LetteredRatioAxis(RatioAxis):
+    """Crank ratios with their letters, for heads that stand alone."""
+
+    def heads(self, place: Place) -> tuple[Label, ...]:
+        return (self.over_group(place),)
+
+
+def build_beam(request: BeamRequest, pages: bool = True) -> Table:
+    """Return the table that was asked for; without `pages` only its records."""
+    lang = request.lang
+    return Table(
+        key=request.label or request.layout.key,
+        layout=request.layout.key,
+        lang=lang,
+        caption=request.layout.caption[lang].replace("{method}", WORDS[_method(request)][lang]),
+        panels=panels(request.layout, _grid(request)) if pages else (),
+        records=Records(_fields(request), _Rows(request)),
+        notes=tuple(Note(WORDS[key][lang]) for key in _notes(request)),
+        source=request.layout.source[lang],
+    )
+
+
+def _method(request: BeamRequest) -> str:
+    return "exact" if request.exact else "approximate"
+
+
+def _notes(request: BeamRequest) -> Iterator[str]:
+    if not request.exact:
+        yield "formulas"
+    yield "symbols"
+    yield "sides"
+
+
+def _grid(request: BeamRequest) -> Grid:
+    layout, lang, quantities = request.layout, request.lang, request.quantities
+    headed = [_Headed((), (f"{one.name[lang]} {one.symbol}",)) for one in quantities]
+    axes = {
+        "arm": _ArmAxis(request),
+        "ratio": _LetteredRatioAxis(layout, request.ratios, lang),
+        "column": ColumnAxis(layout, headed, request.ratios, lang),
+    }
+    check_size(layout, {name: axis.size for name, axis in axes.items()})
+
+    def cell(place: Place) -> Cell:
+        return _cell(request, quantities[place["column"]], request.engine(place))
+
+    def unit(place: Place) -> Label:
+        one = quantities[place["column"]]
+        return "" if one.unit == MINUTES else f"${one.unit}$"
+
+    return Grid(axes, cell, unit if layout.unit else None)
+
+
+def _cell(request: BeamRequest, quantity: BeamQuantity, engine: BeamEngine) -> Cell:
+    if quantity.unit == MINUTES:
+        minutes = certified(quantity, engine, request.exact, 0, request.rounding)
+        return Cell(f"${degrees_text(Fraction(minutes.scaled, 60))}$")
+    decimals = quantity.decimals if request.digits is None else request.digits
+    return Cell(certified(quantity, engine, request.exact, decimals, request.rounding))
+
+
+class _Rows:
+    """The records: one for each beam engine."""
+
+    def __init__(self, request: BeamRequest) -> None:
+        self.request = request
+
+    def __len__(self) -> int:
+        return len(self.request)
+
+    def __iter__(self) -> Iterator[tuple[Value, ...]]:
+        request = self.request
+        for place in request.places():
+            engine = request.engine(place)
+            values: dict[str, Value] = {
+                "arm": f"${plain(engine.arm)}$",
+                "ratio": f"${ratio_text(engine.ratio)}$",
+            }
+            for quantity in request.quantities:
+                values[quantity.key] = _record(request, quantity, engine)
+            yield tuple(values[name] for name in _names(request))
+
+
+def _record(request: BeamRequest, quantity: BeamQuantity, engine: BeamEngine) -> Number:
+    decimals = _decimals(request, quantity)
+    return certified(_in_degrees(quantity), engine, request.exact, decimals, request.rounding)
+
+
+def _in_degrees(quantity: BeamQuantity) -> BeamQuantity:
+    if quantity.unit != MINUTES:
+        return quantity
+    return quantity._replace(formula=lambda engine, exact, side: quantity.formula(engine, exact, side) / 60)
+
+
+def _decimals(request: BeamRequest, quantity: BeamQuantity) -> int:
+    own = DEGREE_DECIMALS if quantity.unit == MINUTES else quantity.decimals
+    return own if request.digits is None else request.digits
+
+
+def _names(request: BeamRequest) -> tuple[str, ...]:
+    return request.columns or (*AXIS_KEYS, *(quantity.key for quantity in request.quantities))
+
+
+def _fields(request: BeamRequest) -> tuple[Field, ...]:
+    lang = request.lang
+    fields = {
+        "arm": Field("arm", WORDS["arm"][lang], "$a$", "r"),
+        "ratio": Field("ratio", MOTION_WORDS["ratio"][lang], f"${request.layout.ratio_symbol}$"),
+    }
+    for one in request.quantities:
+        unit = "°" if one.unit == MINUTES else one.unit
+        fields[one.key] = Field(
+            one.key, one.name[lang], one.symbol, unit, _decimals(request, one), _method(request)
+        )
+    return tuple(fields[name] for name in _names(request))
