@@ -280,7 +280,8 @@ def test_symbols_are_labels_and_names_differ(key: str) -> None:
     assert quantity.key == key
     assert parse(quantity.symbol)
     for language in ("de", "en"):
-        assert [one.name[language] for one in registry().values()].count(quantity.name[language]) == 1
+        rows = [(one.name[language], one.symbol) for one in registry().values()]
+        assert rows.count((quantity.name[language], quantity.symbol)) == 1
 
 
 def sentence(arm: Fraction, ratio: Fraction) -> str:

@@ -150,5 +150,5 @@ def test_without_pint_the_sentence_says_what_to_install(monkeypatch: pytest.Monk
     with pytest.raises(MissingExtraError) as raised:
         length("600mm")
     assert str(raised.value) == (
-        "lengths and speeds with units need pint; install it with: pip install 'kurbel[units]'"
+        "quantities with units need pint; install it with: pip install 'kurbel[units]'"
     )

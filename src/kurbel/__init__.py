@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 from kurbel.errors import KurbelError
 
 if TYPE_CHECKING:
-    from kurbel.engine_library import make_engine_table
+    from kurbel.engine_library import make_dead_centres_table, make_engine_table
     from kurbel.irregularity import delta
     from kurbel.library import certified, compute, make_table, typeset
 
@@ -28,11 +28,16 @@ __all__ = [
     "certified",
     "compute",
     "delta",
+    "make_dead_centres_table",
     "make_engine_table",
     "make_table",
     "typeset",
 ]
-_MODULES = {"delta": "kurbel.irregularity", "make_engine_table": "kurbel.engine_library"}
+_MODULES = {
+    "delta": "kurbel.irregularity",
+    "make_dead_centres_table": "kurbel.engine_library",
+    "make_engine_table": "kurbel.engine_library",
+}
 
 
 def __getattr__(name: str) -> object:

@@ -28,8 +28,8 @@ WORDS: Mapping[str, Mapping[str, str]] = {
     "exact": {"de": "wahre Gestalt des Getriebes", "en": "true geometry of the linkage"},
     "formulas": {"de": FORMULAS, "en": FORMULAS},
     "symbols": {
-        "de": "$r$ Kurbelhalbmesser, $l$ Stangenlänge, $a$ Arm des Balanciers; die Welle liegt unter der Mitte"
-        " der Pfeilhöhe seines Bogens",
+        "de": "$r$ Kurbelhalbmesser, $l$ Stangenlänge, $a$ Arm des Balanciers; die Welle liegt unter der"
+        " Mitte der Pfeilhöhe seines Bogens",
         "en": "$r$ crank radius, $l$ length of the rod, $a$ arm of the beam; the shaft lies below the middle"
         " of the sagitta of its arc",
     },

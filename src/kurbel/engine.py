@@ -5,12 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from kurbel.errors import ProblemError
 from kurbel.kernel.steam import Expansion, best_back, net_work
 from kurbel.notation import about, plain
 from kurbel.problem import Crank
+
+if TYPE_CHECKING:
+    from kurbel.card import Card
 
 LARGEST_EXPANSION = 10**6
 LARGEST_EXPONENT = 10
@@ -86,6 +89,15 @@ class Steam:
 
 
 @dataclass(frozen=True, slots=True)
+class Diagram:
+    """An indicator card in place of the ideal one, and the pressure in Pa on a single-acting piston's other
+    face."""
+
+    card: Card
+    other_side: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class Engine:
     """A straight crank drive whose piston is driven by steam, double-acting or not, on one crank or several.
 
@@ -94,7 +106,7 @@ class Engine:
     """
 
     crank: Crank
-    steam: Steam
+    steam: Steam | Diagram
     double: bool = True
     cranks: tuple[Fraction, ...] = (Fraction(0),)
 
@@ -107,7 +119,13 @@ class Engine:
     @property
     def carded(self) -> bool:
         """Whether the piston force comes from an indicator card."""
-        return not isinstance(self.steam, Steam)
+        return isinstance(self.steam, Diagram)
+
+    @property
+    def ideal(self) -> Steam:
+        """The steam of an engine that has no indicator card."""
+        assert isinstance(self.steam, Steam)
+        return self.steam
 
     @property
     def plain(self) -> bool:

@@ -5,11 +5,13 @@ from __future__ import annotations
 from fractions import Fraction
 
 from kurbel.arrange import Axis, Place
+from kurbel.engine import Diagram
 from kurbel.engine_quantities import SPANS
 from kurbel.engine_request import EngineRequest
 from kurbel.notation import plain, ratio_text
 from kurbel.table import Label
 
+CARD = {"de": "Diagramm", "en": "Card"}
 HEADING = {"de": "Expansionsverhältnis $ε$", "en": "Expansion ratio $ε$"}
 
 
@@ -22,16 +24,16 @@ class ExpansionAxis(Axis):
 
     def stub_heading(self) -> Label:
         layout, lang = self.request.layout, self.request.lang
+        if self.request.carded:
+            return CARD[lang]
         return layout.stub_heading("expansion", HEADING[lang], lang)
 
     def heads(self, place: Place) -> tuple[Label, ...]:
         return (expansion_label(self.request, place["expansion"]),)
 
     def over_group(self, place: Place) -> Label:
-        return f"$ε = $ {self.heads(place)[0]}" if self.request.carded else f"$ε = {self._value(place)}$"
-
-    def _value(self, place: Place) -> str:
-        return expansion_label(self.request, place["expansion"]).strip("$")
+        label = self.heads(place)[0]
+        return label if self.request.carded else f"$ε = {label.strip('$')}$"
 
 
 class StrokeAxis(Axis):
@@ -63,8 +65,11 @@ def irregularity_label(irregularity: Fraction) -> Label:
 
 
 def expansion_label(request: EngineRequest, index: int) -> Label:
-    """Return ε as pages print it: 2, 2.5 or, of no finite decimal, 7/3."""
-    return f"${expansion_text(request.engines[index][0].steam.expansion)}$"
+    """Return ε as pages print it: 2, 2.5 or, of no finite decimal, 7/3; of a card its name."""
+    engine = request.engines[index][0]
+    if isinstance(engine.steam, Diagram):
+        return engine.steam.card.name.replace("$", "\\$")
+    return f"${expansion_text(engine.steam.expansion)}$"
 
 
 def expansion_text(expansion: Fraction) -> str:

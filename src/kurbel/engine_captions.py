@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from kurbel.captions import WORDS as MOTION_WORDS
 from kurbel.engine import Engine
-from kurbel.engine_axes import expansion_label, expansion_text
+from kurbel.engine_axes import CARD, expansion_label
 from kurbel.engine_request import ENGINE_METHODS, EngineRequest
 from kurbel.labels import plain as plain_label
 from kurbel.notation import plain, ratio_text
@@ -27,6 +27,16 @@ WORDS: Mapping[str, Words] = {
     "forces": {
         "de": "$Q$ Dampfkraft auf den Kolben vor der Absperrung, $r$ Kurbelhalbmesser",
         "en": "$Q$ steam force on the piston before cut-off, $r$ crank radius",
+    },
+    "card_forces": {
+        "de": "$Q$ größter Druck des Diagramms mal Kolbenfläche, $r$ Kurbelhalbmesser",
+        "en": "$Q$ greatest pressure of the card times piston area, $r$ crank radius",
+    },
+    "card": {
+        "de": "Druck aus dem Diagramm, monoton interpoliert; gedruckt sind nur so viele Stellen, wie seine"
+        " Punkte tragen",
+        "en": "pressure from the card, interpolated monotonically; only as many digits as its points support"
+        " are printed",
     },
     "energy": {
         "de": "$W$ Arbeit des Überschusses seit dem inneren Totpunkt der ersten Kurbel",
@@ -107,7 +117,8 @@ def _joined(parts: list[str], lang: str, before: str) -> str:
 def _common(request: EngineRequest) -> Iterator[Label]:
     shown = (*request.layout.across, *request.layout.stub)
     if len(request.engines) == 1 and "expansion" not in shown:
-        yield f"$ε = {expansion_text(request.first.steam.expansion)}$"
+        label = expansion_label(request, 0)
+        yield label if request.carded else f"$ε = {label.strip('$')}$"
     if len(request.ratios) == 1 and "ratio" not in shown:
         yield f"${request.layout.ratio_symbol} = {ratio_text(request.ratios[0])}$"
 
@@ -128,7 +139,7 @@ def notes(request: EngineRequest) -> Iterator[Label]:
     if subject == "strokes":
         yield WORDS["turn"][lang]
     if subject in ("strokes", "turning"):
-        yield WORDS["forces"][lang]
+        yield WORDS["card_forces" if request.carded else "forces"][lang]
     if subject == "turning":
         yield WORDS["energy"][lang]
     if any(column.methods == ("weisbach",) for column in request.page_columns):
@@ -137,9 +148,16 @@ def notes(request: EngineRequest) -> Iterator[Label]:
 
 
 def _engine(request: EngineRequest, lang: str) -> Iterator[Label]:
-    engine = request.first
-    steam = engine.steam
-    if all(row[0].steam.expansion == 1 for row in request.engines):
+    if request.carded:
+        yield WORDS["card"][lang]
+    else:
+        yield from _steam(request, lang)
+    yield from _cranks(request.first, lang)
+
+
+def _steam(request: EngineRequest, lang: str) -> Iterator[Label]:
+    steam = request.first.ideal
+    if all(row[0].ideal.expansion == 1 for row in request.engines):
         yield WORDS["uncut"][lang]
     elif steam.exponent == 1:
         yield WORDS["mariotte"][lang]
@@ -151,7 +169,6 @@ def _engine(request: EngineRequest, lang: str) -> Iterator[Label]:
         yield WORDS["back"][lang].format(back=plain(steam.back))
     else:
         yield WORDS["best" if steam.exponent == 1 and not steam.clearance else "best_end"][lang]
-    yield from _cranks(engine, lang)
 
 
 def _cranks(engine: Engine, lang: str) -> Iterator[Label]:
@@ -167,7 +184,8 @@ def mean_force(request: EngineRequest, expansion: int, ratio: int, force: Number
     line = WORDS["mean_force"][request.lang].format(force=number_text(force))
     apart = []
     if len(request.engines) > 1:
-        apart.append(f"$ε = {expansion_label(request, expansion).strip('$')}$")
+        label = expansion_label(request, expansion)
+        apart.append(label if request.carded else f"$ε = {label.strip('$')}$")
     if len(request.ratios) > 1:
         apart.append(f"${request.layout.ratio_symbol} = {ratio_text(request.ratios[ratio])}$")
     return line + _joined(apart, request.lang, WORDS["for"][request.lang])
@@ -178,6 +196,7 @@ def axis_fields(request: EngineRequest, decimals: int | None) -> dict[str, Field
     lang, layout = request.lang, request.layout
     fields = {
         "epsilon": Field("epsilon", WORDS["epsilon"][lang], "$ε$"),
+        "card": Field("card", CARD[lang]),
         "ratio": Field("ratio", MOTION_WORDS["ratio"][lang], f"${layout.ratio_symbol}$"),
         "stroke": Field("stroke", WORDS["stroke"][lang]),
         "phi": Field("phi", MOTION_WORDS["phi"][lang], f"${layout.angle_symbol}$", "°", decimals),

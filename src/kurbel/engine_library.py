@@ -1,22 +1,23 @@
-"""The functions of `import kurbel` about engines: pages of irregularity, turning effort, flywheels."""
+"""The functions of `import kurbel` about engines: pages of irregularity, flywheels, dead centres."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from kurbel import notation
 from kurbel.choices import choose
 from kurbel.errors import ProblemError
 from kurbel.given import Exact, as_angle, as_fraction, as_names, as_ratio, read_values
-from kurbel.layouts import LANGUAGES, SUBJECTS, layout_of
+from kurbel.layouts import LANGUAGES, layout_of
 from kurbel.problem import Crank, Speed
 from kurbel.table import Table
 
 if TYPE_CHECKING:
     from kurbel.flywheel import Flywheel
 
-ENGINE_SUBJECTS = tuple(subject for subject in SUBJECTS if subject != "motion")
+ENGINE_SUBJECTS = ("irregularity", "strokes", "turning", "flywheel")
 
 
 def make_engine_table(
@@ -111,3 +112,48 @@ def _flywheels(
         Flywheel(as_fraction(power), turns, each, size)
         for each in read_values(irregularities, notation.irregularities, as_ratio)
     )
+
+
+def make_dead_centres_table(
+    arms: Exact | Iterable[Exact] | None = None,
+    ratios: Exact | Iterable[Exact] | None = None,
+    *,
+    exact: bool = False,
+    layout: str = "weisbach-149",
+    columns: str | Iterable[str] = (),
+    digits: int | None = None,
+    rounding: str = "half-away",
+    lang: str = "de",
+    label: str = "",
+) -> Table:
+    """Return the page of the dead centres of beam engines, as `kurbel deadcentres` prints it.
+
+    `arms` are a/r and `ratios` r:l; by the approximations of § 149 or, with `exact`, from the true geometry.
+    Raises KurbelError.
+
+    >>> from kurbel import typeset
+    >>> print(typeset(make_dead_centres_table(3, "1:5", columns="mu,path_1"), "csv"), end="")
+    mu,path_1
+    0.7958,0.00010
+    """
+    from kurbel.beam_page import BeamRequest
+    from kurbel.build import build
+
+    page = layout_of(layout, ("dead centres",))
+    return build(
+        BeamRequest(
+            layout=page,
+            arms=tuple(read_values(page.arms if arms is None else arms, _arms, as_fraction)),
+            ratios=tuple(read_values(page.ratios if ratios is None else ratios, notation.ratios, as_ratio)),
+            exact=exact,
+            digits=digits,
+            rounding=rounding,
+            lang=choose(lang, LANGUAGES, "language"),
+            columns=as_names(columns),
+            label=label,
+        )
+    )
+
+
+def _arms(texts: Iterable[str]) -> Sequence[Fraction]:
+    return notation.numbers(texts, "beam arm")

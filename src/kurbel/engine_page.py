@@ -6,20 +6,24 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import product
+from typing import TYPE_CHECKING
 
 from kurbel import engine_captions
 from kurbel.arrange import Grid, Place, check_size, panels
 from kurbel.axes import AngleAxis, ColumnAxis, RatioAxis
 from kurbel.engine_axes import ExpansionAxis, StrokeAxis, TargetAxis, expansion_label, irregularity_label
-from kurbel.engine_digits import settled
+from kurbel.engine_digits import estimated, settled
 from kurbel.engine_quantities import SPANS, WHOLE, Where
-from kurbel.engine_request import ENGINE_AXES, EngineColumn, EngineRequest
+from kurbel.engine_request import EngineColumn, EngineRequest
 from kurbel.layouts import SUBJECTS
 from kurbel.notation import ratio_text
 from kurbel.numerals import degrees_text
 from kurbel.rows import angle_decimals, angle_number
 from kurbel.table import Cell, Field, Label, Note, Number, Records, Table, Value
 from kurbel.turn import Turn, turn_of
+
+if TYPE_CHECKING:
+    from kurbel.card_turn import CardTurn
 
 # The mark of the two extremes that make δ.
 MAKES_DELTA = "a"
@@ -45,9 +49,9 @@ class _Solved:
     """A request with the turns of its engines, each solved once."""
 
     request: EngineRequest
-    turns: dict[tuple[int, int, str], Turn] = field(default_factory=dict)
+    turns: dict[tuple[int, int, str], Turn | CardTurn] = field(default_factory=dict)
 
-    def turn(self, expansion: int, ratio: int, method: str) -> Turn:
+    def turn(self, expansion: int, ratio: int, method: str) -> Turn | CardTurn:
         key = (expansion, ratio, method)
         if key not in self.turns:
             self.turns[key] = turn_of(self.request.engines[expansion][ratio], method)
@@ -67,7 +71,9 @@ class _Solved:
         if not column.quantity.applies(where):
             return None
         turns = tuple(self.turn(place["expansion"], place["ratio"], method) for method in column.methods)
-        return settled(column, turns, where, self.request.rounding, unit)
+        if self.request.carded:
+            return estimated(column, turns, where, unit)  # type: ignore[arg-type]
+        return settled(column, turns, where, self.request.rounding, unit)  # type: ignore[arg-type]
 
     def makes_delta(self, column: EngineColumn, place: Place) -> bool:
         """Whether this is the extreme of a stroke that is the extreme of the turn."""
@@ -105,7 +111,10 @@ def _grid(solved: _Solved) -> Grid:
 def _cell(solved: _Solved, column: EngineColumn, place: Place) -> Cell:
     if column.quantity.arc:
         minutes = solved.number(column._replace(decimals=0), place, 60)
-        return Cell(None if minutes is None else f"${degrees_text(Fraction(minutes.scaled, 60))}$")
+        if minutes is not None:
+            return Cell(f"${degrees_text(Fraction(minutes.scaled, 60))}$")
+        degrees = solved.number(column._replace(decimals=0), place)
+        return Cell(None if degrees is None else f"${degrees.scaled}°$")
     return Cell(solved.number(column, place), (MAKES_DELTA,) if solved.makes_delta(column, place) else ())
 
 
@@ -128,8 +137,8 @@ def _mean_forces(solved: _Solved) -> Iterator[Label]:
     column = EngineColumn("mean_force", quantity, request.methods or ("exact",), quantity.decimals, (), ())
     for expansion, ratio in product(range(len(request.engines)), range(len(request.ratios))):
         number = solved.number(column, {"expansion": expansion, "ratio": ratio})
-        assert number is not None
-        yield engine_captions.mean_force(request, expansion, ratio, number)
+        if number is not None:
+            yield engine_captions.mean_force(request, expansion, ratio, number)
 
 
 def _fields(request: EngineRequest) -> tuple[Field, ...]:
@@ -150,7 +159,7 @@ def _fields(request: EngineRequest) -> tuple[Field, ...]:
 
 def _names(request: EngineRequest) -> tuple[str, ...]:
     own = tuple(column.key for column in request.page_columns)
-    return request.columns or (*ENGINE_AXES[request.layout.subject], *own)
+    return request.columns or (*request.axis_keys, *own)
 
 
 @dataclass(frozen=True)
@@ -188,7 +197,7 @@ class _Rows:
     def _axes(self, place: Place) -> dict[str, Value]:
         request = self.solved.request
         axes: dict[str, Value] = {
-            "epsilon": expansion_label(request, place["expansion"]),
+            request.axis_keys[0]: expansion_label(request, place["expansion"]),
             "ratio": f"${ratio_text(request.ratios[place['ratio']])}$",
         }
         if "stroke" in place:

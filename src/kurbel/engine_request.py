@@ -99,6 +99,11 @@ class EngineRequest:
                 f"layout {self.layout.key} shows one method, and {len(self.methods)} were given;"
                 " use --layout delta-verfahren"
             )
+        if self.carded and self.layout.key == "weisbach-150":
+            raise ProblemError(
+                "layout weisbach-150 is over ε, which an indicator card does not have;"
+                " use --layout delta-detail"
+            )
         if len(self) > MOST_ROWS:
             raise ProblemError(f"the table would have {len(self)} rows; at most 10^9 are allowed")
 
@@ -139,8 +144,9 @@ class EngineRequest:
         if not self.columns:
             shown = [column for column in self.layout.columns if self._shown(column)]
             return tuple(self._column(column) for column in shown)
-        axes = ENGINE_AXES[self.layout.subject]
-        keys = [choose(key, engine_column_keys(self.layout), "column") for key in self.columns]
+        axes = self.axis_keys
+        allowed = (*axes, *engine_column_keys(self.layout)[len(axes) :])
+        keys = [choose(key, allowed, "column") for key in self.columns]
         chosen = [own.get(key, LayoutColumn(key, key)) for key in dict.fromkeys(keys) if key not in axes]
         if not chosen:
             raise ProblemError("there is no column beside the axes; add one, such as delta")
@@ -149,8 +155,16 @@ class EngineRequest:
                 raise ProblemError(f"column {column.key} is not known for this engine; leave it out")
         return tuple(map(self._column, chosen))
 
+    @property
+    def axis_keys(self) -> tuple[str, ...]:
+        """The keys of the axes in records: a card stands in the place of ε."""
+        keys = ENGINE_AXES[self.layout.subject]
+        return ("card", *keys[1:]) if self.carded else keys
+
     def _shown(self, column: LayoutColumn) -> bool:
         methods = _methods(column.method)
+        if self.carded and "weisbach" in methods:
+            return False
         asked = not methods or not self.methods or set(methods) <= set(self.methods)
         return asked and self._known(engine_registry()[column.quantity])
 

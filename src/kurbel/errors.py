@@ -28,6 +28,12 @@ class MissingExtraError(KurbelError):
     exit_code = 1
 
 
+class CardError(KurbelError):
+    """A file that is no indicator card."""
+
+    exit_code = 1
+
+
 class OutputError(KurbelError):
     """A file or stream that could not be written."""
 

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property, partial, reduce
 from itertools import pairwise
-from typing import NamedTuple, Protocol, TypeAlias
+from typing import TYPE_CHECKING, NamedTuple, Protocol, TypeAlias
 
 import flint
 
@@ -24,6 +24,9 @@ from kurbel.kernel.kinds import Number, larger, smaller
 from kurbel.kernel.turning import Motion, Stroke
 from kurbel.quantities import OUT, RETURN
 from kurbel.roots import ISOLATING_BITS, Function, Root, isolate, refined
+
+if TYPE_CHECKING:
+    from kurbel.card_turn import CardTurn
 
 CUT_OFF = {
     "exact": steam.crank_versine,
@@ -160,7 +163,7 @@ class Turn:
 
     def cut_off(self, stroke: int) -> Number:
         """The crank angle at cut-off, in half turns from the dead centre of the stroke."""
-        expansion = self.engine.steam.expansion
+        expansion = self.engine.ideal.expansion
         if expansion == 1:
             # The stroke ends uncut, and rounding may put the sine above 1.
             return flint.arb(1)
@@ -176,7 +179,7 @@ class Turn:
 
     def back(self) -> Number:
         """The back pressure R_b/Q."""
-        return self.engine.steam.numbers(ball).back
+        return self.engine.ideal.numbers(ball).back
 
     def mean_force(self) -> Number:
         """P/Q, the mean tangential force of all cranks together."""
@@ -292,7 +295,7 @@ class WeisbachTurn(Turn):
         """His equation for α₂ as a function with that zero, or its slope over the half turns."""
         (stroke, begun) = piece.strokes[0]
         angle = at - ball(begun)
-        acting = self.engine.steam.numbers(ball)
+        acting = self.engine.ideal.numbers(ball)
         loss = acting.back / acting.cut_off
         work = steam.net_work(flint.arb(1), acting) / acting.cut_off
         ratio = self.cylinder.ratio * SIGNS[stroke]
@@ -301,11 +304,15 @@ class WeisbachTurn(Turn):
         return relation[part] * (flint.arb.pi() if part else 1)
 
 
-def turn_of(engine: Engine, method: str) -> Turn:
-    """Return the engine's turn by a method: exact, series or weisbach."""
+def turn_of(engine: Engine, method: str) -> Turn | CardTurn:
+    """Return the engine's turn by a method: exact, series or weisbach; of an indicator card in floats."""
+    if engine.carded:
+        from kurbel.card_turn import CardTurn
+
+        return CardTurn(engine, method)
     if method != "weisbach":
         return Turn(engine, method)
-    if not engine.plain or engine.steam.exponent != 1 or engine.steam.clearance:
+    if not engine.plain or engine.ideal.exponent != 1 or engine.ideal.clearance:
         raise ProblemError(
             'method "weisbach" is for one double-acting crank, exponent 1 and no clearance, as in § 150;'
             " use exact or series"
@@ -346,7 +353,7 @@ def circle(half_turns: Angle) -> Circle[Number]:
 
 
 def _cylinder(engine: Engine, motion: Motion) -> Cylinder:
-    acting = SteamStroke(engine.steam.numbers(ball))
+    acting = SteamStroke(engine.ideal.numbers(ball))
     strokes: tuple[BallStroke, BallStroke] = (acting, acting if engine.double else IdleStroke())
     return Cylinder(ball(engine.crank.ratio), motion, strokes, turning.mean_force(strokes, flint.arb.pi()))
 

@@ -59,6 +59,11 @@ def power(text: str) -> Fraction:
     return _checked(Fraction(watts), text, "power", "W", 10**12)
 
 
+def pressure(text: str, what: str) -> float:
+    """Return a pressure in pascals, which may be below 0 where it counts from the atmosphere: "1.013bar"."""
+    return float(_quantity(text, what, "a pressure such as 1bar", "[pressure]").to("Pa").magnitude)
+
+
 def is_measure(text: str) -> bool:
     """Whether the text has a unit."""
     match = _MEASURE.fullmatch(text) if len(text) <= _LONGEST else None
@@ -73,7 +78,7 @@ def _quantity(text: str, what: str, example: str, dimension: str) -> Any:
     if unit is None:
         raise NotationError(f'{what} "{text[:40]}" has no unit; write {example}')
     try:
-        quantity = _registry().Quantity(number(digits, what), "1" + unit if unit.startswith("/") else unit)
+        quantity = registry().Quantity(number(digits, what), "1" + unit if unit.startswith("/") else unit)
     except (AttributeError, ValueError, TypeError, AssertionError):
         # pint answers an unknown unit with an AttributeError of its own.
         raise NotationError(f'{what} "{text[:40]}" has the unknown unit {unit}; write {example}') from None
@@ -99,11 +104,12 @@ def _checked(value: Fraction, text: str, what: str, unit: str, most: int = _LARG
 
 
 @cache
-def _registry() -> Any:
+def registry() -> Any:
+    """Return pint's units, which count in fractions."""
     try:
         import pint
     except ImportError:
         raise MissingExtraError(
-            "lengths, speeds and powers with units need pint; install it with: pip install 'kurbel[units]'"
+            "quantities with units need pint; install it with: pip install 'kurbel[units]'"
         ) from None
     return pint.UnitRegistry(non_int_type=Fraction)

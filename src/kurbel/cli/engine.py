@@ -13,7 +13,7 @@ from kurbel.cli.options import Columns, Name, layout_option, output_options
 from kurbel.errors import ProblemError
 
 if TYPE_CHECKING:
-    from kurbel.engine import Engine
+    from kurbel.engine import Diagram, Engine, Steam
     from kurbel.layouts import Layout
 
 Command = TypeVar("Command", bound=Callable[..., Any])
@@ -37,6 +37,10 @@ def engine_options(command: Command) -> Command:
                      " which the steam expands."),
         click.option("--exponent", metavar="N", help="n of p Vⁿ = const.; default 1, Mariotte's law."),
         click.option("--clearance", metavar="C", help="Clearance as a share of the swept volume: 0.05, 5%."),
+        click.option("--card", multiple=True, metavar="FILE", type=click.Path(),
+                     help="Indicator card: CSV with position, p_forward [bar], p_return [bar]."),
+        click.option("--other-side", metavar="PRESSURE",
+                     help="With --card and --single-acting: pressure on the piston's other face, 1bar."),
         click.option("--single-acting", is_flag=True, help="Steam works on the outstroke only."),
         click.option("--cranks", metavar="ANGLES",
                      help="Angles of several cranks with cylinders alike: 0;90 or 0;120;240."),
@@ -84,6 +88,8 @@ def _delta_layout(options: Mapping[str, Any]) -> str:
         return "delta-detail"
     if options["layout"]:
         return str(options["layout"])
+    if options["card"] and len(options["method"]) < 2:
+        return "delta-detail"
     if len(options["method"]) > 1:
         return "delta-verfahren"
     return "delta-tafel" if len(notation.ratios(options["ratio"])) > 1 else "weisbach-150"
@@ -168,18 +174,40 @@ def _print(
 
 
 def _engines(page: Layout, options: Mapping[str, Any]) -> tuple[tuple[Engine, ...], ...]:
-    from kurbel.engine import Engine, Steam
+    from kurbel.engine import Engine
     from kurbel.problem import Crank
 
-    back = None if options["back"] is None else notation.share(options["back"], "back pressure")
-    exponent = notation.number(options["exponent"] or "1", "exponent")
-    clearance = notation.share(options["clearance"] or "0", "clearance")
     cranks = tuple(notation.angles([options["cranks"]])) if options["cranks"] else (Fraction(0),)
     drives = [Crank(ratio) for ratio in notation.ratios(options["ratio"] or page.ratios)]
     return tuple(
-        tuple(
-            Engine(drive, Steam(expansion, back, exponent, clearance), not options["single_acting"], cranks)
-            for drive in drives
-        )
-        for expansion in notation.numbers(options["eps"] or page.expansions, "expansion ratio")
+        tuple(Engine(drive, steam, not options["single_acting"], cranks) for drive in drives)
+        for steam in (_diagrams(options) if options["card"] else _steams(page, options))
     )
+
+
+def _diagrams(options: Mapping[str, Any]) -> list[Diagram]:
+    from kurbel.card import read_card
+    from kurbel.engine import Diagram
+    from kurbel.units import pressure
+
+    for name in ("eps", "back", "exponent", "clearance"):
+        if options[name]:
+            raise ProblemError(
+                f"--{name} describes an ideal card, and --card gives a measured one; leave one out"
+            )
+    if options["other_side"] is not None and not options["single_acting"]:
+        raise ProblemError("--other-side is for --single-acting; double-acting, the other end works as well")
+    other = None if options["other_side"] is None else pressure(options["other_side"], "other side")
+    return [Diagram(read_card(file), other) for file in options["card"]]
+
+
+def _steams(page: Layout, options: Mapping[str, Any]) -> list[Steam]:
+    from kurbel.engine import Steam
+
+    if options["other_side"] is not None:
+        raise ProblemError("--other-side is for --card; of an ideal card --back is the pressure there")
+    back = None if options["back"] is None else notation.share(options["back"], "back pressure")
+    exponent = notation.number(options["exponent"] or "1", "exponent")
+    clearance = notation.share(options["clearance"] or "0", "clearance")
+    expansions = notation.numbers(options["eps"] or page.expansions, "expansion ratio")
+    return [Steam(expansion, back, exponent, clearance) for expansion in expansions]

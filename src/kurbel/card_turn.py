@@ -1,0 +1,192 @@
+"""A turn of an engine whose piston force comes from an indicator card: in floats, with an error estimate.
+
+What the points of a card do not say, no arithmetic knows. The same turn is therefore computed from every
+second point, twice; by how far those results differ from the result of all points tells how many digits the
+card supports.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from functools import cached_property
+from itertools import pairwise
+from math import pi
+from typing import TYPE_CHECKING, NamedTuple
+
+from kurbel.card_force import CardStroke, card_strokes
+from kurbel.engine import Diagram, Engine
+from kurbel.errors import ProblemError
+from kurbel.kernel import turning
+from kurbel.kernel.circle import circle
+from kurbel.quantities import OUT, RETURN
+
+if TYPE_CHECKING:
+    from kurbel.kernel.turning import Motion
+
+# Between two samples of half a degree the excess has one zero at most, unless the card is all noise; that a
+# pair of zeros is missed costs less than the interpolation, for the energy hardly changes between them.
+SAMPLES = 721
+# Of the excess force and its zeros; the energy there is off by the square of it.
+ZERO_TOLERANCE = 1e-13
+EQUAL_ENERGY = 1e-12
+LEAST_FORCE = 1e-9
+# Cubics gain a factor of 16 with twice the points, but for chance.
+MOST_GAIN = 16.0
+NOTHING = 1e-300
+
+
+class CardPeak(NamedTuple):
+    """Where the speed is least or greatest, in half turns, and its excess energy there, in Q R."""
+
+    place: float
+    energy: float
+
+
+class CardTurn:
+    """One turn by a method: exact or series kinematics."""
+
+    pi = pi
+
+    def __init__(self, engine: Engine, method: str, unit: float | None = None) -> None:
+        if method == "weisbach":
+            raise ProblemError(
+                'method "weisbach" has no equations for an indicator card; use exact or series'
+            )
+        assert isinstance(engine.steam, Diagram)
+        self.engine = engine
+        self.diagram = engine.steam
+        self.unit = self.diagram.card.admission if unit is None else unit
+        self.method = method
+        self.motion: Motion = turning.EXACT if method == "exact" else turning.FIRST_ORDER
+        if self.mean < LEAST_FORCE:
+            raise ProblemError(
+                f"{self.diagram.card.name} does no work: the mean tangential force is {self.mean:.3g} Q,"
+                " and it must be above 0; p_forward drives the piston, p_return resists it"
+            )
+
+    @cached_property
+    def coarser(self) -> tuple[CardTurn, ...]:
+        """The turns of the two cards that have every second point of this one's, in the same Q."""
+        crank, double, cranks = self.engine.crank, self.engine.double, self.engine.cranks
+        diagrams = [Diagram(card, self.diagram.other_side) for card in self.diagram.card.halves()]
+        return tuple(
+            CardTurn(Engine(crank, diagram, double, cranks), self.method, self.unit) for diagram in diagrams
+        )
+
+    @cached_property
+    def gain(self) -> float:
+        """How many times nearer to the truth twice the points have come; 1 for noise."""
+        before = max(half.work_apart for half in self.coarser)
+        return min(max(before / (self.work_apart + NOTHING), 1.0), MOST_GAIN)
+
+    @cached_property
+    def work_apart(self) -> float:
+        """The greatest difference of work from the coarser cards', at any share of the strokes, in 2 Q R."""
+        import numpy as np
+
+        shares = np.linspace(0, 1, SAMPLES)
+        return max(
+            float(abs(own.work(shares) - other.work(shares)).max())
+            for half in self.coarser
+            for own, other in zip(self.strokes, half.strokes, strict=True)
+        )
+
+    @cached_property
+    def place_apart(self) -> float:
+        """The greatest difference of an extreme's place from the coarser cards', in half turns."""
+        spans = (None, 0, 1) if self.engine.plain else (None,)
+        return max(
+            abs(self.extreme(greatest, span).place - half.extreme(greatest, span).place)
+            for half in self.coarser
+            for greatest in (False, True)
+            for span in spans
+        )
+
+    @cached_property
+    def strokes(self) -> tuple[CardStroke, CardStroke]:
+        return card_strokes(self.diagram.card, self.engine.double, self.diagram.other_side, self.unit)
+
+    @cached_property
+    def mean(self) -> float:
+        """The mean tangential force of one crank."""
+        return float(turning.mean_force(self.strokes, pi))
+
+    def of(self, value: Fraction) -> float:
+        return float(value)
+
+    def mean_force(self) -> float:
+        """P/Q, the mean tangential force of all cranks together."""
+        return self.mean * len(self.engine.cranks)
+
+    def tangential_force(self, half_turns: Fraction | float) -> float:
+        """The tangential force T/Q of all cranks."""
+        return self.excess(half_turns) + self.mean_force()
+
+    def excess(self, half_turns: Fraction | float) -> float:
+        total = 0.0
+        for stroke, angle in self._cranks(half_turns):
+            ratio = float(self.engine.crank.ratio) * (RETURN if stroke else OUT)
+            acting = self.strokes[stroke]
+            total += turning.tangential_force(acting, self.motion, circle(180.0 * angle), ratio) - self.mean
+        return float(total)
+
+    def energy_at(self, half_turns: Fraction | float) -> float:
+        """The excess work W/(Q R) since the first crank's inner dead centre."""
+        return self._energy(half_turns) - self._energy(0.0)
+
+    def _energy(self, half_turns: Fraction | float) -> float:
+        total = 0.0
+        for stroke, angle in self._cranks(half_turns):
+            ratio = float(self.engine.crank.ratio) * (RETURN if stroke else OUT)
+            before = 2 * self.strokes[0].work(1.0) if stroke else 0.0
+            work = turning.work_done(self.strokes[stroke], self.motion, circle(180.0 * angle), ratio)
+            total += before + work - self.mean * (angle + stroke) * pi
+        return float(total)
+
+    def _cranks(self, half_turns: Fraction | float) -> Iterator[tuple[int, float]]:
+        """Each crank's stroke, and the half turns since that began."""
+        for start in self.engine.cranks:
+            since = float((Fraction(half_turns) - start / 180) % 2)
+            stroke = int(since >= 1)
+            yield stroke, since - stroke
+
+    @cached_property
+    def extrema(self) -> tuple[CardPeak, ...]:
+        """Every place at which the speed is least or greatest over the turn, in order."""
+        from scipy.optimize import brentq
+
+        places = sorted({2 * index / (SAMPLES - 1) for index in range(SAMPLES)} | set(self._dead_centres()))
+        forces = [self.excess(place) for place in places]
+        samples = zip(places, forces, strict=True)
+        zeros = [
+            brentq(self.excess, low, high, xtol=ZERO_TOLERANCE)
+            for (low, before), (high, after) in pairwise(samples)
+            if before * after < 0
+        ]
+        zeros += [place for place, force in zip(places, forces, strict=True) if force == 0]
+        return tuple(CardPeak(zero, self.energy_at(zero)) for zero in sorted(zeros))
+
+    def _dead_centres(self) -> Iterator[float]:
+        for start in self.engine.cranks:
+            yield from (float(start / 180 % 2), float((start / 180 + 1) % 2))
+
+    def extreme(self, greatest: bool, stroke: int | None = None) -> CardPeak:
+        """Return where in the turn, or in a stroke of the one crank, the speed is least or greatest."""
+        first = self._extremes(greatest, stroke)[0]
+        return CardPeak(first.place - (stroke or 0), first.energy)
+
+    def _extremes(self, greatest: bool, stroke: int | None) -> list[CardPeak]:
+        """The extremes of a span, several where theirs cannot be told apart, as with an infinite rod."""
+        within = [peak for peak in self.extrema if stroke is None or int(peak.place) == stroke]
+        energies = [peak.energy for peak in within]
+        chosen = max(energies) if greatest else min(energies)
+        return [peak for peak in within if abs(peak.energy - chosen) < EQUAL_ENERGY]
+
+    def extreme_strokes(self, greatest: bool) -> frozenset[int]:
+        """Return the stroke of the one crank in which the turn's least or greatest speed lies."""
+        return frozenset(int(peak.place) for peak in self._extremes(greatest, None))
+
+    def irregularity(self) -> float:
+        """Return δ in units of P R/(m₁ v₁²)."""
+        return (self.extreme(True).energy - self.extreme(False).energy) / self.mean_force()
