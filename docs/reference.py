@@ -9,9 +9,14 @@ from pathlib import Path
 
 import click
 
+from kurbel.beam import registry as beam_registry
+from kurbel.beam_page import DEGREE_DECIMALS
 from kurbel.captions import quantity_name
 from kurbel.cli import COMMANDS
+from kurbel.engine_quantities import COMMANDS_OF, engine_registry
+from kurbel.engine_request import ENGINE_METHODS
 from kurbel.formats import FORMATS
+from kurbel.labels import plain
 from kurbel.layouts import layout, layout_names
 from kurbel.notation import ratio_text, ratios
 from kurbel.quantities import METHODS, NEEDS, registry
@@ -42,15 +47,32 @@ def _quantities() -> Iterator[str]:
         name, unit = quantity_name(quantity, "en"), quantity.unit["en"]
         options = " ".join(f"`{option}`" for option in NEEDS[quantity.needs])
         yield f"| `{key}` | {name} | {unit} | {quantity.decimals} | {options} |"
+    yield from _engine_quantities()
+
+
+def _engine_quantities() -> Iterator[str]:
+    yield "\n### Of engines\n"
+    yield "Beside them stand `epsilon` or `card`, `ratio`, and `stroke`, `phi` or `delta`.\n"
+    yield "| key | quantity | unit | decimals | command |\n| --- | --- | --- | ---: | --- |"
+    for key, one in engine_registry().items():
+        decimals = "5 figures" if one.decimals is None else one.decimals
+        name, unit = f"{one.name['en']} {plain(one.symbol)}", plain(one.unit)
+        yield f"| `{key}` | {name} | {unit} | {decimals} | `{COMMANDS_OF[one.scope]}` |"
+    for key, beam in beam_registry().items():
+        decimals = DEGREE_DECIMALS if beam.shown_unit == "°" else beam.decimals
+        name = f"{beam.name['en']} {plain(beam.symbol)}"
+        yield f"| `{key}` | {name} | {beam.shown_unit} | {decimals} | `deadcentres` |"
 
 
 def _layouts() -> Iterator[str]:
-    yield "\n## Layouts\n\n| name | page | ratios | angles | columns |\n| --- | --- | --- | --- | --- |"
+    yield "\n## Layouts\n\n| name | page | about | ratios | angles, ε or a/r | columns |"
+    yield "| --- | --- | --- | --- | --- | --- |"
     for name in layout_names():
         page = layout(name)
         defaults = ", ".join(ratio_text(ratio) for ratio in ratios(page.ratios))
+        others = "; ".join((*page.expansions, *page.arms, *page.angles))
         columns = ", ".join(f"`{column.key}`" for column in page.columns)
-        yield f"| `{name}` | {page.title['en']} | {defaults} | {'; '.join(page.angles)} | {columns} |"
+        yield f"| `{name}` | {page.title['en']} | {page.subject} | {defaults} | {others} | {columns} |"
 
 
 def _formats() -> Iterator[str]:
@@ -62,6 +84,9 @@ def _formats() -> Iterator[str]:
 def _methods() -> Iterator[str]:
     yield "\n## Methods\n\n| name | formulas |\n| --- | --- |"
     for method in METHODS.values():
+        yield f"| `{method.key}` | {method.name['en']} |"
+    yield "\nOf engines:\n\n| name | formulas |\n| --- | --- |"
+    for method in ENGINE_METHODS.values():
         yield f"| `{method.key}` | {method.name['en']} |"
 
 

@@ -149,10 +149,21 @@ def test_bound_of_a_root_is_not_far_from_the_truth() -> None:
         assert flint.arb(2) ** -int(bits + 1) < distance < flint.arb(2) ** -int(bits - 4)
 
 
-def test_separation_refuses_what_it_has_no_rule_for() -> None:
-    for exponent in (-1, 1.5):
-        with pytest.raises(ValueError, match="no rule for the exponent"):
-            Separation.rational(2) ** exponent
+@pytest.mark.usefixtures("wide")
+@pytest.mark.parametrize("exponent", [Fraction(1, 3), Fraction(3, 2), Fraction(-5, 7), Fraction(-2)])
+def test_bound_of_a_power_lies_below_its_distance_from_near_fractions(exponent: Fraction) -> None:
+    number = certify.ball(2) ** certify.ball(exponent)
+    bound = Separation.rational(2) ** exponent
+    for fraction in convergents(number, 2**60):
+        distance = abs(number - certify.ball(fraction))
+        bits = (bound - Separation.rational(fraction)).bits()
+        assert distance == 0 or flint.arb(2) ** -int(bits + 1) < distance
+
+
+def test_bound_of_either_number_holds_for_both() -> None:
+    one, other = Separation.rational(Fraction(3, 7)), Separation.rational(Fraction(1, 1000)) ** Fraction(1, 3)
+    for either in (one.max(other), other.union(one)):
+        assert either.bits() >= max(one.bits(), other.bits())
 
 
 @given(st.integers(1, 10**30), st.integers(1, 10**30))

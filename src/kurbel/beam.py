@@ -144,6 +144,11 @@ class BeamQuantity(NamedTuple):
     formula: Callable[[BeamEngine, bool, int], arb]
     side: int
 
+    @property
+    def shown_unit(self) -> str:
+        """The unit in records and lists, in which angles are degrees."""
+        return "°" if self.unit == MINUTES else self.unit
+
     def value(self, engine: BeamEngine, exact: bool) -> arb:
         """Return the quantity in its unit, at the precision in force."""
         return self.formula(engine, exact, self.side)

@@ -221,8 +221,7 @@ def _fields(request: BeamRequest) -> tuple[Field, ...]:
         "ratio": Field("ratio", MOTION_WORDS["ratio"][lang], f"${request.layout.ratio_symbol}$"),
     }
     for one in request.quantities:
-        unit = "°" if one.unit == MINUTES else one.unit
         fields[one.key] = Field(
-            one.key, one.name[lang], one.symbol, unit, _decimals(request, one), _method(request)
+            one.key, one.name[lang], one.symbol, one.shown_unit, _decimals(request, one), _method(request)
         )
     return tuple(fields[name] for name in _names(request))

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from fractions import Fraction
 from functools import lru_cache
+from math import inf
 from typing import TYPE_CHECKING
 
 import flint
@@ -67,8 +68,8 @@ def rounded(value: Callable[[], arb], decimals: int, rounding: str, tie_bits: Ti
 
     `value` computes a ball at the precision in force. `tie_bits` takes a boundary, an odd multiple of half
     a unit in the last place, and returns b such that the value equals the boundary or is at
-    least 2**-b away from it. NEVER_TIES claims that there is none to equal; a value that comes nearer to a
-    boundary than 2**-MOST_BITS all the same raises ProblemError.
+    least 2**-b away from it, or inf if it cannot equal it. NEVER_TIES claims that for all boundaries; a
+    value that comes nearer to one than 2**-MOST_BITS all the same raises ProblemError.
     """
     unit = 10**decimals
     precision = GUARD_BITS + (10 * decimals) // 3
@@ -84,14 +85,14 @@ def rounded(value: Callable[[], arb], decimals: int, rounding: str, tie_bits: Ti
             if nearest is not None and (rounding == "half-away" or not raised.contains_integer()):
                 return _signed(int(nearest), scaled)
             odd = (2 * abs(scaled) + flint.arb(0.5)).floor().unique_fmpz()
-            if tie_bits is None and precision > MOST_BITS:
+            if odd is None:
+                continue
+            bits = inf if tie_bits is None else tie_bits(Fraction(int(odd), 2 * unit))
+            if bits == inf and precision > MOST_BITS:
                 raise ProblemError(
                     f"a digit is not settled by {MOST_BITS} bits: the value may lie half-way between two"
                     " printed ones; ask for another number of digits"
                 )
-            if odd is None or tie_bits is None:
-                continue
-            bits = tie_bits(Fraction(int(odd), 2 * unit))
             if precision > bits and scaled.rad() * 2 < unit * flint.arb(2) ** -int(bits + 1):
                 return _signed(_half(int(odd), rounding), scaled)
     finally:

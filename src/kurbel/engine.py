@@ -64,9 +64,12 @@ class Steam:
             )
         self._check_work()
 
-    def numbers(self, of: Callable[[Fraction], Any]) -> Expansion[Any]:
-        """Return the same in a kind of number."""
-        cut_off, exponent, clearance = of(1 / self.expansion), of(self.exponent), of(self.clearance)
+    def numbers(
+        self, of: Callable[[Fraction], Any], exponent_of: Callable[[Fraction], Any] | None = None
+    ) -> Expansion[Any]:
+        """Return the same in a kind of number, which may want its exponents in another."""
+        cut_off, clearance = of(1 / self.expansion), of(self.clearance)
+        exponent = (exponent_of or of)(self.exponent)
         back = best_back(cut_off, exponent, clearance) if self.back is None else of(self.back)
         return Expansion(cut_off, back, exponent, clearance)
 

@@ -84,10 +84,10 @@ WORDS: Mapping[str, Words] = {
     },
     "weisbach": {
         "de": "$sin α_1 = P/(Q - R_b) ± r/(2 l) sin 2 α_1$,"
-        " $cot(α_2/2) = P/(2 Q/ε (1 ± r/l sin^2(α_2/2)) - 2 R_b sin^2(α_2/2) (1 ∓ r/l cos α_2))$;"
+        " $P tan(α_2/2) = 2 Q/ε (1 ± r/l q) - 2 R_b q (1 ∓ r/l cos α_2)$, $q = sin^2(α_2/2)$;"
         " oberes Zeichen: Rückgang, unteres Zeichen: Hingang",
         "en": "$sin α_1 = P/(Q - R_b) ± r/(2 l) sin 2 α_1$,"
-        " $cot(α_2/2) = P/(2 Q/ε (1 ± r/l sin^2(α_2/2)) - 2 R_b sin^2(α_2/2) (1 ∓ r/l cos α_2))$;"
+        " $P tan(α_2/2) = 2 Q/ε (1 ± r/l q) - 2 R_b q (1 ∓ r/l cos α_2)$, $q = sin^2(α_2/2)$;"
         " upper sign: return stroke, lower sign: outstroke",
     },
     "epsilon": {"de": "Expansionsverhältnis", "en": "Expansion ratio"},

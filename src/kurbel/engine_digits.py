@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
-from kurbel.certify import NEVER_TIES, ball, rounded
+from kurbel.certify import NEVER_TIES, TieBits, ball, rounded
 from kurbel.engine_quantities import EngineQuantity, Where
 from kurbel.engine_request import EngineColumn
+from kurbel.engine_ties import energy_ties, force_ties
 from kurbel.numerals import nearest
 from kurbel.table import Number
 from kurbel.turn import Turn, at_bits
@@ -42,8 +43,16 @@ def settled(
     exact = value()
     if isinstance(exact, Fraction):
         return nearest(exact, decimals, rounding)
-    # What is left are roots of equations with π or logarithms; no rational number is known among them.
-    return Number(rounded(value, decimals, rounding, NEVER_TIES), decimals)
+    return Number(rounded(value, decimals, rounding, _ties(column, turns, where, unit)), decimals)
+
+
+def _ties(column: EngineColumn, turns: tuple[Turn, ...], where: Where, unit: int) -> TieBits | None:
+    # Of roots of equations with π or logarithms no rational one is known, nor of what has the factor π.
+    ties = {"tangential": force_ties, "energy": energy_ties}.get(column.quantity.key)
+    if ties is None or len(turns) > 1:
+        return NEVER_TIES
+    assert unit == 1
+    return ties(turns[0], where.half_turns)
 
 
 def estimated(

@@ -54,6 +54,14 @@ class Where(NamedTuple):
     flywheel: Flywheel | None = None
 
 
+# Which command prints the quantities of a scope.
+COMMANDS_OF = {
+    "turn": "delta",
+    "span": "delta",
+    "stroke": "delta --detail",
+    "angle": "turning",
+    "flywheel": "flywheel",
+}
 Value = Callable[[AnyTurn, Where], Any]
 
 

@@ -12,20 +12,20 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from math import gcd, log2
+from math import gcd, log2, prod
 
 
 @dataclass(frozen=True, slots=True)
 class Separation:
     """A quotient U/L of algebraic integers whose conjugates are at most 2**upper and 2**lower.
 
-    `roots` names the square roots that occur, `degree` is the degree of the field below them.
+    `roots` names the roots that occur, each with its degree; `degree` is the degree of the field below them.
     """
 
     upper: float
     lower: float
     degree: int = 1
-    roots: frozenset[object] = frozenset()
+    roots: frozenset[tuple[object, int]] = frozenset()
 
     @classmethod
     def rational(cls, value: Fraction | int) -> Separation:
@@ -34,7 +34,7 @@ class Separation:
 
     def bits(self) -> float:
         """Return b such that the number is zero or at least 2**-b in magnitude."""
-        degree = self.degree << len(self.roots)
+        degree = self.degree * prod(order for _, order in self.roots)
         # One bit more covers the rounding of the logarithms.
         return (degree - 1) * self.upper + self.lower + 1
 
@@ -61,14 +61,25 @@ class Separation:
     def __neg__(self) -> Separation:
         return self
 
-    def __pow__(self, exponent: float) -> Separation:
-        if exponent == 0.5:
-            # sqrt(U/L) = sqrt(UL)/L.
-            upper = (self.upper + self.lower) / 2
-            return Separation(upper, self.lower, self.degree, self.roots | {object()})
-        if exponent != int(exponent) or exponent < 0:
-            raise ValueError(f"no rule for the exponent {exponent}")
-        return Separation(self.upper * exponent, self.lower * exponent, self.degree, self.roots)
+    def __pow__(self, exponent: float | Fraction) -> Separation:
+        power = Fraction(exponent)
+        if power < 0:
+            return (1 / self) ** -power
+        if power.denominator > 1:
+            return self._root(power.denominator) ** power.numerator
+        return Separation(self.upper * power, self.lower * power, self.degree, self.roots)
+
+    def _root(self, order: int) -> Separation:
+        # The root of U/L is that of U L^(k-1), over L.
+        upper = (self.upper + (order - 1) * self.lower) / order
+        return Separation(upper, self.lower, self.degree, self.roots | {(object(), order)})
+
+    def union(self, other: Separation | int) -> Separation:
+        """Return what bounds either number, whichever it is."""
+        other = _separation(other)
+        return self._with(other, max(self.upper, other.upper), max(self.lower, other.lower))
+
+    max = union
 
     def _with(self, other: Separation, upper: float, lower: float) -> Separation:
         return Separation(upper, lower, max(self.degree, other.degree), self.roots | other.roots)

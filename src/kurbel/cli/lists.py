@@ -27,14 +27,22 @@ def layouts(lang: str) -> None:
 @click.command()
 @lang_option
 def quantities(lang: str) -> None:
-    """List the quantities that columns can show."""
+    """List the quantities that columns can show, with their units and the commands that print them."""
+    from kurbel.beam import registry as beam_registry
     from kurbel.captions import WORDS, quantity_name
+    from kurbel.engine_quantities import COMMANDS_OF, engine_registry
+    from kurbel.labels import plain
     from kurbel.quantities import NEEDS, registry
 
-    rows = [("ratio", WORDS["ratio"][lang], "", ""), ("phi", WORDS["phi"][lang], "°", "")]
+    rows = [("ratio", WORDS["ratio"][lang], "", "table"), ("phi", WORDS["phi"][lang], "°", "table")]
     for key, quantity in registry().items():
-        options = " ".join(NEEDS[quantity.needs])
+        options = " ".join(("table", *NEEDS[quantity.needs]))
         rows.append((key, quantity_name(quantity, lang), quantity.unit[lang], options))
+    for key, one in engine_registry().items():
+        name = f"{one.name[lang]} {plain(one.symbol)}"
+        rows.append((key, name, plain(one.unit), COMMANDS_OF[one.scope]))
+    for key, beam in beam_registry().items():
+        rows.append((key, f"{beam.name[lang]} {plain(beam.symbol)}", beam.shown_unit, "deadcentres"))
     _print(rows)
 
 

@@ -124,7 +124,7 @@ def output_options(command: Command) -> Command:
     """Add -f, -o, --lang, --decimal, --digits, --rounding, --standalone and --longtable."""
     options = (
         click.option("-f", "--format", type=FormatName("format", lambda: FORMATS),
-                     envvar=["KURBEL_TABLE_FORMAT", "KURBEL_FORMAT"],
+                     envvar=[f"KURBEL_{command.__name__.upper()}_FORMAT", "KURBEL_FORMAT"],
                      help="Output format; default: by the suffix of -o, else text."),
         click.option("-o", "--output", type=click.Path(allow_dash=True), metavar="FILE", default="-",
                      help="File to write, whole or not at all; - is standard output."),

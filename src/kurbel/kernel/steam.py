@@ -38,7 +38,7 @@ def best_back(cut_off: Number, exponent: Number, clearance: Number) -> Number:
 
 def pressure(share: Number, steam: Expansion[Number]) -> Number:
     """Return the pressure on the piston at a share of the stroke, back pressure not taken off."""
-    return _power(_volume(steam) / _expanded(share, steam), steam.exponent)
+    return _power(1 / growth(share, steam), steam.exponent)
 
 
 def net_pressure(share: Number, steam: Expansion[Number]) -> Number:
@@ -56,9 +56,18 @@ def net_work(share: Number, steam: Expansion[Number]) -> Number:
 
     Source: Weisbach-Herrmann, § 150 (A₁ + A₂ - A₃); the exponent and the clearance are ours.
     """
-    before = smaller(share, steam.cut_off)
-    gain = _expansion_work(_expanded(share, steam) / _volume(steam), steam.exponent)
-    return before + _volume(steam) * gain - steam.back * share
+    gain = _expansion_work(growth(share, steam), steam.exponent)
+    return full_pressure_work(share, steam) + _volume(steam) * gain
+
+
+def full_pressure_work(share: Number, steam: Expansion[Number]) -> Number:
+    """Return the net work without that of the expansion."""
+    return smaller(share, steam.cut_off) - steam.back * share
+
+
+def growth(share: Number, steam: Expansion[Number]) -> Number:
+    """Return how many times its volume at cut-off the steam fills; before cut-off 1."""
+    return _expanded(share, steam) / _volume(steam)
 
 
 def _volume(steam: Expansion[Number]) -> Number:
@@ -75,11 +84,11 @@ def _power(base: Number, exponent: Number) -> Number:
     return base if exponent == 1 else base**exponent
 
 
-def _expansion_work(growth: Number, exponent: Number) -> Number:
-    """∫ V^-n dV from 1 to the growth of the volume."""
+def _expansion_work(volumes: Number, exponent: Number) -> Number:
+    """∫ V^-n dV from 1 to so many volumes."""
     if exponent == 1:
-        return logarithm(growth)
-    return (1 - growth ** (1 - exponent)) / (exponent - 1)
+        return logarithm(volumes)
+    return (1 - volumes ** (1 - exponent)) / (exponent - 1)
 
 
 def crank_versine(path: Number, ratio: Number) -> Number:

@@ -1,0 +1,146 @@
+"""Whether a tangential force or an excess energy can lie half-way between two printed numbers.
+
+At a rational angle the tangential force is algebraic, and so is the energy, but for the logarithms of
+Mariotte's law. Their sum is V₁ ln Z with an algebraic Z: where Z is 1 the energy is algebraic again, as at
+ε = 4, 90° and an infinite rod; elsewhere it is transcendental (Lindemann) and equals no printed number.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from math import inf
+from typing import Any, NamedTuple
+
+import flint
+
+from kurbel.certify import TieBits, ball, ball_circle
+from kurbel.engine import Engine
+from kurbel.kernel import steam
+from kurbel.kernel.circle import Circle
+from kurbel.kernel.kinds import Number
+from kurbel.separation import Separation, circle_separation
+from kurbel.turn import MOTIONS, SIGNS, Turn, at_bits
+
+FIRST_BITS = 200
+
+
+class _Kind(NamedTuple):
+    """A kind of number: of a fraction, of a circle in degrees, of an exponent."""
+
+    of: Callable[[Fraction], Number]
+    circle: Callable[[Fraction], Circle[Number]]
+    exponent: Callable[[Fraction], Any]
+
+
+def _circle_separation(degrees: Fraction) -> Circle[Number]:
+    return Circle(*circle_separation(degrees))
+
+
+_BOUNDS = _Kind(Separation.rational, _circle_separation, Fraction)
+_BALLS = _Kind(ball, ball_circle, ball)
+
+
+class _Crank(NamedTuple):
+    """Where a crank stands: its stroke and the half turns since that began; weight -1 where W is zero."""
+
+    stroke: int
+    angle: Fraction
+    weight: int
+
+
+def force_ties(turn: Turn, half_turns: Fraction) -> TieBits:
+    """Return how near the tangential force at an exact angle can come to a boundary."""
+
+    def bits(boundary: Fraction) -> float:
+        engine = turn.engine
+        acting = engine.ideal.numbers(_BOUNDS.of, _BOUNDS.exponent)
+        total = Separation.rational(-boundary)
+        for crank in _cranks(turn, half_turns):
+            if engine.double or not crank.stroke:
+                share, velocity = _share_and_velocity(turn, crank, _BOUNDS)
+                total += steam.net_pressure(share, acting) * velocity
+        return total.bits()
+
+    return bits
+
+
+def energy_ties(turn: Turn, half_turns: Fraction) -> TieBits:
+    """Return how near the excess energy at an exact angle can come to a boundary, inf if it equals none."""
+    cranks = [*_cranks(turn, half_turns), *_cranks(turn, Fraction(0), -1)]
+    mariotte = turn.engine.ideal.exponent == 1
+
+    def bits(boundary: Fraction) -> float:
+        if mariotte and not _logarithms_vanish(turn, cranks):
+            return inf
+        work = steam.full_pressure_work if mariotte else steam.net_work
+        return (_energy(turn, cranks, work) - Separation.rational(boundary)).bits()
+
+    return bits
+
+
+def _cranks(turn: Turn, half_turns: Fraction, weight: int = 1) -> Iterator[_Crank]:
+    for start in turn.engine.cranks:
+        since = (half_turns - start / 180) % 2
+        stroke = int(since >= 1)
+        yield _Crank(stroke, since - stroke, weight)
+
+
+def _share_and_velocity(turn: Turn, crank: _Crank, kind: _Kind) -> tuple[Number, Number]:
+    motion = MOTIONS[turn.method]
+    circle, ratio = kind.circle(180 * crank.angle), kind.of(SIGNS[crank.stroke] * turn.engine.crank.ratio)
+    return motion.path(circle, ratio) / 2, motion.velocity(circle, ratio)
+
+
+def _energy(turn: Turn, cranks: list[_Crank], work: Callable[[Number, Any], Number]) -> Separation:
+    engine = turn.engine
+    acting = engine.ideal.numbers(_BOUNDS.of, _BOUNDS.exponent)
+    whole = work(Separation.rational(1), acting)
+    total = Separation.rational(0)
+    for crank in cranks:
+        # The mean works π P in half a turn, which is half of what both strokes do.
+        total += whole * Separation.rational(_strokes(engine, crank) * crank.weight)
+        if engine.double or not crank.stroke:
+            total += 2 * crank.weight * work(_share_and_velocity(turn, crank, _BOUNDS)[0], acting)
+    return total
+
+
+def _strokes(engine: Engine, crank: _Crank) -> Fraction:
+    """How many times the work of a whole stroke was done before this one, less what the mean took."""
+    return 2 * crank.stroke - (crank.angle + crank.stroke) * (2 if engine.double else 1)
+
+
+def _logarithms_vanish(turn: Turn, cranks: list[_Crank]) -> bool:
+    """Whether Z, the product of all growths of volume with their powers, is 1."""
+
+    def off_one(kind: _Kind, order: int) -> Number:
+        return _product(turn, cranks, kind, order) - 1
+
+    order = 1
+    for crank in cranks:
+        order *= _strokes(turn.engine, crank).denominator
+    if not at_bits(FIRST_BITS, lambda: off_one(_BALLS, order)).contains(0):
+        return False
+    bound = off_one(_BOUNDS, order).bits()
+    needed = int(bound) + FIRST_BITS
+    while True:
+        left = at_bits(needed, lambda: off_one(_BALLS, order))
+        if not left.contains(0):
+            return False
+        if left.rad() * 2 < flint.arb(2) ** -int(bound + 1):
+            return True
+        needed *= 2
+
+
+def _product(turn: Turn, cranks: list[_Crank], kind: _Kind, order: int) -> Number:
+    """Z to the power that makes all exponents whole."""
+    engine = turn.engine
+    acting = engine.ideal.numbers(kind.of, kind.exponent)
+    end = steam.growth(kind.of(Fraction(1)), acting)
+    total = kind.of(Fraction(1))
+    for crank in cranks:
+        total = total * end ** int(_strokes(engine, crank) * crank.weight * order)
+        if engine.double or not crank.stroke:
+            share = _share_and_velocity(turn, crank, kind)[0]
+            total = total * steam.growth(share, acting) ** (2 * crank.weight * order)
+    return total
