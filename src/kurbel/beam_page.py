@@ -15,8 +15,9 @@ from kurbel.choices import choose
 from kurbel.errors import ProblemError
 from kurbel.layouts import Layout
 from kurbel.notation import plain, ratio_text
-from kurbel.numerals import degrees_text
+from kurbel.numerals import degrees_text, nearest
 from kurbel.request import check_label, check_rounding
+from kurbel.rows import angle_decimals
 from kurbel.table import Cell, Field, Label, Note, Number, Records, Table, Value
 
 AXIS_KEYS = ("arm", "ratio")
@@ -186,12 +187,17 @@ class _Rows:
         for place in request.places():
             engine = request.engine(place)
             values: dict[str, Value] = {
-                "arm": f"${plain(engine.arm)}$",
+                "arm": _arm(request, engine),
                 "ratio": f"${ratio_text(engine.ratio)}$",
             }
             for quantity in request.quantities:
                 values[quantity.key] = _record(request, quantity, engine)
             yield tuple(values[name] for name in _names(request))
+
+
+def _arm(request: BeamRequest, engine: BeamEngine) -> Value:
+    decimals = angle_decimals(request.arms)
+    return f"${plain(engine.arm)}$" if decimals is None else nearest(engine.arm, decimals)
 
 
 def _record(request: BeamRequest, quantity: BeamQuantity, engine: BeamEngine) -> Number:
@@ -217,7 +223,7 @@ def _names(request: BeamRequest) -> tuple[str, ...]:
 def _fields(request: BeamRequest) -> tuple[Field, ...]:
     lang = request.lang
     fields = {
-        "arm": Field("arm", WORDS["arm"][lang], "$a$", "r"),
+        "arm": Field("arm", WORDS["arm"][lang], "$a$", "r", angle_decimals(request.arms)),
         "ratio": Field("ratio", MOTION_WORDS["ratio"][lang], f"${request.layout.ratio_symbol}$"),
     }
     for one in request.quantities:

@@ -9,7 +9,9 @@ from kurbel.engine import Diagram
 from kurbel.engine_quantities import SPANS
 from kurbel.engine_request import EngineRequest
 from kurbel.notation import plain, ratio_text
-from kurbel.table import Label
+from kurbel.numerals import nearest
+from kurbel.rows import angle_decimals
+from kurbel.table import Label, Number
 
 CARD = {"de": "Diagramm", "en": "Card"}
 HEADING = {"de": "Expansionsverhältnis $ε$", "en": "Expansion ratio $ε$"}
@@ -30,6 +32,9 @@ class ExpansionAxis(Axis):
 
     def heads(self, place: Place) -> tuple[Label, ...]:
         return (expansion_label(self.request, place["expansion"]),)
+
+    def stub(self, place: Place) -> Number | Label:
+        return expansion_value(self.request, place["expansion"])
 
     def over_group(self, place: Place) -> Label:
         label = self.heads(place)[0]
@@ -70,6 +75,22 @@ def expansion_label(request: EngineRequest, index: int) -> Label:
     if isinstance(engine.steam, Diagram):
         return engine.steam.card.name.replace("$", "\\$")
     return f"${expansion_text(engine.steam.expansion)}$"
+
+
+def expansion_value(request: EngineRequest, index: int) -> Number | Label:
+    """Return ε as a number with as many decimals as all of the page need, where there are such."""
+    if request.carded:
+        return expansion_label(request, index)
+    decimals = expansion_decimals(request)
+    expansion = request.engines[index][0].ideal.expansion
+    return expansion_label(request, index) if decimals is None else nearest(expansion, decimals)
+
+
+def expansion_decimals(request: EngineRequest) -> int | None:
+    """Return how many decimals write every ε exactly, None if no number of them does."""
+    if request.carded:
+        return None
+    return angle_decimals([row[0].ideal.expansion for row in request.engines])
 
 
 def expansion_text(expansion: Fraction) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from kurbel.captions import WORDS as MOTION_WORDS
 from kurbel.engine import Engine
-from kurbel.engine_axes import CARD, expansion_label
+from kurbel.engine_axes import CARD, expansion_decimals, expansion_label
 from kurbel.engine_request import ENGINE_METHODS, EngineRequest
 from kurbel.labels import plain as plain_label
 from kurbel.notation import plain, ratio_text
@@ -53,6 +53,10 @@ WORDS: Mapping[str, Words] = {
         "de": "Winkel vom Totpunkt des Hubes, in der Umdrehung vom inneren Totpunkt der ersten Kurbel",
         "en": "Angles from the dead centre of the stroke, over the turn from the first crank's inner one",
     },
+    "whole_turn": {
+        "de": "Winkel vom inneren Totpunkt der ersten Kurbel",
+        "en": "Angles from the inner dead centre of the first crank",
+    },
     "mariotte": {"de": "Expansion nach Mariotte", "en": "Expansion by Mariotte's law"},
     "polytropic": {
         "de": 'Expansion nach $p V^n = "const"$, $n = {exponent}$',
@@ -90,6 +94,10 @@ WORDS: Mapping[str, Words] = {
         " $P tan(α_2/2) = 2 Q/ε (1 ± r/l q) - 2 R_b q (1 ∓ r/l cos α_2)$, $q = sin^2(α_2/2)$;"
         " upper sign: return stroke, lower sign: outstroke",
     },
+    "chosen": {
+        "de": "{quantities} der Dampfmaschine{for_engine}; {method}",
+        "en": "{quantities} of the steam engine{for_engine}; {method}",
+    },
     "epsilon": {"de": "Expansionsverhältnis", "en": "Expansion ratio"},
     "stroke": {"de": "Hub", "en": "Stroke"},
     "target": {"de": "Ungleichförmigkeitsgrad, zulässiger", "en": "Degree of irregularity allowed"},
@@ -101,13 +109,27 @@ def caption(request: EngineRequest) -> Label:
     lang = request.lang
     methods = dict.fromkeys(method for column in request.page_columns for method in column.methods)
     parts = {
+        "{quantities}": ", ".join(_names(request)),
         "{for_engine}": _joined(list(_common(request)), lang, WORDS["for"][lang]),
         "{method}": WORDS["and"][lang].join(ENGINE_METHODS[one].caption[lang] for one in methods),
     }
-    text = request.layout.caption[lang]
+    text = WORDS["chosen"][lang] if request.columns else request.layout.caption[lang]
     for place, part in parts.items():
         text = text.replace(place, part)
     return text
+
+
+def _names(request: EngineRequest) -> list[str]:
+    names = [
+        f"{column.quantity.name[request.lang]} {column.quantity.symbol}" for column in request.page_columns
+    ]
+    first, *others = dict.fromkeys(names)
+    return [first[:1].upper() + first[1:], *(_inner(name, request.lang) for name in others)]
+
+
+def _inner(name: str, lang: str) -> str:
+    """A name within a sentence: German nouns keep their capital."""
+    return name[:1].lower() + name[1:] if lang == "en" else name
 
 
 def _joined(parts: list[str], lang: str, before: str) -> str:
@@ -137,7 +159,7 @@ def notes(request: EngineRequest) -> Iterator[Label]:
         if radius is not None:
             yield WORDS["radius"][lang].format(radius=plain(radius))
     if subject == "strokes":
-        yield WORDS["turn"][lang]
+        yield WORDS["turn" if request.first.plain else "whole_turn"][lang]
     if subject in ("strokes", "turning"):
         yield WORDS["card_forces" if request.carded else "forces"][lang]
     if subject == "turning":
@@ -195,7 +217,7 @@ def axis_fields(request: EngineRequest, decimals: int | None) -> dict[str, Field
     """Return what the axes are in records."""
     lang, layout = request.lang, request.layout
     fields = {
-        "epsilon": Field("epsilon", WORDS["epsilon"][lang], "$ε$"),
+        "epsilon": Field("epsilon", WORDS["epsilon"][lang], "$ε$", "", expansion_decimals(request)),
         "card": Field("card", CARD[lang]),
         "ratio": Field("ratio", MOTION_WORDS["ratio"][lang], f"${layout.ratio_symbol}$"),
         "stroke": Field("stroke", WORDS["stroke"][lang]),

@@ -15,6 +15,7 @@ from kurbel.problem import Crank, Speed
 from kurbel.table import Table
 
 if TYPE_CHECKING:
+    from kurbel.engine import Diagram
     from kurbel.flywheel import Flywheel
 
 ENGINE_SUBJECTS = ("irregularity", "strokes", "turning", "flywheel")
@@ -29,6 +30,8 @@ def make_engine_table(
     back: Exact | None = None,
     exponent: Exact = 1,
     clearance: Exact = 0,
+    cards: str | Iterable[str] = (),
+    other_side: float | None = None,
     double_acting: bool = True,
     cranks: Exact | Iterable[Exact] = 0,
     angles: Exact | Iterable[Exact] | None = None,
@@ -45,9 +48,11 @@ def make_engine_table(
     """Return a page about steam engines with its certified digits, as `kurbel delta` and its like print.
 
     Expansion ratios, crank ratios and angles default to the layout's own; values may be text as on the
-    command line. `back`, `exponent` and `clearance` are b = R_b/Q (None: the best), n and κ; `cranks` the
-    angles of several cranks in degrees. A page of flywheels needs `power` in W, `speed` in turns per second
-    and the `irregularities` δ to keep; `radius` in m adds the mass there. Raises KurbelError.
+    command line. `back`, `exponent` and `clearance` are b = R_b/Q (None: the best), n and κ; `cards` are
+    files of indicator cards, which take the place of all these, and `other_side` is the pressure in Pa on
+    the other face of a single-acting piston. `cranks` are the angles of several cranks in degrees. A page
+    of flywheels needs `power` in W, `speed` in turns per second and the `irregularities` δ to keep; `radius`
+    in m adds the mass there. Raises KurbelError.
 
     >>> from kurbel import typeset
     >>> print(typeset(make_engine_table("2..4"), "csv"), end="")
@@ -61,17 +66,15 @@ def make_engine_table(
     from kurbel.engine_request import EngineRequest
 
     page = layout_of(layout, ENGINE_SUBJECTS)
-    steams = [
-        Steam(
-            expansion,
-            None if back is None else as_fraction(back),
-            as_fraction(exponent),
-            as_fraction(clearance),
-        )
-        for expansion in read_values(
-            page.expansions if expansions is None else expansions, _expansion_ratios, as_fraction
-        )
-    ]
+    if cards:
+        steams: Sequence[Steam | Diagram] = _diagrams(cards, other_side)
+    else:
+        given = page.expansions if expansions is None else expansions
+        inside = (as_fraction(exponent), as_fraction(clearance))
+        steams = [
+            Steam(expansion, None if back is None else as_fraction(back), *inside)
+            for expansion in read_values(given, _expansion_ratios, as_fraction)
+        ]
     drives = [
         Crank(ratio)
         for ratio in read_values(page.ratios if ratios is None else ratios, notation.ratios, as_ratio)
@@ -93,6 +96,13 @@ def make_engine_table(
             label=label,
         )
     )
+
+
+def _diagrams(cards: str | Iterable[str], other_side: float | None) -> list[Diagram]:
+    from kurbel.card import read_card
+    from kurbel.engine import Diagram
+
+    return [Diagram(read_card(file), other_side) for file in ([cards] if isinstance(cards, str) else cards)]
 
 
 def _expansion_ratios(texts: Iterable[str]) -> Sequence[Fraction]:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from kurbel import engine_captions
 from kurbel.arrange import Grid, Place, check_size, panels
 from kurbel.axes import AngleAxis, ColumnAxis, RatioAxis
-from kurbel.engine_axes import ExpansionAxis, StrokeAxis, TargetAxis, expansion_label, irregularity_label
+from kurbel.engine_axes import ExpansionAxis, StrokeAxis, TargetAxis, expansion_value, irregularity_label
 from kurbel.engine_digits import estimated, settled
 from kurbel.engine_quantities import SPANS, WHOLE, Where
 from kurbel.engine_request import EngineColumn, EngineRequest
@@ -197,7 +197,7 @@ class _Rows:
     def _axes(self, place: Place) -> dict[str, Value]:
         request = self.solved.request
         axes: dict[str, Value] = {
-            request.axis_keys[0]: expansion_label(request, place["expansion"]),
+            request.axis_keys[0]: expansion_value(request, place["expansion"]),
             "ratio": f"${ratio_text(request.ratios[place['ratio']])}$",
         }
         if "stroke" in place:
