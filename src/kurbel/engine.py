@@ -18,6 +18,10 @@ if TYPE_CHECKING:
 LARGEST_EXPANSION = 10**6
 LARGEST_EXPONENT = 10
 LARGEST_CLEARANCE = 10
+# The work of the expansion is a quotient by n - 1.
+LEAST_CURVE = Fraction(1, 10**6)
+# Nearer to 1 the piston of the exact motion stands still but for an instant.
+LARGEST_RATIO = 1 - Fraction(1, 10**12)
 MOST_CRANKS = 24
 # Below this share of Q no mean force drives anything, and δ, counted in it, grows beyond all bounds.
 LEAST_WORK = 1e-9
@@ -56,6 +60,11 @@ class Steam:
             raise ProblemError(
                 f"exponent n is {about(self.exponent)}; it must be above 0 and at most {LARGEST_EXPONENT},"
                 " for the pressure falls as the steam expands"
+            )
+        if 0 < abs(self.exponent - 1) < LEAST_CURVE:
+            raise ProblemError(
+                f"exponent n is {about(self.exponent)}, nearer to 1 than 10^-6; write 1, Mariotte's law,"
+                " whose results have the same six figures"
             )
         if not 0 <= self.clearance <= LARGEST_CLEARANCE:
             raise ProblemError(
@@ -116,8 +125,15 @@ class Engine:
     def __post_init__(self) -> None:
         if self.crank.offset:
             raise ProblemError("the irregularity of an offset crank is not computed; leave the offset out")
+        if self.crank.ratio > LARGEST_RATIO:
+            raise ProblemError("crank ratio R:L is nearer to 1 than 10^-12; no engine is built so")
         if not 1 <= len(self.cranks) <= MOST_CRANKS:
             raise ProblemError(f"the engine has {len(self.cranks)} cranks; 1 to {MOST_CRANKS} are allowed")
+        if self.cranks[0] != 0:
+            raise ProblemError(
+                f"the first crank is at {about(self.cranks[0])}°; angles count from the first crank,"
+                " write them as 0;90"
+            )
 
     @property
     def carded(self) -> bool:

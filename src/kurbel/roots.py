@@ -20,14 +20,17 @@ if TYPE_CHECKING:
 
 Function = Callable[["arb"], "arb"]
 
-# A zero that is none of the three below this width is a double one, or lies on a kink; 2e-10 of a stroke.
+# What is undecided below this width, 2e-10 of a stroke, is a double zero or lies on a kink or an end.
 LEAST_WIDTH = Fraction(1, 2**32)
 ISOLATING_BITS = 64
 PARTS = 8
 
 
 class Root(NamedTuple):
-    """An interval with one zero, at which the function rises or falls; `rising` None: possibly one or two."""
+    """An interval with one zero, at which the function rises or falls.
+
+    `rising` None: possibly none or two; also a zero at an end of the search or where a piece was halved.
+    """
 
     low: Fraction
     high: Fraction

@@ -1,0 +1,181 @@
+"""The turning of a steam engine by brute force: force, energy and speed, without kurbel's formulas.
+
+The kinematics are the textbook's, x = 1 - cos φ + (1 - cos ψ)/λ and its slope over the whole turn; the return
+stroke is the same path seen from its other end. Energy is the tangential force integrated over the angle,
+never a formula for the work. Lengths are in R, forces in the piston force Q before cut-off. `Curve` walks a
+fine grid in NumPy, `Exact` works in mpmath at the precision in force.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from functools import cached_property
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+import numpy as np
+from mpmath import mp
+from numpy.typing import NDArray
+
+# mpmath has no types.
+Real = Any
+
+
+class Plant(NamedTuple):
+    """A steam engine; `back` None is the pressure of the steam at the end of the stroke."""
+
+    expansion: Fraction
+    ratio: Fraction
+    back: Fraction | None = None
+    exponent: Fraction = Fraction(1)
+    clearance: Fraction = Fraction(0)
+    double: bool = True
+    cranks: tuple[Fraction, ...] = (Fraction(0),)
+    method: str = "exact"
+
+
+class Grid(NamedTuple):
+    """The places, as angles in degrees, at which the speed is least or greatest, and their energies."""
+
+    least: float
+    greatest: float
+    place_of_least: float
+    place_of_greatest: float
+
+
+class Curve:
+    """One turn from the first crank's inner dead centre in equal steps; energies are Simpson's sums."""
+
+    def __init__(self, plant: Plant, cells: int = 36_000) -> None:
+        self.plant = plant
+        self.step = 360 / cells
+        halves = np.linspace(0, 360, 2 * cells + 1)
+        force = np.zeros_like(halves)
+        for crank in plant.cranks:
+            force += _grid_force(plant, np.mod(halves - float(crank), 360))
+        width = np.radians(self.step)
+        work = np.concatenate([[0], np.cumsum(force[:-2:2] + 4 * force[1::2] + force[2::2]) * width / 6])
+        self.angles = halves[::2]
+        self.mean_force = float(work[-1] / (2 * np.pi))
+        self.excess: NDArray[np.float64] = force[::2] - self.mean_force
+        self.energy: NDArray[np.float64] = work - self.mean_force * np.radians(self.angles)
+
+    @property
+    def irregularity(self) -> float:
+        """δ in units of P R/(m₁ v₁²)."""
+        return float(np.ptp(self.energy)) / self.mean_force
+
+    def stationary(self) -> list[tuple[float, bool]]:
+        """Return the degrees at which the excess changes its sign, and whether it rises there."""
+        changes = np.flatnonzero(np.sign(self.excess[:-1]) != np.sign(self.excess[1:]))
+        left, right = self.excess[changes], self.excess[changes + 1]
+        degrees = self.angles[changes] + self.step * left / (left - right)
+        return list(zip(degrees.tolist(), (right > left).tolist(), strict=True))
+
+
+def _grid_force(plant: Plant, degrees: NDArray[np.float64]) -> NDArray[np.float64]:
+    angle = np.radians(degrees)
+    path, velocity = _path(plant, angle, np), _velocity(plant, angle, np)
+    shares = np.where(degrees < 180, path, 2 - path) / 2
+    cut_off, clearance = 1 / float(plant.expansion), float(plant.clearance)
+    volume = np.maximum(shares, cut_off) + clearance
+    exponent = float(plant.exponent)
+    back = ((cut_off + clearance) / (1 + clearance)) ** exponent if plant.back is None else float(plant.back)
+    force = (((cut_off + clearance) / volume) ** exponent - back) * np.abs(velocity)
+    return force if plant.double else np.where(degrees < 180, force, 0)
+
+
+def _path(plant: Plant, angle: Any, of: Any) -> Any:
+    ratio = _ratio(plant, of)
+    if plant.method == "series" or not ratio:
+        return 1 - of.cos(angle) + ratio * of.sin(angle) ** 2 / 2
+    return 1 - of.cos(angle) + (1 - of.sqrt(1 - (ratio * of.sin(angle)) ** 2)) / ratio
+
+
+def _velocity(plant: Plant, angle: Any, of: Any) -> Any:
+    ratio = _ratio(plant, of)
+    if plant.method == "series":
+        return of.sin(angle) + ratio * of.sin(2 * angle) / 2
+    return of.sin(angle) + ratio * of.sin(2 * angle) / (2 * of.sqrt(1 - (ratio * of.sin(angle)) ** 2))
+
+
+def _ratio(plant: Plant, of: Any) -> Any:
+    return real(plant.ratio) if of is mp else float(plant.ratio)
+
+
+def real(number: Fraction | int) -> Real:
+    exact = Fraction(number)
+    return mp.mpf(exact.numerator) / exact.denominator
+
+
+class Exact:
+    """The same in mpmath, at the precision in force when it is made; angles are radians."""
+
+    def __init__(self, plant: Plant) -> None:
+        self.plant = plant
+        self.cut_off = 1 / real(plant.expansion)
+        self.clearance = real(plant.clearance)
+        self.exponent = real(plant.exponent)
+        self.back = self._steam(mp.mpf(1)) if plant.back is None else real(plant.back)
+        self.starts = [real(crank) * mp.pi / 180 for crank in plant.cranks]
+
+    def pressure(self, share: Real) -> Real:
+        """The net pressure at a share of the stroke."""
+        return self._steam(share) - self.back
+
+    def _steam(self, share: Real) -> Real:
+        if share <= self.cut_off:
+            return mp.mpf(1)
+        return ((self.cut_off + self.clearance) / (share + self.clearance)) ** self.exponent
+
+    def force(self, angle: Real) -> Real:
+        """The tangential force of all cranks."""
+        return mp.fsum(self._force_of_one(angle - start) for start in self.starts)
+
+    def _force_of_one(self, angle: Real) -> Real:
+        angle = angle - 2 * mp.pi * mp.floor(angle / (2 * mp.pi))
+        path = _path(self.plant, angle, mp)
+        returning = angle > mp.pi
+        if returning and not self.plant.double:
+            return mp.mpf(0)
+        share = (2 - path if returning else path) / 2
+        return self.pressure(share) * abs(_velocity(self.plant, angle, mp))
+
+    @cached_property
+    def mean_force(self) -> Real:
+        """The force integrated over the turn, divided by the turn."""
+        return self.integral(mp.mpf(0), 2 * mp.pi) / (2 * mp.pi)
+
+    def integral(self, start: Real, end: Real) -> Real:
+        """∫ of the tangential force, from dead centre to cut-off to dead centre."""
+        inner = [place for place in self.corners if start < place < end]
+        return mp.fsum(mp.quad(self.force, span) for span in pairwise([start, *inner, end]))
+
+    @cached_property
+    def corners(self) -> list[Real]:
+        """Dead centres and cut-offs of all cranks within the turn."""
+        turn = 2 * mp.pi
+        events = [mp.mpf(0), mp.pi]
+        if self.plant.expansion > 1:
+            events += [self.cut_off_angle(False), mp.pi + self.cut_off_angle(True)]
+        places = sorted((start + event) % turn for start in self.starts for event in events)
+        return [place for place in places if 0 < place < turn]
+
+    def cut_off_angle(self, returning: bool) -> Real:
+        """The angle at cut-off from the dead centre of the stroke, found by halving."""
+
+        def short(angle: Real) -> Real:
+            path = _path(self.plant, angle + mp.pi, mp) if returning else _path(self.plant, angle, mp)
+            return (2 - path if returning else path) - 2 * self.cut_off
+
+        return mp.findroot(short, (mp.mpf(0), mp.pi), solver="anderson", tol=mp.eps, verify=False)
+
+    def stationary(self, near: float) -> Real:
+        """The angle near some degrees at which the force is its mean."""
+        start = mp.mpf(near) * mp.pi / 180
+        around = (start - mp.mpf("1e-6"), start + mp.mpf("1e-6"))
+        return mp.findroot(lambda angle: self.force(angle) - self.mean_force, around, verify=False)
+
+    def energy(self, angle: Real) -> Real:
+        """The work of the excess since the first crank's inner dead centre."""
+        return self.integral(mp.mpf(0), angle) - self.mean_force * angle

@@ -1,0 +1,258 @@
+"""Zeros are found all, once each and in order, and enclosed as narrowly as asked."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from fractions import Fraction
+from itertools import pairwise
+from typing import Any
+
+import flint
+import pytest
+from flint import arb
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from kurbel.certify import ball
+from kurbel.roots import LEAST_WIDTH, Root, interval, isolate, refined
+
+Ball = Any
+Pair = tuple[Callable[[Ball], Ball], Callable[[Ball], Ball]]
+
+SEVENTH, THIRD, ELEVENTHS = Fraction(1, 7), Fraction(1, 3), Fraction(9, 11)
+
+
+@pytest.fixture(autouse=True)
+def precision() -> Iterator[None]:
+    before = flint.ctx.prec
+    yield
+    flint.ctx.prec = before
+
+
+def product(zeros: Sequence[Fraction]) -> Pair:
+    """Π (x - zero), and its slope."""
+
+    def function(x: Ball) -> Ball:
+        value = arb(1)
+        for zero in zeros:
+            value *= x - ball(zero)
+        return value
+
+    def slope(x: Ball) -> Ball:
+        total = arb(0)
+        for left in range(len(zeros)):
+            rest = arb(1)
+            for index, zero in enumerate(zeros):
+                if index != left:
+                    rest *= x - ball(zero)
+            total += rest
+        return total
+
+    return function, slope
+
+
+def waves(count: int) -> Pair:
+    """sin(π count x - 1), zero at (1/π + k)/count."""
+    return (
+        lambda x: (arb.pi() * count * x - 1).sin(),
+        lambda x: arb.pi() * count * (arb.pi() * count * x - 1).cos(),
+    )
+
+
+def found(pair: Pair, start: Fraction = Fraction(0), end: Fraction = Fraction(1)) -> list[Root]:
+    return isolate(*pair, start, end)
+
+
+def holds(root: Root, zero: Fraction) -> bool:
+    return root.low <= zero <= root.high
+
+
+def test_zero_of_a_rising_and_of_a_falling_line() -> None:
+    assert [(root.rising, holds(root, THIRD)) for root in found(product([THIRD]))] == [(True, True)]
+    falling = (lambda x: ball(THIRD) - x, lambda x: arb(-1))
+    assert [(root.rising, holds(root, THIRD)) for root in found(falling)] == [(False, True)]
+
+
+@pytest.mark.parametrize("count", [1, 7, 40])
+def test_every_zero_of_a_wave_is_found_in_order(count: int) -> None:
+    flint.ctx.prec = 200
+    pair = waves(count)
+    roots = found(pair)
+    assert [root.rising for root in roots] == [index % 2 == 0 for index in range(count)]
+    for index, root in enumerate(roots):
+        assert refined(*pair, root).overlaps((1 / arb.pi() + index) / count)
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.sets(st.integers(1, 996), min_size=1, max_size=6))
+def test_every_zero_of_a_polynomial_is_found_once(places: set[int]) -> None:
+    # 997 is prime: no zero lies where an interval is parted.
+    zeros = [Fraction(count, 997) for count in sorted(places)]
+    roots = found(product(zeros))
+    assert len(roots) == len(zeros)
+    assert all(holds(root, zero) for root, zero in zip(roots, zeros, strict=True))
+    assert [root.rising for root in roots] == [(len(zeros) - index) % 2 == 1 for index in range(len(zeros))]
+
+
+@pytest.mark.parametrize("distance", [Fraction(1, 10**3), Fraction(1, 10**6), Fraction(1, 10**8)])
+def test_close_zeros_are_parted(distance: Fraction) -> None:
+    zeros = [THIRD, THIRD + distance, ELEVENTHS]
+    roots = found(product(zeros))
+    assert [root.rising for root in roots] == [True, False, True]
+    assert all(holds(root, zero) for root, zero in zip(roots, zeros, strict=True))
+
+
+def test_intervals_with_a_zero_do_not_overlap() -> None:
+    roots = found(product([THIRD, THIRD + Fraction(1, 10**6), ELEVENTHS]))
+    assert all(one.low < one.high <= other.low for one, other in pairwise(roots))
+
+
+def test_function_without_zeros_has_none() -> None:
+    assert found((lambda x: x * x + ball(Fraction(1, 10**6)), lambda x: 2 * x), Fraction(-1)) == []
+    assert found(product([Fraction(-1, 10**6), Fraction(1) + Fraction(1, 10**6)])) == []
+
+
+def test_zeros_beyond_the_ends_are_not_reported() -> None:
+    roots = found(product([-THIRD, THIRD, 1 + THIRD]))
+    assert len(roots) == 1
+    assert holds(roots[0], THIRD)
+
+
+def test_other_ends_than_zero_and_one() -> None:
+    zeros = [Fraction(-13, 7), SEVENTH, Fraction(22, 7)]
+    roots = found(product(zeros), Fraction(-2), Fraction(10, 3))
+    assert all(holds(root, zero) for root, zero in zip(roots, zeros, strict=True))
+
+
+@pytest.mark.parametrize("zero", [THIRD, Fraction(1, 2), SEVENTH])
+def test_double_zero_is_reported_undecided(zero: Fraction) -> None:
+    roots = found(product([zero, zero]))
+    assert roots
+    assert all(root.rising is None for root in roots)
+    assert any(holds(root, zero) for root in roots)
+    # Next to the narrow interval that holds it neighbours may stay undecided, but none far away.
+    assert all(abs(root.low - zero) < 100 * LEAST_WIDTH for root in roots)
+
+
+def test_zeros_closer_than_the_least_width_are_reported_undecided() -> None:
+    roots = found(product([THIRD, THIRD + LEAST_WIDTH / 1000]))
+    assert roots
+    assert all(root.rising is None for root in roots)
+
+
+@pytest.mark.parametrize("zero", [Fraction(0), Fraction(1), Fraction(1, 8), Fraction(1, 2)])
+def test_zero_at_an_end_or_where_the_interval_is_parted_is_not_missed(zero: Fraction) -> None:
+    roots = found(product([zero]))
+    assert roots
+    assert all(holds(root, zero) for root in roots)
+    assert all(root.rising or root.high - root.low < LEAST_WIDTH for root in roots)
+
+
+def kinked(height: Fraction) -> Pair:
+    """height - |x - 1/3|: a roof with its ridge at 1/3, zero at height to both sides."""
+
+    def slope(x: Ball) -> Ball:
+        if x < ball(THIRD):
+            return arb(1)
+        return arb(-1) if x > ball(THIRD) else arb(-1).union(arb(1))
+
+    return lambda x: ball(height) - abs(x - ball(THIRD)), slope
+
+
+@pytest.mark.parametrize("height", [Fraction(1, 5), Fraction(1, 10**4), Fraction(1, 10**8)])
+def test_zeros_beside_a_kink_are_found(height: Fraction) -> None:
+    roots = found(kinked(height))
+    assert [root.rising for root in roots] == [True, False]
+    assert holds(roots[0], THIRD - height)
+    assert holds(roots[1], THIRD + height)
+
+
+def test_kink_below_zero_has_none() -> None:
+    assert found(kinked(Fraction(-1, 10**8))) == []
+
+
+def test_zero_on_a_kink_is_reported_undecided() -> None:
+    roots = found(kinked(Fraction(0)))
+    assert any(holds(root, THIRD) for root in roots)
+    assert all(root.rising is None for root in roots)
+
+
+def test_zero_on_a_kink_that_it_crosses_is_decided() -> None:
+    # 2x beyond 0, x before.
+    def function(x: Ball) -> Ball:
+        return (x - ball(THIRD)).max(2 * (x - ball(THIRD)))
+
+    def slope(x: Ball) -> Ball:
+        if x < ball(THIRD):
+            return arb(1)
+        return arb(2) if x > ball(THIRD) else arb(1).union(arb(2))
+
+    roots = found((function, slope))
+    assert [root.rising for root in roots] == [True]
+    assert holds(roots[0], THIRD)
+
+
+def test_isolating_leaves_the_precision_as_it_was() -> None:
+    flint.ctx.prec = 123
+    found(product([THIRD]))
+    assert flint.ctx.prec == 123
+    with pytest.raises(ArithmeticError):
+        isolate(broken, broken, Fraction(0), Fraction(1))
+    assert flint.ctx.prec == 123
+
+
+def broken(x: Ball) -> Ball:
+    raise ArithmeticError
+
+
+@pytest.mark.parametrize("bits", [53, 64, 200, 500, 3000])
+def test_refined_zero_is_held_as_narrowly_as_the_precision_allows(bits: int) -> None:
+    pair = waves(3)
+    roots = found(pair)
+    flint.ctx.prec = bits
+    for index, root in enumerate(roots):
+        zero = refined(*pair, root)
+        assert zero.rad() < arb(2) ** (12 - bits)
+        flint.ctx.prec = bits + 100
+        assert zero.contains((1 / arb.pi() + index) / 3)
+        flint.ctx.prec = bits
+
+
+@pytest.mark.parametrize("rising", [True, False])
+def test_refined_zero_of_a_steep_bend(rising: bool) -> None:
+    # Newton's step from the middle leads far out of the interval: the slope grows from 1e-9 to 1e9.
+    sign = 1 if rising else -1
+
+    def function(x: Ball) -> Ball:
+        return sign * ((x * 20).exp() - (ball(THIRD) * 20).exp())
+
+    def slope(x: Ball) -> Ball:
+        return sign * 20 * (x * 20).exp()
+
+    flint.ctx.prec = 500
+    zero = refined(function, slope, Root(Fraction(-1), Fraction(1), rising))
+    assert zero.contains(ball(THIRD))
+    assert zero.rad() < arb(2) ** -480
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.fractions(Fraction(1, 100), Fraction(99, 100), max_denominator=10**6))
+def test_refined_zero_is_the_zero(zero: Fraction) -> None:
+    flint.ctx.prec = 300
+    pair = (lambda x: x**3 - ball(zero) ** 3, lambda x: 3 * x * x)
+    root = Root(Fraction(1, 200), Fraction(1), True)
+    assert refined(*pair, root).contains(ball(zero))
+    assert refined(*pair, root).rad() < arb(2) ** -280
+
+
+def test_undecided_zero_is_not_refined() -> None:
+    flint.ctx.prec = 500
+    root = Root(THIRD, THIRD + LEAST_WIDTH, None)
+    zero = refined(*product([THIRD, THIRD]), root)
+    assert zero.contains(ball(root.low))
+    assert zero.contains(ball(root.high))
+
+
+def test_interval_holds_both_ends_and_all_between() -> None:
+    assert all(interval(-SEVENTH, THIRD).contains(ball(place)) for place in (-SEVENTH, Fraction(0), THIRD))
+    assert not interval(-SEVENTH, THIRD).contains(ball(THIRD + Fraction(1, 1000)))
