@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import doctest
 import os
 import re
@@ -57,3 +58,36 @@ def test_the_python_session_of_the_readme_is_true() -> None:
     )  # fmt: skip
     assert len(tests.examples) >= 4
     assert doctest.DocTestRunner().run(tests).failed == 0
+
+
+def test_the_tables_of_printed_values_are_those_of_the_sources() -> None:
+    with (Path(__file__).parent / "sources" / "weisbach" / "150.csv").open(encoding="utf-8") as lines:
+        cells = {row["place"].split("/", 2)[2]: row for row in csv.DictReader(lines, delimiter=";")}
+    readme = README.read_text(encoding="utf-8")
+    for expansion in range(2, 7):
+        cell = cells[f"{expansion}/delta_table"]
+        methods = (f"{cell[one]} ({apart(cell[one], cell['printed'])})" for one in METHODS)
+        assert f"| {expansion} | {cell['printed']} | {' | '.join(methods)} |" in readme
+    for name, key in READABLE.items():
+        cell = cells[f"2/{key}"]
+        values = " | ".join(cell[one] for one in ("printed", *METHODS)).replace("-", "−")
+        assert f"| {name} | {values} |" in readme
+
+
+METHODS = ("exact", "series", "weisbach")
+READABLE = {
+    "α₁, return stroke": "alpha_min_return",
+    "α₁, outstroke": "alpha_min",
+    "least speed, return stroke": "v_min_return",
+    "least speed, outstroke": "v_min",
+    "α₂, return stroke": "alpha_max_return",
+    "α₂, outstroke": "alpha_max",
+    "greatest speed, return stroke": "v_max_return",
+    "greatest speed, outstroke": "v_max",
+    "P/Q": "mean_force",
+}
+
+
+def apart(computed: str, printed: str) -> str:
+    units = int(computed.replace(",", "")) - int(printed.replace(",", ""))
+    return f"{units:+d}".replace("-", "−") if units else "0"
