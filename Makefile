@@ -29,11 +29,12 @@ check: $(READY)
 	$(BIN)/mypy
 	$(BIN)/python docs/reference.py --check
 
-bench: $(READY) ## measure start-up, kernels and CSV against their rivals
+bench: $(READY) ## measure start-up, kernels, δ and CSV against their rivals
 	$(BIN)/python -m pip install --quiet --group bench
 	$(BIN)/python benchmarks/bench_start.py
 	$(BIN)/python benchmarks/bench_kernel.py
 	$(BIN)/python benchmarks/bench_csv.py
+	$(BIN)/python benchmarks/bench_delta.py
 
 docs: $(READY) ## write docs/reference.md anew
 	$(BIN)/python docs/reference.py

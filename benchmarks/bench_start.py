@@ -48,6 +48,7 @@ COMMANDS = {
     "empty Python": [sys.executable, "-c", "pass"],
     "kurbel --help": [KURBEL, "--help"],
     "kurbel table --ratio 1:5": [KURBEL, "table", "--ratio", "1:5"],
+    "kurbel delta --eps 2..6": [KURBEL, "delta", "--eps", "2..6"],
     "script with numpy and jinja2": [sys.executable, "-c", RIVAL],
     "import numpy, scipy.optimize": [sys.executable, "-c", "import numpy, scipy.optimize"],
 }

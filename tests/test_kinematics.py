@@ -333,7 +333,7 @@ def test_mean_speed_is_stroke_times_revolutions_over_thirty() -> None:
 
 @pytest.mark.parametrize("cores", [1, 3])
 def test_bulk_gives_the_bits_of_the_kernel(monkeypatch: pytest.MonkeyPatch, cores: int) -> None:
-    monkeypatch.setattr(bulk, "_cores", lambda: cores)
+    monkeypatch.setattr(bulk, "cores", lambda: cores)
     monkeypatch.setattr(bulk, "BLOCK", 100)
     angles = sampled_angles(3)
     functions: list[bulk.Column] = [
@@ -352,7 +352,7 @@ def test_bulk_gives_the_bits_of_the_kernel(monkeypatch: pytest.MonkeyPatch, core
 
 
 def test_an_error_in_a_bulk_thread_is_raised(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(bulk, "_cores", lambda: 2)
+    monkeypatch.setattr(bulk, "cores", lambda: 2)
     monkeypatch.setattr(bulk, "BLOCK", 10)
     with pytest.raises(ZeroDivisionError):
         bulk.evaluate([lambda point: 1 / 0], sampled_angles(5))

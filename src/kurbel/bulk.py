@@ -34,7 +34,7 @@ def evaluate(
     `out` is filled and returned if given; besides it only a block a core is held in memory. The bits do
     not depend on the number of cores.
     """
-    _keep_freed_memory()
+    keep_freed_memory()
     if out is None:
         out = np.empty((len(functions), len(angles)))
     blocks = [slice(start, start + BLOCK) for start in range(0, len(angles), BLOCK)]
@@ -44,7 +44,7 @@ def evaluate(
         for row, function in zip(out, functions, strict=True):
             row[block] = function(point)
 
-    workers = min(_cores(), len(blocks))
+    workers = min(cores(), len(blocks))
     if workers < 2:
         for block in blocks:
             fill(block)
@@ -55,14 +55,14 @@ def evaluate(
     return out
 
 
-def _keep_freed_memory() -> None:
+def keep_freed_memory() -> None:
     # glibc returns an intermediate column to the system as soon as it is freed, and the next one is mapped
     # and cleared page by page: two thirds of the time. Having freed one large array, which is never
     # touched, it keeps what is smaller (mallopt(3), M_MMAP_THRESHOLD). Elsewhere this does nothing.
     np.empty(LARGEST_KEPT, np.uint8)
 
 
-def _cores() -> int:
+def cores() -> int:
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1

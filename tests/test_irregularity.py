@@ -1,0 +1,426 @@
+"""δ in bulk: against § 150 in mpmath, a walk along the curve of excess work, and the certified pages."""
+
+from __future__ import annotations
+
+import doctest
+import tracemalloc
+from collections.abc import Callable
+from decimal import Decimal
+from fractions import Fraction
+from itertools import product
+from typing import Any
+
+import flint
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from mpmath import mp
+from numpy.typing import NDArray
+
+from kurbel import irregularity
+from kurbel.engine import Engine, Steam
+from kurbel.engine_request import ENGINE_METHODS
+from kurbel.errors import ChoiceError, KurbelError, NotationError, ProblemError
+from kurbel.irregularity import delta
+from kurbel.kernel import irregularity as kernel
+from kurbel.kernel import kinematics
+from kurbel.kernel.circle import circle
+from kurbel.kernel.irregularity import METHODS, ExactMotion, FirstOrderMotion, WeisbachRelation
+from kurbel.problem import Crank
+from kurbel.turn import turn_of
+
+# mpmath has no types.
+Real = Any
+Floats = NDArray[np.float64]
+
+DIGITS = 30
+ACCURACY = 2e-15
+
+# By another program in mpmath, R:L = 1:5, b = 1/ε, ε = 2..6.
+KNOWN = {
+    "exact": "1.281865 1.374453 1.422520 1.454454 1.478257",
+    "series": "1.280712 1.373329 1.421450 1.453432 1.477275",
+    "weisbach": "1.280529 1.373200 1.421347 1.453344 1.477198",
+}
+
+EDGES = [
+    (1 + 1e-9, 0.3, None),
+    (1 + 1e-9, 0.3, 0.5),
+    (1.0, 0.4, 0.0),
+    (1.0, 0.0, 0.999),
+    (1.0001, 0.99, 0.9999),
+    (1.12, 0.2, 0.1),
+    (1.14, 0.2, 0.1),
+    (1.13, 0.0, 0.0),
+    (8.5, 0.999, 0.0),
+    (8.5, 0.999999, 1e-9),
+    (9.0, 0.9999999, 0.01),
+    (5.0, 1 - 1e-9, None),
+    (3.0, 0.0, None),
+    (3.0, 1e-9, 0.2),
+    (3.0, 1e-18, 0.45),
+    (1e6, 0.2, None),
+    (1e12, 0.95, 0.0),
+    (1000.0, 0.99, 0.0079),
+]
+
+
+class Paper:
+    """One engine in the formulas of § 150 as printed, s and c by the textbook, both strokes from α = 0."""
+
+    def __init__(self, eps: float, ratio: float, back: float | None, method: str) -> None:
+        self.eps, self.ratio, self.method = mp.mpf(eps), mp.mpf(ratio), method
+        self.back = 1 / self.eps if back is None else mp.mpf(back)
+        self.mean = 2 / mp.pi * ((1 + mp.log(self.eps)) / self.eps - self.back)
+
+    def path(self, angle: Real, rod: Real) -> Real:
+        if self.method != "exact" or not rod:
+            return 1 - mp.cos(angle) + rod / 2 * mp.sin(angle) ** 2
+        return 1 - mp.cos(angle) + (1 - mp.sqrt(1 - (rod * mp.sin(angle)) ** 2)) / rod
+
+    def velocity(self, angle: Real, rod: Real) -> Real:
+        if self.method != "exact":
+            return mp.sin(angle) + rod / 2 * mp.sin(2 * angle)
+        psi = mp.asin(rod * mp.sin(angle))
+        return mp.sin(angle + psi) / mp.cos(psi)
+
+    def force(self, angle: Real, rod: Real) -> Real:
+        """Tangential force of the expanding steam less its mean."""
+        pressure = 2 / (self.eps * self.path(angle, rod)) - self.back
+        return pressure * self.velocity(angle, rod) - self.mean
+
+    def surplus(self, angle: Real, rod: Real) -> Real:
+        """The same before the cut-off."""
+        return (1 - self.back) * self.velocity(angle, rod) - self.mean
+
+    def relation(self, angle: Real, rod: Real) -> Real:
+        square, loss = mp.sin(angle / 2) ** 2, self.eps * self.back
+        bracket = 1 - rod * square - loss * square * (1 + rod * mp.cos(angle))
+        return mp.cot(angle / 2) * mp.pi * bracket - (1 + mp.log(self.eps) - loss)
+
+    def work(self, angle: Real, rod: Real) -> Real:
+        path, cut_off = self.path(angle, rod), 2 / self.eps
+        steam = path if path <= cut_off else cut_off * (1 + mp.log(path / cut_off))
+        return steam - self.back * path - self.mean * angle
+
+    def extremes(self, rod: Real) -> tuple[Real, Real]:
+        first = between(lambda angle: self.surplus(angle, rod), mp.mpf(0), mp.pi / 2)
+        cut_off = mp.pi
+        if self.eps > 1:
+            cut_off = between(lambda angle: self.path(angle, rod) - 2 / self.eps, mp.mpf(0), mp.pi)
+        if self.eps == 1 or self.force(cut_off, rod) <= 0:
+            last = between(lambda angle: self.surplus(angle, rod), mp.pi / 2, mp.pi)
+        elif self.method == "weisbach":
+            last = between(lambda angle: self.relation(angle, rod), mp.mpf(10) ** -9, mp.pi)
+        else:
+            last = between(lambda angle: self.force(angle, rod), cut_off, mp.pi)
+        return self.work(first, rod), self.work(last, rod)
+
+    @property
+    def irregularity(self) -> float:
+        least, greatest = zip(*map(self.extremes, (self.ratio, -self.ratio)), strict=True)
+        return float((max(greatest) - min(least)) / self.mean)
+
+
+def between(function: Callable[[Real], Real], low: Real, high: Real) -> Real:
+    """Return the zero between two places, by halving: nothing is trusted but the signs."""
+    rising = function(high) > 0
+    assert rising != (function(low) > 0)
+    # Work is stationary there: half the digits of the angle are enough for all of δ.
+    while high - low > mp.mpf(10) ** -(DIGITS // 2 + 3) * high:
+        middle = (low + high) / 2
+        if (function(middle) > 0) == rising:
+            high = middle
+        else:
+            low = middle
+    return low
+
+
+def on_paper(eps: float, ratio: float, back: float | None, method: str) -> float:
+    # The mean force of an engine that hardly works takes digits away.
+    with mp.workdps(DIGITS + 20):
+        return Paper(eps, ratio, back, method).irregularity
+
+
+def condition(eps: float, back: float | None) -> float:
+    """Return how much larger a relative error of δ is than one of b."""
+    return 1.0 if back is None else 1 + eps * back / (1 + float(np.log(eps)) - eps * back)
+
+
+def random_engine(random: np.random.Generator, kind: int) -> tuple[float, float, float | None]:
+    """Return ε, λ, b with b, by its kind, absent, below the best or beyond it."""
+    eps = float(np.exp(random.uniform(np.log(1.0001), np.log(1000))))
+    most = (1 + np.log(eps)) / eps
+    backs = None, random.uniform(0, 1 / eps), random.uniform(1 / eps, most - 0.01 * (most - 1 / eps))
+    return eps, float(random.uniform(0, 0.99)), backs[kind]
+
+
+def assert_on_paper(eps: float, ratio: float, back: float | None, method: str) -> None:
+    expected = on_paper(eps, ratio, back, method)
+    found = delta(eps, ratio, back, method=method)
+    assert abs(found / expected - 1) <= ACCURACY * condition(eps, back), (eps, ratio, back, found, expected)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_known_values_come_out(method: str) -> None:
+    expected = [float(one) for one in KNOWN[method].split()]
+    np.testing.assert_allclose(delta(range(2, 7), "1:5", method=method), expected, rtol=0, atol=6e-7)
+
+
+@pytest.mark.parametrize(("method", "kind"), [*product(METHODS, range(3))])
+def test_random_engines_are_those_on_paper(method: str, kind: int) -> None:
+    random = np.random.default_rng(kind)
+    for _ in range(12):
+        assert_on_paper(*random_engine(random, kind), method)
+
+
+def test_the_largest_expansions_keep_most_digits() -> None:
+    # Their cut-off is at 1e-150 of a turn, where 1 - cos α needs 300 digits.
+    with mp.workdps(340):
+        expected = Paper(1e300, 0.5, None, "series").irregularity
+    np.testing.assert_allclose(delta(1e300, 0.5, method="series"), expected, rtol=1e-14, atol=0)
+
+
+@pytest.mark.parametrize("method", ["exact", "series"])
+@pytest.mark.parametrize(("eps", "ratio", "back"), EDGES)
+def test_edges_are_those_on_paper(eps: float, ratio: float, back: float | None, method: str) -> None:
+    assert_on_paper(eps, ratio, back, method)
+
+
+@pytest.mark.parametrize(("eps", "ratio", "back"), [edge for edge in EDGES if edge[1] <= 0.5])
+def test_edges_of_weisbachs_equations_are_those_on_paper(
+    eps: float, ratio: float, back: float | None
+) -> None:
+    assert_on_paper(eps, ratio, back, "weisbach")
+
+
+def test_weisbachs_greatest_speed_may_be_that_of_the_return_stroke() -> None:
+    with mp.workdps(DIGITS):
+        paper = Paper(1.35, 0.9, 0.958, "weisbach")
+        assert paper.extremes(-paper.ratio)[1] > paper.extremes(paper.ratio)[1]
+    assert_on_paper(1.35, 0.9, 0.958, "weisbach")
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_it_agrees_with_the_certified_pages(method: str) -> None:
+    for eps, ratio, back in [("1.12", "0.21", "0.15"), ("3.5", "0.3", None), ("3.5", "0.85", "0.4")]:
+        steam = Steam(Fraction(eps), None if back is None else Fraction(back))
+        before = flint.ctx.prec
+        try:
+            flint.ctx.prec = 120
+            certified = float(turn_of(Engine(Crank(Fraction(ratio)), steam), method).irregularity())
+        finally:
+            flint.ctx.prec = before
+        found = delta(float(eps), float(ratio), None if back is None else float(back), method=method)
+        np.testing.assert_allclose(found, certified, rtol=5e-15, atol=0)
+
+
+def test_the_methods_are_those_of_the_pages() -> None:
+    assert list(METHODS) == list(ENGINE_METHODS)
+
+
+def walked(eps: float, ratio: float, back: float, method: str, cells: int = 20_000) -> tuple[float, float]:
+    """Return δ on a grid of both strokes, and by how much the curve may rise above its grid."""
+    angle = np.linspace(0, np.pi, cells + 1)
+    mean = 2 / np.pi * ((1 + np.log(eps)) / eps - back)
+    strokes = []
+    for rod in (ratio, -ratio):
+        drop = np.sin(angle) ** 2 * rod
+        slant = drop / 2 if method == "series" else drop / (1 + np.sqrt(1 - (rod * np.sin(angle)) ** 2))
+        path = 1 - np.cos(angle) + slant
+        steam = np.where(path <= 2 / eps, path, 2 / eps * (1 + np.log(np.maximum(path * eps / 2, 1))))
+        strokes.append(steam - back * path - mean * angle)
+    work = np.array(strokes)
+    bend = float(np.abs(np.diff(work, 2)).max())
+    return float(np.ptp(work)) / mean, bend / 4 / mean
+
+
+@given(
+    eps=st.floats(1.05, 200),
+    ratio=st.floats(0, 0.9),
+    share=st.floats(0, 0.95),
+    method=st.sampled_from(["exact", "series"]),
+)
+def test_the_curve_of_excess_work_never_leaves_the_range(
+    eps: float, ratio: float, share: float, method: str
+) -> None:
+    back = share * (1 + np.log(eps)) / eps
+    found = delta(eps, ratio, back, method=method)
+    grid, resolution = walked(eps, ratio, back, method)
+    assert grid * (1 - 1e-12) <= found <= grid * (1 + 1e-12) + 1.5 * resolution
+
+
+@pytest.mark.parametrize("motion", [ExactMotion, FirstOrderMotion])
+@given(ratio=st.floats(0, 0.95), tangent=st.floats(1e-6, 100))
+def test_the_unknown_stands_for_an_angle_and_a_path(motion: Any, ratio: float, tangent: float) -> None:
+    first = motion is FirstOrderMotion
+    path = kinematics.piston_path_first_order if first else kinematics.piston_path
+    angle, share = motion(ratio).place(tangent)
+    assert 2 * share == pytest.approx(path(circle(float(np.degrees(angle))), -ratio), rel=1e-13)
+
+
+@pytest.mark.parametrize("motion", [ExactMotion, FirstOrderMotion])
+def test_the_least_speed_is_where_the_velocity_says_so(motion: Any) -> None:
+    ratio, wanted = np.meshgrid(np.linspace(0, 0.99, 34), np.linspace(0.01, 2 / np.pi, 23))
+    first = motion is FirstOrderMotion
+    velocity = kinematics.piston_velocity_first_order if first else kinematics.piston_velocity
+    angle = np.degrees(motion(ratio).place(motion(ratio).least(wanted)).angle)
+    assert (angle < 90).all()
+    np.testing.assert_allclose(velocity(circle(angle), -ratio), wanted, rtol=2e-7, atol=0)
+
+
+@pytest.mark.parametrize("motion", [ExactMotion, FirstOrderMotion])
+def test_few_engines_need_more_steps(motion: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    more: list[int] = []
+    settled = kernel._settled
+
+    def counted(*arguments: Any) -> Any:
+        more.append(arguments[3].size)
+        return settled(*arguments)
+
+    monkeypatch.setattr(kernel, "_settled", counted)
+    eps, ratio, back = many(20_000)
+    kernel.greatest(motion, 0.95 * ratio, kernel.load(eps, back))
+    assert sum(more) < 0.01 * eps.size
+
+
+@pytest.mark.parametrize("kind", [ExactMotion, FirstOrderMotion, WeisbachRelation])
+def test_steps_end_at_the_root_even_where_they_start_far_away(kind: Any) -> None:
+    random = np.random.default_rng(8)
+    eps = np.exp(random.uniform(0.01, 30, 20_000))
+    ratio = 1 - 10 ** random.uniform(-15, -1, eps.size)
+    back = 10 ** random.uniform(-12, -0.01, eps.size) * (1 + np.log(eps)) / eps
+    forces = kernel.load(eps, back)
+    pull = kind(ratio).pull(kernel.greatest(kind, ratio, forces), forces)
+    height = (pull.force - pull.mean) / (pull.force + pull.mean) * pull.margin / pull.growth
+    assert float(np.abs(height).max()) < 1e-7
+
+
+@given(
+    st.lists(st.tuples(st.floats(1.01, 1e6), st.floats(0, 0.999999), st.floats(0, 0.9999)), max_size=20),
+    st.sampled_from(list(METHODS)),
+)
+def test_an_engine_has_the_same_bits_alone_and_among_others(
+    engines: list[tuple[float, float, float]], method: str
+) -> None:
+    rows = [(eps, ratio, share * (1 + np.log(eps)) / eps) for eps, ratio, share in engines]
+    together = delta(*(np.array([row[place] for row in rows]) for place in range(3)), method=method)
+    assert np.asarray(together).tolist() == [delta(*row, method=method) for row in rows]
+
+
+def many(count: int) -> tuple[Floats, Floats, Floats]:
+    random = np.random.default_rng(count)
+    eps = random.uniform(1.1, 50, count)
+    return eps, random.uniform(0, 0.999, count), random.uniform(0, 0.98, count) * (1 + np.log(eps)) / eps
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_order_and_blocks_do_not_matter(method: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    engines = many(5000)
+    order = np.random.default_rng(0).permutation(5000)
+    whole = np.asarray(delta(*engines, method=method))
+    assert (np.asarray(delta(*(one[order] for one in engines), method=method)) == whole[order]).all()
+    monkeypatch.setattr(irregularity, "BLOCK", 617)
+    assert (np.asarray(delta(*engines, method=method)) == whole).all()
+
+
+def test_arrays_broadcast_however_they_lie_in_memory(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(irregularity, "BLOCK", 7)
+    eps, ratio = np.linspace(1.5, 6, 8)[::2, None], np.linspace(0, 0.4, 5)
+    back = np.linspace(0, 0.1, 20).reshape(5, 4).T
+    found = np.asarray(delta(eps, ratio, back))
+    assert found.shape == (4, 5)
+    for row, column in np.ndindex(4, 5):
+        assert found[row, column] == delta(float(eps[row, 0]), float(ratio[column]), float(back[row, column]))
+
+
+def test_numbers_give_a_float_and_arrays_an_array() -> None:
+    assert type(delta(2, "1:5")) is float
+    assert type(delta(np.float64(2), Fraction(1, 5), Decimal("0.5"))) is float  # type: ignore[call-overload]
+    assert np.asarray(delta([2], 0.2)).shape == (1,)
+    assert np.asarray(delta([[2]], [0.2])).shape == (1, 1)
+    assert np.asarray(delta([], 0.2)).shape == (0,)
+    assert np.asarray(delta(np.full((0, 3), 2.0), [0.1, 0.2, 0.3], 0.1)).shape == (0, 3)
+
+
+def test_a_ratio_may_be_text() -> None:
+    assert delta(3, "1:4,5") == delta(3, 1 / 4.5)
+
+
+def test_the_arguments_are_left_as_they_are() -> None:
+    engines = many(100)
+    copies = [one.copy() for one in engines]
+    delta(*engines)
+    for one, copy in zip(engines, copies, strict=True):
+        assert (one == copy).all()
+
+
+def test_memory_is_bounded_by_the_result_and_a_block_a_core(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("kurbel.bulk.cores", lambda: 2)
+    peaks = []
+    for count in (200_000, 1_000_000):
+        eps, ratio = np.linspace(1.1, 9, count), np.linspace(0, 0.5, count)
+        tracemalloc.start()
+        delta(eps, ratio, 0.05)
+        peaks.append(tracemalloc.get_traced_memory()[1] - 8 * count)
+        tracemalloc.stop()
+    assert peaks[1] < peaks[0] + 1e6
+    assert peaks[1] < 64e6
+
+
+SENTENCES = [
+    ((0.5, 0.2), "eps is 0.5; it must be finite and 1 (no expansion) or more"),
+    (([2, 3, 0.999], 0.2), "eps[2] is 0.999; it must be"),
+    (([[2, 3], [np.nan, np.nan]], 0.2), "eps[1, 0] is nan; it must be"),
+    (([2, np.inf], 0.2), "eps[1] is inf; it must be finite"),
+    ((2, [0.1, 1.0]), "ratio[1] is 1; it must be 0 (infinite rod) or more and below 1"),
+    ((2, -0.1), "ratio is -0.1; it must be"),
+    ((2, "3:2"), "ratio is 1.5; it must be"),
+    ((2, 0.2, [0.1, -0.5]), "back[1] is -0.5; it must lie within 0..1"),
+    ((2, 0.2, 1.5), "back is 1.5; it must lie within 0..1"),
+    ((2, 0.2, np.nan), "back is nan; it must lie within 0..1"),
+    ((2, 0.2, 0.9), "back leaves no work: the mean force P would not be above 0"),
+    ((1, 0.2), "back leaves no work: the mean force P would not be above 0"),
+    ((2, 0.2, 1), "back leaves no work: the mean force P would not be above 0"),
+    (([2, 1], [[0.2], [0.3]]), "back[0, 1] leaves no work: the mean force P would not be above 0"),
+    (([2, 3], [0.1, 0.2, 0.3]), "eps, ratio and back have the shapes (2,), (3,); they do not broadcast"),
+    (([2, 3], 0.1, [0, 0, 0]), "eps, ratio and back have the shapes (2,), (), (3,); they do not broadcast"),
+]
+
+
+@pytest.mark.parametrize(("given", "sentence"), SENTENCES)
+def test_an_engine_that_cannot_run_is_named_in_one_sentence(given: Any, sentence: str) -> None:
+    with pytest.raises(ProblemError) as raised:
+        delta(*given)
+    assert str(raised.value).startswith(sentence)
+    assert ". " not in str(raised.value)
+
+
+@pytest.mark.parametrize("bad", ["2", None, 1j, True, [2, None], [2, [3]], object(), ["2", 3]])
+def test_what_is_no_number_is_refused(bad: Any) -> None:
+    with pytest.raises(NotationError, match=r"^eps must be a number or an array of numbers$"):
+        delta(bad, 0.2)
+
+
+def test_text_that_is_no_ratio_is_refused_as_on_the_command_line() -> None:
+    with pytest.raises(KurbelError, match='"1:x" is not a ratio'):
+        delta(2, "1:x")
+
+
+def test_an_unknown_method_is_answered_with_the_list() -> None:
+    with pytest.raises(ChoiceError, match=r"did you mean series\?\); choose from exact, series, weisbach"):
+        delta(2, 0.2, method="serie")
+
+
+def test_the_first_bad_engine_of_all_blocks_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(irregularity, "BLOCK", 10)
+    back = np.full(100, 0.3)
+    back[[37, 38, 91]] = 0.9
+    with pytest.raises(ProblemError, match=r"^back\[37\] leaves no work"):
+        delta(2, 0.2, back)
+
+
+def test_the_example_of_the_docstring_is_true() -> None:
+    result = doctest.testmod(irregularity)
+    assert (result.failed, result.attempted) == (0, 1)
