@@ -9,6 +9,7 @@ from cli import kurbel, refusal
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from kurbel.cli import COMMANDS
 from kurbel.formats import FORMATS
 from kurbel.layouts import LANGUAGES, layout_names
 from kurbel.quantities import registry
@@ -165,9 +166,9 @@ DRIVES = [
 USAGE = [
     (
         ("tabel",),
-        'there is no command "tabel" (did you mean table?); choose from table, layouts, quantities',
+        f'there is no command "tabel" (did you mean table?); choose from {", ".join(COMMANDS)}',
     ),
-    (("",), 'there is no command ""; choose from table, layouts, quantities'),
+    (("",), f'there is no command ""; choose from {", ".join(COMMANDS)}'),
     (("--foo",), 'there is no option "--foo"; see kurbel --help'),
     (("table", "--ratoi", "1:5"), f'there is no option "--ratoi" (did you mean --ratio?); {HELP}'),
     (("table", "1:5"), f"Got unexpected extra argument (1:5); {HELP}"),

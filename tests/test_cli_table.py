@@ -9,9 +9,12 @@ import pytest
 from cli import kurbel, printed
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from pages import command
 from textbook import Drive, evaluate, rounded
 from textbook import printed as digits
 
+from kurbel import beam
+from kurbel.engine_quantities import engine_registry
 from kurbel.layouts import layout_names
 from kurbel.quantities import registry
 
@@ -190,7 +193,7 @@ def test_every_page_has_the_values_with_the_decimal_mark_of_the_language(format_
 
 @pytest.mark.parametrize("layout", layout_names())
 def test_every_layout_is_printed_in_both_languages(layout: str) -> None:
-    german, english = (printed("table", "--layout", layout, "--lang", lang).out for lang in ("de", "en"))
+    german, english = (printed(*command(layout), "--lang", lang).out for lang in ("de", "en"))
     assert german.count("\n") > 5
     assert english.count("\n") > 5
     assert german != english
@@ -205,7 +208,8 @@ def test_layouts_are_listed_a_line_each() -> None:
 
 def test_quantities_are_listed_a_line_each() -> None:
     lines = printed("quantities").out.splitlines()
-    assert [line.split()[0] for line in lines] == ["ratio", "phi", *registry()]
+    keys = [line.split()[0] for line in lines]
+    assert keys == ["ratio", "phi", *registry(), *engine_registry(), *beam.registry()]
     assert all(len(line.split()) > 2 for line in lines)
     assert printed("quantities", "--lang", "en").out.splitlines() != lines
 

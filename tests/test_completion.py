@@ -10,10 +10,14 @@ from pathlib import Path
 
 import pytest
 from cli import Result, kurbel, printed
+from pages import BEAMS, MOTION, about
 from tools import require
 
+from kurbel.cli import COMMANDS
+from kurbel.engine_quantities import engine_registry
+from kurbel.engine_request import ENGINE_METHODS
 from kurbel.formats import FORMATS
-from kurbel.layouts import LANGUAGES, layout, layout_names
+from kurbel.layouts import LANGUAGES, layout
 from kurbel.quantities import METHODS, registry
 
 SHELLS = ("bash", "zsh", "fish")
@@ -41,7 +45,7 @@ def completed(shell: str, *words: str) -> list[str]:
 
 @pytest.mark.parametrize("shell", SHELLS)
 def test_layouts_formats_and_columns_are_completed(shell: str) -> None:
-    assert completed(shell, "table", "--layout", "") == list(layout_names())
+    assert completed(shell, "table", "--layout", "") == MOTION
     assert completed(shell, "table", "--layout", "kin") == ["kinematics"]
     assert completed(shell, "table", "--format", "") == list(FORMATS)
     assert completed(shell, "table", "-f", "m") == ["markdown"]
@@ -51,7 +55,7 @@ def test_layouts_formats_and_columns_are_completed(shell: str) -> None:
 
 @pytest.mark.parametrize("shell", SHELLS)
 def test_commands_and_options_are_completed(shell: str) -> None:
-    assert completed(shell, "") == ["table", "layouts", "quantities"]
+    assert completed(shell, "") == list(COMMANDS)
     assert completed(shell, "table", "--lay") == ["--layout"]
 
 
@@ -64,6 +68,36 @@ def test_the_columns_are_those_of_the_layout_that_was_typed() -> None:
     own = {"ratio", "phi", *(column.key for column in layout("verfahren").columns)}
     assert set(completed("bash", "table", "--layout", "verfahren", "--columns", "")) == own
     assert completed("bash", "table", "--layout", "verfahren", "--columns", "p_d") == ["p_difference"]
+
+
+def test_a_command_completes_the_layouts_of_its_subject_only() -> None:
+    assert completed("bash", "delta", "--layout", "") == about("irregularity", "strokes")
+    assert completed("bash", "turning", "--layout", "") == ["turning"]
+    assert completed("bash", "flywheel", "--layout", "") == ["flywheel"]
+    assert completed("bash", "deadcentres", "--layout", "") == BEAMS
+
+
+def test_columns_of_an_engine_are_those_that_its_page_can_show() -> None:
+    scopes = {key: quantity.scope for key, quantity in engine_registry().items()}
+
+    def keys(*chosen: str) -> set[str]:
+        return {key for key, scope in scopes.items() if scope in chosen}
+
+    axes = {"epsilon", "ratio"}
+    assert set(completed("bash", "delta", "--columns", "")) == axes | keys("turn", "span")
+    assert set(completed("bash", "turning", "--columns", "")) == axes | {"phi"} | keys("angle")
+    assert set(completed("bash", "flywheel", "--columns", "")) == axes | {"delta"} | keys("flywheel")
+    detail = axes | {"stroke"} | keys("turn", "span", "stroke")
+    assert set(completed("bash", "delta", "--layout", "delta-detail", "--columns", "")) == detail
+    own = {column.key for column in layout("delta-verfahren").columns}
+    words = ("delta", "--layout", "delta-verfahren", "--columns", "")
+    assert set(completed("bash", *words)) == axes | own
+    assert completed("bash", "delta", "--columns", "epsilon,mean") == ["epsilon,mean_force"]
+
+
+def test_methods_of_an_engine_are_completed() -> None:
+    assert completed("bash", "delta", "--method", "") == list(ENGINE_METHODS)
+    assert completed("bash", "turning", "--meth") == ["--method"]
 
 
 def test_names_of_the_other_options_are_completed() -> None:

@@ -109,10 +109,28 @@ def test_only_its_start_knows_the_command_line() -> None:
 
 def test_imports_run_one_way() -> None:
     # kernel <- quantities <- build <- cli; table <- layouts, build, render <- cli.
-    order = ["kurbel.kernel.kinematics", "kurbel.quantities", "kurbel.build", "kurbel.cli.table"]
-    for low, high in pairwise(order):
-        assert low in reached(high)
-        assert high not in reached(low)
+    motion = ["kurbel.kernel.kinematics", "kurbel.quantities", "kurbel.build", "kurbel.cli.table"]
+    engine = ["kurbel.kernel.turning", "kurbel.turn", "kurbel.engine_page", "kurbel.cli.engine"]
+    quantity = [
+        "kurbel.kernel.turning",
+        "kurbel.engine_quantities",
+        "kurbel.engine_request",
+        "kurbel.cli.engine",
+    ]
+    beam = ["kurbel.kernel.beam", "kurbel.beam", "kurbel.beam_page", "kurbel.cli.beam"]
+    for order in (motion, engine, quantity, beam):
+        for low, high in pairwise(order):
+            assert low in reached(high)
+            assert high not in reached(low)
+    # What arranges a page does not know what the page is about.
+    about = {
+        "kurbel.motion",
+        "kurbel.quantities",
+        "kurbel.engine_page",
+        "kurbel.engine_quantities",
+        "kurbel.turn",
+    }
+    assert not about & reached("kurbel.arrange")
     for name in ("kurbel.layouts", "kurbel.build", "kurbel.render"):
         assert "kurbel.table" in reached(name)
         assert name not in reached("kurbel.table")
@@ -137,6 +155,43 @@ def loaded(code: str, *arguments: str) -> set[str]:
 RUN = "import sys\nsys.argv[0] = 'kurbel'\nfrom kurbel.cli import main\nmain()"
 
 
+# Modules about arrays and nothing else, which others import inside functions.
+ARRAYS = {"kurbel.bulk", "kurbel.columns"}
+
+
+def test_heavy_libraries_are_imported_inside_functions_only() -> None:
+    for name in set(MODULES) - ARRAYS:
+        at_once = at_import(name)
+        assert not {one.split(".")[0] for one in at_once} & {"pint", *HEAVY}, name
+        assert not at_once & ARRAYS, name
+
+
+def at_import(name: str) -> set[str]:
+    """Return what a module imports as soon as it is imported itself."""
+    tree = ast.parse(MODULES[name].read_text(encoding="utf-8"))
+    return {one for node in at_once(tree.body) for one in imported_names(node)}
+
+
+def at_once(body: list[ast.stmt]) -> Iterator[ast.stmt]:
+    """Yield the statements that run when a module is imported: not those of functions or for types only."""
+    for node in body:
+        if isinstance(node, (ast.If, ast.Try, ast.With, ast.ClassDef)):
+            if not (isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING"):
+                yield from at_once(node.body)
+            yield from at_once(getattr(node, "orelse", []))
+        elif not isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
+            yield node
+
+
+def test_the_reader_of_what_runs_at_once_leaves_out_functions_and_types() -> None:
+    source = (
+        "if TYPE_CHECKING:\n    import a\nelse:\n    import b\n"
+        "def f():\n    import c\nclass D:\n    import d\n    def g(self):\n        import e\n"
+    )
+    names = {one for node in at_once(ast.parse(source).body) for one in imported_names(node)}
+    assert names == {"b", "d"}
+
+
 def test_import_kurbel_loads_no_library() -> None:
     assert not loaded("import kurbel") & {"click", "jinja2", "flint", "tabulate", "pint", *HEAVY}
 
@@ -146,14 +201,16 @@ def test_help_loads_no_library(option: str) -> None:
     assert not loaded(RUN, option) & {"jinja2", "flint", "tabulate", "pint", *HEAVY}
 
 
+PAGES = [("table", "--ratio", "1:5"), ("delta", "--eps", "2..6"), ("turning",), ("deadcentres",)]
+
+
 @pytest.mark.parametrize("name", ["text", "markdown", "latex", "html", "csv", "json"])
-def test_a_page_is_made_without_numpy(name: str) -> None:
-    assert not loaded(RUN, "table", "--ratio", "1:5", "-f", name) & {"pint", *HEAVY}
-
-
-@pytest.mark.parametrize("name", ["csv", "json"])
-def test_records_are_made_without_jinja(name: str) -> None:
-    assert "jinja2" not in loaded(RUN, "table", "--ratio", "1:5", "-f", name)
+@pytest.mark.parametrize("words", PAGES, ids=" ".join)
+def test_a_page_is_made_without_numpy(words: tuple[str, ...], name: str) -> None:
+    libraries = loaded(RUN, *words, "-f", name)
+    assert not libraries & {"pint", *HEAVY}
+    # Records and text are written without templates.
+    assert ("jinja2" in libraries) == (name in ("markdown", "latex", "html"))
 
 
 def test_a_long_table_takes_numpy_but_neither_jinja_nor_scipy() -> None:

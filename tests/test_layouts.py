@@ -1,19 +1,19 @@
 """The shipped layouts: on every page each cell stands under the heads of its own ratio, angle and quantity.
 
-A cell's address is its group's label, its stub and its column's heads from the outermost to the innermost,
-as labels are written in the layouts. Addresses are spelled out here; what belongs there is asked of
-`certified` for that ratio and angle alone.
+Addresses of cells are spelled out here; what belongs there is asked of `certified` for that ratio and angle
+alone. Pages of engines are in test_engine_pages.py.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from fractions import Fraction
 from typing import Any, NamedTuple
 
 import pytest
 import textbook
 from mpmath import mp
+from pages import MOTION, Address, cells, default_page, each_layout, shown
 
 from kurbel import notation
 from kurbel.build import build
@@ -24,9 +24,8 @@ from kurbel.problem import Crank, Speed
 from kurbel.quantities import DIFFERENCE, certified, registry
 from kurbel.request import Request, column_keys
 from kurbel.rows import RecordRows
-from kurbel.table import DITTO, Number, Panel, Table
+from kurbel.table import DITTO, Number, Table
 
-Address = tuple[str, ...]
 EIGHTEENTH = [str(angle) for angle in range(0, 181, 10)]
 
 
@@ -40,33 +39,6 @@ def page(
     return build(
         Request(chosen, cranks, notation.angles((angles,) if angles else chosen.angles), lang=lang, **choices)
     )
-
-
-def shown(value: object) -> str:
-    return number_text(value) if isinstance(value, Number) else str(value)
-
-
-def cells(table: Table) -> dict[Address, str]:
-    """Return the digits of every cell by its address; no two cells may share one."""
-    found: dict[Address, str] = {}
-    for panel in table.panels:
-        for address, digits in addressed(panel):
-            assert address not in found, f"two cells stand under {address}"
-            found[address] = digits
-    return found
-
-
-def addressed(panel: Panel) -> Iterator[tuple[Address, str]]:
-    above: tuple[str, ...] = ()
-    for group in panel.groups:
-        for row in group.rows:
-            stub = tuple(
-                above[place] if cell.value is DITTO else shown(cell.value)
-                for place, cell in enumerate(row.stub)
-            )
-            above = stub
-            for column, cell in zip(panel.columns, row.cells, strict=True):
-                yield (group.label, *stub, *column.spanners, *column.heading), shown(cell.value)
 
 
 def digits(key: str, method: str, ratio: str, angle: str, decimals: int, **crank: Any) -> str:
@@ -173,9 +145,7 @@ def expected(name: str, lang: str, ratios: tuple[str, ...], angles: list[str]) -
     }
 
 
-each_page = pytest.mark.parametrize(
-    ("name", "lang"), [(name, lang) for name in layout_names() for lang in LANGUAGES]
-)
+each_page = pytest.mark.parametrize(("name", "lang"), [(name, lang) for name in MOTION for lang in LANGUAGES])
 
 
 @each_page
@@ -185,11 +155,17 @@ def test_every_cell_stands_under_its_heads(name: str, lang: str) -> None:
 
 
 @each_page
-def test_every_layout_builds_with_its_defaults(name: str, lang: str) -> None:
+def test_defaults_are_the_ratios_and_angles_of_the_layout(name: str, lang: str) -> None:
     table, own = page(name, lang), layout(name)
     ratios, angles = notation.ratios(own.ratios), notation.angles(own.angles)
     assert len(cells(table)) == len(ratios) * len(angles) * len(COLUMNS[name])
-    assert (table.lang, table.key) == (lang, name)
+    assert cells(table) == cells(default_page(name, lang))
+
+
+@each_layout
+def test_every_layout_builds_with_its_defaults(name: str, lang: str) -> None:
+    table = default_page(name, lang)
+    assert (table.lang, table.key, table.layout) == (lang, name, name)
     for text in (table.caption, table.source, *(note.text for note in table.notes)):
         assert "{" not in text
 
@@ -386,7 +362,7 @@ def test_lueger_has_the_letters_of_its_source_in_every_line() -> None:
     assert [stub.heading for panel in table.panels for stub in panel.stub] == [("$α$ in °",)]
 
 
-@pytest.mark.parametrize("name", [name for name in layout_names() if layout(name).fixed])
+@pytest.mark.parametrize("name", [name for name in MOTION if layout(name).fixed])
 def test_page_whose_heads_state_formulas_takes_no_method(name: str) -> None:
     for method in FORMULAS:
         with pytest.raises(ProblemError) as caught:
@@ -402,6 +378,7 @@ def test_page_whose_heads_state_formulas_takes_no_method(name: str) -> None:
 def test_fixed_layouts_are_those_whose_heads_state_every_formula() -> None:
     assert [name for name in layout_names() if layout(name).fixed] == [
         "blau-kolbenwege",
+        "delta-verfahren",
         "roetscher-112",
         "verfahren",
     ]

@@ -2,24 +2,21 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
-
 import pytest
+from pages import MOTION, default_page
 
-from kurbel import notation
-from kurbel.build import build
-from kurbel.layouts import layout, layout_names
-from kurbel.problem import Crank, Speed
+from kurbel import make_table
+from kurbel.layouts import layout_names
 from kurbel.render import render
-from kurbel.request import Request
 from kurbel.table import Table
 
+MACHINE = {"radius": 1, "speed": 3}
 
-def page(name: str, **machine: object) -> Table:
-    own = layout(name)
-    ratios = notation.ratios(own.ratios)
-    cranks = tuple(Crank(ratio, **machine) for ratio in ratios)  # type: ignore[arg-type]
-    return build(Request(own, cranks, notation.angles(["30;90"])))
+
+def page(name: str, radius: int | None = None, speed: int | None = None) -> Table:
+    if name not in MOTION:
+        return default_page(name)
+    return make_table(layout=name, angles="30;90", radius=radius, speed=speed)
 
 
 def figures(text: str) -> list[str]:
@@ -28,14 +25,14 @@ def figures(text: str) -> list[str]:
 
 PAGES = [
     *((name, {}) for name in layout_names()),
-    ("kinematics", {"radius": Fraction(1), "speed": Speed(Fraction(3))}),
+    ("kinematics", MACHINE),
 ]
 
 
 @pytest.mark.parametrize("width", [60, 72, 80, 120])
 @pytest.mark.parametrize(("name", "machine"), PAGES)
 def test_no_line_is_wider_than_the_terminal_and_no_figure_is_lost(
-    name: str, machine: dict[str, object], width: int
+    name: str, machine: dict[str, int], width: int
 ) -> None:
     table = page(name, **machine)
     narrow = render(table, "text", width=width)

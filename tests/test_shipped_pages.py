@@ -6,21 +6,20 @@ import csv
 import io
 import re
 import subprocess
-from fractions import Fraction
 from pathlib import Path
 
 import pytest
+from pages import default_page
 from test_latex import ENGINES, compiled, complaints
 from test_render import fragment
 from tools import require
 
-from kurbel import notation
-from kurbel.build import build
-from kurbel.layouts import LANGUAGES, layout, layout_names
-from kurbel.problem import Crank, Speed
+from kurbel import make_engine_table, make_table
+from kurbel.labels import plain
+from kurbel.layouts import LANGUAGES, layout_names
+from kurbel.numerals import number_text
 from kurbel.render import render
-from kurbel.request import Request
-from kurbel.table import Table
+from kurbel.table import Number, Row, Table
 
 PREAMBLE = r"""\documentclass{article}
 \usepackage{iftex}
@@ -33,20 +32,15 @@ PREAMBLE = r"""\documentclass{article}
 """
 
 
-def shipped(name: str, lang: str, **machine: object) -> Table:
-    page = layout(name)
-    cranks = tuple(Crank(ratio, **machine) for ratio in notation.ratios(page.ratios))  # type: ignore[arg-type]
-    label = "-".join((name, lang, *machine))
-    return build(Request(page, cranks, notation.angles(page.angles), lang=lang, label=label))
-
-
 def all_pages() -> list[Table]:
-    pages = [shipped(name, lang) for name in layout_names() for lang in LANGUAGES]
-    machine = {"radius": Fraction(3, 10), "speed": Speed(Fraction(2))}
     return [
-        *pages,
-        shipped("kinematics", "de", **machine),
-        shipped("kinematics", "en", offset=Fraction(1, 10)),
+        *(default_page(name, lang, f"{name}-{lang}") for name in layout_names() for lang in LANGUAGES),
+        make_table(radius="0.3", speed=2, label="machine"),
+        make_table(offset="0.1", lang="en", label="offset"),
+        make_engine_table(methods="weisbach", label="weisbach"),
+        make_engine_table(layout="delta-detail", ratios="1:4;1:5", cranks="0;90", label="cranks"),
+        make_engine_table(layout="turning", expansions="2;4", angles="0..360:30", label="engines"),
+        make_engine_table(back="0.1", exponent="1.13", clearance="0.05", double_acting=False, label="steam"),
     ]
 
 
@@ -54,7 +48,7 @@ def all_pages() -> list[Table]:
 @pytest.mark.parametrize("engine", ENGINES)
 def test_all_shipped_layouts_compile_in_one_document(engine: str, longtable: bool, tmp_path: Path) -> None:
     pages = all_pages()
-    assert len(pages) >= 14
+    assert len(pages) >= 32
     for page in pages:
         text = render(page, "latex", longtable=longtable)
         (tmp_path / f"{page.key}.tex").write_text(text, encoding="utf-8")
@@ -65,6 +59,9 @@ def test_all_shipped_layouts_compile_in_one_document(engine: str, longtable: boo
     log = compiled(engine, f"{PREAMBLE}{inputs}\\end{{document}}\n", tmp_path, runs=3 if longtable else 2)
     assert complaints(log) == []
     assert f"Output written on page.pdf ({len(pages)} pages" in log
+    for page, text in zip(pages, text_of_pdf(tmp_path).split("\f"), strict=False):
+        # The prime of an angle is a zero in the text of a PDF.
+        assert_rows_stand_in(text.splitlines(), page, angles=False)
 
 
 FIGURE = re.compile(r"(?<![\w.,])[−-]?[0-9]+(?:[.,][0-9]+)?(?![\w.,])")
@@ -77,10 +74,13 @@ def rows_of_figures(lines: list[str]) -> list[list[str]]:
 
 
 def in_pdf(page: Table, folder: Path) -> list[str]:
-    program = require("pdftotext")
     compiled("pdflatex", render(page, "latex", standalone=True), folder)
-    subprocess.run([program, "-layout", "page.pdf", "page.txt"], cwd=folder, check=True)
-    return (folder / "page.txt").read_text(encoding="utf-8").splitlines()
+    return text_of_pdf(folder).splitlines()
+
+
+def text_of_pdf(folder: Path) -> str:
+    subprocess.run([require("pdftotext"), "-layout", "page.pdf", "page.txt"], cwd=folder, check=True)
+    return (folder / "page.txt").read_text(encoding="utf-8")
 
 
 def in_html(page: Table) -> list[str]:
@@ -90,7 +90,7 @@ def in_html(page: Table) -> list[str]:
 @pytest.mark.parametrize("lang", LANGUAGES)
 @pytest.mark.parametrize("form", ["pdf", "html", "markdown", "text"])
 def test_the_same_digits_stand_in_every_format(form: str, lang: str, tmp_path: Path) -> None:
-    page = shipped("kinematics", lang)
+    page = make_table(lang=lang)
     records = list(csv.reader(io.StringIO(render(page, "csv"))))[1:]
     if form == "pdf":
         lines = in_pdf(page, tmp_path)
@@ -98,3 +98,39 @@ def test_the_same_digits_stand_in_every_format(form: str, lang: str, tmp_path: P
         lines = in_html(page) if form == "html" else render(page, form).splitlines()
     assert rows_of_figures(lines) == [record[1:] for record in records]
     assert len(records) == 19
+
+
+@pytest.mark.parametrize("form", ["html", "markdown", "text"])
+def test_every_page_has_its_rows_in_every_format(form: str) -> None:
+    for page in all_pages():
+        lines = in_html(page) if form == "html" else render(page, form).splitlines()
+        assert_rows_stand_in(lines, page)
+
+
+def assert_rows_stand_in(lines: list[str], page: Table, angles: bool = True) -> None:
+    """Check that the figures of every row of the page stand in a line, from left to right and going down."""
+    below = iter(lines)
+    rows = [row_of_figures(row, page.lang, angles) for panel in page.panels for row in panel.rows()]
+    assert any(rows)
+    for row in rows:
+        pattern = re.compile(".*?".join(rf"(?<![\d.,]){re.escape(figure)}(?!\d|[.,]\d)" for figure in row))
+        assert any(pattern.search(written(line)) for line in below), f"{page.key} has no row {row}"
+
+
+def row_of_figures(row: Row, lang: str, angles: bool) -> list[str]:
+    """Return the numbers and angles of a row in the notation of the language."""
+    mark = {"de": ",", "en": "."}[lang]
+    return [
+        number_text(cell.value, mark) if isinstance(cell.value, Number) else written(plain(cell.value))
+        for cell in row.stub + row.cells
+        if isinstance(cell.value, Number)
+        or (angles and isinstance(cell.value, str) and ANGLE.fullmatch(cell.value))
+    ]
+
+
+ANGLE = re.compile(r"\$\d+°\d+'\$")
+
+
+def written(line: str) -> str:
+    """Return the line with one minus sign and one prime for all."""
+    return line.replace("−", "-").replace("′", "'")

@@ -1,4 +1,4 @@
-"""Lengths and speeds with their units, exact."""
+"""Lengths, speeds and powers with their units, exact."""
 
 from __future__ import annotations
 
@@ -120,6 +120,38 @@ def test_what_is_no_speed_is_refused(text: str, sentence: str) -> None:
     assert sentence_of(units.speed, text) == sentence
 
 
+@pytest.mark.parametrize(
+    ("text", "watts"),
+    [
+        ("50kW", Fraction(50_000)),
+        ("0,05 MW", Fraction(50_000)),
+        # A Pferdestärke lifts 75 kg by a metre a second; pint's PS are petasiemens.
+        ("68PS", 68 * 75 * Fraction("9.80665")),
+        ("68 PS", 68 * 75 * Fraction("9.80665")),
+        ("120 J/s", Fraction(120)),
+        ("7e1W", Fraction(70)),
+    ],
+)
+def test_powers_are_exact_watts(text: str, watts: Fraction) -> None:
+    assert units.power(text) == watts
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        ("50", 'power "50" has no unit; write a power such as 50kW or 68PS'),
+        ("50 kWh", 'power "50 kWh" is in kilowatt_hour; it must be a power such as 50kW or 68PS'),
+        ("50 m", 'power "50 m" is in meter; it must be a power such as 50kW or 68PS'),
+        ("kW", 'power "kW" is not a power such as 50kW or 68PS'),
+        ("0W", 'power "0W" is out of range; it must be above 0 and at most 10^12 W'),
+        ("-1kW", 'power "-1kW" is out of range; it must be above 0 and at most 10^12 W'),
+        ("1001GW", 'power "1001GW" is out of range; it must be above 0 and at most 10^12 W'),
+    ],
+)
+def test_what_is_no_power_is_refused(text: str, sentence: str) -> None:
+    assert sentence_of(units.power, text) == sentence
+
+
 letters = st.text(st.sampled_from("mMkKsSrRaAdDegGnNiIhHzZcCµ/*·1 "), max_size=8)
 
 
@@ -130,7 +162,7 @@ letters = st.text(st.sampled_from("mMkKsSrRaAdDegGnNiIhHzZcCµ/*·1 "), max_size
 )
 def test_any_text_is_read_or_answered_with_one_sentence(text: str) -> None:
     units.is_measure(text)
-    for read in (length, units.speed):
+    for read in (length, units.speed, units.power):
         try:
             read(text)
         except KurbelError as error:
@@ -145,7 +177,7 @@ def test_text_with_a_unit_is_told_from_a_number() -> None:
 
 
 def test_without_pint_the_sentence_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
-    units._registry.cache_clear()
+    units.registry.cache_clear()
     monkeypatch.setitem(sys.modules, "pint", None)
     with pytest.raises(MissingExtraError) as raised:
         length("600mm")

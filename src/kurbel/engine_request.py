@@ -89,15 +89,17 @@ class EngineRequest:
     label: str = ""
 
     def __post_init__(self) -> None:
+        self._check_lists()
         check_angles(self.angles)
         check_rounding(self.digits, self.rounding)
         check_label(self.label)
         for method in self.methods:
             choose(method, ENGINE_METHODS, "method")
         if len(self.methods) > 1 and not self.layout.fixed:
+            compared = self.layout.subject in ("irregularity", "strokes")
             raise ProblemError(
                 f"layout {self.layout.key} shows one method, and {len(self.methods)} were given;"
-                " use --layout delta-verfahren"
+                f" {'use --layout delta-verfahren' if compared else 'leave the others out'}"
             )
         if self.carded and self.layout.key == "weisbach-150":
             raise ProblemError(
@@ -106,6 +108,14 @@ class EngineRequest:
             )
         if len(self) > MOST_ROWS:
             raise ProblemError(f"the table would have {len(self)} rows; at most 10^9 are allowed")
+
+    def _check_lists(self) -> None:
+        if not self.engines:
+            raise ProblemError("no expansion ratio was given; write them as 4, 2;3;4 or 2..6")
+        if not self.engines[0]:
+            raise ProblemError("no crank ratio was given; write one as 1:5")
+        if self.layout.subject == "flywheel" and not self.flywheels:
+            raise ProblemError("no degree of irregularity was given; write one as 1:100")
 
     def __len__(self) -> int:
         """How many records there are."""

@@ -88,9 +88,10 @@ def _delta_layout(options: Mapping[str, Any]) -> str:
         return "delta-detail"
     if options["layout"]:
         return str(options["layout"])
-    if options["card"] and len(options["method"]) < 2:
+    several = len(set(options["method"])) > 1
+    if options["card"] and not several:
         return "delta-detail"
-    if len(options["method"]) > 1:
+    if several:
         return "delta-verfahren"
     return "delta-tafel" if len(notation.ratios(options["ratio"])) > 1 else "weisbach-150"
 
@@ -177,7 +178,7 @@ def _engines(page: Layout, options: Mapping[str, Any]) -> tuple[tuple[Engine, ..
     from kurbel.engine import Engine
     from kurbel.problem import Crank
 
-    cranks = tuple(notation.angles([options["cranks"]])) if options["cranks"] else (Fraction(0),)
+    cranks = tuple(notation.angles(["0" if options["cranks"] is None else options["cranks"]]))
     drives = [Crank(ratio) for ratio in notation.ratios(options["ratio"] or page.ratios)]
     return tuple(
         tuple(Engine(drive, steam, not options["single_acting"], cranks) for drive in drives)
@@ -191,7 +192,7 @@ def _diagrams(options: Mapping[str, Any]) -> list[Diagram]:
     from kurbel.units import pressure
 
     for name in ("eps", "back", "exponent", "clearance"):
-        if options[name]:
+        if options[name] not in (None, ()):
             raise ProblemError(
                 f"--{name} describes an ideal card, and --card gives a measured one; leave one out"
             )
@@ -207,7 +208,7 @@ def _steams(page: Layout, options: Mapping[str, Any]) -> list[Steam]:
     if options["other_side"] is not None:
         raise ProblemError("--other-side is for --card; of an ideal card --back is the pressure there")
     back = None if options["back"] is None else notation.share(options["back"], "back pressure")
-    exponent = notation.number(options["exponent"] or "1", "exponent")
-    clearance = notation.share(options["clearance"] or "0", "clearance")
+    exponent = notation.number("1" if options["exponent"] is None else options["exponent"], "exponent")
+    clearance = notation.share("0" if options["clearance"] is None else options["clearance"], "clearance")
     expansions = notation.numbers(options["eps"] or page.expansions, "expansion ratio")
     return [Steam(expansion, back, exponent, clearance) for expansion in expansions]

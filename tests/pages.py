@@ -1,0 +1,95 @@
+"""The default page of every layout, whatever it is about, the command that prints it, and its cells."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+import pytest
+
+import kurbel
+from kurbel.layouts import LANGUAGES, layout, layout_names
+from kurbel.numerals import number_text
+from kurbel.table import DITTO, Number, Panel, Table
+
+Address = tuple[str, ...]
+
+# By what a page is about: the command that prints it, with what it cannot do without.
+COMMANDS: Mapping[str, tuple[str, ...]] = {
+    "motion": ("table",),
+    "irregularity": ("delta",),
+    "strokes": ("delta",),
+    "turning": ("turning",),
+    "flywheel": ("flywheel", "--power=50kW", "--speed=120/min", "--delta=1:50;1:100", "--radius=1.5m"),
+    "dead centres": ("deadcentres",),
+}
+
+
+def about(*subjects: str) -> list[str]:
+    """Return the layouts about these subjects."""
+    return [name for name in layout_names() if layout(name).subject in subjects]
+
+
+MOTION = about("motion")
+ENGINES = about("irregularity", "strokes", "turning", "flywheel")
+BEAMS = about("dead centres")
+
+each_layout = pytest.mark.parametrize(
+    ("name", "lang"), [(name, lang) for name in layout_names() for lang in LANGUAGES]
+)
+
+
+def command(name: str) -> tuple[str, ...]:
+    """Return the words that print the layout with its defaults."""
+    return (*COMMANDS[layout(name).subject], f"--layout={name}")
+
+
+def default_page(name: str, lang: str = "de", label: str = "") -> Table:
+    """Make the page that `command` prints, from Python."""
+    match layout(name).subject:
+        case "motion":
+            return kurbel.make_table(layout=name, lang=lang, label=label)
+        case "dead centres":
+            return kurbel.make_dead_centres_table(layout=name, lang=lang, label=label)
+        case "flywheel":
+            return kurbel.make_engine_table(
+                layout=name, power=50_000, speed=2, irregularities="1:50;1:100", radius=1.5,
+                lang=lang, label=label,
+            )  # fmt: skip
+    return kurbel.make_engine_table(layout=name, lang=lang, label=label)
+
+
+def shown(value: object) -> str:
+    return number_text(value) if isinstance(value, Number) else str(value)
+
+
+def cells(table: Table) -> dict[Address, str]:
+    """Return the digits of every cell by its address; no two cells may share one.
+
+    A cell's address is its group's label, its stub, its column's heads from the outermost to the innermost
+    and, on a page that has them, the unit of its row, as labels are written in the layouts.
+    """
+    found: dict[Address, str] = {}
+    for panel in table.panels:
+        for address, digits in addressed(panel):
+            assert address not in found, f"two cells stand under {address}"
+            found[address] = digits
+    return found
+
+
+def addressed(panel: Panel) -> Iterator[tuple[Address, str]]:
+    above: tuple[str, ...] = ()
+    for group in panel.groups:
+        for row in group.rows:
+            stub = tuple(
+                above[place] if cell.value is DITTO else shown(cell.value)
+                for place, cell in enumerate(row.stub)
+            )
+            above = stub
+            units = [
+                shown(cell.value)
+                for column, cell in zip(panel.columns, row.cells, strict=True)
+                if column.key == "unit"
+            ]
+            for column, cell in zip(panel.columns, row.cells, strict=True):
+                if column.key != "unit":
+                    yield (group.label, *stub, *column.spanners, *column.heading, *units), shown(cell.value)

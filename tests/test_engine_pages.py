@@ -1,0 +1,268 @@
+"""Pages about engines: each cell stands under the heads of its own engine, stroke, angle and flywheel.
+
+Addresses are spelled out here; what belongs there is the record of that engine, whose digits
+test_cli_engine.py compares with the quadrature.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+import pytest
+from pages import BEAMS, ENGINES, Address, cells, default_page, shown
+
+import kurbel
+from kurbel.engine_quantities import engine_registry
+from kurbel.engine_request import ENGINE_AXES
+from kurbel.errors import KurbelError
+from kurbel.layouts import LANGUAGES, layout
+from kurbel.numerals import degrees_text
+from kurbel.render import render
+from kurbel.table import DITTO, Table
+
+TASK = {"power": 50_000, "speed": 2, "irregularities": "1:50;1:100", "radius": "1.5"}
+QR, PR = "$(Q r)/(m_1 v_1^2)$", "$(P r)/(m_1 v_1^2)$"
+
+
+class Head(NamedTuple):
+    """What stands at a row or over a column in German and in English, and the unit of a row."""
+
+    de: Address
+    en: Address
+    unit: Address = ()
+
+
+def head(de: str, en: str, *unit: str) -> Head:
+    return Head(tuple(de.split("|")), tuple(en.split("|")), unit)
+
+
+DELTA = head("Ungleichförmigkeitsgrad $δ$", "Degree of irregularity $δ$", PR)
+LOW, HIGH = '$(v_"min" - v_1)/v_1$', '$(v_"max" - v_1)/v_1$'
+HEADS: Mapping[str, Mapping[str, Head]] = {
+    "weisbach-150": {"delta": DELTA},
+    "delta-tafel": {"delta": head("Ungleichförmigkeitsgrad $δ$, $r:l$", "Degree of irregularity $δ$, $r:l$")},
+    "delta-verfahren": {
+        f"{kind}_{method}": head(f"{de}|{of}", f"{en}|{of_en}")
+        for kind, de, en in (
+            ("delta", "Ungleichförmigkeitsgrad $δ$", "Degree of irregularity $δ$"),
+            ("difference", "Unterschied gegen genau", "Difference from exact"),
+        )
+        for method, of, of_en in (
+            ("exact", "genau", "exact"),
+            ("series", "1. Ordnung", "1st order"),
+            ("weisbach", "Weisbach", "Weisbach"),
+        )
+        if (kind, method) != ("difference", "exact")
+    },
+    "delta-detail": {
+        "mean_force": head("mittlere Umfangskraft $P$", "Mean tangential force $P$", "$Q$"),
+        "alpha_cutoff": head("Absperrung bei $α_ε$", "Cut-off at $α_ε$", ""),
+        "alpha_min": head("kleinste Geschwindigkeit bei $α_1$", "Least speed at $α_1$", ""),
+        "v_min": head(f"kleinste Geschwindigkeit {LOW}", f"Least speed {LOW}", QR),
+        "alpha_max": head("größte Geschwindigkeit bei $α_2$", "Greatest speed at $α_2$", ""),
+        "v_max": head(f"größte Geschwindigkeit {HIGH}", f"Greatest speed {HIGH}", QR),
+        "delta": DELTA,
+    },
+    "turning": {
+        "tangential": head("Tangentialkraft|$T/Q$", "Tangential force|$T/Q$"),
+        "tangential_excess": head("Überschuss|$(T - P)/Q$", "Excess|$(T - P)/Q$"),
+        "energy": head("Überschussarbeit|$W/(Q r)$", "Excess energy|$W/(Q r)$"),
+    },
+    "flywheel": {
+        "power": head("Leistung $N$", "Power $N$", "W"),
+        "speed": head("Drehzahl $n$", "Speed $n$", '$"min"^(-1)$'),
+        "omega": head("Winkelgeschwindigkeit $ω$", "Angular velocity $ω$", "1/s"),
+        "mean_torque": head("mittleres Drehmoment $P r$", "Mean torque $P r$", "N m"),
+        "swing_share": head("Arbeitsüberschuss $ΔW$", "Energy swing $ΔW$", "$P r$"),
+        "swing": head("Arbeitsüberschuss $ΔW$", "Energy swing $ΔW$", "J"),
+        "inertia": head("Trägheitsmoment $J$", "Moment of inertia $J$", "kg m²"),
+        "mass": head("Schwungmasse am Halbmesser $J/ρ^2$", "Mass at the radius $J/ρ^2$", "kg"),
+    },
+}
+STROKES = {
+    "outstroke": {"de": "Hingang", "en": "Outstroke"},
+    "return": {"de": "Rückgang", "en": "Return"},
+    "turn": {"de": "Umdrehung", "en": "Whole turn"},
+}
+
+
+class Point(NamedTuple):
+    """What a record says of itself; `inner` is its stroke, angle or flywheel."""
+
+    epsilon: str
+    ratio: str
+    inner: str
+
+    @property
+    def engine(self) -> str:
+        return f"$ε = {self.epsilon.removesuffix('.0')}$, $r:l = {self.ratio.strip('$')}$"
+
+    @property
+    def drive(self) -> str:
+        return f"$r:l = {self.ratio.strip('$')}$"
+
+
+# From a record, its column's heads, the unit and the language to the address of the cell.
+ADDRESSES: Mapping[str, Callable[[Point, Address, Address, str], Address]] = {
+    "weisbach-150": lambda at, label, unit, lang: (
+        at.drive, *label, f"${at.epsilon.removesuffix('.0')}$", *unit,
+    ),
+    "delta-tafel": lambda at, label, unit, lang: ("", at.epsilon, *label, at.ratio),
+    "delta-verfahren": lambda at, label, unit, lang: (at.drive, at.epsilon, *label),
+    "delta-detail": lambda at, label, unit, lang: (at.engine, *label, STROKES[at.inner][lang], *unit),
+    "turning": lambda at, label, unit, lang: (at.engine, at.inner, *label),
+    "flywheel": lambda at, label, unit, lang: (at.engine, *label, at.inner, *unit),
+}  # fmt: skip
+
+
+def page(name: str, lang: str = "de", **choices: Any) -> Table:
+    """A page of four engines, with more digits than a minute of arc needs."""
+    own: dict[str, Any] = {"expansions": "2;3.5", "ratios": "1:4;1:7", "digits": 8, "back": "0.1"}
+    if name == "flywheel":
+        own |= TASK
+    if name == "turning":
+        own["angles"] = "17;77;302"
+    return kurbel.make_engine_table(layout=name, lang=lang, **(own | choices))
+
+
+def expected(name: str, lang: str, table: Table) -> dict[Address, str]:
+    """Return what stands where, by the table's records."""
+    keys = [field.key for field in table.records.fields]
+    found = {}
+    for row in table.records.rows:
+        record = dict(zip(keys, row, strict=True))
+        axes = [record[key] for key in keys if key not in HEADS[name] or (name, key) == ("flywheel", "delta")]
+        at = Point(*(shown(value) for value in (*axes, "")[:3]))
+        for key, heads in HEADS[name].items():
+            value = record[key]
+            if key.startswith("alpha") and value is not None:
+                degrees = Fraction(shown(value))
+                text = f"${degrees_text(Fraction(round(60 * degrees), 60))}$"
+            else:
+                text = shown(value)
+            found[ADDRESSES[name](at, getattr(heads, lang), heads.unit, lang)] = text
+    return found
+
+
+@pytest.mark.parametrize("lang", LANGUAGES)
+@pytest.mark.parametrize("name", ENGINES)
+def test_every_cell_stands_under_its_heads_and_is_that_of_its_record(name: str, lang: str) -> None:
+    table = page(name, lang)
+    found = cells(table)
+    assert found == expected(name, lang, table)
+    assert len(set(found.values())) > 3
+
+
+@pytest.mark.parametrize("name", ENGINES)
+def test_a_single_engine_stands_in_the_caption_and_heads_no_group(name: str) -> None:
+    table = page(name, expansions="3.5", ratios="1:4")
+    assert {group.label for panel in table.panels for group in panel.groups} == {""}
+    text = render(table, "text", decimal="point")
+    assert "1:4" in text
+    assert "3.5" in text
+    shown_in_heads = {*layout(name).across, *layout(name).stub}
+    assert ("$ε = 3.5$" in table.caption) == ("expansion" not in shown_in_heads)
+    assert ("$r:l = 1:4$" in table.caption) == ("ratio" not in shown_in_heads)
+
+
+@pytest.mark.parametrize("name", ENGINES)
+def test_several_engines_are_not_told_in_the_caption(name: str) -> None:
+    caption = page(name).caption
+    assert "3.5" not in caption
+    assert "1:" not in caption
+
+
+def test_the_turn_takes_its_extremes_from_its_strokes() -> None:
+    found = cells(page("delta-detail", expansions="3.5", ratios="1:4"))
+    low, high = f"kleinste Geschwindigkeit {LOW}", f"größte Geschwindigkeit {HIGH}"
+    out, back, turn = ([float(found["", row, stroke, QR]) for row in (low, high)] for stroke in (
+        "Hingang", "Rückgang", "Umdrehung",
+    ))  # fmt: skip
+    assert turn == [min(out[0], back[0]), max(out[1], back[1])]
+    delta = float(found["", "Ungleichförmigkeitsgrad $δ$", "Umdrehung", PR])
+    force = float(found["", "mittlere Umfangskraft $P$", "Umdrehung", "$Q$"])
+    assert abs(delta - (turn[1] - turn[0]) / force) < 1e-6
+
+
+@pytest.mark.parametrize(("ratio", "marks"), [("1:4", 2), ("1:∞", 4)])
+def test_marks_stand_at_the_extremes_of_the_turn(ratio: str, marks: int) -> None:
+    # With an infinite rod both strokes are alike, and all four extremes make δ.
+    table = page("delta-detail", expansions="3", ratios=ratio)
+    marked = [
+        (panel.columns[place].heading, row.cells[place].value)
+        for panel in table.panels
+        for row in panel.rows()
+        for place in range(len(row.cells))
+        if row.cells[place].notes
+    ]
+    assert len(marked) == marks
+    found = cells(table)
+    turn = {found["", f"{word} Geschwindigkeit {what}", "Umdrehung", QR]
+            for word, what in (("kleinste", LOW), ("größte", HIGH))}  # fmt: skip
+    assert {shown(value) for _, value in marked} == turn
+
+
+def test_expansions_without_a_finite_decimal_are_printed_as_fractions() -> None:
+    table = kurbel.make_engine_table([Fraction(7, 3), 2], layout="delta-tafel", ratios="1:4;1:5")
+    assert [row[0] for row in table.records.rows][::2] == ["$7/3$", "$2$"]
+    (group,) = table.panels[0].groups
+    assert [row.stub[0].value for row in group.rows] == ["$7/3$", "$2$"]
+
+
+@pytest.mark.parametrize("name", [*ENGINES, *BEAMS])
+def test_no_stub_cell_is_left_without_a_head_of_its_own(name: str) -> None:
+    for panel in default_page(name).panels:
+        stubs = [tuple(cell.value for cell in row.stub) for row in panel.rows()]
+        assert stubs
+        assert all(value is not DITTO for stub in stubs for value in stub)
+
+
+@pytest.mark.parametrize("name", [name for name in ENGINES if not layout(name).fixed])
+def test_every_column_that_can_be_asked_for_is_printed(name: str) -> None:
+    scopes = {"irregularity": ("turn", "span"), "strokes": ("turn", "span", "stroke"),
+              "turning": ("angle",), "flywheel": ("flywheel",)}[layout(name).subject]  # fmt: skip
+    axes = ENGINE_AXES[layout(name).subject]
+    for key, quantity in engine_registry().items():
+        if key == "delta" and "delta" in axes:
+            continue
+        if quantity.scope not in scopes:
+            with pytest.raises(KurbelError, match=f'^there is no column "{key}"'):
+                page(name, columns=[key])
+            continue
+        table = page(name, columns=[key], expansions="3", ratios="1:4")
+        assert [field.key for field in table.records.fields] == [key]
+        values = [row[0] for row in table.records.rows]
+        assert any(value is not None for value in values)
+        text = " ".join(render(table, "text", decimal="point").split())
+        for value in values:
+            if value is not None and not quantity.arc:
+                assert shown(value).replace("-", "−") in text
+
+
+@pytest.mark.parametrize(
+    ("choices", "sentence"),
+    [
+        ({"power": None}, "a page of flywheels needs the power in W and the speed in turns per second"),
+        ({"speed": None}, "a page of flywheels needs the power in W and the speed in turns per second"),
+        ({"irregularities": ()}, "no degree of irregularity was given; write one as 1:100"),
+        ({"expansions": []}, "no expansion ratio was given; write them as 4, 2;3;4 or 2..6"),
+        ({"ratios": []}, "no crank ratio was given; write one as 1:5"),
+        ({"cranks": []}, "the engine has 0 cranks; 1 to 24 are allowed"),
+        ({"power": 0}, "the power is 0 W; it must be above 0"),
+        ({"radius": "-1"}, "the radius of the flywheel is -1 m; it must be above 0"),
+    ],
+)
+def test_what_is_missing_in_python_is_told_in_a_sentence(choices: dict[str, Any], sentence: str) -> None:
+    with pytest.raises(KurbelError) as raised:
+        page("flywheel", **choices)
+    assert str(raised.value) == sentence
+
+
+@pytest.mark.parametrize("name", [*ENGINES, *BEAMS])
+def test_pages_of_engines_are_not_made_as_tables_of_motion(name: str) -> None:
+    with pytest.raises(KurbelError, match=f"^layout {name} is about something else; choose from "):
+        kurbel.make_table(layout=name)
+    with pytest.raises(KurbelError, match=r"^layout kinematics is about something else; choose from "):
+        kurbel.make_engine_table(layout="kinematics")
