@@ -52,7 +52,7 @@ def _quantities() -> Iterator[str]:
 
 def _engine_quantities() -> Iterator[str]:
     yield "\n### Of engines\n"
-    yield "Beside them stand `epsilon` or `card`, `ratio`, and `stroke`, `phi` or `delta`.\n"
+    yield "Beside them stand `epsilon` or `card`, `ratio`, and `stroke`, `phi` or `target`.\n"
     yield "| key | quantity | unit | decimals | command |\n| --- | --- | --- | ---: | --- |"
     for key, one in engine_registry().items():
         decimals = "5 figures" if one.decimals is None else one.decimals

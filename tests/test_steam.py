@@ -199,10 +199,10 @@ def relation_slope(angle: Any, ratio: float, loss: float, gain: float) -> tuple[
 @given(st.floats(0.1, 3), st.floats(-0.5, 0.5), st.floats(0, 2), st.floats(0.2, 3))
 def test_weisbach_relation_and_its_slope(angle: float, ratio: float, loss: float, gain: float) -> None:
     def printed(x: Any) -> Any:
-        """gain sin α/2 - π [...] cos α/2, upper sign as printed: r/l is the negative ratio."""
+        """π [...] cos α/2 - gain sin α/2, upper sign as printed: r/l is the negative ratio."""
         rod, square = -ratio, mp.sin(x / 2) ** 2
         bracket = 1 + rod * square - loss * square * (1 - rod * mp.cos(x))
-        return gain * mp.sin(x / 2) - mp.pi * bracket * mp.cos(x / 2)
+        return mp.pi * bracket * mp.cos(x / 2) - gain * mp.sin(x / 2)
 
     value, slope = relation_slope(angle, ratio, loss, gain)
     assert math.isclose(value, float(printed(mp.mpf(angle))), rel_tol=1e-12, abs_tol=1e-13)

@@ -8,7 +8,7 @@ from math import prod
 
 from kurbel.errors import ProblemError
 from kurbel.layouts import Layout
-from kurbel.table import DITTO, Cell, Column, Group, Label, Number, Panel, Row
+from kurbel.table import DITTO, UNIT, Cell, Column, Group, Label, Number, Panel, Row
 
 # A page is held in memory whole; records stream. 300,000 cells take some seconds and 200 MB.
 MOST_CELLS = 300_000
@@ -98,11 +98,12 @@ def _panel(layout: Layout, grid: Grid, across: list[Place]) -> Panel:
     columns = _merged(tuple(_column(layout, grid, place) for place in across))
     return Panel(
         stub=tuple(Column(name, (grid.axes[name].stub_heading(),)) for name in layout.stub),
-        columns=(*columns, Column("unit", ("",))) if grid.unit else columns,
+        columns=(*columns, Column(UNIT, ("",))) if grid.unit else columns,
         groups=tuple(
             Group(
                 tuple(_rows(layout, grid, rows, across)),
-                ", ".join(grid.axes[name].over_group(rows[0]) for name in heads) if len(groups) > 1 else "",
+                # What has one place only stands in the caption.
+                ", ".join(grid.axes[name].over_group(rows[0]) for name in heads if grid.axes[name].size > 1),
             )
             for rows in groups
         ),

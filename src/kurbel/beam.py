@@ -164,8 +164,8 @@ def registry() -> Mapping[str, BeamQuantity]:
     path = {"unit": RADII, "decimals": 5, "formula": _path}
     slant, turn = angle | {"formula": _lean}, angle | {"formula": _distance}
     rows: tuple[tuple[str, Label, str, int, dict[str, Any]], ...] = (
-        ("mu", "$μ$", "Stangenneigung, Strecklage|Slant of the rod, stretched", UPPER, slant),
-        ("nu", "$ν$", "Stangenneigung, Decklage|Slant of the rod, folded", LOWER, slant),
+        ("mu", "$μ$", "Stangenneigung, Strecklage|Angle of the rod, stretched", UPPER, slant),
+        ("nu", "$ν$", "Stangenneigung, Decklage|Angle of the rod, folded", LOWER, slant),
         ("distance_1", "$180° + (ν - μ)$", _DISTANCE, UPPER, turn),
         ("distance_2", "$180° - (ν - μ)$", _DISTANCE, LOWER, turn),
         ("path_1", "$σ_1$", "Weg des Balanciers, Strecklage|Path of the beam, stretched", UPPER, path),

@@ -70,10 +70,6 @@ class BeamRequest:
         """How many records there are."""
         return len(self.arms) * len(self.ratios)
 
-    def table(self, pages: bool) -> Table:
-        """Return the table; without `pages` only its records."""
-        return build_beam(self, pages)
-
     def places(self) -> Iterator[Place]:
         for arm in range(len(self.arms)):
             for ratio in range(len(self.ratios)):

@@ -2,28 +2,47 @@
 
 from __future__ import annotations
 
-from typing import Protocol
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, Protocol
 
 from kurbel import captions
 from kurbel.arrange import panels
+from kurbel.layouts import Layout
 from kurbel.motion import motion_grid
 from kurbel.request import Request, page_columns
 from kurbel.rows import RecordRows
 from kurbel.table import Note, Records, Table
 
+if TYPE_CHECKING:
+    from kurbel.beam_page import BeamRequest
+    from kurbel.engine_request import EngineRequest
+
 
 class Asked(Protocol):
-    """What is asked for of an engine: its language, how many records it has, and the table."""
+    """What is asked for, whatever it is about: the layout, the language, how many records there are."""
 
+    @property
+    def layout(self) -> Layout: ...
     @property
     def lang(self) -> str: ...
     def __len__(self) -> int: ...
-    def table(self, pages: bool) -> Table: ...
 
 
-def build(request: Request | Asked, pages: bool = True) -> Table:
+def build(request: Asked, pages: bool = True) -> Table:
     """Return the table that was asked for; without `pages` only its records, which need no memory."""
-    return _motion(request, pages) if isinstance(request, Request) else request.table(pages)
+    return BUILDERS[request.layout.subject](request, pages)
+
+
+def _engine(request: EngineRequest, pages: bool) -> Table:
+    from kurbel.engine_page import build_engine
+
+    return build_engine(request, pages)
+
+
+def _beam(request: BeamRequest, pages: bool) -> Table:
+    from kurbel.beam_page import build_beam
+
+    return build_beam(request, pages)
 
 
 def _motion(request: Request, pages: bool) -> Table:
@@ -43,3 +62,14 @@ def _motion(request: Request, pages: bool) -> Table:
         notes=tuple(Note(text) for text in captions.notes(request, digits)),
         source=request.layout.source[request.lang],
     )
+
+
+# By the subject of the layout; a request knows only layouts of its own subjects.
+BUILDERS: dict[str, Callable[[Any, bool], Table]] = {
+    "motion": _motion,
+    "irregularity": _engine,
+    "strokes": _engine,
+    "turning": _engine,
+    "flywheel": _engine,
+    "dead centres": _beam,
+}

@@ -59,8 +59,9 @@ _SHARES = {"": 1.0, "1": 1.0, "-": 1.0, "%": 0.01}
 class Card:
     """Pressures in Pa at rising positions 0 to 1, on the way from the dead centre of this end and back to it.
 
-    `name` and `lines` say where the points stand, for messages. Valid for pressures within ±10^12 Pa, may
-    they be above vacuum or above the atmosphere, of which the greatest p_forward is at least 1 Pa.
+    `name` and `lines` say where the points stand, for messages; `resolution` in Pa is the unit of the last
+    place to which the pressures are written. Valid for pressures within ±10^12 Pa, may they be above vacuum
+    or above the atmosphere, of which the greatest p_forward is at least 1 Pa.
     """
 
     positions: tuple[float, ...]
@@ -68,6 +69,7 @@ class Card:
     back: tuple[float, ...]
     name: str = "the card"
     lines: tuple[int, ...] = ()
+    resolution: float = 0.0
 
     def __post_init__(self) -> None:
         for index, position in enumerate(self.positions):
@@ -95,7 +97,7 @@ class Card:
         columns = (self.positions, self.forward, self.back)
         positions, forward, back = (tuple(column[index] for index in kept) for column in columns)
         lines = tuple(self.lines[index] for index in kept if self.lines)
-        return Card(positions, forward, back, self.name, lines)
+        return Card(positions, forward, back, self.name, lines, self.resolution)
 
     def _check_order(self) -> None:
         for index, (before, after) in enumerate(pairwise(self.positions), 1):
@@ -153,6 +155,7 @@ class _Point(NamedTuple):
     position: float
     forward: float
     back: float
+    step: float
 
 
 def read_card(path: str | os.PathLike[str]) -> Card:
@@ -164,8 +167,9 @@ def read_card(path: str | os.PathLike[str]) -> Card:
     name = shown(path)
     if len(points) < LEAST_POINTS:
         raise CardError(f"{name} has {len(points)} points; a card has at least {LEAST_POINTS}")
-    lines, positions, forward, back = zip(*points, strict=True)
-    return Card(positions, forward, back, name, lines)
+    lines, positions, forward, back, steps = zip(*points, strict=True)
+    # Trailing zeros are often left out: the finest step is that of all.
+    return Card(positions, forward, back, name, lines, min(steps))
 
 
 def _points(path: str | os.PathLike[str]) -> Iterator[_Point]:
@@ -182,7 +186,8 @@ def _points(path: str | os.PathLike[str]) -> Iterator[_Point]:
             )
         except NotationError as error:
             raise CardError(f"{place(name, number)}: {error}") from None
-        yield _Point(number, _whole_ends(position), forward, back)
+        step = min(map(_step, texts[1:], head.columns[1:]))
+        yield _Point(number, _whole_ends(position), forward, back, step)
     if head is None:
         raise CardError(f"{name} is empty; a card starts with the heads position, p_forward and p_return")
 
@@ -281,6 +286,16 @@ def _value(text: str, column: _Column, delimiter: str) -> float:
     if not math.isfinite(value):
         raise NotationError(f'{column.name} "{_clipped(text)}" is too large')
     return value
+
+
+def _step(text: str, column: _Column) -> float:
+    """Return the unit of the last place of a pressure as written, in Pa."""
+    match = _VALUE.fullmatch(text)
+    assert match is not None
+    digits, unit = match.groups()
+    mantissa, _, exponent = digits.lower().replace(",", ".").partition("e")
+    decimals = len(mantissa.partition(".")[2]) - int(exponent or 0)
+    return float(10.0**-decimals * _factor(column.name, unit or column.unit))
 
 
 @lru_cache(maxsize=64)

@@ -55,8 +55,8 @@ def card_strokes(
         return both, both
     if other_side is None:
         raise ProblemError(
-            "a single-acting piston has a pressure on its other face, which the card does not tell; give it,"
-            " for example 1 bar for the open air"
+            "a single-acting piston has a pressure on its other face, which the card does not tell;"
+            " give it as --other-side, for example 1bar"
         )
     other = _scaled((0.0, 1.0), (other_side, other_side), scale)
     return CardStroke(driving, other), CardStroke(other, exhausting)

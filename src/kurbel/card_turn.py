@@ -12,11 +12,12 @@ from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
 from math import pi
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from kurbel.card_force import CardStroke, card_strokes
 from kurbel.engine import Diagram, Engine
-from kurbel.errors import ProblemError
+from kurbel.engine_quantities import Peak
+from kurbel.errors import CardError, ProblemError
 from kurbel.kernel import turning
 from kurbel.kernel.circle import circle
 from kurbel.quantities import OUT, RETURN
@@ -34,13 +35,8 @@ LEAST_FORCE = 1e-9
 # Cubics gain a factor of 16 with twice the points, but for chance.
 MOST_GAIN = 16.0
 NOTHING = 1e-300
-
-
-class CardPeak(NamedTuple):
-    """Where the speed is least or greatest, in half turns, and its excess energy there, in Q R."""
-
-    place: float
-    energy: float
+# Half turns over which a slope is taken.
+BESIDE = 1e-3
 
 
 class CardTurn:
@@ -59,8 +55,9 @@ class CardTurn:
         self.unit = self.diagram.card.admission if unit is None else unit
         self.method = method
         self.motion: Motion = turning.EXACT if method == "exact" else turning.FIRST_ORDER
-        if self.mean < LEAST_FORCE:
-            raise ProblemError(
+        # Half a card, in the unit of the whole, may well do no work.
+        if unit is None and self.mean < LEAST_FORCE:
+            raise CardError(
                 f"{self.diagram.card.name} does no work: the mean tangential force is {self.mean:.3g} Q,"
                 " and it must be above 0; p_forward drives the piston, p_return resists it"
             )
@@ -93,15 +90,33 @@ class CardTurn:
         )
 
     @cached_property
-    def place_apart(self) -> float:
-        """The greatest difference of an extreme's place from the coarser cards', in half turns."""
-        spans = (None, 0, 1) if self.engine.plain else (None,)
-        return max(
-            abs(self.extreme(greatest, span).place - half.extreme(greatest, span).place)
+    def force_apart(self) -> float:
+        """The mean difference of force from the coarser cards', and the step of the pressures, in Q."""
+        import numpy as np
+
+        shares = np.linspace(0, 1, SAMPLES)
+        differences = [
+            own.force(shares) - other.force(shares)
             for half in self.coarser
-            for greatest in (False, True)
-            for span in spans
-        )
+            for own, other in zip(self.strokes, half.strokes, strict=True)
+        ]
+        return float(np.sqrt(np.mean(np.square(differences)))) + self.step
+
+    @property
+    def step(self) -> float:
+        """The last place of the pressures as written, in Q."""
+        return self.diagram.card.resolution / self.unit
+
+    def place_error(self, greatest: bool, stroke: int | None) -> float:
+        """How far the place of an extreme may be off, in half turns.
+
+        Where the tangential force passes its mean at a small angle, little of it moves the place far.
+        """
+        place = self.extreme(greatest, stroke).place + (stroke or 0)
+        slope = (self.excess(place + BESIDE) - self.excess(place - BESIDE)) / (2 * BESIDE)
+        halves = (half.extreme(greatest, stroke).place + (stroke or 0) for half in self.coarser)
+        apart = max(abs(place - half) for half in halves)
+        return float(max(apart, 2 * self.force_apart / (abs(slope) + NOTHING)))
 
     @cached_property
     def strokes(self) -> tuple[CardStroke, CardStroke]:
@@ -126,10 +141,24 @@ class CardTurn:
     def excess(self, half_turns: Fraction | float) -> float:
         total = 0.0
         for stroke, angle in self._cranks(half_turns):
-            ratio = float(self.engine.crank.ratio) * (RETURN if stroke else OUT)
-            acting = self.strokes[stroke]
-            total += turning.tangential_force(acting, self.motion, circle(180.0 * angle), ratio) - self.mean
-        return float(total)
+            total += float(self._tangential(stroke, angle)) - self.mean
+        return total
+
+    def _tangential(self, stroke: int, angle: Any) -> Any:
+        """The tangential force of one crank, at half turns or an array of them since its dead centre."""
+        ratio = float(self.engine.crank.ratio) * (RETURN if stroke else OUT)
+        return turning.tangential_force(self.strokes[stroke], self.motion, circle(180.0 * angle), ratio)
+
+    def _excesses(self, places: Any) -> Any:
+        """The excess at an array of half turns."""
+        import numpy as np
+
+        total = np.full(len(places), -self.mean_force())
+        for start in self.engine.cranks:
+            since = (places - float(start / 180)) % 2
+            back = since >= 1
+            total += np.where(back, self._tangential(1, since - 1.0), self._tangential(0, since))
+        return total
 
     def energy_at(self, half_turns: Fraction | float) -> float:
         """The excess work W/(Q R) since the first crank's inner dead centre."""
@@ -146,18 +175,17 @@ class CardTurn:
 
     def _cranks(self, half_turns: Fraction | float) -> Iterator[tuple[int, float]]:
         """Each crank's stroke, and the half turns since that began."""
-        for start in self.engine.cranks:
-            since = float((Fraction(half_turns) - start / 180) % 2)
-            stroke = int(since >= 1)
-            yield stroke, since - stroke
+        for stroke, since in self.engine.positions(Fraction(half_turns)):
+            yield stroke, float(since)
 
     @cached_property
-    def extrema(self) -> tuple[CardPeak, ...]:
+    def extrema(self) -> tuple[Peak, ...]:
         """Every place at which the speed is least or greatest over the turn, in order."""
+        import numpy as np
         from scipy.optimize import brentq
 
         places = sorted({2 * index / (SAMPLES - 1) for index in range(SAMPLES)} | set(self._dead_centres()))
-        forces = [self.excess(place) for place in places]
+        forces = self._excesses(np.array(places)).tolist()
         samples = zip(places, forces, strict=True)
         zeros = [
             brentq(self.excess, low, high, xtol=ZERO_TOLERANCE)
@@ -165,20 +193,25 @@ class CardTurn:
             if before * after < 0
         ]
         zeros += [place for place, force in zip(places, forces, strict=True) if force == 0]
-        return tuple(CardPeak(zero, self.energy_at(zero)) for zero in sorted(zeros))
+        return tuple(Peak(zero, self.energy_at(zero)) for zero in sorted(zeros))
 
     def _dead_centres(self) -> Iterator[float]:
         for start in self.engine.cranks:
             yield from (float(start / 180 % 2), float((start / 180 + 1) % 2))
 
-    def extreme(self, greatest: bool, stroke: int | None = None) -> CardPeak:
+    def extreme(self, greatest: bool, stroke: int | None = None) -> Peak:
         """Return where in the turn, or in a stroke of the one crank, the speed is least or greatest."""
         first = self._extremes(greatest, stroke)[0]
-        return CardPeak(first.place - (stroke or 0), first.energy)
+        return Peak(first.place - (stroke or 0), first.energy)
 
-    def _extremes(self, greatest: bool, stroke: int | None) -> list[CardPeak]:
+    def _extremes(self, greatest: bool, stroke: int | None) -> list[Peak]:
         """The extremes of a span, several where theirs cannot be told apart, as with an infinite rod."""
         within = [peak for peak in self.extrema if stroke is None or int(peak.place) == stroke]
+        if not within:
+            raise CardError(
+                f"{self.diagram.card.name}: the tangential force passes its mean in a peak too narrow to be"
+                " followed; give a card without it"
+            )
         energies = [peak.energy for peak in within]
         chosen = max(energies) if greatest else min(energies)
         return [peak for peak in within if abs(peak.energy - chosen) < EQUAL_ENERGY]
@@ -189,4 +222,4 @@ class CardTurn:
 
     def irregularity(self) -> float:
         """Return δ in units of P R/(m₁ v₁²)."""
-        return (self.extreme(True).energy - self.extreme(False).energy) / self.mean_force()
+        return float(self.extreme(True).energy - self.extreme(False).energy) / self.mean_force()

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
-from functools import lru_cache
+from functools import cache, lru_cache
 from math import inf
 from typing import TYPE_CHECKING
 
@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 GUARD_BITS = 40
 # No value is so near to a boundary by chance, and a root to so many bits takes a second.
 MOST_BITS = 20_000
+# A proof that a value is a tie may need more; beyond these it takes minutes.
+MOST_TIE_BITS = 200_000
 
 
 def ball(value: Fraction | int) -> arb:
@@ -74,6 +76,7 @@ def rounded(value: Callable[[], arb], decimals: int, rounding: str, tie_bits: Ti
     unit = 10**decimals
     precision = GUARD_BITS + (10 * decimals) // 3
     before = flint.ctx.prec
+    bits_of = cache(tie_bits or _never)
     try:
         while True:
             precision *= 2
@@ -87,16 +90,20 @@ def rounded(value: Callable[[], arb], decimals: int, rounding: str, tie_bits: Ti
             odd = (2 * abs(scaled) + flint.arb(0.5)).floor().unique_fmpz()
             if odd is None:
                 continue
-            bits = inf if tie_bits is None else tie_bits(Fraction(int(odd), 2 * unit))
-            if bits == inf and precision > MOST_BITS:
+            bits = bits_of(Fraction(int(odd), 2 * unit))
+            if precision > (MOST_BITS if bits == inf else MOST_TIE_BITS):
                 raise ProblemError(
-                    f"a digit is not settled by {MOST_BITS} bits: the value may lie half-way between two"
-                    " printed ones; ask for another number of digits"
+                    f"a digit is not settled by {precision // 2} bits: the value may lie half-way between"
+                    " two printed ones; ask for another number of digits"
                 )
             if precision > bits and scaled.rad() * 2 < unit * flint.arb(2) ** -int(bits + 1):
                 return _signed(_half(int(odd), rounding), scaled)
     finally:
         flint.ctx.prec = before
+
+
+def _never(boundary: Fraction) -> float:
+    return inf
 
 
 def _half(odd: int, rounding: str) -> int:

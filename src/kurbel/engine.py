@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from math import floor
 from typing import TYPE_CHECKING, Any
 
 from kurbel.errors import ProblemError
@@ -92,8 +93,8 @@ class Steam:
                 " stroke, leaves no work; give a lower one, for example --back 0"
             )
         raise ProblemError(
-            f"back pressure b = {about(self.back)} leaves no work at ε = {ratio}: the mean force P would not"
-            f" be above 0; b must be below {self._greatest_back():.6g}"
+            f"back pressure b = {about(self.back)} leaves no work at ε = {ratio}; b must be below"
+            f" {floor(1e6 * self._greatest_back()) / 1e6:g}, or the mean force P would not be above 0"
         )
 
     def _greatest_back(self) -> float:
@@ -134,6 +135,13 @@ class Engine:
                 f"the first crank is at {about(self.cranks[0])}°; angles count from the first crank,"
                 " write them as 0;90"
             )
+
+    def positions(self, half_turns: Fraction) -> Iterator[tuple[int, Fraction]]:
+        """Yield for each crank the stroke that it is in, 0 or 1, and the half turns since that began."""
+        for start in self.cranks:
+            since = (half_turns - start / 180) % 2
+            stroke = int(since >= 1)
+            yield stroke, since - stroke
 
     @property
     def carded(self) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from fractions import Fraction
 
 from kurbel.arrange import Axis, Place
@@ -9,8 +10,7 @@ from kurbel.engine import Diagram
 from kurbel.engine_quantities import SPANS
 from kurbel.engine_request import EngineRequest
 from kurbel.notation import plain, ratio_text
-from kurbel.numerals import nearest
-from kurbel.rows import angle_decimals
+from kurbel.numerals import finite_decimals, nearest
 from kurbel.table import Label, Number
 
 CARD = {"de": "Diagramm", "en": "Card"}
@@ -21,7 +21,7 @@ class ExpansionAxis(Axis):
     """The expansion ratios ε, or the one indicator card."""
 
     def __init__(self, request: EngineRequest) -> None:
-        super().__init__(len(request.engines))
+        super().__init__(len(request.steams))
         self.request = request
 
     def stub_heading(self) -> Label:
@@ -64,33 +64,25 @@ class TargetAxis(Axis):
 
 
 def irregularity_label(irregularity: Fraction) -> Label:
-    """Return δ as it is written: 1:100, or 0.015 where that is shorter."""
-    whole = (1 / irregularity).denominator == 1
-    return f"${ratio_text(irregularity) if whole else plain(irregularity)}$"
+    """Return δ as it is written: 1:100, 1:62.5, or 0.015 where the ratio has no end."""
+    short = finite_decimals(1 / irregularity) is not None
+    return f"${ratio_text(irregularity) if short else plain(irregularity)}$"
 
 
 def expansion_label(request: EngineRequest, index: int) -> Label:
     """Return ε as pages print it: 2, 2.5 or, of no finite decimal, 7/3; of a card its name."""
-    engine = request.engines[index][0]
-    if isinstance(engine.steam, Diagram):
-        return engine.steam.card.name.replace("$", "\\$")
-    return f"${expansion_text(engine.steam.expansion)}$"
+    steam = request.steams[index]
+    if isinstance(steam, Diagram):
+        return os.path.basename(steam.card.name).replace("$", "\\$")
+    return f"${expansion_text(steam.expansion)}$"
 
 
 def expansion_value(request: EngineRequest, index: int) -> Number | Label:
     """Return ε as a number with as many decimals as all of the page need, where there are such."""
-    if request.carded:
+    steam, decimals = request.steams[index], request.expansion_decimals
+    if decimals is None or isinstance(steam, Diagram):
         return expansion_label(request, index)
-    decimals = expansion_decimals(request)
-    expansion = request.engines[index][0].ideal.expansion
-    return expansion_label(request, index) if decimals is None else nearest(expansion, decimals)
-
-
-def expansion_decimals(request: EngineRequest) -> int | None:
-    """Return how many decimals write every ε exactly, None if no number of them does."""
-    if request.carded:
-        return None
-    return angle_decimals([row[0].ideal.expansion for row in request.engines])
+    return nearest(steam.expansion, decimals)
 
 
 def expansion_text(expansion: Fraction) -> str:

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from kurbel.captions import WORDS as MOTION_WORDS
-from kurbel.engine import Engine
-from kurbel.engine_axes import CARD, expansion_decimals, expansion_label
-from kurbel.engine_request import ENGINE_METHODS, EngineRequest
+from kurbel.engine import Engine, Steam
+from kurbel.engine_axes import CARD, expansion_label
+from kurbel.engine_quantities import EngineQuantity
+from kurbel.engine_request import ENGINE_METHODS, EngineColumn, EngineRequest
 from kurbel.labels import plain as plain_label
 from kurbel.notation import plain, ratio_text
 from kurbel.numerals import number_text
@@ -17,12 +18,12 @@ Words = Mapping[str, str]
 WORDS: Mapping[str, Words] = {
     "for": {"de": " für ", "en": " for "},
     "and": {"de": " und ", "en": " and "},
-    "makes_delta": {"de": "aus diesen beiden folgt $δ$", "en": "these two make $δ$"},
+    "makes_delta": {"de": "aus diesen beiden folgt $δ$", "en": "$δ$ follows from these two"},
     "delta": {
         "de": '$δ = (v_"max" - v_"min")/v_1$; $P$ mittlere Umfangskraft,'
-        " $m_1$ Schwungmasse am Kurbelhalbmesser $r$, $v_1$ Kurbelgeschwindigkeit im Totpunkt",
+        " $m_1$ Schwungmasse am Kurbelhalbmesser $r$, $v_1$ Kurbelgeschwindigkeit im inneren Totpunkt",
         "en": '$δ = (v_"max" - v_"min")/v_1$; $P$ mean tangential force,'
-        " $m_1$ flywheel mass at the crank radius $r$, $v_1$ crank-pin velocity at the dead centre",
+        " $m_1$ flywheel mass at the crank radius $r$, $v_1$ crank-pin velocity at the inner dead centre",
     },
     "forces": {
         "de": "$Q$ Dampfkraft auf den Kolben vor der Absperrung, $r$ Kurbelhalbmesser",
@@ -34,24 +35,24 @@ WORDS: Mapping[str, Words] = {
     },
     "card": {
         "de": "Druck aus dem Diagramm, monoton interpoliert; gedruckt sind nur so viele Stellen, wie seine"
-        " Punkte tragen",
+        " Punkte tragen, für die übrigen vor dem Komma Nullen",
         "en": "pressure from the card, interpolated monotonically; only as many digits as its points support"
-        " are printed",
+        " are printed, zeros for the others before the decimal mark",
     },
     "energy": {
         "de": "$W$ Arbeit des Überschusses seit dem inneren Totpunkt der ersten Kurbel",
         "en": "$W$ work of the excess since the inner dead centre of the first crank",
     },
     "flywheel": {
-        "de": "$ΔW$ in $P r$ ist $δ$ in $(P r)/(m_1 v_1^2)$, $J = (ΔW)/(δ ω^2)$;"
+        "de": "$ΔW/(P r)$ ist $δ$ in $(P r)/(m_1 v_1^2)$, $J = (ΔW)/(δ ω^2)$;"
         " $P$ mittlere Umfangskraft am Kurbelhalbmesser $r$",
-        "en": "$ΔW$ in $P r$ is $δ$ in $(P r)/(m_1 v_1^2)$, $J = (ΔW)/(δ ω^2)$;"
+        "en": "$ΔW/(P r)$ is $δ$ in $(P r)/(m_1 v_1^2)$, $J = (ΔW)/(δ ω^2)$;"
         " $P$ mean tangential force at the crank radius $r$",
     },
     "radius": {"de": '$ρ = {radius} "m"$', "en": '$ρ = {radius} "m"$'},
     "turn": {
-        "de": "Winkel vom Totpunkt des Hubes, in der Umdrehung vom inneren Totpunkt der ersten Kurbel",
-        "en": "Angles from the dead centre of the stroke, over the turn from the first crank's inner one",
+        "de": "Winkel vom Totpunkt des Hubes, in der Umdrehung vom inneren Totpunkt",
+        "en": "Angles from the dead centre of the stroke, over the turn from the inner one",
     },
     "whole_turn": {
         "de": "Winkel vom inneren Totpunkt der ersten Kurbel",
@@ -69,19 +70,20 @@ WORDS: Mapping[str, Words] = {
     },
     "best": {
         "de": "Gegendruck $R_b = Q/ε$, der vorteilhafteste",
-        "en": "back pressure $R_b = Q/ε$, the best",
+        "en": "back pressure $R_b = Q/ε$, the most favourable",
     },
     "best_end": {
         "de": "Gegendruck gleich der Endspannung des Dampfes, der vorteilhafteste",
-        "en": "back pressure equal to the steam's at the end of the stroke, the best",
+        "en": "back pressure equal to the steam's at the end of the stroke, the most favourable",
     },
-    "back": {"de": "Gegendruck $R_b = {back} Q$", "en": "back pressure $R_b = {back} Q$"},
+    "back": {"de": "Gegendruck $R_b = {back}$", "en": "back pressure $R_b = {back}$"},
     "single": {"de": "einfachwirkend", "en": "single-acting"},
-    "cranks": {"de": "Kurbeln unter {angles}", "en": "cranks at {angles}"},
-    "mean_force": {
-        "de": "mittlere Umfangskraft $P = {force} Q$",
-        "en": "mean tangential force $P = {force} Q$",
+    "cranks": {
+        "de": "Kurbeln um {angles} hinter der ersten, Zylinder gleich",
+        "en": "cranks {angles} behind the first, cylinders alike",
     },
+    "errors": {"de": "geschätzter Fehler", "en": "estimated error"},
+    "less": {"de": ", Unterschied", "en": ", difference"},
     "difference": {
         "de": "Unterschied: genauer Wert weniger Näherung, vor dem Runden gebildet.",
         "en": "Difference: exact value less approximation, taken before rounding.",
@@ -138,7 +140,7 @@ def _joined(parts: list[str], lang: str, before: str) -> str:
 
 def _common(request: EngineRequest) -> Iterator[Label]:
     shown = (*request.layout.across, *request.layout.stub)
-    if len(request.engines) == 1 and "expansion" not in shown:
+    if len(request.steams) == 1 and "expansion" not in shown:
         label = expansion_label(request, 0)
         yield label if request.carded else f"$ε = {label.strip('$')}$"
     if len(request.ratios) == 1 and "ratio" not in shown:
@@ -179,7 +181,7 @@ def _engine(request: EngineRequest, lang: str) -> Iterator[Label]:
 
 def _steam(request: EngineRequest, lang: str) -> Iterator[Label]:
     steam = request.first.ideal
-    if all(row[0].ideal.expansion == 1 for row in request.engines):
+    if all(isinstance(one, Steam) and one.expansion == 1 for one in request.steams):
         yield WORDS["uncut"][lang]
     elif steam.exponent == 1:
         yield WORDS["mariotte"][lang]
@@ -188,7 +190,7 @@ def _steam(request: EngineRequest, lang: str) -> Iterator[Label]:
     if steam.clearance:
         yield WORDS["clearance"][lang].format(clearance=plain(steam.clearance))
     if steam.back is not None:
-        yield WORDS["back"][lang].format(back=plain(steam.back))
+        yield WORDS["back"][lang].format(back=f"{plain(steam.back)} Q" if steam.back else "0")
     else:
         yield WORDS["best" if steam.exponent == 1 and not steam.clearance else "best_end"][lang]
 
@@ -197,36 +199,51 @@ def _cranks(engine: Engine, lang: str) -> Iterator[Label]:
     if not engine.double:
         yield WORDS["single"][lang]
     if len(engine.cranks) > 1:
-        angles = ", ".join(f"${plain(angle)}°$" for angle in engine.cranks)
+        angles = ", ".join(f"${plain(angle)}°$" for angle in engine.cranks[1:])
         yield WORDS["cranks"][lang].format(angles=angles)
 
 
-def mean_force(request: EngineRequest, expansion: int, ratio: int, force: Number) -> Label:
-    """Return the line on P of one engine."""
-    line = WORDS["mean_force"][request.lang].format(force=number_text(force))
+def errors(
+    request: EngineRequest, expansion: int, ratio: int, errors: list[tuple[EngineQuantity, Number]]
+) -> Label:
+    """Return the line on the errors of one card and ratio."""
+    lang = request.lang
+    said = ", ".join(f"{one.symbol} ${number_text(error)}$ {one.unit}".rstrip() for one, error in errors)
     apart = []
-    if len(request.engines) > 1:
-        label = expansion_label(request, expansion)
-        apart.append(label if request.carded else f"$ε = {label.strip('$')}$")
+    if len(request.steams) > 1:
+        apart.append(expansion_label(request, expansion))
     if len(request.ratios) > 1:
         apart.append(f"${request.layout.ratio_symbol} = {ratio_text(request.ratios[ratio])}$")
-    return line + _joined(apart, request.lang, WORDS["for"][request.lang])
+    return WORDS["errors"][lang] + _joined(apart, lang, WORDS["for"][lang]) + ": " + said
 
 
-def axis_fields(request: EngineRequest, decimals: int | None) -> dict[str, Field]:
+def field(request: EngineRequest, column: EngineColumn) -> Field:
+    """Return what a column is in records."""
+    lang, quantity = request.lang, column.quantity
+    name = quantity.name[lang] + (WORDS["less"][lang] if len(column.methods) > 1 else "")
+    unit, methods = plain_label(quantity.unit), " - ".join(column.methods)
+    return Field(column.key, name, quantity.symbol, unit, column.decimals, methods)
+
+
+def error_field(request: EngineRequest, column: EngineColumn) -> Field:
+    """Return the same of the error of a column."""
+    own = field(request, column)
+    name = f"{WORDS['errors'][request.lang]}: {own.name}"
+    return own._replace(key=f"{own.key}_error", name=name, decimals=None)
+
+
+def axis_fields(request: EngineRequest) -> dict[str, Field]:
     """Return what the axes are in records."""
     lang, layout = request.lang, request.layout
     fields = {
-        "epsilon": Field("epsilon", WORDS["epsilon"][lang], "$ε$", "", expansion_decimals(request)),
+        "epsilon": Field("epsilon", WORDS["epsilon"][lang], "$ε$", "", request.expansion_decimals),
         "card": Field("card", CARD[lang]),
         "ratio": Field("ratio", MOTION_WORDS["ratio"][lang], f"${layout.ratio_symbol}$"),
         "stroke": Field("stroke", WORDS["stroke"][lang]),
-        "phi": Field("phi", MOTION_WORDS["phi"][lang], f"${layout.angle_symbol}$", "°", decimals),
+        "phi": Field(
+            "phi", MOTION_WORDS["phi"][lang], f"${layout.angle_symbol}$", "°", request.angle_decimals
+        ),
     }
     if layout.subject == "flywheel":
-        fields["delta"] = Field("delta", WORDS["target"][lang], "$δ$")
+        fields["target"] = Field("target", WORDS["target"][lang], "$δ$")
     return fields
-
-
-def unit_text(unit: Label) -> str:
-    return plain_label(unit)

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
+from os import PathLike
 from typing import TYPE_CHECKING
 
 from kurbel import notation
 from kurbel.choices import choose
 from kurbel.errors import ProblemError
-from kurbel.given import Exact, as_angle, as_fraction, as_names, as_ratio, read_values
+from kurbel.given import Exact, as_angle, as_fraction, as_names, as_ratio, as_share, read_values
 from kurbel.layouts import LANGUAGES, layout_of
 from kurbel.problem import Crank, Speed
 from kurbel.table import Table
@@ -30,7 +31,7 @@ def make_engine_table(
     back: Exact | None = None,
     exponent: Exact = 1,
     clearance: Exact = 0,
-    cards: str | Iterable[str] = (),
+    cards: str | PathLike[str] | Iterable[str | PathLike[str]] = (),
     other_side: float | None = None,
     double_acting: bool = True,
     cranks: Exact | Iterable[Exact] = 0,
@@ -62,7 +63,7 @@ def make_engine_table(
     4,1:5,1.423
     """
     from kurbel.build import build
-    from kurbel.engine import Engine, Steam
+    from kurbel.engine import Steam
     from kurbel.engine_request import EngineRequest
 
     page = layout_of(layout, ENGINE_SUBJECTS)
@@ -70,22 +71,23 @@ def make_engine_table(
         steams: Sequence[Steam | Diagram] = _diagrams(cards, other_side)
     else:
         given = page.expansions if expansions is None else expansions
-        inside = (as_fraction(exponent), as_fraction(clearance))
+        inside = (as_fraction(exponent), as_share(clearance))
         steams = [
-            Steam(expansion, None if back is None else as_fraction(back), *inside)
+            Steam(expansion, None if back is None else as_share(back), *inside)
             for expansion in read_values(given, _expansion_ratios, as_fraction)
         ]
     drives = [
         Crank(ratio)
         for ratio in read_values(page.ratios if ratios is None else ratios, notation.ratios, as_ratio)
     ]
-    shifts = tuple(read_values(cranks, notation.angles, as_angle))
+    shifts = notation.crank_angles(cranks) if isinstance(cranks, str) else _each(cranks, as_angle)
     return build(
         EngineRequest(
             layout=page,
-            engines=tuple(
-                tuple(Engine(drive, steam, double_acting, shifts) for drive in drives) for steam in steams
-            ),
+            steams=steams,
+            drives=drives,
+            double=double_acting,
+            cranks=shifts,
             methods=(methods,) if isinstance(methods, str) else tuple(methods),
             angles=read_values((page.angles or "0") if angles is None else angles, notation.angles, as_angle),
             flywheels=_flywheels(power, speed, irregularities, radius) if page.subject == "flywheel" else (),
@@ -98,11 +100,20 @@ def make_engine_table(
     )
 
 
-def _diagrams(cards: str | Iterable[str], other_side: float | None) -> list[Diagram]:
+def _each(given: Exact | Iterable[Exact], one: Callable[[Exact], Fraction]) -> list[Fraction]:
+    """Read one value or many, equal ones too."""
+    values = [given] if isinstance(given, str) or not isinstance(given, Iterable) else given
+    return [one(value) for value in values]
+
+
+def _diagrams(
+    cards: str | PathLike[str] | Iterable[str | PathLike[str]], other_side: float | None
+) -> list[Diagram]:
     from kurbel.card import read_card
     from kurbel.engine import Diagram
 
-    return [Diagram(read_card(file), other_side) for file in ([cards] if isinstance(cards, str) else cards)]
+    files = [cards] if isinstance(cards, (str, PathLike)) else cards
+    return [Diagram(read_card(file), other_side) for file in files]
 
 
 def _expansion_ratios(texts: Iterable[str]) -> Sequence[Fraction]:

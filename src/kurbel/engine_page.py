@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import product
@@ -11,14 +11,16 @@ from typing import TYPE_CHECKING
 from kurbel import engine_captions
 from kurbel.arrange import Grid, Place, check_size, panels
 from kurbel.axes import AngleAxis, ColumnAxis, RatioAxis
-from kurbel.engine_axes import ExpansionAxis, StrokeAxis, TargetAxis, expansion_value, irregularity_label
-from kurbel.engine_digits import estimated, settled
+from kurbel.engine import Diagram
+from kurbel.engine_axes import ExpansionAxis, StrokeAxis, TargetAxis, expansion_value
+from kurbel.engine_digits import error_number, estimate, estimated, settled
 from kurbel.engine_quantities import SPANS, WHOLE, Where
 from kurbel.engine_request import EngineColumn, EngineRequest
+from kurbel.errors import CardError
 from kurbel.layouts import SUBJECTS
 from kurbel.notation import ratio_text
 from kurbel.numerals import degrees_text
-from kurbel.rows import angle_decimals, angle_number
+from kurbel.rows import angle_number
 from kurbel.table import Cell, Field, Label, Note, Number, Records, Table, Value
 from kurbel.turn import Turn, turn_of
 
@@ -27,11 +29,15 @@ if TYPE_CHECKING:
 
 # The mark of the two extremes that make δ.
 MAKES_DELTA = "a"
+# What the key of a value has in addition for its error.
+ERROR = "_error"
 
 
 def build_engine(request: EngineRequest, pages: bool = True) -> Table:
     """Return the table that was asked for; without `pages` only its records."""
     solved = _Solved(request)
+    if request.carded:
+        _check_cards(solved)
     return Table(
         key=request.label or request.layout.key,
         layout=request.layout.key,
@@ -54,7 +60,7 @@ class _Solved:
     def turn(self, expansion: int, ratio: int, method: str) -> Turn | CardTurn:
         key = (expansion, ratio, method)
         if key not in self.turns:
-            self.turns[key] = turn_of(self.request.engines[expansion][ratio], method)
+            self.turns[key] = turn_of(self.request.engine(expansion, ratio), method)
         return self.turns[key]
 
     def where(self, place: Place) -> Where:
@@ -71,17 +77,38 @@ class _Solved:
         if not column.quantity.applies(where):
             return None
         turns = tuple(self.turn(place["expansion"], place["ratio"], method) for method in column.methods)
-        if self.request.carded:
-            return estimated(column, turns, where, unit)  # type: ignore[arg-type]
-        return settled(column, turns, where, self.request.rounding, unit)  # type: ignore[arg-type]
+        # The turns of a request are all in balls, or all of cards.
+        settle: Callable[..., Number | None] = estimated if self.request.carded else settled
+        return settle(column, turns, where, self.request.rounding, unit)
+
+    def error(self, column: EngineColumn, place: Place) -> float | None:
+        """How far the number at a place may be off, of an indicator card; None where there is none."""
+        where = self.where(place)
+        if not column.quantity.applies(where):
+            return None
+        turns = [self.turn(place["expansion"], place["ratio"], method) for method in column.methods]
+        return estimate(column, turns, where).error  # type: ignore[arg-type]
 
     def makes_delta(self, column: EngineColumn, place: Place) -> bool:
         """Whether this is the extreme of a stroke that is the extreme of the turn."""
         stroke = self.where(place).stroke
-        if column.quantity.key not in ("v_min", "v_max") or stroke is WHOLE:
+        greatest = column.quantity.greatest
+        if greatest is None or column.quantity.arc or stroke is WHOLE:
             return False
         turn = self.turn(place["expansion"], place["ratio"], column.methods[0])
-        return stroke in turn.extreme_strokes(column.quantity.key == "v_max")
+        return stroke in turn.extreme_strokes(greatest)
+
+
+def _check_cards(solved: _Solved) -> None:
+    """Raise CardError for a card that supports not one figure of the mean force."""
+    mean = solved.request.mean_column
+    for index, steam in enumerate(solved.request.steams):
+        assert isinstance(steam, Diagram)
+        if solved.number(mean, {"expansion": index, "ratio": 0}) is None:
+            raise CardError(
+                f"{steam.card.name}: the points are too few or scatter too much for one figure of the mean"
+                " force; give a smoother card, or look for a mistyped pressure"
+            )
 
 
 def _grid(solved: _Solved) -> Grid:
@@ -115,51 +142,54 @@ def _cell(solved: _Solved, column: EngineColumn, place: Place) -> Cell:
             return Cell(f"${degrees_text(Fraction(minutes.scaled, 60))}$")
         degrees = solved.number(column._replace(decimals=0), place)
         return Cell(None if degrees is None else f"${degrees.scaled}°$")
-    return Cell(solved.number(column, place), (MAKES_DELTA,) if solved.makes_delta(column, place) else ())
+    number = solved.number(column, place)
+    marked = number is not None and solved.makes_delta(column, place)
+    return Cell(number, (MAKES_DELTA,) if marked else ())
 
 
 def _notes(solved: _Solved) -> Iterator[Note]:
     request = solved.request
-    if request.layout.subject == "strokes" and request.first.plain:
+    peaks = any(one.quantity.greatest is not None and not one.quantity.arc for one in request.page_columns)
+    if peaks and len(request.spans) > 1 and request.layout.subject == "strokes":
         yield Note(engine_captions.WORDS["makes_delta"][request.lang], MAKES_DELTA)
     for line in engine_captions.notes(request):
         yield Note(line)
-    if request.layout.subject == "turning":
-        yield from (Note(line) for line in _mean_forces(solved))
+    if request.carded:
+        yield from (Note(line) for line in _errors(solved))
 
 
-def _mean_forces(solved: _Solved) -> Iterator[Label]:
-    """P of each engine, from which the excess of the page is counted."""
-    from kurbel.engine_quantities import engine_registry
-
+def _errors(solved: _Solved) -> Iterator[Label]:
+    """The errors of what is printed of whole turns, a line for each card and ratio."""
     request = solved.request
-    quantity = engine_registry()["mean_force"]
-    column = EngineColumn("mean_force", quantity, request.methods or ("exact",), quantity.decimals, (), ())
-    for expansion, ratio in product(range(len(request.engines)), range(len(request.ratios))):
-        number = solved.number(column, {"expansion": expansion, "ratio": ratio})
-        if number is not None:
-            yield engine_captions.mean_force(request, expansion, ratio, number)
+    target = {"target": 0} if request.flywheels else {}
+    stroke = {"stroke": len(request.spans) - 1} if request.layout.subject == "strokes" else {}
+    for expansion, ratio in product(range(len(request.steams)), range(len(request.ratios))):
+        place = {"expansion": expansion, "ratio": ratio, **target, **stroke}
+        errors = [
+            (column.quantity, error_number(error))
+            for column in request.page_columns
+            if column.quantity.scope != "angle" and not column.quantity.arc
+            for error in [solved.error(column, place)]
+            if error
+        ]
+        yield engine_captions.errors(request, expansion, ratio, errors)
 
 
 def _fields(request: EngineRequest) -> tuple[Field, ...]:
-    axes = engine_captions.axis_fields(request, angle_decimals(request.angles))
-    columns = {
-        column.key: Field(
-            column.key,
-            column.quantity.name[request.lang],
-            column.quantity.symbol,
-            engine_captions.unit_text(column.quantity.unit),
-            column.decimals,
-            " - ".join(column.methods),
-        )
-        for column in request.page_columns
-    }
-    return tuple(axes.get(key) or columns[key] for key in _names(request))
+    axes = engine_captions.axis_fields(request)
+    fields = axes | {column.key: engine_captions.field(request, column) for column in request.page_columns}
+    for column in request.page_columns:
+        fields[column.key + ERROR] = engine_captions.error_field(request, column)
+    return tuple(fields[key] for key in _names(request))
 
 
 def _names(request: EngineRequest) -> tuple[str, ...]:
     own = tuple(column.key for column in request.page_columns)
-    return request.columns or (*request.axis_keys, *own)
+    names = request.columns or (*request.axis_keys, *own)
+    if not request.carded:
+        return names
+    # Of a card each value is followed by its error.
+    return tuple(each for name in names for each in ((name, name + ERROR) if name in own else (name,)))
 
 
 @dataclass(frozen=True)
@@ -175,16 +205,24 @@ class _Rows:
         request = self.solved.request
         names = _names(request)
         columns = {column.key: column for column in request.page_columns}
+        engine = None
         for place in self._places():
+            if engine != (place["expansion"], place["ratio"]):
+                engine = (place["expansion"], place["ratio"])
+                self.solved.turns.clear()
             axes = self._axes(place)
-            yield tuple(
-                axes[name] if name in axes else self.solved.number(columns[name], place) for name in names
-            )
+            yield tuple(axes[name] if name in axes else self._value(columns, name, place) for name in names)
+
+    def _value(self, columns: Mapping[str, EngineColumn], name: str, place: Place) -> Value:
+        if name in columns:
+            return self.solved.number(columns[name], place)
+        error = self.solved.error(columns[name.removesuffix(ERROR)], place)
+        return None if error is None else error_number(error)
 
     def _places(self) -> Iterator[Place]:
         request = self.solved.request
         sizes = {
-            "expansion": len(request.engines),
+            "expansion": len(request.steams),
             "ratio": len(request.ratios),
             "stroke": len(request.spans),
             "angle": len(request.angles),
@@ -203,7 +241,7 @@ class _Rows:
         if "stroke" in place:
             axes["stroke"] = SPANS[request.spans[place["stroke"]]][0]
         if "angle" in place:
-            axes["phi"] = angle_number(request.angles[place["angle"]], angle_decimals(request.angles))
+            axes["phi"] = angle_number(request.angles[place["angle"]], request.angle_decimals)
         if "target" in place:
-            axes["delta"] = irregularity_label(request.flywheels[place["target"]].irregularity)
+            axes["target"] = angle_number(request.flywheels[place["target"]].irregularity, None)
         return axes

@@ -24,13 +24,11 @@ SPANS: Mapping[int | None, tuple[str, Mapping[str, str]]] = {
 }
 
 
-class Peak(Protocol):
+class Peak(NamedTuple):
     """Where the speed is least or greatest, in half turns, and its excess energy there, in Q R."""
 
-    @property
-    def place(self) -> Number: ...
-    @property
-    def energy(self) -> Number: ...
+    place: Number
+    energy: Number
 
 
 class AnyTurn(Protocol):
@@ -68,8 +66,10 @@ Value = Callable[[AnyTurn, Where], Any]
 class EngineQuantity(NamedTuple):
     """An entry of the registry. `scope` says of what it is: turn, stroke, span (both), angle or flywheel.
 
-    `arc` is an angle in degrees, printed in degrees and minutes; `decimals` None prints five figures. The
-    value is a number of the turn's kind or, where it is rational, a fraction.
+    `arc` is an angle in degrees, printed in degrees and minutes; `decimals` None prints five figures. `needs`
+    names what must be known: an ideal card, "steam", or the "radius" of the flywheel. `greatest` is True for
+    the greatest and False for the least speed. The value is a number of the turn's kind or, where it is
+    rational, a fraction.
     """
 
     key: str
@@ -80,6 +80,8 @@ class EngineQuantity(NamedTuple):
     decimals: int | None
     value: Value
     arc: bool = False
+    needs: str = ""
+    greatest: bool | None = None
 
     def applies(self, where: Where) -> bool:
         if self.scope == "stroke":
@@ -140,17 +142,22 @@ _ROWS: tuple[tuple[Any, ...], ...] = (
      lambda turn, where: turn.irregularity()),
     ("mean_force", "mittlere Umfangskraft|Mean tangential force", "$P$", "$Q$", "turn", 5,
      lambda turn, where: turn.mean_force()),
-    ("back", "Gegendruck|Back pressure", "$R_b$", "$Q$", "turn", 4, lambda turn, where: turn.back()),
+    ("back", "Gegendruck|Back pressure", "$R_b$", "$Q$", "turn", 4, lambda turn, where: turn.back(),
+     False, "steam"),
+    ("exponent", "Exponent der Expansion|Exponent of the expansion", "$n$", "", "turn", None,
+     lambda turn, where: turn.engine.ideal.exponent, False, "steam"),
+    ("clearance", "schädlicher Raum|Clearance", "$κ$", "", "turn", None,
+     lambda turn, where: turn.engine.ideal.clearance, False, "steam"),
     ("alpha_cutoff", "Absperrung bei|Cut-off at", "$α_ε$", "°", "stroke", 3,
-     lambda turn, where: _degrees(turn.cut_off(where.stroke)), True),
+     lambda turn, where: _degrees(turn.cut_off(where.stroke)), True, "steam"),
     ("alpha_min", "kleinste Geschwindigkeit bei|Least speed at", "$α_1$", "°", "span", 3,
-     lambda turn, where: _degrees(turn.extreme(False, where.stroke).place), True),
-    ("v_min", "kleinste Geschwindigkeit|Least speed", '$(v_"min" - v_1)/v_1$', _QR, "span", 4,
-     lambda turn, where: turn.extreme(False, where.stroke).energy),
+     lambda turn, where: _degrees(turn.extreme(False, where.stroke).place), True, "", False),
+    ("v_min", "kleinste Geschwindigkeit|Least speed", '$v_"min"/v_1 - 1$', _QR, "span", 4,
+     lambda turn, where: turn.extreme(False, where.stroke).energy, False, "", False),
     ("alpha_max", "größte Geschwindigkeit bei|Greatest speed at", "$α_2$", "°", "span", 3,
-     lambda turn, where: _degrees(turn.extreme(True, where.stroke).place), True),
-    ("v_max", "größte Geschwindigkeit|Greatest speed", '$(v_"max" - v_1)/v_1$', _QR, "span", 4,
-     lambda turn, where: turn.extreme(True, where.stroke).energy),
+     lambda turn, where: _degrees(turn.extreme(True, where.stroke).place), True, "", True),
+    ("v_max", "größte Geschwindigkeit|Greatest speed", '$v_"max"/v_1 - 1$', _QR, "span", 4,
+     lambda turn, where: turn.extreme(True, where.stroke).energy, False, "", True),
     ("tangential", "Tangentialkraft|Tangential force", "$T$", "$Q$", "angle", 4,
      lambda turn, where: turn.tangential_force(where.half_turns)),
     ("tangential_excess", "Überschuss über die mittlere|Excess over the mean", "$T - P$", "$Q$", "angle", 4,
@@ -159,13 +166,14 @@ _ROWS: tuple[tuple[Any, ...], ...] = (
      lambda turn, where: turn.energy_at(where.half_turns)),
     ("power", "Leistung|Power", "$N$", "W", "flywheel", None, lambda turn, where: _flywheel(where).power),
     ("speed", "Drehzahl|Speed", "$n$", '$"min"^(-1)$', "flywheel", None, _turns_a_minute),
-    ("omega", "Winkelgeschwindigkeit|Angular velocity", "$ω$", "1/s", "flywheel", None, _speed),
+    ("omega", "Winkelgeschwindigkeit|Angular velocity", "$ω$", "rad/s", "flywheel", None, _speed),
     ("mean_torque", "mittleres Drehmoment|Mean torque", "$P r$", "N m", "flywheel", None, _mean_torque),
-    ("swing_share", "Arbeitsüberschuss|Energy swing", "$ΔW$", "$P r$", "flywheel", 4,
+    ("swing_share", "Arbeitsüberschuss|Energy swing", "$ΔW/(P r)$", "", "flywheel", 4,
      lambda turn, where: turn.irregularity()),
     ("swing", "Arbeitsüberschuss|Energy swing", "$ΔW$", "J", "flywheel", None, _swing),
     ("inertia", "Trägheitsmoment|Moment of inertia", "$J$", "kg m²", "flywheel", None, _inertia),
-    ("mass", "Schwungmasse am Halbmesser|Mass at the radius", "$J/ρ^2$", "kg", "flywheel", None, _mass),
+    ("mass", "Schwungmasse am Halbmesser|Mass at the radius", "$J/ρ^2$", "kg", "flywheel", None, _mass,
+     False, "radius"),
 )  # fmt: skip
 
 

@@ -9,16 +9,17 @@ from functools import cached_property
 from typing import NamedTuple
 
 from kurbel.choices import choose
-from kurbel.engine import Engine
+from kurbel.engine import MOST_CRANKS, Diagram, Engine, Steam
 from kurbel.engine_quantities import OUTSTROKE, RETURN_STROKE, WHOLE, EngineQuantity, engine_registry
 from kurbel.errors import ProblemError
 from kurbel.flywheel import Flywheel
 from kurbel.layouts import Layout, LayoutColumn
 from kurbel.notation import MOST_ROWS
-from kurbel.problem import check_angles
+from kurbel.problem import Crank, check_angles
 from kurbel.quantities import Method
 from kurbel.request import check_label, check_rounding
-from kurbel.table import Label, Table
+from kurbel.rows import angle_decimals
+from kurbel.table import Label
 
 ENGINE_METHODS: Mapping[str, Method] = {
     method.key: method
@@ -47,7 +48,7 @@ ENGINE_METHODS: Mapping[str, Method] = {
 SCOPES: Mapping[str, tuple[str, ...]] = {
     "irregularity": ("turn", "span"),
     "strokes": ("turn", "span", "stroke"),
-    "turning": ("angle",),
+    "turning": ("angle", "turn"),
     "flywheel": ("flywheel",),
 }
 # The keys of the axes in records, and on the command line.
@@ -55,7 +56,14 @@ ENGINE_AXES: Mapping[str, tuple[str, ...]] = {
     "irregularity": ("epsilon", "ratio"),
     "strokes": ("epsilon", "ratio", "stroke"),
     "turning": ("epsilon", "ratio", "phi"),
-    "flywheel": ("epsilon", "ratio", "delta"),
+    "flywheel": ("epsilon", "ratio", "target"),
+}
+
+
+# What a quantity needs to be known.
+UNKNOWN: Mapping[str, str] = {
+    "steam": "an ideal card, with an expansion ratio",
+    "radius": "the radius at which the mass is, --radius",
 }
 
 
@@ -72,13 +80,16 @@ class EngineColumn(NamedTuple):
 
 @dataclass(frozen=True)
 class EngineRequest:
-    """What is asked for: the engines of all expansions (outer) and crank ratios (inner).
+    """What is asked for: the engines of all steams or cards (outer) and crank drives (inner).
 
-    `methods` empty leaves them to the layout, or is exact.
+    `double` and `cranks` are those of Engine. `methods` empty leaves them to the layout, or is exact.
     """
 
     layout: Layout
-    engines: tuple[tuple[Engine, ...], ...]
+    steams: Sequence[Steam | Diagram]
+    drives: Sequence[Crank]
+    double: bool = True
+    cranks: Sequence[Fraction] = (Fraction(0),)
     methods: tuple[str, ...] = ()
     angles: Sequence[Fraction] = (Fraction(0),)
     flywheels: tuple[Flywheel, ...] = ()
@@ -101,37 +112,55 @@ class EngineRequest:
                 f"layout {self.layout.key} shows one method, and {len(self.methods)} were given;"
                 f" {'use --layout delta-verfahren' if compared else 'leave the others out'}"
             )
-        if self.carded and self.layout.key == "weisbach-150":
+        if self.layout.subject == "turning" and "weisbach" in self.methods:
             raise ProblemError(
-                "layout weisbach-150 is over ε, which an indicator card does not have;"
+                'method "weisbach" is about the angles of the extremes, which a turning effort has not;'
+                " use series"
+            )
+        if self.carded and "expansion" in self.layout.across:
+            raise ProblemError(
+                f"layout {self.layout.key} is over ε, which an indicator card does not have;"
                 " use --layout delta-detail"
             )
         if len(self) > MOST_ROWS:
             raise ProblemError(f"the table would have {len(self)} rows; at most 10^9 are allowed")
 
     def _check_lists(self) -> None:
-        if not self.engines:
+        if not self.steams:
             raise ProblemError("no expansion ratio was given; write them as 4, 2;3;4 or 2..6")
-        if not self.engines[0]:
+        if not self.drives:
             raise ProblemError("no crank ratio was given; write one as 1:5")
+        # A range of angles may be too long to be written out.
+        if not 1 <= len(self.cranks) <= MOST_CRANKS:
+            raise ProblemError(f"the engine has {len(self.cranks)} cranks; 1 to {MOST_CRANKS} are allowed")
+        for ratio in range(len(self.drives)):
+            self.engine(0, ratio)
         if self.layout.subject == "flywheel" and not self.flywheels:
             raise ProblemError("no degree of irregularity was given; write one as 1:100")
 
     def __len__(self) -> int:
         """How many records there are."""
-        count = len(self.engines) * len(self.engines[0])
+        count = len(self.steams) * len(self.drives)
         spans = {"strokes": len(self.spans), "turning": len(self.angles), "flywheel": len(self.flywheels)}
         return count * spans.get(self.layout.subject, 1)
 
-    def table(self, pages: bool) -> Table:
-        """Return the table; without `pages` only its records."""
-        from kurbel.engine_page import build_engine
+    def engine(self, steam: int, drive: int) -> Engine:
+        return Engine(self.drives[drive], self.steams[steam], self.double, tuple(self.cranks))
 
-        return build_engine(self, pages)
-
-    @property
+    @cached_property
     def first(self) -> Engine:
-        return self.engines[0][0]
+        return self.engine(0, 0)
+
+    @cached_property
+    def angle_decimals(self) -> int | None:
+        """How many decimals write every crank angle exactly, None if no number of them does."""
+        return angle_decimals(self.angles)
+
+    @cached_property
+    def expansion_decimals(self) -> int | None:
+        """The same of every ε; None of cards."""
+        expansions = [steam.expansion for steam in self.steams if isinstance(steam, Steam)]
+        return angle_decimals(expansions) if expansions else None
 
     @property
     def carded(self) -> bool:
@@ -140,7 +169,7 @@ class EngineRequest:
 
     @property
     def ratios(self) -> list[Fraction]:
-        return [engine.crank.ratio for engine in self.engines[0]]
+        return [drive.ratio for drive in self.drives]
 
     @property
     def spans(self) -> tuple[int | None, ...]:
@@ -153,17 +182,34 @@ class EngineRequest:
         own = {column.key: column for column in self.layout.columns}
         if not self.columns:
             shown = [column for column in self.layout.columns if self._shown(column)]
+            if not shown:
+                raise ProblemError(
+                    f"layout {self.layout.key} has no column by method {', '.join(self.methods)} for this"
+                    " engine; use exact or series"
+                )
             return tuple(self._column(column) for column in shown)
         axes = self.axis_keys
         allowed = (*axes, *engine_column_keys(self.layout)[len(axes) :])
         keys = [choose(key, allowed, "column") for key in self.columns]
         chosen = [own.get(key, LayoutColumn(key, key)) for key in dict.fromkeys(keys) if key not in axes]
         if not chosen:
-            raise ProblemError("there is no column beside the axes; add one, such as delta")
+            raise ProblemError(
+                f"there is no column beside the axes; add one, such as {self.layout.columns[-1].key}"
+            )
         for column in chosen:
-            if not self._known(engine_registry()[column.quantity]):
-                raise ProblemError(f"column {column.key} is not known for this engine; leave it out")
+            quantity = engine_registry()[column.quantity]
+            if not self._known(quantity):
+                raise ProblemError(
+                    f"column {column.key} needs {UNKNOWN.get(quantity.needs, 'one double-acting crank')};"
+                    " leave it out, or give that"
+                )
         return tuple(map(self._column, chosen))
+
+    @property
+    def mean_column(self) -> EngineColumn:
+        """The mean force, by the first method."""
+        quantity, methods = engine_registry()["mean_force"], (self.methods or ("exact",))[:1]
+        return EngineColumn("mean_force", quantity, methods, quantity.decimals, (), ())
 
     @property
     def axis_keys(self) -> tuple[str, ...]:
@@ -179,11 +225,11 @@ class EngineRequest:
         return asked and self._known(engine_registry()[column.quantity])
 
     def _known(self, quantity: EngineQuantity) -> bool:
-        if quantity.key in ("back", "alpha_cutoff") and self.carded:
+        if quantity.scope == "stroke" and not self.first.plain:
             return False
-        if quantity.scope == "stroke":
-            return self.first.plain
-        return quantity.key != "mass" or self.flywheels[0].radius is not None
+        if quantity.needs == "steam":
+            return not self.carded
+        return quantity.needs != "radius" or self.flywheels[0].radius is not None
 
     def _column(self, column: LayoutColumn) -> EngineColumn:
         quantity, lang = engine_registry()[column.quantity], self.lang

@@ -7,16 +7,16 @@ Mariotte's law. Their sum is V₁ ln Z with an algebraic Z: where Z is 1 the ene
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
-from math import inf
+from math import inf, lcm
 from typing import Any, NamedTuple
 
 import flint
 
-from kurbel.certify import TieBits, ball, ball_circle
+from kurbel.certify import MOST_TIE_BITS, TieBits, ball, ball_circle
 from kurbel.engine import Engine
-from kurbel.kernel import steam
+from kurbel.kernel import steam, turning
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.kinds import Number
 from kurbel.separation import Separation, circle_separation
@@ -59,8 +59,11 @@ def force_ties(turn: Turn, half_turns: Fraction) -> TieBits:
         for crank in _cranks(turn, half_turns):
             if engine.double or not crank.stroke:
                 share, velocity = _share_and_velocity(turn, crank, _BOUNDS)
-                total += steam.net_pressure(share, acting) * velocity
-        return total.bits()
+                # The power of a polytropic expansion has a high degree; at full pressure there is none.
+                full = _at_full_pressure(turn, crank)
+                pressure = 1 - acting.back if full else steam.net_pressure(share, acting)
+                total += pressure * velocity
+        return float(total.bits())
 
     return bits
 
@@ -79,15 +82,42 @@ def energy_ties(turn: Turn, half_turns: Fraction) -> TieBits:
     return bits
 
 
+def back_ties(turn: Turn, half_turns: Fraction) -> TieBits:
+    """Return how near the back pressure, a power of a fraction, can come to a boundary."""
+    back = turn.engine.ideal.numbers(_BOUNDS.of, _BOUNDS.exponent).back
+    return lambda boundary: float((back - Separation.rational(boundary)).bits())
+
+
+# By the key of the quantity. Of roots of equations with π or logarithms no rational one is known, nor of what
+# has the factor π: they have no entry.
+TIES: Mapping[str, Callable[[Turn, Fraction], TieBits]] = {
+    "tangential": force_ties,
+    "energy": energy_ties,
+    "back": back_ties,
+}
+
+
+def _at_full_pressure(turn: Turn, crank: _Crank) -> bool:
+    """Whether the steam is still admitted, or just cut off."""
+
+    def beyond(kind: _Kind) -> Number:
+        return _share_and_velocity(turn, crank, kind)[0] - kind.of(1 / turn.engine.ideal.expansion)
+
+    past = at_bits(FIRST_BITS, lambda: beyond(_BALLS))
+    if not past.contains(0):
+        return bool(past < 0)
+    needed = int(beyond(_BOUNDS).bits()) + FIRST_BITS
+    return bool(at_bits(needed, lambda: beyond(_BALLS)).contains(0))
+
+
 def _cranks(turn: Turn, half_turns: Fraction, weight: int = 1) -> Iterator[_Crank]:
-    for start in turn.engine.cranks:
-        since = (half_turns - start / 180) % 2
-        stroke = int(since >= 1)
-        yield _Crank(stroke, since - stroke, weight)
+    for stroke, angle in turn.engine.positions(half_turns):
+        yield _Crank(stroke, angle, weight)
 
 
 def _share_and_velocity(turn: Turn, crank: _Crank, kind: _Kind) -> tuple[Number, Number]:
-    motion = MOTIONS[turn.method]
+    # With an infinite rod the exact formulas have roots of 1, which would count as roots.
+    motion = MOTIONS[turn.method] if turn.engine.crank.ratio else turning.FIRST_ORDER
     circle, ratio = kind.circle(180 * crank.angle), kind.of(SIGNS[crank.stroke] * turn.engine.crank.ratio)
     return motion.path(circle, ratio) / 2, motion.velocity(circle, ratio)
 
@@ -96,10 +126,10 @@ def _energy(turn: Turn, cranks: list[_Crank], work: Callable[[Number, Any], Numb
     engine = turn.engine
     acting = engine.ideal.numbers(_BOUNDS.of, _BOUNDS.exponent)
     whole = work(Separation.rational(1), acting)
-    total = Separation.rational(0)
+    # The mean works π P in half a turn, which is half of what both strokes do.
+    strokes = sum((_strokes(engine, crank) * crank.weight for crank in cranks), Fraction(0))
+    total = whole * Separation.rational(strokes) if strokes else Separation.rational(0)
     for crank in cranks:
-        # The mean works π P in half a turn, which is half of what both strokes do.
-        total += whole * Separation.rational(_strokes(engine, crank) * crank.weight)
         if engine.double or not crank.stroke:
             total += 2 * crank.weight * work(_share_and_velocity(turn, crank, _BOUNDS)[0], acting)
     return total
@@ -111,25 +141,24 @@ def _strokes(engine: Engine, crank: _Crank) -> Fraction:
 
 
 def _logarithms_vanish(turn: Turn, cranks: list[_Crank]) -> bool:
-    """Whether Z, the product of all growths of volume with their powers, is 1."""
+    """Whether Z, the product of all growths of volume with their powers, is 1 for certain."""
 
     def off_one(kind: _Kind, order: int) -> Number:
         return _product(turn, cranks, kind, order) - 1
 
-    order = 1
-    for crank in cranks:
-        order *= _strokes(turn.engine, crank).denominator
+    order = lcm(*(_strokes(turn.engine, crank).denominator for crank in cranks))
     if not at_bits(FIRST_BITS, lambda: off_one(_BALLS, order)).contains(0):
         return False
     bound = off_one(_BOUNDS, order).bits()
     needed = int(bound) + FIRST_BITS
-    while True:
+    while needed < MOST_TIE_BITS:
         left = at_bits(needed, lambda: off_one(_BALLS, order))
         if not left.contains(0):
             return False
         if left.rad() * 2 < flint.arb(2) ** -int(bound + 1):
             return True
         needed *= 2
+    return False
 
 
 def _product(turn: Turn, cranks: list[_Crank], kind: _Kind, order: int) -> Number:

@@ -9,6 +9,9 @@ from kurbel.errors import ProblemError
 from kurbel.notation import about
 from kurbel.problem import Speed
 
+# No engine is beyond these, and figures beyond them do not fit a page.
+LEAST, MOST = Fraction(1, 10**9), Fraction(10**12)
+
 
 @dataclass(frozen=True, slots=True)
 class Flywheel:
@@ -21,12 +24,17 @@ class Flywheel:
     radius: Fraction | None = None
 
     def __post_init__(self) -> None:
-        if self.power <= 0:
-            raise ProblemError(f"the power is {about(self.power)} W; it must be above 0")
-        if not 0 < self.irregularity < 2:
+        _check("the power", self.power, "W")
+        _check("the speed", self.speed.value, "1/s")
+        if not LEAST <= self.irregularity < 2:
             raise ProblemError(
-                f"degree of irregularity δ is {about(self.irregularity)}; it must be above 0 and below 2,"
-                " at which the flywheel would come to rest in every turn"
+                f"degree of irregularity δ is {about(self.irregularity)}; it must be at least 10^-9 and below"
+                " 2, at which the flywheel would come to rest in every turn"
             )
-        if self.radius is not None and self.radius <= 0:
-            raise ProblemError(f"the radius of the flywheel is {about(self.radius)} m; it must be above 0")
+        if self.radius is not None:
+            _check("the radius of the flywheel", self.radius, "m")
+
+
+def _check(what: str, value: Fraction, unit: str) -> None:
+    if not LEAST <= value <= MOST:
+        raise ProblemError(f"{what} is {about(value)} {unit}; it must lie within 10^-9 and 10^12 {unit}")

@@ -43,3 +43,7 @@ def as_angle(value: Exact) -> Fraction:
 
 def as_fraction(value: Exact) -> Fraction:
     return Fraction(value) if isinstance(value, (int, Fraction)) else notation.number(str(value))
+
+
+def as_share(value: Exact) -> Fraction:
+    return notation.share(value, "share") if isinstance(value, str) else as_fraction(value)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from itertools import groupby, pairwise
 
-from kurbel.table import Column, Group, Panel, Row, Table
+from kurbel.table import UNIT, Column, Group, Panel, Row, Table
 
 
 def narrowed(table: Table, fits: Callable[[Table], bool]) -> Table:
@@ -37,14 +37,19 @@ def _single(columns: Sequence[Column]) -> list[int]:
 
 
 def _parted(panel: Panel, blocks_of: Callable[[Sequence[Column]], list[int]], pieces: int) -> Iterator[Panel]:
-    """Yield the panel in so many pieces with about as many blocks each."""
-    blocks = blocks_of(panel.columns)
+    """Yield the panel in so many pieces with about as many blocks each, the column of units in all."""
+    units = 1 if panel.columns[-1].key == UNIT else 0
+    shown = len(panel.columns) - units
+    blocks = blocks_of(panel.columns[:shown])
     pieces = min(pieces, len(blocks))
     # The first pieces take what is left over, as a book fills its first block.
     ends = [sum(blocks[: -(-len(blocks) * piece // pieces)]) for piece in range(pieces + 1)]
     for start, end in pairwise(ends):
         groups = tuple(
-            Group(tuple(Row(row.stub, row.cells[start:end]) for row in group.rows), group.label)
+            Group(
+                tuple(Row(row.stub, row.cells[start:end] + row.cells[shown:]) for row in group.rows),
+                group.label,
+            )
             for group in panel.groups
         )
-        yield Panel(panel.stub, panel.columns[start:end], groups)
+        yield Panel(panel.stub, panel.columns[start:end] + panel.columns[shown:], groups)

@@ -155,17 +155,31 @@ def numbers(texts: Iterable[str], what: str) -> tuple[Fraction, ...]:
 
 def irregularities(texts: Iterable[str]) -> tuple[Fraction, ...]:
     """Return the degrees of irregularity of lists: "1:100", "0.01;1/150"."""
-    parts = [part for text in texts for part in _items(text, _irregularity, "degree of irregularity")]
+    what = "degree of irregularity"
+    # None is 0, so that 0,01 can only be a decimal.
+    decimals = (re.sub(r"\b0,(?=\d)", "0.", text) for text in texts)
+    parts = [part for text in decimals for part in _items(text, _irregularity, what)]
     _check_length(len(parts), LONGEST_LIST, "degrees of irregularity")
     return tuple(dict.fromkeys(map(_irregularity, parts)))
+
+
+def crank_angles(text: str) -> Sequence[Fraction]:
+    """Return the angles of a list or a range, also of two cranks at one angle: "0;90", "0;120;240"."""
+    parts = _items(text, angle, "angle")
+    if len(parts) == 1 and ".." in parts[0]:
+        return _angle_range(parts[0])
+    return tuple(each for part in parts for each in (_angle_range(part) if ".." in part else [angle(part)]))
 
 
 def share(text: str, what: str) -> Fraction:
     """Return a share: "0.05", "0,05", "5%"."""
     stripped = text.strip()
-    if stripped.endswith("%"):
+    if not stripped.endswith("%"):
+        return number(stripped, what)
+    try:
         return number(stripped[:-1], what) / 100
-    return number(stripped, what)
+    except NotationError:
+        raise NotationError(f"{what} {_shown(text)} is not a share; write it as 0.05 or 5%") from None
 
 
 def names(texts: Iterable[str], what: str, example: str) -> tuple[str, ...]:
@@ -286,10 +300,10 @@ def _ratio_range(text: str) -> Sequence[Fraction]:
 
 def _irregularity(text: str) -> Fraction:
     try:
-        return ratio(text)
+        return share(text, "") if text.strip().endswith("%") else ratio(text)
     except NotationError:
         raise NotationError(
-            f"degree of irregularity {_shown(text)} cannot be read; write it as 1:100 or 0.01"
+            f"degree of irregularity {_shown(text)} cannot be read; write it as 1:100, 0.01 or 1%"
         ) from None
 
 

@@ -86,10 +86,9 @@ def refined(function: Function, slope: Function, root: Root) -> arb:
     while True:
         middle = found.mid()
         better = middle - function(middle) / slope(found)
-        if better.is_finite() and better.overlaps(found):
-            better = better.intersection(found)
-        else:
-            better = _half(function, root.rising, found)
+        # Over a steep bend the slope may be anything; there halves are found by the sign.
+        narrower = better.is_finite() and better.overlaps(found)
+        better = better.intersection(found) if narrower else _half(function, root.rising, found)
         if not better.rad() < 0.75 * found.rad():
             return better
         found = better
@@ -101,7 +100,7 @@ def _half(function: Function, rising: bool, found: arb) -> arb:
     value = function(middle)
     if value.contains(0):
         return found
-    above = (value > 0) == rising
+    above = bool(value > 0) == rising
     return found.lower().union(middle) if above else middle.union(found.upper())
 
 

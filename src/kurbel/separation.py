@@ -12,19 +12,20 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from math import gcd, log2, prod
+from math import lcm, log2, prod
 
 
 @dataclass(frozen=True, slots=True)
 class Separation:
     """A quotient U/L of algebraic integers whose conjugates are at most 2**upper and 2**lower.
 
-    `roots` names the roots that occur, each with its degree; `degree` is the degree of the field below them.
+    `roots` names the roots that occur, each with its degree; the field below them is the cyclotomic one of
+    this order.
     """
 
     upper: float
     lower: float
-    degree: int = 1
+    order: int = 1
     roots: frozenset[tuple[object, int]] = frozenset()
 
     @classmethod
@@ -34,7 +35,7 @@ class Separation:
 
     def bits(self) -> float:
         """Return b such that the number is zero or at least 2**-b in magnitude."""
-        degree = self.degree * prod(order for _, order in self.roots)
+        degree = _totient(self.order) * prod(order for _, order in self.roots)
         # One bit more covers the rounding of the logarithms.
         return (degree - 1) * self.upper + self.lower + 1
 
@@ -67,12 +68,12 @@ class Separation:
             return (1 / self) ** -power
         if power.denominator > 1:
             return self._root(power.denominator) ** power.numerator
-        return Separation(self.upper * power, self.lower * power, self.degree, self.roots)
+        return Separation(self.upper * power, self.lower * power, self.order, self.roots)
 
     def _root(self, order: int) -> Separation:
         # The root of U/L is that of U L^(k-1), over L.
         upper = (self.upper + (order - 1) * self.lower) / order
-        return Separation(upper, self.lower, self.degree, self.roots | {(object(), order)})
+        return Separation(upper, self.lower, self.order, self.roots | {(object(), order)})
 
     def union(self, other: Separation | int) -> Separation:
         """Return what bounds either number, whichever it is."""
@@ -82,7 +83,7 @@ class Separation:
     max = union
 
     def _with(self, other: Separation, upper: float, lower: float) -> Separation:
-        return Separation(upper, lower, max(self.degree, other.degree), self.roots | other.roots)
+        return Separation(upper, lower, lcm(self.order, other.order), self.roots | other.roots)
 
 
 def circle_separation(degrees: Fraction) -> tuple[Separation, Separation, Separation]:
@@ -92,9 +93,9 @@ def circle_separation(degrees: Fraction) -> tuple[Separation, Separation, Separa
     lcm(n, 4), where n is the denominator of φ/360°.
     """
     denominator = (degrees / 360).denominator
-    degree = _totient(4 * denominator // gcd(4, denominator))
-    half = Separation(1, 1, degree)
-    return half, half, Separation(2, 1, degree)
+    order = lcm(4, denominator)
+    half = Separation(1, 1, order)
+    return half, half, Separation(2, 1, order)
 
 
 def _separation(value: Separation | int) -> Separation:

@@ -11,7 +11,6 @@ from kurbel.build import Asked, build
 from kurbel.digits import MOST_DECIMALS, largest
 from kurbel.formats import DECIMALS
 from kurbel.notation import Progression, ratio_text
-from kurbel.request import Request
 from kurbel.rows import CHUNK, RecordRows, angle_decimals, angle_number
 from kurbel.table import Table
 
@@ -19,7 +18,7 @@ if TYPE_CHECKING:
     from kurbel.columns import Scaled
 
 
-def record_chunks(request: Request | Asked, format_name: str, decimal: str) -> Iterator[bytes]:
+def record_chunks(request: Asked, format_name: str, decimal: str) -> Iterator[bytes]:
     """Yield the table's records as CSV or JSON, a chunk of rows at a time."""
     from kurbel.records import csv_rows, json_rows
 

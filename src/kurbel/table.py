@@ -34,6 +34,10 @@ class Ditto(Enum):
 DITTO = Ditto.DITTO
 
 
+# The key of a last column that says the unit of each row.
+UNIT = "unit"
+
+
 class Cell(NamedTuple):
     """A number, a label, the continuation of the cell above (stub only), or None for a missing value."""
 

@@ -17,6 +17,7 @@ import flint
 
 from kurbel.certify import ball, ball_circle
 from kurbel.engine import Engine
+from kurbel.engine_quantities import Peak
 from kurbel.errors import ProblemError
 from kurbel.kernel import steam, turning
 from kurbel.kernel.circle import Circle
@@ -129,13 +130,6 @@ class Extremum(NamedTuple):
     root: Root
     function: Function
     slope: Function
-
-
-class Peak(NamedTuple):
-    """Where the speed is least or greatest, in half turns, and its excess energy there, in Q R."""
-
-    place: Number
-    energy: Number
 
 
 class Turn:
@@ -273,7 +267,8 @@ class WeisbachTurn(Turn):
     """A turn with the angles of Weisbach's own relations, for Mariotte's law and one double-acting crank.
 
     α₁ is the first zero of the first-order excess, as sin α₁ = P/(Q - R) ± ½λ sin 2α₁ says; α₂ comes from
-    cot(α₂/2), or where the speed turns before the cut-off from the second zero. Source: § 150.
+    cot(α₂/2), or where the speed turns before the cut-off from the second zero. Where it turns shortly after
+    the cut-off, his simplified cot(α₂/2) may place α₂ shortly before. Source: § 150.
     """
 
     def _stationary(self, piece: Piece) -> Iterator[Extremum]:
@@ -283,9 +278,7 @@ class WeisbachTurn(Turn):
             return
         yield zeros[0]
         relation, slope = partial(self._relation, piece, 0), partial(self._relation, piece, 1)
-        yield from (
-            one._replace(root=one.root._replace(rising=False)) for one in _zeros(piece, relation, slope)
-        )
+        yield from _zeros(piece, relation, slope)
 
     def _turns_beyond_cut_off(self, piece: Piece) -> bool:
         (stroke, begun) = piece.strokes[0]

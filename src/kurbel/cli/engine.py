@@ -2,20 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
 from kurbel import notation
-from kurbel.cli.options import Columns, Name, layout_option, output_options
+from kurbel.cli.options import Columns, Name, layout_option, output_options, without_outdone
 from kurbel.errors import ProblemError
 
 if TYPE_CHECKING:
-    from kurbel.engine import Diagram, Engine, Steam
+    from kurbel.engine import Diagram, Steam
     from kurbel.layouts import Layout
 
+# What gives way, where it only comes from the environment, to what is typed.
+RIVALS = (
+    ("eps", {"card"}),
+    ("back", {"card"}),
+    ("exponent", {"card"}),
+    ("clearance", {"card"}),
+    ("card", {"eps"}),
+)
 Command = TypeVar("Command", bound=Callable[..., Any])
 
 
@@ -41,9 +49,12 @@ def engine_options(command: Command) -> Command:
                      help="Indicator card: CSV with position, p_forward [bar], p_return [bar]."),
         click.option("--other-side", metavar="PRESSURE",
                      help="With --card and --single-acting: pressure on the piston's other face, 1bar."),
-        click.option("--single-acting", is_flag=True, help="Steam works on the outstroke only."),
+        click.option("--single-acting", is_flag=True, 
+                     help="Steam works on the outstroke only; on the return both faces have the back"
+                     " pressure."),
         click.option("--cranks", metavar="ANGLES",
-                     help="Angles of several cranks with cylinders alike: 0;90 or 0;120;240."),
+                     help="Angles by which the cranks follow the first, with cylinders alike: 0;90 or"
+                     " 0;120;240."),
         click.option("--method", type=Name("method", _method_names), multiple=True,
                      help="exact (default), series (first order) or weisbach (his equations of § 150)."),
     )  # fmt: skip
@@ -89,7 +100,8 @@ def _delta_layout(options: Mapping[str, Any]) -> str:
     if options["layout"]:
         return str(options["layout"])
     several = len(set(options["method"])) > 1
-    if options["card"] and not several:
+    by_stroke = "alpha_cutoff" in notation.names(options["columns"], "columns", "epsilon,delta")
+    if (options["card"] or by_stroke) and not several:
         return "delta-detail"
     if several:
         return "delta-verfahren"
@@ -112,12 +124,17 @@ def turning(**options: Any) -> None:
     kurbel turning --eps 4 --cranks '0;90' --step 15
     kurbel turning --eps 4 --step 0.5 -f csv -o drehkraft.csv
     """  # fmt: skip
+    from kurbel.layouts import layout_of
+
     if options["angle"] and options["step"] is not None:
         raise ProblemError("--angle lists the angles and --step runs through the turn; use one or the other")
-    angles = options["angle"]
     if options["step"] is not None:
-        angles = (notation.progression(Fraction(0), Fraction(360), notation.angle(options["step"], "step")),)
-    _print(options, options["layout"], ("turning",), angles)
+        angles: Sequence[Fraction] = notation.progression(
+            Fraction(0), Fraction(360), notation.angle(options["step"], "step")
+        )
+    else:
+        angles = notation.angles(options["angle"] or layout_of(options["layout"], ("turning",)).angles)
+    _print(options, options["layout"], ("turning",), angles=angles)
 
 
 @click.command()
@@ -127,7 +144,7 @@ def turning(**options: Any) -> None:
 @click.option("--delta", multiple=True, metavar="δ", required=True,
               help="Degree of irregularity to keep: 1:100, 0.01; lists 1:50;1:100.")  # fmt: skip
 @click.option("--radius", metavar="LENGTH", help="Radius at which the mass of the rim is wanted: 1.5m.")
-@columns_option("flywheel", "delta,swing,inertia")
+@columns_option("flywheel", "target,swing,inertia")
 @layout_option("flywheel", "flywheel")
 @output_options
 def flywheel(**options: Any) -> None:
@@ -146,24 +163,22 @@ def flywheel(**options: Any) -> None:
     _print(options, options["layout"], ("flywheel",), flywheels=tuple(wheels))
 
 
-def _print(
-    options: dict[str, Any], name: str, subjects: tuple[str, ...], angles: Any = (), **rest: Any
-) -> None:
+def _print(options: dict[str, Any], name: str, subjects: tuple[str, ...], **rest: Any) -> None:
     from kurbel.cli.printing import Printing, print_table
     from kurbel.engine_request import EngineRequest
     from kurbel.layouts import layout_of
+    from kurbel.problem import Crank
 
     printing = Printing.chosen(options)
     page = layout_of(name, subjects)
-    if angles and not isinstance(angles[0], str):
-        (turned,) = angles
-    else:
-        turned = notation.angles(angles or page.angles or ("0",))
+    options = without_outdone(options, RIVALS)
     request = EngineRequest(
         layout=page,
-        engines=_engines(page, options),
+        steams=_diagrams(options) if options["card"] else _steams(page, options),
+        drives=[Crank(ratio) for ratio in notation.ratios(options["ratio"] or page.ratios)],
+        double=not options["single_acting"],
+        cranks=notation.crank_angles("0" if options["cranks"] is None else options["cranks"]),
         methods=tuple(dict.fromkeys(options["method"])),
-        angles=turned,
         digits=options["digits"],
         rounding=options["rounding"],
         lang=options["lang"],
@@ -172,18 +187,6 @@ def _print(
         **rest,
     )
     print_table(request, printing)
-
-
-def _engines(page: Layout, options: Mapping[str, Any]) -> tuple[tuple[Engine, ...], ...]:
-    from kurbel.engine import Engine
-    from kurbel.problem import Crank
-
-    cranks = tuple(notation.angles(["0" if options["cranks"] is None else options["cranks"]]))
-    drives = [Crank(ratio) for ratio in notation.ratios(options["ratio"] or page.ratios)]
-    return tuple(
-        tuple(Engine(drive, steam, not options["single_acting"], cranks) for drive in drives)
-        for steam in (_diagrams(options) if options["card"] else _steams(page, options))
-    )
 
 
 def _diagrams(options: Mapping[str, Any]) -> list[Diagram]:

@@ -73,7 +73,8 @@ class Columns(click.ParamType):  # type: ignore[type-arg]
     ) -> list[CompletionItem]:
         before, comma, last = incomplete.rpartition(",")
         chosen = before.split(",")
-        keys = _column_keys(ctx.params.get("layout") or self.layout)
+        detailed = "delta-detail" if ctx.params.get("detail") else self.layout
+        keys = _column_keys(ctx.params.get("layout") or detailed)
         return [
             CompletionItem(before + comma + key) for key in keys if key.startswith(last) and key not in chosen
         ]
@@ -103,13 +104,20 @@ class LayoutName(Name):
         super().__init__("layout", layout_names)
         self.subjects = subjects
 
+    def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> str:
+        return value if value in layout_names() else choose(value, self._fitting(), self.name)
+
+    def _fitting(self) -> list[str]:
+        from kurbel.layouts import layout
+
+        return [name for name in layout_names() if layout(name).subject in self.subjects]
+
     def shell_complete(
         self, ctx: click.Context, param: click.Parameter, incomplete: str
     ) -> list[CompletionItem]:
-        from kurbel.layouts import layout
-
         items = super().shell_complete(ctx, param, incomplete)
-        return [item for item in items if layout(item.value).subject in self.subjects]
+        fitting = self._fitting()
+        return [item for item in items if item.value in fitting]
 
 
 def layout_option(default: str, *subjects: str) -> Callable[[Command], Command]:

@@ -16,7 +16,6 @@ from kurbel.output import whole_file
 
 if TYPE_CHECKING:
     from kurbel.build import Asked
-    from kurbel.request import Request
 
 # Shorter tables are done before a bar could be read.
 BAR_ROWS = 200_000
@@ -39,7 +38,7 @@ class Printing(NamedTuple):
         return cls(form, *(options[name] for name in ("output", "decimal", "standalone", "longtable")))
 
 
-def print_table(request: Request | Asked, printing: Printing) -> None:
+def print_table(request: Asked, printing: Printing) -> None:
     """Write the table in the format to the file, whole or not at all."""
     chosen, output = printing.format, printing.output
     if chosen.kind == "page":
@@ -58,7 +57,7 @@ def print_table(request: Request | Asked, printing: Printing) -> None:
             bar.update(1)
 
 
-def _page(request: Request | Asked, printing: Printing) -> Iterator[bytes]:
+def _page(request: Asked, printing: Printing) -> Iterator[bytes]:
     from kurbel.build import build
     from kurbel.render import is_taller_than_a_page, render
 

@@ -120,14 +120,14 @@ def weisbach_maximum(
     """Return the relation cot(α/2) = gain/(π [...]) for the greatest speed as a function with that zero.
 
     And its slope over α. `half` is (sin α/2, cos α/2), `gain` is 1 + ln ε - ε b, `loss` is ε b. The
-    function is gain sin(α/2) - π [...] cos(α/2), below zero before the angle and above zero beyond. His
-    upper sign is the negative ratio. Source: Weisbach-Herrmann, § 150.
+    function is π [...] cos(α/2) - gain sin(α/2), above zero before the angle and below zero beyond, as the
+    excess force is. His upper sign is the negative ratio. Source: Weisbach-Herrmann, § 150.
     """
     sine, cosine = half
     square = sine * sine
     lever = 1 + ratio * circle.cosine
     bracket = 1 - ratio * square - loss * square * lever
     change = -circle.sine / 2 * (ratio + loss * (lever - 2 * ratio * square))
-    value = gain * sine - pi * bracket * cosine
-    slope = gain * cosine / 2 + pi * (bracket * sine / 2 - change * cosine)
+    value = pi * bracket * cosine - gain * sine
+    slope = pi * (change * cosine - bracket * sine / 2) - gain * cosine / 2
     return value, slope
