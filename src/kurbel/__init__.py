@@ -1,7 +1,8 @@
 """Certified tables of the crank drive, as a library.
 
 These functions give what the command line gives. They are imported when they are first used, so that
-`import kurbel` loads neither click nor Jinja nor NumPy.
+`import kurbel` loads neither click nor Jinja nor NumPy. Pages and certified digits are for one thread at a
+time, for the precision of ball arithmetic is the process's; `compute` and `delta` run in any.
 
 >>> import kurbel
 >>> kurbel.certified("x", "1:5", 60, digits=30)

@@ -40,6 +40,10 @@ WORDS: Mapping[str, Mapping[str, str]] = {
         "en": "stretched: rod and crank in line; the distance $180° + (ν - μ)$ lies on the side of the pivot;"
         " paths up to the vertical crank",
     },
+    "true": {
+        "de": "der Balancier schwingt gleich weit über und unter die Waagrechte; Wege auf seinem Bogen",
+        "en": "the beam swings alike above and below the horizontal; paths along its arc",
+    },
     "arm": {"de": "Arm des Balanciers a/r", "en": "Arm of the beam a/r"},
 }
 
@@ -139,6 +143,8 @@ def _notes(request: BeamRequest) -> Iterator[str]:
         yield "formulas"
     yield "symbols"
     yield "sides"
+    if request.exact:
+        yield "true"
 
 
 def _grid(request: BeamRequest) -> Grid:

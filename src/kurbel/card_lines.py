@@ -48,6 +48,8 @@ def shown(path: str | os.PathLike[str]) -> str:
 
 
 def _raw_lines(path: str | os.PathLike[str], name: str) -> Iterator[bytes]:
+    if name in ("", "-"):
+        raise CardError("a card is read from a file, not from standard input; give the file's name")
     try:
         _check_file(os.stat(path), name)
         with open(path, "rb") as file:
