@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import pytest
-from cli import printed
+from cli import printed, refusal
 from energy_curve import Curve, Exact, Plant, real
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -243,6 +243,64 @@ def test_full_pressure_and_infinite_rod_have_the_closed_form() -> None:
         assert column("delta", *words, "--back", back) == [of(swing * mp.pi / 2, 20)]
 
 
+def test_two_cranks_at_one_angle_do_twice_the_work_as_unevenly() -> None:
+    words = ("--eps", "3", "--ratio", "1:4", "--digits", "20")
+    turn = solved(Plant(Fraction(3), QUARTER))
+    for cranks, count in (("0", 1), ("0;0", 2), ("0;360;-360", 3)):
+        asked = ("delta", *words, "--cranks", cranks, "--columns", "delta,mean_force,v_min,v_max")
+        (record,) = csv(*asked)
+        assert record == {
+            "delta": of(turn.delta, 20),
+            "mean_force": of(count * turn.exact.mean_force, 20),
+            "v_min": of(count * turn.least[TURN].energy, 20),
+            "v_max": of(count * turn.greatest[TURN].energy, 20),
+        }
+        (at_40,) = csv("turning", *words, "--cranks", cranks, "--angle", "40")
+        place = 2 * mp.pi / 9
+        assert at_40["tangential"] == of(count * turn.exact.force(place), 20)
+        assert at_40["energy"] == of(count * turn.exact.energy(place), 20)
+
+
+def test_two_cranks_of_a_card_at_one_angle_do_twice_the_work_as_unevenly() -> None:
+    words = ("delta", "--card", str(CARDS / "ideal-2.csv"), "--columns", "delta,mean_force", "--digits", "7")
+    one, two = csv(*words)[-1], csv(*words, "--cranks", "0;0")[-1]
+    turn = solved(Plant(Fraction(2), FIFTH))
+    assert one["delta"] == two["delta"] == of(turn.delta, 7)
+    assert [one["mean_force"], two["mean_force"]] == [of(n * turn.exact.mean_force, 7) for n in (1, 2)]
+
+
+def test_cranks_follow_the_first_by_their_angles() -> None:
+    cranks = (Fraction(0), Fraction(90), Fraction(225))
+    plant = Plant(Fraction(3), QUARTER, Fraction(1, 10), cranks=cranks)
+    words = ("--eps", "3", "--ratio", "1:4", "--back", "0.1", "--cranks")
+    curve, angles = Curve(plant), (30, 100, 200, 310)
+    found = csv("turning", *words, "0;90;225", "--angle", "30;100;200;310", "--digits", "6")
+    for record, angle in zip(found, angles, strict=True):
+        place = int(angle / curve.step)
+        assert abs(float(record["tangential_excess"]) - curve.excess[place]) < 1e-6
+        assert abs(float(record["energy"]) - curve.energy[place]) < 1e-6
+        # At φ the second crank has turned by φ - 90° and the third by φ - 225°.
+        own = [(angle - crank) % 360 for crank in (0, 90, 225)]
+        one = csv("turning", *words, "0", "--angle", ";".join(map(str, own)), "--digits", "9")
+        assert record["tangential"] == f"{sum(float(each['tangential']) for each in one):.6f}"
+    for order in ("0;90;225", "0;225;90"):
+        (delta,) = column("delta", "delta", *words, order, "--digits", "9")
+        assert abs(float(delta) - curve.irregularity) < 1e-6
+    # Going ahead by as much is another turn.
+    ahead = csv("turning", *words, "0;270;135", "--angle", "30;100;200;310", "--digits", "6")
+    assert all(
+        behind["tangential"] != before["tangential"] for behind, before in zip(found, ahead, strict=True)
+    )
+
+
+def test_cranks_of_a_card_follow_the_first_too() -> None:
+    words = ("--cranks", "0;90;225", "--angle", "30;100;200;310", "--columns", "tangential,energy")
+    keys = ("tangential", "energy")
+    measured = csv("turning", "--card", str(CARDS / "ideal-2.csv"), *words, "--digits", "6")
+    for record, ideal in zip(measured, csv("turning", "--eps", "2", *words, "--digits", "6"), strict=True):
+        assert [record[key] for key in keys] == [ideal[key] for key in keys]
+
+
 def test_a_machine_of_more_cranks_turns_more_evenly() -> None:
     one, two, three = (
         float(*column("delta", "delta", "--eps", "4", "--cranks", cranks))
@@ -298,7 +356,7 @@ def test_detail_marks_the_two_speeds_that_make_delta() -> None:
     turn = solved(Plant(Fraction(2), FIFTH))
     lowest, highest = of(turn.least[TURN].energy, 4), of(turn.greatest[TURN].energy, 4)
     assert marked[:2] == [f"{lowest.replace('-', '−')}ᵃ⁾", f"{highest}ᵃ⁾"]
-    assert "these two make δ" in page
+    assert "δ follows from these two" in page
 
 
 def test_detail_of_several_cranks_has_the_turn_alone() -> None:
@@ -319,7 +377,7 @@ def test_detail_of_several_cranks_has_the_turn_alone() -> None:
     page = printed(*words).out
     assert "Hingang" not in page
     assert "ᵃ⁾" not in page
-    assert "Kurbeln unter 0°, 90°" in page
+    assert "Kurbeln um 90° hinter der ersten, Zylinder gleich" in " ".join(page.split())
 
 
 def test_detail_of_several_engines_has_a_group_for_each() -> None:
@@ -383,7 +441,12 @@ def test_the_ideal_card_makes_the_page_of_its_expansion(method: str) -> None:
     measured, ideal = csv(*words, "--card", str(CARDS / "ideal-2.csv")), csv(*words, "--eps", "2")
     for record, expected in zip(measured, ideal, strict=True):
         assert record.pop("card").endswith("ideal-2.csv")
+        errors = {key: record.pop(key) for key in tuple(record) if key.endswith("_error")}
         assert {key: expected[key] for key in record} == record
+        # Each value is followed by its error, which so good a card has hardly any of.
+        for key, error in errors.items():
+            assert (error == "") == (record[key.removesuffix("_error")] == "")
+            assert not error or 0 < float(error) < 1e-5
     cards = ("delta", "--card", str(CARDS / "ideal-2.csv"))
     assert printed(*cards).out == printed(*cards, "--detail").out
 
@@ -401,6 +464,26 @@ def test_cards_are_compared_a_row_each() -> None:
 
 
 # Columns, digits, languages, formats -------------------------------------------------------------
+
+
+def test_the_column_of_the_cut_off_chooses_the_page_of_strokes() -> None:
+    words = ("delta", "--eps", "3", "--ratio", "1:4", "--columns", "delta,alpha_cutoff")
+    assert printed(*words).out == printed(*words, "--detail").out
+    exact = solved(Plant(Fraction(3), QUARTER)).exact
+    degrees = [exact.cut_off_angle(returning) * 180 / mp.pi for returning in (False, True)]
+    assert column("alpha_cutoff", *words) == [*(of(one, 3) for one in degrees), ""]
+
+
+def test_exponent_and_clearance_are_columns_too() -> None:
+    words = ("--eps", "3", "--exponent", "1,13", "--clearance", "5%", "--columns", "exponent,clearance")
+    assert csv("delta", *words) == [{"exponent": "1.13", "clearance": "0.05"}]
+    assert csv("turning", *words, "--angle", "5") == [{"exponent": "1.13", "clearance": "0.05"}]
+    assert csv("delta", *words, "--digits", "1", "--rounding", "half-even") == [
+        {"exponent": "1.1", "clearance": "0.0"}
+    ]
+    page = printed("delta", *words, "--lang", "en").out
+    assert "Exponent of the expansion n" in page
+    assert "Clearance κ" in page
 
 
 def test_columns_are_picked_and_ordered() -> None:
@@ -489,15 +572,17 @@ def test_the_page_says_what_engine_it_is_about() -> None:
     def told(*words: str) -> str:
         return " ".join(printed("delta", "--eps", "4", "--lang", "en", *words).out.split())
 
-    assert "Expansion by Mariotte's law; back pressure R_b = Q/ε, the best" in told()
+    assert "Expansion by Mariotte's law; back pressure R_b = Q/ε, the most favourable" in told()
     assert "Expansion by p Vⁿ = const, n = 1.13" in told("--exponent", "1.13")
-    assert "back pressure equal to the steam's at the end of the stroke, the best" in told(
-        "--exponent", "1.13"
-    )
+    best = "back pressure equal to the steam's at the end of the stroke, the most favourable"
+    assert best in told("--exponent", "1.13")
+    assert best in told("--clearance", "5%")
     assert "clearance 0.05 of the swept volume" in told("--clearance", "5%")
     assert "back pressure R_b = 0.1 Q" in told("--back", "10%")
     assert "single-acting" in told("--single-acting")
-    assert "cranks at 0°, 90°" in told("--cranks", "0;90")
+    assert told("--back", "0").endswith("back pressure R_b = 0 Source: " + told().partition("Source: ")[2])
+    assert "cranks 90° behind the first, cylinders alike" in told("--cranks", "0;90")
+    assert "cranks 0°, 225° behind the first, cylinders alike" in told("--cranks", "0;0;225")
     assert "first-order formulas" in told("--method", "series")
     assert "by Weisbach's equations for α₁ and α₂" in told("--method", "weisbach")
     full = printed("delta", "--eps", "1", "--back", "0", "--lang", "en").out
@@ -538,11 +623,14 @@ def test_turning_begins_and_ends_its_turn_without_energy() -> None:
 
 
 def test_turning_tells_the_mean_force_of_every_engine() -> None:
-    page = printed("turning", "--eps", "2;3", "--step", "90", "--lang", "en").out
-    for eps in (2, 3):
-        force = of(solved(Plant(Fraction(eps), FIFTH)).exact.mean_force, 5)
-        assert f"mean tangential force P = {force} Q for ε = {eps}" in page
-    assert printed("turning", "--eps", "2", "--step", "90").out.count("mittlere Umfangskraft P = ") == 1
+    records = csv("turning", "--eps", "2;3", "--step", "90", "--digits", "7")
+    assert len(records) == 2 * 5
+    for record in records:
+        exact = solved(Plant(Fraction(record["epsilon"]), FIFTH)).exact
+        assert record["mean_force"] == of(exact.mean_force, 7)
+    lines = printed("turning", "--eps", "3", "--step", "90", "--lang", "en").out.splitlines()
+    force = of(solved(Plant(Fraction(3), FIFTH)).exact.mean_force, 4)
+    assert sum(line.split()[2:3] == [force] for line in lines) == 5
 
 
 def test_turning_effort_in_the_turn_before_is_that_of_this_turn() -> None:
@@ -555,7 +643,10 @@ def test_turning_effort_in_the_turn_before_is_that_of_this_turn() -> None:
 
 
 def five(value: Any) -> str:
-    """Return the number to five figures, which is what flywheels are printed to."""
+    """Return the number to five figures, which is what flywheels are printed to, or whole if given so."""
+    whole = mp.nint(value)
+    if abs(value - whole) < mp.mpf(10) ** -30:
+        return str(int(whole))
     before_point = int(mp.floor(mp.log10(value))) + 1
     return of(value, max(0, 5 - before_point))
 
@@ -580,7 +671,7 @@ def wheel(plant: Plant, power: Any, omega: Any, target: Any, radius: Any = 1) ->
 def test_flywheel_keeps_each_irregularity_that_was_asked_for() -> None:
     words = ("flywheel", "--power", "50kW", "--speed", "120/min", "--eps", "3", "--ratio", "1:4")
     records = csv(*words, "--delta", "1:50;0,015", "--delta", "1/150", "--radius", "1,3m")
-    assert [record["delta"] for record in records] == ["1:50", "0.015", "1:150"]
+    assert [record["target"] for record in records] == ["0.02", "0.015", "0.006666666666667"]
     for record, target in zip(records, (mp.mpf(1) / 50, mp.mpf(3) / 200, mp.mpf(1) / 150), strict=True):
         expected = wheel(Plant(Fraction(3), QUARTER), mp.mpf(50_000), 4 * mp.pi, target, mp.mpf(13) / 10)
         assert (record["epsilon"], record["ratio"]) == ("3", "1:4")
@@ -591,6 +682,48 @@ def test_flywheel_keeps_each_irregularity_that_was_asked_for() -> None:
         inertia, swing = mp.mpf(record["inertia"]), mp.mpf(record["swing"])
         assert abs(inertia * target * (4 * mp.pi) ** 2 / swing - 1) < mp.mpf("1e-4")
         assert abs(mp.mpf(record["swing_share"]) * 50_000 / (4 * mp.pi) / swing - 1) < mp.mpf("1e-4")
+
+
+@pytest.mark.parametrize(
+    ("text", "number", "head"),
+    [
+        ("1:100", "0.01", "1:100"),
+        ("0,01", "0.01", "1:100"),
+        ("1%", "0.01", "1:100"),
+        ("1/100", "0.01", "1:100"),
+        ("1:62.5", "0.016", "1:62.5"),
+        ("1.6%", "0.016", "1:62.5"),
+        ("0.015", "0.015", "0.015"),
+        ("1e-9", "0.000000001", "1:1000000000"),
+    ],
+)
+def test_irregularity_is_read_as_ratio_decimal_or_percent(text: str, number: str, head: str) -> None:
+    words = ("flywheel", *TASK[:4], "--delta", text)
+    (record,) = csv(*words)
+    assert record["target"] == number
+    assert head in printed(*words, "--decimal", "point").out.split()
+    target = json.loads(printed(*words, "-f", "json").out, parse_float=str)["rows"][0]["target"]
+    assert Fraction(target) == Fraction(number)
+
+
+def test_a_list_of_irregularities_may_have_decimal_commas() -> None:
+    words = ("flywheel", *TASK[:4], "--delta", "0,02;1%;1:50;1/150")
+    assert column("target", *words) == ["0.02", "0.01", "0.006666666666667"]
+
+
+@pytest.mark.parametrize(
+    ("words", "power", "speed", "omega"),
+    [
+        (("--power", "50kW", "--speed", "120/min"), "50000", "120", of(4 * mp.pi, 3)),
+        (("--power", "1234567.5W", "--speed", "12.5rad/s"), "1234568", of(mp.mpf(375) / mp.pi, 2), "12.5"),
+        (("--power", "2.5W", "--speed", "1/s"), "2.5", "60", of(2 * mp.pi, 4)),
+    ],
+)
+def test_given_values_are_printed_as_they_were_given(
+    words: tuple[str, ...], power: str, speed: str, omega: str
+) -> None:
+    (record,) = csv("flywheel", *words, "--delta", "1:100")
+    assert (record["power"], record["speed"], record["omega"]) == (power, speed, omega)
 
 
 def test_speed_in_radians_is_the_angular_velocity_itself() -> None:
@@ -665,6 +798,22 @@ def test_the_environment_sets_defaults_and_options_override_them() -> None:
     assert printed("turning", KURBEL_DELTA_EPS="3").out == printed("turning").out
     power = printed("flywheel", *TASK[2:], KURBEL_FLYWHEEL_POWER="50kW").out
     assert power == printed("flywheel", *TASK).out
+
+
+def test_what_the_environment_says_of_the_steam_gives_way_to_what_is_typed() -> None:
+    card = str(CARDS / "ideal-2.csv")
+    ideal = {"KURBEL_DELTA_EPS": "3", "KURBEL_DELTA_BACK": "0.1", "KURBEL_DELTA_EXPONENT": "1.2",
+             "KURBEL_DELTA_CLEARANCE": "5%"}  # fmt: skip
+    words = ("delta", "--card", card)
+    assert printed(*words, **ideal).out == printed(*words).out
+    # A card of the environment gives way with the page that it would choose.
+    words = ("delta", "--eps", "4")
+    assert printed(*words, KURBEL_DELTA_CARD=card).out == printed(*words).out
+    assert printed("delta", KURBEL_DELTA_CARD=card).out == printed("delta", "--card", card).out
+    # Neither of two of the environment, nor of two that are typed.
+    said = "describes an ideal card, and --card gives a measured one; leave one out"
+    assert refusal("delta", KURBEL_DELTA_CARD=card, KURBEL_DELTA_EPS="3") == f"--eps {said}"
+    assert refusal("delta", "--card", card, "--back", "0.1", KURBEL_DELTA_EPS="3") == f"--back {said}"
 
 
 # At random ---------------------------------------------------------------------------------------

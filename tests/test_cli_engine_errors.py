@@ -26,6 +26,9 @@ NO_WORK = (
     "at its best back pressure, that of the steam at the end of the stroke, leaves no work;"
     " give a lower one, for example --back 0"
 )
+ANGLES_ONLY = (
+    'method "weisbach" is about the angles of the extremes, which a turning effort has not; use series'
+)
 WEISBACH = (
     'method "weisbach" is for one double-acting crank, exponent 1 and no clearance, as in § 150;'
     " use exact or series"
@@ -33,9 +36,12 @@ WEISBACH = (
 MEASURED = "describes an ideal card, and --card gives a measured one; leave one out"
 IDEAL = str(Path(__file__).parent / "cards" / "ideal-2.csv")
 SPEED = "a speed of rotation such as 120/min, 120rpm or 12.5rad/s"
-REST = "it must be above 0 and below 2, at which the flywheel would come to rest in every turn"
+REST = "it must be at least 10^-9 and below 2, at which the flywheel would come to rest in every turn"
 IRREGULARITY = ", ".join(about("irregularity", "strokes"))
-TURN_COLUMNS = "epsilon, ratio, delta, mean_force, back, alpha_min, v_min, alpha_max, v_max"
+TURN_COLUMNS = (
+    "epsilon, ratio, delta, mean_force, back, exponent, clearance, alpha_min, v_min, alpha_max, v_max"
+)
+NO_IRREGULARITY = "cannot be read; write it as 1:100, 0.01 or 1%"
 
 # What every command about engines refuses alike.
 ENGINES = [
@@ -63,16 +69,16 @@ ENGINES = [
     (("--back", "120%"), f"back pressure b is 1.2; {SHARE}"),
     (("--back", "abc"), f'back pressure "abc" {NO_NUMBER}'),
     (("--back", ""), f'back pressure "" {NO_NUMBER}'),
-    # (1 + ln 4)/4 is 0.5966 and (1 + ln 2)/2 is 0.8466.
+    # (1 + ln 4)/4 is 0.59657359 and (1 + ln 2)/2 is 0.84657359.
     (
         ("--back", "0.9", "--eps", "4"),
-        "back pressure b = 0.9 leaves no work at ε = 4: the mean force P would not be above 0;"
-        " b must be below 0.596574",
+        "back pressure b = 0.9 leaves no work at ε = 4; b must be below 0.596573,"
+        " or the mean force P would not be above 0",
     ),
     (
         ("--back", "1", "--eps", "2..6"),
-        "back pressure b = 1 leaves no work at ε = 2: the mean force P would not be above 0;"
-        " b must be below 0.846574",
+        "back pressure b = 1 leaves no work at ε = 2; b must be below 0.846573,"
+        " or the mean force P would not be above 0",
     ),
     (("--exponent", "0"), f"exponent n is 0; {FALLING}"),
     (("--exponent=-1.2",), f"exponent n is -1.2; {FALLING}"),
@@ -91,12 +97,13 @@ ENGINES = [
         'angle "0,90" can be read as the number 0.90 or the list 0;90; write 0.90 or 0;90',
     ),
     (("--cranks", "0..24:1"), "the engine has 25 cranks; 1 to 24 are allowed"),
+    (("--cranks", "0..360:1e-6"), "the engine has 360000001 cranks; 1 to 24 are allowed"),
+    (
+        ("--cranks", "90;0"),
+        "the first crank is at 90°; angles count from the first crank, write them as 0;90",
+    ),
     (("--ratio", "1:1"), f"crank ratio R:L is 1; {TOO_SHORT}"),
     (("--ratio=-1:5",), "crank ratio R:L is -0.2; it must not be negative, for both are lengths"),
-    (("--method", "weisbach", "--single-acting"), WEISBACH),
-    (("--method", "weisbach", "--cranks", "0;90"), WEISBACH),
-    (("--method", "weisbach", "--exponent", "1.13"), WEISBACH),
-    (("--method", "weisbach", "--clearance", "5%"), WEISBACH),
     (("--method", "infinite"), 'there is no method "infinite"; choose from exact, series, weisbach'),
     (("--card", "x.csv", "--eps", "2"), f"--eps {MEASURED}"),
     (("--card", "x.csv", "--back", "0"), f"--back {MEASURED}"),
@@ -110,10 +117,6 @@ ENGINES = [
         ("--single-acting", "--other-side", "1bar"),
         "--other-side is for --card; of an ideal card --back is the pressure there",
     ),
-    (
-        ("--card", IDEAL, "--method", "weisbach"),
-        'method "weisbach" has no equations for an indicator card; use exact or series',
-    ),
     (("--digits", "51"), 'digits "51" cannot be printed; write a whole number from 0 to 50'),
     (
         ("--rounding", "even"),
@@ -126,10 +129,17 @@ ENGINES = [
         " its suffix must be one of .txt, .md, .tex, .html, .htm, .csv, .json",
     ),
     (("--columns", ","), 'columns "," has an empty place; write it as epsilon,delta'),
-    (("--columns", "epsilon,ratio"), "there is no column beside the axes; add one, such as delta"),
+]
+# What his method does not know, of δ and of what follows from δ.
+WEISBACHS = [
+    (("--single-acting",), WEISBACH),
+    (("--cranks", "0;90"), WEISBACH),
+    (("--cranks", "0;0"), WEISBACH),
+    (("--exponent", "1.13"), WEISBACH),
+    (("--clearance", "5%"), WEISBACH),
     (
-        ("--layout", "turnings"),
-        f'there is no layout "turnings" (did you mean turning?); choose from {", ".join(layout_names())}',
+        ("--card", IDEAL),
+        'method "weisbach" has no equations for an indicator card; use exact or series',
     ),
 ]
 DELTAS = [
@@ -155,7 +165,22 @@ DELTAS = [
         ("--card", IDEAL, "--layout", "weisbach-150"),
         "layout weisbach-150 is over ε, which an indicator card does not have; use --layout delta-detail",
     ),
-    (("--card", IDEAL, "--columns", "back"), "column back is not known for this engine; leave it out"),
+    *(
+        (
+            ("--card", IDEAL, "--columns", key),
+            f"column {key} needs an ideal card, with an expansion ratio; leave it out, or give that",
+        )
+        for key in ("back", "exponent", "clearance", "alpha_cutoff")
+    ),
+    (("--columns", "epsilon,ratio"), "there is no column beside the axes; add one, such as delta"),
+    (
+        ("--layout", "turnings"),
+        f'there is no layout "turnings"; choose from {IRREGULARITY}',
+    ),
+    (
+        ("--layout", "delta-tafle"),
+        f'there is no layout "delta-tafle" (did you mean delta-tafel?); choose from {IRREGULARITY}',
+    ),
     (
         ("--columns", "epsilon,dleta"),
         f'there is no column "dleta" (did you mean delta?); choose from {TURN_COLUMNS}',
@@ -163,7 +188,7 @@ DELTAS = [
     (("--columns", "power"), f'there is no column "power"; choose from {TURN_COLUMNS}'),
     (
         ("--detail", "--cranks", "0;90", "--columns", "alpha_cutoff"),
-        "column alpha_cutoff is not known for this engine; leave it out",
+        "column alpha_cutoff needs one double-acting crank; leave it out, or give that",
     ),
     (
         ("--layout", "delta-verfahren", "--columns", "delta"),
@@ -197,7 +222,7 @@ TURNINGS = [
     ),
     (
         ("--step", "0.001"),
-        "a page of 1080003 numbers is too long; at most 300000 are set, use -f csv or -f json",
+        "a page of 1440004 numbers is too long; at most 300000 are set, use -f csv or -f json",
     ),
     (("--layout", "delta-tafel"), "layout delta-tafel is about something else; choose from turning"),
     (
@@ -207,9 +232,17 @@ TURNINGS = [
     (
         ("--columns", "phi,enregy"),
         'there is no column "enregy" (did you mean energy?);'
-        " choose from epsilon, ratio, phi, tangential, tangential_excess, energy",
+        " choose from epsilon, ratio, phi, tangential, mean_force, tangential_excess, energy, delta, back,"
+        " exponent, clearance",
     ),
+    (("--columns", "epsilon,phi"), "there is no column beside the axes; add one, such as energy"),
+    (
+        ("--layout", "turnings"),
+        'there is no layout "turnings" (did you mean turning?); choose from turning',
+    ),
+    (("--method", "weisbach"), ANGLES_ONLY),
 ]
+WITHIN = "it must lie within 10^-9 and 10^12"
 FLYWHEEL = {"--power": "50kW", "--speed": "120/min", "--delta": "1:100"}
 # What is given in place of, or beside, the flywheel above.
 FLYWHEELS = [
@@ -225,10 +258,17 @@ FLYWHEELS = [
         ("--speed", "0/min"),
         'speed "0/min" is out of range; it must be above 0 and at most 10^9 turns a second',
     ),
-    (("--delta", "abc"), 'degree of irregularity "abc" cannot be read; write it as 1:100 or 0.01'),
-    (("--delta", ""), 'degree of irregularity "" cannot be read; write it as 1:100 or 0.01'),
-    (("--delta", "1:0"), 'degree of irregularity "1:0" cannot be read; write it as 1:100 or 0.01'),
-    (("--delta", "1..2"), 'degree of irregularity "1..2" cannot be read; write it as 1:100 or 0.01'),
+    (("--power", "1e-10W"), f"the power is 0.0000000001 W; {WITHIN} W"),
+    (("--speed", "1e-10rad/s"), f"the speed is 0.0000000001 1/s; {WITHIN} 1/s"),
+    (("--radius", "1e-10m"), f"the radius of the flywheel is 0.0000000001 m; {WITHIN} m"),
+    (("--delta", "abc"), f'degree of irregularity "abc" {NO_IRREGULARITY}'),
+    (("--delta", ""), f'degree of irregularity "" {NO_IRREGULARITY}'),
+    (("--delta", "%"), f'degree of irregularity "%" {NO_IRREGULARITY}'),
+    (("--delta", "1:100%"), f'degree of irregularity "1:100%" {NO_IRREGULARITY}'),
+    (("--delta", "1:0"), f'degree of irregularity "1:0" {NO_IRREGULARITY}'),
+    (("--delta", "1..2"), f'degree of irregularity "1..2" {NO_IRREGULARITY}'),
+    (("--delta", "1e-10"), f"degree of irregularity δ is 0.0000000001; {REST}"),
+    (("--delta", "200%"), f"degree of irregularity δ is 2; {REST}"),
     (("--delta", "0"), f"degree of irregularity δ is 0; {REST}"),
     (("--delta", "1:inf"), f"degree of irregularity δ is 0; {REST}"),
     (("--delta", "-1:5"), f"degree of irregularity δ is -0.2; {REST}"),
@@ -245,10 +285,20 @@ FLYWHEELS = [
         ("--method", "exact", "--method", "series"),
         "layout flywheel shows one method, and 2 were given; leave the others out",
     ),
-    (("--columns", "mass"), "column mass is not known for this engine; leave it out"),
+    (
+        ("--columns", "mass"),
+        "column mass needs the radius at which the mass is, --radius; leave it out, or give that",
+    ),
+    # What is proposed can be asked for: the mass would need a radius.
+    (("--columns", "epsilon,target"), "there is no column beside the axes; add one, such as inertia"),
+    (
+        ("--columns", "epsilon,target", "--radius", "1m"),
+        "there is no column beside the axes; add one, such as mass",
+    ),
+    (("--layout", "turnings"), 'there is no layout "turnings"; choose from flywheel'),
     (
         ("--columns", "inertai"),
-        'there is no column "inertai" (did you mean inertia?); choose from epsilon, ratio, delta, power,'
+        'there is no column "inertai" (did you mean inertia?); choose from epsilon, ratio, target, power,'
         " speed, omega, mean_torque, swing_share, swing, inertia, mass",
     ),
 ]
@@ -277,6 +327,15 @@ def test_a_wrong_engine_is_answered_by_every_command_with_the_same_sentence(
     assert refusal("delta", *words) == sentence
     assert refusal("turning", *words) == sentence
     assert refusal(*flywheel(*words)) == sentence
+
+
+@pytest.mark.parametrize(("words", "sentence"), labelled(WEISBACHS))
+def test_an_engine_that_weisbach_does_not_know_is_refused_to_his_method(
+    words: tuple[str, ...], sentence: str
+) -> None:
+    assert refusal("delta", "--method", "weisbach", *words) == sentence
+    assert refusal(*flywheel("--method", "weisbach", *words)) == sentence
+    assert refusal("turning", "--method", "weisbach", *words) == ANGLES_ONLY
 
 
 @pytest.mark.parametrize(("words", "sentence"), labelled(DELTAS))

@@ -8,17 +8,18 @@ import pytest
 from cli import kurbel, refusal
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from pages import MOTION
 
 from kurbel.cli import COMMANDS
 from kurbel.formats import FORMATS
-from kurbel.layouts import LANGUAGES, layout_names
+from kurbel.layouts import LANGUAGES
 from kurbel.quantities import registry
 
 TOO_SHORT = "it must be below 1, or the rod is too short to pass the dead centre"
 NO_RATIO = "is not a ratio R:L; write it as 1:5, 1:4,5, 1/4.5 or 0.2, and 1:∞ or 1:inf for an infinite rod"
 NO_ANGLE = "is not an angle in degrees; write it as 22.5 or 22°30'"
 HELP = "see kurbel table --help"
-LAYOUTS = ", ".join(layout_names())
+LAYOUTS = ", ".join(MOTION)
 ENDLESS_ROD = (
     "crank ratio R:L is below 1:1000000000; no rod is that long, write 1:∞ or 1:inf for an infinite one"
 )
@@ -81,6 +82,7 @@ CHOICES = [
         f'there is no layout "kinematic" (did you mean kinematics?); choose from {LAYOUTS}',
     ),
     (("--layout", "?"), f'there is no layout "?"; choose from {LAYOUTS}'),
+    (("--layout", "turnings"), f'there is no layout "turnings"; choose from {LAYOUTS}'),
     (("--layout", "../base"), f'there is no layout "../base"; choose from {LAYOUTS}'),
     (
         ("-f", "latx"),
@@ -322,8 +324,11 @@ def test_an_offset_crank_has_no_first_order_formulas_and_nobody_is_sent_in_circl
 
 
 def test_label_with_signs_that_references_do_not_have_is_refused() -> None:
-    result = kurbel("table", "--label", "a}b")
-    assert (result.code, result.err) == (2, 'kurbel: label "a}b" may have letters, digits and - . : only\n')
+    for command in ("table", "delta"):
+        assert refusal(command, "--label", "a}b") == (
+            'label "a}b" may have letters, digits and the signs -.: only'
+        )
+        assert kurbel(command, "--label", "a-b.c:9").code == 0
 
 
 def test_a_mass_is_no_offset_with_or_without_a_stroke() -> None:

@@ -85,10 +85,11 @@ def test_columns_of_an_engine_are_those_that_its_page_can_show() -> None:
 
     axes = {"epsilon", "ratio"}
     assert set(completed("bash", "delta", "--columns", "")) == axes | keys("turn", "span")
-    assert set(completed("bash", "turning", "--columns", "")) == axes | {"phi"} | keys("angle")
-    assert set(completed("bash", "flywheel", "--columns", "")) == axes | {"delta"} | keys("flywheel")
+    assert set(completed("bash", "turning", "--columns", "")) == axes | {"phi"} | keys("angle", "turn")
+    assert set(completed("bash", "flywheel", "--columns", "")) == axes | {"target"} | keys("flywheel")
     detail = axes | {"stroke"} | keys("turn", "span", "stroke")
     assert set(completed("bash", "delta", "--layout", "delta-detail", "--columns", "")) == detail
+    assert set(completed("bash", "delta", "--detail", "--columns", "")) == detail
     own = {column.key for column in layout("delta-verfahren").columns}
     words = ("delta", "--layout", "delta-verfahren", "--columns", "")
     assert set(completed("bash", *words)) == axes | own

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from time import process_time
+
 import pytest
 from cli import printed
+
+SOME_SECONDS = 5.0
 
 
 def shown(column: str, words: str, rounding: str = "half-away") -> str:
@@ -32,6 +36,17 @@ TIES = {
     "two cranks": (
         "energy", "--eps 4 --ratio 1:∞ --back 0.25 --angle 90 --cranks 0;180 --digits 0", "1", "0",
     ),
+    # 2 (1 - 1/8) = 7/4 of two cranks at 90° that do the same, of which one has turned once more.
+    "equal cranks": (
+        "tangential", "--eps 1.5 --ratio 1:5 --back 0.125 --angle 90 --cranks 0;360 --digits 1", "1.8", "1.8",
+    ),
+    # At 60° behind, 30° and 90°: (1 + 1/2) (1 - 1/4) = 9/8.
+    "cranks apart": (
+        "tangential", "--eps 1 --ratio 1:∞ --back 0.25 --angle 90 --cranks 0;60 --digits 2", "1.13", "1.12",
+    ),
+    "given back pressure": ("back", "--eps 2 --back 0.05 --angle 0 --digits 1", "0.1", "0.0"),
+    # (1/4)^(3/2) = 1/8.
+    "best back pressure": ("back", "--eps 4 --exponent 1.5 --angle 0 --digits 2", "0.13", "0.12"),
 }  # fmt: skip
 
 
@@ -39,6 +54,36 @@ TIES = {
 def test_a_tie_is_rounded_as_one(column: str, words: str, away: str, even: str) -> None:
     assert shown(column, words) == away
     assert shown(column, words, "half-even") == even
+
+
+def test_a_back_pressure_on_a_tie_is_rounded_as_one_by_delta() -> None:
+    words = (
+        "delta",
+        "--eps",
+        "2",
+        "--back",
+        "0.05",
+        "--columns",
+        "epsilon,back",
+        "--digits",
+        "1",
+        "-f",
+        "csv",
+    )
+    assert printed(*words).records() == [{"epsilon": "2", "back": "0.1"}]
+    assert printed(*words, "--rounding", "half-even").records() == [{"epsilon": "2", "back": "0.0"}]
+
+
+# With n = 1.135 the expansion line is a 200th root, but at 90° steam is still admitted: T = 1 - b.
+@pytest.mark.parametrize(("back", "away", "even"), [("0.125", "0.88", "0.88"), ("0.135", "0.87", "0.86")])
+def test_a_tie_before_an_expansion_of_a_high_root_takes_seconds(back: str, away: str, even: str) -> None:
+    before = process_time()
+    words = f"--eps 1.5 --ratio 1:5 --exponent 1.135 --back {back} --digits 2 --angle 90"
+    assert shown("tangential", words) == away
+    assert shown("tangential", words, "half-even") == even
+    # All columns of the page, too.
+    assert f" {away.replace('.', ',')} " in printed("turning", *words.split()).out
+    assert process_time() - before < SOME_SECONDS
 
 
 @pytest.mark.parametrize("angle", ["89.9999999999", "90.0000000001"])

@@ -53,6 +53,19 @@ def test_panels_are_parted_between_spanners() -> None:
     assert narrow.count("φ in °") == 2
 
 
+def test_units_are_repeated_in_every_panel_that_has_room_for_them() -> None:
+    for width, panels in ((80, 2), (66, 3)):
+        narrow = render(page("delta-detail"), "text", width=width)
+        # Two rules about each panel.
+        assert narrow.count("━\n") == 2 * panels
+        assert narrow.count("Q r/(m₁ v₁²)\n") == 2 * panels
+        assert narrow.count("P r/(m₁ v₁²)\n") == panels
+    # Without room they follow in a panel of their own.
+    narrow = render(page("delta-detail"), "text", width=60)
+    assert narrow.count("━\n") == 2 * 4
+    assert narrow.count("Q r/(m₁ v₁²)\n") == 2
+
+
 def test_a_page_that_fits_nowhere_is_printed_as_it_is() -> None:
     def ruled(text: str) -> str:
         return text[text.index("━") : text.rindex("━")]

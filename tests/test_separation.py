@@ -139,6 +139,47 @@ def test_rational_numbers_keep_their_bound(first: Fraction, others: list[tuple[s
     assert not number or abs(number) >= Fraction(1, 2 ** int(bound.bits() + 1))
 
 
+@pytest.mark.parametrize("bits", [2500, 9000])
+def test_numbers_of_two_angles_are_bounded_in_the_field_of_both(bits: int) -> None:
+    # The field of 2 sin 40° and 2 sin 72° has the degree 24; that of either alone claims too much.
+    angles = Fraction(40), Fraction(72)
+    before = flint.ctx.prec
+    flint.ctx.prec = bits + 3000
+    try:
+        one, other = (2 * certify.ball_circle(angle).sine for angle in angles)
+        coefficients = small_combination(one, other, bits)
+        number = polynomial(coefficients, one, other, certify.ball)
+        first, second = (2 * separations(angle).sine for angle in angles)
+        bound = polynomial(coefficients, first, second, Separation.rational)
+        assert abs(number) > 0
+        assert abs(number) < flint.arb(2) ** (-bits * 9 // 10)
+        assert abs(number) > flint.arb(2) ** -int(bound.bits() + 1)
+    finally:
+        flint.ctx.prec = before
+
+
+def small_combination(one: Any, other: Any, bits: int) -> list[list[int]]:
+    """Return whole c[i][j] that make the sum of c one^i other^j tiny: a short vector of a lattice."""
+    powers = [one**i * other**j for i in range(6) for j in range(4)]
+    rows = [
+        [int(row == column) for column in range(24)]
+        + [int((powers[row] * flint.arb(2) ** bits).floor().unique_fmpz())]
+        for row in range(24)
+    ]
+    short = flint.fmpz_mat(rows).lll()
+    return [[int(short[0, 4 * i + j]) for j in range(4)] for i in range(6)]
+
+
+def polynomial(coefficients: list[list[int]], one: Any, other: Any, of: Any) -> Any:
+    total = of(Fraction(0))
+    for row in reversed(coefficients):
+        inner = of(Fraction(0))
+        for coefficient in reversed(row):
+            inner = inner * other + of(Fraction(coefficient))
+        total = total * one + inner
+    return total
+
+
 @pytest.mark.usefixtures("wide")
 def test_bound_of_a_root_is_not_far_from_the_truth() -> None:
     # A convergent p/q of √2 is about 1/(2√2 q²) away, log2 of which the bound may miss by a few bits.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 from fractions import Fraction
-from math import isqrt
+from math import inf, isqrt
 from typing import Any
 
 import flint
@@ -19,6 +19,7 @@ from textbook import Drive
 from timed import WITHOUT_UNITS, kurbel
 
 from kurbel import certify
+from kurbel.errors import ProblemError
 from kurbel.formats import FORMATS
 from kurbel.quantities import DIFFERENCE, METHODS
 
@@ -326,3 +327,24 @@ def test_a_doubtful_digit_raises_the_precision() -> None:
     assert certify.rounded(third, 0, "half-even", lambda boundary: 10**6) == 1
     assert len(seen) > 1
     assert seen == sorted(set(seen))
+
+
+@pytest.mark.parametrize("bits", [1e7, inf])
+def test_a_tie_that_would_take_minutes_to_prove_is_given_up_with_a_sentence(bits: float) -> None:
+    def quarter() -> flint.arb:
+        return certify.pi() / certify.pi() / 4
+
+    assert certify.rounded(quarter, 1, "half-away", lambda boundary: 300.0) == 3
+    assert certify.rounded(quarter, 1, "half-even", lambda boundary: 300.0) == 2
+    most = certify.MOST_BITS if bits == inf else certify.MOST_TIE_BITS
+    before = flint.ctx.prec
+    with pytest.raises(ProblemError) as raised:
+        certify.rounded(quarter, 1, "half-away", lambda boundary: bits)
+    found = re.fullmatch(
+        r"a digit is not settled by (\d+) bits: the value may lie half-way between two printed ones;"
+        r" ask for another number of digits",
+        str(raised.value),
+    )
+    assert found is not None
+    assert most / 2 < int(found[1]) <= most
+    assert flint.ctx.prec == before

@@ -152,6 +152,19 @@ def test_what_is_no_power_is_refused(text: str, sentence: str) -> None:
     assert sentence_of(units.power, text) == sentence
 
 
+@pytest.mark.parametrize("text", ["3m*m", "0A*A", "3rad*rad/s"])
+def test_units_with_squares_are_refused_with_a_sentence(text: str) -> None:
+    # How pint names a square depends on the version of Python.
+    for read, example in (
+        (length, "a length such as 600mm"),
+        (units.speed, SPEED_HELP),
+        (units.power, "a power such as 50kW or 68PS"),
+    ):
+        sentence = sentence_of(read, text)
+        assert f'"{text}" is in ' in sentence
+        assert sentence.endswith(f"; it must be {example}")
+
+
 letters = st.text(st.sampled_from("mMkKsSrRaAdDegGnNiIhHzZcCµ/*·1 "), max_size=8)
 
 

@@ -180,8 +180,8 @@ class EngineRequest:
     def page_columns(self) -> tuple[EngineColumn, ...]:
         """The columns asked for, or the layout's own as far as they are known."""
         own = {column.key: column for column in self.layout.columns}
+        shown = [column for column in self.layout.columns if self._shown(column)]
         if not self.columns:
-            shown = [column for column in self.layout.columns if self._shown(column)]
             if not shown:
                 raise ProblemError(
                     f"layout {self.layout.key} has no column by method {', '.join(self.methods)} for this"
@@ -193,16 +193,12 @@ class EngineRequest:
         keys = [choose(key, allowed, "column") for key in self.columns]
         chosen = [own.get(key, LayoutColumn(key, key)) for key in dict.fromkeys(keys) if key not in axes]
         if not chosen:
-            raise ProblemError(
-                f"there is no column beside the axes; add one, such as {self.layout.columns[-1].key}"
-            )
+            example = (shown or self.layout.columns)[-1].key
+            raise ProblemError(f"there is no column beside the axes; add one, such as {example}")
         for column in chosen:
-            quantity = engine_registry()[column.quantity]
-            if not self._known(quantity):
-                raise ProblemError(
-                    f"column {column.key} needs {UNKNOWN.get(quantity.needs, 'one double-acting crank')};"
-                    " leave it out, or give that"
-                )
+            missing = self._missing(engine_registry()[column.quantity])
+            if missing:
+                raise ProblemError(f"column {column.key} needs {missing}; leave it out, or give that")
         return tuple(map(self._column, chosen))
 
     @property
@@ -222,14 +218,16 @@ class EngineRequest:
         if self.carded and "weisbach" in methods:
             return False
         asked = not methods or not self.methods or set(methods) <= set(self.methods)
-        return asked and self._known(engine_registry()[column.quantity])
+        return asked and not self._missing(engine_registry()[column.quantity])
 
-    def _known(self, quantity: EngineQuantity) -> bool:
+    def _missing(self, quantity: EngineQuantity) -> str:
+        """What the quantity needs and this engine does not have, nothing if it is known."""
         if quantity.scope == "stroke" and not self.first.plain:
-            return False
-        if quantity.needs == "steam":
-            return not self.carded
-        return quantity.needs != "radius" or self.flywheels[0].radius is not None
+            return "one double-acting crank"
+        if quantity.needs == "steam" and self.carded:
+            return UNKNOWN["steam"]
+        without_radius = quantity.needs == "radius" and self.flywheels[0].radius is None
+        return UNKNOWN["radius"] if without_radius else ""
 
     def _column(self, column: LayoutColumn) -> EngineColumn:
         quantity, lang = engine_registry()[column.quantity], self.lang

@@ -16,10 +16,13 @@ def narrowed(table: Table, fits: Callable[[Table], bool]) -> Table:
     """
     if fits(table):
         return table
-    for blocks_of in (_under_spanners, _single):
+    # Units stand in a panel of their own only where no column has room beside them.
+    for blocks_of, repeated in ((_under_spanners, 1), (_single, 1), (_single, 0)):
         most = max(len(blocks_of(panel.columns)) for panel in table.panels)
         for pieces in range(2, most + 1):
-            panels = tuple(part for panel in table.panels for part in _parted(panel, blocks_of, pieces))
+            panels = tuple(
+                part for panel in table.panels for part in _parted(panel, blocks_of, pieces, repeated)
+            )
             parted = replace(table, panels=panels)
             if fits(parted):
                 return parted
@@ -36,9 +39,11 @@ def _single(columns: Sequence[Column]) -> list[int]:
     return [1] * len(columns)
 
 
-def _parted(panel: Panel, blocks_of: Callable[[Sequence[Column]], list[int]], pieces: int) -> Iterator[Panel]:
-    """Yield the panel in so many pieces with about as many blocks each, the column of units in all."""
-    units = 1 if panel.columns[-1].key == UNIT else 0
+def _parted(
+    panel: Panel, blocks_of: Callable[[Sequence[Column]], list[int]], pieces: int, repeated: int
+) -> Iterator[Panel]:
+    """Yield the panel in so many pieces with about as many blocks each, units in all if they are repeated."""
+    units = repeated if panel.columns[-1].key == UNIT else 0
     shown = len(panel.columns) - units
     blocks = blocks_of(panel.columns[:shown])
     pieces = min(pieces, len(blocks))

@@ -42,10 +42,10 @@ def speed(text: str) -> Speed:
     """Return a speed of rotation: "120/min", "2 Hz", "720 deg/s" in turns, "12.5 rad/s" in radians."""
     example = "a speed of rotation such as 120/min, 120rpm or 12.5rad/s"
     quantity = _quantity(text, "speed", example, "1/[time]")
-    name, root = str(quantity.units), str(quantity.to_root_units().units)
+    name, root = _name(quantity, text), _name(quantity.to_root_units(), text)
     if root not in ("1 / second", "radian / second"):
         # Becquerel and baud count other things than turns.
-        raise NotationError(f'speed "{text[:40]}" is in {quantity.units}; it must be {example}')
+        raise NotationError(f'speed "{text[:40]}" is in {name}; it must be {example}')
     if "radian" in name:
         return Speed(_checked(quantity.to("rad/s").magnitude, text, "speed", "rad/s"), turns=False)
     # Degrees and revolutions are a rational part of pint's turn, though its π is not exact.
@@ -83,8 +83,16 @@ def _quantity(text: str, what: str, example: str, dimension: str) -> Any:
         # pint answers an unknown unit with an AttributeError of its own.
         raise NotationError(f'{what} "{text[:40]}" has the unknown unit {unit}; write {example}') from None
     if not quantity.check(dimension):
-        raise NotationError(f'{what} "{text[:40]}" is in {quantity.units}; it must be {example}')
+        raise NotationError(f'{what} "{text[:40]}" is in {_name(quantity, unit)}; it must be {example}')
     return quantity
+
+
+def _name(quantity: Any, written: str) -> str:
+    """Return pint's name of the unit, or the one written: before Python 3.12 pint cannot name squares."""
+    try:
+        return str(quantity.units)
+    except TypeError:
+        return written
 
 
 def _translated(text: str) -> str:

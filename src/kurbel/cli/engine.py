@@ -86,7 +86,7 @@ def delta(**options: Any) -> None:
     kurbel delta --eps 2..8 --ratio '1:4;1:5;1:∞' --back 0.1 -f latex -o anhang.tex
     kurbel delta --eps 4 --cranks '0;90' --detail
     """  # fmt: skip
-    _print(options, _delta_layout(options), ("irregularity", "strokes"))
+    _print(options, _delta_layout(without_outdone(options, RIVALS)), ("irregularity", "strokes"))
 
 
 def _delta_layout(options: Mapping[str, Any]) -> str:
