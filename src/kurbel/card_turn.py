@@ -32,8 +32,8 @@ SAMPLES = 721
 ZERO_TOLERANCE = 1e-13
 EQUAL_ENERGY = 1e-12
 LEAST_FORCE = 1e-9
-# Cubics gain a factor of 16 with twice the points, but for chance.
-MOST_GAIN = 16.0
+# Cubics gain a factor of 16 with twice the points; noise may seem to gain 8 by chance.
+MOST_GAIN = 8.0
 NOTHING = 1e-300
 # Half turns over which a slope is taken.
 BESIDE = 1e-3

@@ -23,7 +23,7 @@ FIGURES = 5
 ESTIMATE_BITS = 80
 FLOAT_ERROR = 1e-12
 # A gain from which on the points are on a curve, not in a cloud.
-CLEAN = 4
+CLEAN = 8
 # What follows from δ, in proportion to it.
 SWINGS = ("swing_share", "swing", "inertia", "mass")
 
