@@ -34,6 +34,11 @@ FORMULAS: Mapping[str, Mapping[str, str]] = {
         "x": "$x/R = 1 - cos {angle} {±} (1 - cos ψ)/λ$",
         "c": "$c/v = sin {angle} {±} (λ sin {angle} cos {angle})/(cos ψ)$",
         "p": "$(p R)/v^2 = cos {angle} {±} λ (cos 2 {angle} + λ^2 sin^4 {angle})/(cos^3 ψ)$",
+        "S": "$S/F = 1/(cos ψ)$",
+        "N": "$N/F = {ψ}tan ψ$",
+        "T": "$T/F = sin({angle} {±} ψ)/(cos ψ)$",
+        "Z": "$Z/F = cos({angle} {±} ψ)/(cos ψ)$",
+        "M": "$M/(F R) = T/F$",
     },
     "series": {
         "x": "$x/R = 1 - cos {angle} {±} 1/2 λ sin^2 {angle}$",

@@ -11,6 +11,7 @@ from kurbel.notation import Progression, about, ratio_text
 
 LONGEST_ROD = 10**9
 LARGEST_ANGLE = 10**6
+LARGEST_FORCE = 10**12
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,7 +28,8 @@ class Speed:
 
 @dataclass(frozen=True, slots=True)
 class Crank:
-    """A crank drive: ratio λ = R/L, offset e/R, crank radius R in metres and speed where they are known.
+    """A crank drive: ratio λ = R/L, offset e/R, crank radius R in metres, speed and piston force in
+    newtons where they are known.
 
     Valid for 0 <= λ < 1 and |e| < L − R; λ = 0 is the infinite rod.
     """
@@ -36,6 +38,7 @@ class Crank:
     offset: Fraction = Fraction(0)
     radius: Fraction | None = None
     speed: Speed | None = None
+    force: Fraction | None = None
 
     def __post_init__(self) -> None:
         _check_ratio(self.ratio)
@@ -45,6 +48,10 @@ class Crank:
             raise ProblemError(
                 f"offset e = {about(self.offset)} R is too large for R:L = {ratio_text(self.ratio)};"
                 f" the crank turns only if |e| < L - R = {about(1 / self.ratio - 1)} R"
+            )
+        if self.force is not None and not 0 < self.force <= LARGEST_FORCE:
+            raise ProblemError(
+                f"the piston force is {about(self.force)} N; it must be above 0 and at most 10^12"
             )
         if self.radius is not None and self.radius <= 0:
             raise ProblemError(f"the crank radius is {about(self.radius)} m; it must be above 0")

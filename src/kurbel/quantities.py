@@ -6,19 +6,25 @@ digits), separation bounds (ties), floats and arrays (bulk).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from functools import cache
 from typing import Any, NamedTuple
 
 from kurbel.errors import ProblemError
-from kurbel.kernel import kinematics
+from kurbel.kernel import forces, kinematics
 from kurbel.problem import Crank
 from kurbel.table import Label
 
 Formula = Callable[[Any, Any, Any], Any]
 # What of the crank a quantity needs to be known, and the options that tell it.
-NEEDS: Mapping[str, tuple[str, ...]] = {"": (), "length": ("--stroke",), "speed": ("--stroke", "--speed")}
+NEEDS: Mapping[str, tuple[str, ...]] = {
+    "": (),
+    "length": ("--stroke",),
+    "speed": ("--stroke", "--speed"),
+    "force": ("--force",),
+    "torque": ("--force", "--stroke"),
+}
 OUT, RETURN = 1, -1
 STROKES = {
     OUT: {"de": "Hingang", "en": "Outstroke"},
@@ -93,13 +99,19 @@ class Quantity(NamedTuple):
     arc: bool = False
 
     def available(self, crank: Crank) -> bool:
-        return (self.needs != "length" or crank.radius is not None) and (
-            self.needs != "speed" or crank.speed is not None
-        )
+        known = {
+            "length": crank.radius is not None,
+            "speed": crank.speed is not None,
+            "force": crank.force is not None,
+            "torque": crank.force is not None and crank.radius is not None,
+        }
+        return known.get(self.needs, True)
 
     def formula(self, method: str, crank: Crank, numbers: Numbers) -> Formula:
         if crank.offset and method != "exact":
             raise ProblemError(f'method "{method}" has no formulas for an offset crank; use exact')
+        if method not in self.formulas and method != DIFFERENCE and not self.arc:
+            raise ProblemError(f'method "{method}" has no formula for {self.key}; use exact')
         if method == DIFFERENCE:
             exact, series = self.formulas["exact"], self.formulas["series"]
             return lambda circle, ratio, offset: exact(circle, ratio, offset) - series(circle, ratio, offset)
@@ -189,6 +201,10 @@ ACCELERATION = _formulas(
 )
 
 
+def _forces(formula: Formula) -> Mapping[str, Formula]:
+    return {"exact": formula, "infinite": formula}
+
+
 def _one(crank: Crank, numbers: Numbers) -> Any:
     return numbers.of(Fraction(1))
 
@@ -227,10 +243,30 @@ def _pin_acceleration(crank: Crank, numbers: Numbers) -> Any:
     return velocity * velocity / numbers.of(_radius(crank))
 
 
+def _force(crank: Crank) -> Fraction:
+    assert crank.force is not None
+    return crank.force
+
+
+def _newtons(crank: Crank, numbers: Numbers) -> Any:
+    return numbers.of(_force(crank))
+
+
+def _newton_metres(crank: Crank, numbers: Numbers) -> Any:
+    return numbers.of(_force(crank) * _radius(crank))
+
+
 _PATH_NAME = {"de": "Kolbenweg", "en": "Piston path"}
 _VELOCITY_NAME = {"de": "Kolbengeschwindigkeit", "en": "Piston velocity"}
 _ACCELERATION_NAME = {"de": "Kolbenbeschleunigung", "en": "Piston acceleration"}
 _ROD_NAME = {"de": "Schubstangenwinkel", "en": "Rod angle"}
+# Key, name, letter, formula of the forces that one piston force F calls up; the torque is in units of F R.
+_FORCES: tuple[tuple[str, dict[str, str], str, Formula], ...] = (
+    ("rod_force", {"de": "Stangenkraft", "en": "Rod force"}, "S", forces.rod_force),
+    ("guide_force", {"de": "Führungsdruck", "en": "Guide force"}, "N", forces.guide_force),
+    ("tangential_force", {"de": "Tangentialkraft", "en": "Tangential force"}, "T", forces.tangential_force),
+    ("radial_force", {"de": "Radialkraft", "en": "Radial force"}, "Z", forces.radial_force),
+)
 
 
 def _both_strokes(
@@ -239,8 +275,20 @@ def _both_strokes(
     """The quantity on the outstroke and on the return stroke: x_mm and x_return_mm."""
     stem, _, rest_of_key = key.partition("_")
     back = f"{stem}_return_{rest_of_key}" if rest_of_key else f"{stem}_return"
-    units = {"de": unit, "en": unit} if isinstance(unit, str) else unit
     symbol = "$ψ$" if stem == "psi" else f"${stem}$"
+    return _strokes(key, back, symbol, name, heading, unit, **rest)
+
+
+def _strokes(
+    key: str,
+    back: str,
+    symbol: Label,
+    name: Mapping[str, str],
+    heading: str,
+    unit: Mapping[str, str] | str,
+    **rest: Any,
+) -> list[Quantity]:
+    units = {"de": unit, "en": unit} if isinstance(unit, str) else unit
     de, _, en = heading.partition("|")
     headings = {"de": de, "en": en or de}
     return [
@@ -276,4 +324,24 @@ def registry() -> Mapping[str, Quantity]:
         for key, heading, unit, decimals, scale, rest in rows
         for quantity in _both_strokes(key, heading=heading, unit=unit, decimals=decimals, scale=scale, **rest)
     ]
-    return {entry.key: entry for entry in entries}
+    return {entry.key: entry for entry in (*entries, *_force_entries())}
+
+
+def _force_entries() -> Iterator[Quantity]:
+    for key, name, letter, formula in _FORCES:
+        symbol, rest = f"${letter}$", {"formulas": _forces(formula)}
+        yield from _strokes(
+            key, f"{key}_return", symbol, name, f"${letter}/F$", "F", decimals=4, scale=_one, **rest
+        )
+        yield from _strokes(
+            f"{key}_n", f"{key}_return_n", symbol, name, f"${letter}$ in N", "N",
+            decimals=1, scale=_newtons, needs="force", **rest,
+        )  # fmt: skip
+    name, rest = {"de": "Drehmoment", "en": "Torque"}, {"formulas": _forces(forces.tangential_force)}
+    yield from _strokes(
+        "torque", "torque_return", "$M$", name, "$M/(F R)$", "F R", decimals=4, scale=_one, **rest
+    )
+    yield from _strokes(
+        "torque_nm", "torque_return_nm", "$M$", name, "$M$ in N m", "N m",
+        decimals=1, scale=_newton_metres, needs="torque", **rest,
+    )  # fmt: skip

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -56,7 +56,7 @@ class Request:
             self._check_offset()
         check_label(self.label)
         if self.method == "infinite" and all(column.method is None for column in self.layout.columns):
-            cranks = (Crank(Fraction(0), crank.offset, crank.radius, crank.speed) for crank in self.cranks)
+            cranks = (replace(crank, ratio=Fraction(0)) for crank in self.cranks)
             object.__setattr__(self, "cranks", tuple(dict.fromkeys(cranks)))
 
     def __len__(self) -> int:

@@ -59,6 +59,12 @@ def power(text: str) -> Fraction:
     return _checked(Fraction(watts), text, "power", "W", 10**12)
 
 
+def force(text: str) -> Fraction:
+    """Return a force in newtons, above 0: "10kN", "1000 kgf"."""
+    newtons = _quantity(text, "force", "a force such as 10kN", "[force]").to("N").magnitude
+    return _checked(Fraction(newtons), text, "force", "N", 10**12)
+
+
 def pressure(text: str, what: str) -> float:
     """Return a pressure in pascals, which may be below 0 where it counts from the atmosphere: "1.013bar"."""
     return float(_quantity(text, what, "a pressure such as 1bar", "[pressure]").to("Pa").magnitude)

@@ -16,6 +16,7 @@ from kurbel import __version__
 # Name, module and one line of help.
 COMMANDS = {
     "table": ("kurbel.cli.table", "Print a table of piston path, velocity and acceleration."),
+    "forces": ("kurbel.cli.forces", "Print the forces in rod, guide and crank pin."),
     "delta": ("kurbel.cli.engine", "Print the degree of irregularity of a steam engine."),
     "turning": ("kurbel.cli.engine", "Print tangential force and excess energy over the crank angle."),
     "flywheel": ("kurbel.cli.engine", "Print the flywheel that keeps an engine even."),

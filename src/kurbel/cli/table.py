@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 from fractions import Fraction
-from typing import Any
+from typing import Any, TypeVar
 
 import click
 
@@ -26,46 +27,49 @@ RIVALS = (
     ("rod", {"ratio"}),
     ("ratio", {"stroke", "rod"}),
 )
+Command = TypeVar("Command", bound=Callable[..., Any])
 FULL_TURN = Fraction(360)
 STEP = Fraction(10)
 
 
+def motion_options(layout: str, example: str) -> Callable[[Command], Command]:
+    """Add what describes the crank and its angles, and the columns of the layout."""
+    options = (
+        click.option("-r", "--ratio", multiple=True, metavar="R:L",
+                     help="Crank ratio: 1:5, 1:4,5, 0.2; lists 1:4;1:5 and ranges 1:3..6:0.5; 1:∞ is the"
+                     " infinite rod."),
+        click.option("--angle", multiple=True, metavar="ANGLES",
+                     help="Crank angles in degrees: 22.5, 2°30', lists 0;45;90, ranges 0..180:10."),
+        click.option("--from", metavar="ANGLE", help="First angle; default 0."),
+        click.option("--to", metavar="ANGLE", help="Last angle; default 360, the whole turn."),
+        click.option("--step", metavar="ANGLE",
+                     help="Step of the angles; default 10. Without any of these options a layout has its own"
+                     " angles."),
+        click.option("--columns", type=Columns(layout), multiple=True, metavar="NAMES",
+                     help=f"Columns and their order: {example}; `kurbel quantities` lists them. Pages keep φ"
+                     " at the left."),
+        click.option("--offset", metavar="E",
+                     help="Offset crank: e as a share of R, or as a length with --stroke."),
+        click.option("--stroke", metavar="LENGTH", help="2R: 600mm."),
+        click.option("--rod", metavar="LENGTH",
+                     help="Rod length L, which with --stroke gives the ratio: 1500mm."),
+    )  # fmt: skip
+
+    def add(command: Command) -> Command:
+        for option in reversed(options):
+            command = option(command)
+        return command
+
+    return add
+
+
 @click.command()
-@click.option(
-    "-r",
-    "--ratio",
-    multiple=True,
-    metavar="R:L",
-    help="Crank ratio: 1:5, 1:4,5, 0.2; lists 1:4;1:5 and ranges 1:3..6:0.5; 1:∞ is the infinite rod.",
-)
-@click.option(
-    "--angle",
-    multiple=True,
-    metavar="ANGLES",
-    help="Crank angles in degrees: 22.5, 2°30', lists 0;45;90, ranges 0..180:10.",
-)
-@click.option("--from", metavar="ANGLE", help="First angle; default 0.")
-@click.option("--to", metavar="ANGLE", help="Last angle; default 360, the whole turn.")
-@click.option(
-    "--step",
-    metavar="ANGLE",
-    help="Step of the angles; default 10. Without any of these options a layout has its own angles.",
-)
-@click.option(
-    "--columns",
-    type=Columns("kinematics"),
-    multiple=True,
-    metavar="NAMES",
-    help="Columns and their order: phi,x,c,p; `kurbel quantities` lists them. Pages keep φ at the left.",
-)
+@motion_options("kinematics", "phi,x,c,p")
 @click.option(
     "--method",
     type=Name("method", lambda: METHODS),
     help="exact (default), series (first order, as Blau prints) or infinite (rod of infinite length).",
 )
-@click.option("--offset", metavar="E", help="Offset crank: e as a share of R, or as a length with --stroke.")
-@click.option("--stroke", metavar="LENGTH", help="2R, for columns in mm: 600mm.")
-@click.option("--rod", metavar="LENGTH", help="Rod length L, which with --stroke gives the ratio: 1500mm.")
 @click.option("--speed", metavar="SPEED", help="Speed, for columns in m/s and m/s²: 120/min, 12.5rad/s.")
 @layout_option("kinematics", "motion")
 @output_options
@@ -78,6 +82,13 @@ def table(**options: Any) -> None:
     kurbel table --layout roetscher-112 --ratio 1:5 --ratio 1:4,5 --ratio 1:4
     kurbel table --stroke 600mm --rod 1500mm --speed 120/min
     """  # fmt: skip
+    if options["method"] == "infinite" and options["rod"] and not options["stroke"]:
+        raise ProblemError("--rod gives the rod a length, but --method infinite takes none; use --stroke")
+    print_motion(options)
+
+
+def print_motion(options: dict[str, Any], force: Fraction | None = None) -> None:
+    """Print a page of the crank that the options describe, under a piston force in newtons if there is."""
     from kurbel.cli.printing import Printing, print_table
     from kurbel.layouts import layout_of
     from kurbel.request import Request
@@ -85,15 +96,13 @@ def table(**options: Any) -> None:
     options = without_outdone(options, RIVALS)
     page = layout_of(options["layout"], ["motion"])
     printing = Printing.chosen(options)
-    cranks = _cranks(page, *(options[name] for name in ("ratio", "stroke", "rod", "speed", "offset")))
-    if options["method"] == "infinite" and options["rod"] and not options["stroke"]:
-        raise ProblemError("--rod gives the rod a length, but --method infinite takes none; use --stroke")
-    angles = _angles(page, options["angle"], *(options[name] for name in ("from", "to", "step")))
+    lengths = (options.get(name) for name in ("stroke", "rod", "speed", "offset"))
+    cranks = _cranks(page, options["ratio"], *lengths)
     request = Request(
         layout=page,
-        cranks=cranks,
-        angles=angles,
-        method=options["method"],
+        cranks=tuple(replace(crank, force=force) for crank in cranks) if force else cranks,
+        angles=_angles(page, options["angle"], *(options[name] for name in ("from", "to", "step"))),
+        method=options.get("method"),
         digits=options["digits"],
         rounding=options["rounding"],
         lang=options["lang"],
