@@ -39,7 +39,8 @@ def rod_slant(circle: Circle[Number], ratio: Number, offset: Number | None = Non
 def rod_force(circle: Circle[Number], ratio: Number, offset: Number | None = None) -> Number:
     """Return the force along the rod, F/cos ψ, a thrust on the outstroke and a pull on the return stroke.
 
-    Source: exercise "Kräfte am Kurbeltrieb", eq. (3).
+    Floats: at most 1.5 ulp from the true value for |λ| <= 1/3, 3 ulp for |λ| <= 0.99; of an offset crank as
+    close as `kinematics.offset_path`. Source: exercise "Kräfte am Kurbeltrieb", eq. (3).
     """
     return 1 / rod_slant(circle, ratio, offset).cosine
 
@@ -49,10 +50,12 @@ def guide_force(circle: Circle[Number], ratio: Number, offset: Number | None = N
 
     The crosshead presses the other way. Negative on the return stroke of the straight crank: there the pin
     runs on the other side, so the crosshead of an engine that drives lies against one face on both strokes.
-    Source: exercise "Kräfte am Kurbeltrieb", eq. (6).
+    Floats: at most 3 ulp from the true value for |λ| <= 0.99; of an offset crank as close as
+    `kinematics.offset_path`. Source: exercise "Kräfte am Kurbeltrieb", eq. (6).
     """
     slant = rod_slant(circle, ratio, offset)
-    return slant.sine / slant.cosine
+    # No zero is to have a sign, and a negative ratio gives it one.
+    return slant.sine / slant.cosine + 0
 
 
 def tangential_force(circle: Circle[Number], ratio: Number, offset: Number | None = None) -> Number:
@@ -70,7 +73,8 @@ def radial_force(circle: Circle[Number], ratio: Number, offset: Number | None = 
     """Return the force along the crank at its pin, F cos(φ + ψ)/cos ψ, positive towards the shaft.
 
     F presses the pin towards the shaft at the dead centre that the stroke leaves, and pulls it away at the
-    one it reaches. Re-derived, as cos φ - sin φ tan ψ.
+    one it reaches. Floats: at most 2 ulp of max(|value|, 1) from the true value for |λ| <= 1/3, 5 ulp for
+    |λ| <= 0.99; of an offset crank as close as `kinematics.offset_path`. Re-derived, as cos φ - sin φ tan ψ.
     """
     slant = rod_slant(circle, ratio, offset)
     return circle.cosine - circle.sine * (slant.sine / slant.cosine)

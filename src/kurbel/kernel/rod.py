@@ -1,0 +1,235 @@
+"""Inertia of the connecting rod: part-accelerations, and the forces at its pins while the crank turns evenly.
+
+A is the crank-pin end of the rod and B its crosshead end, S its centre of mass at the distance a from A and
+b = L - a from B on the line between them, k its radius of gyration about S. (Ensslin's a is the distance from
+B.) However its mass M is spread, the rod moves like `Masses`: M b/L at A, M a/L at B and, without mass, a
+couple that makes up what its moment of inertia lacks or has too much, M (k² - a b). So a rod with k² = a b is
+two masses exactly; a rod between its pins has k² < a b. For another rod these two masses are wrong by the
+couple M (k² - a b) ψ̈ and by nothing else: all forces along the slide stay as they are, for the guide, which
+holds the couple, makes forces across it only.
+
+Functions take the `Circle` of the crank angle, the ratio λ = R/L, the masses and, for an offset crank,
+η = e/R (None is the straight crank), and return a number of the circle's kind: a float, an array, a ball or
+a separation bound. Accelerations are in units of R ω². With masses in units of the rod's M, forces are in
+M R ω², torques in M R² ω². The crank turns evenly; there is neither friction nor weight.
+
+Signs are those of kernel/forces.py: X runs from the shaft along the slide towards the dead centre that the
+stroke leaves, Y towards the side of the crank pin; both point the other way on the return stroke, a negative
+ratio with a negative offset. With a positive ratio and 0 to 360° everything is in the one frame of the
+outstroke. Ratio 0 is the infinite rod, which has these forces as limits. Valid where the kinematics are.
+
+Floats: values of a rod of mass 1 are at most 2 ulp of max(|value|, 1) from the true value for |λ| <= 1/3,
+16 ulp for |λ| <= 0.99; of an offset crank as close as `kinematics.offset_path`. Values of greater masses and
+a piston force are as close, counted in the greatest of them.
+
+Source: Ensslin, Dinglers Polytechnisches Journal 322 (1907), 593-595. His displayed formulas are not
+transcribed, and his article goes on where the transcription ends; re-derived.
+"""
+
+from typing import Generic, NamedTuple, TypeVar
+
+from kurbel.kernel import kinematics
+from kurbel.kernel.circle import Circle, Number, root
+from kurbel.kernel.forces import Slant, rod_slant, tangential_force
+
+Kind = TypeVar("Kind")
+
+
+class Masses(NamedTuple, Generic[Kind]):
+    """What moves like the rod: a mass at A, one at B, and the couple m (k² - a b)/L², 0 for two masses."""
+
+    pin: Kind
+    crosshead: Kind
+    couple: Kind | int = 0
+
+
+class Parts(NamedTuple, Generic[Kind]):
+    """The acceleration of A, in three parts; at the distance x from B it is p₂ + (p₄ + p₅) x/L.
+
+    `common` is p₂, that of B, against X: the piston acceleration. `turning` is p₄, square to the rod against
+    Y, L |ψ̈| in magnitude. `stretching` is p₅, along the rod with X, L ψ̇² in magnitude: it points to B on
+    either stroke, and is negative on the return.
+    """
+
+    common: Kind
+    turning: Kind
+    stretching: Kind
+
+
+class Resultants(NamedTuple, Generic[Kind]):
+    """The inertia forces that belong to the parts of the acceleration, and the moment of the turning ones.
+
+    `common` acts in S, along the slide with X; `turning` square to the rod, with Y; `stretching` along the
+    rod, against X. `moment` is the moment of the turning forces about B over L: the force that has it when
+    it acts at A like `turning`. Their line of action passes at L · moment/turning from B.
+    """
+
+    common: Kind
+    turning: Kind
+    moment: Kind
+    stretching: Kind
+
+
+def rod_masses(centre: Number, gyration_square: Number) -> Masses[Number]:
+    """Return the masses of a rod of mass 1 from a/L and k²/L²."""
+    return Masses(1 - centre, centre, gyration_square - centre * (1 - centre))
+
+
+def two_masses(crosshead: Number) -> Masses[Number]:
+    """Return the two masses that replace a rod of mass 1, this share of it at the crosshead.
+
+    By the centre of mass the share is a/L, by the railway rule 4/10. Source: Ensslin, 593.
+    """
+    return Masses(1 - crosshead, crosshead)
+
+
+def joined(masses: Masses[Number], rod: Number, reciprocating: Number) -> Masses[Number]:
+    """Return the masses of a rod of mass `rod`, one that reciprocates with the crosshead added.
+
+    The forces are then in the unit of mass times R ω², and so must the piston force be.
+    """
+    pin, crosshead, couple = (rod * part for part in masses)
+    return Masses(pin, crosshead + reciprocating, couple)
+
+
+def with_crank(masses: Masses[Number], rotating: Number) -> Masses[Number]:
+    """Return masses of which the forces at the pin are those of the main bearing on the shaft.
+
+    `rotating` is the crank's own mass times the distance of its centre from the shaft, over R; negative for
+    a counterweight. It leaves the guide force and the torque as they are.
+    """
+    return masses._replace(pin=masses.pin + rotating)
+
+
+def parts(circle: Circle[Number], ratio: Number, offset: Number | None = None) -> Parts[Number]:
+    """Return Ensslin's parts of the acceleration, by sin ψ = λ (sin φ - η) and its slopes."""
+    slant = rod_slant(circle, ratio, offset)
+    pull = circle.cosine / slant.cosine
+    common = _piston_acceleration(circle, ratio, offset)
+    # No zero is to have a sign, here and below.
+    return Parts(common, _turning(circle, ratio, slant, offset), ratio * (pull * pull) + 0)
+
+
+def resultants(
+    circle: Circle[Number], ratio: Number, masses: Masses[Number], offset: Number | None = None
+) -> Resultants[Number]:
+    """Return the resultant inertia forces of the rod.
+
+    Common and stretching ones are those of the two masses, M a/l at A and M b/l at B in Ensslin's letters;
+    the moment is that of M (k² + a²)/l² at A.
+    """
+    common, turning, stretching = parts(circle, ratio, offset)
+    return Resultants(
+        (masses.pin + masses.crosshead) * common,
+        masses.pin * turning,
+        (masses.pin + masses.couple) * turning,
+        masses.pin * stretching,
+    )
+
+
+def couple(
+    circle: Circle[Number], ratio: Number, masses: Masses[Number], offset: Number | None = None
+) -> Number:
+    """Return the inertia couple M (k² - a b) ψ̈ over L, by which the two masses are wrong.
+
+    It is the force with Y at A, and against Y at B, square to the rod, that makes the couple.
+    """
+    return masses.couple * _turning(circle, ratio, rod_slant(circle, ratio, offset), offset) + 0
+
+
+def guide_force(
+    circle: Circle[Number],
+    ratio: Number,
+    masses: Masses[Number],
+    offset: Number | None = None,
+    piston_force: Number = 0,
+) -> Number:
+    """Return the force of the guide on the crosshead, positive with Y: (F - m_B p) tan ψ, and the couple's.
+
+    piston_force is F, positive against X, away from the dead centre. Re-derived: moments about A.
+    """
+    slant = rod_slant(circle, ratio, offset)
+    thrust = piston_force - masses.crosshead * _piston_acceleration(circle, ratio, offset)
+    turning = masses.couple * _turning(circle, ratio, slant, offset)
+    return (thrust * slant.sine + turning) / slant.cosine + 0
+
+
+def pin_force_along(
+    circle: Circle[Number],
+    ratio: Number,
+    masses: Masses[Number],
+    offset: Number | None = None,
+    piston_force: Number = 0,
+) -> Number:
+    """Return the force of the crank pin on the rod along the slide, positive with X: F - m_B p - m_A cos φ.
+
+    The couple is not in it. The rod presses on the pin the other way.
+    """
+    acceleration = _piston_acceleration(circle, ratio, offset)
+    return piston_force - (masses.crosshead * acceleration + masses.pin * circle.cosine)
+
+
+def pin_force_across(
+    circle: Circle[Number],
+    ratio: Number,
+    masses: Masses[Number],
+    offset: Number | None = None,
+    piston_force: Number = 0,
+) -> Number:
+    """Return the force of the crank pin on the rod across the slide, positive with Y: -m_A sin φ - N."""
+    return 0 - (masses.pin * circle.sine + guide_force(circle, ratio, masses, offset, piston_force))
+
+
+def pin_force(
+    circle: Circle[Number],
+    ratio: Number,
+    masses: Masses[Number],
+    offset: Number | None = None,
+    piston_force: Number = 0,
+) -> Number:
+    """Return the magnitude of the force between crank pin and rod."""
+    along = pin_force_along(circle, ratio, masses, offset, piston_force)
+    return _magnitude(along, pin_force_across(circle, ratio, masses, offset, piston_force))
+
+
+def torque(
+    circle: Circle[Number],
+    ratio: Number,
+    masses: Masses[Number],
+    offset: Number | None = None,
+    piston_force: Number = 0,
+) -> Number:
+    """Return the torque on the shaft, positive as the crank turns: (F - m_B p) c, and the couple's.
+
+    Times ω it is the work of F less the gain of kinetic energy in unit time. Re-derived.
+    """
+    # The couple's part is its force on the guide times cos φ, the share of R across the slide.
+    slant = rod_slant(circle, ratio, offset)
+    thrust = piston_force - masses.crosshead * _piston_acceleration(circle, ratio, offset)
+    turning = masses.couple * _turning(circle, ratio, slant, offset)
+    work = thrust * tangential_force(circle, ratio, offset)
+    return work + turning * (circle.cosine / slant.cosine) + 0
+
+
+def _piston_acceleration(circle: Circle[Number], ratio: Number, offset: Number | None) -> Number:
+    if offset is None:
+        return kinematics.piston_acceleration(circle, ratio)
+    return kinematics.offset_acceleration(circle, ratio, offset)
+
+
+def _turning(circle: Circle[Number], ratio: Number, slant: Slant[Number], offset: Number | None) -> Number:
+    """Return -L ψ̈ = sin φ (1 - λ²)/cos³ ψ; the offset crank's has sin φ - λ sin ψ (1 - η sin φ) above."""
+    if offset is None:
+        above = circle.sine * ((1 - ratio) * (1 + ratio))
+    else:
+        above = circle.sine - ratio * slant.sine * (1 - offset * circle.sine)
+    return above / (slant.cosine * slant.cosine * slant.cosine)
+
+
+def _magnitude(along: Number, across: Number) -> Number:
+    square = along * along + across * across
+    if hasattr(square, "abs_upper") and square.contains(0):
+        # The square of a ball that holds 0 reaches below 0, where there is no root.
+        edge = root(square.abs_upper())
+        return edge.union(-edge)
+    return root(square)
