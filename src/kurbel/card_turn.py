@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 from kurbel.card_force import CardStroke, card_strokes
 from kurbel.engine import Diagram, Engine
-from kurbel.engine_quantities import Peak
+from kurbel.engine_quantities import CrankForce, Peak
 from kurbel.errors import CardError, ProblemError
 from kurbel.kernel import turning
 from kurbel.kernel.circle import circle
@@ -159,6 +159,14 @@ class CardTurn:
             back = since >= 1
             total += np.where(back, self._tangential(1, since - 1.0), self._tangential(0, since))
         return total
+
+    def crank_force(self, force: CrankForce, half_turns: Fraction) -> float:
+        """A force of the first crank in Q."""
+        stroke, angle = next(self._cranks(half_turns))
+        at, ratio = circle(180.0 * angle), float(self.engine.crank.ratio) * (RETURN if stroke else OUT)
+        net = self.strokes[stroke].force(self.motion.path(at, ratio) / 2)
+        sign = (RETURN if stroke else OUT) if force.framed else 1
+        return float(net * force.formula(at, ratio)) * sign
 
     def energy_at(self, half_turns: Fraction | float) -> float:
         """The excess work W/(Q R) since the first crank's inner dead centre."""

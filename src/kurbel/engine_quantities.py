@@ -5,13 +5,13 @@ Each is a number of a turn: of a stroke of it, of the whole turn, at a crank ang
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from functools import cache
 from typing import Any, NamedTuple, Protocol
 
 from kurbel.flywheel import Flywheel
-from kurbel.kernel import turning
+from kurbel.kernel import forces, turning
 from kurbel.kernel.kinds import Number
 from kurbel.table import Label
 
@@ -22,6 +22,33 @@ SPANS: Mapping[int | None, tuple[str, Mapping[str, str]]] = {
     RETURN_STROKE: ("return", {"de": "Rückgang", "en": "Return"}),
     WHOLE: ("turn", {"de": "Umdrehung", "en": "Whole turn"}),
 }
+
+
+class CrankForce(NamedTuple):
+    """A force of the crank drive in units of the piston force, of circle and ratio.
+
+    `framed` forces have a direction in the frame of the outstroke: away from its dead centre and towards the
+    side of the crank pin. On the return stroke that is the other way round than along the stroke.
+    """
+
+    formula: Callable[[Any, Any], Any]
+    framed: bool = False
+
+
+CRANK_FORCES: Mapping[str, CrankForce] = {
+    "piston_force": CrankForce(lambda circle, ratio: 1, framed=True),
+    "rod_force": CrankForce(forces.rod_force, framed=True),
+    "guide_force": CrankForce(forces.guide_force, framed=True),
+    "crank_force": CrankForce(forces.tangential_force),
+    "radial_force": CrankForce(forces.radial_force),
+}
+
+
+class Load(NamedTuple):
+    """What makes newtons of Q: the bore in metres and the steam pressure before cut-off in pascals."""
+
+    bore: Fraction
+    pressure: Fraction
 
 
 class Peak(NamedTuple):
@@ -41,6 +68,7 @@ class AnyTurn(Protocol):
     def irregularity(self) -> Number: ...
     def extreme(self, greatest: bool, stroke: int | None = None) -> Peak: ...
     def tangential_force(self, half_turns: Fraction) -> Number: ...
+    def crank_force(self, force: CrankForce, half_turns: Fraction) -> Number: ...
     def energy_at(self, half_turns: Fraction) -> Number: ...
 
 
@@ -50,6 +78,7 @@ class Where(NamedTuple):
     stroke: int | None = WHOLE
     half_turns: Fraction = Fraction(0)
     flywheel: Flywheel | None = None
+    load: Load | None = None
 
 
 # Which command prints the quantities of a scope.
@@ -87,6 +116,19 @@ class EngineQuantity(NamedTuple):
         if self.scope == "stroke":
             return where.stroke is not WHOLE
         return where.stroke is WHOLE or self.scope == "span"
+
+
+def _force(key: str) -> Value:
+    return lambda turn, where: turn.crank_force(CRANK_FORCES[key], where.half_turns)
+
+
+def _newtons(key: str) -> Value:
+    def value(turn: AnyTurn, where: Where) -> Number:
+        load = where.load
+        assert load is not None
+        return _force(key)(turn, where) * turn.of(load.pressure * load.bore**2 / 4) * turn.pi
+
+    return value
 
 
 def _degrees(half_turns: Number) -> Number:
@@ -184,4 +226,21 @@ def engine_registry() -> Mapping[str, EngineQuantity]:
     for key, name, *rest in _ROWS:
         de, en = name.split("|")
         entries[key] = EngineQuantity(key, {"de": de, "en": en}, *rest)
-    return entries
+    return entries | {entry.key: entry for entry in _force_entries()}
+
+
+_FORCE_NAMES = {
+    "piston_force": ("Kolbenkraft|Piston force", "F"),
+    "rod_force": ("Stangenkraft|Rod force", "S"),
+    "guide_force": ("Führungsdruck|Guide force", "N"),
+    "crank_force": ("Tangentialkraft|Tangential force", "T"),
+    "radial_force": ("Radialkraft|Radial force", "Z"),
+}
+
+
+def _force_entries() -> Iterator[EngineQuantity]:
+    for key, (name, letter) in _FORCE_NAMES.items():
+        de, en = name.split("|")
+        names, symbol = {"de": de, "en": en}, f"${letter}$"
+        yield EngineQuantity(key, names, symbol, "$Q$", "angle", 4, _force(key))
+        yield EngineQuantity(f"{key}_n", names, symbol, "N", "angle", 1, _newtons(key), needs="load")

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from kurbel.choices import choose
 from kurbel.engine import MOST_CRANKS, Diagram, Engine, Steam
-from kurbel.engine_quantities import OUTSTROKE, RETURN_STROKE, WHOLE, EngineQuantity, engine_registry
+from kurbel.engine_quantities import OUTSTROKE, RETURN_STROKE, WHOLE, EngineQuantity, Load, engine_registry
 from kurbel.errors import ProblemError
 from kurbel.flywheel import Flywheel
 from kurbel.layouts import Layout, LayoutColumn
@@ -64,6 +64,7 @@ ENGINE_AXES: Mapping[str, tuple[str, ...]] = {
 UNKNOWN: Mapping[str, str] = {
     "steam": "an ideal card, with an expansion ratio",
     "radius": "the radius at which the mass is, --radius",
+    "load": "--bore and --pressure",
 }
 
 
@@ -93,6 +94,7 @@ class EngineRequest:
     methods: tuple[str, ...] = ()
     angles: Sequence[Fraction] = (Fraction(0),)
     flywheels: tuple[Flywheel, ...] = ()
+    load: Load | None = None
     digits: int | None = None
     rounding: str = "half-away"
     lang: str = "de"
@@ -111,6 +113,10 @@ class EngineRequest:
             raise ProblemError(
                 f"layout {self.layout.key} shows one method, and {len(self.methods)} were given;"
                 f" {'use --layout delta-verfahren' if compared else 'leave the others out'}"
+            )
+        if self.load is not None and not (0 < self.load.bore <= 100 and 0 < self.load.pressure <= 10**12):
+            raise ProblemError(
+                "the bore must lie within 0..100 m and the pressure within 0..10^12 Pa, above 0"
             )
         if self.layout.subject == "turning" and "weisbach" in self.methods:
             raise ProblemError(
@@ -224,10 +230,12 @@ class EngineRequest:
         """What the quantity needs and this engine does not have, nothing if it is known."""
         if quantity.scope == "stroke" and not self.first.plain:
             return "one double-acting crank"
-        if quantity.needs == "steam" and self.carded:
-            return UNKNOWN["steam"]
-        without_radius = quantity.needs == "radius" and self.flywheels[0].radius is None
-        return UNKNOWN["radius"] if without_radius else ""
+        unknown = {
+            "steam": self.carded,
+            "load": self.load is None,
+            "radius": not self.flywheels or self.flywheels[0].radius is None,
+        }
+        return UNKNOWN[quantity.needs] if unknown.get(quantity.needs) else ""
 
     def _column(self, column: LayoutColumn) -> EngineColumn:
         quantity, lang = engine_registry()[column.quantity], self.lang

@@ -16,6 +16,7 @@ import flint
 
 from kurbel.certify import MOST_TIE_BITS, TieBits, ball, ball_circle
 from kurbel.engine import Engine
+from kurbel.engine_quantities import CRANK_FORCES
 from kurbel.kernel import steam, turning
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.kinds import Number
@@ -88,12 +89,34 @@ def back_ties(turn: Turn, half_turns: Fraction) -> TieBits:
     return lambda boundary: float((back - Separation.rational(boundary)).bits())
 
 
+def crank_force_ties(key: str) -> Callable[[Turn, Fraction], TieBits]:
+    """Return the same for a force of the first crank."""
+
+    def ties(turn: Turn, half_turns: Fraction) -> TieBits:
+        crank = next(_cranks(turn, half_turns))
+        acting = turn.engine.ideal.numbers(_BOUNDS.of, _BOUNDS.exponent)
+
+        def bits(boundary: Fraction) -> float:
+            idle = crank.stroke and not turn.engine.double
+            share, _ = _share_and_velocity(turn, crank, _BOUNDS)
+            full = idle or _at_full_pressure(turn, crank)
+            pressure = 1 - acting.back if full else steam.net_pressure(share, acting)
+            circle, ratio = _BOUNDS.circle(180 * crank.angle), _BOUNDS.of(turn.engine.crank.ratio)
+            force = CRANK_FORCES[key].formula(circle, ratio)
+            return float((pressure * force - Separation.rational(boundary)).bits())
+
+        return bits
+
+    return ties
+
+
 # By the key of the quantity. Of roots of equations with π or logarithms no rational one is known, nor of what
 # has the factor π: they have no entry.
 TIES: Mapping[str, Callable[[Turn, Fraction], TieBits]] = {
     "tangential": force_ties,
     "energy": energy_ties,
     "back": back_ties,
+    **{key: crank_force_ties(key) for key in CRANK_FORCES},
 }
 
 

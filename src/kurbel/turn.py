@@ -17,7 +17,7 @@ import flint
 
 from kurbel.certify import ball, ball_circle
 from kurbel.engine import Engine
-from kurbel.engine_quantities import Peak
+from kurbel.engine_quantities import CrankForce, Peak
 from kurbel.errors import ProblemError
 from kurbel.kernel import steam, turning
 from kurbel.kernel.circle import Circle
@@ -199,6 +199,14 @@ class Turn:
     def tangential_force(self, half_turns: Fraction) -> Number:
         """The tangential force T/Q of all cranks at an exact angle, in any turn."""
         return self.excess(self._piece(half_turns % 2), half_turns % 2) + self.mean_force()
+
+    def crank_force(self, force: CrankForce, half_turns: Fraction) -> Number:
+        """A force of the first crank at an exact angle, in Q."""
+        stroke, angle = next(self.engine.positions(half_turns))
+        cylinder = self.cylinder
+        at, ratio = circle(angle), cylinder.ratio * SIGNS[stroke]
+        net = cylinder.strokes[stroke].force(cylinder.motion.path(at, ratio) / 2)
+        return net * force.formula(at, ratio) * (SIGNS[stroke] if force.framed else 1)
 
     def energy_at(self, half_turns: Fraction) -> Number:
         """The excess work W/(Q R) since the first crank's inner dead centre, at an exact angle."""

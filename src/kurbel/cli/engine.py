@@ -33,13 +33,11 @@ def _method_names() -> tuple[str, ...]:
     return tuple(ENGINE_METHODS)
 
 
-def engine_options(command: Command) -> Command:
-    """Add what describes the engine: --eps, --ratio, --back and so on, and --method."""
-    options = (
+def steam_options(command: Command) -> Command:
+    """Add what describes the steam: --eps, --back and so on, or --card."""
+    return _with(command, (
         click.option("--eps", multiple=True, metavar="ε",
                      help="Expansion ratio, cut-off after 1/ε of the stroke: 4; lists 2;3;4, ranges 2..6."),
-        click.option("-r", "--ratio", multiple=True, metavar="R:L",
-                     help="Crank ratio: 1:5, 1:4,5; lists and ranges 1:3..6; 1:∞ is the infinite rod."),
         click.option("--back", metavar="B",
                      help="Back pressure as a share of the steam pressure: 0.1, 10%; default: the best, to"
                      " which the steam expands."),
@@ -49,15 +47,35 @@ def engine_options(command: Command) -> Command:
                      help="Indicator card: CSV with position, p_forward [bar], p_return [bar]."),
         click.option("--other-side", metavar="PRESSURE",
                      help="With --card and --single-acting: pressure on the piston's other face, 1bar."),
-        click.option("--single-acting", is_flag=True, 
+        click.option("--single-acting", is_flag=True,
                      help="Steam works on the outstroke only; on the return both faces have the back"
                      " pressure."),
+    ))  # fmt: skip
+
+
+def engine_conditions(options: Mapping[str, Any]) -> bool:
+    """Whether any of steam_options is there."""
+    names = ("eps", "back", "exponent", "clearance", "card", "other_side", "single_acting")
+    return any(options[name] not in (None, (), False) for name in names)
+
+
+def engine_options(command: Command) -> Command:
+    """Add what describes the engine: --ratio, the steam, --cranks, and --method."""
+    command = _with(command, (
         click.option("--cranks", metavar="ANGLES",
                      help="Angles by which the cranks follow the first, with cylinders alike: 0;90 or"
                      " 0;120;240."),
         click.option("--method", type=Name("method", _method_names), multiple=True,
                      help="exact (default), series (first order) or weisbach (his equations of § 150)."),
+    ))  # fmt: skip
+    ratio = click.option(
+        "-r", "--ratio", multiple=True, metavar="R:L",
+        help="Crank ratio: 1:5, 1:4,5; lists and ranges 1:3..6; 1:∞ is the infinite rod.",
     )  # fmt: skip
+    return ratio(steam_options(command))
+
+
+def _with(command: Command, options: Sequence[Callable[[Command], Command]]) -> Command:
     for option in reversed(options):
         command = option(command)
     return command
@@ -86,7 +104,7 @@ def delta(**options: Any) -> None:
     kurbel delta --eps 2..8 --ratio '1:4;1:5;1:∞' --back 0.1 -f latex -o anhang.tex
     kurbel delta --eps 4 --cranks '0;90' --detail
     """  # fmt: skip
-    _print(options, _delta_layout(without_outdone(options, RIVALS)), ("irregularity", "strokes"))
+    print_engine(options, _delta_layout(without_outdone(options, RIVALS)), ("irregularity", "strokes"))
 
 
 def _delta_layout(options: Mapping[str, Any]) -> str:
@@ -134,7 +152,7 @@ def turning(**options: Any) -> None:
         )
     else:
         angles = notation.angles(options["angle"] or layout_of(options["layout"], ("turning",)).angles)
-    _print(options, options["layout"], ("turning",), angles=angles)
+    print_engine(options, options["layout"], ("turning",), angles=angles)
 
 
 @click.command()
@@ -160,10 +178,10 @@ def flywheel(**options: Any) -> None:
     watts, turns = power(options["power"]), speed(options["speed"])
     radius = None if options["radius"] is None else length(options["radius"], "radius")
     wheels = [Flywheel(watts, turns, each, radius) for each in notation.irregularities(options["delta"])]
-    _print(options, options["layout"], ("flywheel",), flywheels=tuple(wheels))
+    print_engine(options, options["layout"], ("flywheel",), flywheels=tuple(wheels))
 
 
-def _print(options: dict[str, Any], name: str, subjects: tuple[str, ...], **rest: Any) -> None:
+def print_engine(options: dict[str, Any], name: str, subjects: tuple[str, ...], **rest: Any) -> None:
     from kurbel.cli.printing import Printing, print_table
     from kurbel.engine_request import EngineRequest
     from kurbel.layouts import layout_of

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any, TypeVar
@@ -101,7 +101,7 @@ def print_motion(options: dict[str, Any], force: Fraction | None = None) -> None
     request = Request(
         layout=page,
         cranks=tuple(replace(crank, force=force) for crank in cranks) if force else cranks,
-        angles=_angles(page, options["angle"], *(options[name] for name in ("from", "to", "step"))),
+        angles=page_angles(page, options),
         method=options.get("method"),
         digits=options["digits"],
         rounding=options["rounding"],
@@ -110,6 +110,11 @@ def print_motion(options: dict[str, Any], force: Fraction | None = None) -> None
         label=options["label"],
     )
     print_table(request, printing)
+
+
+def page_angles(page: Layout, options: Mapping[str, Any]) -> Sequence[Fraction]:
+    """Return the angles that the options of motion_options ask for, or the layout's own."""
+    return _angles(page, options["angle"], *(options[name] for name in ("from", "to", "step")))
 
 
 def _angles(
