@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from kurbel.captions import WORDS as MOTION_WORDS
 from kurbel.engine import Engine, Steam
 from kurbel.engine_axes import CARD, expansion_label
-from kurbel.engine_quantities import EngineQuantity
+from kurbel.engine_quantities import CRANK_FORCES, EngineQuantity
 from kurbel.engine_request import ENGINE_METHODS, EngineColumn, EngineRequest
 from kurbel.labels import plain as plain_label
 from kurbel.notation import plain, ratio_text
@@ -38,6 +38,16 @@ WORDS: Mapping[str, Words] = {
         " Punkte tragen, für die übrigen vor dem Komma Nullen",
         "en": "pressure from the card, interpolated monotonically; only as many digits as its points support"
         " are printed, zeros for the others before the decimal mark",
+    },
+    "signs": {
+        "de": "$F$, $S$ und $N$ auf dem Hingang in der Richtung des Hubes und nach der Seite des Kurbelzapfens"
+        " positiv, $T$ in der Drehrichtung, $Z$ nach der Welle hin; Kräfte der ersten Kurbel, ohne Massen",
+        "en": "$F$, $S$ and $N$ positive in the direction of the outstroke and towards the side of the crank"
+        " pin there, $T$ as the crank turns, $Z$ towards the shaft; forces of the first crank, without masses",
+    },
+    "load": {
+        "de": '$Q = π/4 d^2 p$, $d = {bore} "mm"$, $p = {pressure} "kPa"$',
+        "en": '$Q = π/4 d^2 p$, $d = {bore} "mm"$, $p = {pressure} "kPa"$',
     },
     "energy": {
         "de": "$W$ Arbeit des Überschusses seit dem inneren Totpunkt der ersten Kurbel",
@@ -164,8 +174,14 @@ def notes(request: EngineRequest) -> Iterator[Label]:
         yield WORDS["turn" if request.first.plain else "whole_turn"][lang]
     if subject in ("strokes", "turning"):
         yield WORDS["card_forces" if request.carded else "forces"][lang]
-    if subject == "turning":
+    shown = {column.quantity.key.removesuffix("_n") for column in request.page_columns}
+    if "energy" in shown:
         yield WORDS["energy"][lang]
+    if shown & set(CRANK_FORCES):
+        yield WORDS["signs"][lang]
+    if request.load is not None:
+        bore, pressure = plain(1000 * request.load.bore), plain(request.load.pressure / 1000)
+        yield WORDS["load"][lang].format(bore=bore, pressure=pressure)
     if any(column.methods == ("weisbach",) for column in request.page_columns):
         yield WORDS["weisbach"][lang]
     yield "; ".join(_engine(request, lang))

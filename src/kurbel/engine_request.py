@@ -14,7 +14,7 @@ from kurbel.engine_quantities import OUTSTROKE, RETURN_STROKE, WHOLE, EngineQuan
 from kurbel.errors import ProblemError
 from kurbel.flywheel import Flywheel
 from kurbel.layouts import Layout, LayoutColumn
-from kurbel.notation import MOST_ROWS
+from kurbel.notation import MOST_ROWS, about
 from kurbel.problem import Crank, check_angles
 from kurbel.quantities import Method
 from kurbel.request import check_label, check_rounding
@@ -114,9 +114,9 @@ class EngineRequest:
                 f"layout {self.layout.key} shows one method, and {len(self.methods)} were given;"
                 f" {'use --layout delta-verfahren' if compared else 'leave the others out'}"
             )
-        if self.load is not None and not (0 < self.load.bore <= 100 and 0 < self.load.pressure <= 10**12):
+        if self.load is not None and not 0 < self.load.pressure <= 10**12:
             raise ProblemError(
-                "the bore must lie within 0..100 m and the pressure within 0..10^12 Pa, above 0"
+                f"the pressure is {about(self.load.pressure)} Pa; it must be above 0 and at most 10^12 Pa"
             )
         if self.layout.subject == "turning" and "weisbach" in self.methods:
             raise ProblemError(
