@@ -8,6 +8,7 @@ card supports.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
@@ -18,8 +19,9 @@ from kurbel.card_force import CardStroke, card_strokes
 from kurbel.engine import Diagram, Engine
 from kurbel.engine_quantities import CrankForce, Peak
 from kurbel.errors import CardError, ProblemError
-from kurbel.kernel import turning
+from kurbel.kernel import inertia, rod, turning
 from kurbel.kernel.circle import circle
+from kurbel.kernel.rod import Masses
 from kurbel.quantities import OUT, RETURN
 
 if TYPE_CHECKING:
@@ -65,10 +67,9 @@ class CardTurn:
     @cached_property
     def coarser(self) -> tuple[CardTurn, ...]:
         """The turns of the two cards that have every second point of this one's, in the same Q."""
-        crank, double, cranks = self.engine.crank, self.engine.double, self.engine.cranks
         diagrams = [Diagram(card, self.diagram.other_side) for card in self.diagram.card.halves()]
         return tuple(
-            CardTurn(Engine(crank, diagram, double, cranks), self.method, self.unit) for diagram in diagrams
+            CardTurn(replace(self.engine, steam=diagram), self.method, self.unit) for diagram in diagrams
         )
 
     @cached_property
@@ -147,7 +148,13 @@ class CardTurn:
     def _tangential(self, stroke: int, angle: Any) -> Any:
         """The tangential force of one crank, at half turns or an array of them since its dead centre."""
         ratio = float(self.engine.crank.ratio) * (RETURN if stroke else OUT)
-        return turning.tangential_force(self.strokes[stroke], self.motion, circle(180.0 * angle), ratio)
+        at = circle(180.0 * angle)
+        steam = turning.tangential_force(self.strokes[stroke], self.motion, at, ratio)
+        return steam if self.masses is None else steam + rod.torque(at, ratio, self.masses)
+
+    @cached_property
+    def masses(self) -> Masses[float] | None:
+        return None if self.engine.inertia is None else self.engine.inertia.masses(float, pi)
 
     def _excesses(self, places: Any) -> Any:
         """The excess at an array of half turns."""
@@ -179,6 +186,8 @@ class CardTurn:
             before = 2 * self.strokes[0].work(1.0) if stroke else 0.0
             work = turning.work_done(self.strokes[stroke], self.motion, circle(180.0 * angle), ratio)
             total += before + work - self.mean * (angle + stroke) * pi
+            if self.masses is not None:
+                total -= inertia.kinetic_energy(circle(180.0 * angle), ratio, self.masses)
         return float(total)
 
     def _cranks(self, half_turns: Fraction | float) -> Iterator[tuple[int, float]]:

@@ -9,12 +9,14 @@ from math import floor
 from typing import TYPE_CHECKING, Any
 
 from kurbel.errors import ProblemError
+from kurbel.kernel.rod import Masses, joined
 from kurbel.kernel.steam import Expansion, best_back, net_work
 from kurbel.notation import about, plain
-from kurbel.problem import Crank
+from kurbel.problem import Crank, Speed
 
 if TYPE_CHECKING:
     from kurbel.card import Card
+    from kurbel.rod import Rod
 
 LARGEST_EXPANSION = 10**6
 LARGEST_EXPONENT = 10
@@ -24,6 +26,7 @@ LEAST_CURVE = Fraction(1, 10**6)
 # Nearer to 1 the piston of the exact motion stands still but for an instant.
 LARGEST_RATIO = 1 - Fraction(1, 10**12)
 MOST_CRANKS = 24
+HEAVIEST = 10**9
 # Below this share of Q no mean force drives anything, and δ, counted in it, grows beyond all bounds.
 LEAST_WORK = 1e-9
 
@@ -111,6 +114,45 @@ class Diagram:
 
 
 @dataclass(frozen=True, slots=True)
+class Inertia:
+    """The masses in kg that go to and fro in each cylinder: piston and crosshead, and the rod.
+
+    R is the crank radius in metres; bore in metres and pressure in pascals make the steam force Q.
+    """
+
+    reciprocating: Fraction
+    radius: Fraction
+    speed: Speed
+    bore: Fraction
+    pressure: Fraction
+    rod: Rod | None = None
+
+    def __post_init__(self) -> None:
+        if not 0 <= self.reciprocating <= HEAVIEST:
+            raise ProblemError(
+                f"the reciprocating mass is {about(self.reciprocating)} kg; it must lie within 0..10^9 kg"
+            )
+        if self.radius <= 0 or self.bore <= 0 or self.pressure <= 0:
+            raise ProblemError(
+                "crank radius, bore and pressure must be above 0 to weigh masses against steam"
+            )
+
+    def masses(self, of: Callable[[Fraction], Any], pi: Any) -> Masses[Any]:
+        """Return the masses in units of Q/(R ω²), in a kind of number."""
+        parts = (
+            Masses(Fraction(0), Fraction(0), Fraction(0))
+            if self.rod is None
+            else self.rod.masses("exact", Fraction)
+        )
+        weight = Fraction(0) if self.rod is None else self.rod.mass or Fraction(0)
+        whole = joined(parts, weight, self.reciprocating)
+        # Q = π/4 d² p; ω has the factor 2π where it counts turns.
+        scale = 4 * self.radius * self.speed.value**2 / (self.bore**2 * self.pressure)
+        factor = of(4 * scale) * pi if self.speed.turns else of(scale) / pi
+        return Masses(*(of(part) * factor for part in whole))
+
+
+@dataclass(frozen=True, slots=True)
 class Engine:
     """A straight crank drive whose piston is driven by steam, double-acting or not, on one crank or several.
 
@@ -122,6 +164,7 @@ class Engine:
     steam: Steam | Diagram
     double: bool = True
     cranks: tuple[Fraction, ...] = (Fraction(0),)
+    inertia: Inertia | None = None
 
     def __post_init__(self) -> None:
         if self.crank.offset:

@@ -40,10 +40,10 @@ WORDS: Mapping[str, Words] = {
         " are printed, zeros for the others before the decimal mark",
     },
     "signs": {
-        "de": "$F$, $S$ und $N$ auf dem Hingang in der Richtung des Hubes und nach der Seite des Kurbelzapfens"
-        " positiv, $T$ in der Drehrichtung, $Z$ nach der Welle hin; Kräfte der ersten Kurbel, ohne Massen",
-        "en": "$F$, $S$ and $N$ positive in the direction of the outstroke and towards the side of the crank"
-        " pin there, $T$ as the crank turns, $Z$ towards the shaft; forces of the first crank, without masses",
+        "de": "$F$, $S$ und $N$ positiv in der Richtung des Hinganges und nach der Seite, auf der dort der"
+        " Kurbelzapfen läuft, $T$ in der Drehrichtung, $Z$ nach der Welle hin; erste Kurbel, ohne Massen",
+        "en": "$F$, $S$ and $N$ positive in the direction of the outstroke and towards the side on which the"
+        " crank pin then runs, $T$ as the crank turns, $Z$ towards the shaft; first crank, without masses",
     },
     "load": {
         "de": '$Q = π/4 d^2 p$, $d = {bore} "mm"$, $p = {pressure} "kPa"$',

@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from kurbel.choices import choose
-from kurbel.engine import MOST_CRANKS, Diagram, Engine, Steam
+from kurbel.engine import MOST_CRANKS, Diagram, Engine, Inertia, Steam
 from kurbel.engine_quantities import OUTSTROKE, RETURN_STROKE, WHOLE, EngineQuantity, Load, engine_registry
 from kurbel.errors import ProblemError
 from kurbel.flywheel import Flywheel
@@ -95,6 +95,7 @@ class EngineRequest:
     angles: Sequence[Fraction] = (Fraction(0),)
     flywheels: tuple[Flywheel, ...] = ()
     load: Load | None = None
+    inertia: Inertia | None = None
     digits: int | None = None
     rounding: str = "half-away"
     lang: str = "de"
@@ -151,7 +152,7 @@ class EngineRequest:
         return count * spans.get(self.layout.subject, 1)
 
     def engine(self, steam: int, drive: int) -> Engine:
-        return Engine(self.drives[drive], self.steams[steam], self.double, tuple(self.cranks))
+        return Engine(self.drives[drive], self.steams[steam], self.double, tuple(self.cranks), self.inertia)
 
     @cached_property
     def first(self) -> Engine:

@@ -55,6 +55,9 @@ def force_ties(turn: Turn, half_turns: Fraction) -> TieBits:
 
     def bits(boundary: Fraction) -> float:
         engine = turn.engine
+        if engine.inertia is not None:
+            # The masses add a multiple of π.
+            return inf
         acting = engine.ideal.numbers(_BOUNDS.of, _BOUNDS.exponent)
         total = Separation.rational(-boundary)
         for crank in _cranks(turn, half_turns):
@@ -75,7 +78,7 @@ def energy_ties(turn: Turn, half_turns: Fraction) -> TieBits:
     mariotte = turn.engine.ideal.exponent == 1
 
     def bits(boundary: Fraction) -> float:
-        if mariotte and not _logarithms_vanish(turn, cranks):
+        if turn.engine.inertia is not None or (mariotte and not _logarithms_vanish(turn, cranks)):
             return inf
         work = steam.full_pressure_work if mariotte else steam.net_work
         return (_energy(turn, cranks, work) - Separation.rational(boundary)).bits()

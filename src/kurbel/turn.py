@@ -19,9 +19,10 @@ from kurbel.certify import ball, ball_circle
 from kurbel.engine import Engine
 from kurbel.engine_quantities import CrankForce, Peak
 from kurbel.errors import ProblemError
-from kurbel.kernel import steam, turning
+from kurbel.kernel import inertia, rod, steam, turning
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.kinds import Number, larger, smaller
+from kurbel.kernel.rod import Masses
 from kurbel.kernel.turning import Motion, Stroke
 from kurbel.quantities import OUT, RETURN
 from kurbel.roots import ISOLATING_BITS, Function, Root, isolate, refined
@@ -84,12 +85,15 @@ class Cylinder(NamedTuple):
     motion: Motion
     strokes: tuple[BallStroke, BallStroke]
     mean: Number
+    masses: Masses[Number] | None = None
 
     def excess(self, stroke: int, angle: Angle) -> Number:
         """The tangential force less its mean, at half turns from the dead centre of the stroke."""
         force = turning.tangential_force(
             self.strokes[stroke], self.motion, circle(angle), self.ratio * SIGNS[stroke]
         )
+        if self.masses is not None:
+            force += rod.torque(circle(angle), self.ratio * SIGNS[stroke], self.masses)
         return force - self.mean
 
     def slope(self, stroke: int, angle: Angle) -> Number:
@@ -98,12 +102,17 @@ class Cylinder(NamedTuple):
         share, velocity = self.motion.path(at, ratio) / 2, self.motion.velocity(at, ratio)
         acting = self.strokes[stroke]
         change = acting.slope(share) * velocity * velocity / 2
-        return (change + acting.force(share) * self.motion.acceleration(at, ratio)) * flint.arb.pi()
+        total = change + acting.force(share) * self.motion.acceleration(at, ratio)
+        if self.masses is not None:
+            total += inertia.torque_slope(at, ratio, self.masses)
+        return total * flint.arb.pi()
 
     def energy(self, stroke: int, angle: Angle) -> Number:
         """The work of the excess since the inner dead centre."""
         work = turning.work_done(self.strokes[stroke], self.motion, circle(angle), self.ratio * SIGNS[stroke])
         before = 2 * self.strokes[0].work(flint.arb(1)) if stroke else flint.arb(0)
+        if self.masses is not None:
+            work -= inertia.kinetic_energy(circle(angle), self.ratio * SIGNS[stroke], self.masses)
         turned = ball(angle + stroke) if isinstance(angle, Fraction) else angle + stroke
         return before + work - self.mean * turned * flint.arb.pi()
 
@@ -307,6 +316,8 @@ class WeisbachTurn(Turn):
 
 def turn_of(engine: Engine, method: str) -> Turn | CardTurn:
     """Return the engine's turn by a method: exact, series or weisbach; of an indicator card in floats."""
+    if engine.inertia is not None and method != "exact":
+        raise ProblemError(f'method "{method}" has no formulas for the masses; use exact')
     if engine.carded:
         from kurbel.card_turn import CardTurn
 
@@ -356,7 +367,9 @@ def circle(half_turns: Angle) -> Circle[Number]:
 def _cylinder(engine: Engine, motion: Motion) -> Cylinder:
     acting = SteamStroke(engine.ideal.numbers(ball))
     strokes: tuple[BallStroke, BallStroke] = (acting, acting if engine.double else IdleStroke())
-    return Cylinder(ball(engine.crank.ratio), motion, strokes, turning.mean_force(strokes, flint.arb.pi()))
+    masses = None if engine.inertia is None else engine.inertia.masses(ball, flint.arb.pi())
+    mean = turning.mean_force(strokes, flint.arb.pi())
+    return Cylinder(ball(engine.crank.ratio), motion, strokes, mean, masses)
 
 
 def _piece(starts: Sequence[Fraction], low: Fraction, high: Fraction) -> Piece:
