@@ -132,24 +132,20 @@ class Inertia:
             raise ProblemError(
                 f"the reciprocating mass is {about(self.reciprocating)} kg; it must lie within 0..10^9 kg"
             )
-        if self.radius <= 0 or self.bore <= 0 or self.pressure <= 0:
+        if min(self.radius, self.bore, self.pressure) <= 0:
             raise ProblemError(
-                "crank radius, bore and pressure must be above 0 to weigh masses against steam"
+                "crank radius, bore and pressure must be above 0, to weigh masses against steam"
             )
 
     def masses(self, of: Callable[[Fraction], Any], pi: Any) -> Masses[Any]:
         """Return the masses in units of Q/(R ω²), in a kind of number."""
-        parts = (
-            Masses(Fraction(0), Fraction(0), Fraction(0))
-            if self.rod is None
-            else self.rod.masses("exact", Fraction)
-        )
-        weight = Fraction(0) if self.rod is None else self.rod.mass or Fraction(0)
-        whole = joined(parts, weight, self.reciprocating)
+        whole = Masses(Fraction(0), self.reciprocating, Fraction(0))
+        if self.rod is not None:
+            whole = joined(self.rod.masses("exact", Fraction), self.rod.mass, self.reciprocating)
         # Q = π/4 d² p; ω has the factor 2π where it counts turns.
         scale = 4 * self.radius * self.speed.value**2 / (self.bore**2 * self.pressure)
         factor = of(4 * scale) * pi if self.speed.turns else of(scale) / pi
-        return Masses(*(of(part) * factor for part in whole))
+        return Masses(*(of(Fraction(part)) * factor for part in whole))
 
 
 @dataclass(frozen=True, slots=True)

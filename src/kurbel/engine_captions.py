@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from kurbel.captions import WORDS as MOTION_WORDS
-from kurbel.engine import Engine, Steam
+from kurbel.engine import Engine, Inertia, Steam
 from kurbel.engine_axes import CARD, expansion_label
 from kurbel.engine_quantities import CRANK_FORCES, EngineQuantity
 from kurbel.engine_request import ENGINE_METHODS, EngineColumn, EngineRequest
@@ -94,6 +94,9 @@ WORDS: Mapping[str, Words] = {
     },
     "errors": {"de": "geschätzter Fehler", "en": "estimated error"},
     "less": {"de": ", Unterschied", "en": ", difference"},
+    "masses": {"de": "mit den Massen: ", "en": "with the masses: "},
+    "reciprocating": {"de": "Kolben und Kreuzkopf", "en": "piston and crosshead"},
+    "rod": {"de": "Schubstange", "en": "connecting rod"},
     "difference": {
         "de": "Unterschied: genauer Wert weniger Näherung, vor dem Runden gebildet.",
         "en": "Difference: exact value less approximation, taken before rounding.",
@@ -193,6 +196,20 @@ def _engine(request: EngineRequest, lang: str) -> Iterator[Label]:
     else:
         yield from _steam(request, lang)
     yield from _cranks(request.first, lang)
+    if request.inertia is not None:
+        yield _masses(request.inertia, lang)
+
+
+def _masses(inertia: Inertia, lang: str) -> Label:
+    said = {"reciprocating": inertia.reciprocating, "rod": None if inertia.rod is None else inertia.rod.mass}
+    parts = [f'{WORDS[key][lang]} ${plain(mass)} "kg"$' for key, mass in said.items() if mass]
+    speed = inertia.speed.value
+    turns = (
+        f'$n = {plain(60 * speed)} "min"^(-1)$' if inertia.speed.turns else f'$ω = {plain(speed)} "rad/s"$'
+    )
+    size = f'$r = {plain(1000 * inertia.radius)} "mm"$, $d = {plain(1000 * inertia.bore)} "mm"$'
+    pressure = f'$p = {plain(inertia.pressure / 1000)} "kPa"$'
+    return WORDS["masses"][lang] + ", ".join((*parts, size, pressure, turns))
 
 
 def _steam(request: EngineRequest, lang: str) -> Iterator[Label]:

@@ -59,6 +59,12 @@ def power(text: str) -> Fraction:
     return _checked(Fraction(watts), text, "power", "W", 10**12)
 
 
+def mass(text: str, what: str) -> Fraction:
+    """Return a mass in kilograms, above 0: "200kg", "0.3 t"."""
+    kilograms = _quantity(text, what, "a mass such as 200kg", "[mass]").to("kg").magnitude
+    return _checked(Fraction(kilograms), text, what, "kg")
+
+
 def force(text: str) -> Fraction:
     """Return a force in newtons, above 0: "10kN", "1000 kgf"."""
     newtons = _quantity(text, "force", "a force such as 10kN", "[force]").to("N").magnitude

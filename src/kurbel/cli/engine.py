@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import click
 
 from kurbel import notation
+from kurbel.cli.masses import inertia_of, mass_options
 from kurbel.cli.options import Columns, Name, layout_option, output_options, without_outdone
 from kurbel.errors import ProblemError
 
@@ -90,6 +91,8 @@ def columns_option(layout: str, example: str) -> Callable[[Command], Command]:
 
 @click.command()
 @engine_options
+@mass_options
+@click.option("--speed", metavar="SPEED", help="Speed: 120/min, 12.5rad/s.")
 @click.option("--detail", is_flag=True, help="All that leads to δ: angles and speeds of both strokes.")
 @columns_option("weisbach-150", "epsilon,delta,mean_force")
 @layout_option("", "irregularity", "strokes")
@@ -128,6 +131,8 @@ def _delta_layout(options: Mapping[str, Any]) -> str:
 
 @click.command()
 @engine_options
+@mass_options
+@click.option("--speed", metavar="SPEED", help="Speed: 120/min, 12.5rad/s.")
 @click.option("--angle", multiple=True, metavar="ANGLES",
               help="Crank angles in degrees: 22.5, 2°30', lists 0;45;90, ranges 0..360:10.")  # fmt: skip
 @click.option("--step", metavar="ANGLE", help="Step of the angles through the whole turn; default 10.")
@@ -157,6 +162,7 @@ def turning(**options: Any) -> None:
 
 @click.command()
 @engine_options
+@mass_options
 @click.option("--power", metavar="POWER", required=True, help="Power of the engine: 50kW, 68PS.")
 @click.option("--speed", metavar="SPEED", required=True, help="Speed: 120/min, 12.5rad/s.")
 @click.option("--delta", multiple=True, metavar="δ", required=True,
@@ -202,6 +208,7 @@ def print_engine(options: dict[str, Any], name: str, subjects: tuple[str, ...], 
         lang=options["lang"],
         columns=notation.names(options["columns"], "columns", "epsilon,delta"),
         label=options["label"],
+        inertia=inertia_of(options) if "reciprocating" in options else None,
         **rest,
     )
     print_table(request, printing)

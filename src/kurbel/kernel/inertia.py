@@ -1,7 +1,7 @@
 """Kinetic energy of the masses that go to and fro with the piston and the rod, and the slope of its torque.
 
-Straight crank. Masses are those of kernel/rod.py; energies and torques are in units of m R² ω². A negative ratio
-is the return stroke. The torque itself is `rod.torque`.
+Straight crank. Masses are those of kernel/rod.py; energies and torques are in units of m R² ω². A negative
+ratio is the return stroke. The torque itself is `rod.torque`.
 """
 
 from __future__ import annotations
