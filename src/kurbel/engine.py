@@ -133,9 +133,7 @@ class Inertia:
                 f"the reciprocating mass is {about(self.reciprocating)} kg; it must lie within 0..10^9 kg"
             )
         if min(self.radius, self.bore, self.pressure) <= 0:
-            raise ProblemError(
-                "crank radius, bore and pressure must be above 0, to weigh masses against steam"
-            )
+            raise ProblemError("crank radius, bore and pressure must be above 0 if masses are weighed")
 
     def masses(self, of: Callable[[Fraction], Any], pi: Any) -> Masses[Any]:
         """Return the masses in units of Q/(R ω²), in a kind of number."""

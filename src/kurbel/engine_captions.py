@@ -209,7 +209,7 @@ def _masses(inertia: Inertia, lang: str) -> Label:
     )
     size = f'$r = {plain(1000 * inertia.radius)} "mm"$, $d = {plain(1000 * inertia.bore)} "mm"$'
     pressure = f'$p = {plain(inertia.pressure / 1000)} "kPa"$'
-    return WORDS["masses"][lang] + ", ".join((*parts, size, pressure, turns))
+    return WORDS["masses"][lang] + ", ".join((*parts, size, pressure, f"${turns}$"))
 
 
 def _steam(request: EngineRequest, lang: str) -> Iterator[Label]:

@@ -34,6 +34,18 @@ class CardError(KurbelError):
     exit_code = 1
 
 
+class MachineError(KurbelError):
+    """A file that describes no machine."""
+
+    exit_code = 1
+
+
+class RodError(KurbelError):
+    """A file that describes no connecting rod."""
+
+    exit_code = 1
+
+
 class OutputError(KurbelError):
     """A file or stream that could not be written."""
 

@@ -29,7 +29,7 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from kurbel.card_lines import place, shown
-from kurbel.errors import KurbelError, NotationError, ProblemError
+from kurbel.errors import NotationError, ProblemError, RodError
 from kurbel.kernel.rod import Masses, rod_masses, two_masses
 from kurbel.notation import about, number
 
@@ -50,12 +50,6 @@ _UNIT = re.compile(r"[A-Za-zµ]{1,20}")
 _POINTS, _SECTIONS = ("position", "mass"), ("from", "to", "mass")
 _SHARES = {"": Fraction(1), "1": Fraction(1), "-": Fraction(1), "%": Fraction(1, 100)}
 _LENGTHS = _SHARES | {"L": Fraction(1)}
-
-
-class RodError(KurbelError):
-    """A file that is no list of a rod's masses."""
-
-    exit_code = 1
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import click
 
 from kurbel import notation
+from kurbel.cli.machine import machine_option
 from kurbel.cli.masses import inertia_of, mass_options
 from kurbel.cli.options import Columns, Name, layout_option, output_options, without_outdone
 from kurbel.errors import ProblemError
@@ -90,6 +91,7 @@ def columns_option(layout: str, example: str) -> Callable[[Command], Command]:
 
 
 @click.command()
+@machine_option
 @engine_options
 @mass_options
 @click.option("--speed", metavar="SPEED", help="Speed: 120/min, 12.5rad/s.")
@@ -130,6 +132,7 @@ def _delta_layout(options: Mapping[str, Any]) -> str:
 
 
 @click.command()
+@machine_option
 @engine_options
 @mass_options
 @click.option("--speed", metavar="SPEED", help="Speed: 120/min, 12.5rad/s.")
@@ -161,6 +164,7 @@ def turning(**options: Any) -> None:
 
 
 @click.command()
+@machine_option
 @engine_options
 @mass_options
 @click.option("--power", metavar="POWER", required=True, help="Power of the engine: 50kW, 68PS.")

@@ -29,7 +29,8 @@ def mass_options(command: Command) -> Command:
                      " --pressure."),
         click.option("--rod-mass", metavar="MASS", help="Mass of the connecting rod: 150kg."),
         click.option("--centre", metavar="A",
-                     help="Distance of the rod's centre of mass from the crosshead pin, in rod lengths: 0.6."),
+                     help="Distance of the rod's centre of mass from the crosshead pin, in rod lengths:"
+                     " 0.6."),
         click.option("--gyration", metavar="K",
                      help="Radius of gyration about the centre of mass, in rod lengths: 0.3; default: that of"
                      " two masses at the pins."),

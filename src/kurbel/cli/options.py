@@ -160,17 +160,17 @@ def chosen_format(format_name: str | None, output: str, standalone: bool, longta
 
     if not output:
         raise click.UsageError("--output names no file; - is standard output.")
-    named = output == "-" or _typed("format")
+    named = output == "-" or is_typed("format")
     chosen = FORMATS[format_name or "text"] if named else for_suffix(output)
-    if standalone and not chosen.document and _typed("standalone"):
+    if standalone and not chosen.document and is_typed("standalone"):
         documents = " and ".join(name for name, entry in FORMATS.items() if entry.document)
         raise click.UsageError(f"--standalone is for {documents}; {chosen.name} has no documents.")
-    if longtable and chosen.name != "latex" and _typed("longtable"):
+    if longtable and chosen.name != "latex" and is_typed("longtable"):
         raise click.UsageError(f"--longtable is for latex; the format is {chosen.name}.")
     return chosen
 
 
-def _typed(option: str) -> bool:
+def is_typed(option: str) -> bool:
     """Whether an option stands on the command line; a default from the environment gives way."""
     return click.get_current_context().get_parameter_source(option) is ParameterSource.COMMANDLINE
 
@@ -179,6 +179,6 @@ def without_outdone(options: dict[str, Any], rivals: Iterable[tuple[str, set[str
     """Return the options without defaults of the environment whose rivals were all typed."""
     kept = dict(options)
     for option, others in rivals:
-        if not _typed(option) and all(map(_typed, others)):
+        if not is_typed(option) and all(map(_typed, others)):
             kept[option] = () if isinstance(options[option], tuple) else None
     return kept

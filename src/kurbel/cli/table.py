@@ -10,6 +10,7 @@ from typing import Any, TypeVar
 import click
 
 from kurbel import notation
+from kurbel.cli.machine import machine_option
 from kurbel.cli.options import Columns, Name, layout_option, output_options, without_outdone
 from kurbel.errors import NotationError, ProblemError
 from kurbel.layouts import Layout
@@ -64,6 +65,7 @@ def motion_options(layout: str, example: str) -> Callable[[Command], Command]:
 
 
 @click.command()
+@machine_option
 @motion_options("kinematics", "phi,x,c,p")
 @click.option(
     "--method",
