@@ -204,9 +204,7 @@ def _masses(inertia: Inertia, lang: str) -> Label:
     said = {"reciprocating": inertia.reciprocating, "rod": None if inertia.rod is None else inertia.rod.mass}
     parts = [f'{WORDS[key][lang]} ${plain(mass)} "kg"$' for key, mass in said.items() if mass]
     speed = inertia.speed.value
-    turns = (
-        f'$n = {plain(60 * speed)} "min"^(-1)$' if inertia.speed.turns else f'$ω = {plain(speed)} "rad/s"$'
-    )
+    turns = f'n = {plain(60 * speed)} "min"^(-1)' if inertia.speed.turns else f'ω = {plain(speed)} "rad/s"'
     size = f'$r = {plain(1000 * inertia.radius)} "mm"$, $d = {plain(1000 * inertia.bore)} "mm"$'
     pressure = f'$p = {plain(inertia.pressure / 1000)} "kPa"$'
     return WORDS["masses"][lang] + ", ".join((*parts, size, pressure, f"${turns}$"))

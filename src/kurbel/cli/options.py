@@ -179,6 +179,6 @@ def without_outdone(options: dict[str, Any], rivals: Iterable[tuple[str, set[str
     """Return the options without defaults of the environment whose rivals were all typed."""
     kept = dict(options)
     for option, others in rivals:
-        if not is_typed(option) and all(map(_typed, others)):
+        if not is_typed(option) and all(map(is_typed, others)):
             kept[option] = () if isinstance(options[option], tuple) else None
     return kept
