@@ -1,0 +1,126 @@
+"""A machine in a TOML file gives the options of every command."""
+
+from __future__ import annotations
+
+import importlib
+import json
+from pathlib import Path
+
+import click
+import pytest
+from cli import printed, refusal
+
+import kurbel
+from kurbel.cli import COMMANDS
+from kurbel.errors import MachineError
+from kurbel.machine import SECTIONS, read_machine, schema
+
+MACHINE = """
+[crank]
+ratio = "1:4,5"
+stroke = "600mm"
+speed = "120/min"
+
+[steam]
+eps = [3, 4.5]
+back = "10%"
+bore = "300mm"
+pressure = "8bar"
+
+[masses]
+reciprocating = "300kg"
+
+[flywheel]
+power = "50kW"
+delta = ["1:100", 0.02]
+"""
+TYPED = (
+    "--ratio 1:4,5 --eps 3;4.5 --back 0.1 --bore 300mm --pressure 8bar --reciprocating 300kg --stroke 600mm"
+)
+
+
+@pytest.fixture
+def machine(tmp_path: Path) -> str:
+    path = tmp_path / "engine.toml"
+    path.write_text(MACHINE, encoding="utf-8")
+    return str(path)
+
+
+@pytest.mark.parametrize(
+    ("command", "typed"),
+    [
+        ("delta", f"{TYPED} --speed 120/min"),
+        ("turning --step 60", f"{TYPED} --speed 120/min"),
+        ("flywheel", f"{TYPED} --speed 120/min --power 50kW --delta 1:100;1:50"),
+        ("table --angle 0;60", "--ratio 1:4,5 --stroke 600mm --speed 120/min"),
+        ("forces --angle 0;60", "--ratio 1:4,5 --eps 3;4.5 --back 0.1 --bore 300mm --pressure 8bar"),
+    ],
+)
+def test_the_file_says_what_could_be_typed(command: str, typed: str, machine: str) -> None:
+    words = (*command.split(), "-f", "csv")
+    assert printed(*words, "--machine", machine).out == printed(*words, *typed.split()).out
+
+
+def test_what_is_typed_outdoes_the_file(machine: str) -> None:
+    shown = printed("delta", "--machine", machine, "--eps", "6", "-f", "csv")
+    assert [record["epsilon"] for record in shown.records()] == ["6"]
+
+
+def test_a_card_lies_beside_the_file(tmp_path: Path) -> None:
+    card = Path(__file__).parent / "cards" / "ideal-2.csv"
+    (tmp_path / "card.csv").write_bytes(card.read_bytes())
+    path = tmp_path / "engine.toml"
+    path.write_text('[steam]\ncard = "card.csv"\n', encoding="utf-8")
+    shown = printed("delta", "--machine", str(path), "-f", "csv").out
+    assert shown == printed("delta", "--card", str(tmp_path / "card.csv"), "-f", "csv").out
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        ("[stem]\neps = 3", 'there is no section "stem" (did you mean steam?); choose from'),
+        ("[steam]\nepz = 3", 'there is no entry in [steam] "epz" (did you mean eps?); choose from'),
+        ("steam = 3", "steam is 3; it must be a section, [steam]"),
+        ("[steam]\nsingle_acting = 1", "steam.single_acting is 1; it must be true or false"),
+        ("[steam]\neps = {}", 'steam.eps is {}; write text such as "600mm", a number or a list'),
+        ("[steam]\neps = []", 'steam.eps is []; write text such as "600mm", a number or a list'),
+        ("[steam]\neps = true", 'steam.eps is True; write text such as "600mm", a number or a list'),
+        ("[steam\neps = 3", "(at line 1, column 7)"),
+        ("\udcff", "cannot read the machine"),
+    ],
+)
+def test_a_file_that_is_no_machine_is_answered_with_a_sentence(
+    text: str, sentence: str, tmp_path: Path
+) -> None:
+    path = tmp_path / "engine.toml"
+    path.write_bytes(text.encode(errors="surrogateescape"))
+    said = refusal("delta", "--machine", str(path), code=1)
+    assert sentence in said
+    assert str(path) in said
+
+
+def test_a_missing_file_is_answered_with_a_sentence() -> None:
+    assert refusal("delta", "--machine", "nowhere.toml", code=1) == (
+        "cannot read the machine nowhere.toml: there is no such file"
+    )
+
+
+def test_the_schema_in_the_package_is_that_of_the_reader() -> None:
+    path = Path(kurbel.__file__).parent / "machine.schema.json"
+    assert json.loads(path.read_text(encoding="utf-8")) == schema()
+
+
+def test_every_entry_is_an_option_of_some_command() -> None:
+    options = set()
+    for name, (module, _) in COMMANDS.items():
+        command = getattr(importlib.import_module(module), name)
+        assert isinstance(command, click.Command)
+        options |= {parameter.name for parameter in command.params}
+    assert {entry.option for entries in SECTIONS.values() for entry in entries.values()} <= options
+
+
+def test_a_huge_file_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "huge.toml"
+    path.write_bytes(b"#" * (10**6 + 1))
+    with pytest.raises(MachineError, match="has more than 1000000 bytes"):
+        read_machine(str(path))
