@@ -48,10 +48,7 @@ class Arrangement:
     share: Fraction = Fraction(0)
 
     def __post_init__(self) -> None:
-        if not 1 <= len(self.cylinders) <= MOST_CYLINDERS:
-            raise ProblemError(
-                f"{len(self.cylinders)} cylinders were given; an engine has 1 to {MOST_CYLINDERS}"
-            )
+        check_count(len(self.cylinders))
         if not 0 <= self.share <= 1:
             raise ProblemError(
                 f"share of the counterweights is {about(self.share)}; it must lie within 0..1,"
@@ -66,6 +63,12 @@ class Arrangement:
                     f"cylinders {first} and {number} are both at position {about(cylinder.position)} in the"
                     f" bank at {about(cylinder.bank)}°; they must differ in one of the two"
                 )
+
+
+def check_count(cylinders: int) -> None:
+    """Raise ProblemError unless an engine can have so many cylinders."""
+    if not 1 <= cylinders <= MOST_CYLINDERS:
+        raise ProblemError(f"{cylinders} cylinders were given; an engine has 1 to {MOST_CYLINDERS}")
 
 
 def _check_cylinder(number: int, cylinder: Cylinder) -> None:

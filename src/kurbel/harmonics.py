@@ -127,6 +127,16 @@ def check_order(order: int) -> None:
         raise ProblemError(f"harmonic of order {order} was asked for; orders 0 to {MOST_ORDERS} are given")
 
 
+def printed_orders(harmonic: Harmonic, last: int) -> tuple[int, ...]:
+    """Return the orders up to the last but those that are 0 for all rods: 0 of the path, then 1, 2, 4, ..."""
+    if not isinstance(last, int) or not 1 <= last <= MOST_ORDERS:
+        raise ProblemError(
+            f"orders up to {last} were asked for; the last must be a whole number from 1 to {MOST_ORDERS}"
+        )
+    orders = (0, 1, *range(2, last + 1, 2))
+    return tuple(order for order in orders if harmonic.factor(order))
+
+
 def check_straight(crank: Crank) -> None:
     """Raise ProblemError if the crank is offset."""
     if crank.offset:
