@@ -21,6 +21,7 @@ from kurbel.harmonics import registry as harmonics_registry
 from kurbel.harmonics_page import harmonic_name
 from kurbel.labels import plain
 from kurbel.layouts import layout, layout_names
+from kurbel.linkage_quantities import arc_registry, parallel_registry
 from kurbel.notation import ratio_text, ratios
 from kurbel.quantities import METHODS, NEEDS, registry
 
@@ -79,6 +80,16 @@ def _balance_quantities() -> Iterator[str]:
         yield f"| `value` | {name} | {unit} | {decimals} | `harmonics --quantity {key}` |"
     for key, column in balance_registry().items():
         yield f"| `{key}` | {column.name['en']} | {column.unit} | {DECIMALS} | `balance` |"
+    yield from _linkage_quantities()
+
+
+def _linkage_quantities() -> Iterator[str]:
+    yield "\n### Of the arc crank and the parallel crank\n"
+    yield "Beside them stand `ratio`, for the arc crank, and `phi`.\n"
+    for mechanism, linkage in (("arc", arc_registry()), ("parallel", parallel_registry())):
+        for key, one in linkage.items():
+            name = f"{one.full_name('en')} {plain(one.symbol)}"
+            yield f"| `{key}` | {name} | {one.unit} | {one.decimals} | `table --mechanism {mechanism}` |"
 
 
 def _layouts() -> Iterator[str]:

@@ -23,6 +23,8 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "dead centres": ("deadcentres",),
     "harmonics": ("harmonics",),
     "balance": ("balance",),
+    "arc crank": ("table", "--mechanism=arc", "--rocker=6"),
+    "parallel crank": ("table", "--mechanism=parallel"),
 }
 
 
@@ -35,6 +37,9 @@ MOTION = about("motion")
 ENGINES = about("irregularity", "strokes", "turning", "flywheel")
 BEAMS = about("dead centres")
 BALANCES = about("harmonics", "balance")
+LINKAGES = about("arc crank", "parallel crank")
+# What `kurbel table` prints.
+DRIVES = about("motion", "arc crank", "parallel crank")
 
 each_layout = pytest.mark.parametrize(
     ("name", "lang"), [(name, lang) for name in layout_names() for lang in LANGUAGES]
@@ -57,6 +62,10 @@ def default_page(name: str, lang: str = "de", label: str = "") -> Table:
             return kurbel.make_harmonics_table(layout=name, lang=lang, label=label)
         case "balance":
             return kurbel.make_balance_table(layout=name, lang=lang, label=label)
+        case "arc crank":
+            return kurbel.make_arc_table(6, layout=name, lang=lang, label=label)
+        case "parallel crank":
+            return kurbel.make_parallel_table(layout=name, lang=lang, label=label)
         case "flywheel":
             return kurbel.make_engine_table(
                 layout=name, power=50_000, speed=2, irregularities="1:50;1:100", radius=1.5,

@@ -9,7 +9,7 @@ import pytest
 from cli import kurbel, refusal
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from pages import MOTION, about
+from pages import DRIVES, about
 
 from kurbel import units
 from kurbel.formats import FORMATS
@@ -360,9 +360,9 @@ def test_a_flywheel_needs_power_speed_and_irregularity(missing: str) -> None:
 
 
 def test_pages_of_engines_are_not_printed_as_tables_of_motion() -> None:
-    for name in set(layout_names()) - set(MOTION):
+    for name in set(layout_names()) - set(DRIVES):
         assert refusal("table", "--layout", name) == (
-            f"layout {name} is about something else; choose from {', '.join(MOTION)}"
+            f"layout {name} is about something else; choose from {', '.join(DRIVES)}"
         )
 
 

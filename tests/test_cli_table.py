@@ -16,6 +16,7 @@ from textbook import printed as digits
 from kurbel import beam
 from kurbel.engine_quantities import engine_registry
 from kurbel.layouts import layout_names
+from kurbel.linkage_quantities import arc_registry, parallel_registry
 from kurbel.quantities import registry
 
 NINTHS = Fraction(2, 9)
@@ -209,7 +210,15 @@ def test_layouts_are_listed_a_line_each() -> None:
 def test_quantities_are_listed_a_line_each() -> None:
     lines = printed("quantities").out.splitlines()
     keys = [line.split()[0] for line in lines]
-    assert keys == ["ratio", "phi", *registry(), *engine_registry(), *beam.registry()]
+    assert keys == [
+        "ratio",
+        "phi",
+        *registry(),
+        *engine_registry(),
+        *beam.registry(),
+        *arc_registry(),
+        *parallel_registry(),
+    ]
     assert all(len(line.split()) > 2 for line in lines)
     assert printed("quantities", "--lang", "en").out.splitlines() != lines
 

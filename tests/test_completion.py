@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 from cli import Result, kurbel, printed
-from pages import BEAMS, MOTION, about
+from pages import BEAMS, DRIVES, about
 from tools import require
 
 from kurbel.cli import COMMANDS
@@ -18,6 +18,7 @@ from kurbel.engine_quantities import engine_registry
 from kurbel.engine_request import ENGINE_METHODS
 from kurbel.formats import FORMATS
 from kurbel.layouts import LANGUAGES, layout
+from kurbel.linkage_quantities import arc_registry
 from kurbel.quantities import METHODS, registry
 
 SHELLS = ("bash", "zsh", "fish")
@@ -45,7 +46,7 @@ def completed(shell: str, *words: str) -> list[str]:
 
 @pytest.mark.parametrize("shell", SHELLS)
 def test_layouts_formats_and_columns_are_completed(shell: str) -> None:
-    assert completed(shell, "table", "--layout", "") == MOTION
+    assert completed(shell, "table", "--layout", "") == DRIVES
     assert completed(shell, "table", "--layout", "kin") == ["kinematics"]
     assert completed(shell, "table", "--format", "") == list(FORMATS)
     assert completed(shell, "table", "-f", "m") == ["markdown"]
@@ -77,6 +78,13 @@ def test_a_command_completes_the_layouts_of_its_subject_only() -> None:
     assert completed("bash", "deadcentres", "--layout", "") == BEAMS
     assert completed("bash", "harmonics", "--layout", "") == ["harmonics"]
     assert completed("bash", "balance", "--layout", "") == ["balance"]
+
+
+def test_the_columns_are_those_of_the_mechanism_that_was_typed() -> None:
+    words = ("table", "--mechanism", "arc", "--columns", "")
+    assert set(completed("bash", *words)) == {"ratio", "phi", *arc_registry()}
+    assert completed("bash", "table", "--layout", "parallel", "--columns", "p") == ["phi"]
+    assert completed("bash", "table", "--mechanism", "p") == ["parallel"]
 
 
 def test_columns_of_an_engine_are_those_that_its_page_can_show() -> None:

@@ -119,7 +119,14 @@ def test_imports_run_one_way() -> None:
     ]
     beam = ["kurbel.kernel.beam", "kurbel.beam", "kurbel.beam_page", "kurbel.cli.beam"]
     balance = ["kurbel.kernel.balance", "kurbel.balance", "kurbel.balance_page", "kurbel.build"]
-    for order in (motion, engine, quantity, beam, balance):
+    linkage = [
+        "kurbel.kernel.linkage",
+        "kurbel.linkage",
+        "kurbel.linkage_quantities",
+        "kurbel.linkage_page",
+        "kurbel.cli.linkage",
+    ]
+    for order in (motion, engine, quantity, beam, balance, linkage):
         for low, high in pairwise(order):
             assert low in reached(high)
             assert high not in reached(low)
@@ -210,6 +217,8 @@ PAGES = [
     ("harmonics",),
     ("balance",),
 ]
+PAGES = [("table", "--ratio", "1:5"), ("delta", "--eps", "2..6"), ("turning",), ("deadcentres",)]
+PAGES += [("table", "--mechanism", "arc", "--rocker", "6"), ("table", "--mechanism", "parallel")]
 
 
 @pytest.mark.parametrize("name", ["text", "markdown", "latex", "html", "csv", "json"])

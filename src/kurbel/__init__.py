@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from kurbel.engine_library import make_dead_centres_table, make_engine_table
     from kurbel.irregularity import delta
     from kurbel.library import certified, compute, make_table, typeset
+    from kurbel.linkage_library import make_arc_table, make_parallel_table
 
 __version__ = "0.1.0"
 __all__ = [
@@ -30,10 +31,12 @@ __all__ = [
     "certified",
     "compute",
     "delta",
+    "make_arc_table",
     "make_balance_table",
     "make_dead_centres_table",
     "make_engine_table",
     "make_harmonics_table",
+    "make_parallel_table",
     "make_table",
     "typeset",
 ]
@@ -43,6 +46,8 @@ _MODULES = {
     "make_dead_centres_table": "kurbel.engine_library",
     "make_engine_table": "kurbel.engine_library",
     "make_harmonics_table": "kurbel.balance_library",
+    "make_arc_table": "kurbel.linkage_library",
+    "make_parallel_table": "kurbel.linkage_library",
 }
 
 

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from kurbel.beam_page import BeamRequest
     from kurbel.engine_request import EngineRequest
     from kurbel.harmonics_page import HarmonicsRequest
+    from kurbel.linkage_page import LinkageRequest
 
 
 class Asked(Protocol):
@@ -59,6 +60,12 @@ def _balance(request: BalanceRequest, pages: bool) -> Table:
     return build_balance(request, pages)
 
 
+def _linkage(request: LinkageRequest, pages: bool) -> Table:
+    from kurbel.linkage_page import build_linkage
+
+    return build_linkage(request, pages)
+
+
 def _motion(request: Request, pages: bool) -> Table:
     columns = page_columns(request)
     digits = [column.digits for column in columns]
@@ -88,4 +95,6 @@ BUILDERS: dict[str, Callable[[Any, bool], Table]] = {
     "dead centres": _beam,
     "harmonics": _harmonics,
     "balance": _balance,
+    "arc crank": _linkage,
+    "parallel crank": _linkage,
 }

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -112,7 +112,7 @@ def caption(request: Request, columns: Sequence[Digits], chosen: bool) -> Label:
     methods = dict.fromkeys(method for column in columns for method in _methods_of(column.method))
     folded = request.method == "infinite" and not request.cranks[0].ratio
     parts = {
-        "{quantities}": _enumerated(columns, request.lang),
+        "{quantities}": enumerated((column.quantity.name[request.lang] for column in columns), request.lang),
         "{for_ratio}": words if len(request.cranks) == 1 and not folded else "",
         "{method}": WORDS["and"][request.lang].join(METHODS[one].caption[request.lang] for one in methods),
     }
@@ -122,9 +122,9 @@ def caption(request: Request, columns: Sequence[Digits], chosen: bool) -> Label:
     return text
 
 
-def _enumerated(columns: Sequence[Digits], lang: str) -> str:
-    """The names of the quantities: Kolbenweg, Kolbengeschwindigkeit und Kolbenbeschleunigung."""
-    names = list(dict.fromkeys(column.quantity.name[lang] for column in columns))
+def enumerated(quantities: Iterable[str], lang: str) -> str:
+    """Return their names, each once: Kolbenweg, Kolbengeschwindigkeit und Kolbenbeschleunigung."""
+    names = list(dict.fromkeys(quantities))
     if lang == "en":
         names[1:] = [name.lower() for name in names[1:]]
     return WORDS["and"][lang].join(part for part in (", ".join(names[:-1]), names[-1]) if part)

@@ -22,6 +22,8 @@ SUBJECTS: Mapping[str, tuple[str, ...]] = {
     "dead centres": ("arm", "ratio", "column"),
     "harmonics": ("order", "ratio"),
     "balance": ("ratio", "residual", "order", "column"),
+    "arc crank": ("ratio", "angle", "column"),
+    "parallel crank": ("angle", "column"),
 }
 
 Localised = Mapping[str, str]

@@ -1,6 +1,6 @@
 """The arc crank, checked once, and its motion with certified digits; see kernel/linkage.py.
 
-What a table of the parallel crank may show is `kernel.linkage.coupler`, which depends on no length.
+The motion of the parallel crank, `certified_coupler`, depends on no length.
 """
 
 from __future__ import annotations
@@ -307,6 +307,20 @@ def certified(
 
     ties = certify.NEVER_TIES if MOTIONS[key].arc else tie_bits
     return certify.rounded(as_ball, decimals, rounding, ties)
+
+
+def certified_coupler(key: str, angle: Fraction, decimals: int, rounding: str = "half-away") -> int:
+    """Return the field of the kernel's Coupler times 10**decimals at an exact angle, rounded correctly."""
+    from kurbel import certify
+
+    def motion(kind: Kind) -> Any:
+        return getattr(linkage.coupler(kind.circle(angle)), key)
+
+    def tie_bits(boundary: Fraction) -> float:
+        kind = bounds()
+        return float((motion(kind) - kind.of(boundary)).bits())
+
+    return certify.rounded(lambda: motion(balls()), decimals, rounding, tie_bits)
 
 
 def direct_value(key: str, crank: ArcCrank, stroke: int, circle: Circle[Any], kind: Kind) -> Any:

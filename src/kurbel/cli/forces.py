@@ -9,7 +9,7 @@ import click
 from kurbel.cli.engine import engine_conditions, print_engine, steam_options
 from kurbel.cli.machine import machine_option
 from kurbel.cli.options import LayoutName, Name, is_typed, output_options
-from kurbel.cli.table import motion_options, page_angles, print_motion
+from kurbel.cli.table import chosen_angles, motion_options, print_motion
 from kurbel.errors import ProblemError
 
 if TYPE_CHECKING:
@@ -63,7 +63,7 @@ def forces(**options: Any) -> None:
     from kurbel.layouts import layout_of
 
     name = options["layout"] or "engine-forces"
-    angles = page_angles(layout_of(name, ("turning",)), options)
+    angles = chosen_angles(layout_of(name, ("turning",)), options)
     options |= {"cranks": None, "method": (options["method"],) if options["method"] else ()}
     print_engine(options, name, ("turning",), angles=angles, load=_load(options))
 

@@ -35,6 +35,7 @@ def quantities(lang: str) -> None:
     from kurbel.harmonics import registry as harmonics_registry
     from kurbel.harmonics_page import harmonic_name
     from kurbel.labels import plain
+    from kurbel.linkage_quantities import arc_registry, parallel_registry
     from kurbel.quantities import NEEDS, registry
 
     rows = [("ratio", WORDS["ratio"][lang], "", "table"), ("phi", WORDS["phi"][lang], "°", "table")]
@@ -50,6 +51,9 @@ def quantities(lang: str) -> None:
         rows.append(("value", harmonic_name(harmonic, lang), harmonic.unit, f"harmonics --quantity {key}"))
     for key, column in balance_registry().items():
         rows.append((key, column.name[lang], column.unit, "balance"))
+    for mechanism, linkage in (("arc", arc_registry()), ("parallel", parallel_registry())):
+        for key, motion in linkage.items():
+            rows.append((key, motion.full_name(lang), motion.unit, f"table --mechanism {mechanism}"))
     _print(rows)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any, TypeVar
 
 import click
@@ -10,7 +10,7 @@ from click.core import ParameterSource
 from click.shell_completion import CompletionItem
 
 from kurbel.choices import choose
-from kurbel.errors import NotationError
+from kurbel.errors import NotationError, ProblemError
 from kurbel.formats import DECIMALS, FORMATS, Format
 from kurbel.layouts import LANGUAGES, layout_names
 from kurbel.numerals import MOST_DIGITS, ROUNDINGS
@@ -77,11 +77,18 @@ class Columns(click.ParamType):  # type: ignore[type-arg]
     ) -> list[CompletionItem]:
         before, comma, last = incomplete.rpartition(",")
         chosen = before.split(",")
-        detailed = "delta-detail" if ctx.params.get("detail") else self.layout
-        keys = _column_keys(ctx.params.get("layout") or detailed)
+        keys = _column_keys(ctx.params.get("layout") or self._default(ctx.params))
         return [
             CompletionItem(before + comma + key) for key in keys if key.startswith(last) and key not in chosen
         ]
+
+    def _default(self, typed: Mapping[str, Any]) -> str:
+        """The layout that the other options choose."""
+        if mechanism := typed.get("mechanism"):
+            from kurbel.cli.mechanism import MECHANISMS
+
+            return MECHANISMS[mechanism].layout
+        return "delta-detail" if typed.get("detail") else self.layout
 
 
 def _column_keys(name: str) -> tuple[str, ...]:
@@ -104,6 +111,10 @@ def _column_keys(name: str) -> tuple[str, ...]:
         from kurbel.balance_request import balance_column_keys
 
         return balance_column_keys()
+    if page.subject in ("arc crank", "parallel crank"):
+        from kurbel.linkage_page import linkage_column_keys
+
+        return linkage_column_keys(page)
     from kurbel.engine_request import engine_column_keys
 
     return engine_column_keys(page)
@@ -187,10 +198,23 @@ def is_typed(option: str) -> bool:
     return click.get_current_context().get_parameter_source(option) is ParameterSource.COMMANDLINE
 
 
+def without_foreign(options: dict[str, Any], foreign: Mapping[str, str]) -> dict[str, Any]:
+    """Return the options without those that cannot be used; what was typed is refused with its sentence."""
+    for option, sentence in foreign.items():
+        if is_typed(option):
+            raise ProblemError(sentence)
+    return options | {option: _nothing(options[option]) for option in foreign}
+
+
 def without_outdone(options: dict[str, Any], rivals: Iterable[tuple[str, set[str]]]) -> dict[str, Any]:
     """Return the options without defaults of the environment whose rivals were all typed."""
     kept = dict(options)
     for option, others in rivals:
         if not is_typed(option) and all(map(is_typed, others)):
-            kept[option] = () if isinstance(options[option], tuple) else None
+            kept[option] = _nothing(options[option])
     return kept
+
+
+def _nothing(value: Any) -> tuple[()] | None:
+    """What an option is that was not given."""
+    return () if isinstance(value, tuple) else None

@@ -11,6 +11,7 @@ import click
 
 from kurbel import notation
 from kurbel.cli.machine import machine_option
+from kurbel.cli.mechanism import MECHANISMS, chosen_mechanism, mechanism_options
 from kurbel.cli.options import Columns, Name, layout_option, output_options, without_outdone
 from kurbel.errors import NotationError, ProblemError
 from kurbel.layouts import Layout
@@ -73,7 +74,8 @@ def motion_options(layout: str, example: str) -> Callable[[Command], Command]:
     help="exact (default), series (first order, as Blau prints) or infinite (rod of infinite length).",
 )
 @click.option("--speed", metavar="SPEED", help="Speed, for columns in m/s and m/s²: 120/min, 12.5rad/s.")
-@layout_option("kinematics", "motion")
+@mechanism_options
+@layout_option("", *{one.subject for one in MECHANISMS.values()})
 @output_options
 def table(**options: Any) -> None:
     """Print a table of piston path, velocity and acceleration.
@@ -83,7 +85,14 @@ def table(**options: Any) -> None:
     kurbel table --ratio '1:4;1:4,5' --step 15 --to 180 -f latex -o anhang.tex
     kurbel table --layout roetscher-112 --ratio 1:5 --ratio 1:4,5 --ratio 1:4
     kurbel table --stroke 600mm --rod 1500mm --speed 120/min
+    kurbel table --mechanism arc --ratio 1:5 --rocker 6
     """  # fmt: skip
+    name, options = chosen_mechanism(options)
+    if MECHANISMS[name].subject != "motion":
+        from kurbel.cli.linkage import print_linkage
+
+        print_linkage(name, options)
+        return
     if options["method"] == "infinite" and options["rod"] and not options["stroke"]:
         raise ProblemError("--rod gives the rod a length, but --method infinite takes none; use --stroke")
     print_motion(options)
@@ -103,7 +112,7 @@ def print_motion(options: dict[str, Any], force: Fraction | None = None) -> None
     request = Request(
         layout=page,
         cranks=tuple(replace(crank, force=force) for crank in cranks) if force else cranks,
-        angles=page_angles(page, options),
+        angles=chosen_angles(page, options),
         method=options.get("method"),
         digits=options["digits"],
         rounding=options["rounding"],
@@ -114,16 +123,10 @@ def print_motion(options: dict[str, Any], force: Fraction | None = None) -> None
     print_table(request, printing)
 
 
-def page_angles(page: Layout, options: Mapping[str, Any]) -> Sequence[Fraction]:
-    """Return the angles that the options of motion_options ask for, or the layout's own."""
-    return _angles(page, options["angle"], *(options[name] for name in ("from", "to", "step")))
-
-
-def _angles(
-    page: Layout, angles: tuple[str, ...], start: str | None, stop: str | None, step: str | None
-) -> Sequence[Fraction]:
-    """The angles of --angle, or of --from, --to and --step, or the layout's own."""
-    run = (start, stop, step)
+def chosen_angles(page: Layout, options: Mapping[str, Any]) -> Sequence[Fraction]:
+    """Return the angles of --angle, or of --from, --to and --step, or the layout's own."""
+    angles: tuple[str, ...] = options["angle"]
+    start, stop, step = run = tuple(options[name] for name in ("from", "to", "step"))
     running = any(text is not None for text in run)
     if angles and running:
         raise ProblemError(

@@ -1,0 +1,167 @@
+"""Arc cranks, or the parallel crank, and a layout become a table over the crank angle."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import NamedTuple
+
+from kurbel import linkage_captions as captions
+from kurbel.arrange import Axis, Grid, Place, check_size, panels
+from kurbel.axes import AngleAxis, ColumnAxis, RatioAxis
+from kurbel.captions import WORDS as MOTION_WORDS
+from kurbel.choices import choose
+from kurbel.errors import ProblemError
+from kurbel.layouts import Layout
+from kurbel.linkage import ArcCrank
+from kurbel.linkage_quantities import LinkageQuantity, arc_registry, parallel_registry
+from kurbel.notation import MOST_ROWS, ratio_text
+from kurbel.problem import check_angles
+from kurbel.request import check_label, check_rounding
+from kurbel.rows import angle_decimals, angle_number
+from kurbel.table import Cell, Field, Label, Note, Number, Records, Table, Value
+
+# By the subject of the layout; the parallel crank has no ratio.
+REGISTRIES = {"arc crank": arc_registry, "parallel crank": parallel_registry}
+AXIS_KEYS = {"arc crank": ("ratio", "phi"), "parallel crank": ("phi",)}
+
+
+@dataclass(frozen=True)
+class LinkageRequest:
+    """What is asked for: the arc cranks, alike but for their ratios, or none for the parallel crank."""
+
+    layout: Layout
+    angles: Sequence[Fraction]
+    cranks: tuple[ArcCrank, ...] = ()
+    digits: int | None = None
+    rounding: str = "half-away"
+    lang: str = "de"
+    columns: tuple[str, ...] = ()
+    label: str = ""
+
+    def __post_init__(self) -> None:
+        check_angles(self.angles)
+        check_rounding(self.digits, self.rounding)
+        check_label(self.label)
+        if "ratio" in self.axis_keys and not self.cranks:
+            raise ProblemError("no crank ratio was given; write one as --ratio 1:5")
+        if len(self) > MOST_ROWS:
+            raise ProblemError(f"the table has {len(self)} rows; at most 10^9 are allowed")
+        for key in self.columns:
+            choose(key, linkage_column_keys(self.layout), "column")
+        if not self.quantities:
+            raise ProblemError(
+                f"there is no column beside the axes; add one, such as {next(iter(self.registry))}"
+            )
+
+    def __len__(self) -> int:
+        """How many records there are."""
+        return len(self.drives) * len(self.angles)
+
+    @property
+    def drives(self) -> tuple[ArcCrank | None, ...]:
+        return self.cranks or (None,)
+
+    @property
+    def axis_keys(self) -> tuple[str, ...]:
+        return AXIS_KEYS[self.layout.subject]
+
+    @property
+    def registry(self) -> Mapping[str, LinkageQuantity]:
+        return REGISTRIES[self.layout.subject]()
+
+    @property
+    def quantities(self) -> tuple[LinkageQuantity, ...]:
+        keys = self.columns or tuple(column.quantity for column in self.layout.columns)
+        return tuple(self.registry[key] for key in dict.fromkeys(keys) if key not in self.axis_keys)
+
+    def number(self, quantity: LinkageQuantity, drive: ArcCrank | None, angle: Fraction) -> Number:
+        decimals = self.decimals(quantity)
+        return Number(quantity.digits(drive, angle, decimals, self.rounding), decimals)
+
+    def decimals(self, quantity: LinkageQuantity) -> int:
+        return quantity.decimals if self.digits is None else self.digits
+
+
+def linkage_column_keys(layout: Layout) -> tuple[str, ...]:
+    """Return what --columns can choose from."""
+    return (*AXIS_KEYS[layout.subject], *REGISTRIES[layout.subject]())
+
+
+class _Headed(NamedTuple):
+    spanners: tuple[Label, ...]
+    heading: tuple[Label, ...]
+
+
+def build_linkage(request: LinkageRequest, pages: bool = True) -> Table:
+    """Return the table that was asked for; without `pages` only its records."""
+    return Table(
+        key=request.label or request.layout.key,
+        layout=request.layout.key,
+        lang=request.lang,
+        caption=captions.caption(request),
+        panels=panels(request.layout, _grid(request)) if pages else (),
+        records=Records(tuple(_fields(request)), _Rows(request)),
+        notes=tuple(Note(text) for text in captions.notes(request)),
+        source=request.layout.source[request.lang],
+    )
+
+
+def _grid(request: LinkageRequest) -> Grid:
+    layout, lang, quantities, drives = request.layout, request.lang, request.quantities, request.drives
+    ratios = [crank.crank.ratio for crank in request.cranks]
+    headed = [_Headed(tuple(spanner[lang] for spanner in one.spanners), (one.heading,)) for one in quantities]
+    axes: dict[str, Axis] = {
+        "angle": AngleAxis(layout, request.angles, lang),
+        "column": ColumnAxis(layout, headed, ratios, lang),
+    }
+    if ratios:
+        axes["ratio"] = RatioAxis(layout, ratios, lang)
+    check_size(layout, {name: axis.size for name, axis in axes.items()})
+
+    def cell(place: Place) -> Cell:
+        quantity, angle = quantities[place["column"]], request.angles[place["angle"]]
+        return Cell(request.number(quantity, drives[place.get("ratio", 0)], angle))
+
+    return Grid(axes, cell)
+
+
+class _Rows:
+    """The records: one for each drive and angle, computed as they are asked for."""
+
+    def __init__(self, request: LinkageRequest) -> None:
+        self.request = request
+
+    def __len__(self) -> int:
+        return len(self.request)
+
+    def __iter__(self) -> Iterator[tuple[Value, ...]]:
+        request = self.request
+        names, of_angles = _names(request), angle_decimals(request.angles)
+        for drive in request.drives:
+            ratio = f"${ratio_text(drive.crank.ratio)}$" if drive else None
+            for angle in request.angles:
+                values: dict[str, Value] = {"ratio": ratio, "phi": angle_number(angle, of_angles)}
+                values |= {one.key: request.number(one, drive, angle) for one in request.quantities}
+                yield tuple(values[name] for name in names)
+
+
+def _names(request: LinkageRequest) -> tuple[str, ...]:
+    return request.columns or (*request.axis_keys, *(one.key for one in request.quantities))
+
+
+def _fields(request: LinkageRequest) -> Iterator[Field]:
+    lang, layout = request.lang, request.layout
+    fields = {
+        "ratio": Field("ratio", MOTION_WORDS["ratio"][lang], f"${layout.ratio_symbol}$"),
+        "phi": Field(
+            "phi", MOTION_WORDS["phi"][lang], f"${layout.angle_symbol}$", "°", angle_decimals(request.angles)
+        ),
+    }
+    for name in _names(request):
+        if name in fields:
+            yield fields[name]
+        else:
+            one = request.registry[name]
+            yield Field(name, one.full_name(lang), one.symbol, one.unit, request.decimals(one), "exact")
