@@ -23,6 +23,7 @@ from kurbel.labels import plain
 from kurbel.layouts import layout, layout_names
 from kurbel.linkage_quantities import arc_registry, parallel_registry
 from kurbel.notation import ratio_text, ratios
+from kurbel.plot_style import FORMATS as DRAWINGS
 from kurbel.quantities import METHODS, NEEDS, registry
 
 PAGE = Path(__file__).with_name("reference.md")
@@ -107,6 +108,8 @@ def _formats() -> Iterator[str]:
     yield "\n## Formats\n\n| name | suffix | what it is |\n| --- | --- | --- |"
     for form in FORMATS.values():
         yield f"| `{form.name}` | {' '.join(form.suffixes)} | {form.media} |"
+    drawings = ", ".join(f"`{name}`" for name in DRAWINGS)
+    yield f"\nOf drawings: {drawings}, 120 mm wide; suffixes alike."
 
 
 def _methods() -> Iterator[str]:

@@ -107,6 +107,14 @@ def test_only_its_start_knows_the_command_line() -> None:
     assert knowing == within("kurbel.cli", knowing) | {"kurbel.__main__"}
 
 
+def test_only_drawings_know_matplotlib() -> None:
+    drawing = {f"kurbel.{name}" for name in ("plotting", "plot_style", "plot_polar", "plot_mechanism")}
+    assert importers("matplotlib") == drawing | {"kurbel.plot_drawings"}
+    knowing = {name for name in MODULES if drawing & {name, *reached(name)}}
+    plots = {"kurbel.plot_curves", "kurbel.plot_turning", "kurbel.plot_drawings"}
+    assert knowing == drawing | plots | {"kurbel.cli.plot", "kurbel.cli.plot_kinds"}
+
+
 def test_imports_run_one_way() -> None:
     # kernel <- quantities <- build <- cli; table <- layouts, build, render <- cli.
     motion = ["kurbel.kernel.kinematics", "kurbel.quantities", "kurbel.build", "kurbel.cli.table"]
@@ -209,6 +217,10 @@ def test_help_loads_no_library(option: str) -> None:
     assert not loaded(RUN, option) & {"jinja2", "flint", "tabulate", "pint", *HEAVY}
 
 
+def test_the_help_of_plot_loads_no_matplotlib() -> None:
+    assert not loaded(RUN, "plot", "--help") & set(HEAVY)
+
+
 PAGES = [
     ("table", "--ratio", "1:5"),
     ("delta", "--eps", "2..6"),
@@ -217,7 +229,6 @@ PAGES = [
     ("harmonics",),
     ("balance",),
 ]
-PAGES = [("table", "--ratio", "1:5"), ("delta", "--eps", "2..6"), ("turning",), ("deadcentres",)]
 PAGES += [("table", "--mechanism", "arc", "--rocker", "6"), ("table", "--mechanism", "parallel")]
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 import math
 import os
 import re
@@ -16,6 +15,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
+from tools import require_library
 
 import kurbel
 from kurbel import plot_style
@@ -31,16 +31,13 @@ from kurbel.plotting import Curve, Panel, curves
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from matplotlib.lines import Line2D
+    from matplotlib.text import Text
 
 
 @pytest.fixture
 def library() -> None:
     """Skip a test without matplotlib, or fail it where nothing may be missing."""
-    if importlib.util.find_spec("matplotlib") is None:
-        reason = "matplotlib is not installed"
-        if os.environ.get("CI") == "true":
-            pytest.fail(f"{reason}, and CI=true lets no test be skipped")
-        pytest.skip(reason)
+    require_library("matplotlib")
 
 
 drawn = pytest.mark.usefixtures("library")
@@ -76,9 +73,13 @@ def artist(figure: Figure, name: str) -> Line2D:
 
 
 def texts(figure: Figure) -> list[str]:
+    return [one.get_text() for one in texts_of(figure)]
+
+
+def texts_of(figure: Figure) -> list[Text]:
     from matplotlib.text import Text
 
-    return [one.get_text() for one in figure.findobj(Text) if isinstance(one, Text) and one.get_text()]
+    return [one for one in figure.findobj(Text) if isinstance(one, Text) and one.get_text()]
 
 
 def drawn_length(line: Line2D) -> float:
@@ -278,7 +279,7 @@ def test_a_few_curves_are_labelled_beside_them_and_many_in_a_legend() -> None:
     crowd = [Curve(f"$1:{n}$", ANGLES, [value + n / 99 for value in SINES]) for n in range(3, 6)]
     legend = curves([Panel(crowd, "$c/v$")], "de", ",").axes[0].get_legend()
     assert legend is not None
-    assert [text.get_text() for text in legend.get_texts()] == ["$1{:}3$", "$1{:}4$", "$1{:}5$"]
+    assert [text.get_text() for text in legend.get_texts()] == [rf"$1\text{{:}}{n}$" for n in (3, 4, 5)]
 
 
 @drawn
@@ -293,6 +294,37 @@ def test_a_legend_is_read_along_its_rows() -> None:
     ]
     names = [text.get_text() for text in legend.get_texts()]
     assert [name for _, name in sorted(zip(places, names, strict=True))] == [one.label for one in crowd]
+
+
+@drawn
+@pytest.mark.parametrize(
+    "heading", ["a heading", "a heading that is nearly as wide as the panel, and then some"]
+)
+def test_a_legend_covers_neither_heading_nor_panel(heading: str) -> None:
+    crowd = [Curve(f"curve number {n}", ANGLES, [value + n / 99 for value in SINES]) for n in range(8)]
+    figure = curves([PANEL, Panel(crowd, heading)], "de", ",")
+    image(figure, "svg")
+    above, axes = figure.axes
+    legend = axes.get_legend()
+    assert legend is not None
+    box = legend.get_window_extent()
+    (title,) = (one for one in texts_of(figure) if one.get_text() == axes.get_title(loc="left"))
+    assert not box.overlaps(title.get_window_extent())
+    assert axes.bbox.y1 - 1 <= box.y0
+    assert box.y1 <= above.bbox.y0
+    assert figure.bbox.x0 <= box.x0 and box.x1 <= figure.bbox.x1
+
+
+@drawn
+def test_panels_of_like_curves_share_the_legend_of_the_first() -> None:
+    near = [curve._replace(values=[value / 99 for value in SINES]) for curve in PANEL.curves]
+    first, second = curves([PANEL, Panel(near, "$x/R$")], "de", ",").axes
+    assert first.get_legend() is not None
+    assert second.get_legend() is None
+    assert not first.texts and not second.texts
+    for axes in curves([PANEL, PANEL], "de", ",").axes:
+        assert axes.get_legend() is None
+        assert len(axes.texts) == 2
 
 
 def test_more_curves_than_can_be_told_apart_are_refused() -> None:
@@ -376,6 +408,7 @@ def test_a_label_without_unit_or_name_has_no_in() -> None:
         ('$5 "°C"$', r"$5\,\text{°C}$"),
         ('$5 "kΩ"$', r"$5\,\text{kΩ}$"),
         (r"5 \$, 4 %, a_b", r"5 \$, 4 %, a_b"),
+        ("$p$ in m/s²", "$p$ in m/s$^2$"),
         ("Hingang[^a]", "Hingangᵃ⁾"),
     ],
 )

@@ -1,9 +1,11 @@
-"""Programs that some tests need."""
+"""Programs and libraries that some tests need."""
 
 from __future__ import annotations
 
+import importlib.util
 import os
 import shutil
+from typing import NoReturn
 
 import pytest
 
@@ -11,9 +13,17 @@ import pytest
 def require(tool: str) -> str:
     """Return the path of a program; without it skip the test, or fail it where nothing may be missing."""
     path = shutil.which(tool)
-    if path:
-        return path
-    reason = f"{tool} is not installed"
+    return path or _missing(tool)
+
+
+def require_library(name: str) -> None:
+    """Skip a test without a library of Python, or fail it where nothing may be missing."""
+    if importlib.util.find_spec(name) is None:
+        _missing(name)
+
+
+def _missing(name: str) -> NoReturn:
+    reason = f"{name} is not installed"
     if os.environ.get("CI") == "true":
         pytest.fail(f"{reason}, and CI=true lets no test be skipped")
     pytest.skip(reason)

@@ -107,8 +107,7 @@ def caption(request: Request, columns: Sequence[Digits], chosen: bool) -> Label:
 
     A page whose columns the user chose has a caption of its own, for the layout's may speak of others.
     """
-    ratio = ratio_text(request.cranks[0].ratio)
-    words = WORDS["for_ratio"][request.lang].format(symbol=request.layout.ratio_symbol, ratio=ratio)
+    words = for_ratio(request.cranks[0].ratio, request.lang, request.layout.ratio_symbol)
     methods = dict.fromkeys(method for column in columns for method in _methods_of(column.method))
     folded = request.method == "infinite" and not request.cranks[0].ratio
     parts = {
@@ -120,6 +119,11 @@ def caption(request: Request, columns: Sequence[Digits], chosen: bool) -> Label:
     for place, part in parts.items():
         text = text.replace(place, part)
     return text
+
+
+def for_ratio(ratio: Fraction, lang: str, symbol: str = "R:L") -> Label:
+    """Return " für $R:L = 1:5$"."""
+    return WORDS["for_ratio"][lang].format(symbol=symbol, ratio=ratio_text(ratio))
 
 
 def enumerated(quantities: Iterable[str], lang: str) -> str:

@@ -139,11 +139,11 @@ def _names(request: EngineRequest) -> list[str]:
         f"{column.quantity.name[request.lang]} {column.quantity.symbol}" for column in request.page_columns
     ]
     first, *others = dict.fromkeys(names)
-    return [first[:1].upper() + first[1:], *(_inner(name, request.lang) for name in others)]
+    return [first[:1].upper() + first[1:], *(inner(name, request.lang) for name in others)]
 
 
-def _inner(name: str, lang: str) -> str:
-    """A name within a sentence: German nouns keep their capital."""
+def inner(name: str, lang: str) -> str:
+    """Return a name as it is within a sentence: German nouns keep their capital."""
     return name[:1].lower() + name[1:] if lang == "en" else name
 
 

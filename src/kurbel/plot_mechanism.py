@@ -36,6 +36,7 @@ if TYPE_CHECKING:
 Point = tuple[float, float]
 
 WORDS = {
+    "drive": {"de": "Kurbeltrieb", "en": "Crank drive"},
     "inner": {"de": "innerer Totpunkt", "en": "inner dead centre"},
     "outer": {"de": "äußerer Totpunkt", "en": "outer dead centre"},
 }
@@ -316,7 +317,8 @@ def _rod_angle(sketch: _Sketch, one: Position) -> None:
     place = _polar(one.head, radius + 2.3 * mm, 180 - turn / 2)
     if abs(math.radians(turn)) * (radius + 2.3 * mm) < 3.6 * mm:
         place = (one.head[0] - radius, one.head[1] + sketch.side * 2.6 * mm)
-    _text(sketch, place, PSI)
+    # The rod passes over the background of the letter, which would cut it.
+    _text(sketch, place, PSI, zorder=5)
 
 
 def _arc(sketch: _Sketch, centre: Point, radius: float, start: float, end: float, arrow: bool) -> None:

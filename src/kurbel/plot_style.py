@@ -156,6 +156,8 @@ _ESCAPED = {
     for sign in "".join((*GREEK, *SIGNS, *SYMBOLS, "[]*~^`"))
     if (escaped := escape_latex(sign)) not in (sign, f"\\{sign}")
 }
+# mathtext sets a colon as a relation, with wide spaces, even in braces.
+_COLON = r"\text{:}"
 _SHORT = re.compile(r"\\(le|ge)(?![A-Za-z])")
 
 
@@ -165,7 +167,8 @@ def text_of(label: Label, mark: str) -> str:
 
 
 def _prose(text: str) -> str:
-    return text.replace("$", r"\$")
+    # The ² and ³ of the fonts are far bolder than their letters.
+    return text.replace("$", r"\$").replace("²", "$^2$").replace("³", "$^3$")
 
 
 def _mathtext(formula: Formula, mark: str) -> str:
@@ -173,7 +176,7 @@ def _mathtext(formula: Formula, mark: str) -> str:
     latex = formula_latex(formula, mark)[1:-1]
     for escaped, sign in _ESCAPED.items():
         latex = latex.replace(escaped, sign)
-    return f"${_SHORT.sub(_long_name, latex)}$"
+    return f"${_SHORT.sub(_long_name, latex.replace('{:}', _COLON))}$"
 
 
 def _long_name(match: re.Match[str]) -> str:

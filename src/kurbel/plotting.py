@@ -72,18 +72,26 @@ class _Plan(NamedTuple):
     texts: tuple[str, ...]
     places: Sequence[Points] | None
     columns: int
+    # Whether the legend stands above the heading, not beside it.
+    apart: bool = False
 
     def top(self) -> float:
         """Return what the heading and the legend need above the panel."""
         if not self.columns:
             return ABOVE if self.heading else BARE
-        return ABOVE + LEGEND_ROW * (math.ceil(len(self.texts) / self.columns) - 1)
+        rows = math.ceil(len(self.texts) / self.columns)
+        return ABOVE + LEGEND_ROW * (rows if self.apart else rows - 1)
+
+    def bare(self) -> _Plan:
+        """Return the same without the names of its curves."""
+        return self._replace(places=None, columns=0)
 
 
 def curves(panels: Sequence[Panel], lang: str, mark: str) -> Figure:
     """Return a drawing 120 mm wide of panels above each other that share the axis of the crank angle.
 
-    The curves of a panel have their labels beside them where all find room, else in a legend. They differ
+    The curves of a panel have their labels beside them where all find room, else in a legend; panels of like
+    curves share the legend of the first. They differ
     in colour and in pattern, for print in black and for eyes that tell no colours. Raises ProblemError for
     a panel of more curves than can be told apart, or without any finite value, and for a single angle.
     """
@@ -94,7 +102,9 @@ def curves(panels: Sequence[Panel], lang: str, mark: str) -> Figure:
     if span[0] == span[1]:
         raise ProblemError(f"the only crank angle is {span[0]:.6g}°; a curve needs two")
     with style():
-        plans = [_plan(panel, span, HEIGHTS.get(len(panels), LOWEST), mark) for panel in panels]
+        plans = _with_one_legend(
+            [_plan(panel, span, HEIGHTS.get(len(panels), LOWEST), mark) for panel in panels]
+        )
         figure, axes = _laid_out(plans)
         for number, (one, plan) in enumerate(zip(axes, plans, strict=True), 1):
             _draw(one, plan, number)
@@ -104,11 +114,14 @@ def curves(panels: Sequence[Panel], lang: str, mark: str) -> Figure:
     return figure
 
 
+def check_count(count: int) -> None:
+    """Raise ProblemError for a panel of more curves than can be told apart."""
+    if count > len(LINES):
+        raise ProblemError(f"a panel of {count} curves was asked for; at most {len(LINES)} can be told apart")
+
+
 def _check(panel: Panel) -> None:
-    if len(panel.curves) > len(LINES):
-        raise ProblemError(
-            f"a panel of {len(panel.curves)} curves was asked for; at most {len(LINES)} can be told apart"
-        )
+    check_count(len(panel.curves))
     if not _finite(panel):
         raise ProblemError(f'the panel "{panel.label[:40]}" has no finite value, so nothing can be drawn')
 
@@ -127,7 +140,14 @@ def _plan(panel: Panel, span: tuple[float, float], height: float, mark: str) -> 
     if not any(texts):
         return plan
     places = _places(plan) if len(texts) <= MOST_LABELS else None
-    return plan._replace(places=places) if places else plan._replace(columns=_legend_columns(heading, texts))
+    return plan._replace(places=places) if places else _with_legend(plan)
+
+
+def _with_one_legend(plans: list[_Plan]) -> list[_Plan]:
+    """Return the plans with a legend in the first panel alone, where one of like panels needs one."""
+    if len({plan.texts for plan in plans}) > 1 or not any(plan.columns for plan in plans):
+        return plans
+    return [_with_legend(plans[0]), *(plan.bare() for plan in plans[1:])]
 
 
 def _limits(values: Sequence[float]) -> tuple[float, float]:
@@ -137,11 +157,14 @@ def _limits(values: Sequence[float]) -> tuple[float, float]:
     return low - room, high + room
 
 
-def _legend_columns(heading: str, texts: Sequence[str]) -> int:
-    widest = max(size_of(text)[0] for text in texts) + SAMPLE + SAMPLE_GAP + LEGEND_GAP
-    most = max(1, int((PANEL_WIDTH - size_of(heading)[0]) / widest))
+def _with_legend(plan: _Plan) -> _Plan:
+    """Return the plan with a legend beside the heading or, where the two do not fit beside, above it."""
+    widest = max(size_of(text)[0] for text in plan.texts) + SAMPLE + SAMPLE_GAP + LEGEND_GAP
+    beside = int((PANEL_WIDTH - size_of(plan.heading)[0]) / widest)
+    most, count = beside or max(1, int((PANEL_WIDTH + LEGEND_GAP) / widest)), len(plan.texts)
     # Rows of equal length: three and three, not four and two.
-    return math.ceil(len(texts) / math.ceil(len(texts) / most))
+    columns = math.ceil(count / math.ceil(count / most))
+    return plan._replace(places=None, columns=columns, apart=not beside)
 
 
 def _places(plan: _Plan) -> Sequence[Points] | None:
@@ -213,7 +236,7 @@ def _legend(axes: Axes, drawn: Sequence[Line2D], plan: _Plan) -> None:
         [drawn[place] for place in order],
         [plan.texts[place] for place in order],
         loc="lower right",
-        bbox_to_anchor=(1, 1),
+        bbox_to_anchor=(1, 1 + plan.apart * LEGEND_ROW / plan.height),
         ncols=plan.columns,
         frameon=False,
         handlelength=SAMPLE * in_sizes,

@@ -11,7 +11,7 @@ import click
 from kurbel import notation
 from kurbel.cli.machine import machine_option
 from kurbel.cli.masses import inertia_of, mass_options
-from kurbel.cli.options import Columns, Name, layout_option, output_options, without_outdone
+from kurbel.cli.options import Columns, Name, in_order, layout_option, output_options, without_outdone
 from kurbel.errors import ProblemError
 
 if TYPE_CHECKING:
@@ -35,24 +35,28 @@ def _method_names() -> tuple[str, ...]:
     return tuple(ENGINE_METHODS)
 
 
-def steam_options(command: Command) -> Command:
-    """Add what describes the steam: --eps, --back and so on, or --card."""
-    return _with(command, (
-        click.option("--eps", multiple=True, metavar="ε",
-                     help="Expansion ratio, cut-off after 1/ε of the stroke: 4; lists 2;3;4, ranges 2..6."),
-        click.option("--back", metavar="B",
-                     help="Back pressure as a share of the steam pressure: 0.1, 10%; default: the best, to"
-                     " which the steam expands."),
-        click.option("--exponent", metavar="N", help="n of p Vⁿ = const.; default 1, Mariotte's law."),
-        click.option("--clearance", metavar="C", help="Clearance as a share of the swept volume: 0.05, 5%."),
-        click.option("--card", multiple=True, metavar="FILE", type=click.Path(),
-                     help="Indicator card: CSV with position, p_forward [bar], p_return [bar]."),
-        click.option("--other-side", metavar="PRESSURE",
-                     help="With --card and --single-acting: pressure on the piston's other face, 1bar."),
-        click.option("--single-acting", is_flag=True,
-                     help="Steam works on the outstroke only; on the return both faces have the back"
-                     " pressure."),
-    ))  # fmt: skip
+EPS = click.option("--eps", multiple=True, metavar="ε",
+                   help="Expansion ratio, cut-off after 1/ε of the stroke: 4; lists 2;3;4, ranges 2..6."
+                   )  # fmt: skip
+STEAM = (
+    click.option("--back", metavar="B",
+                 help="Back pressure as a share of the steam pressure: 0.1, 10%; default: the best, to"
+                 " which the steam expands."),
+    click.option("--exponent", metavar="N", help="n of p Vⁿ = const.; default 1, Mariotte's law."),
+    click.option("--clearance", metavar="C", help="Clearance as a share of the swept volume: 0.05, 5%."),
+    click.option("--card", multiple=True, metavar="FILE", type=click.Path(),
+                 help="Indicator card: CSV with position, p_forward [bar], p_return [bar]."),
+    click.option("--other-side", metavar="PRESSURE",
+                 help="With --card and --single-acting: pressure on the piston's other face, 1bar."),
+    click.option("--single-acting", is_flag=True,
+                 help="Steam works on the outstroke only; on the return both faces have the back"
+                 " pressure."),
+)  # fmt: skip
+CRANKS = click.option("--cranks", metavar="ANGLES",
+                      help="Angles by which the cranks follow the first, with cylinders alike: 0;90 or"
+                      " 0;120;240.")  # fmt: skip
+# --eps, the steam or a card, but neither ratio nor method.
+steam_options = in_order((EPS, *STEAM))
 
 
 def engine_conditions(options: Mapping[str, Any]) -> bool:
@@ -62,25 +66,17 @@ def engine_conditions(options: Mapping[str, Any]) -> bool:
 
 
 def engine_options(command: Command) -> Command:
-    """Add what describes the engine: --ratio, the steam, --cranks, and --method."""
-    command = _with(command, (
-        click.option("--cranks", metavar="ANGLES",
-                     help="Angles by which the cranks follow the first, with cylinders alike: 0;90 or"
-                     " 0;120;240."),
+    """Add what describes the engine: --eps, --ratio, --back and so on, and --method."""
+    options = (
+        EPS,
+        click.option("-r", "--ratio", multiple=True, metavar="R:L",
+                     help="Crank ratio: 1:5, 1:4,5; lists and ranges 1:3..6; 1:∞ is the infinite rod."),
+        *STEAM,
+        CRANKS,
         click.option("--method", type=Name("method", _method_names), multiple=True,
                      help="exact (default), series (first order) or weisbach (his equations of § 150)."),
-    ))  # fmt: skip
-    ratio = click.option(
-        "-r", "--ratio", multiple=True, metavar="R:L",
-        help="Crank ratio: 1:5, 1:4,5; lists and ranges 1:3..6; 1:∞ is the infinite rod.",
     )  # fmt: skip
-    return ratio(steam_options(command))
-
-
-def _with(command: Command, options: Sequence[Callable[[Command], Command]]) -> Command:
-    for option in reversed(options):
-        command = option(command)
-    return command
+    return in_order(options)(command)
 
 
 def columns_option(layout: str, example: str) -> Callable[[Command], Command]:
@@ -195,17 +191,13 @@ def print_engine(options: dict[str, Any], name: str, subjects: tuple[str, ...], 
     from kurbel.cli.printing import Printing, print_table
     from kurbel.engine_request import EngineRequest
     from kurbel.layouts import layout_of
-    from kurbel.problem import Crank
 
     printing = Printing.chosen(options)
     page = layout_of(name, subjects)
     options = without_outdone(options, RIVALS)
     request = EngineRequest(
         layout=page,
-        steams=_diagrams(options) if options["card"] else _steams(page, options),
-        drives=[Crank(ratio) for ratio in notation.ratios(options["ratio"] or page.ratios)],
-        double=not options["single_acting"],
-        cranks=notation.crank_angles("0" if options["cranks"] is None else options["cranks"]),
+        **engines_of(page, options),
         methods=tuple(dict.fromkeys(options["method"])),
         digits=options["digits"],
         rounding=options["rounding"],
@@ -216,6 +208,18 @@ def print_engine(options: dict[str, Any], name: str, subjects: tuple[str, ...], 
         **rest,
     )
     print_table(request, printing)
+
+
+def engines_of(page: Layout, options: Mapping[str, Any]) -> dict[str, Any]:
+    """Return what the options say of engines, as EngineRequest takes it."""
+    from kurbel.problem import Crank
+
+    return {
+        "steams": _diagrams(options) if options["card"] else _steams(page, options),
+        "drives": [Crank(ratio) for ratio in notation.ratios(options["ratio"] or page.ratios)],
+        "double": not options["single_acting"],
+        "cranks": notation.crank_angles("0" if options["cranks"] is None else options["cranks"]),
+    }
 
 
 def _diagrams(options: Mapping[str, Any]) -> list[Diagram]:

@@ -8,7 +8,7 @@ import click
 
 from kurbel.cli.engine import engine_conditions, print_engine, steam_options
 from kurbel.cli.machine import machine_option
-from kurbel.cli.options import LayoutName, Name, is_typed, output_options
+from kurbel.cli.options import LayoutName, Name, output_options, typed
 from kurbel.cli.table import chosen_angles, motion_options, print_motion
 from kurbel.errors import ProblemError
 
@@ -50,13 +50,13 @@ def forces(**options: Any) -> None:
         from kurbel.units import force
 
         for name in ("bore", "pressure"):
-            if options[name] is not None and is_typed(name):
+            if options[name] is not None and typed(name):
                 raise ProblemError(f"--{name} is for the steam of an engine; add --eps or --card")
         options["layout"] = options["layout"] or "forces"
         print_motion(options, None if options["force"] is None else force(options["force"]))
         return
     for name in ("force", "offset", "stroke", "rod"):
-        if options[name] is not None and is_typed(name):
+        if options[name] is not None and typed(name):
             raise ProblemError(
                 f"--{name} does not go with the steam of an engine, --eps or --card; leave it out"
             )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, TypeVar
 
 import click
@@ -172,9 +172,18 @@ def output_options(command: Command) -> Command:
         click.option("--standalone", is_flag=True, help="LaTeX and HTML: a whole document, not a fragment."),
         click.option("--longtable", is_flag=True, help="LaTeX: a longtable, which breaks across pages."),
     )  # fmt: skip
-    for option in reversed(options):
-        command = option(command)
-    return command
+    return in_order(options)(command)
+
+
+def in_order(options: Sequence[Callable[[Any], Any]]) -> Callable[[Command], Command]:
+    """Add options to a command, the first one first in its help."""
+
+    def add(command: Command) -> Command:
+        for option in reversed(options):
+            command = option(command)
+        return command
+
+    return add
 
 
 def chosen_format(format_name: str | None, output: str, standalone: bool, longtable: bool) -> Format:
@@ -183,17 +192,17 @@ def chosen_format(format_name: str | None, output: str, standalone: bool, longta
 
     if not output:
         raise click.UsageError("--output names no file; - is standard output.")
-    named = output == "-" or is_typed("format")
+    named = output == "-" or typed("format")
     chosen = FORMATS[format_name or "text"] if named else for_suffix(output)
-    if standalone and not chosen.document and is_typed("standalone"):
+    if standalone and not chosen.document and typed("standalone"):
         documents = " and ".join(name for name, entry in FORMATS.items() if entry.document)
         raise click.UsageError(f"--standalone is for {documents}; {chosen.name} has no documents.")
-    if longtable and chosen.name != "latex" and is_typed("longtable"):
+    if longtable and chosen.name != "latex" and typed("longtable"):
         raise click.UsageError(f"--longtable is for latex; the format is {chosen.name}.")
     return chosen
 
 
-def is_typed(option: str) -> bool:
+def typed(option: str) -> bool:
     """Whether an option stands on the command line; a default from the environment gives way."""
     return click.get_current_context().get_parameter_source(option) is ParameterSource.COMMANDLINE
 
@@ -201,7 +210,7 @@ def is_typed(option: str) -> bool:
 def without_foreign(options: dict[str, Any], foreign: Mapping[str, str]) -> dict[str, Any]:
     """Return the options without those that cannot be used; what was typed is refused with its sentence."""
     for option, sentence in foreign.items():
-        if is_typed(option):
+        if typed(option):
             raise ProblemError(sentence)
     return options | {option: _nothing(options[option]) for option in foreign}
 
@@ -210,7 +219,7 @@ def without_outdone(options: dict[str, Any], rivals: Iterable[tuple[str, set[str
     """Return the options without defaults of the environment whose rivals were all typed."""
     kept = dict(options)
     for option, others in rivals:
-        if not is_typed(option) and all(map(is_typed, others)):
+        if not typed(option) and all(map(typed, others)):
             kept[option] = _nothing(options[option])
     return kept
 

@@ -12,13 +12,17 @@ import click
 from kurbel import notation
 from kurbel.cli.machine import machine_option
 from kurbel.cli.mechanism import MECHANISMS, chosen_mechanism, mechanism_options
-from kurbel.cli.options import Columns, Name, layout_option, output_options, without_outdone
+from kurbel.cli.options import Columns, Name, in_order, layout_option, output_options, without_outdone
 from kurbel.errors import NotationError, ProblemError
 from kurbel.layouts import Layout
 from kurbel.problem import Crank, Speed
 from kurbel.quantities import METHODS
 
 # What gives way, where it only comes from the environment, to what is typed.
+CRANK_RIVALS = (
+    ("rod", {"ratio"}),
+    ("ratio", {"stroke", "rod"}),
+)
 RIVALS = (
     ("angle", {"from"}),
     ("angle", {"to"}),
@@ -26,20 +30,31 @@ RIVALS = (
     ("from", {"angle"}),
     ("to", {"angle"}),
     ("step", {"angle"}),
-    ("rod", {"ratio"}),
-    ("ratio", {"stroke", "rod"}),
+    *CRANK_RIVALS,
 )
 Command = TypeVar("Command", bound=Callable[..., Any])
 FULL_TURN = Fraction(360)
 STEP = Fraction(10)
 
+RATIO = click.option("-r", "--ratio", multiple=True, metavar="R:L",
+                     help="Crank ratio: 1:5, 1:4,5, 0.2; lists 1:4;1:5 and ranges 1:3..6:0.5; 1:∞ is the"
+                     " infinite rod.")  # fmt: skip
+LENGTHS = (
+    click.option("--offset", metavar="E",
+                 help="Offset crank: e as a share of R, or as a length with --stroke."),
+    click.option("--stroke", metavar="LENGTH", help="2R: 600mm."),
+    click.option("--rod", metavar="LENGTH",
+                 help="Rod length L, which with --stroke gives the ratio: 1500mm."),
+)  # fmt: skip
+METHOD = click.option("--method", type=Name("method", lambda: METHODS),
+                      help="exact (default), series (first order, as Blau prints) or infinite (rod of"
+                      " infinite length).")  # fmt: skip
+
 
 def motion_options(layout: str, example: str) -> Callable[[Command], Command]:
     """Add what describes the crank and its angles, and the columns of the layout."""
     options = (
-        click.option("-r", "--ratio", multiple=True, metavar="R:L",
-                     help="Crank ratio: 1:5, 1:4,5, 0.2; lists 1:4;1:5 and ranges 1:3..6:0.5; 1:∞ is the"
-                     " infinite rod."),
+        RATIO,
         click.option("--angle", multiple=True, metavar="ANGLES",
                      help="Crank angles in degrees: 22.5, 2°30', lists 0;45;90, ranges 0..180:10."),
         click.option("--from", metavar="ANGLE", help="First angle; default 0."),
@@ -50,29 +65,15 @@ def motion_options(layout: str, example: str) -> Callable[[Command], Command]:
         click.option("--columns", type=Columns(layout), multiple=True, metavar="NAMES",
                      help=f"Columns and their order: {example}; `kurbel quantities` lists them. Pages keep φ"
                      " at the left."),
-        click.option("--offset", metavar="E",
-                     help="Offset crank: e as a share of R, or as a length with --stroke."),
-        click.option("--stroke", metavar="LENGTH", help="2R: 600mm."),
-        click.option("--rod", metavar="LENGTH",
-                     help="Rod length L, which with --stroke gives the ratio: 1500mm."),
+        *LENGTHS,
     )  # fmt: skip
-
-    def add(command: Command) -> Command:
-        for option in reversed(options):
-            command = option(command)
-        return command
-
-    return add
+    return in_order(options)
 
 
 @click.command()
 @machine_option
 @motion_options("kinematics", "phi,x,c,p")
-@click.option(
-    "--method",
-    type=Name("method", lambda: METHODS),
-    help="exact (default), series (first order, as Blau prints) or infinite (rod of infinite length).",
-)
+@METHOD
 @click.option("--speed", metavar="SPEED", help="Speed, for columns in m/s and m/s²: 120/min, 12.5rad/s.")
 @mechanism_options
 @layout_option("", *{one.subject for one in MECHANISMS.values()})
@@ -93,8 +94,6 @@ def table(**options: Any) -> None:
 
         print_linkage(name, options)
         return
-    if options["method"] == "infinite" and options["rod"] and not options["stroke"]:
-        raise ProblemError("--rod gives the rod a length, but --method infinite takes none; use --stroke")
     print_motion(options)
 
 
@@ -107,11 +106,9 @@ def print_motion(options: dict[str, Any], force: Fraction | None = None) -> None
     options = without_outdone(options, RIVALS)
     page = layout_of(options["layout"], ["motion"])
     printing = Printing.chosen(options)
-    lengths = (options.get(name) for name in ("stroke", "rod", "speed", "offset"))
-    cranks = _cranks(page, options["ratio"], *lengths)
     request = Request(
         layout=page,
-        cranks=tuple(replace(crank, force=force) for crank in cranks) if force else cranks,
+        cranks=cranks_of(page, options, force),
         angles=chosen_angles(page, options),
         method=options.get("method"),
         digits=options["digits"],
@@ -134,10 +131,24 @@ def chosen_angles(page: Layout, options: Mapping[str, Any]) -> Sequence[Fraction
         )
     if not running:
         return notation.angles(angles or page.angles)
-    first = Fraction(0) if start is None else notation.angle(start, "first angle")
-    last = FULL_TURN if stop is None else notation.angle(stop, "last angle")
+    first, last = ends_of_run(start, stop)
     width = min(STEP, last - first) if step is None and last > first else STEP
     return notation.progression(first, last, width if step is None else notation.angle(step, "step"))
+
+
+def ends_of_run(start: str | None, stop: str | None) -> tuple[Fraction, Fraction]:
+    """Return the first and the last angle, by default those of the whole turn."""
+    first = Fraction(0) if start is None else notation.angle(start, "first angle")
+    return first, FULL_TURN if stop is None else notation.angle(stop, "last angle")
+
+
+def cranks_of(page: Layout, options: Mapping[str, Any], force: Fraction | None = None) -> tuple[Crank, ...]:
+    """Return the cranks that --ratio, --offset, --stroke, --rod and --speed describe, or the layout's."""
+    if options.get("method") == "infinite" and options["rod"] and not options["stroke"]:
+        raise ProblemError("--rod gives the rod a length, but --method infinite takes none; use --stroke")
+    lengths = (options.get(name) for name in ("stroke", "rod", "speed", "offset"))
+    cranks = _cranks(page, options["ratio"], *lengths)
+    return tuple(replace(crank, force=force) for crank in cranks) if force else cranks
 
 
 def _cranks(

@@ -1,0 +1,108 @@
+"""`kurbel plot`: the motion, the mechanism, the force on the crank pin, the turning effort of an engine."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Sequence
+from typing import Any
+
+import click
+
+from kurbel.cli import engine
+from kurbel.cli.options import Columns, Name, in_order, typed, without_outdone
+from kurbel.cli.plot_kinds import LAYOUT, STEPS, WIDEST, kind_of, of_kind
+from kurbel.cli.table import CRANK_RIVALS, LENGTHS, METHOD, RATIO
+from kurbel.errors import ChoiceError
+from kurbel.formats import DECIMAL_OF_LANGUAGE, DECIMALS
+from kurbel.layouts import LANGUAGES
+
+
+def _formats() -> Sequence[str]:
+    from kurbel.plot_style import FORMATS
+
+    return tuple(FORMATS)
+
+
+KINDS = (
+    click.option("--mechanism", multiple=True, metavar="ANGLES",
+                 help="Draw crank, rod and crosshead to scale at these crank angles: 30, or 30;90;150."),
+    click.option("--polar", is_flag=True,
+                 help="Draw the force that a constant piston force exerts on the crank pin, as a polar"
+                 " diagram."),
+    click.option("--turning", is_flag=True,
+                 help="Draw the turning effort of a steam engine: tangential force, its mean and the excess"
+                 " energy."),
+)  # fmt: skip
+CURVES = (
+    click.option("--columns", type=Columns(LAYOUT), multiple=True, metavar="NAMES",
+                 help="Quantities to draw: x,c,p or rod_force,guide_force; `kurbel quantities` lists them."),
+    METHOD,
+    click.option("--from", metavar="ANGLE", help="First angle; default 0."),
+    click.option("--to", metavar="ANGLE", help="Last angle; default 360, the whole turn."),
+    click.option("--step", metavar="ANGLE",
+                 help=f"Step of the angles; default 1/{STEPS} of their range, at most {WIDEST}°."),
+)  # fmt: skip
+UNITS = (
+    *LENGTHS,
+    click.option("--speed", metavar="SPEED", help="Speed, for m/s and m/s²: 120/min, 12.5rad/s."),
+    click.option("--force", metavar="FORCE", help="Piston force, to draw forces in N and N m: 10kN."),
+)
+OUTPUT = (
+    click.option("-f", "--format", type=Name("drawing format", _formats), metavar="FORMAT",
+                 help="svg, png or pdf; default: by the suffix of -o."),
+    click.option("-o", "--output", type=click.Path(allow_dash=True), metavar="FILE", default="-",
+                 help="File to write, whole or not at all; - is standard output, unless a terminal."),
+    click.option("--lang", type=Name("language", lambda: LANGUAGES), default="de", show_default=True,
+                 envvar="KURBEL_LANG", help="Language of the labels: de or en."),
+    click.option("--decimal", type=Name("decimal mark", lambda: DECIMALS), envvar="KURBEL_DECIMAL",
+                 help="comma or point; default: by the language."),
+)  # fmt: skip
+
+
+@click.command()
+@in_order((*KINDS, RATIO, *CURVES, *UNITS, engine.EPS, *engine.STEAM, engine.CRANKS, *OUTPUT))
+def plot(**options: Any) -> None:
+    """Draw path, velocity and acceleration over the crank angle, or what --mechanism, --polar and --turning
+    say. Drawings need the extra `plot`.
+
+    \b
+    kurbel plot --ratio 1:5 -o bewegung.svg
+    kurbel plot --ratio '1:4;1:5' --columns p -o beschleunigung.pdf
+    kurbel plot --ratio 1:5 --force 10kN --stroke 600mm -o kraefte.pdf
+    kurbel plot --mechanism 30 --ratio 1:5 -o kurbeltrieb.svg
+    kurbel plot --turning --eps 4 --ratio 1:5 -o drehkraft.pdf
+    """  # fmt: skip
+    from kurbel.labels import plain
+    from kurbel.output import whole_file
+    from kurbel.plot_style import image
+
+    name = _format(options["format"], options["output"])
+    kind = kind_of(options)
+    kept = of_kind(without_outdone(options, (*CRANK_RIVALS, *engine.RIVALS)), kind)
+    mark = DECIMALS[options["decimal"] or DECIMAL_OF_LANGUAGE[options["lang"]]]
+    drawing = kind.draw(kept, mark)
+    drawn = image(drawing.figure, name, plain(drawing.title, mark))
+    with whole_file(options["output"]) as stream:
+        stream.write(drawn)
+
+
+def _format(name: str | None, output: str) -> str:
+    """Return the format of -f or of the file's suffix; raise an error for a terminal, which takes none."""
+    if not output:
+        raise click.UsageError("--output names no file; - is standard output.")
+    if output == "-":
+        if sys.stdout.isatty():
+            raise click.UsageError("a terminal shows no drawings; name a file, such as -o kurbel.svg")
+        if name is None:
+            raise click.UsageError("no file was named; add -o kurbel.svg, or -f svg for standard output")
+        return name
+    if name is not None and typed("format"):
+        return name
+    suffix = os.path.splitext(output)[1].lower()
+    if suffix.removeprefix(".") not in _formats():
+        known = ", ".join(f".{one}" for one in _formats())
+        raise ChoiceError(
+            f'the file name "{output[-60:]}" names no drawing; its suffix must be one of {known}'
+        )
+    return suffix[1:]

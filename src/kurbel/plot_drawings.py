@@ -1,0 +1,64 @@
+"""Drawings of what was asked for: each a figure, and a title for readers that do not see it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING, NamedTuple
+
+from kurbel import captions
+from kurbel.errors import ProblemError
+from kurbel.plot_curves import motion_panels, pin_force
+from kurbel.plot_mechanism import WORDS, mechanism
+from kurbel.plot_polar import polar
+from kurbel.plotting import curves
+from kurbel.problem import Crank, check_angles
+from kurbel.request import Request, page_columns
+from kurbel.table import Label
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from kurbel.engine_request import EngineRequest
+
+MOST_POSITIONS = 36
+
+
+class Drawing(NamedTuple):
+    figure: Figure
+    title: Label
+
+
+def motion_drawing(request: Request, mark: str) -> Drawing:
+    """Return the curves of all columns over the crank angle."""
+    return Drawing(curves(motion_panels(request), request.lang, mark), _title(request))
+
+
+def polar_drawing(request: Request, mark: str) -> Drawing:
+    """Return the polar diagram of the force on the crank pin of a request for `pin_force_keys`."""
+    vector, (across, up), unit = pin_force(request)
+    return Drawing(polar(vector, across, up, unit, mark), _title(request))
+
+
+def mechanism_drawing(crank: Crank, angles: Sequence[Fraction], lang: str, mark: str) -> Drawing:
+    """Return the crank drive to scale at crank angles, the first one strong."""
+    if len(angles) > MOST_POSITIONS:
+        raise ProblemError(
+            f"a drawing of {len(angles)} crank angles was asked for;"
+            f" at most {MOST_POSITIONS} can be told apart"
+        )
+    check_angles(angles)
+    figure = mechanism(float(crank.ratio), float(crank.offset), angles, lang, mark)
+    return Drawing(figure, WORDS["drive"][lang] + captions.for_ratio(crank.ratio, lang))
+
+
+def turning_drawing(request: EngineRequest, mark: str) -> Drawing:
+    """Return the turning effort of the engines of a request for `plot_turning.COLUMNS`."""
+    from kurbel.engine_captions import caption
+    from kurbel.plot_turning import turning_panels
+
+    return Drawing(curves(turning_panels(request), request.lang, mark), caption(request))
+
+
+def _title(request: Request) -> Label:
+    return captions.caption(request, [column.digits for column in page_columns(request)], chosen=True)

@@ -1,0 +1,474 @@
+"""`kurbel plot`: the values of the tables in files that open, or one sentence that says why not."""
+
+from __future__ import annotations
+
+import os
+import pty
+import re
+import subprocess
+import sys
+import xml.etree.ElementTree as ET
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+from cli import printed, refusal
+from numpy.typing import NDArray
+from tools import require_library
+
+import kurbel
+from kurbel.engine import Engine, Steam
+from kurbel.engine_request import EngineRequest
+from kurbel.layouts import layout
+from kurbel.plot_curves import MOST_POINTS, axis_name, motion_keys, motion_panels, pin_force, pin_force_keys
+from kurbel.plot_style import FORMATS
+from kurbel.plot_turning import COLUMNS, turning_panels
+from kurbel.plotting import Panel
+from kurbel.problem import Crank, Speed
+from kurbel.quantities import registry
+from kurbel.request import Request
+from kurbel.turn import Turn
+
+CARD = Path(__file__).parent / "cards" / "ideal-2.csv"
+ANGLES = tuple(Fraction(degree) for degree in range(0, 361, 3))
+FLOATS = [float(angle) for angle in ANGLES]
+FIFTH, QUARTER = Fraction(1, 5), Fraction(1, 4)
+# 600 mm stroke, 120/min, 10 kN.
+MACHINE = Crank(FIFTH, Fraction(0), Fraction(3, 10), Speed(Fraction(2)), Fraction(10_000))
+HELP = "see kurbel plot --help"
+
+
+@pytest.fixture
+def library() -> None:
+    """Skip a test without matplotlib, or fail it where nothing may be missing."""
+    require_library("matplotlib")
+
+
+drawn = pytest.mark.usefixtures("library")
+
+
+def asked(columns: Sequence[str], *cranks: Crank, method: str | None = None, lang: str = "de") -> Request:
+    return Request(
+        layout=layout("kinematics"), cranks=cranks, angles=ANGLES, method=method, lang=lang,
+        columns=tuple(columns),
+    )  # fmt: skip
+
+
+def turning(
+    *expansions: int, ratios: Sequence[Fraction] = (FIFTH,), cranks: Sequence[int] = (0,)
+) -> list[Panel]:
+    request = EngineRequest(
+        layout=layout("turning"),
+        steams=[Steam(Fraction(one)) for one in expansions],
+        drives=[Crank(ratio) for ratio in ratios],
+        cranks=[Fraction(one) for one in cranks],
+        angles=ANGLES,
+        columns=COLUMNS,
+    )
+    return turning_panels(request)
+
+
+def labels(panel: Panel) -> list[str]:
+    return [curve.label for curve in panel.curves]
+
+
+# Values -----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("method", ["exact", "series", "infinite"])
+def test_the_points_are_the_values_of_compute(method: str) -> None:
+    keys = ("x", "c_return", "p", "psi", "x_percent")
+    values = kurbel.compute(FLOATS, "1:5", keys, method=method)
+    panels = motion_panels(asked(keys, Crank(FIFTH), method=method))
+    assert len(panels) == len(keys)
+    for key, panel in zip(keys, panels, strict=True):
+        (curve,) = panel.curves
+        assert list(curve.angles) == FLOATS
+        assert list(curve.values) == values[key].tolist()
+
+
+def test_the_curves_of_an_offset_crank_are_its_own() -> None:
+    (panel,) = motion_panels(asked(["c"], Crank(FIFTH, Fraction(1, 2))))
+    assert list(panel.curves[0].values) == kurbel.compute(FLOATS, "1:5", "c", offset="0.5")["c"].tolist()
+
+
+def test_each_ratio_has_a_curve_in_the_panel_of_each_quantity() -> None:
+    cranks = (Crank(QUARTER), Crank(FIFTH), Crank(Fraction(0)))
+    panels = motion_panels(asked(["x", "rod_force", "guide_force"], *cranks))
+    assert [panel.label for panel in panels] == [
+        "Kolbenweg $x/R$",
+        "Stangenkraft $S/F$",
+        "Führungsdruck $N/F$",
+    ]
+    for panel, key in zip(panels, ("x", "rod_force", "guide_force"), strict=True):
+        assert labels(panel) == ["$R:L = 1:4$", "$R:L = 1:5$", "$R:L = 1:∞$"]
+        for curve, ratio in zip(panel.curves, ("1:4", "1:5", "1:∞"), strict=True):
+            assert list(curve.values) == kurbel.compute(FLOATS, ratio, key)[key].tolist()
+
+
+def test_forces_of_one_crank_share_a_panel_and_are_in_newtons_where_the_piston_force_is_known() -> None:
+    assert motion_keys(Crank(FIFTH)) == ("x", "c", "p")
+    keys = motion_keys(MACHINE)
+    forces, torque = motion_panels(asked(keys, MACHINE, lang="en"))
+    assert (forces.unit, torque.unit) == ("N", "N m")
+    assert forces.label == "Rod force, guide force, tangential force and radial force"
+    assert torque.label == "Torque $M$"
+    assert labels(forces) == ["$S$", "$N$", "$T$", "$Z$"]
+    shares = kurbel.compute(FLOATS, "1:5", ["rod_force", "guide_force", "tangential_force", "radial_force"])
+    for curve, values in zip(forces.curves, shares.values(), strict=True):
+        np.testing.assert_allclose(curve.values, 10_000 * values, rtol=1e-14, atol=1e-9)
+    np.testing.assert_allclose(
+        torque.curves[0].values, 3000 * shares["tangential_force"], rtol=1e-14, atol=1e-9
+    )
+
+
+def test_a_machine_is_drawn_in_its_units() -> None:
+    machine = Crank(FIFTH, radius=Fraction(3, 10), speed=Speed(Fraction(2)))
+    assert motion_keys(machine) == ("x_mm", "c_mps", "p_mps2")
+    assert motion_keys(Crank(FIFTH, radius=Fraction(1))) == ("x_mm", "c", "p")
+    units = [(panel.label, panel.unit) for panel in motion_panels(asked(motion_keys(machine), machine))]
+    assert units == [
+        ("Kolbenweg $x$", "mm"), ("Kolbengeschwindigkeit $c$", "m/s"), ("Kolbenbeschleunigung $p$", "m/s²"),
+    ]  # fmt: skip
+
+
+def test_the_two_strokes_of_a_quantity_share_a_panel() -> None:
+    (panel,) = motion_panels(asked(["c", "c_return"], Crank(FIFTH), lang="en"))
+    assert labels(panel) == ["Outstroke", "Return"]
+    (panel,) = motion_panels(asked(["c", "c_return"], Crank(FIFTH), Crank(QUARTER), lang="en"))
+    assert len(set(labels(panel))) == 4
+    assert labels(panel)[0] == "$R:L = 1:5$, Outstroke"
+
+
+@pytest.mark.parametrize("lang", ["de", "en"])
+def test_every_quantity_has_an_axis_that_names_it_with_its_unit_once(lang: str) -> None:
+    names = {key: axis_name(quantity, lang) for key, quantity in registry().items()}
+    assert names["psi"][1] == "°"
+    for key, (name, unit) in names.items():
+        assert name.startswith(registry()[key].name[lang])
+        assert ("in " in name) <= (not unit), key
+        assert bool(unit) == (bool(registry()[key].needs) or registry()[key].arc), key
+
+
+def test_the_pin_force_is_the_rod_force_turned_by_the_crank() -> None:
+    ratio = 0.25
+    vector, (across, up), unit = pin_force(asked(pin_force_keys(Crank(QUARTER)), Crank(QUARTER)))
+    assert (across, up, unit) == ("Tangentialkraft $T/F$", "Radialkraft $Z/F$", "")
+    phi = np.radians(FLOATS)
+    psi = np.arcsin(ratio * np.sin(phi))
+    # In the frame of the engine the rod presses the pin with (-1, tan ψ); the crank sees it turned by φ.
+    along, beside = -np.ones_like(phi), np.tan(psi)
+    np.testing.assert_allclose(vector.across, -along * np.sin(phi) + beside * np.cos(phi), rtol=0, atol=1e-14)
+    np.testing.assert_allclose(vector.up, -along * np.cos(phi) - beside * np.sin(phi), rtol=0, atol=1e-14)
+
+
+def test_the_turning_effort_is_that_of_the_turn() -> None:
+    effort, energy = turning(4)
+    turn = Turn(Engine(Crank(FIFTH), Steam(Fraction(4))), "exact")
+    assert (effort.label, energy.label) == (
+        "Tangentialkraft $T/Q$, mittlere Umfangskraft $P/Q$", "Überschussarbeit $W/(Q r)$",
+    )  # fmt: skip
+    assert labels(effort) == ["$T/Q$", "$P/Q$"]
+    for curve, value in ((effort.curves[0], turn.tangential_force), (energy.curves[0], turn.energy_at)):
+        at = dict(zip(curve.angles, curve.values, strict=True))
+        for angle in ANGLES:
+            assert at[float(angle)] == pytest.approx(float(value(angle / 180)), abs=1e-14)
+
+
+def test_the_mean_is_that_of_the_book() -> None:
+    # Weisbach-Herrmann, § 150, prints 0,22063 for ε = 2.
+    mean = turning(2)[0].curves[1]
+    assert list(mean.angles) == [0, 360]
+    assert list(mean.values) == pytest.approx([0.22064] * 2, abs=5e-6)
+
+
+@pytest.mark.parametrize("cranks", [(0,), (0, 90)])
+def test_the_energy_is_the_area_between_the_tangential_force_and_its_mean(cranks: Sequence[int]) -> None:
+    (force, mean), (energy,) = (panel.curves for panel in turning(3, cranks=cranks))
+    assert force.angles == energy.angles
+    excess = np.asarray(force.values) - mean.values[0]
+    areas = (excess[1:] + excess[:-1]) / 2 * np.diff(np.radians(force.angles))
+    np.testing.assert_allclose(np.cumsum(areas), energy.values[1:], rtol=0, atol=2e-3)
+
+
+def test_the_curves_have_the_tips_at_cut_off() -> None:
+    curve = turning(4)[0].curves[0]
+    # Cut-off after a quarter of the stroke, R/2: of the triangle of crank, rod and slide all sides are known.
+    corner = float(np.degrees(np.arccos((5.5**2 + 1 - 5**2) / (2 * 5.5))))
+    assert min(abs(angle - corner) for angle in curve.angles) < 1e-9
+    tip = max(zip(curve.values, curve.angles, strict=True))
+    assert tip[1] == pytest.approx(corner, abs=1e-9)
+    assert all(low < high for low, high in pairwise(curve.angles))
+
+
+def test_several_engines_are_told_apart_and_have_no_means() -> None:
+    effort, energy = turning(2, 4, ratios=(QUARTER, FIFTH))
+    assert labels(effort) == labels(energy)
+    assert labels(effort) == [
+        f"$ε = {expansion}$, $r:l = {ratio}$" for expansion in (2, 4) for ratio in ("1:4", "1:5")
+    ]
+    assert labels(turning(2, 4)[0]) == ["$ε = 2$", "$ε = 4$"]
+    assert labels(turning(2, ratios=(QUARTER, FIFTH))[0]) == ["$r:l = 1:4$", "$r:l = 1:5$"]
+
+
+# Files ------------------------------------------------------------------------------------------------
+
+DRAWINGS: Mapping[str, tuple[str, ...]] = {
+    "motion": (),
+    "ratios": ("--ratio", "1:4;1:5", "--columns", "p,rod_force", "--step", "5"),
+    "machine": (
+        "--stroke",
+        "600mm",
+        "--rod",
+        "1500mm",
+        "--speed",
+        "120/min",
+        "--force",
+        "10kN",
+        "--step",
+        "5",
+    ),
+    "offset": ("--ratio", "1:4", "--offset", "0.3", "--from", "-30", "--to", "330", "--step", "5"),
+    "mechanism": ("--mechanism", "30;75", "--ratio", "1:4", "--offset", "0.3"),
+    "polar": ("--polar", "--ratio", "1:4", "--step", "5"),
+    "turning": ("--turning", "--eps", "4", "--ratio", "1:5", "--back", "0.1", "--step", "5"),
+    "engines": ("--turning", "--eps", "2;4", "--single-acting", "--cranks", "0;180", "--step", "5"),
+}
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def svg(*words: str) -> ET.Element:
+    return ET.fromstring(printed("plot", *words, "-f", "svg").out)
+
+
+def title(root: ET.Element) -> str:
+    return next(root.iter("{http://purl.org/dc/elements/1.1/}title")).text or ""
+
+
+def path_of(root: ET.Element, name: str) -> NDArray[np.float64]:
+    group = next(one for one in root.iter(f"{SVG}g") if one.get("id") == name)
+    path = next(group.iter(f"{SVG}path")).get("d") or ""
+    numbers = [float(number) for number in re.findall(r"-?[\d.]+", path)]
+    return np.asarray(numbers).reshape(-1, 2)
+
+
+@drawn
+@pytest.mark.parametrize("name", DRAWINGS)
+def test_every_drawing_is_written_in_both_languages_and_the_same_bytes_twice(
+    name: str, tmp_path: Path
+) -> None:
+    for lang in ("de", "en"):
+        words = ("plot", *DRAWINGS[name], "--lang", lang)
+        for file in ("one.svg", "two.svg"):
+            assert printed(*words, "-o", str(tmp_path / file)).out == ""
+        one, two = ((tmp_path / file).read_bytes() for file in ("one.svg", "two.svg"))
+        assert one == two
+        assert printed(*words, "-f", "svg", "-o", "-").out.encode() == one
+        assert title(ET.fromstring(one))
+
+
+@drawn
+@pytest.mark.parametrize(
+    ("name", "start", "end"),
+    [
+        ("png", b"\x89PNG\r\n\x1a\n", b"IEND\xaeB`\x82"),
+        ("pdf", b"%PDF-1.", b"%%EOF\n"),
+        ("svg", b"<?xml ", b"</svg>\n"),
+    ],
+)
+def test_each_format_opens(name: str, start: bytes, end: bytes, tmp_path: Path) -> None:
+    file = tmp_path / f"drawing.{name.upper()}"
+    printed("plot", "--step", "10", "-o", str(file))
+    content = file.read_bytes()
+    assert content.startswith(start)
+    assert content.endswith(end)
+
+
+def test_every_format_is_tested() -> None:
+    assert set(FORMATS) == {"png", "pdf", "svg"}
+
+
+@drawn
+def test_the_format_option_is_stronger_than_the_suffix_and_the_suffix_than_the_environment(
+    tmp_path: Path,
+) -> None:
+    file = tmp_path / "drawing.svg"
+    printed("plot", "--step", "10", "-f", "pdf", "-o", str(file))
+    assert file.read_bytes().startswith(b"%PDF")
+    printed("plot", "--step", "10", "-o", str(file), KURBEL_PLOT_FORMAT="png", KURBEL_FORMAT="csv")
+    assert file.read_bytes().startswith(b"<?xml")
+    assert printed("plot", "--step", "10", KURBEL_PLOT_FORMAT="svg").out.startswith("<?xml")
+
+
+@drawn
+def test_png_goes_through_a_pipe() -> None:
+    words = [sys.executable, "-m", "kurbel", "plot", "--mechanism", "30", "-f", "png"]
+    done = subprocess.run(words, capture_output=True, check=True)
+    assert done.stdout.startswith(b"\x89PNG")
+    assert done.stderr == b""
+
+
+@drawn
+def test_the_lines_on_paper_are_the_curves_of_compute() -> None:
+    root = svg("--ratio", "1:4,5", "--step", "1")
+    angles = np.arange(361.0)
+    for panel, values in enumerate(kurbel.compute(angles, "1:4,5").values(), 1):
+        across, down = path_of(root, f"curve-{panel}-1").T
+        for drawn_at, meant in ((across, angles), (down, values)):
+            slope, start = np.polyfit(meant, drawn_at, 1)
+            np.testing.assert_allclose(drawn_at, start + slope * meant, rtol=0, atol=2e-6 * np.ptp(drawn_at))
+        # y runs down in SVG.
+        assert np.argmin(down) == np.argmax(values)
+
+
+@drawn
+def test_the_polar_curve_on_paper_is_the_pin_force_in_one_scale() -> None:
+    path = path_of(svg("--polar", "--ratio", "1:3", "--step", "1"), "curve")
+    force = kurbel.compute(np.arange(361.0), "1:3", ["tangential_force", "radial_force"])
+    across, up = (np.polyfit(force[key], drawn_at, 1)[0] for key, drawn_at in zip(force, path.T, strict=True))
+    assert across == pytest.approx(-up, rel=1e-6)
+    assert across > 0
+
+
+@drawn
+def test_the_mechanism_on_paper_stands_at_its_angle() -> None:
+    (x0, y0), (x1, y1) = path_of(svg("--mechanism", "30", "--ratio", "1:4"), "crank")
+    (_, _), (x2, y2) = rod = path_of(svg("--mechanism", "30", "--ratio", "1:4"), "rod")
+    radius = np.hypot(x1 - x0, y1 - y0)
+    assert np.degrees(np.arctan2(y0 - y1, x1 - x0)) == pytest.approx(30, abs=1e-4)
+    assert np.hypot(*(rod[1] - rod[0])) == pytest.approx(4 * radius, rel=1e-6)
+    assert y2 == pytest.approx(y0, abs=1e-5)
+    assert x2 > x1
+
+
+@drawn
+def test_an_indicator_card_of_the_ideal_engine_draws_nearly_its_curve() -> None:
+    require_library("pint")
+    ideal = path_of(svg("--turning", "--eps", "2", "--step", "5"), "curve-2-1")
+    card = path_of(svg("--turning", "--card", str(CARD), "--step", "5"), "curve-2-1")
+    # The ideal engine's curve has two points of cut-off as well.
+    assert len(ideal) == len(card) + 2
+    near = ideal[[int(np.argmin(abs(ideal[:, 0] - place))) for place in card[:, 0]]]
+    np.testing.assert_allclose(near, card, rtol=0, atol=0.5)
+
+
+@drawn
+def test_a_drawing_says_what_it_shows() -> None:
+    assert title(svg("--step", "10")) == (
+        "Kolbenweg, Kolbengeschwindigkeit und Kolbenbeschleunigung für R:L = 1:5; genaue Formeln"
+    )
+    assert (
+        title(svg("--mechanism", "30", "--ratio", "1:4.5", "--lang", "en")) == "Crank drive for R:L = 1:4.5"
+    )
+    assert title(svg("--mechanism", "30", "--ratio", "1:4.5", "--decimal", "point")) == (
+        "Kurbeltrieb für R:L = 1:4.5"
+    )
+
+
+@drawn
+def test_the_environment_gives_defaults_that_other_kinds_ignore() -> None:
+    environment = {"KURBEL_PLOT_COLUMNS": "x", "KURBEL_PLOT_EPS": "3", "KURBEL_PLOT_SPEED": "nonsense"}
+    words = ("plot", "--polar", "--step", "10", "-f", "svg")
+    assert printed(*words, **environment).out == printed(*words).out
+    only = ("plot", "--step", "10", "-f", "svg")
+    assert printed(*only, KURBEL_PLOT_COLUMNS="x").out == printed(*only, "--columns", "x").out
+
+
+# Refusals ---------------------------------------------------------------------------------------------
+
+REFUSALS = [
+    (("--eps", "4"), "--eps describes a steam engine; --turning draws its turning effort"),
+    (
+        ("--polar", "--single-acting"),
+        "--single-acting describes a steam engine; --turning draws its turning effort",
+    ),
+    (("--polar", "--turning"), "--polar and --turning are two drawings; leave one out"),
+    (("--mechanism", "30", "--polar"), "--mechanism and --polar are two drawings; leave one out"),
+    (("--mechanism", "30", "--columns", "x"), "--columns says nothing about the mechanism; leave it out"),
+    (("--mechanism", "30", "--step", "5"), "--step says nothing about the mechanism; leave it out"),
+    (("--polar", "--speed", "2/s"), "--speed says nothing about the polar diagram; leave it out"),
+    (("--turning", "--offset", "0.1"), "--offset says nothing about the turning effort; leave it out"),
+    (("--polar", "--ratio", "1:4;1:5"), "--polar draws one crank drive, and 2 ratios were given; choose one"),
+    (("--polar", "--method", "series"), 'method "series" has no formula for tangential_force; use exact'),
+    (
+        ("--turning", "--method", "infinite"),
+        "--method infinite is for the motion alone; of engines write --ratio 1:∞",
+    ),
+    (("--columns", "x_mm"), "column x_mm is in mm and needs --stroke"),
+    (("--columns", "phi"), "--columns names no quantity; add one, for example --columns phi,x,c,p"),
+    (("--from", "30", "--to", "30"), "the only crank angle is 30°; a curve needs two"),
+    (("--polar", "--from", "30", "--to", "30"), "the only crank angle is 30°; a curve needs two"),
+    (
+        ("--step", "0.01"),
+        f"curves of 36001 points were asked for; at most {MOST_POINTS} can be drawn, so make the step larger",
+    ),
+    (("--ratio", "1:3..30"), "a panel of 28 curves was asked for; at most 12 can be told apart"),
+    (("--turning", "--eps", "2..30"), "a panel of 29 curves was asked for; at most 12 can be told apart"),
+    (
+        ("--mechanism", "0..360"),
+        "a drawing of 361 crank angles was asked for; at most 36 can be told apart",
+    ),
+    (
+        ("--ratio", "1:1"),
+        "crank ratio R:L is 1; it must be below 1, or the rod is too short to pass the dead centre",
+    ),
+]
+
+
+@pytest.mark.parametrize(("words", "sentence"), REFUSALS, ids=[" ".join(words) for words, _ in REFUSALS])
+def test_what_cannot_be_drawn_is_refused_in_a_sentence(
+    words: tuple[str, ...], sentence: str, tmp_path: Path
+) -> None:
+    assert refusal("plot", *words, "-o", str(tmp_path / "drawing.svg")) == sentence
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_drawing_without_a_file_asks_for_one() -> None:
+    assert refusal("plot") == f"no file was named; add -o kurbel.svg, or -f svg for standard output; {HELP}"
+    assert refusal("plot", "-o", "") == f"--output names no file; - is standard output; {HELP}"
+
+
+@pytest.mark.parametrize("words", [(), ("-f", "svg", "-o", "-")])
+def test_a_terminal_gets_a_sentence_instead_of_a_drawing(words: tuple[str, ...]) -> None:
+    ours, terminal = pty.openpty()
+    command = [sys.executable, "-m", "kurbel", "plot", *words]
+    done = subprocess.run(command, stdout=terminal, stderr=subprocess.PIPE, text=True, check=False)
+    os.close(terminal)
+    os.close(ours)
+    sentence = f"a terminal shows no drawings; name a file, such as -o kurbel.svg; {HELP}"
+    assert (done.returncode, done.stderr) == (2, f"kurbel: {sentence}\n")
+
+
+@pytest.mark.parametrize("name", ["drawing", "drawing.txt", "drawing.svg.gz"])
+def test_a_file_of_another_suffix_is_refused(name: str, tmp_path: Path) -> None:
+    sentence = refusal("plot", "-o", str(tmp_path / name))
+    assert sentence.endswith(f'{name}" names no drawing; its suffix must be one of .svg, .png, .pdf')
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_an_unknown_format_is_answered_with_the_nearest() -> None:
+    sentence = 'there is no drawing format "pgn" (did you mean png?); choose from svg, png, pdf'
+    assert refusal("plot", "-f", "pgn") == sentence
+
+
+@pytest.mark.parametrize("words", [(), ("--polar",), ("--mechanism", "30"), ("--turning",)])
+def test_without_matplotlib_the_extra_is_named(
+    words: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    sentence = "drawings need matplotlib; install it with: pip install 'kurbel[plot]'"
+    assert refusal("plot", *words, "-o", str(tmp_path / "drawing.svg"), code=1) == sentence
+    assert list(tmp_path.iterdir()) == []
+
+
+@drawn
+def test_a_drawing_that_cannot_be_written_leaves_the_old_one(tmp_path: Path) -> None:
+    sentence = refusal("plot", "--step", "10", "-o", str(tmp_path / "none" / "drawing.svg"), code=1)
+    assert sentence.endswith(f"the directory {tmp_path / 'none'} does not exist")
+    old = tmp_path / "drawing.svg"
+    old.write_text("as it was")
+    refusal("plot", "--columns", "x_mm", "-o", str(old))
+    assert old.read_text() == "as it was"
