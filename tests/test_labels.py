@@ -39,6 +39,9 @@ def formula(source: str) -> Formula:
         ("R [1 - cos α]", "R [1 − cos α]"),
         ('v = 2.5 "m/s"', "v = 2,5 m/s"),
         ("0°0'20\"", "0°0′20″"),
+        ("F sqrt((R/L)^2 + 1)", "F √((R/L)² + 1)"),
+        ("(sqrt(2.5))/2 cos φ", "√(2,5)/2 cos φ"),
+        ("sqrt(x)^2", "√(x)²"),
     ],
 )
 def test_formula_in_one_line_of_text(source: str, text: str) -> None:
@@ -61,6 +64,9 @@ def test_formula_in_one_line_of_text(source: str, text: str) -> None:
         ("1 2", r"1\,2"),
         ("[1 + R/L sin φ]", r"\left[1+\frac{R}{L}\sin\varphi\right]"),
         ("a · b × c ≤ ∞", r"a\cdot b\times c\le\infty"),
+        ("F sqrt((R/L)^2 + 1) a", r"F\sqrt{(R/L)^{2}+1}a"),
+        ("a/sqrt(2.5)", r"a/\sqrt{2{,}5}"),
+        ("[sqrt(1 + a/b)]", r"\left[\sqrt{1+\frac{a}{b}}\right]"),
     ],
 )
 def test_formula_in_latex(source: str, latex: str) -> None:
@@ -90,6 +96,8 @@ def test_only_a_formula_with_a_bar_needs_height_of_its_own() -> None:
         ("c_m^2", "<msubsup><mi>c</mi><mi>m</mi><mn>2</mn></msubsup>"),
         ("a < b", "<mi>a</mi><mo>&lt;</mo><mi>b</mi>"),
         ('"<b>"', "<mtext>&lt;b&gt;</mtext>"),
+        ("sqrt(1 + a)", "<msqrt><mn>1</mn><mo>+</mo><mi>a</mi></msqrt>"),
+        ("sqrt(a)^2", "<msup><msqrt><mi>a</mi></msqrt><mn>2</mn></msup>"),
     ],
 )
 def test_formula_in_mathml(source: str, mathml: str) -> None:
@@ -119,6 +127,7 @@ def test_angle_in_prose_has_primes() -> None:
         ("$/a$", "before / stands a number, a letter or parentheses"),
         ("$a/b/c$", "a second / needs parentheses, (a/b)/c or a/(b c)"),
         ("$1/cos ψ$", "a function after / needs parentheses, 1/(cos ψ)"),
+        ("$sqrt 2$", "a root needs parentheses, sqrt(2)"),
         ("$(a$", "an opening ( has no partner"),
         ("$(a]$", "an opening ( has no partner"),
         ("$a)$", "a closing ) has no partner"),

@@ -4,6 +4,7 @@
     x_m  x_(max)  φ^2     index and power
     2.5 "m/s"             upright text in double quotes; a number has a point whatever the page prints
     R [1 - cos α]         parentheses and brackets are printed
+    sqrt(1 + λ^2)         a root; engines set a bar in place of its parentheses
 
 Spaces are kept: text needs them ("cos φ ± ψ"), other engines set their own.
 """
@@ -15,6 +16,7 @@ from typing import NamedTuple
 
 FENCES = {"(": ")", "[": "]"}
 FUNCTIONS = frozenset(("sin", "cos", "tan", "cot", "arcsin", "arccos", "arctan", "max", "min", "ln", "log"))
+ROOT = "sqrt"
 
 # Sign in the source -> sign in print, LaTeX.
 SIGNS = {
@@ -106,6 +108,12 @@ class Group(NamedTuple):
     fences: str = "()"
 
 
+class Root(NamedTuple):
+    """A square root."""
+
+    content: Nodes
+
+
 class Fraction(NamedTuple):
     top: Nodes
     bottom: Nodes
@@ -119,7 +127,7 @@ class Script(NamedTuple):
     sup: Nodes
 
 
-Node = Word | Variable | Numeral | Sign | Symbol | Upright | Space | Group | Fraction | Script
+Node = Word | Variable | Numeral | Sign | Symbol | Upright | Space | Group | Root | Fraction | Script
 Nodes = tuple[Node, ...]
 
 
@@ -225,6 +233,8 @@ class _Parser:
         token = self.take()
         if token in FENCES:
             return self.group(token)
+        if token == ROOT and self.peek() == "(":
+            return Root(self.group(self.take()).content)
         if token[:1] in "0123456789" and token:
             return Numeral(token)
         if token in FUNCTIONS:
@@ -251,6 +261,8 @@ class _Parser:
 def _unexpected(token: str) -> str:
     if token in ("", ")", "]"):
         return "a number, a letter or parentheses are missing"
+    if token == ROOT:
+        return "a root needs parentheses, sqrt(2)"
     if token.isalpha() and token.isascii():
         return f"{token} is no function; letters of a product stand apart, words in double quotes"
     if token.startswith('"'):

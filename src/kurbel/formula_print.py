@@ -19,6 +19,7 @@ from kurbel.formula import (
     Node,
     Nodes,
     Numeral,
+    Root,
     Script,
     Sign,
     Space,
@@ -56,6 +57,8 @@ def _text_node(nodes: Nodes, place: int, mark: str) -> str:
             return " "
         case Group(content, fences):
             return f"{fences[0]}{_text(content, mark)}{fences[1]}"
+        case Root(content):
+            return f"√({_text(content, mark)})"
         case Fraction(top, bottom):
             return _text_fraction(nodes, place, top, bottom, mark)
         case Script(base, index, power):
@@ -107,7 +110,7 @@ def _has_bar(nodes: Nodes) -> bool:
     """Tell whether a sequence has a fraction with a bar, which needs height."""
     return any(
         _has_bar(node.content)
-        if isinstance(node, Group)
+        if isinstance(node, Group | Root)
         else isinstance(node, Fraction) and not _has_stroke(nodes, place)
         for place, node in enumerate(nodes)
     )
@@ -184,6 +187,8 @@ def _latex_node(nodes: Nodes, place: int, mark: str) -> str:
         case Group(content, fences):
             left, right = (r"\left", r"\right") if _has_bar(content) else ("", "")
             return f"{left}{fences[0]}{_latex(content, mark)}{right}{fences[1]}"
+        case Root(content):
+            return f"\\sqrt{{{_latex(content, mark)}}}"
         case Fraction(top, bottom) if _has_stroke(nodes, place):
             below = _latex(bottom if len(bottom) == 1 else (Group(bottom),), mark)
             return f"{_latex(top, mark)}/{below}"
@@ -244,6 +249,8 @@ def _mathml_node(nodes: Nodes, place: int, mark: str) -> str:
             fixed = "" if _has_bar(content) else ' stretchy="false"'
             opening, closing = (f"<mo{fixed}>{fence}</mo>" for fence in fences)
             return f"<mrow>{opening}{_mathml(content, mark)}{closing}</mrow>"
+        case Root(content):
+            return f"<msqrt>{_mathml(content, mark)}</msqrt>"
         case Fraction(top, bottom) if _has_stroke(nodes, place):
             below = _mathml(bottom if len(bottom) == 1 else (Group(bottom),), mark)
             return f'{_mathml(top, mark)}<mo lspace="0" rspace="0">/</mo>{below}'
