@@ -9,6 +9,7 @@ from pathlib import Path
 
 import click
 
+from kurbel.balance_request import DECIMALS, balance_registry
 from kurbel.beam import registry as beam_registry
 from kurbel.beam_page import DEGREE_DECIMALS
 from kurbel.captions import quantity_name
@@ -16,6 +17,8 @@ from kurbel.cli import COMMANDS
 from kurbel.engine_quantities import COMMANDS_OF, engine_registry
 from kurbel.engine_request import ENGINE_METHODS
 from kurbel.formats import FORMATS
+from kurbel.harmonics import registry as harmonics_registry
+from kurbel.harmonics_page import harmonic_name
 from kurbel.labels import plain
 from kurbel.layouts import layout, layout_names
 from kurbel.notation import ratio_text, ratios
@@ -62,6 +65,20 @@ def _engine_quantities() -> Iterator[str]:
         decimals = DEGREE_DECIMALS if beam.shown_unit == "°" else beam.decimals
         name = f"{beam.name['en']} {plain(beam.symbol)}"
         yield f"| `{key}` | {name} | {beam.shown_unit} | {decimals} | `deadcentres` |"
+    yield from _balance_quantities()
+
+
+def _balance_quantities() -> Iterator[str]:
+    yield "\n### Of harmonics and balance\n"
+    yield "Beside them stand `order` and `ratio`, for `balance` also `residual`: `force`, or `moment` in that"
+    yield "unit times a.\n"
+    yield "| key | quantity | unit | decimals | command |\n| --- | --- | --- | ---: | --- |"
+    decimals = layout("harmonics").columns[0].decimals
+    for key, harmonic in harmonics_registry().items():
+        name, unit = harmonic_name(harmonic, "en"), harmonic.unit
+        yield f"| `value` | {name} | {unit} | {decimals} | `harmonics --quantity {key}` |"
+    for key, column in balance_registry().items():
+        yield f"| `{key}` | {column.name['en']} | {column.unit} | {DECIMALS} | `balance` |"
 
 
 def _layouts() -> Iterator[str]:

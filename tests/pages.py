@@ -21,6 +21,8 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "turning": ("turning",),
     "flywheel": ("flywheel", "--power=50kW", "--speed=120/min", "--delta=1:50;1:100", "--radius=1.5m"),
     "dead centres": ("deadcentres",),
+    "harmonics": ("harmonics",),
+    "balance": ("balance",),
 }
 
 
@@ -32,6 +34,7 @@ def about(*subjects: str) -> list[str]:
 MOTION = about("motion")
 ENGINES = about("irregularity", "strokes", "turning", "flywheel")
 BEAMS = about("dead centres")
+BALANCES = about("harmonics", "balance")
 
 each_layout = pytest.mark.parametrize(
     ("name", "lang"), [(name, lang) for name in layout_names() for lang in LANGUAGES]
@@ -50,6 +53,10 @@ def default_page(name: str, lang: str = "de", label: str = "") -> Table:
             return kurbel.make_table(layout=name, lang=lang, label=label)
         case "dead centres":
             return kurbel.make_dead_centres_table(layout=name, lang=lang, label=label)
+        case "harmonics":
+            return kurbel.make_harmonics_table(layout=name, lang=lang, label=label)
+        case "balance":
+            return kurbel.make_balance_table(layout=name, lang=lang, label=label)
         case "flywheel":
             return kurbel.make_engine_table(
                 layout=name, power=50_000, speed=2, irregularities="1:50;1:100", radius=1.5,

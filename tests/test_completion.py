@@ -75,6 +75,8 @@ def test_a_command_completes_the_layouts_of_its_subject_only() -> None:
     assert completed("bash", "turning", "--layout", "") == ["turning"]
     assert completed("bash", "flywheel", "--layout", "") == ["flywheel"]
     assert completed("bash", "deadcentres", "--layout", "") == BEAMS
+    assert completed("bash", "harmonics", "--layout", "") == ["harmonics"]
+    assert completed("bash", "balance", "--layout", "") == ["balance"]
 
 
 def test_columns_of_an_engine_are_those_that_its_page_can_show() -> None:
@@ -94,6 +96,13 @@ def test_columns_of_an_engine_are_those_that_its_page_can_show() -> None:
     words = ("delta", "--layout", "delta-verfahren", "--columns", "")
     assert set(completed("bash", *words)) == axes | own
     assert completed("bash", "delta", "--columns", "epsilon,mean") == ["epsilon,mean_force"]
+
+
+def test_engines_and_columns_of_the_balance_are_completed() -> None:
+    assert completed("bash", "balance", "--engine", "box") == ["boxer-2", "boxer-4"]
+    assert completed("bash", "balance", "--columns", "order,gr") == ["order,greatest"]
+    assert completed("bash", "harmonics", "--quantity", "") == ["x", "c", "p"]
+    assert completed("bash", "table", "--layout", "harmonics", "--columns", "v") == ["value"]
 
 
 def test_methods_of_an_engine_are_completed() -> None:

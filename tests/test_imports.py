@@ -118,7 +118,8 @@ def test_imports_run_one_way() -> None:
         "kurbel.cli.engine",
     ]
     beam = ["kurbel.kernel.beam", "kurbel.beam", "kurbel.beam_page", "kurbel.cli.beam"]
-    for order in (motion, engine, quantity, beam):
+    balance = ["kurbel.kernel.balance", "kurbel.balance", "kurbel.balance_page", "kurbel.build"]
+    for order in (motion, engine, quantity, beam, balance):
         for low, high in pairwise(order):
             assert low in reached(high)
             assert high not in reached(low)
@@ -201,7 +202,14 @@ def test_help_loads_no_library(option: str) -> None:
     assert not loaded(RUN, option) & {"jinja2", "flint", "tabulate", "pint", *HEAVY}
 
 
-PAGES = [("table", "--ratio", "1:5"), ("delta", "--eps", "2..6"), ("turning",), ("deadcentres",)]
+PAGES = [
+    ("table", "--ratio", "1:5"),
+    ("delta", "--eps", "2..6"),
+    ("turning",),
+    ("deadcentres",),
+    ("harmonics",),
+    ("balance",),
+]
 
 
 @pytest.mark.parametrize("name", ["text", "markdown", "latex", "html", "csv", "json"])

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from cli import printed
 from golden import FOLDER, assert_golden
-from pages import BEAMS, ENGINES, command, default_page, each_layout
+from pages import BALANCES, BEAMS, ENGINES, command, default_page, each_layout
 
 from kurbel.formats import FORMATS
 from kurbel.layouts import LANGUAGES, layout_names
@@ -20,6 +20,8 @@ TEXTS = {
     "kinematics-units": MACHINE,
     "kinematics-offset": OFFSET,
     "delta-cranks": CRANKS,
+    "harmonics-path": ("harmonics", "--quantity=x", "--ratio=1:4;1:5", "--orders=10", "--digits=9"),
+    "balance-v": ("balance", "--engine=v2-90", "--share=0.5", "--orders=6"),
     "weisbach-150-weisbach": ("delta", "--method=weisbach"),
 }
 # Pages whose cells are not all alike: angles beside numbers, notes, units and places without a value.
@@ -27,7 +29,7 @@ RICH = ("delta-detail", "flywheel")
 SUFFIXES = {entry.suffixes[0]: name for name, entry in FORMATS.items() if name not in ("text", "csv")}
 PAGES = {
     **{f"{name}.{lang}.txt": (*text, f"--lang={lang}") for name, text in TEXTS.items() for lang in LANGUAGES},
-    **{f"{name}.csv": (*command(name), "-f", "csv") for name in ("kinematics", *ENGINES, *BEAMS)},
+    **{f"{name}.csv": (*command(name), "-f", "csv") for name in ("kinematics", *ENGINES, *BEAMS, *BALANCES)},
     **{f"{name}{suffix}": (*command(name), "-f", form) for name in RICH for suffix, form in SUFFIXES.items()},
 }
 

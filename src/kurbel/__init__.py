@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING
 from kurbel.errors import KurbelError
 
 if TYPE_CHECKING:
+    from kurbel.balance_library import make_balance_table, make_harmonics_table
     from kurbel.engine_library import make_dead_centres_table, make_engine_table
     from kurbel.irregularity import delta
     from kurbel.library import certified, compute, make_table, typeset
@@ -29,15 +30,19 @@ __all__ = [
     "certified",
     "compute",
     "delta",
+    "make_balance_table",
     "make_dead_centres_table",
     "make_engine_table",
+    "make_harmonics_table",
     "make_table",
     "typeset",
 ]
 _MODULES = {
     "delta": "kurbel.irregularity",
+    "make_balance_table": "kurbel.balance_library",
     "make_dead_centres_table": "kurbel.engine_library",
     "make_engine_table": "kurbel.engine_library",
+    "make_harmonics_table": "kurbel.balance_library",
 }
 
 

@@ -14,8 +14,10 @@ from kurbel.rows import RecordRows
 from kurbel.table import Note, Records, Table
 
 if TYPE_CHECKING:
+    from kurbel.balance_request import BalanceRequest
     from kurbel.beam_page import BeamRequest
     from kurbel.engine_request import EngineRequest
+    from kurbel.harmonics_page import HarmonicsRequest
 
 
 class Asked(Protocol):
@@ -45,6 +47,18 @@ def _beam(request: BeamRequest, pages: bool) -> Table:
     return build_beam(request, pages)
 
 
+def _harmonics(request: HarmonicsRequest, pages: bool) -> Table:
+    from kurbel.harmonics_page import build_harmonics
+
+    return build_harmonics(request, pages)
+
+
+def _balance(request: BalanceRequest, pages: bool) -> Table:
+    from kurbel.balance_page import build_balance
+
+    return build_balance(request, pages)
+
+
 def _motion(request: Request, pages: bool) -> Table:
     columns = page_columns(request)
     digits = [column.digits for column in columns]
@@ -72,4 +86,6 @@ BUILDERS: dict[str, Callable[[Any, bool], Table]] = {
     "turning": _engine,
     "flywheel": _engine,
     "dead centres": _beam,
+    "harmonics": _harmonics,
+    "balance": _balance,
 }

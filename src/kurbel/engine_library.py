@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from os import PathLike
 from typing import TYPE_CHECKING
@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from kurbel import notation
 from kurbel.choices import choose
 from kurbel.errors import ProblemError
-from kurbel.given import Exact, as_angle, as_fraction, as_names, as_ratio, as_share, read_values
+from kurbel.given import Exact, as_angle, as_fraction, as_names, as_ratio, as_share, read_each, read_values
 from kurbel.layouts import LANGUAGES, layout_of
 from kurbel.problem import Crank, Speed
 from kurbel.table import Table
@@ -80,7 +80,7 @@ def make_engine_table(
         Crank(ratio)
         for ratio in read_values(page.ratios if ratios is None else ratios, notation.ratios, as_ratio)
     ]
-    shifts = notation.crank_angles(cranks) if isinstance(cranks, str) else _each(cranks, as_angle)
+    shifts = notation.crank_angles(cranks) if isinstance(cranks, str) else read_each(cranks, as_angle)
     return build(
         EngineRequest(
             layout=page,
@@ -98,12 +98,6 @@ def make_engine_table(
             label=label,
         )
     )
-
-
-def _each(given: Exact | Iterable[Exact], one: Callable[[Exact], Fraction]) -> list[Fraction]:
-    """Read one value or many, equal ones too."""
-    values = [given] if isinstance(given, str) or not isinstance(given, Iterable) else given
-    return [one(value) for value in values]
 
 
 def _diagrams(

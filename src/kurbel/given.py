@@ -25,6 +25,12 @@ def read_values(
     return texts(as_text) if len(as_text) == len(values) else tuple(dict.fromkeys(map(one, values)))
 
 
+def read_each(given: Exact | Iterable[Exact], one: Callable[[Exact], Fraction]) -> tuple[Fraction, ...]:
+    """Read one value or many, equal ones too."""
+    values = [given] if isinstance(given, str) or not isinstance(given, Iterable) else given
+    return tuple(map(one, values))
+
+
 def as_names(given: str | Iterable[str]) -> tuple[str, ...]:
     if isinstance(given, str):
         return notation.names([given], "columns", "phi,x,c,p")

@@ -20,6 +20,8 @@ SUBJECTS: Mapping[str, tuple[str, ...]] = {
     "turning": ("expansion", "ratio", "angle", "column"),
     "flywheel": ("expansion", "ratio", "target", "column"),
     "dead centres": ("arm", "ratio", "column"),
+    "harmonics": ("order", "ratio"),
+    "balance": ("ratio", "residual", "order", "column"),
 }
 
 Localised = Mapping[str, str]

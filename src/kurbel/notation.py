@@ -139,7 +139,12 @@ def angles(texts: Iterable[str]) -> Sequence[Fraction]:
 
 
 def numbers(texts: Iterable[str], what: str) -> tuple[Fraction, ...]:
-    """Return the numbers of lists and ranges: "4", "2;3;4", "2..6", "2..6:0.5"."""
+    """Return the numbers of lists and ranges, each once: "4", "2;3;4", "2..6", "2..6:0.5"."""
+    return tuple(dict.fromkeys(each_number(texts, what)))
+
+
+def each_number(texts: Iterable[str], what: str) -> tuple[Fraction, ...]:
+    """Return the numbers of lists and ranges, equal ones too: "0;0;1;1"."""
 
     def one(text: str) -> Fraction:
         return number(text, what)
@@ -150,7 +155,7 @@ def numbers(texts: Iterable[str], what: str) -> tuple[Fraction, ...]:
             values = _number_range(part, what) if ".." in part else [one(part)]
             _check_length(len(found) + len(values), LONGEST_LIST, f"{what}s")
             found.extend(values)
-    return tuple(dict.fromkeys(found))
+    return tuple(found)
 
 
 def irregularities(texts: Iterable[str]) -> tuple[Fraction, ...]:

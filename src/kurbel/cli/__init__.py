@@ -20,6 +20,11 @@ COMMANDS = {
     "turning": ("kurbel.cli.engine", "Print tangential force and excess energy over the crank angle."),
     "flywheel": ("kurbel.cli.engine", "Print the flywheel that keeps an engine even."),
     "deadcentres": ("kurbel.cli.beam", "Print the dead centres of a beam engine."),
+    "harmonics": (
+        "kurbel.cli.balance",
+        "Print the harmonics of the piston's path, velocity or acceleration.",
+    ),
+    "balance": ("kurbel.cli.balance", "Print the free forces and moments of an engine."),
     "layouts": ("kurbel.cli.lists", "List the page layouts."),
     "quantities": ("kurbel.cli.lists", "List the quantities that columns can show."),
 }

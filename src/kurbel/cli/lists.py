@@ -28,9 +28,12 @@ def layouts(lang: str) -> None:
 @lang_option
 def quantities(lang: str) -> None:
     """List the quantities that columns can show, with their units and the commands that print them."""
+    from kurbel.balance_request import balance_registry
     from kurbel.beam import registry as beam_registry
     from kurbel.captions import WORDS, quantity_name
     from kurbel.engine_quantities import COMMANDS_OF, engine_registry
+    from kurbel.harmonics import registry as harmonics_registry
+    from kurbel.harmonics_page import harmonic_name
     from kurbel.labels import plain
     from kurbel.quantities import NEEDS, registry
 
@@ -43,6 +46,10 @@ def quantities(lang: str) -> None:
         rows.append((key, name, plain(one.unit), COMMANDS_OF[one.scope]))
     for key, beam in beam_registry().items():
         rows.append((key, f"{beam.name[lang]} {plain(beam.symbol)}", beam.shown_unit, "deadcentres"))
+    for key, harmonic in harmonics_registry().items():
+        rows.append(("value", harmonic_name(harmonic, lang), harmonic.unit, f"harmonics --quantity {key}"))
+    for key, column in balance_registry().items():
+        rows.append((key, column.name[lang], column.unit, "balance"))
     _print(rows)
 
 

@@ -35,18 +35,22 @@ class Name(click.ParamType):  # type: ignore[type-arg]
         return [CompletionItem(name) for name in self.names() if name.startswith(incomplete)]
 
 
-class Digits(click.ParamType):  # type: ignore[type-arg]
-    """A count of decimals."""
+class Count(click.ParamType):  # type: ignore[type-arg]
+    """A whole number within bounds."""
 
     name = "number"
 
+    def __init__(self, what: str, least: int, most: int) -> None:
+        self.what = what
+        self.allowed = {str(count): count for count in range(least, most + 1)}
+        self.bounds = f"{least} to {most}"
+
     def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> int:
-        allowed = {str(count): count for count in range(MOST_DIGITS + 1)}
-        if str(value) not in allowed:
+        if str(value) not in self.allowed:
             raise NotationError(
-                f'digits "{value[:40]}" cannot be printed; write a whole number from 0 to {MOST_DIGITS}'
+                f'{self.what} "{value[:40]}" cannot be printed; write a whole number from {self.bounds}'
             )
-        return allowed[str(value)]
+        return self.allowed[str(value)]
 
 
 class FormatName(Name):
@@ -92,6 +96,14 @@ def _column_keys(name: str) -> tuple[str, ...]:
         from kurbel.beam_page import beam_column_keys
 
         return beam_column_keys()
+    if page.subject == "harmonics":
+        from kurbel.harmonics_page import KEYS
+
+        return KEYS
+    if page.subject == "balance":
+        from kurbel.balance_request import balance_column_keys
+
+        return balance_column_keys()
     from kurbel.engine_request import engine_column_keys
 
     return engine_column_keys(page)
@@ -140,7 +152,7 @@ def output_options(command: Command) -> Command:
                      envvar="KURBEL_LANG", help="Language of headings and captions: de or en."),
         click.option("--decimal", type=Name("decimal mark", lambda: DECIMALS), envvar="KURBEL_DECIMAL",
                      help="comma or point; default: by the language, point in CSV and JSON."),
-        click.option("--digits", type=Digits(), metavar="N",
+        click.option("--digits", type=Count("digits", 0, MOST_DIGITS), metavar="N",
                      help=f"Decimals of every column, 0 to {MOST_DIGITS}."),
         click.option("--rounding", type=Name("rounding", lambda: ROUNDINGS), default=ROUNDINGS[0],
                      show_default=True, help="What becomes of a tie."),

@@ -1,0 +1,251 @@
+"""Harmonics against Fourier integrals of the textbook's motion, and the sums against the motion itself."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from time import process_time
+from typing import Any
+
+import flint
+import numpy as np
+import pytest
+import textbook
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from mpmath import mp
+from numpy.testing import assert_allclose
+from textbook import Drive
+
+from kurbel import certify
+from kurbel.errors import ProblemError
+from kurbel.harmonics import MOST_ORDERS, certified, rational, registry, series
+from kurbel.kernel import kinematics
+from kurbel.kernel.circle import circle
+from kurbel.kernel.harmonics import path_coefficient, path_series
+from kurbel.labels import parse
+from kurbel.problem import Crank
+
+KEYS = ("x", "c", "p")
+BITS = 250
+STEPS = 360
+"""The integrals are sums of so many values: their error is e^(-a (STEPS - k)) with cosh a = 1/λ, 10^-50 at
+λ = 0.9 and k = 20."""
+ONE_SECOND = 1.0
+
+
+@pytest.fixture(autouse=True)
+def precision() -> Iterator[None]:
+    with mp.workprec(BITS):
+        yield
+
+
+def fourier(key: str, ratio: Fraction, order: int) -> Any:
+    """Return the coefficient of cos kφ, for the velocity of sin kφ, over a turn of the textbook's motion."""
+    wave = mp.sin if key == "c" else mp.cos
+    total = mp.mpf(0)
+    for step in range(STEPS):
+        value = textbook.evaluate(key, "exact", Drive(ratio), Fraction(360 * step, STEPS), BITS)
+        total += value * wave(2 * mp.pi * order * step / STEPS)
+    return total * (2 if order else 1) / STEPS
+
+
+@settings(max_examples=15, deadline=None)
+@given(
+    key=st.sampled_from(KEYS),
+    ratio=st.fractions(Fraction(1, 100), Fraction(9, 10), max_denominator=100),
+    order=st.integers(0, 20),
+)
+def test_coefficients_are_the_fourier_integrals_of_the_motion(key: str, ratio: Fraction, order: int) -> None:
+    with mp.workprec(BITS):
+        expected = textbook.rounded(fourier(key, ratio, order), 30)
+        assert certified(registry()[key], order, Crank(ratio), 30).scaled == expected
+
+
+@pytest.mark.parametrize("key", KEYS)
+@pytest.mark.parametrize("sign", [1, -1], ids=["outstroke", "return"])
+@pytest.mark.parametrize("ratio", [0.0, 1e-7, 0.21, 0.5, 0.8])
+def test_sums_converge_to_the_motion(key: str, sign: int, ratio: float) -> None:
+    formula = {
+        "x": kinematics.piston_path,
+        "c": kinematics.piston_velocity,
+        "p": kinematics.piston_acceleration,
+    }
+    degrees = np.linspace(0.0, 360.0, 97)
+    wave = np.sin if registry()[key].wave == "sin" else np.cos
+    total = sum(
+        registry()[key].value(order, sign * ratio) * wave(order * np.radians(degrees)) for order in range(101)
+    )
+    assert_allclose(total, formula[key](circle(degrees), sign * ratio), rtol=0, atol=1e-12)
+
+
+@settings(max_examples=60, deadline=None)
+@given(ratio=st.floats(-0.999, 0.999).filter(lambda ratio: abs(ratio) > 1e-12), order=st.integers(0, 100))
+def test_floats_are_close_to_balls(ratio: float, order: int) -> None:
+    before = flint.ctx.prec
+    flint.ctx.prec = 300
+    try:
+        true = path_coefficient(order, certify.ball(Fraction(ratio)))
+        assert true.rel_accuracy_bits() > 150 or not true
+        assert_allclose(path_coefficient(order, ratio), float(true), rtol=1e-12, atol=1e-300)
+    finally:
+        flint.ctx.prec = before
+
+
+@pytest.mark.parametrize("order", [0, 1, 2, 3, 4, 17, 50])
+def test_arrays_hold_what_floats_hold(order: int) -> None:
+    ratios = np.array([[0.0, 0.2, -0.2], [0.9, 1e-9, -0.999]])
+    values = path_coefficient(order, ratios)
+    assert values.shape == ratios.shape
+    singly = [path_coefficient(order, float(ratio)) for ratio in ratios.flat]
+    assert_allclose(values.ravel(), singly, rtol=1e-14, atol=0)
+    assert not np.signbit(values[values == 0]).any()
+    assert path_coefficient(order, np.array([])).shape == (0,)
+
+
+@pytest.mark.parametrize("order", [2, 4, 20, 100])
+def test_a_rod_as_long_as_the_crank_is_the_limit(order: int) -> None:
+    # cos ψ is then |cos φ|, whose coefficient of cos 2mφ is (-1)^(m + 1) 4/π/(4m² - 1).
+    half = order // 2
+    limit = (-1) ** half * 4 / mp.pi / (4 * half**2 - 1)
+    before = process_time()
+    scaled = certified(registry()["x"], order, Crank(1 - Fraction(1, 10**40)), 30).scaled
+    assert process_time() - before < ONE_SECOND
+    assert abs(scaled - limit * 10**30) < 10**15
+
+
+@pytest.mark.parametrize("ratio", [Fraction(1, 10**9), Fraction(1, 5), Fraction(999, 1000)])
+def test_mean_path_is_an_elliptic_integral(ratio: Fraction) -> None:
+    lam = textbook.real(ratio)
+    expected = 1 + (1 - 2 * mp.ellipe(lam**2) / mp.pi) / lam
+    assert certified(registry()["x"], 0, Crank(ratio), 40).scaled == textbook.rounded(expected, 40)
+
+
+@pytest.mark.parametrize("half", [1, 2, 7, 30])
+def test_even_orders_follow_from_two_of_them(half: int) -> None:
+    ratio = Fraction(3, 4)
+    before, this, after = (
+        textbook.real(Fraction(certified(registry()["x"], 2 * m, Crank(ratio), 60).scaled, 10**60))
+        for m in (half - 1, half, half + 1)
+    )
+    if half == 1:
+        before = -4 * mp.ellipe(textbook.real(ratio**2)) / mp.pi / textbook.real(ratio)
+    step = 4 * half * (1 - 2 / textbook.real(ratio**2)) * this
+    assert abs((2 * half + 3) * after + (2 * half - 3) * before - step) < mp.mpf(10) ** -55
+
+
+@pytest.mark.parametrize(
+    ("key", "order", "count", "printed"),
+    [
+        ("p", 1, 3, "1 λ^0"),
+        ("p", 2, 3, "1 λ^1 + 1/4 λ^3 + 15/128 λ^5"),
+        ("p", 4, 2, "-1/4 λ^3 + -3/16 λ^5"),
+        ("p", 6, 1, "9/128 λ^5"),
+        ("p", 0, 3, ""),
+        ("p", 5, 3, ""),
+        ("x", 0, 2, "1 λ^0 + 1/4 λ^1"),
+        ("x", 0, 1, "1 λ^0"),
+        ("x", 1, 2, "-1 λ^0"),
+        ("c", 2, 1, "1/2 λ^1"),
+    ],
+)
+def test_first_powers_of_the_ratio_are_those_of_the_books(
+    key: str, order: int, count: int, printed: str
+) -> None:
+    terms = series(registry()[key], order, count)
+    assert " + ".join(f"{one.coefficient} λ^{one.power}" for one in terms) == printed
+
+
+@settings(max_examples=60, deadline=None)
+@given(
+    key=st.sampled_from(KEYS),
+    ratio=st.fractions(Fraction(1, 1000), Fraction(1, 4), max_denominator=1000),
+    order=st.integers(0, 30),
+)
+def test_powers_of_the_ratio_add_up_to_the_coefficient(key: str, ratio: Fraction, order: int) -> None:
+    terms = series(registry()[key], order, 30)
+    total = sum((one.coefficient * ratio**one.power for one in terms), Fraction(0))
+    # Sixty powers of λ² <= 1/16 later; the factor is at most k² = 900.
+    scaled = certified(registry()[key], order, Crank(ratio), 40).scaled
+    assert abs(total * 10**40 - scaled) < Fraction(1, 2) + 2 * 900 * Fraction(10**40, 16**30)
+
+
+@pytest.mark.parametrize("order", [0, 2, 4, 40])
+def test_terms_of_a_power_series_have_one_sign(order: int) -> None:
+    # On this rests that no coefficient of even order is 0 and hence that none ties.
+    signs = {one.coefficient > 0 for one in path_series(order, 50) if one.power}
+    assert len(signs) == 1
+
+
+@pytest.mark.parametrize("decimals", [0, 30])
+@pytest.mark.parametrize("ratio", [Fraction(0), Fraction(1, 5), 1 - Fraction(1, 10**30)])
+def test_what_no_rod_changes_is_exact(ratio: Fraction, decimals: int) -> None:
+    crank, one = Crank(ratio), 10**decimals
+    for key, first in (("x", -one), ("c", one), ("p", one)):
+        assert certified(registry()[key], 1, crank, decimals).scaled == first
+        for order in (3, 5, 99):
+            assert certified(registry()[key], order, crank, decimals).scaled == 0
+    for key in ("c", "p"):
+        assert certified(registry()[key], 0, crank, decimals).scaled == 0
+        assert str(registry()[key].value(0, 0.5)) == "0.0"
+
+
+@pytest.mark.parametrize("crank", [Crank(Fraction(0)), Crank(Fraction(1, 3))])
+def test_an_infinite_rod_leaves_the_first_order_alone(crank: Crank) -> None:
+    values = [rational(registry()["p"], order, crank, "infinite") for order in range(8)]
+    assert values == [0, 1, 0, 0, 0, 0, 0, 0]
+    assert rational(registry()["x"], 0, crank, "infinite") == 1
+    if not crank.ratio:
+        assert certified(registry()["x"], 0, crank, 3).scaled == 1000
+
+
+def test_first_order_formulas_have_two_harmonics() -> None:
+    crank = Crank(Fraction(1, 8))
+    values = [rational(registry()["p"], order, crank, "series") for order in range(7)]
+    assert values == [0, 1, Fraction(1, 8), 0, 0, 0, 0]
+    assert rational(registry()["c"], 2, crank, "series") == Fraction(1, 16)
+    path = [rational(registry()["x"], order, crank, "series") for order in range(5)]
+    assert path == [1 + Fraction(1, 32), -1, -Fraction(1, 32), 0, 0]
+    assert rational(registry()["p"], 2, crank) is None
+
+
+def test_a_tie_of_the_first_order_is_rounded_as_asked() -> None:
+    crank, acceleration = Crank(Fraction(1, 8)), registry()["p"]
+    assert certified(acceleration, 2, crank, 2, "series").scaled == 13
+    assert certified(acceleration, 2, crank, 2, "series", "half-even").scaled == 12
+    assert certified(acceleration, 2, crank, 2, rounding="half-even").scaled == 13
+
+
+def test_fifty_digits_of_a_hundred_orders_take_no_time() -> None:
+    before = process_time()
+    for ratio in (Fraction(1, 5), Fraction(999, 1000)):
+        for order in range(MOST_ORDERS + 1):
+            certified(registry()["p"], order, Crank(ratio), 50)
+    assert process_time() - before < ONE_SECOND
+
+
+def sentence(key: str, order: int, crank: Crank) -> str:
+    with pytest.raises(ProblemError) as raised:
+        certified(registry()[key], order, crank, 4)
+    return str(raised.value)
+
+
+def test_what_has_no_harmonics_is_refused() -> None:
+    crank = Crank(Fraction(1, 5))
+    for order in (-1, 101):
+        said = f"harmonic of order {order} was asked for; orders 0 to 100 are given"
+        assert sentence("p", order, crank) == said
+    offset = Crank(Fraction(1, 5), Fraction(1, 10))
+    assert sentence("p", 2, offset) == (
+        "the crank is offset; harmonics are known for the straight crank, without --offset"
+    )
+    for terms in (0, 101):
+        with pytest.raises(ProblemError, match=f"^{terms} terms were asked for; 1 to 100 are given$"):
+            series(registry()["p"], 2, terms)
+
+
+def test_symbols_are_labels_and_letters_differ() -> None:
+    entries = list(registry().values())
+    assert [entry.key for entry in entries] == list(registry()) == list(KEYS)
+    assert all(parse(entry.symbol) for entry in entries)
+    assert len({entry.symbol for entry in entries}) == len(entries)
