@@ -13,7 +13,8 @@ from pages import command
 from textbook import Drive, evaluate, rounded
 from textbook import printed as digits
 
-from kurbel import beam
+from kurbel import beam, harmonics
+from kurbel.balance_request import balance_registry
 from kurbel.engine_quantities import engine_registry
 from kurbel.layouts import layout_names
 from kurbel.linkage_quantities import arc_registry, parallel_registry
@@ -210,15 +211,9 @@ def test_layouts_are_listed_a_line_each() -> None:
 def test_quantities_are_listed_a_line_each() -> None:
     lines = printed("quantities").out.splitlines()
     keys = [line.split()[0] for line in lines]
-    assert keys == [
-        "ratio",
-        "phi",
-        *registry(),
-        *engine_registry(),
-        *beam.registry(),
-        *arc_registry(),
-        *parallel_registry(),
-    ]
+    motion, engines = ["ratio", "phi", *registry()], [*engine_registry(), *beam.registry()]
+    links = [*arc_registry(), *parallel_registry()]
+    assert keys == [*motion, *engines, *("value" for _ in harmonics.registry()), *balance_registry(), *links]
     assert all(len(line.split()) > 2 for line in lines)
     assert printed("quantities", "--lang", "en").out.splitlines() != lines
 
