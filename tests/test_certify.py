@@ -54,13 +54,15 @@ def drives(draw: st.DrawFn, offset: bool) -> Drive:
     if offset and ratio:
         eta = (1 / ratio - 1) * Fraction(draw(st.integers(-999, 999)), 1000)
     radius, speed = draw(decimal(1, 900, 3)) / 100, draw(decimal(1, 300, 2))
-    return Drive(ratio, eta, radius, speed, draw(st.booleans()))
+    return Drive(ratio, eta, radius, speed, draw(st.booleans()), draw(decimal(1, 10**5, 2)))
 
 
 def methods(key: str, drive: Drive) -> st.SearchStrategy[str]:
     """The methods that have formulas for the crank."""
     if drive.offset:
         return st.just("exact")
+    if "force" in key or key.startswith("torque"):
+        return st.sampled_from(["exact", "infinite"])
     return st.sampled_from([*METHODS, *([] if key.startswith("psi") else [DIFFERENCE])])
 
 
@@ -81,10 +83,14 @@ def test_every_digit_is_that_of_an_independent_computation(key: str, offset: boo
 @pytest.mark.parametrize("angle", [Fraction(text) for text in ("11.25", "1/3", "1/3600", "359.999")], ids=str)
 @pytest.mark.parametrize("key", registry())
 def test_angles_in_minutes_and_small_fractions(key: str, angle: Fraction) -> None:
-    drive = Drive(Fraction(2, 9), Fraction(0), Fraction(3, 10), Fraction(2), turns=True)
+    drive = Drive(Fraction(2, 9), Fraction(0), Fraction(3, 10), Fraction(2), True, Fraction(7, 3))
     for decimals in (0, 7, MOST_DECIMALS):
         expected = textbook.rounded(textbook.evaluate(key, "exact", drive, angle, BITS), decimals)
         assert kurbel(key, "exact", drive, angle, decimals) == expected
+
+
+# Of forces there are no first-order formulas.
+MOTION = [key for key in WITHOUT_UNITS if "force" not in key and not key.startswith("torque")]
 
 
 def table(*options: str) -> list[dict[str, str]]:
@@ -104,7 +110,7 @@ def assert_cell(shown: str, key: str, method: str, drive: Drive, angle: Fraction
     angles=st.lists(decimal(0, 360, 5), min_size=1, max_size=6, unique=True),
     method=st.sampled_from([*METHODS]),
     digits=st.integers(0, MOST_DECIMALS),
-    columns=st.lists(st.sampled_from(WITHOUT_UNITS), min_size=1, unique=True),
+    columns=st.lists(st.sampled_from(MOTION), min_size=1, unique=True),
 )
 def test_csv_of_the_command_line_has_the_independent_digits(
     lengths: list[Fraction], angles: list[Fraction], method: str, digits: int, columns: list[str]
@@ -126,14 +132,17 @@ def test_csv_of_the_command_line_has_the_independent_digits(
 
 
 def test_csv_with_units_has_the_independent_digits() -> None:
-    keys = [key for key, quantity in registry().items() if quantity.needs]
-    records = table(
-        "--stroke=600mm", "--rod=1500mm", "--speed=120/min", "--step=7.5", "--columns=phi," + ",".join(keys),
-    )  # fmt: skip
-    drive = Drive(Fraction(1, 5), Fraction(0), Fraction(3, 10), Fraction(2), turns=True)
-    for row in records:
-        for key in keys:
-            assert_cell(row[key], key, "exact", drive, Fraction(row["phi"]))
+    by_needs = {key: quantity.needs for key, quantity in registry().items()}
+    motion = [key for key, needs in by_needs.items() if needs in ("length", "speed")]
+    loaded = [key for key, needs in by_needs.items() if needs in ("force", "torque")]
+    size = ("--stroke=600mm", "--rod=1500mm", "--step=7.5")
+    drive = Drive(Fraction(1, 5), Fraction(0), Fraction(3, 10), Fraction(2), True, Fraction(1250))
+    for command, keys, scale in (("table", motion, "--speed=120/min"), ("forces", loaded, "--force=1.25kN")):
+        assert keys
+        shown = printed(command, *size, scale, "--columns=phi," + ",".join(keys), "-f", "csv")
+        for row in shown.records():
+            for key in keys:
+                assert_cell(row[key], key, "exact", drive, Fraction(row["phi"]))
 
 
 def test_csv_of_an_offset_crank_has_the_independent_digits() -> None:

@@ -80,6 +80,16 @@ COLUMNS = {
             "Kolbenbeschleunigung|Rückgang|$(p R)/v^2$", "Piston acceleration|Return|$(p R)/v^2$",
         ),
     ],
+    "forces": [
+        both(key + end, "exact", 4, f"{de}|{stroke}|${letter}/F$", f"{en}|{in_english}|${letter}/F$")
+        for key, letter, de, en in (
+            ("rod_force", "S", "Stangenkraft", "Rod force"),
+            ("guide_force", "N", "Führungsdruck", "Guide force"),
+            ("tangential_force", "T", "Tangentialkraft", "Tangential force"),
+            ("radial_force", "Z", "Radialkraft", "Radial force"),
+        )
+        for end, stroke, in_english in (("", "Hingang", "Outstroke"), ("_return", "Rückgang", "Return"))
+    ],
     "kolbenwege": [
         both("x_percent", "exact", 2, "Hingang, $R:L$", "Outstroke, $R:L$"),
         both("x_return_percent", "exact", 2, "Rückgang, $R:L$", "Return stroke, $R:L$"),

@@ -27,6 +27,7 @@ class Drive:
     radius: Fraction = Fraction(1)
     speed: Fraction = Fraction(1)
     turns: bool = False
+    force: Fraction = Fraction(1)
 
 
 def real(number: Fraction | int) -> Real:
@@ -45,14 +46,15 @@ def evaluate(key: str, method: str, drive: Drive, degrees: Fraction, bits: int =
         value = _VALUES[name](method, drive, angle)
         if returning and name == "x":
             value = stroke(drive) - value
-        elif returning and name in ("c", "p"):
+        elif returning and name in ("c", "p", "tangential_force", "radial_force", "torque"):
             value = -value
         return value * _unit(unit, drive)
 
 
 def parted(key: str) -> tuple[str, bool, str]:
     """Return the letter, whether it is the return stroke, and the unit: "x_return_mm" is x, True, mm."""
-    name, *rest = key.split("_")
+    name = max((one for one in _VALUES if f"{key}_".startswith(f"{one}_")), key=len)
+    rest = key.removeprefix(name).split("_")[1:]
     returning = rest[:1] == ["return"]
     return name, returning, "_".join(rest[returning:])
 
@@ -128,7 +130,30 @@ def _rod_angle(drive: Drive, angle: Real) -> Real:
     return mp.asin(real(drive.ratio) * (mp.sin(angle) - real(drive.offset)))
 
 
-_VALUES = {"x": _path, "c": _velocity, "p": _acceleration, "psi": _rod_degrees}
+def _rod_force(method: str, drive: Drive, angle: Real) -> Real:
+    return mp.mpf(1) if method == "infinite" else 1 / mp.cos(_rod_angle(drive, angle))
+
+
+def _guide_force(method: str, drive: Drive, angle: Real) -> Real:
+    return mp.mpf(0) if method == "infinite" else mp.tan(_rod_angle(drive, angle))
+
+
+def _radial_force(method: str, drive: Drive, angle: Real) -> Real:
+    psi = mp.mpf(0) if method == "infinite" else _rod_angle(drive, angle)
+    return mp.cos(angle + psi) / mp.cos(psi)
+
+
+_VALUES = {
+    "x": _path,
+    "c": _velocity,
+    "p": _acceleration,
+    "psi": _rod_degrees,
+    "rod_force": _rod_force,
+    "guide_force": _guide_force,
+    "tangential_force": _velocity,
+    "radial_force": _radial_force,
+    "torque": _velocity,
+}
 
 
 def _unit(unit: str, drive: Drive) -> Real:
@@ -141,4 +166,6 @@ def _unit(unit: str, drive: Drive) -> Real:
         "mm": lambda: 1000 * radius,
         "mps": lambda: radius * omega,
         "mps2": lambda: radius * omega**2,
+        "n": lambda: real(drive.force),
+        "nm": lambda: real(drive.force) * radius,
     }[unit]()

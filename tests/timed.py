@@ -15,7 +15,7 @@ WITHOUT_UNITS = [key for key, quantity in registry().items() if not quantity.nee
 
 
 def crank_of(drive: Drive) -> Crank:
-    return Crank(drive.ratio, drive.offset, drive.radius, Speed(drive.speed, drive.turns))
+    return Crank(drive.ratio, drive.offset, drive.radius, Speed(drive.speed, drive.turns), drive.force)
 
 
 def kurbel(
