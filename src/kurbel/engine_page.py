@@ -13,7 +13,7 @@ from kurbel.arrange import Grid, Place, check_size, panels
 from kurbel.axes import AngleAxis, ColumnAxis, RatioAxis
 from kurbel.engine import Diagram
 from kurbel.engine_axes import ExpansionAxis, StrokeAxis, TargetAxis, expansion_value
-from kurbel.engine_digits import error_number, estimate, estimated, settled
+from kurbel.engine_digits import Estimate, error_number, estimate, estimated, settled
 from kurbel.engine_quantities import SPANS, WHOLE, Where
 from kurbel.engine_request import EngineColumn, EngineRequest
 from kurbel.errors import CardError
@@ -88,7 +88,9 @@ class _Solved:
         if not column.quantity.applies(where):
             return None
         turns = [self.turn(place["expansion"], place["ratio"], method) for method in column.methods]
-        return estimate(column, turns, where).error  # type: ignore[arg-type]
+        # Errors are asked of cards alone, and the turns of cards are all of cards.
+        judge: Callable[..., Estimate] = estimate
+        return judge(column, turns, where).error
 
     def makes_delta(self, column: EngineColumn, place: Place) -> bool:
         """Whether this is the extreme of a stroke that is the extreme of the turn."""
