@@ -19,6 +19,8 @@ from kurbel.engine_request import ENGINE_METHODS
 from kurbel.formats import FORMATS
 from kurbel.harmonics import registry as harmonics_registry
 from kurbel.harmonics_page import harmonic_name
+from kurbel.inertia import inertia_registry
+from kurbel.inertia_page import AXIS_KEYS, error_columns, full_name
 from kurbel.labels import plain
 from kurbel.layouts import layout, layout_names
 from kurbel.linkage_quantities import arc_registry, parallel_registry
@@ -53,6 +55,7 @@ def _quantities() -> Iterator[str]:
         options = " ".join(f"`{option}`" for option in NEEDS[quantity.needs])
         yield f"| `{key}` | {name} | {unit} | {quantity.decimals} | {options} |"
     yield from _engine_quantities()
+    yield from _rod_quantities()
 
 
 def _engine_quantities() -> Iterator[str]:
@@ -91,6 +94,23 @@ def _linkage_quantities() -> Iterator[str]:
         for key, one in linkage.items():
             name = f"{one.full_name('en')} {plain(one.symbol)}"
             yield f"| `{key}` | {name} | {one.unit} | {one.decimals} | `table --mechanism {mechanism}` |"
+
+
+def _rod_quantities() -> Iterator[str]:
+    yield "\n### Of the connecting rod\n"
+    yield "Printed by `kurbel inertia`, with a rod of `--centre` and `--gyration` or `--rod-file`.\n"
+    yield "| key | quantity | unit | decimals | needs |\n| --- | --- | --- | ---: | --- |"
+    for key, quantity in inertia_registry().items():
+        options = " ".join(f"`{option}`" for option in NEEDS[quantity.needs])
+        name = quantity_name(quantity, "en")
+        yield f"| `{key}` | {name} | {quantity.unit['en']} | {quantity.decimals} | {options} |"
+    axes = ", ".join(f"`{key}`" for key in AXIS_KEYS)
+    yield f"\nOf the layout `inertia-errors`, beside {axes}:\n"
+    yield "| key | quantity | unit | decimals | needs |\n| --- | --- | --- | ---: | --- |"
+    for key, column in error_columns().items():
+        options = " ".join(f"`{option}`" for option in NEEDS[column.needs])
+        unit = column.unit or "M R ω², M R² ω²"
+        yield f"| `{key}` | {full_name(column, 'en')} | {unit} | {column.decimals} | {options} |"
 
 
 def _layouts() -> Iterator[str]:

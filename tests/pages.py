@@ -25,6 +25,9 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "balance": ("balance",),
     "arc crank": ("table", "--mechanism=arc", "--rocker=6"),
     "parallel crank": ("table", "--mechanism=parallel"),
+    "inertia": ("inertia", "--centre=0.65", "--gyration=0.35"),
+    "inertia errors": ("inertia", "--centre=0.65", "--gyration=0.35"),
+    "tangent": ("forces", "--at=tangent"),
 }
 
 
@@ -40,6 +43,7 @@ BALANCES = about("harmonics", "balance")
 LINKAGES = about("arc crank", "parallel crank")
 # What `kurbel table` prints.
 DRIVES = about("motion", "arc crank", "parallel crank")
+RODS = about("inertia", "inertia errors", "tangent")
 
 each_layout = pytest.mark.parametrize(
     ("name", "lang"), [(name, lang) for name in layout_names() for lang in LANGUAGES]
@@ -66,6 +70,12 @@ def default_page(name: str, lang: str = "de", label: str = "") -> Table:
             return kurbel.make_arc_table(6, layout=name, lang=lang, label=label)
         case "parallel crank":
             return kurbel.make_parallel_table(layout=name, lang=lang, label=label)
+        case "tangent":
+            return kurbel.make_tangent_table(layout=name, lang=lang, label=label)
+        case "inertia" | "inertia errors":
+            return kurbel.make_inertia_table(
+                layout=name, centre=0.65, gyration="35%", lang=lang, label=label,
+            )  # fmt: skip
         case "flywheel":
             return kurbel.make_engine_table(
                 layout=name, power=50_000, speed=2, irregularities="1:50;1:100", radius=1.5,

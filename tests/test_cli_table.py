@@ -16,6 +16,8 @@ from textbook import printed as digits
 from kurbel import beam, harmonics
 from kurbel.balance_request import balance_registry
 from kurbel.engine_quantities import engine_registry
+from kurbel.inertia import inertia_registry
+from kurbel.inertia_page import error_columns
 from kurbel.layouts import layout_names
 from kurbel.linkage_quantities import arc_registry, parallel_registry
 from kurbel.quantities import registry
@@ -213,7 +215,10 @@ def test_quantities_are_listed_a_line_each() -> None:
     keys = [line.split()[0] for line in lines]
     motion, engines = ["ratio", "phi", *registry()], [*engine_registry(), *beam.registry()]
     links = [*arc_registry(), *parallel_registry()]
-    assert keys == [*motion, *engines, *("value" for _ in harmonics.registry()), *balance_registry(), *links]
+    rods = [*inertia_registry(), *error_columns()]
+    assert keys == [
+        *motion, *engines, *("value" for _ in harmonics.registry()), *balance_registry(), *links, *rods,
+    ]  # fmt: skip
     assert all(len(line.split()) > 2 for line in lines)
     assert printed("quantities", "--lang", "en").out.splitlines() != lines
 

@@ -80,6 +80,8 @@ def test_a_command_completes_the_layouts_of_its_subject_only() -> None:
     assert completed("bash", "deadcentres", "--layout", "") == BEAMS
     assert completed("bash", "harmonics", "--layout", "") == ["harmonics"]
     assert completed("bash", "balance", "--layout", "") == ["balance"]
+    assert completed("bash", "inertia", "--layout", "") == about("inertia", "inertia errors")
+    assert completed("bash", "forces", "--layout", "") == about("motion", "turning", "tangent")
 
 
 def test_the_columns_are_those_of_the_mechanism_that_was_typed() -> None:

@@ -134,7 +134,15 @@ def test_imports_run_one_way() -> None:
         "kurbel.linkage_page",
         "kurbel.cli.linkage",
     ]
-    for order in (motion, engine, quantity, beam, balance, linkage):
+    rod = [
+        "kurbel.kernel.rod",
+        "kurbel.inertia",
+        "kurbel.inertia_peak",
+        "kurbel.inertia_page",
+        "kurbel.cli.inertia",
+    ]
+    square = ["kurbel.kernel.forces", "kurbel.tangent_page", "kurbel.cli.forces"]
+    for order in (motion, engine, quantity, beam, balance, linkage, rod, square):
         for low, high in pairwise(order):
             assert low in reached(high)
             assert high not in reached(low)
@@ -230,6 +238,11 @@ PAGES = [
     ("balance",),
 ]
 PAGES += [("table", "--mechanism", "arc", "--rocker", "6"), ("table", "--mechanism", "parallel")]
+PAGES += [
+    ("inertia", "--centre=0.6", "--gyration=0.4", f"--layout={name}")
+    for name in ("inertia", "inertia-errors")
+]
+PAGES += [("forces", "--at", "tangent")]
 
 
 @pytest.mark.parametrize("name", ["text", "markdown", "latex", "html", "csv", "json"])

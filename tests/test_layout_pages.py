@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from cli import printed
 from golden import FOLDER, assert_golden
-from pages import BALANCES, BEAMS, ENGINES, LINKAGES, command, default_page, each_layout
+from pages import BALANCES, BEAMS, ENGINES, LINKAGES, RODS, command, default_page, each_layout
 
 from kurbel.formats import FORMATS
 from kurbel.layouts import LANGUAGES, layout_names
@@ -15,6 +15,8 @@ MACHINE = ("table", "--stroke=600mm", "--rod=1500mm", "--speed=120/min")
 OFFSET = ("table", "--ratio=1:4", "--offset=0,5", "--step=15")
 BELOW = ("table", "--mechanism=arc", "--ratio=1:4;3:10", "--rocker=5", "--pivot=4.2;-5.1", "--step=30")
 STEAM = ("--back=10%", "--exponent=1,13", "--clearance=5%")
+ROD_MACHINE = ("--stroke=600mm", "--rod=1500mm", "--speed=120/min", "--rod-mass=100kg")
+ROD = ("--centre=0,6", "--gyration=0,48", *ROD_MACHINE)
 CRANKS = ("delta", "--detail", "--eps=4", "--ratio=1:4;1:5", "--cranks=0;90", "--single-acting", *STEAM)
 TEXTS = {
     **{name: command(name) for name in layout_names()},
@@ -24,15 +26,20 @@ TEXTS = {
     "delta-cranks": CRANKS,
     "harmonics-path": ("harmonics", "--quantity=x", "--ratio=1:4;1:5", "--orders=10", "--digits=9"),
     "balance-v": ("balance", "--engine=v2-90", "--share=0.5", "--orders=6"),
+    "inertia-units": ("inertia", *ROD, "--offset=0.2", "--step=30"),
+    "inertia-errors-units": ("inertia", "--layout=inertia-errors", *ROD),
+    "forces-tangent-units": ("forces", "--at=tangent", "--ratio=1:5;1:4", "--force=10kN", "--stroke=600mm"),
     "weisbach-150-weisbach": ("delta", "--method=weisbach"),
 }
 # Pages whose cells are not all alike: angles beside numbers, notes, units and places without a value.
-RICH = ("delta-detail", "flywheel")
+RICH = ("delta-detail", "flywheel", "forces-tangent")
 SUFFIXES = {entry.suffixes[0]: name for name, entry in FORMATS.items() if name not in ("text", "csv")}
 PAGES = {
     **{f"{name}.{lang}.txt": (*text, f"--lang={lang}") for name, text in TEXTS.items() for lang in LANGUAGES},
-    **{f"{name}.csv": (*command(name), "-f", "csv") for name in ("kinematics", *ENGINES, *BEAMS, *BALANCES)},
-    **{f"{name}.csv": (*command(name), "-f", "csv") for name in ("kinematics", *ENGINES, *BEAMS, *LINKAGES)},
+    **{
+        f"{name}.csv": (*command(name), "-f", "csv")
+        for name in ("kinematics", *ENGINES, *BEAMS, *BALANCES, *LINKAGES, *RODS)
+    },
     **{f"{name}{suffix}": (*command(name), "-f", form) for name in RICH for suffix, form in SUFFIXES.items()},
 }
 

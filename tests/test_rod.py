@@ -19,7 +19,7 @@ from numpy.testing import assert_allclose
 
 from kurbel import certify, units
 from kurbel.card_lines import shown
-from kurbel.errors import MissingExtraError, ProblemError
+from kurbel.errors import MissingExtraError, ProblemError, RodError
 from kurbel.kernel import forces
 from kurbel.kernel import rod as kernel
 from kurbel.kernel.circle import Circle, circle
@@ -29,7 +29,6 @@ from kurbel.quantities import OUT, RETURN, Quantity, certified
 from kurbel.rod import (
     MODELS,
     Rod,
-    RodError,
     Section,
     read_rod,
     rod_of_points,

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from kurbel.irregularity import delta
     from kurbel.library import certified, compute, make_table, typeset
     from kurbel.linkage_library import make_arc_table, make_parallel_table
+    from kurbel.rod_library import make_inertia_table, make_tangent_table
 
 __version__ = "0.1.0"
 __all__ = [
@@ -36,8 +37,10 @@ __all__ = [
     "make_dead_centres_table",
     "make_engine_table",
     "make_harmonics_table",
+    "make_inertia_table",
     "make_parallel_table",
     "make_table",
+    "make_tangent_table",
     "typeset",
 ]
 _MODULES = {
@@ -48,6 +51,8 @@ _MODULES = {
     "make_harmonics_table": "kurbel.balance_library",
     "make_arc_table": "kurbel.linkage_library",
     "make_parallel_table": "kurbel.linkage_library",
+    "make_inertia_table": "kurbel.rod_library",
+    "make_tangent_table": "kurbel.rod_library",
 }
 
 

@@ -9,7 +9,7 @@ from kurbel import captions
 from kurbel.arrange import panels
 from kurbel.layouts import Layout
 from kurbel.motion import motion_grid
-from kurbel.request import Request, page_columns
+from kurbel.request import Request, page_columns, quantities_of
 from kurbel.rows import RecordRows
 from kurbel.table import Note, Records, Table
 
@@ -18,7 +18,9 @@ if TYPE_CHECKING:
     from kurbel.beam_page import BeamRequest
     from kurbel.engine_request import EngineRequest
     from kurbel.harmonics_page import HarmonicsRequest
+    from kurbel.inertia_page import ErrorsRequest
     from kurbel.linkage_page import LinkageRequest
+    from kurbel.tangent_page import TangentRequest
 
 
 class Asked(Protocol):
@@ -66,10 +68,25 @@ def _linkage(request: LinkageRequest, pages: bool) -> Table:
     return build_linkage(request, pages)
 
 
+def _errors(request: ErrorsRequest, pages: bool) -> Table:
+    from kurbel.inertia_page import build_errors
+
+    return build_errors(request, pages)
+
+
+def _tangent(request: TangentRequest, pages: bool) -> Table:
+    from kurbel.tangent_page import build_tangent
+
+    return build_tangent(request, pages)
+
+
 def _motion(request: Request, pages: bool) -> Table:
     columns = page_columns(request)
     digits = [column.digits for column in columns]
     shown, own = {column.key for column in columns}, {column.key for column in request.layout.columns}
+    if request.layout.subject == "inertia":
+        # All are forces of the rod, of which the caption speaks.
+        own |= {key for key, quantity in quantities_of(request.layout).items() if quantity.model}
     # A fixed page's caption names its formulas, all of them.
     chosen = bool(request.columns) and (not shown <= own or (request.layout.fixed and shown < own))
     records = RecordRows(request, columns)
@@ -88,6 +105,9 @@ def _motion(request: Request, pages: bool) -> Table:
 # By the subject of the layout; a request knows only layouts of its own subjects.
 BUILDERS: dict[str, Callable[[Any, bool], Table]] = {
     "motion": _motion,
+    "inertia": _motion,
+    "inertia errors": _errors,
+    "tangent": _tangent,
     "irregularity": _engine,
     "strokes": _engine,
     "turning": _engine,

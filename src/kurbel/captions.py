@@ -15,7 +15,6 @@ from kurbel.quantities import (
     METHODS,
     OUT,
     RETURN,
-    STROKES,
     Numbers,
     Quantity,
     numbers_of_balls,
@@ -26,6 +25,7 @@ from kurbel.table import Field, Label, Number
 
 if TYPE_CHECKING:
     from kurbel.digits import Digits
+    from kurbel.rod import Rod
 
 # {±} is the sign that the return stroke changes, {ψ} the same where ψ itself is printed (cos ψ knows no
 # sign), {angle} the letter of the crank angle.
@@ -97,6 +97,16 @@ WORDS: Mapping[str, Mapping[str, str]] = {
         " $v:c_m = {quotient}$",
         "en": '; {turns}$v = {pin} "m/s"$, mean piston speed $c_m = {mean} "m/s"$, $v:c_m = {quotient}$',
     },
+    "connecting_rod": {
+        "de": "Schubstange: Schwerpunkt $a = {centre} L$ vom Kreuzkopfzapfen, $k = {gyration} L$,"
+        " $k^2 - a b = {couple} L^2${mass}",
+        "en": "Rod: centre of mass $a = {centre} L$ from the crosshead pin, $k = {gyration} L$,"
+        " $k^2 - a b = {couple} L^2${mass}",
+    },
+    "mirrored": {
+        "de": "bei $360° - φ$ sind $X$ und $P$ dieselben, $N$, $Y$ und $M_d$ entgegengesetzt",
+        "en": "at $360° - φ$ $X$ and $P$ are the same, $N$, $Y$ and $M_d$ opposite",
+    },
     "phi": {"de": "Kurbelwinkel", "en": "Crank angle"},
     "ratio": {"de": "Kurbelverhältnis R:L", "en": "Crank ratio R:L"},
 }
@@ -141,9 +151,42 @@ def notes(request: Request, columns: Sequence[Digits]) -> list[Label]:
         lines.append(WORDS["difference"][request.lang])
     if request.layout.formulas:
         lines += _formula_lines(request, columns)
-    lines += [_machine(crank, request.lang) for crank in request.cranks if crank.radius is not None]
-    lines += [_offset(crank, request.lang) for crank in request.cranks if crank.offset and crank.ratio]
+    lines += drive_notes(request.cranks, request.lang)
+    if request.layout.subject == "inertia":
+        lines += rod_notes(request.cranks, request.lang)
     return lines
+
+
+def drive_notes(cranks: Sequence[Crank], lang: str) -> list[Label]:
+    """Return the lines about lengths and speeds, and those about offsets."""
+    lines = [_machine(crank, lang) for crank in cranks if crank.radius is not None]
+    return lines + [_offset(crank, lang) for crank in cranks if crank.offset and crank.ratio]
+
+
+def force_note(force: Fraction) -> Label:
+    """Return the line about the piston force in newtons."""
+    return f'$F = {_plain(force)} "N"$'
+
+
+def rod_notes(cranks: Sequence[Crank], lang: str) -> Iterator[Label]:
+    """Yield the lines about the connecting rods, and the symmetry where cranks are straight."""
+    yield from dict.fromkeys(_connecting_rod(crank.rod, lang) for crank in cranks if crank.rod is not None)
+    if not any(crank.offset for crank in cranks):
+        yield WORDS["mirrored"][lang]
+
+
+def _connecting_rod(rod: Rod, lang: str) -> Label:
+    from kurbel.kernel.circle import root
+
+    def gyration(numbers: Numbers) -> Any:
+        return root(numbers.of(rod.gyration_square))
+
+    return WORDS["connecting_rod"][lang].format(
+        centre=_plain(1 - rod.centre),
+        gyration=_certified(gyration, 4, algebraic=True),
+        couple=_plain(rod.couple),
+        mass=f', $M = {_plain(rod.mass)} "kg"$' if rod.mass is not None else "",
+    )
 
 
 def axis_fields(request: Request, decimals: int | None) -> dict[str, Field]:
@@ -155,7 +198,7 @@ def axis_fields(request: Request, decimals: int | None) -> dict[str, Field]:
 
 
 def quantity_name(quantity: Quantity, lang: str) -> str:
-    return f"{quantity.name[lang]}, {STROKES[quantity.stroke][lang]}"
+    return f"{quantity.name[lang]}, {quantity.part[lang]}"
 
 
 def with_ratio(label: Label, ratio: Fraction) -> Label:

@@ -15,6 +15,9 @@ LANGUAGES = ("de", "en")
 # What a page is about, and the axes that it shares out.
 SUBJECTS: Mapping[str, tuple[str, ...]] = {
     "motion": ("ratio", "angle", "column"),
+    "inertia": ("ratio", "angle", "column"),
+    "inertia errors": ("ratio", "force", "model", "column"),
+    "tangent": ("ratio", "column"),
     "irregularity": ("expansion", "ratio", "column"),
     "strokes": ("expansion", "ratio", "stroke", "column"),
     "turning": ("expansion", "ratio", "angle", "column"),

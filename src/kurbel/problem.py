@@ -5,9 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 from kurbel.errors import ProblemError
 from kurbel.notation import Progression, about, ratio_text
+
+if TYPE_CHECKING:
+    from kurbel.rod import Rod
 
 LONGEST_ROD = 10**9
 LARGEST_ANGLE = 10**6
@@ -28,8 +32,8 @@ class Speed:
 
 @dataclass(frozen=True, slots=True)
 class Crank:
-    """A crank drive: ratio λ = R/L, offset e/R, crank radius R in metres, speed and piston force in
-    newtons where they are known.
+    """A crank drive: ratio λ = R/L, offset e/R, crank radius R in metres, speed, piston force in
+    newtons and connecting rod where they are known.
 
     Valid for 0 <= λ < 1 and |e| < L − R; λ = 0 is the infinite rod.
     """
@@ -39,6 +43,12 @@ class Crank:
     radius: Fraction | None = None
     speed: Speed | None = None
     force: Fraction | None = None
+    rod: Rod | None = None
+
+    @property
+    def rod_length(self) -> Fraction | None:
+        """L in metres, None if it is not known or infinite."""
+        return self.radius / self.ratio if self.radius is not None and self.ratio else None
 
     def __post_init__(self) -> None:
         _check_ratio(self.ratio)

@@ -16,7 +16,7 @@ from kurbel.kernel import forces, kinematics
 from kurbel.problem import Crank
 from kurbel.table import Label
 
-Formula = Callable[[Any, Any, Any], Any]
+Formula = Callable[..., Any]
 # What of the crank a quantity needs to be known, and the options that tell it.
 NEEDS: Mapping[str, tuple[str, ...]] = {
     "": (),
@@ -24,11 +24,19 @@ NEEDS: Mapping[str, tuple[str, ...]] = {
     "speed": ("--stroke", "--speed"),
     "force": ("--force",),
     "torque": ("--force", "--stroke"),
+    "rod": ("--centre", "--gyration"),
+    "inertia": ("--rod-mass", "--stroke", "--speed"),
 }
 OUT, RETURN = 1, -1
 STROKES = {
     OUT: {"de": "Hingang", "en": "Outstroke"},
     RETURN: {"de": "Rückgang", "en": "Return"},
+}
+# What stands for the connecting rod where its masses count: rod.MODELS.
+ROD_MODELS: Mapping[str, Mapping[str, str]] = {
+    "exact": {"de": "genau", "en": "exact"},
+    "two-mass": {"de": "zwei Massen", "en": "two masses"},
+    "railway": {"de": "6/10, 4/10", "en": "6/10, 4/10"},
 }
 
 
@@ -83,7 +91,8 @@ class Quantity(NamedTuple):
     """An entry of the registry. `formulas` are by method and take (circle, λ, e/R or None).
 
     On the return stroke λ and e are negative (the lower sign of the books). `scale` turns the kernel's unit
-    into the quantity's; `arc` means the rod angle, which each kind of number finds in its own way.
+    into the quantity's; `arc` means the rod angle, which each kind of number finds in its own way. Where the
+    rod's masses count, `model` says what stands for it, and formulas take (circle, λ, masses, e/R or None).
     """
 
     key: str
@@ -97,6 +106,12 @@ class Quantity(NamedTuple):
     scale: Scale
     needs: str = ""
     arc: bool = False
+    model: str = ""
+
+    @property
+    def part(self) -> Mapping[str, str]:
+        """What sets it apart from others of its name: the stroke, or what stands for the rod."""
+        return ROD_MODELS[self.model] if self.model else STROKES[self.stroke]
 
     def available(self, crank: Crank) -> bool:
         known = {
@@ -104,6 +119,8 @@ class Quantity(NamedTuple):
             "speed": crank.speed is not None,
             "force": crank.force is not None,
             "torque": crank.force is not None and crank.radius is not None,
+            "rod": crank.rod is not None,
+            "inertia": crank.rod is not None and crank.rod.mass is not None and crank.speed is not None,
         }
         return known.get(self.needs, True)
 
@@ -115,10 +132,17 @@ class Quantity(NamedTuple):
         if method == DIFFERENCE:
             exact, series = self.formulas["exact"], self.formulas["series"]
             return lambda circle, ratio, offset: exact(circle, ratio, offset) - series(circle, ratio, offset)
+        if self.model:
+            return self._of_rod(method, crank, numbers)
         if not self.arc:
             return self.formulas[method]
         assert numbers.rod_angle is not None
         return numbers.rod_angle
+
+    def _of_rod(self, method: str, crank: Crank, numbers: Numbers) -> Formula:
+        assert crank.rod is not None
+        formula, masses = self.formulas[method], crank.rod.masses(self.model, numbers.of)
+        return lambda circle, ratio, offset: formula(circle, ratio, masses, offset)
 
     def transcendental(self, crank: Crank) -> bool:
         """Whether no value can lie on a rounding boundary, for it is an arc or a multiple of π.
@@ -127,7 +151,8 @@ class Quantity(NamedTuple):
         Such relations exist only for ψ = 0 and ±30°, which are whole degrees, and as cos 36° - cos 72° = 1/2,
         which would need λ = 1 (Conway and Jones, Acta Arithmetica 30, 1976, theorem 7).
         """
-        return self.arc or (self.needs == "speed" and crank.speed is not None and crank.speed.turns)
+        by_speed = self.needs in ("speed", "inertia")
+        return self.arc or (by_speed and crank.speed is not None and crank.speed.turns)
 
 
 def value(quantity: Quantity, method: str, crank: Crank, circle: Any, numbers: Numbers) -> Any:
@@ -237,7 +262,7 @@ def pin_velocity(crank: Crank, numbers: Numbers) -> Any:
     return rational if numbers.pi is None else rational * numbers.pi
 
 
-def _pin_acceleration(crank: Crank, numbers: Numbers) -> Any:
+def pin_acceleration(crank: Crank, numbers: Numbers) -> Any:
     """v²/R of the crank pin in m/s²."""
     velocity = pin_velocity(crank, numbers)
     return velocity * velocity / numbers.of(_radius(crank))
@@ -316,7 +341,7 @@ def registry() -> Mapping[str, Quantity]:
         ("c", "$c/v$", "v", 4, _one, velocity),
         ("c_mps", "$c$ in m/s", "m/s", 3, pin_velocity, velocity | speed),
         ("p", "$(p R)/v^2$", "v²/R", 4, _one, acceleration),
-        ("p_mps2", "$p$ in m/s²", "m/s²", 2, _pin_acceleration, acceleration | speed),
+        ("p_mps2", "$p$ in m/s²", "m/s²", 2, pin_acceleration, acceleration | speed),
         ("psi", "$ψ$ in °", "°", 3, _one, rod),
     ]
     entries = [

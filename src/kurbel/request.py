@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import NamedTuple
@@ -14,7 +14,7 @@ from kurbel.layouts import Layout, LayoutColumn
 from kurbel.notation import MOST_ROWS
 from kurbel.numerals import MOST_DIGITS, ROUNDINGS
 from kurbel.problem import Crank, check_angles
-from kurbel.quantities import NEEDS, STROKES, Quantity, registry
+from kurbel.quantities import NEEDS, Quantity, registry
 from kurbel.table import Label
 
 AXIS_KEYS = ("ratio", "phi")
@@ -98,16 +98,25 @@ class PageColumn(NamedTuple):
     heading: tuple[Label, ...]
 
 
+def quantities_of(layout: Layout) -> Mapping[str, Quantity]:
+    """Return every quantity that the layout's columns can show: those of the rod on pages about it only."""
+    if layout.subject != "inertia":
+        return registry()
+    from kurbel.inertia import inertia_registry
+
+    return {**registry(), **inertia_registry()}
+
+
 def column_keys(layout: Layout) -> tuple[str, ...]:
     """Return what --columns can choose from: a page whose heads state formulas has only its own columns."""
     own = tuple(column.key for column in layout.columns)
-    return AXIS_KEYS + (own if layout.fixed else tuple(dict.fromkeys(own + tuple(registry()))))
+    return AXIS_KEYS + (own if layout.fixed else tuple(dict.fromkeys(own + tuple(quantities_of(layout)))))
 
 
 def page_columns(request: Request) -> tuple[PageColumn, ...]:
-    layout = request.layout
+    layout, known = request.layout, quantities_of(request.layout)
     if not request.columns:
-        shown = [column for column in layout.columns if _available(registry()[column.quantity], request)]
+        shown = [column for column in layout.columns if _available(known[column.quantity], request)]
         return tuple(_page_column(column, request) for column in shown)
     own = {column.key: column for column in layout.columns}
     keys = [choose(key, column_keys(layout), "column") for key in request.columns]
@@ -115,13 +124,13 @@ def page_columns(request: Request) -> tuple[PageColumn, ...]:
     # Beside foreign columns the layout's heads say too little, such as "Hingang" where all are paths.
     foreign = not own.keys() >= set(keys)
     chosen = [
-        LayoutColumn(key, key) if foreign and key in registry() else own.get(key) or LayoutColumn(key, key)
+        LayoutColumn(key, key) if foreign and key in known else own.get(key) or LayoutColumn(key, key)
         for key in keys
     ]
     if not chosen:
         raise ProblemError("--columns names no quantity; add one, for example --columns phi,x,c,p")
     for column in chosen:
-        _require(registry()[column.quantity], request)
+        _require(known[column.quantity], request)
     return tuple(_page_column(column, request) for column in chosen)
 
 
@@ -136,15 +145,19 @@ def _require(quantity: Quantity, request: Request) -> None:
 
 
 def _page_column(column: LayoutColumn, request: Request) -> PageColumn:
-    quantity, lang = registry()[column.quantity], request.lang
+    quantity, lang = quantities_of(request.layout)[column.quantity], request.lang
     decimals = request.digits if request.digits is not None else column.decimals
     digits = Digits(
         quantity,
         column.method or request.method or "exact",
         quantity.decimals if decimals is None else decimals,
     )
-    spanners = (quantity.name, STROKES[quantity.stroke]) if column.spanners is None else column.spanners
-    heading = (quantity.heading,) if column.heading is None else column.heading
+    heads = [quantity.name, quantity.part, quantity.heading]
+    if quantity.model:
+        # One force by several models stands under its letter.
+        heads = [quantity.name, quantity.heading, quantity.part]
+    spanners = heads[:2] if column.spanners is None else column.spanners
+    heading = heads[2:] if column.heading is None else column.heading
     return PageColumn(
         column.key,
         digits,

@@ -97,6 +97,16 @@ class Rod:
             )
         return cls(centre, gyration * gyration, mass)
 
+    @classmethod
+    def from_crosshead(cls, centre: Fraction, gyration: Fraction, mass: Fraction | None = None) -> Rod:
+        """Return the rod with this a/L and k/L, a counted from the crosshead pin as Ensslin does."""
+        if not 0 <= centre <= 1:
+            raise ProblemError(
+                f"the rod's centre of mass is {about(centre)} L from the crosshead pin; it must lie within"
+                " 0..1, between the pins, for no rod has most of its mass beyond one"
+            )
+        return cls.of_gyration(1 - centre, gyration, mass)
+
     @property
     def couple(self) -> Fraction:
         """(k² - a b)/L²: 0 if two masses replace the rod exactly, below 0 for rods between their pins."""

@@ -195,16 +195,17 @@ def print_engine(options: dict[str, Any], name: str, subjects: tuple[str, ...], 
     printing = Printing.chosen(options)
     page = layout_of(name, subjects)
     options = without_outdone(options, RIVALS)
+    engines = engines_of(page, options)
     request = EngineRequest(
         layout=page,
-        **engines_of(page, options),
+        **engines,
         methods=tuple(dict.fromkeys(options["method"])),
         digits=options["digits"],
         rounding=options["rounding"],
         lang=options["lang"],
         columns=notation.names(options["columns"], "columns", "epsilon,delta"),
         label=options["label"],
-        inertia=inertia_of(options) if "reciprocating" in options else None,
+        inertia=inertia_of(options, engines["drives"]) if "reciprocating" in options else None,
         **rest,
     )
     print_table(request, printing)

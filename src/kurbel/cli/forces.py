@@ -2,24 +2,35 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import replace
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from kurbel import notation
 from kurbel.cli.engine import engine_conditions, print_engine, steam_options
 from kurbel.cli.machine import machine_option
-from kurbel.cli.options import LayoutName, Name, output_options, typed
-from kurbel.cli.table import chosen_angles, motion_options, print_motion
+from kurbel.cli.options import LayoutName, Name, output_options, typed, without_outdone
+from kurbel.cli.table import RIVALS, chosen_angles, cranks_of, motion_options, print_motion
 from kurbel.errors import ProblemError
 
 if TYPE_CHECKING:
     from kurbel.engine_quantities import Load
+
+POSITIONS = ("tangent",)
 
 
 @click.command()
 @machine_option
 @motion_options("forces", "phi,rod_force,guide_force,torque")
 @click.option("--force", metavar="FORCE", help="Piston force, for columns in N and N m: 10kN.")
+@click.option(
+    "--at",
+    type=Name("position", lambda: POSITIONS),
+    help="tangent: a sheet of the position in which the rod touches the crank circle, with closed forms.",
+)
 @steam_options
 @click.option(
     "--bore", metavar="LENGTH", help="Bore of the cylinder, with --pressure for columns in N: 300mm."
@@ -32,7 +43,7 @@ if TYPE_CHECKING:
 )
 @click.option(
     "--layout",
-    type=LayoutName(("motion", "turning")),
+    type=LayoutName(("motion", "turning", "tangent")),
     help="Page layout; default: forces, or engine-forces with --eps or --card.",
 )
 @output_options
@@ -44,37 +55,78 @@ def forces(**options: Any) -> None:
     \b
     kurbel forces --ratio 1:5
     kurbel forces --ratio 1:5 --force 10kN --stroke 600mm
+    kurbel forces --ratio 1:5 --at tangent
     kurbel forces --eps 4 --bore 300mm --pressure 8bar
     """  # fmt: skip
-    if not engine_conditions(options):
-        from kurbel.units import force
+    _subject(options)(options)
 
-        for name in ("bore", "pressure"):
-            if options[name] is not None and typed(name):
-                raise ProblemError(f"--{name} is for the steam of an engine; add --eps or --card")
-        options["layout"] = options["layout"] or "forces"
-        print_motion(options, None if options["force"] is None else force(options["force"]))
-        return
-    for name in ("force", "offset", "stroke", "rod"):
-        if options[name] is not None and typed(name):
-            raise ProblemError(
-                f"--{name} does not go with the steam of an engine, --eps or --card; leave it out"
-            )
+
+def _subject(options: Mapping[str, Any]) -> Any:
+    from kurbel.layouts import layout
+
+    page = options["layout"] and layout(options["layout"])
+    if options["at"] is not None or (page and page.subject == "tangent"):
+        return _print_tangent
+    return _print_engine if engine_conditions(options) else _print_unit
+
+
+def _print_unit(options: dict[str, Any]) -> None:
+    _refuse(options, ("bore", "pressure"), "is for the steam of an engine; add --eps or --card")
+    print_motion({**options, "layout": options["layout"] or "forces"}, _newtons(options))
+
+
+def _print_engine(options: dict[str, Any]) -> None:
     from kurbel.layouts import layout_of
 
+    without = "does not go with the steam of an engine, --eps or --card; leave it out"
+    _refuse(options, ("force", "offset", "stroke", "rod"), without)
     name = options["layout"] or "engine-forces"
     angles = chosen_angles(layout_of(name, ("turning",)), options)
     options |= {"cranks": None, "method": (options["method"],) if options["method"] else ()}
     print_engine(options, name, ("turning",), angles=angles, load=_load(options))
 
 
-def _load(options: dict[str, Any]) -> Load | None:
+def _print_tangent(options: dict[str, Any]) -> None:
+    from kurbel.cli.printing import Printing, print_table
+    from kurbel.layouts import layout_of
+    from kurbel.tangent_page import TangentRequest
+
+    options = without_outdone(options, RIVALS)
+    page = layout_of(options["layout"] or "forces-tangent", ("tangent",))
+    own = "does not go with --at tangent, a position with an angle of its own; leave it out"
+    _refuse(options, ("angle", "from", "to", "step"), own)
+    if engine_conditions(options):
+        raise ProblemError("--at tangent is about one piston force, --force; leave the steam out")
+    force, printing = _newtons(options), Printing.chosen(options)
+    request = TangentRequest(
+        layout=page,
+        cranks=tuple(replace(crank, force=force) for crank in cranks_of(page, options)),
+        digits=options["digits"],
+        rounding=options["rounding"],
+        lang=options["lang"],
+        columns=notation.names(options["columns"], "columns", "phi,rod_force"),
+        label=options["label"],
+    )
+    print_table(request, printing)
+
+
+def _refuse(options: Mapping[str, Any], names: tuple[str, ...], why: str) -> None:
+    for name in names:
+        if options[name] not in (None, ()) and typed(name):
+            raise ProblemError(f"--{name} {why}")
+
+
+def _newtons(options: Mapping[str, Any]) -> Fraction | None:
+    from kurbel.units import force
+
+    return None if options["force"] is None else force(options["force"])
+
+
+def _load(options: Mapping[str, Any]) -> Load | None:
     if options["bore"] is None and options["pressure"] is None:
         return None
     if options["bore"] is None or options["pressure"] is None:
         raise ProblemError("newtons need both, --bore and --pressure")
-    from fractions import Fraction
-
     from kurbel.engine_quantities import Load
     from kurbel.units import length, pressure
 

@@ -34,6 +34,8 @@ def quantities(lang: str) -> None:
     from kurbel.engine_quantities import COMMANDS_OF, engine_registry
     from kurbel.harmonics import registry as harmonics_registry
     from kurbel.harmonics_page import harmonic_name
+    from kurbel.inertia import inertia_registry
+    from kurbel.inertia_page import error_columns, full_name
     from kurbel.labels import plain
     from kurbel.linkage_quantities import arc_registry, parallel_registry
     from kurbel.quantities import NEEDS, registry
@@ -54,6 +56,11 @@ def quantities(lang: str) -> None:
     for mechanism, linkage in (("arc", arc_registry()), ("parallel", parallel_registry())):
         for key, motion in linkage.items():
             rows.append((key, motion.full_name(lang), motion.unit, f"table --mechanism {mechanism}"))
+    for key, force in inertia_registry().items():
+        options = " ".join(("inertia", *NEEDS[force.needs]))
+        rows.append((key, quantity_name(force, lang), force.unit[lang], options))
+    for key, error in error_columns().items():
+        rows.append((key, full_name(error, lang), error.unit, "inertia --layout inertia-errors"))
     _print(rows)
 
 

@@ -2,55 +2,57 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from kurbel import notation
-from kurbel.errors import ProblemError
+from kurbel.cli.options import in_order
+from kurbel.errors import NotationError, ProblemError
 
 if TYPE_CHECKING:
     from kurbel.engine import Inertia
+    from kurbel.problem import Crank
     from kurbel.rod import Rod
 
-Command = TypeVar("Command", bound=Callable[..., Any])
 # What every mass needs beside it to become a force.
 SCALE = ("stroke", "speed", "bore", "pressure")
-MASSES = ("reciprocating", "rod_mass")
+ROD_NAMES = ("rod_mass", "centre", "gyration", "rod_file")
+MASSES = ("reciprocating", *ROD_NAMES)
 
 
-def mass_options(command: Command) -> Command:
-    """Add the masses, and the size and pressure of the engine; --speed is left to the command."""
-    options = (
-        click.option("--reciprocating", metavar="MASS",
-                     help="Mass of piston and crosshead: 200kg. Masses need --stroke, --speed, --bore and"
-                     " --pressure."),
-        click.option("--rod-mass", metavar="MASS", help="Mass of the connecting rod: 150kg."),
-        click.option("--centre", metavar="A",
-                     help="Distance of the rod's centre of mass from the crosshead pin, in rod lengths:"
-                     " 0.6."),
-        click.option("--gyration", metavar="K",
-                     help="Radius of gyration about the centre of mass, in rod lengths: 0.3; default: that of"
-                     " two masses at the pins."),
-        click.option("--stroke", metavar="LENGTH", help="Stroke 2R: 600mm."),
-        click.option("--bore", metavar="LENGTH", help="Bore of the cylinder: 300mm."),
-        click.option("--pressure", metavar="PRESSURE", help="Steam pressure before cut-off: 8bar."),
-    )  # fmt: skip
-    for option in reversed(options):
-        command = option(command)
-    return command
+ROD = (
+    click.option("--rod-mass", metavar="MASS", help="Mass of the connecting rod: 150kg."),
+    click.option("--centre", metavar="A",
+                 help="Centre of mass of the rod from the crosshead pin, in rod lengths: 0.6, 60%; or a"
+                 " length, where that of the rod is known."),
+    click.option("--gyration", metavar="K",
+                 help="Radius of gyration about the centre of mass, in rod lengths: 0.3; or a length."),
+    click.option("--rod-file", metavar="FILE", type=click.Path(),
+                 help="The rod's masses from a CSV file in place of these: from, to, mass or position, mass,"
+                 " counted from the crank pin."),
+)  # fmt: skip
+rod_options = in_order(ROD)
+mass_options = in_order((
+    click.option("--reciprocating", metavar="MASS",
+                 help="Mass of piston and crosshead: 200kg. Masses need --stroke, --speed, --bore and"
+                 " --pressure."),
+    *ROD,
+    click.option("--stroke", metavar="LENGTH", help="Stroke 2R: 600mm."),
+    click.option("--bore", metavar="LENGTH", help="Bore of the cylinder: 300mm."),
+    click.option("--pressure", metavar="PRESSURE", help="Steam pressure before cut-off: 8bar."),
+))  # fmt: skip
 
 
-def inertia_of(options: Mapping[str, Any]) -> Inertia | None:
+def inertia_of(options: Mapping[str, Any], drives: Sequence[Crank]) -> Inertia | None:
     """Return the masses that the options describe, None if there are none."""
-    given = [name for name in (*MASSES, "centre", "gyration") if options[name] is not None]
+    given = [name for name in MASSES if options[name] is not None]
     if not given:
         return None
     option = f"--{given[0].replace('_', '-')}"
-    if not any(options[name] is not None for name in MASSES):
-        raise ProblemError(f"{option} is for a rod with a mass; add --rod-mass")
     missing = [f"--{name}" for name in SCALE if options[name] is None]
     if missing:
         raise ProblemError(f"{option} needs {', '.join(missing)} to become a force")
@@ -58,29 +60,53 @@ def inertia_of(options: Mapping[str, Any]) -> Inertia | None:
     from kurbel.units import length, mass, pressure, speed
 
     reciprocating = options["reciprocating"]
+    radius = length(options["stroke"], "stroke") / 2
     return Inertia(
         Fraction(0) if reciprocating is None else mass(reciprocating, "reciprocating mass"),
-        length(options["stroke"], "stroke") / 2,
+        radius,
         speed(options["speed"]),
         length(options["bore"], "bore"),
         Fraction(pressure(options["pressure"], "pressure")),
-        _rod(options),
+        _heavy_rod(options, [replace(drive, radius=radius) for drive in drives]),
     )
 
 
-def _rod(options: Mapping[str, Any]) -> Rod | None:
-    if options["rod_mass"] is None:
-        if options["centre"] is not None or options["gyration"] is not None:
-            raise ProblemError("--centre and --gyration are for a rod with a mass; add --rod-mass")
+def _heavy_rod(options: Mapping[str, Any], drives: Sequence[Crank]) -> Rod | None:
+    if all(options[name] is None for name in ROD_NAMES):
         return None
-    if options["centre"] is None:
-        raise ProblemError("--rod-mass needs --centre, where the rod's centre of mass is, for example 0.6")
-    from kurbel.rod import Rod
+    # One rod for all ratios has a length of its own only if there is one ratio.
+    rod = rod_of(options, drives[0].rod_length if len(drives) == 1 else None)
+    if rod.mass is None:
+        raise ProblemError("the rod's masses are shares; add its mass in kg, --rod-mass")
+    return rod
+
+
+def rod_of(options: Mapping[str, Any], length: Fraction | None) -> Rod:
+    """Return the rod of rod_options, between pins so far apart, in metres, if that is known."""
+    from kurbel.rod_given import given_rod
     from kurbel.units import mass
 
-    weight = mass(options["rod_mass"], "rod mass")
-    # The rod counts from the crank pin.
-    centre = 1 - notation.number(options["centre"], "centre")
-    if options["gyration"] is None:
-        return Rod(centre, centre * (1 - centre), weight)
-    return Rod.of_gyration(centre, notation.number(options["gyration"], "gyration"), weight)
+    weight = options["rod_mass"]
+    return given_rod(
+        _in_rod_lengths(options["centre"], "centre of mass", length),
+        _in_rod_lengths(options["gyration"], "radius of gyration", length),
+        options["rod_file"],
+        None if weight is None else mass(weight, "rod mass"),
+        length,
+    )
+
+
+def _in_rod_lengths(text: str | None, what: str, length: Fraction | None) -> Fraction | None:
+    if text is None:
+        return None
+    from kurbel import units
+
+    if not units.is_measure(text):
+        return notation.share(text, what)
+    measured = units.length(text, what)
+    if length is None:
+        raise NotationError(
+            f'{what} "{text[:40]}" is a length, but that of the rod is not known; add --stroke and one'
+            " --ratio, or give a share of the rod's length"
+        )
+    return measured / length

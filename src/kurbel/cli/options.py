@@ -95,7 +95,7 @@ def _column_keys(name: str) -> tuple[str, ...]:
     from kurbel.layouts import layout
 
     page = layout(name)
-    if page.subject == "motion":
+    if page.subject in ("motion", "inertia"):
         from kurbel.request import column_keys
 
         return column_keys(page)
@@ -115,6 +115,14 @@ def _column_keys(name: str) -> tuple[str, ...]:
         from kurbel.linkage_page import linkage_column_keys
 
         return linkage_column_keys(page)
+    if page.subject == "inertia errors":
+        from kurbel.inertia_page import error_column_keys
+
+        return error_column_keys()
+    if page.subject == "tangent":
+        from kurbel.tangent_page import tangent_column_keys
+
+        return tangent_column_keys()
     from kurbel.engine_request import engine_column_keys
 
     return engine_column_keys(page)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
@@ -17,6 +17,9 @@ from kurbel.errors import NotationError, ProblemError
 from kurbel.layouts import Layout
 from kurbel.problem import Crank, Speed
 from kurbel.quantities import METHODS
+
+if TYPE_CHECKING:
+    from kurbel.request import Request
 
 # What gives way, where it only comes from the environment, to what is typed.
 CRANK_RIVALS = (
@@ -101,14 +104,20 @@ def print_motion(options: dict[str, Any], force: Fraction | None = None) -> None
     """Print a page of the crank that the options describe, under a piston force in newtons if there is."""
     from kurbel.cli.printing import Printing, print_table
     from kurbel.layouts import layout_of
-    from kurbel.request import Request
 
     options = without_outdone(options, RIVALS)
     page = layout_of(options["layout"], ["motion"])
     printing = Printing.chosen(options)
-    request = Request(
+    print_table(motion_request(page, cranks_of(page, options, force), options), printing)
+
+
+def motion_request(page: Layout, cranks: tuple[Crank, ...], options: Mapping[str, Any]) -> Request:
+    """Return what the options ask for of these cranks."""
+    from kurbel.request import Request
+
+    return Request(
         layout=page,
-        cranks=cranks_of(page, options, force),
+        cranks=cranks,
         angles=chosen_angles(page, options),
         method=options.get("method"),
         digits=options["digits"],
@@ -117,7 +126,6 @@ def print_motion(options: dict[str, Any], force: Fraction | None = None) -> None
         columns=notation.names(options["columns"], "columns", "phi,x,c,p"),
         label=options["label"],
     )
-    print_table(request, printing)
 
 
 def chosen_angles(page: Layout, options: Mapping[str, Any]) -> Sequence[Fraction]:

@@ -1,0 +1,328 @@
+"""Connecting rods and a layout become a sheet of the greatest forces of a turn and of the models' errors."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import cache
+from typing import Any, NamedTuple
+
+from kurbel import captions
+from kurbel.arrange import Axis, Grid, Place, check_size, panels
+from kurbel.axes import ColumnAxis, RatioAxis
+from kurbel.certify import NEVER_TIES, TieBits, rounded
+from kurbel.choices import choose
+from kurbel.errors import ProblemError
+from kurbel.inertia import ROD_FORCES, RodForce
+from kurbel.inertia_peak import Peak
+from kurbel.kernel.rod import Masses
+from kurbel.layouts import Layout
+from kurbel.notation import ratio_text
+from kurbel.numerals import degrees_text, nearest
+from kurbel.problem import Crank
+from kurbel.quantities import NEEDS, ROD_MODELS, Numbers, numbers_of_balls
+from kurbel.request import check_label, check_rounding
+from kurbel.separation import Separation
+from kurbel.table import Cell, Field, Label, Note, Number, Records, Table, Value
+
+AXIS_KEYS = ("ratio", "force", "model")
+FORCES, MODELS = tuple(ROD_FORCES.values()), tuple(ROD_MODELS)
+EXACT = "exact"
+# A page prints degrees and minutes, records degrees.
+DEGREE_DECIMALS = 4
+WORDS: Mapping[str, Mapping[str, str]] = {
+    "force": {"de": "Kraft", "en": "Force"},
+    "model": {"de": "Ersatz der Stange", "en": "In place of the rod"},
+}
+
+
+class ErrorColumn(NamedTuple):
+    """A column of the sheet: of the greatest force of a model, or of its greatest error."""
+
+    key: str
+    heading: Mapping[str, Label]
+    unit: str
+    decimals: int
+    of_error: bool = False
+    needs: str = "rod"
+
+    @property
+    def is_angle(self) -> bool:
+        return self.unit == "°"
+
+
+@cache
+def error_columns() -> Mapping[str, ErrorColumn]:
+    """Return what the sheet can show, by keys."""
+    at = {"de": "bei $φ$", "en": "at $φ$"}
+    rows = (
+        ErrorColumn("greatest", {"de": "größter Betrag", "en": "greatest"}, "", 4),
+        ErrorColumn("greatest_n", {"de": "in N, N m", "en": "in N, N m"}, "N, N m", 1, needs="inertia"),
+        ErrorColumn("greatest_phi", at, "°", DEGREE_DECIMALS),
+        ErrorColumn("error", {"de": "größter Fehler", "en": "greatest error"}, "", 4, True),
+        ErrorColumn(
+            "error_percent", {"de": "größter Fehler in %", "en": "greatest error in %"}, "%", 2, True
+        ),
+        ErrorColumn("error_phi", at, "°", DEGREE_DECIMALS, True),
+    )
+    return {row.key: row for row in rows}
+
+
+def error_column_keys() -> tuple[str, ...]:
+    """Return what --columns can choose from."""
+    return (*AXIS_KEYS, *error_columns())
+
+
+@dataclass(frozen=True)
+class ErrorsRequest:
+    """What is asked for: the greatest forces and errors of the rods of these cranks."""
+
+    layout: Layout
+    cranks: tuple[Crank, ...]
+    digits: int | None = None
+    rounding: str = "half-away"
+    lang: str = "de"
+    columns: tuple[str, ...] = ()
+    label: str = ""
+    peaks: dict[tuple[int, str, str, bool], Peak] = field(default_factory=dict, compare=False, repr=False)
+
+    def __post_init__(self) -> None:
+        check_rounding(self.digits, self.rounding)
+        check_label(self.label)
+        if not self.cranks:
+            raise ProblemError("no crank ratio was given; write one as --ratio 1:5")
+        for key in self.columns:
+            column = error_columns().get(choose(key, error_column_keys(), "column"))
+            if column is not None and not self._knows(column):
+                options = " and ".join(NEEDS[column.needs])
+                raise ProblemError(f"column {key} is in {column.unit} and needs {options}")
+
+    def __len__(self) -> int:
+        """How many records there are."""
+        return len(self.cranks) * len(FORCES) * len(MODELS)
+
+    def places(self) -> Iterator[Place]:
+        for ratio in range(len(self.cranks)):
+            for force in range(len(FORCES)):
+                for model in range(len(MODELS)):
+                    yield {"ratio": ratio, "force": force, "model": model}
+
+    @property
+    def shown(self) -> tuple[ErrorColumn, ...]:
+        keys = self.columns or tuple(column.quantity for column in self.layout.columns)
+        columns = (error_columns()[key] for key in keys if key not in AXIS_KEYS)
+        chosen = tuple(column for column in columns if self._knows(column))
+        if not chosen:
+            raise ProblemError("there is no column beside the axes; add one, such as greatest")
+        return chosen
+
+    def _knows(self, column: ErrorColumn) -> bool:
+        known = (crank.rod is not None and crank.rod.mass is not None for crank in self.cranks)
+        return column.needs == "rod" or (all(known) and all(crank.speed for crank in self.cranks))
+
+    def peak(self, ratio: int, force: RodForce, model: str, of_error: bool) -> Peak:
+        """Return where the force, or the error of the model, is greatest."""
+        key = ratio, force.key, model, of_error
+        if key not in self.peaks:
+            rod = self.cranks[ratio].rod
+            assert rod is not None
+            masses = rod.masses(model, Fraction)
+            if of_error:
+                # Forces are sums of shares of the masses, and so are errors.
+                true = rod.masses(EXACT, Fraction)
+                masses = Masses(*(one - other for one, other in zip(masses, true, strict=True)))
+            self.peaks[key] = Peak(force, self.cranks[ratio], masses)
+        return self.peaks[key]
+
+
+class _Headed(NamedTuple):
+    spanners: tuple[Label, ...]
+    heading: tuple[Label, ...]
+
+
+class _ForceAxis(Axis):
+    """The forces with their letters and units."""
+
+    def __init__(self, lang: str) -> None:
+        super().__init__(len(FORCES))
+        self.lang = lang
+
+    def heads(self, place: Place) -> tuple[Label, ...]:
+        force = FORCES[place["force"]]
+        return (f"{force.name[self.lang]} ${force.letter}/({force.unit})$",)
+
+
+class _ModelAxis(Axis):
+    """The rod itself and what stands in for it."""
+
+    def __init__(self, lang: str) -> None:
+        super().__init__(len(MODELS))
+        self.lang = lang
+
+    def stub_heading(self) -> Label:
+        return ""
+
+    def heads(self, place: Place) -> tuple[Label, ...]:
+        return (ROD_MODELS[MODELS[place["model"]]][self.lang],)
+
+
+def build_errors(request: ErrorsRequest, pages: bool = True) -> Table:
+    """Return the sheet that was asked for; without `pages` only its records."""
+    layout, lang = request.layout, request.lang
+    return Table(
+        key=request.label or layout.key,
+        layout=layout.key,
+        lang=lang,
+        caption=layout.caption[lang].replace("{for_ratio}", _for_ratio(request)),
+        panels=panels(layout, _grid(request)) if pages else (),
+        records=Records(_fields(request), _Rows(request)),
+        notes=tuple(map(Note, _notes(request))),
+        source=layout.source[lang],
+    )
+
+
+def _for_ratio(request: ErrorsRequest) -> Label:
+    if len(request.cranks) > 1:
+        return ""
+    ratio = ratio_text(request.cranks[0].ratio)
+    return captions.WORDS["for_ratio"][request.lang].format(symbol=request.layout.ratio_symbol, ratio=ratio)
+
+
+def _notes(request: ErrorsRequest) -> Iterator[Label]:
+    yield from (note[request.lang] for note in request.layout.notes)
+    yield from captions.drive_notes(request.cranks, request.lang)
+    yield from captions.rod_notes(request.cranks, request.lang)
+
+
+def _grid(request: ErrorsRequest) -> Grid:
+    layout, lang, columns = request.layout, request.lang, request.shown
+    ratios = [crank.ratio for crank in request.cranks]
+    axes: dict[str, Axis] = {
+        "ratio": RatioAxis(layout, ratios, lang),
+        "force": _ForceAxis(lang),
+        "model": _ModelAxis(lang),
+        "column": ColumnAxis(layout, [_Headed((), (one.heading[lang],)) for one in columns], ratios, lang),
+    }
+    check_size(layout, {name: axis.size for name, axis in axes.items()})
+
+    def cell(place: Place) -> Cell:
+        column = columns[place["column"]]
+        if not column.is_angle:
+            return Cell(_number(request, column, place))
+        degrees = _angle(request, column, place, 60, 0)
+        return Cell(None if degrees is None else f"${degrees_text(Fraction(degrees.scaled, 60))}$")
+
+    return Grid(axes, cell)
+
+
+class _Rows:
+    """The records: one for each crank, force and model."""
+
+    def __init__(self, request: ErrorsRequest) -> None:
+        self.request = request
+
+    def __len__(self) -> int:
+        return len(self.request)
+
+    def __iter__(self) -> Iterator[tuple[Value, ...]]:
+        request = self.request
+        for place in request.places():
+            values: dict[str, Value] = {
+                "ratio": f"${ratio_text(request.cranks[place['ratio']].ratio)}$",
+                "force": FORCES[place["force"]].key,
+                "model": MODELS[place["model"]],
+            }
+            for column in request.shown:
+                values[column.key] = _record(request, column, place)
+            yield tuple(values[name] for name in _names(request))
+
+
+def _record(request: ErrorsRequest, column: ErrorColumn, place: Place) -> Number | None:
+    if column.is_angle:
+        return _angle(request, column, place, 1, _decimals(request, column))
+    return _number(request, column, place)
+
+
+def _names(request: ErrorsRequest) -> tuple[str, ...]:
+    return request.columns or (*AXIS_KEYS, *(column.key for column in request.shown))
+
+
+def _fields(request: ErrorsRequest) -> tuple[Field, ...]:
+    lang = request.lang
+    fields = {
+        "ratio": Field("ratio", captions.WORDS["ratio"][lang], f"${request.layout.ratio_symbol}$"),
+        "force": Field("force", WORDS["force"][lang]),
+        "model": Field("model", WORDS["model"][lang]),
+    }
+    for one in request.shown:
+        unit = one.unit or "M R ω², M R² ω²"
+        fields[one.key] = Field(one.key, full_name(one, lang), "", unit, _decimals(request, one), EXACT)
+    return tuple(fields[name] for name in _names(request))
+
+
+def full_name(column: ErrorColumn, lang: str) -> str:
+    """The heading, which needs that of its neighbour where it says too little."""
+    first = error_columns()["error" if column.of_error else "greatest"]
+    heading = column.heading[lang].replace("$", "")
+    own = first.heading[lang]
+    return heading if heading.startswith(own) else f"{own} {heading}"
+
+
+def _decimals(request: ErrorsRequest, column: ErrorColumn) -> int:
+    return column.decimals if request.digits is None else request.digits
+
+
+def _peak(request: ErrorsRequest, column: ErrorColumn, place: Place) -> Peak | None:
+    """Return the peak that the column is about; the exact model has no error."""
+    model = MODELS[place["model"]]
+    if column.of_error and model == EXACT:
+        return None
+    return request.peak(place["ratio"], FORCES[place["force"]], model, column.of_error)
+
+
+def _number(request: ErrorsRequest, column: ErrorColumn, place: Place) -> Number | None:
+    peak, decimals = _peak(request, column, place), _decimals(request, column)
+    if peak is None:
+        return None
+    whole = request.peak(place["ratio"], peak.force, EXACT, False)
+    if column.unit == "%" and whole.vanishes:
+        return None
+
+    def value(numbers: Numbers, of: Any) -> Any:
+        if column.unit == "%":
+            return 100 * of(peak) / of(whole)
+        return of(peak) * peak.force.scale(peak.crank, numbers) if column.needs == "inertia" else of(peak)
+
+    concerned = (peak, whole) if column.unit == "%" else (peak,)
+    exact = all(one.separation() is not None for one in concerned) and not _by_turns(column, peak.crank)
+
+    def tie_bits(boundary: Fraction) -> float:
+        bound = value(Numbers(Separation.rational), Peak.separation)
+        return float((bound - Separation.rational(boundary)).bits())
+
+    ties: TieBits | None = tie_bits if exact else NEVER_TIES
+    scaled = rounded(lambda: value(numbers_of_balls(), Peak.value), decimals, request.rounding, ties)
+    return Number(scaled, decimals)
+
+
+def _by_turns(column: ErrorColumn, crank: Crank) -> bool:
+    """Whether the value has a factor π², which no algebraic number makes up for."""
+    return column.needs == "inertia" and crank.speed is not None and crank.speed.turns
+
+
+def _angle(
+    request: ErrorsRequest, column: ErrorColumn, place: Place, share: int, decimals: int
+) -> Number | None:
+    """Return where it is greatest, in parts of a degree."""
+    peak = _peak(request, column, place)
+    if peak is None or peak.is_level:
+        return None
+    exact = peak.exact_degrees
+    if exact is not None:
+        return nearest(share * exact, decimals, request.rounding)
+
+    def scaled() -> Any:
+        return share * peak.degrees()
+
+    return Number(rounded(scaled, decimals, request.rounding, NEVER_TIES), decimals)

@@ -1,0 +1,74 @@
+"""Values with their first two slopes: a kernel formula that is run on jets returns its own derivatives."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from kurbel.kernel.circle import Circle
+
+if TYPE_CHECKING:
+    from flint import arb
+
+
+@dataclass(frozen=True, slots=True)
+class Jet:
+    """A value, its slope and its bend, f, f' and f'', all of one kind of number."""
+
+    value: Any
+    slope: Any
+    bend: Any
+
+    def __add__(self, other: Any) -> Jet:
+        more = _jet(other)
+        return Jet(self.value + more.value, self.slope + more.slope, self.bend + more.bend)
+
+    __radd__ = __add__
+
+    def __neg__(self) -> Jet:
+        return Jet(-self.value, -self.slope, -self.bend)
+
+    def __sub__(self, other: Any) -> Jet:
+        return self + -_jet(other)
+
+    def __rsub__(self, other: Any) -> Jet:
+        return _jet(other) - self
+
+    def __mul__(self, other: Any) -> Jet:
+        by = _jet(other)
+        return Jet(
+            self.value * by.value,
+            self.slope * by.value + self.value * by.slope,
+            self.bend * by.value + 2 * (self.slope * by.slope) + self.value * by.bend,
+        )
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Any) -> Jet:
+        below = _jet(other)
+        value = self.value / below.value
+        slope = (self.slope - value * below.slope) / below.value
+        return Jet(value, slope, (self.bend - 2 * (slope * below.slope) - value * below.bend) / below.value)
+
+    def __rtruediv__(self, other: Any) -> Jet:
+        return _jet(other) / self
+
+    def __pow__(self, exponent: float) -> Jet:
+        assert exponent == 0.5, "kernel formulas have square roots only"
+        value = self.value**exponent
+        slope = self.slope / (2 * value)
+        return Jet(value, slope, (self.bend / 2 - slope * slope) / value)
+
+
+def _jet(number: Any) -> Jet:
+    return number if isinstance(number, Jet) else Jet(number, 0, 0)
+
+
+def jets(sine: Any, cosine: Any, versine: Any) -> Circle[Jet]:
+    """Return the circle of an angle with its slopes over the angle in radians."""
+    return Circle(Jet(sine, cosine, -sine), Jet(cosine, -sine, -cosine), Jet(versine, sine, cosine))
+
+
+def ball_jets(half_turns: arb) -> Circle[Jet]:
+    """Return the same of an angle in half turns, a ball."""
+    return jets(*half_turns.sin_cos_pi(), 2 * (half_turns / 2).sin_pi() ** 2)

@@ -1,0 +1,134 @@
+"""The sheet of the exercise: rod square to crank, closed forms and numbers, in triangles of whole sides."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+import pytest
+from cli import printed, refusal
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from mpmath import mp
+from pages import cells
+
+import kurbel
+from kurbel.errors import KurbelError
+from kurbel.labels import plain
+from kurbel.table import Number
+
+
+def records(*words: str) -> list[dict[str, str]]:
+    return printed("forces", "--at", "tangent", *words, "-f", "csv").records()
+
+
+def test_forces_of_a_triangle_of_whole_sides() -> None:
+    # R:L = 3:4, so that √(R² + L²) is 5; F = 8 kN, R = 0.3 m.
+    (record,) = records("--ratio=3:4", "--force=8kN", "--stroke=600mm")
+    assert record == {
+        "ratio": "3:4", "phi": "53.1301", "psi": "36.8699", "rod_force": "1.2500", "rod_force_n": "10000.0",
+        "guide_force": "0.7500", "guide_force_n": "6000.0", "torque": "1.2500", "torque_nm": "3000.0",
+    }  # fmt: skip
+
+
+@settings(max_examples=25, deadline=None)
+@given(st.fractions(Fraction(1, 50), Fraction(49, 50), max_denominator=97))
+def test_numbers_are_those_of_the_closed_forms(ratio: Fraction) -> None:
+    table = kurbel.make_tangent_table(ratio, digits=20, force=12345, radius=Fraction(7, 10))
+    (row,) = table.records.rows
+    found = {
+        field.key: value
+        for field, value in zip(table.records.fields, row, strict=True)
+        if field.key != "ratio"
+    }
+    with mp.workdps(60):
+        lam = mp.mpf(ratio.numerator) / ratio.denominator
+        root = mp.sqrt(lam * lam + 1)
+        true = {
+            "phi": mp.atan(1 / lam) * 180 / mp.pi, "psi": mp.atan(lam) * 180 / mp.pi,
+            "rod_force": root, "rod_force_n": 12345 * root, "guide_force": lam, "guide_force_n": 12345 * lam,
+            "torque": root, "torque_nm": mp.mpf("8641.5") * root,
+        }  # fmt: skip
+        assert true.keys() == found.keys()
+        for key, value in found.items():
+            assert isinstance(value, Number)
+            assert abs(value.scaled - true[key] * mp.mpf(10) ** 20) <= mp.mpf("0.5") + mp.mpf(10) ** -20, key
+
+
+def test_motion_in_the_position_can_be_asked_for() -> None:
+    # sin φ = 4/5 and cos φ = 3/5; c is S/F, x = 1 - 3/5 + (1 - 4/5)/(3/4), in R.
+    (record,) = records("--ratio=3:4", "--columns=x,c,tangential_force,radial_force")
+    assert record == {"x": "0.6667", "c": "1.2500", "tangential_force": "1.2500", "radial_force": "0.0000"}
+
+
+def test_ties_are_proved() -> None:
+    for rounding, rod, guide in (("half-away", "1.3", "0.8"), ("half-even", "1.2", "0.8")):
+        (record,) = records("--ratio=3:4", "--digits=1", f"--rounding={rounding}")
+        assert (record["rod_force"], record["guide_force"]) == (rod, guide)
+
+
+def test_an_infinite_rod_is_square_to_the_crank_at_a_right_angle() -> None:
+    (record,) = records("--ratio=1:∞")
+    assert record["phi"] == "90.0000"
+    assert (record["psi"], record["rod_force"], record["guide_force"]) == ("0.0000", "1.0000", "0.0000")
+
+
+def test_sheet_has_closed_forms_beside_degrees_and_minutes() -> None:
+    table = kurbel.make_tangent_table("1:5;1:4", lang="en")
+    found = {
+        (plain(stub), plain(ratio), plain(unit)): plain(text)
+        for (_, stub, ratio, unit), text in cells(table).items()
+    }
+    # tan 11°18.6' = 1/5, tan 14°2.2' = 1/4.
+    assert found["Crank angle φ = arctan(L/R)", "R:L = 1:5", ""] == "78°41′"
+    assert found["Rod angle ψ = arctan(R/L)", "R:L = 1:4", ""] == "14°2′"
+    assert found["Rod force S = F √((R/L)² + 1)", "R:L = 1:5", "F"] == "1.0198"
+    assert found["Guide force N = F R/L", "R:L = 1:4", "F"] == "0.2500"
+    assert found["Torque M = F R √((R/L)² + 1)", "R:L = 1:4", "F R"] == "1.0308"
+    assert r"F\sqrt{(R/L)^{2}+1}" in kurbel.typeset(table, "latex")
+    assert "<msqrt>" in kurbel.typeset(table, "html")
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (
+            ("--at=tangent", "--offset=0.1"),
+            "the rod touches the crank circle at tan ψ = R/L with the straight",
+        ),
+        (
+            ("--at=tangent", "--angle=30"),
+            "--at tangent is a position with an angle of its own; leave --angle out",
+        ),
+        (("--at=tangent", "--to=30"), "--at tangent is a position with an angle of its own; leave --to out"),
+        (("--at=tang",), 'there is no position "tang" (did you mean tangent?); choose from tangent'),
+        (("--at=tangent", "--columns=rod_force_n"), "column rod_force_n is in N and needs --force"),
+        (
+            ("--at=tangent", "--columns=torque_nm", "--force=1kN"),
+            "column torque_nm is in N m and needs --force",
+        ),
+        (("--at=tangent", "--columns=torque_return"), 'there is no column "torque_return"'),
+        (
+            ("--at=tangent", "--columns=ratio"),
+            "there is no column beside the ratio; add one, such as rod_force",
+        ),
+        (
+            ("--at=tangent", "--layout=forces"),
+            "layout forces is about something else; choose from forces-tangent",
+        ),
+    ],
+)
+def test_wrong_input_is_answered_with_a_sentence(words: tuple[str, ...], said: str) -> None:
+    assert refusal("forces", *words).startswith(said)
+
+
+def test_the_layout_alone_is_the_position() -> None:
+    assert printed("forces", "--layout=forces-tangent").out == printed("forces", "--at=tangent").out
+
+
+@pytest.mark.parametrize(
+    "choices", [{"ratios": "5:1"}, {"ratios": []}, {"columns": "y"}, {"layout": "forces"}]
+)
+def test_wrong_input_from_python_is_refused(choices: dict[str, Any]) -> None:
+    with pytest.raises(KurbelError):
+        kurbel.make_tangent_table(**choices)
