@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
 from kurbel.certify import ball
-from kurbel.engine import Engine, Inertia, Steam
+from kurbel.engine import Engine, Inertia, Load, Steam
 from kurbel.errors import ProblemError
 from kurbel.kernel import inertia, rod
 from kurbel.kernel.circle import circle
@@ -68,12 +68,15 @@ TWO_A_SECOND = Speed(Fraction(2))
 
 def heavy(speed: Speed = TWO_A_SECOND) -> Inertia:
     connecting = Rod.of_gyration(1 - Fraction("0.6"), Fraction("0.3"), Fraction(150))
-    return Inertia(Fraction(300), Fraction("0.3"), speed, Fraction("0.3"), Fraction(800_000), connecting)
+    return Inertia(Fraction(300), speed, connecting)
+
+
+LOAD = Load(Fraction("0.3"), Fraction(800_000), Fraction("0.3"))
 
 
 @pytest.mark.parametrize(("ratio", "expansion"), [("1/5", 4), ("1/5", 2), ("1/3", 6), ("2/9", 3)])
 def test_irregularity_with_masses_is_that_of_the_moving_bodies(ratio: str, expansion: int) -> None:
-    engine = Engine(Crank(Fraction(ratio)), Steam(Fraction(expansion)), inertia=heavy())
+    engine = Engine(Crank(Fraction(ratio)), Steam(Fraction(expansion)), inertia=heavy(), load=LOAD)
     brute = brute_irregularity(float(Fraction(ratio)), float(expansion))
     assert math.isclose(float(Turn(engine, "exact").irregularity()), brute, rel_tol=1e-6)
 
@@ -81,15 +84,16 @@ def test_irregularity_with_masses_is_that_of_the_moving_bodies(ratio: str, expan
 def test_speed_in_radians_is_the_same_speed() -> None:
     radians = Fraction(4 * math.pi)
     steam, crank = Steam(Fraction(4)), Crank(Fraction(1, 5))
-    turns = Turn(Engine(crank, steam, inertia=heavy()), "exact")
-    same = Turn(Engine(crank, steam, inertia=heavy(Speed(radians, turns=False))), "exact")
+    turns = Turn(Engine(crank, steam, inertia=heavy(), load=LOAD), "exact")
+    same = Turn(Engine(crank, steam, inertia=heavy(Speed(radians, turns=False)), load=LOAD), "exact")
     assert math.isclose(float(turns.irregularity()), float(same.irregularity()), rel_tol=1e-14)
 
 
 def test_next_to_no_mass_changes_next_to_nothing() -> None:
     crank, steam = Crank(Fraction(1, 5)), Steam(Fraction(4))
-    light = Inertia(Fraction(1, 10**9), Fraction(1), Speed(Fraction(1)), Fraction(1), Fraction(10**6))
-    with_mass = Turn(Engine(crank, steam, inertia=light), "exact").irregularity()
+    light = Inertia(Fraction(1, 10**9), Speed(Fraction(1)))
+    load = Load(Fraction(1), Fraction(10**6), Fraction(1))
+    with_mass = Turn(Engine(crank, steam, inertia=light, load=load), "exact").irregularity()
     assert abs(float(with_mass - Turn(Engine(crank, steam), "exact").irregularity())) < 1e-10
 
 
@@ -108,7 +112,7 @@ def test_torque_takes_the_energy_and_its_slope_is_right(degrees: float, ratio: f
 
 
 def test_every_extreme_is_enclosed_with_masses_too() -> None:
-    turn = Turn(Engine(Crank(Fraction(1, 5)), Steam(Fraction(4)), inertia=heavy()), "exact")
+    turn = Turn(Engine(Crank(Fraction(1, 5)), Steam(Fraction(4)), inertia=heavy(), load=LOAD), "exact")
     before = flint.ctx.prec
     flint.ctx.prec = 200
     try:
@@ -123,7 +127,7 @@ def test_every_extreme_is_enclosed_with_masses_too() -> None:
 
 
 def test_masses_have_exact_formulas_only() -> None:
-    engine = Engine(Crank(Fraction(1, 5)), Steam(Fraction(4)), inertia=heavy())
+    engine = Engine(Crank(Fraction(1, 5)), Steam(Fraction(4)), inertia=heavy(), load=LOAD)
     with pytest.raises(ProblemError, match='method "series" has no formulas for the masses; use exact'):
         turn_of(engine, "series")
 
@@ -152,11 +156,15 @@ def test_flywheel_takes_the_same_masses() -> None:
             "--reciprocating 3kg",
             "--reciprocating needs --stroke, --speed, --bore, --pressure to become a force",
         ),
-        ("--centre 0.6", "--centre is for a rod with a mass; add --rod-mass"),
+        (
+            "--centre 0.6 --gyration 0.3",
+            "the rod's masses are shares; add its mass in kg, --rod-mass",
+        ),
         ("--reciprocating 3", 'reciprocating mass "3" has no unit; write a mass such as 200kg'),
         (
             "--rod-mass 3kg",
-            "--rod-mass needs --centre, where the rod's centre of mass is, for example 0.6",
+            "the rod's masses are not known; give its centre and its gyration, such as --centre 0.6"
+            " --gyration 0.4, or --rod-file",
         ),
     ],
 )

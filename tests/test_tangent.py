@@ -98,9 +98,12 @@ def test_sheet_has_closed_forms_beside_degrees_and_minutes() -> None:
         ),
         (
             ("--at=tangent", "--angle=30"),
-            "--at tangent is a position with an angle of its own; leave --angle out",
+            "--angle does not go with --at tangent, a position with an angle of its own; leave it out",
         ),
-        (("--at=tangent", "--to=30"), "--at tangent is a position with an angle of its own; leave --to out"),
+        (
+            ("--at=tangent", "--to=30"),
+            "--to does not go with --at tangent, a position with an angle of its own; leave it out",
+        ),
         (("--at=tang",), 'there is no position "tang" (did you mean tangent?); choose from tangent'),
         (("--at=tangent", "--columns=rod_force_n"), "column rod_force_n is in N and needs --force"),
         (

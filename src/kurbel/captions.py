@@ -170,12 +170,13 @@ def force_note(force: Fraction) -> Label:
 
 def rod_notes(cranks: Sequence[Crank], lang: str) -> Iterator[Label]:
     """Yield the lines about the connecting rods, and the symmetry where cranks are straight."""
-    yield from dict.fromkeys(_connecting_rod(crank.rod, lang) for crank in cranks if crank.rod is not None)
+    yield from dict.fromkeys(connecting_rod(crank.rod, lang) for crank in cranks if crank.rod is not None)
     if not any(crank.offset for crank in cranks):
         yield WORDS["mirrored"][lang]
 
 
-def _connecting_rod(rod: Rod, lang: str) -> Label:
+def connecting_rod(rod: Rod, lang: str) -> Label:
+    """Return the line about a rod: where its masses are, and its mass if that is known."""
     from kurbel.kernel.circle import root
 
     def gyration(numbers: Numbers) -> Any:

@@ -16,12 +16,12 @@ from math import pi
 from typing import TYPE_CHECKING, Any
 
 from kurbel.card_force import CardStroke, card_strokes
+from kurbel.crank_forces import CrankForce, Weights
 from kurbel.engine import Diagram, Engine
-from kurbel.engine_quantities import CrankForce, Peak
+from kurbel.engine_quantities import Peak
 from kurbel.errors import CardError, ProblemError
 from kurbel.kernel import inertia, rod, turning
 from kurbel.kernel.circle import circle
-from kurbel.kernel.rod import Masses
 from kurbel.quantities import OUT, RETURN
 
 if TYPE_CHECKING:
@@ -150,11 +150,23 @@ class CardTurn:
         ratio = float(self.engine.crank.ratio) * (RETURN if stroke else OUT)
         at = circle(180.0 * angle)
         steam = turning.tangential_force(self.strokes[stroke], self.motion, at, ratio)
-        return steam if self.masses is None else steam + rod.torque(at, ratio, self.masses)
+        return steam if self.weights is None else steam + rod.torque(at, ratio, self.weights.masses)
 
     @cached_property
-    def masses(self) -> Masses[float] | None:
-        return None if self.engine.inertia is None else self.engine.inertia.masses(float, pi)
+    def weights(self) -> Weights | None:
+        """The moving masses in units of Q/(R ω²)."""
+        return self.engine.weights(float, pi, Fraction(self.unit))
+
+    def force_unit(self) -> float:
+        """The force Q in newtons, of the greatest pressure of the card."""
+        assert self.engine.load is not None
+        return self.unit * float(self.engine.load.bore) ** 2 / 4 * pi
+
+    def radius(self) -> float:
+        """The crank radius in metres."""
+        assert self.engine.load is not None
+        assert self.engine.load.radius is not None
+        return float(self.engine.load.radius)
 
     def _excesses(self, places: Any) -> Any:
         """The excess at an array of half turns."""
@@ -173,7 +185,7 @@ class CardTurn:
         at, ratio = circle(180.0 * angle), float(self.engine.crank.ratio) * (RETURN if stroke else OUT)
         net = self.strokes[stroke].force(self.motion.path(at, ratio) / 2)
         sign = (RETURN if stroke else OUT) if force.framed else 1
-        return float(net * force.formula(at, ratio)) * sign
+        return float(force.of(at, ratio, self.weights, net)) * sign
 
     def energy_at(self, half_turns: Fraction | float) -> float:
         """The excess work W/(Q R) since the first crank's inner dead centre."""
@@ -186,8 +198,8 @@ class CardTurn:
             before = 2 * self.strokes[0].work(1.0) if stroke else 0.0
             work = turning.work_done(self.strokes[stroke], self.motion, circle(180.0 * angle), ratio)
             total += before + work - self.mean * (angle + stroke) * pi
-            if self.masses is not None:
-                total -= inertia.kinetic_energy(circle(180.0 * angle), ratio, self.masses)
+            if self.weights is not None:
+                total -= inertia.kinetic_energy(circle(180.0 * angle), ratio, self.weights.masses)
         return float(total)
 
     def _cranks(self, half_turns: Fraction | float) -> Iterator[tuple[int, float]]:

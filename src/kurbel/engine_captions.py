@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from kurbel.captions import WORDS as MOTION_WORDS
-from kurbel.engine import Engine, Inertia, Steam
+from kurbel.captions import connecting_rod
+from kurbel.crank_forces import CRANK_FORCES
+from kurbel.engine import Engine, Inertia, Load, Steam
 from kurbel.engine_axes import CARD, expansion_label
-from kurbel.engine_quantities import CRANK_FORCES, EngineQuantity
+from kurbel.engine_quantities import EngineQuantity, engine_registry
 from kurbel.engine_request import ENGINE_METHODS, EngineColumn, EngineRequest
 from kurbel.labels import plain as plain_label
 from kurbel.notation import plain, ratio_text
@@ -39,16 +41,25 @@ WORDS: Mapping[str, Words] = {
         "en": "pressure from the card, interpolated monotonically; only as many digits as its points support"
         " are printed, zeros for the others before the decimal mark",
     },
-    "signs": {
-        "de": "$F$, $S$ und $N$ positiv in der Richtung des Hinganges und nach der Seite, auf der dort der"
-        " Kurbelzapfen läuft, $T$ in der Drehrichtung, $Z$ nach der Welle hin; erste Kurbel, ohne Massen",
-        "en": "$F$, $S$ and $N$ positive in the direction of the outstroke and towards the side on which the"
-        " crank pin then runs, $T$ as the crank turns, $Z$ towards the shaft; first crank, without masses",
+    "framed": {
+        "de": "{letters} positiv in der Richtung des Hinganges und nach der Seite, auf der dort der"
+        " Kurbelzapfen läuft",
+        "en": "{letters} positive in the direction of the outstroke and towards the side on which the"
+        " crank pin then runs",
     },
+    "crank_force": {"de": "$T$ in der Drehrichtung", "en": "$T$ as the crank turns"},
+    "radial_force": {"de": "$Z$ nach der Welle hin", "en": "$Z$ towards the shaft"},
+    "bearing": {
+        "de": "$H$ auf das Hauptlager, zu dem die Kurbel allein drückt",
+        "en": "$H$ on the main bearing, as pressed by this crank alone",
+    },
+    "first_crank": {"de": "erste Kurbel", "en": "first crank"},
+    "massless": {"de": "ohne Massen", "en": "without masses"},
     "load": {
         "de": '$Q = π/4 d^2 p$, $d = {bore} "mm"$, $p = {pressure} "kPa"$',
         "en": '$Q = π/4 d^2 p$, $d = {bore} "mm"$, $p = {pressure} "kPa"$',
     },
+    "card_load": {"de": '$d = {bore} "mm"$', "en": '$d = {bore} "mm"$'},
     "energy": {
         "de": "$W$ Arbeit des Überschusses seit dem inneren Totpunkt der ersten Kurbel",
         "en": "$W$ work of the excess since the inner dead centre of the first crank",
@@ -96,7 +107,7 @@ WORDS: Mapping[str, Words] = {
     "less": {"de": ", Unterschied", "en": ", difference"},
     "masses": {"de": "mit den Massen: ", "en": "with the masses: "},
     "reciprocating": {"de": "Kolben und Kreuzkopf", "en": "piston and crosshead"},
-    "rod": {"de": "Schubstange", "en": "connecting rod"},
+    "rotating": {"de": "Kurbel, am Zapfen", "en": "crank, at its pin"},
     "difference": {
         "de": "Unterschied: genauer Wert weniger Näherung, vor dem Runden gebildet.",
         "en": "Difference: exact value less approximation, taken before rounding.",
@@ -180,14 +191,45 @@ def notes(request: EngineRequest) -> Iterator[Label]:
     shown = {column.quantity.key.removesuffix("_n") for column in request.page_columns}
     if "energy" in shown:
         yield WORDS["energy"][lang]
+    if "torque_nm" in shown:
+        shown.add("crank_force")
     if shown & set(CRANK_FORCES):
-        yield WORDS["signs"][lang]
-    if request.load is not None:
-        bore, pressure = plain(1000 * request.load.bore), plain(request.load.pressure / 1000)
-        yield WORDS["load"][lang].format(bore=bore, pressure=pressure)
+        yield "; ".join(_signs(request, shown))
+    if request.load is not None and (request.inertia or _newtons(request)):
+        yield _load(request.load, lang)
     if any(column.methods == ("weisbach",) for column in request.page_columns):
         yield WORDS["weisbach"][lang]
     yield "; ".join(_engine(request, lang))
+    if request.inertia is not None and request.inertia.rod is not None:
+        yield connecting_rod(request.inertia.rod, lang)
+
+
+def _newtons(request: EngineRequest) -> bool:
+    return any(column.quantity.needs in ("load", "torque") for column in request.page_columns)
+
+
+def _signs(request: EngineRequest, shown: set[str]) -> Iterator[Label]:
+    """The directions of the forces shown, and whose they are."""
+    lang, registry = request.lang, engine_registry()
+    letters = [registry[key].symbol for key, force in CRANK_FORCES.items() if force.framed and key in shown]
+    if letters:
+        *others, last = letters
+        joined = ", ".join(others) + WORDS["and"][lang] + last if others else last
+        yield WORDS["framed"][lang].format(letters=joined)
+    yield from (WORDS[key][lang] for key in ("crank_force", "radial_force") if key in shown)
+    if any(key.startswith("bearing") for key in shown):
+        yield WORDS["bearing"][lang]
+    if len(request.cranks) > 1:
+        yield WORDS["first_crank"][lang]
+    if request.inertia is None:
+        yield WORDS["massless"][lang]
+
+
+def _load(load: Load, lang: str) -> Label:
+    bore = plain(1000 * load.bore)
+    if load.pressure is None:
+        return WORDS["card_load"][lang].format(bore=bore)
+    return WORDS["load"][lang].format(bore=bore, pressure=plain(load.pressure / 1000))
 
 
 def _engine(request: EngineRequest, lang: str) -> Iterator[Label]:
@@ -197,17 +239,18 @@ def _engine(request: EngineRequest, lang: str) -> Iterator[Label]:
         yield from _steam(request, lang)
     yield from _cranks(request.first, lang)
     if request.inertia is not None:
-        yield _masses(request.inertia, lang)
+        assert request.load is not None
+        yield _masses(request.inertia, request.load, lang)
 
 
-def _masses(inertia: Inertia, lang: str) -> Label:
-    said = {"reciprocating": inertia.reciprocating, "rod": None if inertia.rod is None else inertia.rod.mass}
+def _masses(inertia: Inertia, load: Load, lang: str) -> Label:
+    said = {"reciprocating": inertia.reciprocating, "rotating": inertia.rotating}
     parts = [f'{WORDS[key][lang]} ${plain(mass)} "kg"$' for key, mass in said.items() if mass]
     speed = inertia.speed.value
     turns = f'n = {plain(60 * speed)} "min"^(-1)' if inertia.speed.turns else f'ω = {plain(speed)} "rad/s"'
-    size = f'$r = {plain(1000 * inertia.radius)} "mm"$, $d = {plain(1000 * inertia.bore)} "mm"$'
-    pressure = f'$p = {plain(inertia.pressure / 1000)} "kPa"$'
-    return WORDS["masses"][lang] + ", ".join((*parts, size, pressure, f"${turns}$"))
+    assert load.radius is not None
+    parts += [f'$r = {plain(1000 * load.radius)} "mm"$', f"${turns}$"]
+    return WORDS["masses"][lang] + ", ".join(parts)
 
 
 def _steam(request: EngineRequest, lang: str) -> Iterator[Label]:

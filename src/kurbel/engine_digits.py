@@ -8,7 +8,7 @@ from math import ceil, floor, log10
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.certify import NEVER_TIES, TieBits, rounded
-from kurbel.engine_quantities import EngineQuantity, Where
+from kurbel.engine_quantities import SCALES, EngineQuantity, Where
 from kurbel.engine_request import EngineColumn
 from kurbel.engine_ties import TIES
 from kurbel.numerals import finite_decimals, nearest
@@ -116,7 +116,8 @@ def _sensitivity(quantity: EngineQuantity, turn: CardTurn, value: float) -> floa
     irregularity = (4 + 0.64 * turn.irregularity()) * work / 2 / turn.mean_force()
     if quantity.scope == "flywheel":
         return irregularity / turn.irregularity() * value if quantity.key in SWINGS else 0.0
-    return {"delta": irregularity, "mean_force": work}.get(quantity.key, 2 * work)
+    scale = SCALES[str(quantity.unit)](turn) if quantity.needs in ("load", "torque") else 1.0
+    return {"delta": irregularity, "mean_force": work}.get(quantity.key, 2 * work * scale)
 
 
 def _to_place(value: Fraction, decimals: int, rounding: str) -> Number | None:

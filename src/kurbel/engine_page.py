@@ -69,7 +69,6 @@ class _Solved:
             request.spans[place["stroke"]] if "stroke" in place else WHOLE,
             request.angles[place["angle"]] / 180 if "angle" in place else Fraction(0),
             request.flywheels[place["target"]] if "target" in place else None,
-            request.load,
         )
 
     def number(self, column: EngineColumn, place: Place, unit: int = 1) -> Number | None:

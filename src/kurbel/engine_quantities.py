@@ -10,8 +10,9 @@ from fractions import Fraction
 from functools import cache
 from typing import Any, NamedTuple, Protocol
 
+from kurbel.crank_forces import CRANK_FORCES, CrankForce
 from kurbel.flywheel import Flywheel
-from kurbel.kernel import forces, turning
+from kurbel.kernel import turning
 from kurbel.kernel.kinds import Number
 from kurbel.table import Label
 
@@ -22,33 +23,6 @@ SPANS: Mapping[int | None, tuple[str, Mapping[str, str]]] = {
     RETURN_STROKE: ("return", {"de": "Rückgang", "en": "Return"}),
     WHOLE: ("turn", {"de": "Umdrehung", "en": "Whole turn"}),
 }
-
-
-class CrankForce(NamedTuple):
-    """A force of the crank drive in units of the piston force, of circle and ratio.
-
-    `framed` forces have a direction in the frame of the outstroke: away from its dead centre and towards the
-    side of the crank pin. On the return stroke that is the other way round than along the stroke.
-    """
-
-    formula: Callable[[Any, Any], Any]
-    framed: bool = False
-
-
-CRANK_FORCES: Mapping[str, CrankForce] = {
-    "piston_force": CrankForce(lambda circle, ratio: 1, framed=True),
-    "rod_force": CrankForce(forces.rod_force, framed=True),
-    "guide_force": CrankForce(forces.guide_force, framed=True),
-    "crank_force": CrankForce(forces.tangential_force),
-    "radial_force": CrankForce(forces.radial_force),
-}
-
-
-class Load(NamedTuple):
-    """What makes newtons of Q: the bore in metres and the steam pressure before cut-off in pascals."""
-
-    bore: Fraction
-    pressure: Fraction
 
 
 class Peak(NamedTuple):
@@ -69,6 +43,8 @@ class AnyTurn(Protocol):
     def extreme(self, greatest: bool, stroke: int | None = None) -> Peak: ...
     def tangential_force(self, half_turns: Fraction) -> Number: ...
     def crank_force(self, force: CrankForce, half_turns: Fraction) -> Number: ...
+    def force_unit(self) -> Number: ...
+    def radius(self) -> Number: ...
     def energy_at(self, half_turns: Fraction) -> Number: ...
 
 
@@ -78,7 +54,6 @@ class Where(NamedTuple):
     stroke: int | None = WHOLE
     half_turns: Fraction = Fraction(0)
     flywheel: Flywheel | None = None
-    load: Load | None = None
 
 
 # Which command prints the quantities of a scope.
@@ -118,15 +93,17 @@ class EngineQuantity(NamedTuple):
         return where.stroke is WHOLE or self.scope == "span"
 
 
-def _force(key: str) -> Value:
-    return lambda turn, where: turn.crank_force(CRANK_FORCES[key], where.half_turns)
+# What makes newtons of a force in Q, and newton metres of its moment about the shaft.
+SCALES: Mapping[str, Callable[[AnyTurn], Number]] = {
+    "N": lambda turn: turn.force_unit(),
+    "N m": lambda turn: turn.force_unit() * turn.radius(),
+}
 
 
-def _newtons(key: str) -> Value:
+def _force(key: str, unit: str = "") -> Value:
     def value(turn: AnyTurn, where: Where) -> Number:
-        load = where.load
-        assert load is not None
-        return _force(key)(turn, where) * turn.of(load.pressure * load.bore**2 / 4) * turn.pi
+        force = turn.crank_force(CRANK_FORCES[key], where.half_turns)
+        return force * SCALES[unit](turn) if unit else force
 
     return value
 
@@ -233,8 +210,13 @@ _FORCE_NAMES = {
     "piston_force": ("Kolbenkraft|Piston force", "F"),
     "rod_force": ("Stangenkraft|Rod force", "S"),
     "guide_force": ("Führungsdruck|Guide force", "N"),
+    "crosshead_pin_force": ("Kraft am Kreuzkopfzapfen|Crosshead-pin force", "B"),
+    "crank_pin_force": ("Kraft am Kurbelzapfen|Crank-pin force", "K"),
     "crank_force": ("Tangentialkraft|Tangential force", "T"),
     "radial_force": ("Radialkraft|Radial force", "Z"),
+    "bearing_along": ("Lagerkraft längs|Bearing force along", "H_x"),
+    "bearing_across": ("Lagerkraft quer|Bearing force across", "H_y"),
+    "bearing_force": ("Lagerkraft|Bearing force", "H"),
 }
 
 
@@ -243,4 +225,8 @@ def _force_entries() -> Iterator[EngineQuantity]:
         de, en = name.split("|")
         names, symbol = {"de": de, "en": en}, f"${letter}$"
         yield EngineQuantity(key, names, symbol, "$Q$", "angle", 4, _force(key))
-        yield EngineQuantity(f"{key}_n", names, symbol, "N", "angle", 1, _newtons(key), needs="load")
+        yield EngineQuantity(f"{key}_n", names, symbol, "N", "angle", 1, _force(key, "N"), needs="load")
+    names = {"de": "Drehmoment", "en": "Torque"}
+    yield EngineQuantity(
+        "torque_nm", names, "$M_d$", "N m", "angle", 1, _force("crank_force", "N m"), needs="torque"
+    )

@@ -9,12 +9,12 @@ from functools import cached_property
 from typing import NamedTuple
 
 from kurbel.choices import choose
-from kurbel.engine import MOST_CRANKS, Diagram, Engine, Inertia, Steam
-from kurbel.engine_quantities import OUTSTROKE, RETURN_STROKE, WHOLE, EngineQuantity, Load, engine_registry
+from kurbel.engine import MOST_CRANKS, Diagram, Engine, Inertia, Load, Steam
+from kurbel.engine_quantities import OUTSTROKE, RETURN_STROKE, WHOLE, EngineQuantity, engine_registry
 from kurbel.errors import ProblemError
 from kurbel.flywheel import Flywheel
 from kurbel.layouts import Layout, LayoutColumn
-from kurbel.notation import MOST_ROWS, about
+from kurbel.notation import MOST_ROWS
 from kurbel.problem import Crank, check_angles
 from kurbel.quantities import Method
 from kurbel.request import check_label, check_rounding
@@ -64,7 +64,8 @@ ENGINE_AXES: Mapping[str, tuple[str, ...]] = {
 UNKNOWN: Mapping[str, str] = {
     "steam": "an ideal card, with an expansion ratio",
     "radius": "the radius at which the mass is, --radius",
-    "load": "--bore and --pressure",
+    "load": "--bore and, but for a card, --pressure",
+    "torque": "--stroke, --bore and, but for a card, --pressure",
 }
 
 
@@ -115,10 +116,6 @@ class EngineRequest:
                 f"layout {self.layout.key} shows one method, and {len(self.methods)} were given;"
                 f" {'use --layout delta-verfahren' if compared else 'leave the others out'}"
             )
-        if self.load is not None and not 0 < self.load.pressure <= 10**12:
-            raise ProblemError(
-                f"the pressure is {about(self.load.pressure)} Pa; it must be above 0 and at most 10^12 Pa"
-            )
         if self.layout.subject == "turning" and "weisbach" in self.methods:
             raise ProblemError(
                 'method "weisbach" is about the angles of the extremes, which a turning effort has not;'
@@ -152,7 +149,14 @@ class EngineRequest:
         return count * spans.get(self.layout.subject, 1)
 
     def engine(self, steam: int, drive: int) -> Engine:
-        return Engine(self.drives[drive], self.steams[steam], self.double, tuple(self.cranks), self.inertia)
+        return Engine(
+            self.drives[drive],
+            self.steams[steam],
+            self.double,
+            tuple(self.cranks),
+            self.inertia,
+            self.load,
+        )
 
     @cached_property
     def first(self) -> Engine:
@@ -234,6 +238,7 @@ class EngineRequest:
         unknown = {
             "steam": self.carded,
             "load": self.load is None,
+            "torque": self.load is None or self.load.radius is None,
             "radius": not self.flywheels or self.flywheels[0].radius is None,
         }
         return UNKNOWN[quantity.needs] if unknown.get(quantity.needs) else ""

@@ -15,8 +15,8 @@ from typing import Any, NamedTuple
 import flint
 
 from kurbel.certify import MOST_TIE_BITS, TieBits, ball, ball_circle
+from kurbel.crank_forces import CRANK_FORCES, CrankForce
 from kurbel.engine import Engine
-from kurbel.engine_quantities import CRANK_FORCES
 from kurbel.kernel import steam, turning
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.kinds import Number
@@ -93,20 +93,43 @@ def back_ties(turn: Turn, half_turns: Fraction) -> TieBits:
 
 
 def crank_force_ties(key: str) -> Callable[[Turn, Fraction], TieBits]:
-    """Return the same for a force of the first crank."""
+    """Return the same for a force of the first crank in Q."""
+    force = CRANK_FORCES[key]
 
     def ties(turn: Turn, half_turns: Fraction) -> TieBits:
         crank = next(_cranks(turn, half_turns))
-        acting = turn.engine.ideal.numbers(_BOUNDS.of, _BOUNDS.exponent)
 
         def bits(boundary: Fraction) -> float:
-            idle = crank.stroke and not turn.engine.double
-            share, _ = _share_and_velocity(turn, crank, _BOUNDS)
-            full = idle or _at_full_pressure(turn, crank)
-            pressure = 1 - acting.back if full else steam.net_pressure(share, acting)
+            if not _weightless(turn, crank, force):
+                # The masses add an algebraic multiple of π, or of 1/π.
+                return inf
             circle, ratio = _BOUNDS.circle(180 * crank.angle), _BOUNDS.of(turn.engine.crank.ratio)
-            force = CRANK_FORCES[key].formula(circle, ratio)
-            return float((pressure * force - Separation.rational(boundary)).bits())
+            alone = _pressure_bounds(turn, crank) * force.bare(circle, ratio)
+            return float((alone - Separation.rational(boundary)).bits())
+
+        return bits
+
+    return ties
+
+
+def newton_ties(key: str, moment: bool = False) -> Callable[[Turn, Fraction], TieBits]:
+    """Return the same in N or N m: the steam's share has the factor π, that of the masses π² or none."""
+    force = CRANK_FORCES[key]
+
+    def ties(turn: Turn, half_turns: Fraction) -> TieBits:
+        crank = next(_cranks(turn, half_turns))
+
+        def bits(boundary: Fraction) -> float:
+            inertia, load = turn.engine.inertia, turn.engine.load
+            if inertia is None or inertia.speed.turns or not _without_steam(turn, crank):
+                return inf
+            assert load is not None
+            assert load.radius is not None
+            unit = inertia.scale(load.radius) * (load.radius if moment else 1)
+            weights = inertia.weights(_BOUNDS.of, _BOUNDS.of(unit))
+            circle, ratio = _BOUNDS.circle(180 * crank.angle), _BOUNDS.of(turn.engine.crank.ratio)
+            alone = force.loaded(circle, ratio, weights, Separation.rational(0))
+            return float((alone - Separation.rational(boundary)).bits())
 
         return bits
 
@@ -120,7 +143,36 @@ TIES: Mapping[str, Callable[[Turn, Fraction], TieBits]] = {
     "energy": energy_ties,
     "back": back_ties,
     **{key: crank_force_ties(key) for key in CRANK_FORCES},
+    **{f"{key}_n": newton_ties(key) for key in CRANK_FORCES},
+    "torque_nm": newton_ties("crank_force", moment=True),
 }
+
+
+def _pressure_bounds(turn: Turn, crank: _Crank) -> Separation:
+    """The net pressure on the piston; a stroke that idles is bounded by that of full pressure."""
+    acting = turn.engine.ideal.numbers(_BOUNDS.of, _BOUNDS.exponent)
+    if (crank.stroke and not turn.engine.double) or _at_full_pressure(turn, crank):
+        full: Separation = 1 - acting.back
+        return full
+    beyond: Separation = steam.net_pressure(_share_and_velocity(turn, crank, _BOUNDS)[0], acting)
+    return beyond
+
+
+def _weightless(turn: Turn, crank: _Crank, force: CrankForce) -> bool:
+    """Whether the masses have no part in the force, for certain."""
+    weights = turn.cylinder.weights
+    if weights is None:
+        return True
+    at, ratio = ball_circle(180 * crank.angle), turn.cylinder.ratio * SIGNS[crank.stroke]
+    return bool(force.loaded(at, ratio, weights, flint.arb(0)) == 0)
+
+
+def _without_steam(turn: Turn, crank: _Crank) -> bool:
+    """Whether no net pressure acts on the piston, for certain."""
+    if crank.stroke and not turn.engine.double:
+        return True
+    # The best back pressure is that of the steam at the end of the stroke.
+    return crank.angle == 1 and turn.engine.ideal.back is None
 
 
 def _at_full_pressure(turn: Turn, crank: _Crank) -> bool:

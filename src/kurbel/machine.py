@@ -64,6 +64,7 @@ SECTIONS: Mapping[str, Mapping[str, Entry]] = {
         "rod": Entry("rod_mass", 'mass of the connecting rod, such as "150kg"'),
         "centre": Entry("centre", "its centre of mass from the crosshead pin, in rod lengths"),
         "gyration": Entry("gyration", "its radius of gyration, in rod lengths"),
+        "rotating": Entry("rotating", "mass of the crank itself at its pin, less counterweights"),
         "file": Entry("rod_file", "its masses, a CSV file beside this one", file=True),
     },
     "flywheel": {

@@ -16,13 +16,13 @@ from typing import TYPE_CHECKING, NamedTuple, Protocol, TypeAlias
 import flint
 
 from kurbel.certify import ball, ball_circle
+from kurbel.crank_forces import CrankForce, Weights
 from kurbel.engine import Engine
-from kurbel.engine_quantities import CrankForce, Peak
+from kurbel.engine_quantities import Peak
 from kurbel.errors import ProblemError
 from kurbel.kernel import inertia, rod, steam, turning
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.kinds import Number, larger, smaller
-from kurbel.kernel.rod import Masses
 from kurbel.kernel.turning import Motion, Stroke
 from kurbel.quantities import OUT, RETURN
 from kurbel.roots import ISOLATING_BITS, Function, Root, isolate, refined
@@ -85,15 +85,15 @@ class Cylinder(NamedTuple):
     motion: Motion
     strokes: tuple[BallStroke, BallStroke]
     mean: Number
-    masses: Masses[Number] | None = None
+    weights: Weights | None = None
 
     def excess(self, stroke: int, angle: Angle) -> Number:
         """The tangential force less its mean, at half turns from the dead centre of the stroke."""
         force = turning.tangential_force(
             self.strokes[stroke], self.motion, circle(angle), self.ratio * SIGNS[stroke]
         )
-        if self.masses is not None:
-            force += rod.torque(circle(angle), self.ratio * SIGNS[stroke], self.masses)
+        if self.weights is not None:
+            force += rod.torque(circle(angle), self.ratio * SIGNS[stroke], self.weights.masses)
         return force - self.mean
 
     def slope(self, stroke: int, angle: Angle) -> Number:
@@ -103,16 +103,16 @@ class Cylinder(NamedTuple):
         acting = self.strokes[stroke]
         change = acting.slope(share) * velocity * velocity / 2
         total = change + acting.force(share) * self.motion.acceleration(at, ratio)
-        if self.masses is not None:
-            total += inertia.torque_slope(at, ratio, self.masses)
+        if self.weights is not None:
+            total += inertia.torque_slope(at, ratio, self.weights.masses)
         return total * flint.arb.pi()
 
     def energy(self, stroke: int, angle: Angle) -> Number:
         """The work of the excess since the inner dead centre."""
         work = turning.work_done(self.strokes[stroke], self.motion, circle(angle), self.ratio * SIGNS[stroke])
         before = 2 * self.strokes[0].work(flint.arb(1)) if stroke else flint.arb(0)
-        if self.masses is not None:
-            work -= inertia.kinetic_energy(circle(angle), self.ratio * SIGNS[stroke], self.masses)
+        if self.weights is not None:
+            work -= inertia.kinetic_energy(circle(angle), self.ratio * SIGNS[stroke], self.weights.masses)
         turned = ball(angle + stroke) if isinstance(angle, Fraction) else angle + stroke
         return before + work - self.mean * turned * flint.arb.pi()
 
@@ -180,6 +180,19 @@ class Turn:
     def of(self, value: Fraction) -> Number:
         return ball(value)
 
+    def force_unit(self) -> Number:
+        """The steam force Q in newtons."""
+        load = self.engine.load
+        assert load is not None
+        assert load.pressure is not None
+        return ball(load.pressure * load.bore**2 / 4) * flint.arb.pi()
+
+    def radius(self) -> Number:
+        """The crank radius in metres."""
+        assert self.engine.load is not None
+        assert self.engine.load.radius is not None
+        return ball(self.engine.load.radius)
+
     def back(self) -> Number:
         """The back pressure R_b/Q."""
         return self.engine.ideal.numbers(ball).back
@@ -215,7 +228,7 @@ class Turn:
         cylinder = self.cylinder
         at, ratio = circle(angle), cylinder.ratio * SIGNS[stroke]
         net = cylinder.strokes[stroke].force(cylinder.motion.path(at, ratio) / 2)
-        return net * force.formula(at, ratio) * (SIGNS[stroke] if force.framed else 1)
+        return force.of(at, ratio, cylinder.weights, net) * (SIGNS[stroke] if force.framed else 1)
 
     def energy_at(self, half_turns: Fraction) -> Number:
         """The excess work W/(Q R) since the first crank's inner dead centre, at an exact angle."""
@@ -367,9 +380,10 @@ def circle(half_turns: Angle) -> Circle[Number]:
 def _cylinder(engine: Engine, motion: Motion) -> Cylinder:
     acting = SteamStroke(engine.ideal.numbers(ball))
     strokes: tuple[BallStroke, BallStroke] = (acting, acting if engine.double else IdleStroke())
-    masses = None if engine.inertia is None else engine.inertia.masses(ball, flint.arb.pi())
+    pressure = None if engine.load is None else engine.load.pressure
+    weights = None if pressure is None else engine.weights(ball, flint.arb.pi(), pressure)
     mean = turning.mean_force(strokes, flint.arb.pi())
-    return Cylinder(ball(engine.crank.ratio), motion, strokes, mean, masses)
+    return Cylinder(ball(engine.crank.ratio), motion, strokes, mean, weights)
 
 
 def _piece(starts: Sequence[Fraction], low: Fraction, high: Fraction) -> Piece:

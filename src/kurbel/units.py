@@ -65,6 +65,11 @@ def mass(text: str, what: str) -> Fraction:
     return _checked(Fraction(kilograms), text, what, "kg")
 
 
+def signed_mass(text: str, what: str) -> Fraction:
+    """Return a mass in kilograms, which is negative where a counterweight outweighs it: "-40kg"."""
+    return Fraction(_quantity(text, what, "a mass such as -40kg", "[mass]").to("kg").magnitude)
+
+
 def force(text: str) -> Fraction:
     """Return a force in newtons, above 0: "10kN", "1000 kgf"."""
     newtons = _quantity(text, "force", "a force such as 10kN", "[force]").to("N").magnitude

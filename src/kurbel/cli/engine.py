@@ -10,7 +10,7 @@ import click
 
 from kurbel import notation
 from kurbel.cli.machine import machine_option
-from kurbel.cli.masses import inertia_of, mass_options
+from kurbel.cli.masses import inertia_of, load_of, mass_options
 from kurbel.cli.options import Columns, Name, in_order, layout_option, output_options, without_outdone
 from kurbel.errors import ProblemError
 
@@ -24,6 +24,7 @@ RIVALS = (
     ("back", {"card"}),
     ("exponent", {"card"}),
     ("clearance", {"card"}),
+    ("pressure", {"card"}),
     ("card", {"eps"}),
 )
 Command = TypeVar("Command", bound=Callable[..., Any])
@@ -205,7 +206,8 @@ def print_engine(options: dict[str, Any], name: str, subjects: tuple[str, ...], 
         lang=options["lang"],
         columns=notation.names(options["columns"], "columns", "epsilon,delta"),
         label=options["label"],
-        inertia=inertia_of(options, engines["drives"]) if "reciprocating" in options else None,
+        inertia=inertia_of(options, engines["drives"]),
+        load=load_of(options),
         **rest,
     )
     print_table(request, printing)

@@ -5,19 +5,17 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
 from kurbel import notation
 from kurbel.cli.engine import engine_conditions, print_engine, steam_options
 from kurbel.cli.machine import machine_option
-from kurbel.cli.options import LayoutName, Name, output_options, typed, without_outdone
+from kurbel.cli.masses import MASSES, MOVING, SIZE
+from kurbel.cli.options import LayoutName, Name, in_order, output_options, typed, without_outdone
 from kurbel.cli.table import RIVALS, chosen_angles, cranks_of, motion_options, print_motion
 from kurbel.errors import ProblemError
-
-if TYPE_CHECKING:
-    from kurbel.engine_quantities import Load
 
 POSITIONS = ("tangent",)
 
@@ -32,10 +30,14 @@ POSITIONS = ("tangent",)
     help="tangent: a sheet of the position in which the rod touches the crank circle, with closed forms.",
 )
 @steam_options
+@in_order(SIZE)
+@in_order(MOVING)
 @click.option(
-    "--bore", metavar="LENGTH", help="Bore of the cylinder, with --pressure for columns in N: 300mm."
+    "--rotating",
+    metavar="MASS",
+    help="Mass of the crank itself at its pin, for the main bearing: 60kg; -40kg if counterweights outweigh.",
 )
-@click.option("--pressure", metavar="PRESSURE", help="Steam pressure before cut-off: 8bar.")
+@click.option("--speed", metavar="SPEED", help="Speed, for the masses: 120/min, 12.5rad/s.")
 @click.option(
     "--method",
     type=Name("method", lambda: ("exact", "series")),
@@ -44,7 +46,7 @@ POSITIONS = ("tangent",)
 @click.option(
     "--layout",
     type=LayoutName(("motion", "turning", "tangent")),
-    help="Page layout; default: forces, or engine-forces with --eps or --card.",
+    help="Page layout; default: forces; with --eps or --card engine-forces, and with masses machine-forces.",
 )
 @output_options
 def forces(**options: Any) -> None:
@@ -57,6 +59,7 @@ def forces(**options: Any) -> None:
     kurbel forces --ratio 1:5 --force 10kN --stroke 600mm
     kurbel forces --ratio 1:5 --at tangent
     kurbel forces --eps 4 --bore 300mm --pressure 8bar
+    kurbel forces --machine engine.toml
     """  # fmt: skip
     _subject(options)(options)
 
@@ -71,7 +74,7 @@ def _subject(options: Mapping[str, Any]) -> Any:
 
 
 def _print_unit(options: dict[str, Any]) -> None:
-    _refuse(options, ("bore", "pressure"), "is for the steam of an engine; add --eps or --card")
+    _refuse(options, ("bore", "pressure", *MASSES), "is for the steam of an engine; add --eps or --card")
     print_motion({**options, "layout": options["layout"] or "forces"}, _newtons(options))
 
 
@@ -79,11 +82,12 @@ def _print_engine(options: dict[str, Any]) -> None:
     from kurbel.layouts import layout_of
 
     without = "does not go with the steam of an engine, --eps or --card; leave it out"
-    _refuse(options, ("force", "offset", "stroke", "rod"), without)
-    name = options["layout"] or "engine-forces"
+    _refuse(options, ("force", "offset", "rod"), without)
+    heavy = any(options[name] is not None for name in MASSES)
+    name = options["layout"] or ("machine-forces" if heavy else "engine-forces")
     angles = chosen_angles(layout_of(name, ("turning",)), options)
     options |= {"cranks": None, "method": (options["method"],) if options["method"] else ()}
-    print_engine(options, name, ("turning",), angles=angles, load=_load(options))
+    print_engine(options, name, ("turning",), angles=angles)
 
 
 def _print_tangent(options: dict[str, Any]) -> None:
@@ -113,21 +117,10 @@ def _print_tangent(options: dict[str, Any]) -> None:
 def _refuse(options: Mapping[str, Any], names: tuple[str, ...], why: str) -> None:
     for name in names:
         if options[name] not in (None, ()) and typed(name):
-            raise ProblemError(f"--{name} {why}")
+            raise ProblemError(f"--{name.replace('_', '-')} {why}")
 
 
 def _newtons(options: Mapping[str, Any]) -> Fraction | None:
     from kurbel.units import force
 
     return None if options["force"] is None else force(options["force"])
-
-
-def _load(options: Mapping[str, Any]) -> Load | None:
-    if options["bore"] is None and options["pressure"] is None:
-        return None
-    if options["bore"] is None or options["pressure"] is None:
-        raise ProblemError("newtons need both, --bore and --pressure")
-    from kurbel.engine_quantities import Load
-    from kurbel.units import length, pressure
-
-    return Load(length(options["bore"], "bore"), Fraction(pressure(options["pressure"], "pressure")))

@@ -14,14 +14,14 @@ from kurbel.cli.options import in_order
 from kurbel.errors import NotationError, ProblemError
 
 if TYPE_CHECKING:
-    from kurbel.engine import Inertia
+    from kurbel.engine import Inertia, Load
     from kurbel.problem import Crank
     from kurbel.rod import Rod
 
 # What every mass needs beside it to become a force.
 SCALE = ("stroke", "speed", "bore", "pressure")
 ROD_NAMES = ("rod_mass", "centre", "gyration", "rod_file")
-MASSES = ("reciprocating", *ROD_NAMES)
+MASSES = ("reciprocating", *ROD_NAMES, "rotating")
 
 
 ROD = (
@@ -36,38 +36,60 @@ ROD = (
                  " counted from the crank pin."),
 )  # fmt: skip
 rod_options = in_order(ROD)
-mass_options = in_order((
+MOVING = (
     click.option("--reciprocating", metavar="MASS",
                  help="Mass of piston and crosshead: 200kg. Masses need --stroke, --speed, --bore and"
                  " --pressure."),
     *ROD,
-    click.option("--stroke", metavar="LENGTH", help="Stroke 2R: 600mm."),
+)  # fmt: skip
+SIZE = (
     click.option("--bore", metavar="LENGTH", help="Bore of the cylinder: 300mm."),
-    click.option("--pressure", metavar="PRESSURE", help="Steam pressure before cut-off: 8bar."),
-))  # fmt: skip
+    click.option("--pressure", metavar="PRESSURE",
+                 help="Steam pressure before cut-off: 8bar; an indicator card has its own."),
+)  # fmt: skip
+STROKE = click.option("--stroke", metavar="LENGTH", help="Stroke 2R: 600mm.")
+mass_options = in_order((*MOVING, STROKE, *SIZE))
+
+
+def load_of(options: Mapping[str, Any]) -> Load | None:
+    """Return what makes newtons of the steam force, None if it is not known."""
+    needed = ("bore",) if options["card"] else ("bore", "pressure")
+    if options["bore"] is None and (options["card"] or options["pressure"] is None):
+        return None
+    missing = [f"--{name}" for name in needed if options[name] is None]
+    if missing:
+        raise ProblemError(f"newtons need the bore and the steam pressure; add {missing[0]}")
+    from kurbel.engine import Load
+    from kurbel.units import length, pressure
+
+    steam, stroke = options["pressure"], options["stroke"]
+    return Load(
+        length(options["bore"], "bore"),
+        None if steam is None else Fraction(pressure(steam, "pressure")),
+        None if stroke is None else length(stroke, "stroke") / 2,
+    )
 
 
 def inertia_of(options: Mapping[str, Any], drives: Sequence[Crank]) -> Inertia | None:
     """Return the masses that the options describe, None if there are none."""
-    given = [name for name in MASSES if options[name] is not None]
+    given = [name for name in MASSES if options.get(name) is not None]
     if not given:
         return None
     option = f"--{given[0].replace('_', '-')}"
-    missing = [f"--{name}" for name in SCALE if options[name] is None]
+    needed = [name for name in SCALE if name != "pressure" or not options["card"]]
+    missing = [f"--{name}" for name in needed if options[name] is None]
     if missing:
         raise ProblemError(f"{option} needs {', '.join(missing)} to become a force")
     from kurbel.engine import Inertia
-    from kurbel.units import length, mass, pressure, speed
+    from kurbel.units import length, mass, signed_mass, speed
 
-    reciprocating = options["reciprocating"]
+    reciprocating, rotating = options["reciprocating"], options.get("rotating")
     radius = length(options["stroke"], "stroke") / 2
     return Inertia(
         Fraction(0) if reciprocating is None else mass(reciprocating, "reciprocating mass"),
-        radius,
         speed(options["speed"]),
-        length(options["bore"], "bore"),
-        Fraction(pressure(options["pressure"], "pressure")),
         _heavy_rod(options, [replace(drive, radius=radius) for drive in drives]),
+        Fraction(0) if rotating is None else signed_mass(rotating, "rotating mass"),
     )
 
 

@@ -192,6 +192,67 @@ def pin_force(
     return _magnitude(along, pin_force_across(circle, ratio, masses, offset, piston_force))
 
 
+def thrust(
+    circle: Circle[Number],
+    ratio: Number,
+    reciprocating: Number,
+    offset: Number | None = None,
+    piston_force: Number = 0,
+) -> Number:
+    """Return the force of the crosshead on the rod along the slide, positive against X: F - m p.
+
+    `reciprocating` is the mass that goes to and fro with the crosshead, without any of the rod's.
+    """
+    return piston_force - reciprocating * _piston_acceleration(circle, ratio, offset)
+
+
+def rod_force(
+    circle: Circle[Number],
+    ratio: Number,
+    masses: Masses[Number],
+    reciprocating: Number,
+    offset: Number | None = None,
+    piston_force: Number = 0,
+) -> Number:
+    """Return the force along the rod at its crosshead end, positive where it presses the rod.
+
+    Of a rod without mass it is the same all along the rod, F/cos ψ. `masses` are those joined with the
+    reciprocating ones. Re-derived, from the equilibrium of the crosshead.
+    """
+    slant = rod_slant(circle, ratio, offset)
+    pressing = thrust(circle, ratio, reciprocating, offset, piston_force) * slant.cosine
+    return pressing + guide_force(circle, ratio, masses, offset, piston_force) * slant.sine
+
+
+def crosshead_pin_force(
+    circle: Circle[Number],
+    ratio: Number,
+    masses: Masses[Number],
+    reciprocating: Number,
+    offset: Number | None = None,
+    piston_force: Number = 0,
+) -> Number:
+    """Return the magnitude of the force between crosshead pin and rod; masses as in `rod_force`."""
+    along = thrust(circle, ratio, reciprocating, offset, piston_force)
+    return _magnitude(along, guide_force(circle, ratio, masses, offset, piston_force))
+
+
+def radial_force(
+    circle: Circle[Number],
+    ratio: Number,
+    masses: Masses[Number],
+    offset: Number | None = None,
+    piston_force: Number = 0,
+) -> Number:
+    """Return the force of the rod on the crank pin along the crank, positive towards the shaft.
+
+    The force across the crank is `torque`, in units of R. Re-derived: the pin force turned by φ.
+    """
+    along = pin_force_along(circle, ratio, masses, offset, piston_force)
+    across = pin_force_across(circle, ratio, masses, offset, piston_force)
+    return along * circle.cosine + across * circle.sine
+
+
 def torque(
     circle: Circle[Number],
     ratio: Number,
