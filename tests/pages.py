@@ -13,12 +13,16 @@ from kurbel.table import DITTO, Number, Panel, Table
 
 Address = tuple[str, ...]
 
+MACHINE = ("--stroke=600mm", "--speed=120/min", "--bore=300mm", "--pressure=800kPa")
+ROD = ("--rod-mass=150kg", "--centre=0.6", "--gyration=0.3")
 # By what a page is about: the command that prints it, with what it cannot do without.
 COMMANDS: Mapping[str, tuple[str, ...]] = {
     "motion": ("table",),
     "irregularity": ("delta",),
     "strokes": ("delta",),
     "turning": ("turning",),
+    "crank forces": ("forces", "--eps=4"),
+    "machine": ("forces", "--eps=4", *MACHINE, "--reciprocating=300kg", *ROD, "--rotating=-40kg"),
     "flywheel": ("flywheel", "--power=50kW", "--speed=120/min", "--delta=1:50;1:100", "--radius=1.5m"),
     "dead centres": ("deadcentres",),
     "harmonics": ("harmonics",),
@@ -37,7 +41,7 @@ def about(*subjects: str) -> list[str]:
 
 
 MOTION = about("motion")
-ENGINES = about("irregularity", "strokes", "turning", "flywheel")
+ENGINES = about("irregularity", "strokes", "turning", "crank forces", "machine", "flywheel")
 BEAMS = about("dead centres")
 BALANCES = about("harmonics", "balance")
 LINKAGES = about("arc crank", "parallel crank")
@@ -75,6 +79,11 @@ def default_page(name: str, lang: str = "de", label: str = "") -> Table:
         case "inertia" | "inertia errors":
             return kurbel.make_inertia_table(
                 layout=name, centre=0.65, gyration="35%", lang=lang, label=label,
+            )  # fmt: skip
+        case "machine":
+            return kurbel.make_engine_table(
+                layout=name, lang=lang, label=label, stroke="0.6", speed=2, bore="0.3", pressure=800_000,
+                reciprocating=300, rod_mass=150, centre="0.6", gyration="0.3", rotating=-40,
             )  # fmt: skip
         case "flywheel":
             return kurbel.make_engine_table(

@@ -75,13 +75,15 @@ def test_the_columns_are_those_of_the_layout_that_was_typed() -> None:
 
 def test_a_command_completes_the_layouts_of_its_subject_only() -> None:
     assert completed("bash", "delta", "--layout", "") == about("irregularity", "strokes")
-    assert completed("bash", "turning", "--layout", "") == ["engine-forces", "turning"]
+    assert completed("bash", "turning", "--layout", "") == ["turning"]
     assert completed("bash", "flywheel", "--layout", "") == ["flywheel"]
     assert completed("bash", "deadcentres", "--layout", "") == BEAMS
     assert completed("bash", "harmonics", "--layout", "") == ["harmonics"]
     assert completed("bash", "balance", "--layout", "") == ["balance"]
     assert completed("bash", "inertia", "--layout", "") == about("inertia", "inertia errors")
-    assert completed("bash", "forces", "--layout", "") == about("motion", "turning", "tangent")
+    assert completed("bash", "forces", "--layout", "") == about(
+        "motion", "crank forces", "machine", "tangent"
+    )
 
 
 def test_the_columns_are_those_of_the_mechanism_that_was_typed() -> None:

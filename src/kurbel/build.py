@@ -111,6 +111,8 @@ BUILDERS: dict[str, Callable[[Any, bool], Table]] = {
     "irregularity": _engine,
     "strokes": _engine,
     "turning": _engine,
+    "crank forces": _engine,
+    "machine": _engine,
     "flywheel": _engine,
     "dead centres": _beam,
     "harmonics": _harmonics,

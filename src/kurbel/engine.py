@@ -150,6 +150,8 @@ class Inertia:
             raise ProblemError(
                 f"the reciprocating mass is {about(self.reciprocating)} kg; it must lie within 0..10^9 kg"
             )
+        if self.rod is not None and self.rod.mass is None:
+            raise ProblemError("the rod's masses are shares; add its mass in kg, --rod-mass")
         if abs(self.rotating) > HEAVIEST:
             raise ProblemError(
                 f"the rotating mass is {about(self.rotating)} kg; it must lie within -10^9..10^9 kg"

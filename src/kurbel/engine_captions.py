@@ -10,7 +10,7 @@ from kurbel.crank_forces import CRANK_FORCES
 from kurbel.engine import Engine, Inertia, Load, Steam
 from kurbel.engine_axes import CARD, expansion_label
 from kurbel.engine_quantities import EngineQuantity, engine_registry
-from kurbel.engine_request import ENGINE_METHODS, EngineColumn, EngineRequest
+from kurbel.engine_request import ENGINE_METHODS, OVER_ANGLE, EngineColumn, EngineRequest
 from kurbel.labels import plain as plain_label
 from kurbel.notation import plain, ratio_text
 from kurbel.numerals import number_text
@@ -186,7 +186,7 @@ def notes(request: EngineRequest) -> Iterator[Label]:
             yield WORDS["radius"][lang].format(radius=plain(radius))
     if subject == "strokes":
         yield WORDS["turn" if request.first.plain else "whole_turn"][lang]
-    if subject in ("strokes", "turning"):
+    if subject in ("strokes", *OVER_ANGLE):
         yield WORDS["card_forces" if request.carded else "forces"][lang]
     shown = {column.quantity.key.removesuffix("_n") for column in request.page_columns}
     if "energy" in shown:

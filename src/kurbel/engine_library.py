@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from kurbel import notation
 from kurbel.choices import choose
+from kurbel.engine_request import OVER_ANGLE
 from kurbel.errors import ProblemError
 from kurbel.given import Exact, as_angle, as_fraction, as_names, as_ratio, as_share, read_each, read_values
 from kurbel.layouts import LANGUAGES, layout_of
@@ -16,10 +17,11 @@ from kurbel.problem import Crank, Speed
 from kurbel.table import Table
 
 if TYPE_CHECKING:
-    from kurbel.engine import Diagram
+    from kurbel.engine import Diagram, Inertia, Load
     from kurbel.flywheel import Flywheel
+    from kurbel.rod import Rod
 
-ENGINE_SUBJECTS = ("irregularity", "strokes", "turning", "flywheel")
+ENGINE_SUBJECTS = ("irregularity", "strokes", *OVER_ANGLE, "flywheel")
 
 
 def make_engine_table(
@@ -36,8 +38,17 @@ def make_engine_table(
     double_acting: bool = True,
     cranks: Exact | Iterable[Exact] = 0,
     angles: Exact | Iterable[Exact] | None = None,
-    power: Exact | None = None,
+    bore: Exact | None = None,
+    pressure: Exact | None = None,
+    stroke: Exact | None = None,
     speed: Exact | None = None,
+    reciprocating: Exact | None = None,
+    rod_mass: Exact | None = None,
+    centre: Exact | None = None,
+    gyration: Exact | None = None,
+    rod_file: str | PathLike[str] | None = None,
+    rotating: Exact | None = None,
+    power: Exact | None = None,
     irregularities: Exact | Iterable[Exact] = (),
     radius: Exact | None = None,
     columns: str | Iterable[str] = (),
@@ -51,9 +62,11 @@ def make_engine_table(
     Expansion ratios, crank ratios and angles default to the layout's own; values may be text as on the
     command line. `back`, `exponent` and `clearance` are b = R_b/Q (None: the best), n and κ; `cards` are
     files of indicator cards, which take the place of all these, and `other_side` is the pressure in Pa on
-    the other face of a single-acting piston. `cranks` are the angles of several cranks in degrees. A page
-    of flywheels needs `power` in W, `speed` in turns per second and the `irregularities` δ to keep; `radius`
-    in m adds the mass there. Raises KurbelError.
+    the other face of a single-acting piston. `cranks` are the angles of several cranks in degrees. `bore`
+    in m and `pressure` in Pa, but for a card, make newtons of forces. Masses in kg count with these, the
+    `stroke` in m and the `speed` in turns per second: `reciprocating`, those of the rod as in
+    `make_inertia_table`, and `rotating`, the crank's own at its pin. A page of flywheels needs `power` in W,
+    the speed and the `irregularities` δ to keep; `radius` in m adds the mass there. Raises KurbelError.
 
     >>> from kurbel import typeset
     >>> print(typeset(make_engine_table("2..4"), "csv"), end="")
@@ -76,10 +89,12 @@ def make_engine_table(
             Steam(expansion, None if back is None else as_share(back), *inside)
             for expansion in read_values(given, _expansion_ratios, as_fraction)
         ]
+    size = _optional(stroke)
     drives = [
-        Crank(ratio)
+        Crank(ratio, radius=None if size is None else size / 2)
         for ratio in read_values(page.ratios if ratios is None else ratios, notation.ratios, as_ratio)
     ]
+    rod = (centre, gyration, rod_file, rod_mass)
     shifts = notation.crank_angles(cranks) if isinstance(cranks, str) else read_each(cranks, as_angle)
     return build(
         EngineRequest(
@@ -91,6 +106,8 @@ def make_engine_table(
             methods=(methods,) if isinstance(methods, str) else tuple(methods),
             angles=read_values((page.angles or "0") if angles is None else angles, notation.angles, as_angle),
             flywheels=_flywheels(power, speed, irregularities, radius) if page.subject == "flywheel" else (),
+            load=_load(bore, pressure, size),
+            inertia=_inertia(drives, speed, reciprocating, rotating, rod),
             digits=digits,
             rounding=rounding,
             lang=choose(lang, LANGUAGES, "language"),
@@ -98,6 +115,54 @@ def make_engine_table(
             label=label,
         )
     )
+
+
+def _load(bore: Exact | None, pressure: Exact | None, stroke: Fraction | None) -> Load | None:
+    from kurbel.engine import Load
+
+    if bore is None:
+        return None
+    return Load(as_fraction(bore), _optional(pressure), None if stroke is None else stroke / 2)
+
+
+def _inertia(
+    drives: Sequence[Crank],
+    speed: Exact | None,
+    reciprocating: Exact | None,
+    rotating: Exact | None,
+    rod: tuple[Exact | None, Exact | None, str | PathLike[str] | None, Exact | None],
+) -> Inertia | None:
+    from kurbel.engine import Inertia
+
+    rodded = any(one is not None for one in rod)
+    if reciprocating is None and rotating is None and not rodded:
+        return None
+    if speed is None:
+        raise ProblemError("masses need the speed, in turns per second, to become forces")
+    return Inertia(
+        Fraction(0) if reciprocating is None else as_fraction(reciprocating),
+        Speed(as_fraction(speed)),
+        _rod(drives, *rod) if rodded else None,
+        Fraction(0) if rotating is None else as_fraction(rotating),
+    )
+
+
+def _rod(
+    drives: Sequence[Crank],
+    centre: Exact | None,
+    gyration: Exact | None,
+    file: str | PathLike[str] | None,
+    mass: Exact | None,
+) -> Rod:
+    from kurbel.rod_given import given_rod
+
+    shares = [None if one is None else as_share(one) for one in (centre, gyration)]
+    length = drives[0].rod_length if len(drives) == 1 else None
+    return given_rod(shares[0], shares[1], file, _optional(mass), length)
+
+
+def _optional(value: Exact | None) -> Fraction | None:
+    return None if value is None else as_fraction(value)
 
 
 def _diagrams(

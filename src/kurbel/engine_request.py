@@ -44,18 +44,20 @@ ENGINE_METHODS: Mapping[str, Method] = {
         ),
     )
 }
+# What pages of a run of crank angles are about.
+OVER_ANGLE = ("turning", "crank forces", "machine")
 # The quantities that a page can show, by what it is about.
 SCOPES: Mapping[str, tuple[str, ...]] = {
     "irregularity": ("turn", "span"),
     "strokes": ("turn", "span", "stroke"),
-    "turning": ("angle", "turn"),
+    **dict.fromkeys(OVER_ANGLE, ("angle", "turn")),
     "flywheel": ("flywheel",),
 }
 # The keys of the axes in records, and on the command line.
 ENGINE_AXES: Mapping[str, tuple[str, ...]] = {
     "irregularity": ("epsilon", "ratio"),
     "strokes": ("epsilon", "ratio", "stroke"),
-    "turning": ("epsilon", "ratio", "phi"),
+    **dict.fromkeys(OVER_ANGLE, ("epsilon", "ratio", "phi")),
     "flywheel": ("epsilon", "ratio", "target"),
 }
 
@@ -116,7 +118,7 @@ class EngineRequest:
                 f"layout {self.layout.key} shows one method, and {len(self.methods)} were given;"
                 f" {'use --layout delta-verfahren' if compared else 'leave the others out'}"
             )
-        if self.layout.subject == "turning" and "weisbach" in self.methods:
+        if self.layout.subject in OVER_ANGLE and "weisbach" in self.methods:
             raise ProblemError(
                 'method "weisbach" is about the angles of the extremes, which a turning effort has not;'
                 " use series"
@@ -139,13 +141,19 @@ class EngineRequest:
             raise ProblemError(f"the engine has {len(self.cranks)} cranks; 1 to {MOST_CRANKS} are allowed")
         for ratio in range(len(self.drives)):
             self.engine(0, ratio)
+        if self.layout.subject == "machine" and self.inertia is None:
+            raise ProblemError(
+                f"layout {self.layout.key} is of an engine with its masses; give one, such as --reciprocating"
+                " 300kg, or use --layout engine-forces"
+            )
         if self.layout.subject == "flywheel" and not self.flywheels:
             raise ProblemError("no degree of irregularity was given; write one as 1:100")
 
     def __len__(self) -> int:
         """How many records there are."""
         count = len(self.steams) * len(self.drives)
-        spans = {"strokes": len(self.spans), "turning": len(self.angles), "flywheel": len(self.flywheels)}
+        angles = dict.fromkeys(OVER_ANGLE, len(self.angles))
+        spans = {"strokes": len(self.spans), "flywheel": len(self.flywheels), **angles}
         return count * spans.get(self.layout.subject, 1)
 
     def engine(self, steam: int, drive: int) -> Engine:

@@ -21,6 +21,8 @@ SUBJECTS: Mapping[str, tuple[str, ...]] = {
     "irregularity": ("expansion", "ratio", "column"),
     "strokes": ("expansion", "ratio", "stroke", "column"),
     "turning": ("expansion", "ratio", "angle", "column"),
+    "crank forces": ("expansion", "ratio", "angle", "column"),
+    "machine": ("expansion", "ratio", "angle", "column"),
     "flywheel": ("expansion", "ratio", "target", "column"),
     "dead centres": ("arm", "ratio", "column"),
     "harmonics": ("order", "ratio"),

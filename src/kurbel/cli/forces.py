@@ -17,6 +17,7 @@ from kurbel.cli.options import LayoutName, Name, in_order, output_options, typed
 from kurbel.cli.table import RIVALS, chosen_angles, cranks_of, motion_options, print_motion
 from kurbel.errors import ProblemError
 
+OF_ENGINES = ("crank forces", "machine")
 POSITIONS = ("tangent",)
 
 
@@ -45,7 +46,7 @@ POSITIONS = ("tangent",)
 )
 @click.option(
     "--layout",
-    type=LayoutName(("motion", "turning", "tangent")),
+    type=LayoutName(("motion", *OF_ENGINES, "tangent")),
     help="Page layout; default: forces; with --eps or --card engine-forces, and with masses machine-forces.",
 )
 @output_options
@@ -85,9 +86,9 @@ def _print_engine(options: dict[str, Any]) -> None:
     _refuse(options, ("force", "offset", "rod"), without)
     heavy = any(options[name] is not None for name in MASSES)
     name = options["layout"] or ("machine-forces" if heavy else "engine-forces")
-    angles = chosen_angles(layout_of(name, ("turning",)), options)
+    angles = chosen_angles(layout_of(name, OF_ENGINES), options)
     options |= {"cranks": None, "method": (options["method"],) if options["method"] else ()}
-    print_engine(options, name, ("turning",), angles=angles)
+    print_engine(options, name, OF_ENGINES, angles=angles)
 
 
 def _print_tangent(options: dict[str, Any]) -> None:

@@ -97,10 +97,7 @@ def _heavy_rod(options: Mapping[str, Any], drives: Sequence[Crank]) -> Rod | Non
     if all(options[name] is None for name in ROD_NAMES):
         return None
     # One rod for all ratios has a length of its own only if there is one ratio.
-    rod = rod_of(options, drives[0].rod_length if len(drives) == 1 else None)
-    if rod.mass is None:
-        raise ProblemError("the rod's masses are shares; add its mass in kg, --rod-mass")
-    return rod
+    return rod_of(options, drives[0].rod_length if len(drives) == 1 else None)
 
 
 def rod_of(options: Mapping[str, Any], length: Fraction | None) -> Rod:
