@@ -9,6 +9,7 @@ import click
 
 from kurbel import notation
 from kurbel.balance import usual
+from kurbel.cli.machine import machine_option
 from kurbel.cli.options import Columns, Count, Name, layout_option, output_options, without_outdone
 from kurbel.harmonics import MOST_ORDERS, registry
 from kurbel.quantities import METHODS
@@ -35,6 +36,7 @@ def orders_option(default: int) -> Callable[[Command], Command]:
 
 
 @click.command()
+@machine_option
 @ratio_option
 @click.option(
     "--quantity",
@@ -73,6 +75,7 @@ def harmonics(**options: Any) -> None:
 
 
 @click.command()
+@machine_option
 @click.option(
     "--engine",
     type=Name("engine", usual),

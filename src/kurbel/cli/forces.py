@@ -82,8 +82,10 @@ def _print_unit(options: dict[str, Any]) -> None:
 def _print_engine(options: dict[str, Any]) -> None:
     from kurbel.layouts import layout_of
 
+    if options["offset"] is not None and notation.number(options["offset"], "offset"):
+        raise ProblemError("the steam engine has a straight crank, and an offset was given; leave it out")
     without = "does not go with the steam of an engine, --eps or --card; leave it out"
-    _refuse(options, ("force", "offset", "rod"), without)
+    _refuse(options, ("force", "rod"), without)
     heavy = any(options[name] is not None for name in MASSES)
     name = options["layout"] or ("machine-forces" if heavy else "engine-forces")
     angles = chosen_angles(layout_of(name, OF_ENGINES), options)

@@ -7,6 +7,8 @@ from typing import Any, TypeVar
 
 import click
 
+from kurbel.errors import MachineError
+
 Command = TypeVar("Command", bound=Callable[..., Any])
 
 
@@ -24,5 +26,11 @@ def _load(context: click.Context, parameter: click.Parameter, path: str | None) 
     from kurbel.machine import read_machine
 
     names = {one.name for one in context.command.params}
-    given = {name: value for name, value in read_machine(path).items() if name in names}
+    machine = read_machine(path)
+    if machine.get("offset") and "offset" not in names:
+        raise MachineError(
+            f"{path}: crank.offset is {machine['offset']}, and kurbel {context.info_name} is about the"
+            " straight crank; leave the offset out of the machine"
+        )
+    given = {name: value for name, value in machine.items() if name in names}
     context.default_map = {**(context.default_map or {}), **given}
