@@ -771,9 +771,9 @@ def test_flywheels_of_several_engines_are_told_apart() -> None:
 def test_every_quantity_of_an_engine_is_listed_with_its_command() -> None:
     lines = [line.split() for line in printed("quantities").out.splitlines()]
     commands = {words[0]: next(word for word in words[1:] if word in COMMANDS) for words in lines}
-    scopes = {"turn": "delta", "span": "delta", "stroke": "delta", "angle": "turning", "flywheel": "flywheel"}
+    scopes = {"angle": "turning", "crank": "forces", "flywheel": "flywheel"}
     for key, quantity in engine_registry().items():
-        assert commands[key] == scopes[quantity.scope]
+        assert commands[key] == scopes.get(quantity.scope, "delta")
 
 
 # Environment -------------------------------------------------------------------------------------

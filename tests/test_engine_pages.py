@@ -23,6 +23,8 @@ from kurbel.render import render
 from kurbel.table import DITTO, Table
 
 TASK = {"power": 50_000, "speed": 2, "irregularities": "1:50;1:100", "radius": "1.5"}
+LOAD = {"stroke": "0.6", "bore": "0.3", "pressure": 800_000}
+MACHINE = LOAD | {"speed": 2, "reciprocating": 300, "rod_mass": 150, "centre": "0.6", "gyration": "0.3"}
 QR, PR = "$(Q r)/(m_1 v_1^2)$", "$(P r)/(m_1 v_1^2)$"
 
 
@@ -71,6 +73,30 @@ HEADS: Mapping[str, Mapping[str, Head]] = {
         "tangential_excess": head("Überschuss|$T/Q - P/Q$", "Excess|$T/Q - P/Q$"),
         "energy": head("Überschussarbeit|$W/(Q r)$", "Excess energy|$W/(Q r)$"),
     },
+    "engine-forces": {
+        key: head(f"{de}|${letter}/Q$", f"{en}|${letter}/Q$")
+        for key, letter, de, en in (
+            ("piston_force", "F", "Kolbenkraft", "Piston force"),
+            ("rod_force", "S", "Stangenkraft", "Rod force"),
+            ("guide_force", "N", "Führungsdruck", "Guide force"),
+            ("crank_force", "T", "Tangentialkraft", "Tangential force"),
+            ("radial_force", "Z", "Radialkraft", "Radial force"),
+        )
+    },
+    "machine-forces": {
+        key: head(f"{de}|${letter}$ in {unit}", f"{en}|${letter}$ in {unit}")
+        for key, letter, de, en, unit in (
+            ("piston_force_n", "F", "Kolben", "Piston", "N"),
+            ("rod_force_n", "S", "Stange", "Rod", "N"),
+            ("guide_force_n", "N", "Führung", "Guide", "N"),
+            ("crank_pin_force_n", "K", "Kurbelzapfen", "Crank pin", "N"),
+            ("crank_force_n", "T", "Kurbelzapfen", "Crank pin", "N"),
+            ("radial_force_n", "Z", "Kurbelzapfen", "Crank pin", "N"),
+            ("bearing_along_n", "H_x", "Hauptlager", "Main bearing", "N"),
+            ("bearing_across_n", "H_y", "Hauptlager", "Main bearing", "N"),
+            ("torque_nm", "M_d", "Drehmoment", "Torque", "N m"),
+        )
+    },
     "flywheel": {
         "power": head("Leistung $N$", "Power $N$", "W"),
         "speed": head("Drehzahl $n$", "Speed $n$", '$"min"^(-1)$'),
@@ -118,6 +144,9 @@ ADDRESSES: Mapping[str, Callable[[Point, Address, Address, str], Address]] = {
     "delta-verfahren": lambda at, label, unit, lang: (at.drive, at.epsilon, *label),
     "delta-detail": lambda at, label, unit, lang: (at.engine, *label, STROKES[at.inner][lang], *unit),
     "turning": lambda at, label, unit, lang: (at.engine, at.inner, *label),
+    **dict.fromkeys(
+        ("engine-forces", "machine-forces"), lambda at, label, unit, lang: (at.engine, at.inner, *label)
+    ),
     "flywheel": lambda at, label, unit, lang: (at.engine, *label, TARGETS[at.inner], *unit),
 }  # fmt: skip
 
@@ -127,7 +156,9 @@ def page(name: str, lang: str = "de", **choices: Any) -> Table:
     own: dict[str, Any] = {"expansions": "2;3.5", "ratios": "1:4;1:7", "digits": 8, "back": "0.1"}
     if name == "flywheel":
         own |= TASK
-    if name == "turning":
+    if name == "machine-forces":
+        own |= MACHINE
+    if "phi" in ENGINE_AXES[layout(name).subject]:
         own["angles"] = "17;77;302"
     return kurbel.make_engine_table(layout=name, lang=lang, **(own | choices))
 
@@ -239,14 +270,17 @@ def test_no_stub_cell_is_left_without_a_head_of_its_own(name: str) -> None:
 @pytest.mark.parametrize("name", [name for name in ENGINES if not layout(name).fixed])
 def test_every_column_that_can_be_asked_for_is_printed(name: str) -> None:
     scopes = {"irregularity": ("turn", "span"), "strokes": ("turn", "span", "stroke"),
-              "turning": ("angle", "turn"), "flywheel": ("flywheel",)}[layout(name).subject]  # fmt: skip
+              "turning": ("angle", "turn"), "flywheel": ("flywheel",),
+              "crank forces": ("crank", "angle", "turn"), "machine": ("crank", "angle", "turn"),
+              }[layout(name).subject]  # fmt: skip
     assert not {*engine_registry()} & {*ENGINE_AXES[layout(name).subject]}
     for key, quantity in engine_registry().items():
         if quantity.scope not in scopes:
             with pytest.raises(KurbelError, match=f'^there is no column "{key}"'):
                 page(name, columns=[key])
             continue
-        table = page(name, columns=[key], expansions="3", ratios="1:4")
+        load: dict[str, Any] = LOAD if quantity.scope == "crank" else {}
+        table = page(name, columns=[key], expansions="3", ratios="1:4", **load)
         assert [field.key for field in table.records.fields] == [key]
         values = [row[0] for row in table.records.rows]
         assert any(value is not None for value in values)

@@ -108,10 +108,10 @@ def test_centre_counts_from_the_crosshead_so_that_six_tenths_is_the_railway_rule
 
 
 def test_page_has_columns_in_newtons_if_mass_length_and_speed_are_known() -> None:
-    rod: dict[str, Any] = {"centre": 0.6, "gyration": 0.48, "mass": 100}
+    rod: dict[str, Any] = {"centre": 0.6, "gyration": 0.48, "rod_mass": 100}
     both = kurbel.make_inertia_table(**rod, radius="0.3", speed=2)
     assert len(both.panels[0].columns) == 12
-    for missing in ({"mass": None, "radius": "0.3", "speed": 2}, {"radius": "0.3"}, {}):
+    for missing in ({"rod_mass": None, "radius": "0.3", "speed": 2}, {"radius": "0.3"}, {}):
         assert len(kurbel.make_inertia_table(**{**rod, **missing}).panels[0].columns) == 6
 
 

@@ -126,6 +126,7 @@ def grouped(symbol: str) -> Callable[[str, str, Address], Address]:
 # Where a point stands: from ratio, angle and the column's heads to the address of its cell.
 ADDRESSES: dict[str, Callable[[str, str, Address], Address]] = {
     "blau-kolbenwege": grouped("R:L"),
+    "forces": grouped("R:L"),
     "kinematics": grouped("R:L"),
     "kolbenwege": lambda ratio, angle, heads: ("", angle, *heads, f"${ratio}$"),
     "lueger-kolbenbewegung": grouped("r:l"),

@@ -53,7 +53,11 @@ def machine(tmp_path: Path) -> str:
         ("turning --step 60", f"{TYPED} --speed 120/min"),
         ("flywheel", f"{TYPED} --speed 120/min --power 50kW --delta 1:100;1:50"),
         ("table --angle 0;60", "--ratio 1:4,5 --stroke 600mm --speed 120/min"),
-        ("forces --angle 0;60", "--ratio 1:4,5 --eps 3;4.5 --back 0.1 --bore 300mm --pressure 8bar"),
+        ("forces --angle 0;60", f"{TYPED} --speed 120/min"),
+        ("forces --at tangent", "--ratio 1:4,5 --stroke 600mm"),
+        ("inertia --centre 0.6 --gyration 0.3", "--ratio 1:4,5 --stroke 600mm --speed 120/min"),
+        ("harmonics", "--ratio 1:4,5"),
+        ("balance", "--ratio 1:4,5"),
     ],
 )
 def test_the_file_says_what_could_be_typed(command: str, typed: str, machine: str) -> None:
@@ -64,6 +68,52 @@ def test_the_file_says_what_could_be_typed(command: str, typed: str, machine: st
 def test_what_is_typed_outdoes_the_file(machine: str) -> None:
     shown = printed("delta", "--machine", machine, "--eps", "6", "-f", "csv")
     assert [record["epsilon"] for record in shown.records()] == ["6"]
+
+
+@pytest.mark.parametrize(
+    "lengths",
+    [
+        ('ratio = "1:4,5"', 'rod = "1350mm"'),
+        ('stroke = "600mm"', 'rod = "135cm"'),
+        ("ratio = 0.2222", 'stroke = "600mm"'),
+    ],
+)
+def test_two_lengths_of_the_crank_are_enough(lengths: tuple[str, str], tmp_path: Path) -> None:
+    path = tmp_path / "engine.toml"
+    text = MACHINE.replace('ratio = "1:4,5"\nstroke = "600mm"', "\n".join(lengths))
+    assert text != MACHINE
+    path.write_text(text, encoding="utf-8")
+    for command in ("delta", "forces", "table"):
+        found = printed(command, "--machine", str(path), "-f", "csv").records()
+        typed = printed(command, "--machine", str(path), "--ratio", "1:4,5", "-f", "csv").records()
+        if "rod" in lengths[1]:
+            assert found == typed
+        else:
+            assert found != typed
+
+
+def test_an_offset_is_refused_where_the_crank_is_taken_for_straight(tmp_path: Path) -> None:
+    path = tmp_path / "engine.toml"
+    path.write_text('[crank]\noffset = "0.2"\n[steam]\neps = 4\n', encoding="utf-8")
+    for command in ("delta", "turning", "harmonics", "balance"):
+        assert refusal(command, "--machine", str(path), code=1).endswith(
+            f"crank.offset is 0.2, and kurbel {command} is about the straight crank;"
+            " leave the offset out of the machine"
+        )
+    said = refusal("forces", "--machine", str(path))
+    assert said == "the steam engine has a straight crank, and an offset was given; leave it out"
+    assert printed("table", "--machine", str(path)).out == printed("table", "--offset", "0.2").out
+
+
+def test_a_rod_in_a_file_lies_beside_the_machine(tmp_path: Path) -> None:
+    (tmp_path / "rod.csv").write_text("position,mass\n0,60kg\n0.5,30kg\n1,60kg\n", encoding="utf-8")
+    path = tmp_path / "engine.toml"
+    path.write_text(MACHINE.replace("[masses]", '[masses]\nfile = "rod.csv"'), encoding="utf-8")
+    typed = ("--centre", "0.5", "--gyration", str((0.2) ** 0.5), "--rod-mass", "150kg")
+    words = ("forces", "--angle", "20;130", "--digits", "0", "-f", "csv")
+    plain = tmp_path / "plain.toml"
+    plain.write_text(MACHINE, encoding="utf-8")
+    assert printed(*words, "--machine", str(path)).out == printed(*words, "--machine", str(plain), *typed).out
 
 
 def test_a_card_lies_beside_the_file(tmp_path: Path) -> None:
@@ -85,6 +135,11 @@ def test_a_card_lies_beside_the_file(tmp_path: Path) -> None:
         ("[steam]\neps = {}", 'steam.eps is {}; write text such as "600mm", a number or a list'),
         ("[steam]\neps = []", 'steam.eps is []; write text such as "600mm", a number or a list'),
         ("[steam]\neps = true", 'steam.eps is True; write text such as "600mm", a number or a list'),
+        (
+            '[crank]\nratio = "1:5"\nstroke = "1m"\nrod = "2m"',
+            "two of crank.ratio, crank.stroke and",
+        ),
+        ('[crank]\nratio = ["1:5", "1:4"]\nrod = "2m"', "gives the stroke for one ratio, and there are 2"),
         ("[steam\neps = 3", "(at line 1, column 7)"),
         ("\udcff", "cannot read the machine"),
     ],

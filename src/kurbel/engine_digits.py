@@ -8,7 +8,7 @@ from math import ceil, floor, log10
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.certify import NEVER_TIES, TieBits, rounded
-from kurbel.engine_quantities import SCALES, EngineQuantity, Where
+from kurbel.engine_quantities import AT_ANGLE, SCALES, EngineQuantity, Where
 from kurbel.engine_request import EngineColumn
 from kurbel.engine_ties import TIES
 from kurbel.numerals import finite_decimals, nearest
@@ -96,7 +96,8 @@ def estimated(
         return _given(best, column.decimals, rounding)
     wanted = _decimals(best) if column.decimals is None else column.decimals
     supported = min(wanted, floor(-log10(2 * error)))
-    if (column.quantity.arc and supported < 0) or (column.quantity.scope != "angle" and error > abs(best)):
+    lost = column.quantity.scope not in AT_ANGLE and error > abs(best)
+    if lost or (column.quantity.arc and supported < 0):
         return None
     return _to_place(Fraction(best), supported, rounding)
 

@@ -14,7 +14,7 @@ from kurbel.axes import AngleAxis, ColumnAxis, RatioAxis
 from kurbel.engine import Diagram
 from kurbel.engine_axes import ExpansionAxis, StrokeAxis, TargetAxis, expansion_value
 from kurbel.engine_digits import Estimate, error_number, estimate, estimated, settled
-from kurbel.engine_quantities import SPANS, WHOLE, Where
+from kurbel.engine_quantities import AT_ANGLE, SPANS, WHOLE, Where
 from kurbel.engine_request import EngineColumn, EngineRequest
 from kurbel.errors import CardError
 from kurbel.layouts import SUBJECTS
@@ -170,7 +170,7 @@ def _errors(solved: _Solved) -> Iterator[Label]:
         errors = [
             (column.quantity, error_number(error))
             for column in request.page_columns
-            if column.quantity.scope != "angle" and not column.quantity.arc
+            if column.quantity.scope not in AT_ANGLE and not column.quantity.arc
             for error in [solved.error(column, place)]
             if error
         ]

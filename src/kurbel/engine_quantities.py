@@ -56,19 +56,23 @@ class Where(NamedTuple):
     flywheel: Flywheel | None = None
 
 
+# What is of a crank angle has no least and no greatest place.
+AT_ANGLE = ("angle", "crank")
 # Which command prints the quantities of a scope.
 COMMANDS_OF = {
     "turn": "delta",
     "span": "delta",
     "stroke": "delta --detail",
     "angle": "turning",
+    "crank": "forces",
     "flywheel": "flywheel",
 }
 Value = Callable[[AnyTurn, Where], Any]
 
 
 class EngineQuantity(NamedTuple):
-    """An entry of the registry. `scope` says of what it is: turn, stroke, span (both), angle or flywheel.
+    """An entry of the registry. `scope` says of what it is: turn, stroke, span (both), angle (of
+    all cranks), crank (the first one, at an angle) or flywheel.
 
     `arc` is an angle in degrees, printed in degrees and minutes; `decimals` None prints five figures. `needs`
     names what must be known: an ideal card, "steam", or the "radius" of the flywheel. `greatest` is True for
@@ -224,9 +228,9 @@ def _force_entries() -> Iterator[EngineQuantity]:
     for key, (name, letter) in _FORCE_NAMES.items():
         de, en = name.split("|")
         names, symbol = {"de": de, "en": en}, f"${letter}$"
-        yield EngineQuantity(key, names, symbol, "$Q$", "angle", 4, _force(key))
-        yield EngineQuantity(f"{key}_n", names, symbol, "N", "angle", 1, _force(key, "N"), needs="load")
+        yield EngineQuantity(key, names, symbol, "$Q$", "crank", 4, _force(key))
+        yield EngineQuantity(f"{key}_n", names, symbol, "N", "crank", 1, _force(key, "N"), needs="load")
     names = {"de": "Drehmoment", "en": "Torque"}
     yield EngineQuantity(
-        "torque_nm", names, "$M_d$", "N m", "angle", 1, _force("crank_force", "N m"), needs="torque"
+        "torque_nm", names, "$M_d$", "N m", "crank", 1, _force("crank_force", "N m"), needs="torque"
     )

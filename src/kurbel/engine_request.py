@@ -50,7 +50,8 @@ OVER_ANGLE = ("turning", "crank forces", "machine")
 SCOPES: Mapping[str, tuple[str, ...]] = {
     "irregularity": ("turn", "span"),
     "strokes": ("turn", "span", "stroke"),
-    **dict.fromkeys(OVER_ANGLE, ("angle", "turn")),
+    "turning": ("angle", "turn"),
+    **dict.fromkeys(("crank forces", "machine"), ("crank", "angle", "turn")),
     "flywheel": ("flywheel",),
 }
 # The keys of the axes in records, and on the command line.

@@ -56,14 +56,14 @@ STEAM = (
 CRANKS = click.option("--cranks", metavar="ANGLES",
                       help="Angles by which the cranks follow the first, with cylinders alike: 0;90 or"
                       " 0;120;240.")  # fmt: skip
+STEAM_NAMES = ("eps", "back", "exponent", "clearance", "card", "other_side", "single_acting")
 # --eps, the steam or a card, but neither ratio nor method.
 steam_options = in_order((EPS, *STEAM))
 
 
 def engine_conditions(options: Mapping[str, Any]) -> bool:
     """Whether any of steam_options is there."""
-    names = ("eps", "back", "exponent", "clearance", "card", "other_side", "single_acting")
-    return any(options[name] not in (None, (), False) for name in names)
+    return any(options[name] not in (None, (), False) for name in STEAM_NAMES)
 
 
 def engine_options(command: Command) -> Command:

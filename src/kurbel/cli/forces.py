@@ -10,7 +10,7 @@ from typing import Any
 import click
 
 from kurbel import notation
-from kurbel.cli.engine import engine_conditions, print_engine, steam_options
+from kurbel.cli.engine import STEAM_NAMES, engine_conditions, print_engine, steam_options
 from kurbel.cli.machine import machine_option
 from kurbel.cli.masses import MASSES, MOVING, SIZE
 from kurbel.cli.options import LayoutName, Name, in_order, output_options, typed, without_outdone
@@ -102,8 +102,8 @@ def _print_tangent(options: dict[str, Any]) -> None:
     page = layout_of(options["layout"] or "forces-tangent", ("tangent",))
     own = "does not go with --at tangent, a position with an angle of its own; leave it out"
     _refuse(options, ("angle", "from", "to", "step"), own)
-    if engine_conditions(options):
-        raise ProblemError("--at tangent is about one piston force, --force; leave the steam out")
+    about = "does not go with --at tangent, a position under one piston force, --force; leave it out"
+    _refuse(options, (*STEAM_NAMES, *MASSES, "bore", "pressure"), about)
     force, printing = _newtons(options), Printing.chosen(options)
     request = TangentRequest(
         layout=page,
