@@ -8,7 +8,7 @@ import pytest
 from cli import kurbel, refusal
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from pages import DRIVES
+from pages import DRIVES as TABLES
 
 from kurbel.cli import COMMANDS
 from kurbel.formats import FORMATS
@@ -19,7 +19,7 @@ TOO_SHORT = "it must be below 1, or the rod is too short to pass the dead centre
 NO_RATIO = "is not a ratio R:L; write it as 1:5, 1:4,5, 1/4.5 or 0.2, and 1:∞ or 1:inf for an infinite rod"
 NO_ANGLE = "is not an angle in degrees; write it as 22.5 or 22°30'"
 HELP = "see kurbel table --help"
-LAYOUTS = ", ".join(DRIVES)
+LAYOUTS = ", ".join(TABLES)
 ENDLESS_ROD = (
     "crank ratio R:L is below 1:1000000000; no rod is that long, write 1:∞ or 1:inf for an infinite one"
 )
