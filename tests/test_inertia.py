@@ -115,6 +115,27 @@ def test_page_has_columns_in_newtons_if_mass_length_and_speed_are_known() -> Non
         assert len(kurbel.make_inertia_table(**{**rod, **missing}).panels[0].columns) == 6
 
 
+@pytest.mark.parametrize("ratio", ["1:5", "1:4;1:3"])
+def test_the_page_says_the_greatest_errors_of_what_it_shows(ratio: str) -> None:
+    rod = ("--centre=0.7", "--gyration=0.4", f"--ratio={ratio}")
+    columns = "--columns=ratio,force,model,error_percent"
+    sheet = printed("inertia", *rod, "--layout=inertia-errors", columns, "-f", "csv").records()
+    of = {(one["ratio"], one["force"], one["model"]): one["error_percent"] for one in sheet}
+    said = " ".join(printed("inertia", *rod, "--angle=30", "--lang=en").out.split())
+    for each in ratio.split(";"):
+        where = f" for R:L = {each}" if ";" in ratio else ""
+        guide, pin = (
+            [of[each, force, model] for model in ("two-mass", "railway")] for force in ("guide", "pin")
+        )
+        assert len({*guide, *pin}) == 4
+        assert (
+            f"greatest error in % of the greatest exact force of the turn{where}:"
+            f" two masses N {guide[0]}, P {pin[0]}; 6/10, 4/10 N {guide[1]}, P {pin[1]}"
+        ) in said
+    alone = printed("inertia", *rod, "--angle=30", "--lang=en", "--columns=phi,inertia_guide").out
+    assert "greatest error" not in alone
+
+
 def test_caption_speaks_of_the_rod_whatever_force_is_chosen() -> None:
     own = kurbel.make_inertia_table(centre=0.6, gyration=0.48)
     chosen = kurbel.make_inertia_table(centre=0.6, gyration=0.48, columns="phi,inertia_pin_x,inertia_torque")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Protocol
 
 from kurbel import captions
@@ -80,6 +81,15 @@ def _tangent(request: TangentRequest, pages: bool) -> Table:
     return build_tangent(request, pages)
 
 
+def _inertia(request: Request, pages: bool) -> Table:
+    table = _motion(request, pages)
+    if not pages:
+        return table
+    from kurbel.inertia_page import error_notes
+
+    return replace(table, notes=(*table.notes, *map(Note, error_notes(request))))
+
+
 def _motion(request: Request, pages: bool) -> Table:
     columns = page_columns(request)
     digits = [column.digits for column in columns]
@@ -105,7 +115,7 @@ def _motion(request: Request, pages: bool) -> Table:
 # By the subject of the layout; a request knows only layouts of its own subjects.
 BUILDERS: dict[str, Callable[[Any, bool], Table]] = {
     "motion": _motion,
-    "inertia": _motion,
+    "inertia": _inertia,
     "inertia errors": _errors,
     "tangent": _tangent,
     "irregularity": _engine,

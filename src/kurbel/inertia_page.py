@@ -17,22 +17,27 @@ from kurbel.errors import ProblemError
 from kurbel.inertia import ROD_FORCES, RodForce
 from kurbel.inertia_peak import Peak
 from kurbel.kernel.rod import Masses
-from kurbel.layouts import Layout
+from kurbel.layouts import Layout, layout
 from kurbel.notation import ratio_text
-from kurbel.numerals import degrees_text, nearest
+from kurbel.numerals import degrees_text, nearest, number_text
 from kurbel.problem import Crank
 from kurbel.quantities import NEEDS, ROD_MODELS, Numbers, numbers_of_balls
-from kurbel.request import check_label, check_rounding
+from kurbel.request import Request, check_label, check_rounding, page_columns, quantities_of
 from kurbel.separation import Separation
 from kurbel.table import Cell, Field, Label, Note, Number, Records, Table, Value
 
 AXIS_KEYS = ("ratio", "force", "model")
 FORCES, MODELS = tuple(ROD_FORCES.values()), tuple(ROD_MODELS)
 EXACT = "exact"
+SHEET = "inertia-errors"
 # A page prints degrees and minutes, records degrees.
 DEGREE_DECIMALS = 4
 WORDS: Mapping[str, Mapping[str, str]] = {
     "force": {"de": "Kraft", "en": "Force"},
+    "errors": {
+        "de": "größter Fehler in % der größten genauen Kraft der Umdrehung{where}: ",
+        "en": "greatest error in % of the greatest exact force of the turn{where}: ",
+    },
     "model": {"de": "Ersatz der Stange", "en": "In place of the rod"},
 }
 
@@ -134,6 +139,31 @@ class ErrorsRequest:
                 masses = Masses(*(one - other for one, other in zip(masses, true, strict=True)))
             self.peaks[key] = Peak(force, self.cranks[ratio], masses)
         return self.peaks[key]
+
+
+def error_notes(request: Request) -> Iterator[Label]:
+    """Yield the greatest errors of what a page of forces shows beside the exact ones, a line a crank."""
+    shown = [quantities_of(request.layout)[column.digits.quantity.key] for column in page_columns(request)]
+    models = [model for model in MODELS if model != EXACT and any(one.model == model for one in shown)]
+    names = {force.name["en"] for force in FORCES} & {one.name["en"] for one in shown if one.model}
+    if not models:
+        return
+    sheet = ErrorsRequest(layout(SHEET), request.cranks, lang=request.lang, rounding=request.rounding)
+    column = error_columns()["error_percent"]
+    for ratio, crank in enumerate(request.cranks):
+        said = []
+        for model in models:
+            at = {"ratio": ratio, "model": MODELS.index(model)}
+            numbers = [
+                (force, _number(sheet, column, {**at, "force": place}))
+                for place, force in enumerate(FORCES)
+                if force.name["en"] in names
+            ]
+            errors = ", ".join(f"${one.letter}$ ${number_text(error)}$" for one, error in numbers if error)
+            said.append(f"{ROD_MODELS[model][request.lang]} {errors}")
+        several = len(request.cranks) > 1
+        where = captions.for_ratio(crank.ratio, request.lang, request.layout.ratio_symbol) if several else ""
+        yield WORDS["errors"][request.lang].format(where=where) + "; ".join(said)
 
 
 class _Headed(NamedTuple):
