@@ -45,6 +45,11 @@ def test_every_command_of_the_readme_prints_what_stands_there() -> None:
         assert block == true_block(block)
 
 
+def test_the_machine_of_the_readme_is_the_example() -> None:
+    example = README.parent / "examples" / "engine.toml"
+    assert f"```toml\n{example.read_text(encoding='utf-8')}```" in README.read_text(encoding="utf-8")
+
+
 def test_the_first_command_prints_a_table() -> None:
     text = README.read_text(encoding="utf-8")
     assert commands(text)[0] == "kurbel table --ratio 1:5"

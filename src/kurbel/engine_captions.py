@@ -107,7 +107,7 @@ WORDS: Mapping[str, Words] = {
     "less": {"de": ", Unterschied", "en": ", difference"},
     "masses": {"de": "mit den Massen: ", "en": "with the masses: "},
     "reciprocating": {"de": "Kolben und Kreuzkopf", "en": "piston and crosshead"},
-    "rotating": {"de": "Kurbel, am Zapfen", "en": "crank, at its pin"},
+    "rotating": {"de": "Kurbel am Zapfen", "en": "crank at its pin"},
     "difference": {
         "de": "Unterschied: genauer Wert weniger Näherung, vor dem Runden gebildet.",
         "en": "Difference: exact value less approximation, taken before rounding.",
