@@ -21,6 +21,7 @@ CRANKS = ("delta", "--detail", "--eps=4", "--ratio=1:4;1:5", "--cranks=0;90", "-
 TEXTS = {
     **{name: command(name) for name in layout_names()},
     "kinematics-units": MACHINE,
+    "forces-units": ("forces", "--force=10kN", "--stroke=600mm", "--step=30", "--to=180"),
     "kinematics-offset": OFFSET,
     "arc-below": (*BELOW, "--columns=phi,path,acceleration,turn,turn_velocity,rod_velocity"),
     "delta-cranks": CRANKS,

@@ -152,6 +152,7 @@ def notes(request: Request, columns: Sequence[Digits]) -> list[Label]:
     if request.layout.formulas:
         lines += _formula_lines(request, columns)
     lines += drive_notes(request.cranks, request.lang)
+    lines += dict.fromkeys(force_note(crank.force) for crank in request.cranks if crank.force is not None)
     if request.layout.subject == "inertia":
         lines += rod_notes(request.cranks, request.lang)
     return lines

@@ -50,8 +50,8 @@ WORDS: Mapping[str, Words] = {
     "crank_force": {"de": "$T$ in der Drehrichtung", "en": "$T$ as the crank turns"},
     "radial_force": {"de": "$Z$ nach der Welle hin", "en": "$Z$ towards the shaft"},
     "bearing": {
-        "de": "$H$ auf das Hauptlager, zu dem die Kurbel allein drückt",
-        "en": "$H$ on the main bearing, as pressed by this crank alone",
+        "de": "$H$ Druck dieser Kurbel allein auf das Hauptlager",
+        "en": "$H$ pressure of this crank alone on the main bearing",
     },
     "first_crank": {"de": "erste Kurbel", "en": "first crank"},
     "massless": {"de": "ohne Massen", "en": "without masses"},

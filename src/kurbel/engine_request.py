@@ -238,6 +238,8 @@ class EngineRequest:
         if self.carded and "weisbach" in methods:
             return False
         asked = not methods or not self.methods or set(methods) <= set(self.methods)
+        if column.unless and not self._missing(engine_registry()[column.unless]):
+            return False
         return asked and not self._missing(engine_registry()[column.quantity])
 
     def _missing(self, quantity: EngineQuantity) -> str:

@@ -36,7 +36,7 @@ Localised = Mapping[str, str]
 
 class LayoutColumn(NamedTuple):
     """A column of a layout. `method` None leaves the formulas to the user; spanners and heading None to
-    the quantity."""
+    the quantity. It gives way to the quantity `unless` where that is known."""
 
     key: str
     quantity: str
@@ -44,6 +44,7 @@ class LayoutColumn(NamedTuple):
     spanners: tuple[Localised, ...] | None = None
     heading: tuple[Localised, ...] | None = None
     decimals: int | None = None
+    unless: str = ""
 
 
 class Layout(NamedTuple):
@@ -174,6 +175,7 @@ def _column(
     spanners: list[str] | None = None,
     heading: list[str] | None = None,
     decimals: int | None = None,
+    unless: str = "",
 ) -> LayoutColumn:
     return LayoutColumn(
         key=key or quantity,
@@ -182,6 +184,7 @@ def _column(
         spanners=None if spanners is None else tuple(map(_localised, spanners)),
         heading=None if heading is None else tuple(map(_localised, heading)),
         decimals=decimals,
+        unless=unless,
     )
 
 

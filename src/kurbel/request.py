@@ -117,6 +117,7 @@ def page_columns(request: Request) -> tuple[PageColumn, ...]:
     layout, known = request.layout, quantities_of(request.layout)
     if not request.columns:
         shown = [column for column in layout.columns if _available(known[column.quantity], request)]
+        shown = [one for one in shown if not one.unless or not _available(known[one.unless], request)]
         return tuple(_page_column(column, request) for column in shown)
     own = {column.key: column for column in layout.columns}
     keys = [choose(key, column_keys(layout), "column") for key in request.columns]
