@@ -13,8 +13,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
-from kurbel import card_lines, units
-from kurbel.card import Card, position_unit, pressure_unit, read_card
+from kurbel import csv_lines, units
+from kurbel.card import Card
+from kurbel.card_file import position_unit, pressure_unit, read_card
 from kurbel.errors import CardError, KurbelError, MissingExtraError, NotationError
 
 # Nine points that fall with the stroke, in bar; nothing about them repeats.
@@ -40,7 +41,7 @@ def written(folder: Path, text: str | bytes) -> Path:
 
 def sentence(folder: Path, text: str | bytes) -> str:
     """Return what is said about a file with this text, without the folder."""
-    return sentence_on(written(folder, text)).replace(card_lines.shown(folder / "card.csv"), "card.csv")
+    return sentence_on(written(folder, text)).replace(csv_lines.shown(folder / "card.csv"), "card.csv")
 
 
 def sentence_on(path: Path | str) -> str:
@@ -117,7 +118,7 @@ def test_columns_stand_in_any_order_among_others(tmp_path: Path) -> None:
 def test_a_card_remembers_its_file_and_lines(tmp_path: Path) -> None:
     path = written(tmp_path, "# a comment\n" + text_of())
     card = read_card(str(path))
-    assert card.name == card_lines.shown(path)
+    assert card.name == csv_lines.shown(path)
     assert card.lines == tuple(range(3, 12))
 
 
@@ -346,7 +347,7 @@ def test_a_closed_curve_is_named(tmp_path: Path) -> None:
 
 def test_files_that_are_none_are_refused(tmp_path: Path) -> None:
     path = tmp_path / "card.csv"
-    name = card_lines.shown(path)
+    name = csv_lines.shown(path)
     assert sentence_on(path) == f"cannot read the card {name}: No such file or directory"
     path.mkdir()
     assert sentence_on(path) == f"cannot read the card {name}: it is a directory; name a CSV file in it"
@@ -364,7 +365,7 @@ def test_endless_devices_and_pipes_are_not_opened(tmp_path: Path) -> None:
     reader = threading.Thread(target=lambda: done.append(sentence_on(pipe)), daemon=True)
     reader.start()
     reader.join(5)
-    assert done == [f"cannot read the card {card_lines.shown(pipe)}: {told}"]
+    assert done == [f"cannot read the card {csv_lines.shown(pipe)}: {told}"]
 
 
 def test_a_file_of_two_gigabytes_is_refused_unread(tmp_path: Path) -> None:
@@ -374,7 +375,7 @@ def test_a_file_of_two_gigabytes_is_refused_unread(tmp_path: Path) -> None:
 
 
 def test_reading_stops_at_the_first_line_too_many(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(card_lines, "MOST_LINES", 10)
+    monkeypatch.setattr(csv_lines, "MOST_LINES", 10)
     text = text_of()
     check_card(read_card(written(tmp_path, text)))
     said = sentence(tmp_path, text + "1.5,0,0\nnot,a,number\n")
@@ -393,10 +394,10 @@ def test_a_long_name_is_cut_and_made_printable(tmp_path: Path) -> None:
 def test_without_pint_the_sentence_says_what_to_install(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from kurbel import card
+    from kurbel import card_file
 
     units.registry.cache_clear()
-    card._factor.cache_clear()
+    card_file._factor.cache_clear()
     monkeypatch.setitem(sys.modules, "pint", None)
     with pytest.raises(MissingExtraError) as raised:
         read_card(written(tmp_path, text_of()))

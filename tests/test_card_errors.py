@@ -17,7 +17,8 @@ from typing import NamedTuple
 import pytest
 from cli import printed, refusal
 
-from kurbel.card import Card, read_card
+from kurbel.card import Card
+from kurbel.card_file import read_card
 from kurbel.engine import Diagram, Engine, Steam
 from kurbel.engine_digits import estimate, estimated
 from kurbel.engine_quantities import OUTSTROKE, RETURN_STROKE, WHOLE, Where

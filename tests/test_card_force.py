@@ -12,8 +12,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
-from kurbel.card import Card, read_card
+from kurbel.card import Card
 from kurbel.card_curve import Curve, curve
+from kurbel.card_file import read_card
 from kurbel.card_force import card_strokes
 from kurbel.errors import ProblemError
 

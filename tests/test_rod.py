@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 from itertools import pairwise
@@ -18,7 +19,7 @@ from mpmath import mp
 from numpy.testing import assert_allclose
 
 from kurbel import certify, units
-from kurbel.card_lines import shown
+from kurbel.csv_lines import shown
 from kurbel.errors import MissingExtraError, ProblemError, RodError
 from kurbel.kernel import forces
 from kurbel.kernel import rod as kernel
@@ -30,10 +31,10 @@ from kurbel.rod import (
     MODELS,
     Rod,
     Section,
-    read_rod,
     rod_of_points,
     rod_of_sections,
 )
+from kurbel.rod_file import read_rod
 
 # mpmath has no types.
 Real = Any
@@ -707,7 +708,8 @@ def test_files_that_hold_no_rod_are_refused(text: str | bytes, said: str, tmp_pa
 
 def test_what_is_no_file_is_refused(tmp_path: Path) -> None:
     assert "No such file" in sentence(lambda: read_rod(tmp_path / "none.csv"), RodError)
-    assert "it is a directory or a device" in sentence(lambda: read_rod(tmp_path), RodError)
+    assert "it is a directory; name a CSV file in it" in sentence(lambda: read_rod(tmp_path), RodError)
     assert "no file can have that name" in sentence(lambda: read_rod("a\0b"), RodError)
-    large = written(tmp_path, b"#" * (10**6 + 1))
-    assert "it has more than 1 MB" in sentence(lambda: read_rod(large), RodError)
+    large = written(tmp_path, b"#")
+    os.truncate(large, 2 * 10**8)
+    assert "it has 200 MB; a rod has at most 100 MB" in sentence(lambda: read_rod(large), RodError)

@@ -168,7 +168,7 @@ def _optional(value: Exact | None) -> Fraction | None:
 def _diagrams(
     cards: str | PathLike[str] | Iterable[str | PathLike[str]], other_side: float | None
 ) -> list[Diagram]:
-    from kurbel.card import read_card
+    from kurbel.card_file import read_card
     from kurbel.engine import Diagram
 
     files = [cards] if isinstance(cards, (str, PathLike)) else cards

@@ -7,7 +7,8 @@ from dataclasses import replace
 from fractions import Fraction
 
 from kurbel.errors import ProblemError
-from kurbel.rod import Rod, read_rod
+from kurbel.rod import Rod
+from kurbel.rod_file import read_rod
 
 
 def given_rod(

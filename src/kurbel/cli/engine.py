@@ -226,7 +226,7 @@ def engines_of(page: Layout, options: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _diagrams(options: Mapping[str, Any]) -> list[Diagram]:
-    from kurbel.card import read_card
+    from kurbel.card_file import read_card
     from kurbel.engine import Diagram
     from kurbel.units import pressure
 

@@ -1,0 +1,125 @@
+"""The columns of a user's CSV file: found by their heads, whatever parts them, with units in head or value.
+
+A head is a name and perhaps a unit, as `mass [kg]`, `mass (kg)`, `mass/kg`, `mass in kg` or `mass kg`; a
+value may have its unit behind it, as `8,1 kg`. Semicolons, tabs or commas part the columns; a decimal comma
+is read where commas do not part. Columns are in any order, those of other names are left out.
+"""
+
+from __future__ import annotations
+
+import csv
+import re
+from collections.abc import Collection, Sequence
+from typing import NamedTuple
+
+from kurbel.errors import NotationError
+
+_HEAD = re.compile(
+    r"(?P<name>\w+)\s*(?:\[(?P<square>[^\]]*)\]|/?\s*\((?P<round>[^)]*)\)|(?:/|\bin\b)?(?P<bare>.*))"
+)
+_VALUE = re.compile(r"([+−-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d{1,3})?)\s*([A-Za-zµ%].*)?", re.ASCII)
+_DELIMITERS = ";\t,"
+
+
+class Column(NamedTuple):
+    """A column that is needed: its place in the row and the unit in its head, "" if there is none."""
+
+    name: str
+    place: int
+    unit: str
+
+
+class Head(NamedTuple):
+    """The columns that are needed, in the order of their names, and how a row is parted."""
+
+    columns: tuple[Column, ...]
+    delimiter: str
+    width: int
+
+
+def read_head(line: str, names: Sequence[str]) -> tuple[Head, list[str]]:
+    """Return those columns of a line of heads that have one of the names, and all its heads as they stand.
+
+    Raises NotationError where quotes do not match.
+    """
+    # The delimiter that parts the line into most of the columns sought, or into most columns; quotes match
+    # for the right one only.
+    split = {delimiter: _fields(line, delimiter, strict=False) for delimiter in _DELIMITERS}
+    delimiter = max(split, key=lambda one: (len(_columns(split[one], names)), len(split[one])))
+    fields = _fields(line, delimiter)
+    columns = sorted(_columns(fields, names), key=lambda column: names.index(column.name))
+    return Head(tuple(columns), delimiter, len(fields)), [field.strip() for field in fields]
+
+
+def _columns(fields: Sequence[str], names: Collection[str]) -> list[Column]:
+    found = [(index, *name_and_unit(field)) for index, field in enumerate(fields)]
+    return [Column(name, index, unit) for index, name, unit in found if name in names]
+
+
+def name_and_unit(field: str) -> tuple[str, str]:
+    """Return the name in a head, in small letters, and its unit."""
+    match = _HEAD.fullmatch(field.strip())
+    if match is None:
+        return field.strip(), ""
+    unit = next(unit for unit in match.group("square", "round", "bare") if unit is not None)
+    return match["name"].casefold(), unit.strip()
+
+
+def check_once(head: Head, noun: str) -> None:
+    """Raise NotationError where two columns have one name."""
+    names = [column.name for column in head.columns]
+    for name in names:
+        if names.count(name) > 1:
+            raise NotationError(f"{names.count(name)} columns are headed {name}; a {noun} has one")
+
+
+def read_row(line: str, head: Head) -> list[str]:
+    """Return the texts in the columns of the head; raise NotationError for a row of another length."""
+    fields = _fields(line, head.delimiter)
+    if len(fields) != head.width:
+        advice = "; with decimal commas, part the columns by semicolons" if head.delimiter == "," else ""
+        raise NotationError(f"the row has {len(fields)} fields where the head has {head.width}{advice}")
+    return [fields[column.place].strip() for column in head.columns]
+
+
+def _fields(line: str, delimiter: str, strict: bool = True) -> list[str]:
+    if '"' not in line:
+        return line.split(delimiter)
+    try:
+        return next(csv.reader([line], delimiter=delimiter, skipinitialspace=True, strict=strict))
+    except csv.Error as error:
+        raise NotationError(f"the quotes do not match ({error})") from None
+
+
+def decimal_marks(texts: Sequence[str], known: str) -> str:
+    """Return the decimal mark seen so far; a file has one, for beside commas 1.013 may be a thousand."""
+    joined = "".join(texts)
+    marks = "".join(mark for mark in ".," if mark in known or mark in joined)
+    if len(marks) > 1:
+        raise NotationError(
+            "decimal points and decimal commas are mixed from here on; write one of them,"
+            " and no thousands marks"
+        )
+    return marks
+
+
+def digits_and_unit(text: str, column: Column, delimiter: str, example: str) -> tuple[str, str]:
+    """Return the number in a field as it is written, and its unit, from the field or the head.
+
+    Raises NotationError for what is no number, or has two units.
+    """
+    match = _VALUE.fullmatch(text)
+    if match is None or (delimiter == "," and "," in match[1]):
+        raise NotationError(f'{column.name} "{clipped(text)}" is not a number; write it as {example}')
+    digits, unit = match.groups()
+    if unit and column.unit:
+        raise NotationError(
+            f'{column.name} "{clipped(text)}" has a unit behind the value and one in the head,'
+            f" {clipped(column.unit)}; write it once"
+        )
+    return digits, unit or column.unit
+
+
+def clipped(text: str, most: int = 40) -> str:
+    """Return a text for a message, not longer than so many characters."""
+    return text if len(text) <= most else f"{text[: most - 3]}..."
