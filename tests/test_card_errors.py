@@ -103,7 +103,7 @@ def pressure_at(steam: Steam, share: float) -> float:
 def measured(seed: int, kind: str, folder: Path) -> Iterator[tuple[EngineColumn, Measured]]:
     """Yield all numbers of the card's page."""
     steam, admission, crank, card = drawn(seed, kind, folder)
-    request = EngineRequest(layout("delta-detail"), [Diagram(card)], [crank])
+    request = EngineRequest(layout=layout("delta-detail"), steams=[Diagram(card)], drives=[crank])
     turn, ideal = turn_of(request.first, "exact"), turn_of(Engine(crank, steam), "exact")
     for column in request.page_columns:
         # Q is the greatest pressure of the card, noise and all; δ and angles do not depend on it.

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 
-from kurbel.arrange import Axis, Grid, Place, check_size, panels
+from kurbel.arrange import Axis, Grid, Place, check_size
 from kurbel.axes import ColumnAxis, RatioAxis
 from kurbel.balance import LENGTHS, Residual, certified_length, factor, force, moment
 from kurbel.balance_request import RESIDUALS, BalanceColumn, BalanceRequest
@@ -24,7 +24,8 @@ from kurbel.harmonics_page import (
 from kurbel.notation import plain, ratio_text
 from kurbel.numerals import degrees_text, finite_decimals
 from kurbel.problem import Crank
-from kurbel.table import Cell, Field, Label, Note, Number, Records, Table, Value
+from kurbel.sheet import Heads, records_of, table_of
+from kurbel.table import Cell, Field, Label, Number, Table, Value
 
 UNITS: Mapping[str, Label] = {"force": "$m R ω^2$", "moment": "$m R ω^2 a$"}
 ENGINES: Mapping[str, tuple[str, str]] = {
@@ -119,28 +120,18 @@ class _ResidualAxis(Axis):
         return (WORDS["in"][self.lang].format(residual=WORDS[key][self.lang], unit=UNITS[key]),)
 
 
-class _Headed:
-    """A column with its heads in a language."""
-
-    def __init__(self, column: BalanceColumn, lang: str) -> None:
-        self.spanners: tuple[Label, ...] = (column.spanner[lang],) if column.spanner[lang] else ()
-        self.heading: tuple[Label, ...] = (column.head[lang],)
-
-
 def build_balance(request: BalanceRequest, pages: bool = True) -> Table:
     """Return the table that was asked for; without `pages` only its records."""
     solved = _Solved(request)
     text = caption(request.layout, request.lang, request.ratios, request.method)
-    return Table(
-        key=request.label or request.layout.key,
-        layout=request.layout.key,
-        lang=request.lang,
-        caption=text.replace("{engine}", _engine(request)),
-        panels=panels(request.layout, _grid(solved)) if pages else (),
-        records=Records(_fields(request), _Rows(solved)),
-        notes=tuple(map(Note, _notes(request))),
-        source=request.layout.source[request.lang],
-    )
+    text = text.replace("{engine}", _engine(request))
+    names = request.columns or ("ratio", "residual", "order", *(one.key for one in request.page_columns))
+    records = records_of(len(request), names, _fields(request), lambda: _records(solved))
+    return table_of(request, text, _grid(solved) if pages else None, records, _notes(request))
+
+
+def _heads(column: BalanceColumn, lang: str) -> Heads:
+    return Heads((column.spanner[lang],) if column.spanner[lang] else (), (column.head[lang],))
 
 
 def _engine(request: BalanceRequest) -> Label:
@@ -156,7 +147,7 @@ def _grid(solved: _Solved) -> Grid:
         "ratio": RatioAxis(layout, request.ratios, lang),
         "residual": _ResidualAxis(lang),
         "order": OrderAxis(layout, request.orders, lang),
-        "column": ColumnAxis(layout, [_Headed(column, lang) for column in columns], request.ratios, lang),
+        "column": ColumnAxis(layout, [_heads(column, lang) for column in columns], request.ratios, lang),
     }
     check_size(layout, {name: axis.size for name, axis in axes.items()})
 
@@ -167,31 +158,18 @@ def _grid(solved: _Solved) -> Grid:
     return Grid(axes, cell)
 
 
-class _Rows:
-    """The records: one for each ratio, force or moment, and order."""
-
-    def __init__(self, solved: _Solved) -> None:
-        self.solved = solved
-
-    def __len__(self) -> int:
-        return len(self.solved.request)
-
-    def __iter__(self) -> Iterator[tuple[Value, ...]]:
-        request = self.solved.request
-        for ratio in request.ratios:
-            for key, order in self.solved.residuals:
-                axes: dict[str, Value] = {
-                    "ratio": f"${ratio_text(ratio)}$", "residual": key, "order": Number(order, 0)
-                }  # fmt: skip
-                values = {one.key: self.solved.number(one, key, order, ratio) for one in request.page_columns}
-                yield tuple((axes | values)[name] for name in _names(request))
+def _records(solved: _Solved) -> Iterator[Mapping[str, Value]]:
+    """One for each ratio, force or moment, and order."""
+    request = solved.request
+    for ratio in request.ratios:
+        for key, order in solved.residuals:
+            axes: dict[str, Value] = {
+                "ratio": f"${ratio_text(ratio)}$", "residual": key, "order": Number(order, 0)
+            }  # fmt: skip
+            yield axes | {one.key: solved.number(one, key, order, ratio) for one in request.page_columns}
 
 
-def _names(request: BalanceRequest) -> tuple[str, ...]:
-    return request.columns or ("ratio", "residual", "order", *(one.key for one in request.page_columns))
-
-
-def _fields(request: BalanceRequest) -> tuple[Field, ...]:
+def _fields(request: BalanceRequest) -> Mapping[str, Field]:
     lang = request.lang
     fields = {
         "ratio": ratio_field(request.layout, lang),
@@ -202,7 +180,7 @@ def _fields(request: BalanceRequest) -> tuple[Field, ...]:
         fields[one.key] = Field(
             one.key, one.name[lang], one.symbol, one.unit, request.decimals, request.method
         )
-    return tuple(fields[name] for name in _names(request))
+    return fields
 
 
 def _notes(request: BalanceRequest) -> Iterator[Label]:

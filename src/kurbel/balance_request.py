@@ -14,8 +14,7 @@ from kurbel.errors import ProblemError
 from kurbel.harmonics import printed_orders
 from kurbel.harmonics import registry as harmonics_registry
 from kurbel.harmonics_page import checked_ratios
-from kurbel.layouts import Layout
-from kurbel.request import check_label, check_rounding
+from kurbel.sheet import Sheet
 from kurbel.table import Label
 
 DEFAULT_ENGINE = "inline-4"
@@ -89,29 +88,22 @@ def _localised(text: str) -> Mapping[str, str]:
     return dict(zip(("de", "en"), text.split("|"), strict=True))
 
 
-@dataclass(frozen=True, slots=True)
-class BalanceRequest:
+@dataclass(frozen=True, kw_only=True)
+class BalanceRequest(Sheet):
     """What is asked for: the forces and moments of an arrangement with several crank ratios.
 
     `engine` is its name, empty where the cranks were given one by one. By the method of the infinite rod
     all ratios are 1:∞.
     """
 
-    layout: Layout
     arrangement: Arrangement
     ratios: tuple[Fraction, ...]
     engine: str = ""
     last_order: int = ORDERS
     method: str = "exact"
-    digits: int | None = None
-    rounding: str = "half-away"
-    lang: str = "de"
-    columns: tuple[str, ...] = ()
-    label: str = ""
 
     def __post_init__(self) -> None:
-        check_rounding(self.digits, self.rounding)
-        check_label(self.label)
+        super().__post_init__()
         printed_orders(harmonics_registry()["p"], self.last_order)
         for key in self.columns:
             choose(key, balance_column_keys(), "column")
@@ -129,12 +121,11 @@ class BalanceRequest:
 
     @property
     def decimals(self) -> int:
-        return DECIMALS if self.digits is None else self.digits
+        return self.decimals_of(DECIMALS)
 
     @property
     def page_columns(self) -> tuple[BalanceColumn, ...]:
-        keys = self.columns or tuple(column.quantity for column in self.layout.columns)
-        return tuple(balance_registry()[key] for key in keys if key not in AXIS_KEYS)
+        return tuple(balance_registry()[key] for key in self.chosen() if key not in AXIS_KEYS)
 
 
 def balance_column_keys() -> tuple[str, ...]:

@@ -5,20 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import NamedTuple
 
-from kurbel.arrange import Axis, Grid, Place, check_size, panels
-from kurbel.axes import ColumnAxis, RatioAxis
+from kurbel.arrange import Axis, Grid, Place, check_size
+from kurbel.axes import ColumnAxis
 from kurbel.beam import MINUTES, BeamEngine, BeamQuantity, certified, registry
 from kurbel.captions import WORDS as MOTION_WORDS
 from kurbel.choices import choose
 from kurbel.errors import ProblemError
-from kurbel.layouts import Layout
 from kurbel.notation import plain, ratio_text
 from kurbel.numerals import degrees_text, nearest
-from kurbel.request import check_label, check_rounding
 from kurbel.rows import angle_decimals
-from kurbel.table import Cell, Field, Label, Note, Number, Records, Table, Value
+from kurbel.sheet import Heads, LetteredRatioAxis, Sheet, records_of, table_of
+from kurbel.table import Cell, Field, Label, Number, Table, Value
 
 AXIS_KEYS = ("arm", "ratio")
 # A page prints degrees and minutes, records degrees.
@@ -48,23 +46,16 @@ WORDS: Mapping[str, Mapping[str, str]] = {
 }
 
 
-@dataclass(frozen=True)
-class BeamRequest:
+@dataclass(frozen=True, kw_only=True)
+class BeamRequest(Sheet):
     """What is asked for: the beam engines of all arms (outer) and crank ratios (inner)."""
 
-    layout: Layout
     arms: tuple[Fraction, ...]
     ratios: tuple[Fraction, ...]
     exact: bool = False
-    digits: int | None = None
-    rounding: str = "half-away"
-    lang: str = "de"
-    columns: tuple[str, ...] = ()
-    label: str = ""
 
     def __post_init__(self) -> None:
-        check_rounding(self.digits, self.rounding)
-        check_label(self.label)
+        super().__post_init__()
         for key in self.columns:
             choose(key, beam_column_keys(), "column")
         for place in self.places():
@@ -84,8 +75,7 @@ class BeamRequest:
 
     @property
     def quantities(self) -> tuple[BeamQuantity, ...]:
-        keys = self.columns or tuple(column.quantity for column in self.layout.columns)
-        chosen = tuple(registry()[key] for key in keys if key not in AXIS_KEYS)
+        chosen = tuple(registry()[key] for key in self.chosen() if key not in AXIS_KEYS)
         if not chosen:
             raise ProblemError("there is no column beside the axes; add one, such as mu")
         return chosen
@@ -94,11 +84,6 @@ class BeamRequest:
 def beam_column_keys() -> tuple[str, ...]:
     """Return what --columns can choose from."""
     return (*AXIS_KEYS, *registry())
-
-
-class _Headed(NamedTuple):
-    spanners: tuple[Label, ...]
-    heading: tuple[Label, ...]
 
 
 class _ArmAxis(Axis):
@@ -112,26 +97,14 @@ class _ArmAxis(Axis):
         return (f"$a = {plain(self.request.arms[place['arm']])} r$",)
 
 
-class _LetteredRatioAxis(RatioAxis):
-    """Crank ratios with their letters, for heads that stand alone."""
-
-    def heads(self, place: Place) -> tuple[Label, ...]:
-        return (self.over_group(place),)
-
-
 def build_beam(request: BeamRequest, pages: bool = True) -> Table:
     """Return the table that was asked for; without `pages` only its records."""
     lang = request.lang
-    return Table(
-        key=request.label or request.layout.key,
-        layout=request.layout.key,
-        lang=lang,
-        caption=request.layout.caption[lang].replace("{method}", WORDS[_method(request)][lang]),
-        panels=panels(request.layout, _grid(request)) if pages else (),
-        records=Records(_fields(request), _Rows(request)),
-        notes=tuple(Note(WORDS[key][lang]) for key in _notes(request)),
-        source=request.layout.source[lang],
-    )
+    caption = request.layout.caption[lang].replace("{method}", WORDS[_method(request)][lang])
+    names = request.columns or (*AXIS_KEYS, *(quantity.key for quantity in request.quantities))
+    records = records_of(len(request), names, _fields(request), lambda: _records(request))
+    notes = (WORDS[key][lang] for key in _notes(request))
+    return table_of(request, caption, _grid(request) if pages else None, records, notes)
 
 
 def _method(request: BeamRequest) -> str:
@@ -149,10 +122,10 @@ def _notes(request: BeamRequest) -> Iterator[str]:
 
 def _grid(request: BeamRequest) -> Grid:
     layout, lang, quantities = request.layout, request.lang, request.quantities
-    headed = [_Headed((), (f"{one.name[lang]} {one.symbol}",)) for one in quantities]
+    headed = [Heads((), (f"{one.name[lang]} {one.symbol}",)) for one in quantities]
     axes = {
         "arm": _ArmAxis(request),
-        "ratio": _LetteredRatioAxis(layout, request.ratios, lang),
+        "ratio": LetteredRatioAxis(layout, request.ratios, lang),
         "column": ColumnAxis(layout, headed, request.ratios, lang),
     }
     check_size(layout, {name: axis.size for name, axis in axes.items()})
@@ -171,30 +144,16 @@ def _cell(request: BeamRequest, quantity: BeamQuantity, engine: BeamEngine) -> C
     if quantity.unit == MINUTES:
         minutes = certified(quantity, engine, request.exact, 0, request.rounding)
         return Cell(f"${degrees_text(Fraction(minutes.scaled, 60))}$")
-    decimals = quantity.decimals if request.digits is None else request.digits
+    decimals = request.decimals_of(quantity.decimals)
     return Cell(certified(quantity, engine, request.exact, decimals, request.rounding))
 
 
-class _Rows:
-    """The records: one for each beam engine."""
-
-    def __init__(self, request: BeamRequest) -> None:
-        self.request = request
-
-    def __len__(self) -> int:
-        return len(self.request)
-
-    def __iter__(self) -> Iterator[tuple[Value, ...]]:
-        request = self.request
-        for place in request.places():
-            engine = request.engine(place)
-            values: dict[str, Value] = {
-                "arm": _arm(request, engine),
-                "ratio": f"${ratio_text(engine.ratio)}$",
-            }
-            for quantity in request.quantities:
-                values[quantity.key] = _record(request, quantity, engine)
-            yield tuple(values[name] for name in _names(request))
+def _records(request: BeamRequest) -> Iterator[Mapping[str, Value]]:
+    """One for each beam engine."""
+    for place in request.places():
+        engine = request.engine(place)
+        axes = {"arm": _arm(request, engine), "ratio": f"${ratio_text(engine.ratio)}$"}
+        yield axes | {quantity.key: _record(request, quantity, engine) for quantity in request.quantities}
 
 
 def _arm(request: BeamRequest, engine: BeamEngine) -> Value:
@@ -214,15 +173,10 @@ def _in_degrees(quantity: BeamQuantity) -> BeamQuantity:
 
 
 def _decimals(request: BeamRequest, quantity: BeamQuantity) -> int:
-    own = DEGREE_DECIMALS if quantity.unit == MINUTES else quantity.decimals
-    return own if request.digits is None else request.digits
+    return request.decimals_of(DEGREE_DECIMALS if quantity.unit == MINUTES else quantity.decimals)
 
 
-def _names(request: BeamRequest) -> tuple[str, ...]:
-    return request.columns or (*AXIS_KEYS, *(quantity.key for quantity in request.quantities))
-
-
-def _fields(request: BeamRequest) -> tuple[Field, ...]:
+def _fields(request: BeamRequest) -> Mapping[str, Field]:
     lang = request.lang
     fields = {
         "arm": Field("arm", WORDS["arm"][lang], "$a$", "r", angle_decimals(request.arms)),
@@ -232,4 +186,4 @@ def _fields(request: BeamRequest) -> tuple[Field, ...]:
         fields[one.key] = Field(
             one.key, one.name[lang], one.symbol, one.shown_unit, _decimals(request, one), _method(request)
         )
-    return tuple(fields[name] for name in _names(request))
+    return fields

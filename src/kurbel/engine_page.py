@@ -9,7 +9,7 @@ from itertools import product
 from typing import TYPE_CHECKING
 
 from kurbel import engine_captions
-from kurbel.arrange import Grid, Place, check_size, panels
+from kurbel.arrange import Grid, Place, check_size
 from kurbel.axes import AngleAxis, ColumnAxis, RatioAxis
 from kurbel.engine import Diagram
 from kurbel.engine_axes import ExpansionAxis, StrokeAxis, TargetAxis, expansion_value
@@ -21,6 +21,7 @@ from kurbel.layouts import SUBJECTS
 from kurbel.notation import ratio_text
 from kurbel.numerals import degrees_text
 from kurbel.rows import angle_number
+from kurbel.sheet import table_of
 from kurbel.table import Cell, Field, Label, Note, Number, Records, Table, Value
 from kurbel.turn import Turn, turn_of
 
@@ -38,16 +39,9 @@ def build_engine(request: EngineRequest, pages: bool = True) -> Table:
     solved = _Solved(request)
     if request.carded:
         _check_cards(solved)
-    return Table(
-        key=request.label or request.layout.key,
-        layout=request.layout.key,
-        lang=request.lang,
-        caption=engine_captions.caption(request),
-        panels=panels(request.layout, _grid(solved)) if pages else (),
-        records=Records(_fields(request), _Rows(solved)),
-        notes=tuple(_notes(solved)),
-        source=request.layout.source[request.lang],
-    )
+    grid = _grid(solved) if pages else None
+    records = Records(_fields(request), _Rows(solved))
+    return table_of(request, engine_captions.caption(request), grid, records, _notes(solved))
 
 
 @dataclass(frozen=True)

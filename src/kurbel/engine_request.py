@@ -17,8 +17,8 @@ from kurbel.layouts import Layout, LayoutColumn
 from kurbel.notation import MOST_ROWS
 from kurbel.problem import Crank, check_angles
 from kurbel.quantities import Method
-from kurbel.request import check_label, check_rounding
 from kurbel.rows import angle_decimals
+from kurbel.sheet import Sheet
 from kurbel.table import Label
 
 ENGINE_METHODS: Mapping[str, Method] = {
@@ -83,14 +83,13 @@ class EngineColumn(NamedTuple):
     heading: tuple[Label, ...]
 
 
-@dataclass(frozen=True)
-class EngineRequest:
+@dataclass(frozen=True, kw_only=True)
+class EngineRequest(Sheet):
     """What is asked for: the engines of all steams or cards (outer) and crank drives (inner).
 
     `double` and `cranks` are those of Engine. `methods` empty leaves them to the layout, or is exact.
     """
 
-    layout: Layout
     steams: Sequence[Steam | Diagram]
     drives: Sequence[Crank]
     double: bool = True
@@ -100,17 +99,11 @@ class EngineRequest:
     flywheels: tuple[Flywheel, ...] = ()
     load: Load | None = None
     inertia: Inertia | None = None
-    digits: int | None = None
-    rounding: str = "half-away"
-    lang: str = "de"
-    columns: tuple[str, ...] = ()
-    label: str = ""
 
     def __post_init__(self) -> None:
+        super().__post_init__()
         self._check_lists()
         check_angles(self.angles)
-        check_rounding(self.digits, self.rounding)
-        check_label(self.label)
         for method in self.methods:
             choose(method, ENGINE_METHODS, "method")
         if len(self.methods) > 1 and not self.layout.fixed:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import inf
 
-from kurbel.arrange import Axis, Grid, Place, check_size, panels
+from kurbel.arrange import Axis, Grid, Place, check_size
 from kurbel.axes import RatioAxis
 from kurbel.captions import WORDS as MOTION_WORDS
 from kurbel.choices import choose
@@ -18,8 +18,8 @@ from kurbel.layouts import Layout
 from kurbel.notation import ratio_text
 from kurbel.problem import Crank
 from kurbel.quantities import METHODS
-from kurbel.request import check_label, check_rounding
-from kurbel.table import Cell, Field, Label, Note, Number, Records, Table, Value
+from kurbel.sheet import Sheet, records_of, table_of
+from kurbel.table import Cell, Field, Label, Number, Table, Value
 
 KEYS = ("order", "ratio", "value")
 ORDERS = 6
@@ -44,26 +44,20 @@ WORDS: Mapping[str, Mapping[str, str]] = {
 }
 
 
-@dataclass(frozen=True, slots=True)
-class HarmonicsRequest:
+@dataclass(frozen=True, kw_only=True)
+class HarmonicsRequest(Sheet):
     """What is asked for: the harmonics up to an order of the path (x), velocity (c) or acceleration (p).
 
     `quantity` empty leaves it to the layout. By the method of the infinite rod all ratios are 1:∞.
     """
 
-    layout: Layout
     ratios: tuple[Fraction, ...]
     quantity: str = ""
     last_order: int = ORDERS
     method: str = "exact"
-    digits: int | None = None
-    rounding: str = "half-away"
-    lang: str = "de"
-    label: str = ""
 
     def __post_init__(self) -> None:
-        check_rounding(self.digits, self.rounding)
-        check_label(self.label)
+        super().__post_init__()
         printed_orders(self.harmonic, self.last_order)
         object.__setattr__(self, "ratios", checked_ratios(self.ratios, self.method))
 
@@ -103,16 +97,9 @@ def build_harmonics(request: HarmonicsRequest, pages: bool = True) -> Table:
     """Return the table that was asked for; without `pages` only its records."""
     lang = request.lang
     name = WORDS[request.harmonic.key][lang]
-    return Table(
-        key=request.label or request.layout.key,
-        layout=request.layout.key,
-        lang=lang,
-        caption=caption(request.layout, lang, request.ratios, request.method).replace("{quantity}", name),
-        panels=panels(request.layout, _grid(request)) if pages else (),
-        records=Records(_fields(request), _Rows(request)),
-        notes=tuple(map(Note, _notes(request))),
-        source=request.layout.source[lang],
-    )
+    text = caption(request.layout, lang, request.ratios, request.method).replace("{quantity}", name)
+    records = records_of(len(request), KEYS, _fields(request), lambda: _records(request))
+    return table_of(request, text, _grid(request) if pages else None, records, _notes(request))
 
 
 def caption(layout: Layout, lang: str, ratios: Sequence[Fraction], method: str) -> Label:
@@ -186,27 +173,19 @@ def _grid(request: HarmonicsRequest) -> Grid:
     return Grid(axes, cell)
 
 
-class _Rows:
-    """The records: one for each ratio and order."""
-
-    def __init__(self, request: HarmonicsRequest) -> None:
-        self.request = request
-
-    def __len__(self) -> int:
-        return len(self.request)
-
-    def __iter__(self) -> Iterator[tuple[Value, ...]]:
-        for ratio in self.request.ratios:
-            for order in self.request.orders:
-                number = _number(self.request, order, ratio)
-                yield Number(order, 0), f"${ratio_text(ratio)}$", number
+def _records(request: HarmonicsRequest) -> Iterator[Mapping[str, Value]]:
+    """One for each ratio and order."""
+    for ratio in request.ratios:
+        for order in request.orders:
+            number = _number(request, order, ratio)
+            yield {"order": Number(order, 0), "ratio": f"${ratio_text(ratio)}$", "value": number}
 
 
-def _fields(request: HarmonicsRequest) -> tuple[Field, ...]:
+def _fields(request: HarmonicsRequest) -> Mapping[str, Field]:
     harmonic, lang = request.harmonic, request.lang
     name = WORDS[harmonic.key][lang]
     value = Field("value", name, harmonic.symbol, harmonic.unit, request.decimals, request.method)
-    return order_field(lang), ratio_field(request.layout, lang), value
+    return {"order": order_field(lang), "ratio": ratio_field(request.layout, lang), "value": value}
 
 
 def _notes(request: HarmonicsRequest) -> Iterator[Label]:

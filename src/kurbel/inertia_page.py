@@ -9,7 +9,7 @@ from functools import cache
 from typing import Any, NamedTuple
 
 from kurbel import captions
-from kurbel.arrange import Axis, Grid, Place, check_size, panels
+from kurbel.arrange import Axis, Grid, Place, check_size
 from kurbel.axes import ColumnAxis, RatioAxis
 from kurbel.certify import NEVER_TIES, TieBits, rounded
 from kurbel.choices import choose
@@ -17,14 +17,15 @@ from kurbel.errors import ProblemError
 from kurbel.inertia import ROD_FORCES, RodForce
 from kurbel.inertia_peak import Peak
 from kurbel.kernel.rod import Masses
-from kurbel.layouts import Layout, layout
+from kurbel.layouts import layout
 from kurbel.notation import ratio_text
 from kurbel.numerals import degrees_text, nearest, number_text
 from kurbel.problem import Crank
 from kurbel.quantities import NEEDS, ROD_MODELS, Numbers, numbers_of_balls
-from kurbel.request import Request, check_label, check_rounding, page_columns, quantities_of
+from kurbel.request import Request, page_columns, quantities_of
 from kurbel.separation import Separation
-from kurbel.table import Cell, Field, Label, Note, Number, Records, Table, Value
+from kurbel.sheet import Heads, Sheet, records_of, table_of
+from kurbel.table import Cell, Field, Label, Number, Table, Value
 
 AXIS_KEYS = ("ratio", "force", "model")
 FORCES, MODELS = tuple(ROD_FORCES.values()), tuple(ROD_MODELS)
@@ -79,22 +80,15 @@ def error_column_keys() -> tuple[str, ...]:
     return (*AXIS_KEYS, *error_columns())
 
 
-@dataclass(frozen=True)
-class ErrorsRequest:
+@dataclass(frozen=True, kw_only=True)
+class ErrorsRequest(Sheet):
     """What is asked for: the greatest forces and errors of the rods of these cranks."""
 
-    layout: Layout
     cranks: tuple[Crank, ...]
-    digits: int | None = None
-    rounding: str = "half-away"
-    lang: str = "de"
-    columns: tuple[str, ...] = ()
-    label: str = ""
     peaks: dict[tuple[int, str, str, bool], Peak] = field(default_factory=dict, compare=False, repr=False)
 
     def __post_init__(self) -> None:
-        check_rounding(self.digits, self.rounding)
-        check_label(self.label)
+        super().__post_init__()
         if not self.cranks:
             raise ProblemError("no crank ratio was given; write one as --ratio 1:5")
         for key in self.columns:
@@ -115,8 +109,7 @@ class ErrorsRequest:
 
     @property
     def shown(self) -> tuple[ErrorColumn, ...]:
-        keys = self.columns or tuple(column.quantity for column in self.layout.columns)
-        columns = (error_columns()[key] for key in keys if key not in AXIS_KEYS)
+        columns = (error_columns()[key] for key in self.chosen() if key not in AXIS_KEYS)
         chosen = tuple(column for column in columns if self._knows(column))
         if not chosen:
             raise ProblemError("there is no column beside the axes; add one, such as greatest")
@@ -148,7 +141,9 @@ def error_notes(request: Request) -> Iterator[Label]:
     names = {force.name["en"] for force in FORCES} & {one.name["en"] for one in shown if one.model}
     if not models:
         return
-    sheet = ErrorsRequest(layout(SHEET), request.cranks, lang=request.lang, rounding=request.rounding)
+    sheet = ErrorsRequest(
+        layout=layout(SHEET), cranks=request.cranks, lang=request.lang, rounding=request.rounding
+    )
     column = error_columns()["error_percent"]
     for ratio, crank in enumerate(request.cranks):
         said = []
@@ -164,11 +159,6 @@ def error_notes(request: Request) -> Iterator[Label]:
         several = len(request.cranks) > 1
         where = captions.for_ratio(crank.ratio, request.lang, request.layout.ratio_symbol) if several else ""
         yield WORDS["errors"][request.lang].format(where=where) + "; ".join(said)
-
-
-class _Headed(NamedTuple):
-    spanners: tuple[Label, ...]
-    heading: tuple[Label, ...]
 
 
 class _ForceAxis(Axis):
@@ -199,17 +189,10 @@ class _ModelAxis(Axis):
 
 def build_errors(request: ErrorsRequest, pages: bool = True) -> Table:
     """Return the sheet that was asked for; without `pages` only its records."""
-    layout, lang = request.layout, request.lang
-    return Table(
-        key=request.label or layout.key,
-        layout=layout.key,
-        lang=lang,
-        caption=layout.caption[lang].replace("{for_ratio}", _for_ratio(request)),
-        panels=panels(layout, _grid(request)) if pages else (),
-        records=Records(_fields(request), _Rows(request)),
-        notes=tuple(map(Note, _notes(request))),
-        source=layout.source[lang],
-    )
+    caption = request.layout.caption[request.lang].replace("{for_ratio}", _for_ratio(request))
+    names = request.columns or (*AXIS_KEYS, *(column.key for column in request.shown))
+    records = records_of(len(request), names, _fields(request), lambda: _records(request))
+    return table_of(request, caption, _grid(request) if pages else None, records, _notes(request))
 
 
 def _for_ratio(request: ErrorsRequest) -> Label:
@@ -232,7 +215,7 @@ def _grid(request: ErrorsRequest) -> Grid:
         "ratio": RatioAxis(layout, ratios, lang),
         "force": _ForceAxis(lang),
         "model": _ModelAxis(lang),
-        "column": ColumnAxis(layout, [_Headed((), (one.heading[lang],)) for one in columns], ratios, lang),
+        "column": ColumnAxis(layout, [Heads((), (one.heading[lang],)) for one in columns], ratios, lang),
     }
     check_size(layout, {name: axis.size for name, axis in axes.items()})
 
@@ -246,26 +229,15 @@ def _grid(request: ErrorsRequest) -> Grid:
     return Grid(axes, cell)
 
 
-class _Rows:
-    """The records: one for each crank, force and model."""
-
-    def __init__(self, request: ErrorsRequest) -> None:
-        self.request = request
-
-    def __len__(self) -> int:
-        return len(self.request)
-
-    def __iter__(self) -> Iterator[tuple[Value, ...]]:
-        request = self.request
-        for place in request.places():
-            values: dict[str, Value] = {
-                "ratio": f"${ratio_text(request.cranks[place['ratio']].ratio)}$",
-                "force": FORCES[place["force"]].key,
-                "model": MODELS[place["model"]],
-            }
-            for column in request.shown:
-                values[column.key] = _record(request, column, place)
-            yield tuple(values[name] for name in _names(request))
+def _records(request: ErrorsRequest) -> Iterator[Mapping[str, Value]]:
+    """One for each crank, force and model."""
+    for place in request.places():
+        axes: dict[str, Value] = {
+            "ratio": f"${ratio_text(request.cranks[place['ratio']].ratio)}$",
+            "force": FORCES[place["force"]].key,
+            "model": MODELS[place["model"]],
+        }
+        yield axes | {column.key: _record(request, column, place) for column in request.shown}
 
 
 def _record(request: ErrorsRequest, column: ErrorColumn, place: Place) -> Number | None:
@@ -274,11 +246,7 @@ def _record(request: ErrorsRequest, column: ErrorColumn, place: Place) -> Number
     return _number(request, column, place)
 
 
-def _names(request: ErrorsRequest) -> tuple[str, ...]:
-    return request.columns or (*AXIS_KEYS, *(column.key for column in request.shown))
-
-
-def _fields(request: ErrorsRequest) -> tuple[Field, ...]:
+def _fields(request: ErrorsRequest) -> Mapping[str, Field]:
     lang = request.lang
     fields = {
         "ratio": Field("ratio", captions.WORDS["ratio"][lang], f"${request.layout.ratio_symbol}$"),
@@ -288,7 +256,7 @@ def _fields(request: ErrorsRequest) -> tuple[Field, ...]:
     for one in request.shown:
         unit = one.unit or "M R ω², M R² ω²"
         fields[one.key] = Field(one.key, full_name(one, lang), "", unit, _decimals(request, one), EXACT)
-    return tuple(fields[name] for name in _names(request))
+    return fields
 
 
 def full_name(column: ErrorColumn, lang: str) -> str:
@@ -300,7 +268,7 @@ def full_name(column: ErrorColumn, lang: str) -> str:
 
 
 def _decimals(request: ErrorsRequest, column: ErrorColumn) -> int:
-    return column.decimals if request.digits is None else request.digits
+    return request.decimals_of(column.decimals)
 
 
 def _peak(request: ErrorsRequest, column: ErrorColumn, place: Place) -> Peak | None:

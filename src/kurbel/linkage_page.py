@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import NamedTuple
 
 from kurbel import linkage_captions as captions
-from kurbel.arrange import Axis, Grid, Place, check_size, panels
+from kurbel.arrange import Axis, Grid, Place, check_size
 from kurbel.axes import AngleAxis, ColumnAxis, RatioAxis
 from kurbel.captions import WORDS as MOTION_WORDS
 from kurbel.choices import choose
@@ -18,32 +17,25 @@ from kurbel.linkage import ArcCrank
 from kurbel.linkage_quantities import LinkageQuantity, arc_registry, parallel_registry
 from kurbel.notation import MOST_ROWS, ratio_text
 from kurbel.problem import check_angles
-from kurbel.request import check_label, check_rounding
 from kurbel.rows import angle_decimals, angle_number
-from kurbel.table import Cell, Field, Label, Note, Number, Records, Table, Value
+from kurbel.sheet import Heads, Sheet, records_of, table_of
+from kurbel.table import Cell, Field, Number, Table, Value
 
 # By the subject of the layout; the parallel crank has no ratio.
 REGISTRIES = {"arc crank": arc_registry, "parallel crank": parallel_registry}
 AXIS_KEYS = {"arc crank": ("ratio", "phi"), "parallel crank": ("phi",)}
 
 
-@dataclass(frozen=True)
-class LinkageRequest:
+@dataclass(frozen=True, kw_only=True)
+class LinkageRequest(Sheet):
     """What is asked for: the arc cranks, alike but for their ratios, or none for the parallel crank."""
 
-    layout: Layout
     angles: Sequence[Fraction]
     cranks: tuple[ArcCrank, ...] = ()
-    digits: int | None = None
-    rounding: str = "half-away"
-    lang: str = "de"
-    columns: tuple[str, ...] = ()
-    label: str = ""
 
     def __post_init__(self) -> None:
+        super().__post_init__()
         check_angles(self.angles)
-        check_rounding(self.digits, self.rounding)
-        check_label(self.label)
         if "ratio" in self.axis_keys and not self.cranks:
             raise ProblemError("no crank ratio was given; write one as --ratio 1:5")
         if len(self) > MOST_ROWS:
@@ -73,15 +65,14 @@ class LinkageRequest:
 
     @property
     def quantities(self) -> tuple[LinkageQuantity, ...]:
-        keys = self.columns or tuple(column.quantity for column in self.layout.columns)
-        return tuple(self.registry[key] for key in dict.fromkeys(keys) if key not in self.axis_keys)
+        return tuple(self.registry[key] for key in dict.fromkeys(self.chosen()) if key not in self.axis_keys)
 
     def number(self, quantity: LinkageQuantity, drive: ArcCrank | None, angle: Fraction) -> Number:
         decimals = self.decimals(quantity)
         return Number(quantity.digits(drive, angle, decimals, self.rounding), decimals)
 
     def decimals(self, quantity: LinkageQuantity) -> int:
-        return quantity.decimals if self.digits is None else self.digits
+        return self.decimals_of(quantity.decimals)
 
 
 def linkage_column_keys(layout: Layout) -> tuple[str, ...]:
@@ -89,29 +80,18 @@ def linkage_column_keys(layout: Layout) -> tuple[str, ...]:
     return (*AXIS_KEYS[layout.subject], *REGISTRIES[layout.subject]())
 
 
-class _Headed(NamedTuple):
-    spanners: tuple[Label, ...]
-    heading: tuple[Label, ...]
-
-
 def build_linkage(request: LinkageRequest, pages: bool = True) -> Table:
     """Return the table that was asked for; without `pages` only its records."""
-    return Table(
-        key=request.label or request.layout.key,
-        layout=request.layout.key,
-        lang=request.lang,
-        caption=captions.caption(request),
-        panels=panels(request.layout, _grid(request)) if pages else (),
-        records=Records(tuple(_fields(request)), _Rows(request)),
-        notes=tuple(Note(text) for text in captions.notes(request)),
-        source=request.layout.source[request.lang],
-    )
+    names = request.columns or (*request.axis_keys, *(one.key for one in request.quantities))
+    records = records_of(len(request), names, _fields(request), lambda: _records(request))
+    grid = _grid(request) if pages else None
+    return table_of(request, captions.caption(request), grid, records, captions.notes(request))
 
 
 def _grid(request: LinkageRequest) -> Grid:
     layout, lang, quantities, drives = request.layout, request.lang, request.quantities, request.drives
     ratios = [crank.crank.ratio for crank in request.cranks]
-    headed = [_Headed(tuple(spanner[lang] for spanner in one.spanners), (one.heading,)) for one in quantities]
+    headed = [Heads(tuple(spanner[lang] for spanner in one.spanners), (one.heading,)) for one in quantities]
     axes: dict[str, Axis] = {
         "angle": AngleAxis(layout, request.angles, lang),
         "column": ColumnAxis(layout, headed, ratios, lang),
@@ -127,41 +107,24 @@ def _grid(request: LinkageRequest) -> Grid:
     return Grid(axes, cell)
 
 
-class _Rows:
-    """The records: one for each drive and angle, computed as they are asked for."""
-
-    def __init__(self, request: LinkageRequest) -> None:
-        self.request = request
-
-    def __len__(self) -> int:
-        return len(self.request)
-
-    def __iter__(self) -> Iterator[tuple[Value, ...]]:
-        request = self.request
-        names, of_angles = _names(request), angle_decimals(request.angles)
-        for drive in request.drives:
-            ratio = f"${ratio_text(drive.crank.ratio)}$" if drive else None
-            for angle in request.angles:
-                values: dict[str, Value] = {"ratio": ratio, "phi": angle_number(angle, of_angles)}
-                values |= {one.key: request.number(one, drive, angle) for one in request.quantities}
-                yield tuple(values[name] for name in names)
+def _records(request: LinkageRequest) -> Iterator[Mapping[str, Value]]:
+    """One for each drive and angle."""
+    of_angles = angle_decimals(request.angles)
+    for drive in request.drives:
+        ratio = f"${ratio_text(drive.crank.ratio)}$" if drive else None
+        for angle in request.angles:
+            axes: dict[str, Value] = {"ratio": ratio, "phi": angle_number(angle, of_angles)}
+            yield axes | {one.key: request.number(one, drive, angle) for one in request.quantities}
 
 
-def _names(request: LinkageRequest) -> tuple[str, ...]:
-    return request.columns or (*request.axis_keys, *(one.key for one in request.quantities))
-
-
-def _fields(request: LinkageRequest) -> Iterator[Field]:
-    lang, layout = request.lang, request.layout
+def _fields(request: LinkageRequest) -> Mapping[str, Field]:
+    lang, layout, decimals = request.lang, request.layout, angle_decimals(request.angles)
     fields = {
         "ratio": Field("ratio", MOTION_WORDS["ratio"][lang], f"${layout.ratio_symbol}$"),
-        "phi": Field(
-            "phi", MOTION_WORDS["phi"][lang], f"${layout.angle_symbol}$", "°", angle_decimals(request.angles)
-        ),
+        "phi": Field("phi", MOTION_WORDS["phi"][lang], f"${layout.angle_symbol}$", "°", decimals),
     }
-    for name in _names(request):
-        if name in fields:
-            yield fields[name]
-        else:
-            one = request.registry[name]
-            yield Field(name, one.full_name(lang), one.symbol, one.unit, request.decimals(one), "exact")
+    for one in request.quantities:
+        fields[one.key] = Field(
+            one.key, one.full_name(lang), one.symbol, one.unit, request.decimals(one), "exact"
+        )
+    return fields

@@ -68,7 +68,17 @@ def make_inertia_table(
     if page.subject == "inertia errors":
         if angles is not None:
             raise ProblemError(f"layout {layout} is of the whole turn; leave the angles out")
-        return build(ErrorsRequest(page, cranks, digits, rounding, lang, as_names(columns), label))
+        return build(
+            ErrorsRequest(
+                layout=page,
+                cranks=cranks,
+                digits=digits,
+                rounding=rounding,
+                lang=lang,
+                columns=as_names(columns),
+                label=label,
+            )
+        )
     at = read_values(page.angles if angles is None else angles, notation.angles, as_angle)
     return build(Request(page, cranks, at, None, digits, rounding, lang, as_names(columns), label))
 

@@ -5,23 +5,22 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import Any
 
 from kurbel import captions
-from kurbel.arrange import Grid, Place, check_size, panels
-from kurbel.axes import ColumnAxis, RatioAxis
+from kurbel.arrange import Grid, Place, check_size
+from kurbel.axes import ColumnAxis
 from kurbel.certify import NEVER_TIES, TieBits, ball, pi, rounded
 from kurbel.choices import choose
 from kurbel.errors import ProblemError
 from kurbel.kernel.forces import square_position
-from kurbel.layouts import Layout
 from kurbel.notation import ratio_text
 from kurbel.numerals import degrees_text
 from kurbel.problem import Crank
 from kurbel.quantities import NEEDS, OUT, Numbers, Quantity, numbers_of_balls, registry, value
-from kurbel.request import check_label, check_rounding
 from kurbel.separation import Separation
-from kurbel.table import Cell, Field, Label, Note, Number, Records, Table, Value
+from kurbel.sheet import Heads, LetteredRatioAxis, Sheet, records_of, table_of
+from kurbel.table import Cell, Field, Label, Number, Table, Value
 
 AXIS_KEYS = ("ratio", "phi")
 PHI = "phi"
@@ -42,21 +41,14 @@ CLOSED_FORMS = {
 }
 
 
-@dataclass(frozen=True)
-class TangentRequest:
+@dataclass(frozen=True, kw_only=True)
+class TangentRequest(Sheet):
     """What is asked for: forces of these straight cranks where the rod touches the crank circle."""
 
-    layout: Layout
     cranks: tuple[Crank, ...]
-    digits: int | None = None
-    rounding: str = "half-away"
-    lang: str = "de"
-    columns: tuple[str, ...] = ()
-    label: str = ""
 
     def __post_init__(self) -> None:
-        check_rounding(self.digits, self.rounding)
-        check_label(self.label)
+        super().__post_init__()
         if not self.cranks:
             raise ProblemError("no crank ratio was given; write one as --ratio 1:5")
         if any(crank.offset for crank in self.cranks):
@@ -76,8 +68,7 @@ class TangentRequest:
 
     @property
     def shown(self) -> tuple[str, ...]:
-        keys = self.columns or tuple(column.quantity for column in self.layout.columns)
-        chosen = tuple(key for key in keys if key != "ratio" and self._knows(key))
+        chosen = tuple(key for key in self.chosen() if key != "ratio" and self._knows(key))
         if not chosen:
             raise ProblemError("there is no column beside the ratio; add one, such as rod_force")
         return chosen
@@ -91,42 +82,23 @@ def tangent_column_keys() -> tuple[str, ...]:
     return (*AXIS_KEYS, *(key for key, quantity in registry().items() if quantity.stroke == OUT))
 
 
-class _Headed(NamedTuple):
-    spanners: tuple[Label, ...]
-    heading: tuple[Label, ...]
-
-
-class _LetteredRatioAxis(RatioAxis):
-    """Crank ratios with their letters, for heads that stand alone."""
-
-    def heads(self, place: Place) -> tuple[Label, ...]:
-        return (self.over_group(place),)
-
-
 def build_tangent(request: TangentRequest, pages: bool = True) -> Table:
     """Return the sheet that was asked for; without `pages` only its records."""
     layout, lang = request.layout, request.lang
     notes = [*(note[lang] for note in layout.notes), *captions.drive_notes(request.cranks, lang)]
     forces = dict.fromkeys(crank.force for crank in request.cranks if crank.force is not None)
     notes += [captions.force_note(force) for force in forces]
-    return Table(
-        key=request.label or layout.key,
-        layout=layout.key,
-        lang=lang,
-        caption=layout.caption[lang],
-        panels=panels(layout, _grid(request)) if pages else (),
-        records=Records(_fields(request), _Rows(request)),
-        notes=tuple(map(Note, notes)),
-        source=layout.source[lang],
-    )
+    names = request.columns or ("ratio", *request.shown)
+    records = records_of(len(request), names, _fields(request), lambda: _records(request))
+    return table_of(request, layout.caption[lang], _grid(request) if pages else None, records, notes)
 
 
 def _grid(request: TangentRequest) -> Grid:
     layout, lang, keys = request.layout, request.lang, request.shown
     ratios = [crank.ratio for crank in request.cranks]
     axes = {
-        "ratio": _LetteredRatioAxis(layout, ratios, lang),
-        "column": ColumnAxis(layout, [_Headed((), (_head(key, lang),)) for key in keys], ratios, lang),
+        "ratio": LetteredRatioAxis(layout, ratios, lang),
+        "column": ColumnAxis(layout, [Heads((), (_head(key, lang),)) for key in keys], ratios, lang),
     }
     check_size(layout, {name: axis.size for name, axis in axes.items()})
 
@@ -160,39 +132,25 @@ def _is_arc(key: str) -> bool:
     return key == PHI or registry()[key].arc
 
 
-class _Rows:
-    """The records: one for each crank."""
-
-    def __init__(self, request: TangentRequest) -> None:
-        self.request = request
-
-    def __len__(self) -> int:
-        return len(self.request)
-
-    def __iter__(self) -> Iterator[tuple[Value, ...]]:
-        request = self.request
-        for crank in request.cranks:
-            values: dict[str, Value] = {"ratio": f"${ratio_text(crank.ratio)}$"}
-            for key in request.shown:
-                decimals = _decimals(request, key)
-                is_arc = _is_arc(key)
-                values[key] = (
-                    _degrees(request, key, crank, 1, decimals) if is_arc else _number(request, key, crank)
-                )
-            yield tuple(values[name] for name in _names(request))
+def _records(request: TangentRequest) -> Iterator[Mapping[str, Value]]:
+    """One for each crank."""
+    for crank in request.cranks:
+        values: dict[str, Value] = {"ratio": f"${ratio_text(crank.ratio)}$"}
+        for key in request.shown:
+            is_arc, decimals = _is_arc(key), _decimals(request, key)
+            values[key] = (
+                _degrees(request, key, crank, 1, decimals) if is_arc else _number(request, key, crank)
+            )
+        yield values
 
 
-def _names(request: TangentRequest) -> tuple[str, ...]:
-    return request.columns or ("ratio", *request.shown)
-
-
-def _fields(request: TangentRequest) -> tuple[Field, ...]:
+def _fields(request: TangentRequest) -> Mapping[str, Field]:
     lang = request.lang
-    fields: Mapping[str, Field] = {
+    fields = {
         "ratio": Field("ratio", captions.WORDS["ratio"][lang], f"${request.layout.ratio_symbol}$"),
         PHI: Field(PHI, _name(PHI, lang), "$φ$", "°", _decimals(request, PHI), "exact"),
     }
-    return tuple(fields[name] if name in fields else _field(request, name) for name in _names(request))
+    return {key: _field(request, key) for key in request.shown if key != PHI} | fields
 
 
 def _field(request: TangentRequest, key: str) -> Field:
@@ -202,8 +160,7 @@ def _field(request: TangentRequest, key: str) -> Field:
 
 
 def _decimals(request: TangentRequest, key: str) -> int:
-    own = DEGREE_DECIMALS if _is_arc(key) else registry()[key].decimals
-    return own if request.digits is None else request.digits
+    return request.decimals_of(DEGREE_DECIMALS if _is_arc(key) else registry()[key].decimals)
 
 
 def _degrees(request: TangentRequest, key: str, crank: Crank, share: int, decimals: int) -> Number:
