@@ -10,7 +10,7 @@ import click
 from kurbel import notation
 from kurbel.balance import usual
 from kurbel.cli.machine import machine_option
-from kurbel.cli.options import Columns, Count, Name, layout_option, output_options, without_outdone
+from kurbel.cli.options import Columns, Count, Name, layout_option, output_options, sheet_of, without_outdone
 from kurbel.harmonics import MOST_ORDERS, registry
 from kurbel.quantities import METHODS
 
@@ -66,10 +66,7 @@ def harmonics(**options: Any) -> None:
         quantity=options["quantity"] or "",
         last_order=options["orders"],
         method=options["method"],
-        digits=options["digits"],
-        rounding=options["rounding"],
-        lang=options["lang"],
-        label=options["label"],
+        **sheet_of(options),
     )
     print_table(request, printing)
 
@@ -142,10 +139,6 @@ def balance(**options: Any) -> None:
         engine=engine,
         last_order=options["orders"],
         method=options["method"],
-        digits=options["digits"],
-        rounding=options["rounding"],
-        lang=options["lang"],
-        columns=notation.names(options["columns"], "columns", "order,along"),
-        label=options["label"],
+        **sheet_of(options, "order,along"),
     )
     print_table(request, printing)

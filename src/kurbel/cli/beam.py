@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from kurbel import notation
-from kurbel.cli.options import Columns, layout_option, output_options
+from kurbel.cli.options import Columns, layout_option, output_options, sheet_of
 
 
 @click.command()
@@ -50,10 +50,6 @@ def deadcentres(**options: Any) -> None:
         arms=notation.numbers(options["beam"] or page.arms, "beam arm"),
         ratios=notation.ratios(options["ratio"] or page.ratios),
         exact=options["exact"],
-        digits=options["digits"],
-        rounding=options["rounding"],
-        lang=options["lang"],
-        columns=notation.names(options["columns"], "columns", "mu,nu"),
-        label=options["label"],
+        **sheet_of(options, "mu,nu"),
     )
     print_table(request, printing)

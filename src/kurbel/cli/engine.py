@@ -11,7 +11,15 @@ import click
 from kurbel import notation
 from kurbel.cli.machine import machine_option
 from kurbel.cli.masses import inertia_of, load_of, mass_options
-from kurbel.cli.options import Columns, Name, in_order, layout_option, output_options, without_outdone
+from kurbel.cli.options import (
+    Columns,
+    Name,
+    in_order,
+    layout_option,
+    output_options,
+    sheet_of,
+    without_outdone,
+)
 from kurbel.errors import ProblemError
 
 if TYPE_CHECKING:
@@ -201,11 +209,7 @@ def print_engine(options: dict[str, Any], name: str, subjects: tuple[str, ...], 
         layout=page,
         **engines,
         methods=tuple(dict.fromkeys(options["method"])),
-        digits=options["digits"],
-        rounding=options["rounding"],
-        lang=options["lang"],
-        columns=notation.names(options["columns"], "columns", "epsilon,delta"),
-        label=options["label"],
+        **sheet_of(options, "epsilon,delta"),
         inertia=inertia_of(options, engines["drives"]),
         load=load_of(options),
         **rest,

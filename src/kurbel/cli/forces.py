@@ -13,7 +13,7 @@ from kurbel import notation
 from kurbel.cli.engine import STEAM_NAMES, engine_conditions, print_engine, steam_options
 from kurbel.cli.machine import machine_option
 from kurbel.cli.masses import MASSES, MOVING, SIZE
-from kurbel.cli.options import LayoutName, Name, in_order, output_options, typed, without_outdone
+from kurbel.cli.options import LayoutName, Name, in_order, output_options, sheet_of, typed, without_outdone
 from kurbel.cli.table import RIVALS, chosen_angles, cranks_of, motion_options, print_motion
 from kurbel.errors import ProblemError
 
@@ -108,11 +108,7 @@ def _print_tangent(options: dict[str, Any]) -> None:
     request = TangentRequest(
         layout=page,
         cranks=tuple(replace(crank, force=force) for crank in cranks_of(page, options)),
-        digits=options["digits"],
-        rounding=options["rounding"],
-        lang=options["lang"],
-        columns=notation.names(options["columns"], "columns", "phi,rod_force"),
-        label=options["label"],
+        **sheet_of(options, "phi,rod_force"),
     )
     print_table(request, printing)
 

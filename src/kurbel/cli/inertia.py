@@ -7,10 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from kurbel import notation
 from kurbel.cli.machine import machine_option
 from kurbel.cli.masses import rod_of, rod_options
-from kurbel.cli.options import layout_option, output_options, without_outdone
+from kurbel.cli.options import layout_option, output_options, sheet_of, without_outdone
 from kurbel.cli.table import RIVALS, cranks_of, motion_options, motion_request
 from kurbel.errors import ProblemError
 from kurbel.layouts import Layout, layout_of
@@ -61,11 +60,7 @@ def _errors(page: Layout, cranks: tuple[Crank, ...], options: dict[str, Any]) ->
     return ErrorsRequest(
         layout=page,
         cranks=cranks,
-        digits=options["digits"],
-        rounding=options["rounding"],
-        lang=options["lang"],
-        columns=notation.names(options["columns"], "columns", "greatest,error_percent"),
-        label=options["label"],
+        **sheet_of(options, "greatest,error_percent"),
     )
 
 

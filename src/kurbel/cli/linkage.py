@@ -8,7 +8,7 @@ from typing import Any
 
 from kurbel import notation
 from kurbel.cli.mechanism import MECHANISMS
-from kurbel.cli.options import without_outdone
+from kurbel.cli.options import sheet_of, without_outdone
 from kurbel.cli.table import RIVALS, chosen_angles
 from kurbel.errors import NotationError, ProblemError
 from kurbel.layouts import Layout
@@ -29,11 +29,7 @@ def print_linkage(name: str, options: dict[str, Any]) -> None:
         layout=page,
         angles=chosen_angles(page, options),
         cranks=_arc_cranks(page, options) if name == "arc" else (),
-        digits=options["digits"],
-        rounding=options["rounding"],
-        lang=options["lang"],
-        columns=notation.names(options["columns"], "columns", "phi,path,rocker"),
-        label=options["label"],
+        **sheet_of(options, "phi,path,rocker"),
     )
     print_table(request, printing)
 

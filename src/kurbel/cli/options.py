@@ -9,6 +9,7 @@ import click
 from click.core import ParameterSource
 from click.shell_completion import CompletionItem
 
+from kurbel import notation
 from kurbel.choices import choose
 from kurbel.errors import NotationError, ProblemError
 from kurbel.formats import DECIMALS, FORMATS, Format
@@ -181,6 +182,12 @@ def output_options(command: Command) -> Command:
         click.option("--longtable", is_flag=True, help="LaTeX: a longtable, which breaks across pages."),
     )  # fmt: skip
     return in_order(options)(command)
+
+
+def sheet_of(options: Mapping[str, Any], example: str = "") -> dict[str, Any]:
+    """Return digits, language, label and, with an example of them, the columns, as a request takes them."""
+    sheet = {name: options[name] for name in ("digits", "rounding", "lang", "label")}
+    return {**sheet, "columns": notation.names(options["columns"], "columns", example)} if example else sheet
 
 
 def in_order(options: Sequence[Callable[[Any], Any]]) -> Callable[[Command], Command]:

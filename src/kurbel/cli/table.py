@@ -12,7 +12,15 @@ import click
 from kurbel import notation
 from kurbel.cli.machine import machine_option
 from kurbel.cli.mechanism import MECHANISMS, chosen_mechanism, mechanism_options
-from kurbel.cli.options import Columns, Name, in_order, layout_option, output_options, without_outdone
+from kurbel.cli.options import (
+    Columns,
+    Name,
+    in_order,
+    layout_option,
+    output_options,
+    sheet_of,
+    without_outdone,
+)
 from kurbel.errors import NotationError, ProblemError
 from kurbel.layouts import Layout
 from kurbel.problem import Crank, Speed
@@ -120,11 +128,7 @@ def motion_request(page: Layout, cranks: tuple[Crank, ...], options: Mapping[str
         cranks=cranks,
         angles=chosen_angles(page, options),
         method=options.get("method"),
-        digits=options["digits"],
-        rounding=options["rounding"],
-        lang=options["lang"],
-        columns=notation.names(options["columns"], "columns", "phi,x,c,p"),
-        label=options["label"],
+        **sheet_of(options, "phi,x,c,p"),
     )
 
 
