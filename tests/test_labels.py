@@ -42,6 +42,8 @@ def formula(source: str) -> Formula:
         ("F sqrt((R/L)^2 + 1)", "F √((R/L)² + 1)"),
         ("(sqrt(2.5))/2 cos φ", "√(2,5)/2 cos φ"),
         ("sqrt(x)^2", "√(x)²"),
+        ("(-5 ± 3 sqrt(33))/4", "(−5 ± 3 √33)/4"),
+        ("sqrt(33)^2", "√(33)²"),
     ],
 )
 def test_formula_in_one_line_of_text(source: str, text: str) -> None:

@@ -57,10 +57,15 @@ def _text_node(nodes: Nodes, place: int, mark: str) -> str:
             return " "
         case Group(content, fences):
             return f"{fences[0]}{_text(content, mark)}{fences[1]}"
+        case Root((Numeral(text),)) if text.isdigit():
+            return f"√{text}"
         case Root(content):
             return f"√({_text(content, mark)})"
         case Fraction(top, bottom):
             return _text_fraction(nodes, place, top, bottom, mark)
+        case Script(Root(content), index, power):
+            scripts = _small(index, "_", _INDICES, mark) + _small(power, "^", POWERS, mark)
+            return f"√({_text(content, mark)}){scripts}"
         case Script(base, index, power):
             scripts = _small(index, "_", _INDICES, mark) + _small(power, "^", POWERS, mark)
             return _text((base,), mark) + scripts
