@@ -330,22 +330,48 @@ def direct_value(key: str, crank: ArcCrank, stroke: int, circle: Circle[Any], ki
     million bits. Here the rocker's angle θ comes first, with rational coefficients settled beforehand and one
     root each for the dead centre and the place: some thousand bits, but no digits for floats to rely on.
     """
+    turn = _direct_turn(crank, stroke, circle, kind.of)
+    return _direct(key, crank, stroke, turn, _dead_turn(crank, stroke, kind.of), kind)
+
+
+def direct_motion(key: str, crank: ArcCrank, stroke: int, circle: Circle[Any], kind: Kind) -> Any:
+    """Return the same of velocities and accelerations, which do not depend on the dead centre: one root."""
+    return _direct(key, crank, stroke, _direct_turn(crank, stroke, circle, kind.of), None, kind)
+
+
+class _Turn(NamedTuple):
+    """sin θ and cos θ of the rocker, sin ψ and cos ψ of the rod against the arc, and the crank's circle."""
+
+    sine: Any
+    cosine: Any
+    slant: Any
+    slant_cosine: Any
+    circle: Circle[Any]
+
+
+def _direct(
+    key: str, crank: ArcCrank, stroke: int, turn: _Turn, dead: tuple[Any, Any] | None, kind: Kind
+) -> Any:
     # With θ = 0 at the dead centre the slide direction is its tangent, in which along and across are.
-    numbers = crank.crank.ratio, crank.curvature
-    arc = Arc(*(kind.of(stroke * number) for number in numbers), *5 * [kind.of(Fraction(0))])
-    found = MOTIONS[key].formula(_direct_place(crank, stroke, circle, kind.of), arc, kind)
+    curvature = kind.of(stroke * crank.curvature)
+    nothing, circle = kind.of(Fraction(0)), turn.circle
+    along, rise = nothing, nothing
+    if dead is not None:
+        along, rise = (dead[0] - turn.sine) / curvature, (dead[1] - turn.cosine) / curvature
+    across = circle.sine * turn.cosine - circle.cosine * turn.sine
+    facing = circle.cosine * turn.cosine + circle.sine * turn.sine
+    velocity = across + facing * turn.slant / turn.slant_cosine
+    place = Place(nothing, along, rise, turn.slant, turn.slant_cosine, across, facing, velocity)
+    arc = Arc(kind.of(stroke * crank.crank.ratio), curvature, *5 * [nothing])
+    found = MOTIONS[key].formula(place, arc, kind)
     return found / kind.of(crank.rocker) if MOTIONS[key].by_rocker else found
 
 
-def _direct_place(
-    crank: ArcCrank, stroke: int, circle: Circle[Any], of: Callable[[Fraction], Any]
-) -> Place[Any]:
-    """Return the place with `along` and `across` along the slide direction and square to it."""
+def _direct_turn(crank: ArcCrank, stroke: int, circle: Circle[Any], of: Callable[[Fraction], Any]) -> _Turn:
     ratio, curvature, offset, shift = (
         stroke * number for number in (crank.crank.ratio, crank.curvature, crank.offset, crank.shift)
     )
-    # The pivot seen from the shaft, times λβ.
-    level, up = curvature * (1 + ratio * shift), ratio * (1 + curvature * offset)
+    level, up = _pivot(crank, stroke)
     mean = curvature * shift + ratio * offset + ratio * curvature * (1 + shift**2 + offset**2) / 2
     slant = of(level) * circle.cosine + of(up) * circle.sine - of(mean)
     slant_cosine = (1 - slant * slant) ** 0.5
@@ -357,27 +383,30 @@ def _direct_place(
         of(up) - of(both) * circle.sine,
         of(level**2 + up**2 + both**2) - of(2 * both) * (of(level) * circle.cosine + of(up) * circle.sine),
     )
+    return _Turn(sine, cosine, slant, slant_cosine, circle)
+
+
+def _dead_turn(crank: ArcCrank, stroke: int, of: Callable[[Fraction], Any]) -> tuple[Any, Any]:
+    """Return sin θ and cos θ at the dead centre."""
+    ratio, curvature, offset, shift = (
+        stroke * number for number in (crank.crank.ratio, crank.curvature, crank.offset, crank.shift)
+    )
+    level, up = _pivot(crank, stroke)
     gap = 1 - shift + ratio * (1 - shift**2 - offset**2) / 2
     dead = curvature * gap - ratio * offset
-    dead_sine, dead_cosine = _rocker_turn(
+    return _rocker_turn(
         of(curvature * dead - ratio),
         of(curvature) * of((1 + ratio) ** 2 - dead**2) ** 0.5,
         of(level),
         of(up),
         of(level**2 + up**2),
     )
-    across = circle.sine * cosine - circle.cosine * sine
-    facing = circle.cosine * cosine + circle.sine * sine
-    return Place(
-        of(Fraction(0)),
-        (dead_sine - sine) / of(curvature),
-        (dead_cosine - cosine) / of(curvature),
-        slant,
-        slant_cosine,
-        across,
-        facing,
-        across + facing * slant / slant_cosine,
-    )
+
+
+def _pivot(crank: ArcCrank, stroke: int) -> tuple[Fraction, Fraction]:
+    """Return the pivot seen from the shaft, along and across the slide direction, times λβ."""
+    ratio, curvature = stroke * crank.crank.ratio, stroke * crank.curvature
+    return curvature * (1 + ratio * stroke * crank.shift), ratio * (1 + curvature * stroke * crank.offset)
 
 
 def _rocker_turn(along: Any, across: Any, level: Any, up: Any, square: Any) -> tuple[Any, Any]:
