@@ -1,0 +1,136 @@
+"""Conditions as text: what is read, what is written out again, and how bad ones are answered."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kurbel.errors import KurbelError, NotationError
+from kurbel.where import (
+    ACCELERATIONS,
+    ANGLES,
+    ARC_NAMES,
+    DEAD_CENTRE,
+    MAX,
+    MEASURED,
+    MIN,
+    SLIDE_NAMES,
+    VALUE,
+    Condition,
+    read_condition,
+)
+
+
+@pytest.mark.parametrize(
+    ("text", "condition"),
+    [
+        ("p=0", Condition("p")),
+        (" p = 0 ", Condition("p")),
+        ("x = 1,1", Condition("x", VALUE, Fraction("1.1"))),
+        ("x=1.1", Condition("x", VALUE, Fraction("1.1"))),
+        ("p = -1/6", Condition("p", VALUE, Fraction(-1, 6))),
+        ("p = −1/6", Condition("p", VALUE, Fraction(-1, 6))),
+        ("c = 1/2.5", Condition("c", VALUE, Fraction(2, 5))),
+        ("s = 25%", Condition("s", VALUE, Fraction(1, 4))),
+        ("s = 12,5 %", Condition("s", VALUE, Fraction(1, 8))),
+        ("s = 1/3", Condition("s", VALUE, Fraction(1, 3))),
+        ("c = max", Condition("c", MAX)),
+        ("p=min", Condition("p", MIN)),
+        ("p = 1/6 of dead centre", Condition("p", DEAD_CENTRE, Fraction(1, 6))),
+        ("p = -25% of the dead center", Condition("p", DEAD_CENTRE, Fraction(-1, 4))),
+        ("p = of dead centre", Condition("p", DEAD_CENTRE, Fraction(1))),
+        ("psi = 2°30'", Condition("psi", VALUE, Fraction(5, 2))),
+        ("ψ = -5", Condition("psi", VALUE, Fraction(-5))),
+        ("x = 200mm", Condition("x", VALUE, Fraction(200), "mm")),
+        ("x = 2,5e1 mm", Condition("x", VALUE, Fraction(25), "mm")),
+        ("c = 3 m/s", Condition("c", VALUE, Fraction(3), "m/s")),
+        ("p = -50 m/s²", Condition("p", VALUE, Fraction(-50), "m/s²")),
+        ("guide_force = 0.1", Condition("guide_force", VALUE, Fraction(1, 10))),
+    ],
+)
+def test_conditions_are_read(text: str, condition: Condition) -> None:
+    assert read_condition(text) == condition
+
+
+def test_letters_stand_for_the_motion_of_the_arc_crank() -> None:
+    assert read_condition("p=0", ARC_NAMES) == read_condition("acceleration = 0", ARC_NAMES)
+    assert read_condition("θ = 1°", ARC_NAMES) == Condition("rocker", VALUE, Fraction(1))
+
+
+quantities = st.sampled_from(sorted({*SLIDE_NAMES.values()}))
+small = st.fractions(-1000, 1000, max_denominator=9999)
+
+
+@st.composite
+def conditions(draw: st.DrawFn) -> Condition:
+    quantity = draw(quantities)
+    kinds = [VALUE, MAX, MIN] + [DEAD_CENTRE] * (quantity in ACCELERATIONS)
+    kind = draw(st.sampled_from(kinds))
+    if kind in (MAX, MIN):
+        return Condition(quantity, kind)
+    if quantity in ANGLES:
+        # Degrees, minutes and thousandths of seconds are what is written out.
+        return Condition(
+            quantity, kind, draw(st.integers(-(10**8), 10**8).map(lambda n: Fraction(n, 3600000)))
+        )
+    if quantity in MEASURED and kind == VALUE and draw(st.booleans()):
+        return Condition(quantity, kind, Fraction(draw(st.integers(-(10**6), 10**6)), 1000), "mm")
+    return Condition(quantity, kind, draw(small))
+
+
+@given(conditions())
+def test_a_condition_that_is_written_out_is_read_again(condition: Condition) -> None:
+    assert read_condition(str(condition)) == condition
+
+
+@given(conditions())
+def test_a_decimal_comma_is_read_as_a_point(condition: Condition) -> None:
+    assert read_condition(f"{condition.quantity}={condition.right_side(',')}") == condition
+
+
+pieces = st.sampled_from([*"xspc=0123456789.,/-+eE% °'", "max", "min", " of dead centre", "mm", "m/s", "psi"])
+
+
+@given(st.one_of(st.text(max_size=30), st.lists(pieces, max_size=12).map("".join)))
+def test_any_text_is_a_condition_or_an_error_in_a_sentence(text: str) -> None:
+    for names in (SLIDE_NAMES, ARC_NAMES):
+        try:
+            found = read_condition(text, names)
+        except KurbelError as error:
+            assert str(error)
+        else:
+            assert found.quantity in names.values()
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("p", 'condition "p" cannot be read; write it as p=0, s=25%'),
+        ("p>0", 'condition "p>0" cannot be read'),
+        ("p = 0 = 0", 'condition "p = 0 = 0" cannot be read'),
+        ("p =", 'condition "p =" cannot be read'),
+        ("p = null", 'condition "p = null" cannot be read'),
+        ("p = 1/0", 'condition "p = 1/0" cannot be read'),
+        ("p = 1e999", 'condition "p = 1e999" is out of range'),
+        ("p = 1/3 of sixpence", 'condition "p = 1/3 of sixpence" cannot be read'),
+        ("q = 1", 'there is no quantity "q"'),
+        ("pso = 1", 'there is no quantity "pso" (did you mean psi?)'),
+        ("x = 25%", 'condition "x = 25%" has a percentage, which is for s'),
+        ("c = 1/6 of dead centre", 'condition "c = 1/6 of dead centre" has no value at the dead centre'),
+        ("s = 200 mm", 'condition "s = 200 mm" has a unit, which only x, c and p'),
+        ("psi = 3 mm", 'condition "psi = 3 mm" "3 mm" is not an angle in degrees'),
+        ("x = " + "1" * 500, 'condition "x = 1111'),
+    ],
+)
+def test_a_malformed_condition_is_answered_with_the_grammar(text: str, said: str) -> None:
+    with pytest.raises(KurbelError) as caught:
+        read_condition(text)
+    assert str(caught.value).startswith(said)
+
+
+def test_the_arc_crank_takes_no_units() -> None:
+    with pytest.raises(NotationError, match="only x, c and p of the straight or offset crank"):
+        read_condition("x = 200 mm", ARC_NAMES)
