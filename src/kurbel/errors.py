@@ -18,6 +18,12 @@ class ProblemError(KurbelError):
     """A crank drive that cannot be built or cannot turn."""
 
 
+class NoRootError(KurbelError):
+    """A condition that holds at no crank angle."""
+
+    exit_code = 1
+
+
 class ChoiceError(KurbelError):
     """A name that no layout, column, format, language or method has."""
 

@@ -26,6 +26,7 @@ _LARGEST = 10**9
 _GERMAN = {
     "U/min": "rpm", "Upm": "rpm", "U/s": "turn/s", "min⁻¹": "/min", "PS": "metric_horsepower",
 }  # fmt: skip
+_SQUARES = ("s²", "s^2", "s**2")
 
 
 def length(text: str, what: str) -> Fraction:
@@ -51,6 +52,18 @@ def speed(text: str) -> Speed:
     # Degrees and revolutions are a rational part of pint's turn, though its π is not exact.
     per_second = "1/s" if root == "1 / second" else "turn/s"
     return Speed(_checked(quantity.to(per_second).magnitude, text, "speed", "turns a second"))
+
+
+def velocity(text: str, what: str) -> Fraction:
+    """Return a velocity in m/s: "3 m/s", "500 ft/min"."""
+    found = _quantity(text, what, "a velocity such as 3 m/s", "[length]/[time]")
+    return Fraction(found.to("m/s").magnitude)
+
+
+def acceleration(text: str, what: str) -> Fraction:
+    """Return an acceleration in m/s²: "50 m/s²", "50 m/s^2"."""
+    found = _quantity(text, what, "an acceleration such as 50 m/s²", "[length]/[time]**2")
+    return Fraction(found.to("m/s**2").magnitude)
 
 
 def power(text: str) -> Fraction:
@@ -113,6 +126,9 @@ def _name(quantity: Any, written: str) -> str:
 
 
 def _translated(text: str) -> str:
+    for square in _SQUARES:
+        if text.rstrip().endswith(square):
+            return text.rstrip().removesuffix(square) + "s/s"
     for written, read in _GERMAN.items():
         if text.rstrip().endswith(written):
             return text.rstrip().removesuffix(written) + read
