@@ -32,6 +32,7 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "inertia": ("inertia", "--centre=0.65", "--gyration=0.35"),
     "inertia errors": ("inertia", "--centre=0.65", "--gyration=0.35"),
     "tangent": ("forces", "--at=tangent"),
+    "roots": ("solve", "--where=p=0", "--where=s=25%", "--where=c=max"),
 }
 
 
@@ -48,6 +49,7 @@ LINKAGES = about("arc crank", "parallel crank")
 # What `kurbel table` prints.
 DRIVES = about("motion", "arc crank", "parallel crank")
 RODS = about("inertia", "inertia errors", "tangent")
+SOLVED = about("roots")
 
 each_layout = pytest.mark.parametrize(
     ("name", "lang"), [(name, lang) for name in layout_names() for lang in LANGUAGES]
@@ -76,6 +78,9 @@ def default_page(name: str, lang: str = "de", label: str = "") -> Table:
             return kurbel.make_parallel_table(layout=name, lang=lang, label=label)
         case "tangent":
             return kurbel.make_tangent_table(layout=name, lang=lang, label=label)
+        case "roots":
+            where = ("p=0", "s=25%", "c=max")
+            return kurbel.make_solve_table(where, layout=name, lang=lang, label=label)
         case "inertia" | "inertia errors":
             return kurbel.make_inertia_table(
                 layout=name, centre=0.65, gyration="35%", lang=lang, label=label,

@@ -21,6 +21,7 @@ from kurbel.inertia_page import error_columns
 from kurbel.layouts import layout_names
 from kurbel.linkage_quantities import arc_registry, parallel_registry
 from kurbel.quantities import registry
+from kurbel.solve_page import own_columns
 
 NINTHS = Fraction(2, 9)
 
@@ -218,6 +219,7 @@ def test_quantities_are_listed_a_line_each() -> None:
     rods = [*inertia_registry(), *error_columns()]
     assert keys == [
         *motion, *engines, *("value" for _ in harmonics.registry()), *balance_registry(), *links, *rods,
+        *own_columns(),
     ]  # fmt: skip
     assert all(len(line.split()) > 2 for line in lines)
     assert printed("quantities", "--lang", "en").out.splitlines() != lines

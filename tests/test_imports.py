@@ -142,7 +142,15 @@ def test_imports_run_one_way() -> None:
         "kurbel.cli.inertia",
     ]
     square = ["kurbel.kernel.forces", "kurbel.tangent_page", "kurbel.cli.forces"]
-    for order in (motion, engine, quantity, beam, balance, linkage, rod, square):
+    roots = [
+        "kurbel.kernel.kinematics",
+        "kurbel.course",
+        "kurbel.drives",
+        "kurbel.solve",
+        "kurbel.solve_page",
+        "kurbel.cli.solve",
+    ]
+    for order in (motion, engine, quantity, beam, balance, linkage, rod, square, roots):
         for low, high in pairwise(order):
             assert low in reached(high)
             assert high not in reached(low)
@@ -242,7 +250,7 @@ PAGES += [
     ("inertia", "--centre=0.6", "--gyration=0.4", f"--layout={name}")
     for name in ("inertia", "inertia-errors")
 ]
-PAGES += [("forces", "--at", "tangent")]
+PAGES += [("forces", "--at", "tangent"), ("solve", "--where", "p=0")]
 
 
 @pytest.mark.parametrize("name", ["text", "markdown", "latex", "html", "csv", "json"])

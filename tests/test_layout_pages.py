@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from cli import printed
 from golden import FOLDER, assert_golden
-from pages import BALANCES, BEAMS, ENGINES, LINKAGES, RODS, command, default_page, each_layout
+from pages import BALANCES, BEAMS, ENGINES, LINKAGES, RODS, SOLVED, command, default_page, each_layout
 
 from kurbel.formats import FORMATS
 from kurbel.layouts import LANGUAGES, layout_names
@@ -17,6 +17,8 @@ BELOW = ("table", "--mechanism=arc", "--ratio=1:4;3:10", "--rocker=5", "--pivot=
 STEAM = ("--back=10%", "--exponent=1,13", "--clearance=5%")
 ROD_MACHINE = ("--stroke=600mm", "--rod=1500mm", "--speed=120/min", "--rod-mass=100kg")
 ROD = ("--centre=0,6", "--gyration=0,48", *ROD_MACHINE)
+BLAU = ("--where=p=0", "--where=p = 1/6 of dead centre", "--where=p = -1/6 of dead centre")
+SOLVE_MACHINE = ("--stroke=600mm", "--rod=1500mm", "--speed=120/min")
 CRANKS = ("delta", "--detail", "--eps=4", "--ratio=1:4;1:5", "--cranks=0;90", "--single-acting", *STEAM)
 TEXTS = {
     **{name: command(name) for name in layout_names()},
@@ -30,16 +32,20 @@ TEXTS = {
     "inertia-units": ("inertia", *ROD, "--offset=0.2", "--step=30"),
     "inertia-errors-units": ("inertia", "--layout=inertia-errors", *ROD),
     "forces-tangent-units": ("forces", "--at=tangent", "--ratio=1:5;1:4", "--force=10kN", "--stroke=600mm"),
+    "solve-blau": ("solve", "--ratio=1:5;1:4", "--method=series", *BLAU),
+    "solve-units": ("solve", *SOLVE_MACHINE, "--where=c = 3 m/s", "--where=x = 200 mm"),
+    "solve-offset": ("solve", "--ratio=1:4", "--offset=0.5", "--where=s=25%", "--where=psi=2°30'"),
+    "solve-arc": ("solve", "--mechanism=arc", "--rocker=6", "--where=acceleration=0", "--where=rocker=0"),
     "weisbach-150-weisbach": ("delta", "--method=weisbach"),
 }
 # Pages whose cells are not all alike: angles beside numbers, notes, units and places without a value.
-RICH = ("delta-detail", "flywheel", "forces-tangent")
+RICH = ("delta-detail", "flywheel", "forces-tangent", "solve")
 SUFFIXES = {entry.suffixes[0]: name for name, entry in FORMATS.items() if name not in ("text", "csv")}
 PAGES = {
     **{f"{name}.{lang}.txt": (*text, f"--lang={lang}") for name, text in TEXTS.items() for lang in LANGUAGES},
     **{
         f"{name}.csv": (*command(name), "-f", "csv")
-        for name in ("kinematics", *ENGINES, *BEAMS, *BALANCES, *LINKAGES, *RODS)
+        for name in ("kinematics", *ENGINES, *BEAMS, *BALANCES, *LINKAGES, *RODS, *SOLVED)
     },
     **{f"{name}{suffix}": (*command(name), "-f", form) for name in RICH for suffix, form in SUFFIXES.items()},
 }

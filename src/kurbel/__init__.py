@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from kurbel.library import certified, compute, make_table, typeset
     from kurbel.linkage_library import make_arc_table, make_parallel_table
     from kurbel.rod_library import make_inertia_table, make_tangent_table
+    from kurbel.solve_library import make_solve_table
 
 __version__ = "0.1.0"
 __all__ = [
@@ -39,6 +40,7 @@ __all__ = [
     "make_harmonics_table",
     "make_inertia_table",
     "make_parallel_table",
+    "make_solve_table",
     "make_table",
     "make_tangent_table",
     "typeset",
@@ -53,6 +55,7 @@ _MODULES = {
     "make_parallel_table": "kurbel.linkage_library",
     "make_inertia_table": "kurbel.rod_library",
     "make_tangent_table": "kurbel.rod_library",
+    "make_solve_table": "kurbel.solve_library",
 }
 
 

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from kurbel.harmonics_page import HarmonicsRequest
     from kurbel.inertia_page import ErrorsRequest
     from kurbel.linkage_page import LinkageRequest
+    from kurbel.solve_page import SolveRequest
     from kurbel.tangent_page import TangentRequest
 
 
@@ -81,6 +82,12 @@ def _tangent(request: TangentRequest, pages: bool) -> Table:
     return build_tangent(request, pages)
 
 
+def _roots(request: SolveRequest, pages: bool) -> Table:
+    from kurbel.solve_page import build_solve
+
+    return build_solve(request, pages)
+
+
 def _inertia(request: Request, pages: bool) -> Table:
     table = _motion(request, pages)
     if not pages:
@@ -118,6 +125,7 @@ BUILDERS: dict[str, Callable[[Any, bool], Table]] = {
     "inertia": _inertia,
     "inertia errors": _errors,
     "tangent": _tangent,
+    "roots": _roots,
     "irregularity": _engine,
     "strokes": _engine,
     "turning": _engine,

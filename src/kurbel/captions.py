@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from kurbel.kernel import kinematics
 from kurbel.notation import plain, ratio_text
@@ -25,7 +25,20 @@ from kurbel.table import Field, Label, Number
 
 if TYPE_CHECKING:
     from kurbel.digits import Digits
+    from kurbel.layouts import Layout
     from kurbel.rod import Rod
+
+
+class Formulated(Protocol):
+    """What formulas are printed for: cranks, on a page with its letters and its language."""
+
+    @property
+    def cranks(self) -> tuple[Crank, ...]: ...
+    @property
+    def layout(self) -> Layout: ...
+    @property
+    def lang(self) -> str: ...
+
 
 # {±} is the sign that the return stroke changes, {ψ} the same where ψ itself is printed (cos ψ knows no
 # sign), {angle} the letter of the crank angle.
@@ -150,7 +163,7 @@ def notes(request: Request, columns: Sequence[Digits]) -> list[Label]:
     if any(column.method == DIFFERENCE for column in columns):
         lines.append(WORDS["difference"][request.lang])
     if request.layout.formulas:
-        lines += _formula_lines(request, columns)
+        lines += formula_lines(request, columns)
     lines += drive_notes(request.cranks, request.lang)
     lines += dict.fromkeys(force_note(crank.force) for crank in request.cranks if crank.force is not None)
     if request.layout.subject == "inertia":
@@ -214,7 +227,8 @@ def _fraction(ratio: Fraction) -> str:
     return ratio_text(ratio).replace(":", "/")
 
 
-def _formula_lines(request: Request, columns: Sequence[Digits]) -> Iterator[Label]:
+def formula_lines(request: Formulated, columns: Sequence[Digits]) -> Iterator[Label]:
+    """Yield the formulas of the columns, each once, and what their signs mean."""
     finite = [crank for crank in request.cranks if crank.ratio]
     offset = any(crank.offset for crank in finite)
     strokes = {column.quantity.stroke for column in columns}
@@ -246,7 +260,7 @@ def _methods_of(method: str) -> tuple[str, ...]:
     return ("exact", "series") if method == DIFFERENCE else (method,)
 
 
-def _filled(line: str, request: Request, sign: str, rod_angle: bool) -> Label:
+def _filled(line: str, request: Formulated, sign: str, rod_angle: bool) -> Label:
     parts = {
         "{±}": sign,
         "{ψ}": f"{sign} " if rod_angle and sign != "+" else "",

@@ -25,6 +25,7 @@ SUBJECTS: Mapping[str, tuple[str, ...]] = {
     "machine": ("expansion", "ratio", "angle", "column"),
     "flywheel": ("expansion", "ratio", "target", "column"),
     "dead centres": ("arm", "ratio", "column"),
+    "roots": ("ratio", "condition", "stroke", "root", "column"),
     "harmonics": ("order", "ratio"),
     "balance": ("ratio", "residual", "order", "column"),
     "arc crank": ("ratio", "angle", "column"),

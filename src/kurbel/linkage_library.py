@@ -45,7 +45,7 @@ def make_arc_table(
     from kurbel.linkage_page import LinkageRequest
 
     page = layout_of(layout, ("arc crank",))
-    distance, height = _places(pivot)
+    distance, height = pivot_places(pivot)
     return build(
         LinkageRequest(
             layout=page,
@@ -63,7 +63,8 @@ def make_arc_table(
     )
 
 
-def _places(pivot: tuple[Exact, Exact] | None) -> tuple[Fraction, Fraction] | tuple[None, None]:
+def pivot_places(pivot: tuple[Exact, Exact] | None) -> tuple[Fraction, Fraction] | tuple[None, None]:
+    """Return the places of a rocker's pivot along and across the slide direction, where they are given."""
     if pivot is None:
         return None, None
     if isinstance(pivot, str) or len(pivot) != 2:

@@ -18,6 +18,7 @@ COMMANDS = {
     "table": ("kurbel.cli.table", "Print a table of piston path, velocity and acceleration."),
     "forces": ("kurbel.cli.forces", "Print the forces in rod, guide and crank pin."),
     "inertia": ("kurbel.cli.inertia", "Print the forces of the moving connecting rod."),
+    "solve": ("kurbel.cli.solve", "Print the crank angles at which a condition holds."),
     "delta": ("kurbel.cli.engine", "Print the degree of irregularity of a steam engine."),
     "turning": ("kurbel.cli.engine", "Print tangential force and excess energy over the crank angle."),
     "flywheel": ("kurbel.cli.engine", "Print the flywheel that keeps an engine even."),

@@ -39,6 +39,7 @@ def quantities(lang: str) -> None:
     from kurbel.labels import plain
     from kurbel.linkage_quantities import arc_registry, parallel_registry
     from kurbel.quantities import NEEDS, registry
+    from kurbel.solve_page import own_columns
 
     rows = [("ratio", WORDS["ratio"][lang], "", "table"), ("phi", WORDS["phi"][lang], "°", "table")]
     for key, quantity in registry().items():
@@ -61,6 +62,8 @@ def quantities(lang: str) -> None:
         rows.append((key, quantity_name(force, lang), force.unit[lang], options))
     for key, error in error_columns().items():
         rows.append((key, full_name(error, lang), error.unit, "inertia --layout inertia-errors"))
+    for key, names in own_columns().items():
+        rows.append((key, names[lang], "°" if key.startswith("phi") else "", "solve"))
     _print(rows)
 
 

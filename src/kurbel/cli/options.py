@@ -124,6 +124,10 @@ def _column_keys(name: str) -> tuple[str, ...]:
         from kurbel.tangent_page import tangent_column_keys
 
         return tangent_column_keys()
+    if page.subject == "roots":
+        from kurbel.solve_page import solve_column_keys
+
+        return solve_column_keys()
     from kurbel.engine_request import engine_column_keys
 
     return engine_column_keys(page)
