@@ -27,6 +27,8 @@ from kurbel.linkage_quantities import arc_registry, parallel_registry
 from kurbel.notation import ratio_text, ratios
 from kurbel.plot_style import FORMATS as DRAWINGS
 from kurbel.quantities import METHODS, NEEDS, registry
+from kurbel.solve_page import own_columns
+from kurbel.where import ARC_NAMES, SLIDE_NAMES
 
 PAGE = Path(__file__).with_name("reference.md")
 
@@ -56,6 +58,7 @@ def _quantities() -> Iterator[str]:
         yield f"| `{key}` | {name} | {unit} | {quantity.decimals} | {options} |"
     yield from _engine_quantities()
     yield from _rod_quantities()
+    yield from _solved()
 
 
 def _engine_quantities() -> Iterator[str]:
@@ -111,6 +114,18 @@ def _rod_quantities() -> Iterator[str]:
         options = " ".join(f"`{option}`" for option in NEEDS[column.needs])
         unit = column.unit or "M R ω², M R² ω²"
         yield f"| `{key}` | {full_name(column, 'en')} | {unit} | {column.decimals} | {options} |"
+
+
+def _solved() -> Iterator[str]:
+    yield "\n### Of solved conditions\n"
+    yield "Printed by `kurbel solve` beside `ratio`, `phi` and keys from above without `_return`, which stand"
+    yield "there for either stroke.\n"
+    yield "| key | quantity |\n| --- | --- |"
+    for key, name in own_columns().items():
+        yield f"| `{key}` | {name['en']} |"
+    yield "\nConditions, by the mechanism, are about:\n"
+    for mechanism, names in (("straight and offset", SLIDE_NAMES), ("arc", ARC_NAMES)):
+        yield f"- {mechanism} crank: {', '.join(f'`{name}`' for name in names)}"
 
 
 def _layouts() -> Iterator[str]:
