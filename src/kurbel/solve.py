@@ -210,7 +210,7 @@ def _range(drive: Drive, condition: Condition, stroke: int) -> str:
     """Return what a quantity covers on a stroke: between -0.8000 and 1.2000 v²/R."""
     if condition.quantity == SHARE:
         return "between 0% and 100%"
-    column = drive.columns[_column(drive, condition)]
+    column = drive.columns[column_of(drive, condition)]
     course, unit = drive.course(condition.quantity, stroke), column.unit["en"]
     scaled = (
         drive.digits(column.key, stroke, course.greatest(side)[0], column.decimals, "half-away")
@@ -220,5 +220,6 @@ def _range(drive: Drive, condition: Condition, stroke: int) -> str:
     return f"between {least}° and {most}°" if unit == "°" else f"between {least} and {most} {unit}"
 
 
-def _column(drive: Drive, condition: Condition) -> str:
+def column_of(drive: Drive, condition: Condition) -> str:
+    """Return the column that shows what a condition is about, in its unit."""
     return MEASURES[condition.quantity].column if condition.unit else drive.column_of(condition.quantity)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import groupby
@@ -27,6 +28,8 @@ from kurbel.where import ANGLES, DEAD_CENTRE, MAX, MIN, SHARE, Condition, exact_
 if TYPE_CHECKING:
     from kurbel.solve_page import SolveRequest
 
+# Of m/s².
+_SQUARE = re.compile(r'(?:²|\^2|\*\*2)"$')
 WORDS: Mapping[str, Mapping[str, str]] = {
     "for": {"de": " für ", "en": " for "},
     MAX: {"de": "${symbol}$ am größten", "en": "${symbol}$ greatest"},
@@ -83,7 +86,8 @@ def condition_label(condition: Condition, drive: Drive, lang: str) -> Label:
         plain = finite_decimals(condition.value) is not None
         return f"${symbol} = {exact_text(condition.value) + '°' if plain else degrees_text(condition.value)}$"
     if condition.unit:
-        return f'${symbol} = {exact_text(condition.value)} "{condition.unit}"$'
+        unit = _SQUARE.sub('"^2', f'"{condition.unit}"')
+        return f"${symbol} = {exact_text(condition.value)} {unit}$"
     if condition.value:
         symbol = shown.heading[lang].strip("$")
     return f"${symbol} = {exact_text(condition.value)}$"

@@ -21,7 +21,7 @@ from kurbel.numerals import degrees_text
 from kurbel.problem import Crank
 from kurbel.quantities import NEEDS, OUT, RETURN, STROKES, registry
 from kurbel.sheet import Heads, Sheet, records_of, table_of
-from kurbel.solve import MEASURES, Root, solve
+from kurbel.solve import MEASURES, Root, column_of, solve
 from kurbel.table import Cell, Field, Label, Table, Value
 from kurbel.where import Condition
 
@@ -70,8 +70,8 @@ class SolveRequest(Sheet):
         """Return the columns of values: those asked for, else the layout's and those of the conditions."""
         if self.columns:
             return tuple(key for key in dict.fromkeys(self.columns) if key not in AXIS_KEYS)
-        asked = (self.drives[0].column_of(condition.quantity) for condition in self.conditions)
-        own = (column.quantity for column in self.layout.columns)
+        asked = (column_of(self.drives[0], condition) for condition in self.conditions)
+        own = (column.quantity for column in self.layout.columns if column.unless not in self._known)
         return tuple(dict.fromkeys(key for key in (*own, *asked) if key == TURN or key in self._known))
 
     @cached_property
