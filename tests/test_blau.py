@@ -133,6 +133,23 @@ def test_quadratic_equations_are_solved_as_in_the_book() -> None:
     assert [[form.is_usable for form in forms] for forms in by_place.values()] == 4 * [[True, False]]
 
 
+@pytest.mark.parametrize(
+    ("text", "forms"),
+    [
+        # 2 u²/5 + u - 7/5 = 0 at the inner dead centre, 2 u²/5 + u + 3/5 = 0 at the outer one.
+        ("p = 1.2", [ClosedForm(1, 0, 1, 1), ClosedForm(-7, 0, 1, 2)]),
+        ("p = -0.8", [ClosedForm(-1, 0, 1, 1), ClosedForm(-3, 0, 1, 2)]),
+        # 1 - u + (1 - u²)/10 = 1.1
+        ("x = 1.1", [ClosedForm(0, 0, 1, 1), ClosedForm(-10, 0, 1, 1)]),
+    ],
+)
+def test_equations_with_rational_roots_are_solved_too(text: str, forms: list[ClosedForm]) -> None:
+    drive, condition = SlideDrive(Crank(Fraction(1, 5)), "series"), read_condition(text)
+    formula = drive.course(condition.quantity, OUT).formula
+    assert formula is not None
+    assert closed_forms(formula, target_of(drive, condition, OUT)) == forms
+
+
 def page(*words: str) -> str:
     return " ".join(printed("solve", "--method=series", *words).out.split())
 

@@ -18,10 +18,11 @@ from test_linkage import shown as links_shown
 
 from kurbel.arc_drive import ArcDrive
 from kurbel.certify import ball
-from kurbel.course import Target
+from kurbel.course import Course, Target
 from kurbel.drives import Drive, SlideDrive
 from kurbel.errors import NoRootError, ProblemError
 from kurbel.linkage import ArcCrank
+from kurbel.place import SQUARE, exact_place
 from kurbel.problem import Crank, Speed
 from kurbel.quantities import OUT, RETURN
 from kurbel.solve import Root, solve, target_of
@@ -276,6 +277,39 @@ def test_round_angles_of_the_offset_crank_are_recognised() -> None:
     # c = sin φ + cos φ tan ψ is 1 at 90°, and 1/2 where ψ = 0.
     assert (OUT, Fraction(90)) in exact_degrees(solved(drive, "c = 1"))
     assert (OUT, Fraction(30)) in exact_degrees(solved(drive, "c = 1/2"))
+
+
+def test_a_round_angle_is_recognised_where_the_stroke_is_irrational() -> None:
+    # The crosshead is √a, √b and √c from the shaft, along the slide, at both dead centres and at 90°.
+    rod, e = Fraction(125, 84), Fraction(17, 42)
+    a, b, c = (rod + 1) ** 2 - e**2, (rod - 1) ** 2 - e**2, rod**2 - (1 - e) ** 2
+    assert 4 * c - a - b > 0
+    assert (4 * c - a - b) ** 2 == 4 * a * b
+    # Hence 2 √c = √a + √b: half of an irrational stroke is made.
+    found = solved(SlideDrive(Crank(1 / rod, e)), "s = 50%")
+    assert exact_degrees(found)[0] == (OUT, Fraction(90))
+
+
+@pytest.mark.parametrize("offset", ["0", "0.3"])
+@pytest.mark.parametrize("quantity", ["s", "p"])
+def test_an_angle_next_to_a_round_one_is_not_taken_for_it(quantity: str, offset: str) -> None:
+    course = SlideDrive(Crank(Fraction(1, 4), Fraction(offset))).course(quantity, OUT)
+    with flint.ctx.workprec(200):
+        exact = course.value(ball(Fraction(1, 3))).mid().fmpq()
+    value = Fraction(int(exact.p), int(exact.q))
+    places = course.roots(Target.rational(value))
+    assert [place.degrees for place in places] == len(places) * [None]
+    with flint.ctx.workprec(100):
+        assert any(place.half_turns().contains(ball(Fraction(1, 3))) for place in places)
+
+
+def test_a_root_at_the_very_cut_of_the_search_is_found() -> None:
+    begin, end = (exact_place(Fraction(at), SQUARE, flint.fmpz_poly([1 - 2 * at, 1])) for at in (0, 1))
+    # Its slope is zero at the beginning, so that the search has to cut.
+    course = Course(lambda half_turns: half_turns**2, lambda half_turns: 2 * half_turns, begin, end)
+    (place,) = course.roots(Target.rational(Fraction(5, 11) ** 2))
+    with flint.ctx.workprec(200):
+        assert abs(place.half_turns() - ball(Fraction(5, 11))) < ball(2) ** -150
 
 
 def test_a_stroke_of_whole_sides_ends_exactly() -> None:

@@ -79,7 +79,10 @@ class Course:
 
     @cached_property
     def places(self) -> tuple[Place, ...]:
-        """Both ends, and between them all places where the slope is zero."""
+        """Both ends, and between them all places where the slope is zero.
+
+        A few others among them, where the norm is zero and the slope is not, do no harm.
+        """
         inner = () if self.formula_slope is None else _zeros(self.formula_slope, self.begin, self.end)
         return (self.begin, *inner, self.end)
 
@@ -179,7 +182,7 @@ def _is_crossed(function: Function, start: Fraction, end: Fraction, side: int) -
 
 
 def _zeros(slope: Surd, begin: Place, end: Place) -> Iterator[Place]:
-    """Yield the places between both ends where a formula is zero, in order."""
+    """Yield, in order, the places between both ends where a formula is zero with either sign of its root."""
     if slope.is_zero:
         return
     polynomial = slope.norm()
@@ -188,7 +191,7 @@ def _zeros(slope: Surd, begin: Place, end: Place) -> Iterator[Place]:
         found = [root.real for root, _ in pairs if root.imag == 0]
     for root in sorted(found, key=lambda root: fraction(root.mid())):
         place = _root_place(polynomial, root, begin.centre)
-        if is_after(place, begin) and is_after(end, place) and place.vanishes(slope):
+        if is_after(place, begin) and is_after(end, place):
             yield recognised(place)
 
 

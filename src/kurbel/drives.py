@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache, cached_property
-from math import inf, isqrt
+from math import inf
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
 import flint
@@ -142,7 +142,8 @@ class SlideDrive:
         try:
             jet = _as_surds(formula)
         except SecondRootError:
-            ends = (Fraction(0), Fraction(1) if quantity == SHARE else self._rational_stroke())
+            # A stroke √a - √b with an irrational root is irrational.
+            ends = (Fraction(0), Fraction(1) if quantity == SHARE else None)
             return Course(at, slope, begin, end, ends=ends, is_exactly=self._exactly(formula))
         return Course(at, slope, begin, end, jet.value, jet.slope)
 
@@ -159,13 +160,6 @@ class SlideDrive:
             Place(lambda: dead_centre(stroke), SQUARE, velocity),
             Place(lambda: 1 + dead_centre(-stroke), SQUARE, velocity),
         )
-
-    def _rational_stroke(self) -> Fraction | None:
-        """Return the stroke if it is rational; the difference of two roots is so only if both are."""
-        ratio, offset = self.crank.ratio, self.crank.offset
-        squares = ((1 / ratio + side) ** 2 - offset**2 for side in (1, -1))
-        outer, inner = (_rational_root(square) for square in squares)
-        return None if outer is None or inner is None else outer - inner
 
     def _exactly(self, formula: Formula) -> Callable[[Fraction, Fraction], bool]:
         def is_exactly(half_turns: Fraction, wanted: Fraction) -> bool:
@@ -231,8 +225,3 @@ def _as_surds(formula: Formula) -> Jet:
 def _straight_ends() -> tuple[Place, Place]:
     begin, end = (exact_place(Fraction(at), SQUARE, flint.fmpz_poly([1 - 2 * at, 1])) for at in (0, 1))
     return begin, end
-
-
-def _rational_root(square: Fraction) -> Fraction | None:
-    root = Fraction(isqrt(square.numerator), isqrt(square.denominator))
-    return root if root * root == square else None

@@ -19,9 +19,6 @@ from kurbel.kernel.circle import Circle
 if TYPE_CHECKING:
     from flint import arb, fmpz_poly
 
-# Where the sign of a root is looked up: no formula has a pole or a zero of its radicand there.
-PROBE = Fraction(2, 7)
-
 
 class SecondRootError(Exception):
     """A formula takes a root that is not a rational multiple of its first one."""
@@ -61,11 +58,8 @@ class Field:
             self.radicand = radicand
         rational = radicand.degree() < 1
         scale = _root_of_quotient(radicand, flint.fmpz_poly([1]) if rational else self.radicand)
-        share = whole * scale.numerator
-        below = below * scale.denominator
-        probe = flint.fmpq(PROBE.numerator, PROBE.denominator)
-        if share(probe) * below(probe) < 0:
-            share = -share
+        # Positive leading coefficients and no real zeros: both are positive throughout.
+        share, below = whole * scale.numerator, below * scale.denominator
         nothing = flint.fmpz_poly([0])
         return Surd(self, share, nothing, below) if rational else Surd(self, nothing, share, below)
 
