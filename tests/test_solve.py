@@ -359,6 +359,14 @@ def test_a_tie_of_another_quantity_is_proved() -> None:
     assert out.number("rod_force", 1, "half-even").scaled == 12
 
 
+def test_a_tie_below_zero_is_proved() -> None:
+    # -1/6 (1 - 1/16) = -0.15625
+    back = solved(SlideDrive(Crank(Fraction(1, 16)), "series"), "p = -1/6 of dead centre")[-1]
+    assert back.place.degrees is None
+    assert back.number("p", 4, "half-away").scaled == -1563
+    assert back.number("p", 4, "half-even").scaled == -1562
+
+
 def test_values_with_units_are_those_of_the_machine() -> None:
     machine = Crank(Fraction(1, 5), radius=Fraction(3, 10), speed=Speed(Fraction(2)))
     drive = SlideDrive(machine)

@@ -202,7 +202,12 @@ def ties_at(place: Place, surd: Surd | None) -> TieBits | None:
     """Return what proves that a value at the place lies on a rounding boundary, or NEVER_TIES."""
     if surd is None or place.polynomial is None:
         return NEVER_TIES
-    return lambda boundary: 0.0 if place.vanishes(surd - boundary) else inf
+
+    def tie_bits(boundary: Fraction) -> float:
+        # The boundary is that of the magnitude.
+        return 0.0 if place.vanishes(surd - boundary) or place.vanishes(surd + boundary) else inf
+
+    return tie_bits
 
 
 def _of_stroke(column: str, stroke: int) -> Quantity:
