@@ -180,3 +180,29 @@ def test_the_library_gives_the_page_of_the_command_line() -> None:
 def test_wrong_input_from_python_is_refused(choices: dict[str, Any]) -> None:
     with pytest.raises(KurbelError):
         kurbel.make_solve_table(**choices)
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (
+            ("--ratio=1:3", "--method=series", "--where=p=-0.7"),
+            "cos φ = (−15 ± √5)/20, hence −0.6382 and −0.8618",
+        ),
+        (("--ratio=1:3", "--method=series", "--where=p=min"), "Outstroke: cos φ = −3/4"),
+        (("--ratio=1:5", "--where=s=25%"), "Outstroke: cos φ = 25/44 Return: cos φ = 5/12"),
+        (
+            ("--ratio=1:5", "--method=series", "--where=p=1.2"),
+            "Outstroke: cos φ = 1; −7/2 unusable, beyond ±1",
+        ),
+        (("--ratio=1:5", "--where=p=0"), None),
+        (("--ratio=1:5", "--where=p=max"), None),
+        (("--ratio=1:5", "--where=psi=0"), None),
+        (("--ratio=1:4", "--offset=0.5", "--where=p=0"), None),
+    ],
+)
+def test_closed_forms_stand_below_the_table_where_they_say_something(
+    words: tuple[str, ...], said: str | None
+) -> None:
+    page = " ".join(printed("solve", *words, "--lang=en").out.split())
+    assert said in page if said else "stroke: cos φ" not in page

@@ -129,9 +129,7 @@ class SlideDrive:
         formula = self._asked(quantity, stroke)
 
         def at(half_turns: arb) -> arb:
-            found: arb = formula(
-                Circle(*(one.value for one in ball_jets(half_turns)[:3])), numbers_of_balls()
-            )
+            found: arb = formula(circle(half_turns), numbers_of_balls())
             return found
 
         def slope(half_turns: arb) -> arb:

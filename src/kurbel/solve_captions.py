@@ -73,7 +73,7 @@ def caption(request: SolveRequest) -> Label:
 
 
 def condition_label(condition: Condition, drive: Drive, lang: str) -> Label:
-    """Return the condition in letters: x/R = 1.1; p equal to 1/6 of its value at the dead centre."""
+    """Return the condition in letters: x/R = 1.1; p = 1/6 of the value at the dead centre."""
     shown = drive.columns[drive.column_of(condition.quantity)]
     symbol = shown.symbol.strip("$")
     if condition.kind in WORDS:
@@ -153,17 +153,15 @@ def _said(roots: Sequence[Root], lang: str) -> Iterator[Label]:
     formula = course.formula_slope if extreme else course.formula
     if formula is None:
         return
-    # At a dead centre, where a quantity is often greatest, a closed form says nothing.
-    places = [root.place for root in roots if not (extreme and root.place.degrees in (0, 180))]
     target = Target.rational(Fraction(0)) if extreme else target_of(drive, condition, stroke)
     forms = closed_forms(formula, target)
-    usable = [form for form in forms if any(is_at(form, place) for place in places)]
-    if not usable:
-        return
+    usable = [form for form in forms if any(is_at(form, root.place) for root in roots)]
     forms = [form for form in forms if form in usable or (formula.is_rational and not form.is_usable)]
     if extreme:
         forms = [form for form in forms if form in usable or form.twin in usable]
-    yield from _lines(forms, usable, lang)
+    # Of a dead centre alone a closed form says nothing.
+    if any(form.outside or abs(form.plain) != form.below for form in forms):
+        yield from _lines(forms, usable, lang)
 
 
 def _lines(forms: Sequence[ClosedForm], usable: Sequence[ClosedForm], lang: str) -> Iterator[Label]:
