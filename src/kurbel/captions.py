@@ -35,10 +35,10 @@ FORMULAS: Mapping[str, Mapping[str, str]] = {
         "c": "$c/v = sin {angle} {±} (λ sin {angle} cos {angle})/(cos ψ)$",
         "p": "$(p R)/v^2 = cos {angle} {±} λ (cos 2 {angle} + λ^2 sin^4 {angle})/(cos^3 ψ)$",
         "S": "$S/F = 1/(cos ψ)$",
-        "N": "$N/F = {ψ}tan ψ$",
-        "T": "$T/F = sin({angle} {±} ψ)/(cos ψ)$",
-        "Z": "$Z/F = cos({angle} {±} ψ)/(cos ψ)$",
-        "M": "$M/(F R) = T/F$",
+        "N": "$N/F = {guide}tan ψ$",
+        "T": "$T/F = sin({angle} {slant} ψ)/(cos ψ)$",
+        "Z": "$Z/F = cos({angle} {slant} ψ)/(cos ψ)$",
+        "M_d": "$M_d/(F R) = T/F$",
     },
     "series": {
         "x": "$x/R = 1 - cos {angle} {±} 1/2 λ sin^2 {angle}$",
@@ -57,6 +57,11 @@ OFFSET_FORMULAS = {
     "x": "$x/R = (cos φ_i - cos {angle}) + (cos ψ_i - cos ψ)/λ$",
     "c": "$c/v = sin {angle} + cos {angle} tan ψ$",
     "p": "$(p R)/v^2 = cos {angle} - sin {angle} tan ψ + λ (cos^2 {angle})/(cos^3 ψ)$",
+    "S": "$S/F = 1/(cos ψ)$",
+    "N": "$N/F = tan ψ$",
+    "T": "$T/F = sin({angle} + ψ)/(cos ψ)$",
+    "Z": "$Z/F = cos({angle} + ψ)/(cos ψ)$",
+    "M_d": "$M_d/(F R) = T/F$",
 }
 SYMBOLS = {
     "exact": "$sin ψ = {ψ}λ sin {angle}$, $λ = {ratio}$",
@@ -97,11 +102,17 @@ WORDS: Mapping[str, Mapping[str, str]] = {
         " $v:c_m = {quotient}$",
         "en": '; {turns}$v = {pin} "m/s"$, mean piston speed $c_m = {mean} "m/s"$, $v:c_m = {quotient}$',
     },
+    "masses": {"de": "Massen: ", "en": "Masses: "},
+    "reciprocating": {"de": "Kolben und Kreuzkopf", "en": "piston and crosshead"},
+    "rotating": {
+        "de": "Kurbel weniger Gegengewicht, am Zapfen",
+        "en": "crank less counterweight, at its pin",
+    },
     "connecting_rod": {
-        "de": "Schubstange: Schwerpunkt $a = {centre} L$ vom Kreuzkopfzapfen, $k = {gyration} L$,"
-        " $k^2 - a b = {couple} L^2${mass}",
-        "en": "Rod: centre of mass $a = {centre} L$ from the crosshead pin, $k = {gyration} L$,"
-        " $k^2 - a b = {couple} L^2${mass}",
+        "de": "Schubstange: Schwerpunkt $a = {centre} {length}$ vom Kreuzkopfzapfen,"
+        " $k = {gyration} {length}$, $k^2 - a b = {couple} {length}^2${mass}",
+        "en": "Rod: centre of mass $a = {centre} {length}$ from the crosshead pin,"
+        " $k = {gyration} {length}$, $k^2 - a b = {couple} {length}^2${mass}",
     },
     "mirrored": {
         "de": "bei $360° - φ$ sind $X$ und $P$ dieselben, $N$, $Y$ und $M_d$ entgegengesetzt",
@@ -176,7 +187,23 @@ def rod_notes(cranks: Sequence[Crank], lang: str) -> Iterator[Label]:
         yield WORDS["mirrored"][lang]
 
 
-def connecting_rod(rod: Rod, lang: str) -> Label:
+def moving_notes(crank: Crank, ratio_symbol: str, lang: str) -> Iterator[Label]:
+    """Yield the lines about the moving masses, with the size and the speed that make forces of them."""
+    moving, speed, radius = crank.moving, crank.speed, ratio_symbol[0]
+    assert moving is not None
+    assert speed is not None
+    assert crank.radius is not None
+    said = {"reciprocating": moving.reciprocating, "rotating": moving.rotating}
+    parts = [f'{WORDS[key][lang]} ${_plain(mass)} "kg"$' for key, mass in said.items() if mass]
+    value = _plain(60 * speed.value if speed.turns else speed.value)
+    turns = f'n = {value} "min"^(-1)' if speed.turns else f'ω = {value} "rad/s"'
+    parts += [f'${radius} = {_plain(1000 * crank.radius)} "mm"$', f"${turns}$"]
+    yield WORDS["masses"][lang] + ", ".join(parts)
+    if moving.rod is not None:
+        yield connecting_rod(moving.rod, lang, ratio_symbol[-1])
+
+
+def connecting_rod(rod: Rod, lang: str, length: str = "L") -> Label:
     """Return the line about a rod: where its masses are, and its mass if that is known."""
     from kurbel.kernel.circle import root
 
@@ -184,6 +211,7 @@ def connecting_rod(rod: Rod, lang: str) -> Label:
         return root(numbers.of(rod.gyration_square))
 
     return WORDS["connecting_rod"][lang].format(
+        length=length,
         centre=_plain(1 - rod.centre),
         gyration=_certified(gyration, 4, algebraic=True),
         couple=_plain(rod.couple),
@@ -239,7 +267,7 @@ def _formula_lines(request: Request, columns: Sequence[Digits]) -> Iterator[Labe
 
 
 def _has_signs(formula: str) -> bool:
-    return "{±}" in formula or "{ψ}" in formula
+    return any(place in formula for place in ("{±}", "{ψ}", "{guide}", "{slant}"))
 
 
 def _methods_of(method: str) -> tuple[str, ...]:
@@ -247,9 +275,13 @@ def _methods_of(method: str) -> tuple[str, ...]:
 
 
 def _filled(line: str, request: Request, sign: str, rod_angle: bool) -> Label:
+    # A rod angle with a sign of its own needs none in the formulas that have it.
+    signed = f"{sign} " if sign != "+" else ""
     parts = {
         "{±}": sign,
-        "{ψ}": f"{sign} " if rod_angle and sign != "+" else "",
+        "{ψ}": signed if rod_angle else "",
+        "{guide}": "" if rod_angle else signed,
+        "{slant}": "+" if rod_angle else sign,
         "{angle}": request.layout.angle_symbol,
         "{ratio}": request.layout.ratio_symbol.replace(":", "/"),
     }

@@ -164,9 +164,8 @@ class CardTurn:
 
     def radius(self) -> float:
         """The crank radius in metres."""
-        assert self.engine.load is not None
-        assert self.engine.load.radius is not None
-        return float(self.engine.load.radius)
+        assert self.engine.crank.radius is not None
+        return float(self.engine.crank.radius)
 
     def _excesses(self, places: Any) -> Any:
         """The excess at an array of half turns."""

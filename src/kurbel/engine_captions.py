@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from kurbel.captions import WORDS as MOTION_WORDS
-from kurbel.captions import connecting_rod
+from kurbel.captions import moving_notes
 from kurbel.crank_forces import CRANK_FORCES
-from kurbel.engine import Engine, Inertia, Load, Steam
+from kurbel.engine import Engine, Load, Steam
 from kurbel.engine_axes import CARD, expansion_label
 from kurbel.engine_quantities import EngineQuantity, engine_registry
 from kurbel.engine_request import ENGINE_METHODS, OVER_ANGLE, EngineColumn, EngineRequest
@@ -47,7 +47,7 @@ WORDS: Mapping[str, Words] = {
         "en": "{letters} positive in the direction of the outstroke and towards the side on which the"
         " crank pin then runs",
     },
-    "crank_force": {"de": "$T$ in der Drehrichtung", "en": "$T$ as the crank turns"},
+    "tangential_force": {"de": "$T$ in der Drehrichtung", "en": "$T$ as the crank turns"},
     "radial_force": {"de": "$Z$ nach der Welle hin", "en": "$Z$ towards the shaft"},
     "bearing": {
         "de": "$H$ Druck dieser Kurbel allein auf das Hauptlager",
@@ -105,9 +105,6 @@ WORDS: Mapping[str, Words] = {
     },
     "errors": {"de": "geschätzter Fehler", "en": "estimated error"},
     "less": {"de": ", Unterschied", "en": ", difference"},
-    "masses": {"de": "mit den Massen: ", "en": "with the masses: "},
-    "reciprocating": {"de": "Kolben und Kreuzkopf", "en": "piston and crosshead"},
-    "rotating": {"de": "Kurbel am Zapfen", "en": "crank at its pin"},
     "difference": {
         "de": "Unterschied: genauer Wert weniger Näherung, vor dem Runden gebildet.",
         "en": "Difference: exact value less approximation, taken before rounding.",
@@ -195,13 +192,13 @@ def notes(request: EngineRequest) -> Iterator[Label]:
         shown.add("crank_force")
     if shown & set(CRANK_FORCES):
         yield "; ".join(_signs(request, shown))
-    if request.load is not None and (request.inertia or _newtons(request)):
+    if request.load is not None and (request.first.crank.moving or _newtons(request)):
         yield _load(request.load, lang)
     if any(column.methods == ("weisbach",) for column in request.page_columns):
         yield WORDS["weisbach"][lang]
     yield "; ".join(_engine(request, lang))
-    if request.inertia is not None and request.inertia.rod is not None:
-        yield connecting_rod(request.inertia.rod, lang)
+    if request.first.crank.moving is not None:
+        yield from moving_notes(request.first.crank, request.layout.ratio_symbol, lang)
 
 
 def _newtons(request: EngineRequest) -> bool:
@@ -216,12 +213,12 @@ def _signs(request: EngineRequest, shown: set[str]) -> Iterator[Label]:
         *others, last = letters
         joined = ", ".join(others) + WORDS["and"][lang] + last if others else last
         yield WORDS["framed"][lang].format(letters=joined)
-    yield from (WORDS[key][lang] for key in ("crank_force", "radial_force") if key in shown)
+    yield from (WORDS[key][lang] for key in ("tangential_force", "radial_force") if key in shown)
     if any(key.startswith("bearing") for key in shown):
         yield WORDS["bearing"][lang]
     if len(request.cranks) > 1:
         yield WORDS["first_crank"][lang]
-    if request.inertia is None:
+    if request.first.crank.moving is None:
         yield WORDS["massless"][lang]
 
 
@@ -238,19 +235,6 @@ def _engine(request: EngineRequest, lang: str) -> Iterator[Label]:
     else:
         yield from _steam(request, lang)
     yield from _cranks(request.first, lang)
-    if request.inertia is not None:
-        assert request.load is not None
-        yield _masses(request.inertia, request.load, lang)
-
-
-def _masses(inertia: Inertia, load: Load, lang: str) -> Label:
-    said = {"reciprocating": inertia.reciprocating, "rotating": inertia.rotating}
-    parts = [f'{WORDS[key][lang]} ${plain(mass)} "kg"$' for key, mass in said.items() if mass]
-    speed = inertia.speed.value
-    turns = f'n = {plain(60 * speed)} "min"^(-1)' if inertia.speed.turns else f'ω = {plain(speed)} "rad/s"'
-    assert load.radius is not None
-    parts += [f'$r = {plain(1000 * load.radius)} "mm"$', f"${turns}$"]
-    return WORDS["masses"][lang] + ", ".join(parts)
 
 
 def _steam(request: EngineRequest, lang: str) -> Iterator[Label]:

@@ -89,31 +89,17 @@ def read_machine(path: str) -> dict[str, Any]:
         for key, value in entries.items():
             entry = SECTIONS[section][choose_in(path, key, SECTIONS[section], f"entry in [{section}]")]
             options[entry.option] = _option(path, f"{section}.{key}", entry, value)
-    return options | _proportions(path, options)
+    return options
 
 
-def _proportions(path: str, options: Mapping[str, Any]) -> dict[str, Any]:
-    """Return ratio and stroke where the rod's length gives one of them, and no rod.
-
-    Not every command takes the rod's length, and all are to be about the same crank.
-    """
-    if "rod" not in options or not {"ratio", "stroke"} & set(options):
-        return {}
-    if {"ratio", "stroke"} <= set(options):
-        raise MachineError(
-            f"{path}: two of crank.ratio, crank.stroke and crank.rod give the third; leave one out"
-        )
-    from kurbel.notation import plain, ratios
+def with_ratio(options: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the options with the ratio that stroke and rod give, for a command that takes neither."""
+    if "ratio" in options or not {"stroke", "rod"} <= set(options):
+        return dict(options)
     from kurbel.units import length
 
-    rod = length(options["rod"], "rod")
-    if "stroke" in options:
-        share = length(options["stroke"], "stroke") / 2 / rod
-        return {"ratio": [f"{share.numerator}:{share.denominator}"], "rod": None}
-    shares = ratios(options["ratio"])
-    if len(shares) > 1:
-        raise MachineError(f"{path}: crank.rod gives the stroke for one ratio, and there are {len(shares)}")
-    return {"stroke": f"{plain(2 * rod * shares[0])} m", "rod": None}
+    share = length(options["stroke"], "stroke") / 2 / length(options["rod"], "rod")
+    return {**options, "ratio": [f"{share.numerator}:{share.denominator}"]}
 
 
 def choose_in(path: str, name: str, allowed: Mapping[str, Any], what: str) -> str:
