@@ -232,7 +232,7 @@ DRAWINGS: Mapping[str, tuple[str, ...]] = {
         "5",
     ),
     "offset": ("--ratio", "1:4", "--offset", "0.3", "--from", "-30", "--to", "330", "--step", "5"),
-    "mechanism": ("--mechanism", "30;75", "--ratio", "1:4", "--offset", "0.3"),
+    "positions": ("--positions", "30;75", "--ratio", "1:4", "--offset", "0.3"),
     "polar": ("--polar", "--ratio", "1:4", "--step", "5"),
     "turning": ("--turning", "--eps", "4", "--ratio", "1:5", "--back", "0.1", "--step", "5"),
     "engines": ("--turning", "--eps", "2;4", "--single-acting", "--cranks", "0;180", "--step", "5"),
@@ -305,7 +305,7 @@ def test_the_format_option_is_stronger_than_the_suffix_and_the_suffix_than_the_e
 
 @drawn
 def test_png_goes_through_a_pipe() -> None:
-    words = [sys.executable, "-m", "kurbel", "plot", "--mechanism", "30", "-f", "png"]
+    words = [sys.executable, "-m", "kurbel", "plot", "--positions", "30", "-f", "png"]
     done = subprocess.run(words, capture_output=True, check=True)
     assert done.stdout.startswith(b"\x89PNG")
     assert done.stderr == b""
@@ -335,8 +335,8 @@ def test_the_polar_curve_on_paper_is_the_pin_force_in_one_scale() -> None:
 
 @drawn
 def test_the_mechanism_on_paper_stands_at_its_angle() -> None:
-    (x0, y0), (x1, y1) = path_of(svg("--mechanism", "30", "--ratio", "1:4"), "crank")
-    (_, _), (x2, y2) = rod = path_of(svg("--mechanism", "30", "--ratio", "1:4"), "rod")
+    (x0, y0), (x1, y1) = path_of(svg("--positions", "30", "--ratio", "1:4"), "crank")
+    (_, _), (x2, y2) = rod = path_of(svg("--positions", "30", "--ratio", "1:4"), "rod")
     radius = np.hypot(x1 - x0, y1 - y0)
     assert np.degrees(np.arctan2(y0 - y1, x1 - x0)) == pytest.approx(30, abs=1e-4)
     assert np.hypot(*(rod[1] - rod[0])) == pytest.approx(4 * radius, rel=1e-6)
@@ -361,9 +361,9 @@ def test_a_drawing_says_what_it_shows() -> None:
         "Kolbenweg, Kolbengeschwindigkeit und Kolbenbeschleunigung für R:L = 1:5; genaue Formeln"
     )
     assert (
-        title(svg("--mechanism", "30", "--ratio", "1:4.5", "--lang", "en")) == "Crank drive for R:L = 1:4.5"
+        title(svg("--positions", "30", "--ratio", "1:4.5", "--lang", "en")) == "Crank drive for R:L = 1:4.5"
     )
-    assert title(svg("--mechanism", "30", "--ratio", "1:4.5", "--decimal", "point")) == (
+    assert title(svg("--positions", "30", "--ratio", "1:4.5", "--decimal", "point")) == (
         "Kurbeltrieb für R:L = 1:4.5"
     )
 
@@ -386,9 +386,9 @@ REFUSALS = [
         "--single-acting describes a steam engine; --turning draws its turning effort",
     ),
     (("--polar", "--turning"), "--polar and --turning are two drawings; leave one out"),
-    (("--mechanism", "30", "--polar"), "--mechanism and --polar are two drawings; leave one out"),
-    (("--mechanism", "30", "--columns", "x"), "--columns says nothing about the mechanism; leave it out"),
-    (("--mechanism", "30", "--step", "5"), "--step says nothing about the mechanism; leave it out"),
+    (("--positions", "30", "--polar"), "--positions and --polar are two drawings; leave one out"),
+    (("--positions", "30", "--columns", "x"), "--columns says nothing about the mechanism; leave it out"),
+    (("--positions", "30", "--step", "5"), "--step says nothing about the mechanism; leave it out"),
     (("--polar", "--speed", "2/s"), "--speed says nothing about the polar diagram; leave it out"),
     (("--turning", "--offset", "0.1"), "--offset says nothing about the turning effort; leave it out"),
     (("--polar", "--ratio", "1:4;1:5"), "--polar draws one crank drive, and 2 ratios were given; choose one"),
@@ -408,7 +408,7 @@ REFUSALS = [
     (("--ratio", "1:3..30"), "a panel of 28 curves was asked for; at most 12 can be told apart"),
     (("--turning", "--eps", "2..30"), "a panel of 29 curves was asked for; at most 12 can be told apart"),
     (
-        ("--mechanism", "0..360"),
+        ("--positions", "0..360"),
         "a drawing of 361 crank angles was asked for; at most 36 can be told apart",
     ),
     (
@@ -454,7 +454,7 @@ def test_an_unknown_format_is_answered_with_the_nearest() -> None:
     assert refusal("plot", "-f", "pgn") == sentence
 
 
-@pytest.mark.parametrize("words", [(), ("--polar",), ("--mechanism", "30"), ("--turning",)])
+@pytest.mark.parametrize("words", [(), ("--polar",), ("--positions", "30"), ("--turning",)])
 def test_without_matplotlib_the_extra_is_named(
     words: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

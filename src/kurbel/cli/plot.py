@@ -25,8 +25,8 @@ def _formats() -> Sequence[str]:
 
 
 KINDS = (
-    click.option("--mechanism", multiple=True, metavar="ANGLES",
-                 help="Draw crank, rod and crosshead to scale at these crank angles: 30, or 30;90;150."),
+    click.option("--positions", multiple=True, metavar="ANGLES",
+                 help="Draw the mechanism to scale at these crank angles: 30, or 30;90;150."),
     click.option("--polar", is_flag=True,
                  help="Draw the force that a constant piston force exerts on the crank pin, as a polar"
                  " diagram."),
@@ -63,14 +63,14 @@ OUTPUT = (
 @click.command()
 @in_order((*KINDS, RATIO, *CURVES, *UNITS, engine.EPS, *engine.STEAM, engine.CRANKS, *OUTPUT))
 def plot(**options: Any) -> None:
-    """Draw path, velocity and acceleration over the crank angle, or what --mechanism, --polar and --turning
+    """Draw path, velocity and acceleration over the crank angle, or what --positions, --polar and --turning
     say. Drawings need the extra `plot`.
 
     \b
     kurbel plot --ratio 1:5 -o bewegung.svg
     kurbel plot --ratio '1:4;1:5' --columns p -o beschleunigung.pdf
     kurbel plot --ratio 1:5 --force 10kN --stroke 600mm -o kraefte.pdf
-    kurbel plot --mechanism 30 --ratio 1:5 -o kurbeltrieb.svg
+    kurbel plot --positions 30 --ratio 1:5 -o kurbeltrieb.svg
     kurbel plot --turning --eps 4 --ratio 1:5 -o drehkraft.pdf
     """  # fmt: skip
     from kurbel.labels import plain

@@ -71,11 +71,11 @@ def _polar(options: Mapping[str, Any], mark: str) -> Drawing:
     return polar_drawing(_request(options, (crank,), pin_force_keys), mark)
 
 
-def _mechanism(options: Mapping[str, Any], mark: str) -> Drawing:
+def _positions(options: Mapping[str, Any], mark: str) -> Drawing:
     from kurbel.plot_drawings import mechanism_drawing
 
-    crank = _only(_cranks(options), "mechanism")
-    return mechanism_drawing(crank, notation.angles(options["mechanism"]), options["lang"], mark)
+    crank = _only(_cranks(options), "positions")
+    return mechanism_drawing(crank, notation.angles(options["positions"]), options["lang"], mark)
 
 
 def _turning(options: Mapping[str, Any], mark: str) -> Drawing:
@@ -144,7 +144,7 @@ def _angles(options: Mapping[str, Any]) -> Sequence[Fraction]:
 
 
 # The options of all kinds.
-SHARED = frozenset(("mechanism", "polar", "turning", "ratio", "format", "output", "lang", "decimal"))
+SHARED = frozenset(("positions", "polar", "turning", "ratio", "format", "output", "lang", "decimal"))
 _RUN = frozenset(("from", "to", "step", "method"))
 _LENGTHS = frozenset(("offset", "stroke", "rod"))
 OF_ENGINES = frozenset(
@@ -152,7 +152,7 @@ OF_ENGINES = frozenset(
 )
 MOTION = Kind("the motion", _RUN | _LENGTHS | {"columns", "speed", "force"}, _motion)
 KINDS = {
-    "mechanism": Kind("the mechanism", _LENGTHS, _mechanism),
+    "positions": Kind("the mechanism", _LENGTHS, _positions),
     "polar": Kind("the polar diagram", _RUN | _LENGTHS | {"force"}, _polar),
     "turning": Kind("the turning effort", _RUN | OF_ENGINES, _turning),
 }
