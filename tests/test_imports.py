@@ -111,7 +111,7 @@ def test_only_drawings_know_matplotlib() -> None:
     drawing = {f"kurbel.{name}" for name in ("plotting", "plot_style", "plot_polar", "plot_mechanism")}
     assert importers("matplotlib") == drawing | {"kurbel.plot_drawings"}
     knowing = {name for name in MODULES if drawing & {name, *reached(name)}}
-    plots = {"kurbel.plot_curves", "kurbel.plot_turning", "kurbel.plot_drawings"}
+    plots = {f"kurbel.plot_{name}" for name in ("curves", "drawings", "engine", "panels", "turning")}
     assert knowing == drawing | plots | {"kurbel.cli.plot", "kurbel.cli.plot_kinds"}
 
 

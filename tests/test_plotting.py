@@ -234,6 +234,46 @@ def test_a_value_that_is_no_number_is_a_gap(bad: float) -> None:
     assert all(map(math.isfinite, figure.axes[0].get_ylim()))
 
 
+LEAP = Curve("$F$", [0.0, 90.0, 180.0, 180.0, 270.0, 360.0, 360.0], [3.0, 2.0, 1.0, -3.0, -2.0, -1.0, 3.0])
+
+
+@drawn
+def test_where_a_value_jumps_the_curve_is_broken_and_a_thin_line_joins_its_ends() -> None:
+    figure = curves([Panel([LEAP], "$F$")], "de", ",")
+    curve, jumps = artist(figure, "curve-1-1"), artist(figure, "jumps-1-1")
+    assert list(np.asarray(curve.get_xdata())) == [0, 90, 180, 180, 180, 270, 360, 360, 360]
+    np.testing.assert_array_equal(
+        np.asarray(curve.get_ydata(), float), [3, 2, 1, math.nan, -3, -2, -1, math.nan, 3]
+    )
+    assert list(np.asarray(jumps.get_xdata())) == [180, 180, 180, 360, 360, 360]
+    np.testing.assert_array_equal(np.asarray(jumps.get_ydata(), float), [1, -3, math.nan, -1, 3, math.nan])
+    assert jumps.get_linewidth() < curve.get_linewidth() / 2
+    assert jumps.get_color() == curve.get_color()
+    assert not two_panels().findobj(lambda one: str(one.get_gid()).startswith("jumps"))
+
+
+@drawn
+@pytest.mark.parametrize("labelled", [True, False])
+def test_a_heading_wider_than_the_panel_is_set_in_rows(labelled: bool) -> None:
+    names = [f"$F_{number}$" if labelled else "" for number in range(5)]
+    crowd = [Curve(name, ANGLES, [value + 3 * n for value in SINES]) for n, name in enumerate(names)]
+    heading = "Kolbenkraft, Führungsdruck, Tangentialkraft, Radialkraft und Kraft am Kurbelzapfen in $10^3$ N"
+    figure = curves([PANEL, Panel(crowd, heading)], "de", ",")
+    image(figure, "svg")
+    above, axes = figure.axes
+    (title,) = (one for one in texts_of(figure) if one.get_text() == axes.get_title(loc="left"))
+    assert title.get_text().count("\n") == 1
+    assert title.get_text().replace("\n", " ") == text_of(heading, ",")
+    box = title.get_window_extent()
+    assert box.x1 <= figure.bbox.x1
+    tops = [box.y1]
+    if legend := axes.get_legend():
+        tops.append(legend.get_window_extent().y1)
+        assert box.y1 <= legend.get_window_extent().y0 + 1
+    assert (legend is not None) == labelled
+    assert max(tops) <= above.bbox.y0
+
+
 def test_a_panel_without_any_number_is_refused() -> None:
     empty = Panel([Curve("", [0.0, 1.0], [math.nan, math.inf])], "$c/v$")
     with pytest.raises(ProblemError, match="no finite value"):
@@ -522,6 +562,55 @@ def test_gaps_in_the_force_stay_gaps() -> None:
     line = artist(figure, "curve")
     assert list(np.flatnonzero(np.isnan(np.asarray(line.get_ydata(), float)))) == [6]
     assert "30°" not in texts(figure)
+
+
+LEAPS = Vector(
+    [0.0, 60.0, 120.0, 180.0, 180.0, 240.0, 300.0, 360.0],
+    [0.0, 2.0, 1.5, 0.0, 0.0, 1.5, 1.0, 0.0],
+    [3.0, 1.5, -0.5, -1.0, 4.0, 1.5, -1.0, -2.0],
+)
+
+
+@drawn
+def test_where_the_force_jumps_a_chord_leads_from_end_to_end() -> None:
+    figure = polar(LEAPS, "$X$", "$Y$", "kN", ",")
+    line = artist(figure, "curve")
+    assert list(np.flatnonzero(np.isnan(np.asarray(line.get_ydata(), float)))) == [4]
+    ends = {"chord-1": [-1, 4], "chord-2": [-2, 3]}
+    for name, up in ends.items():
+        chord = artist(figure, name)
+        assert list(np.asarray(chord.get_xdata())) == [0, 0]
+        assert list(np.asarray(chord.get_ydata())) == up
+        assert chord.is_dashed()
+    words = texts(figure)
+    assert [words.count(f"{angle}°") for angle in (0, 30, 150, 180, 210, 360)] == [1, 1, 1, 2, 1, 1]
+
+
+@drawn
+def test_part_of_a_turn_has_no_chord_back_to_its_beginning() -> None:
+    part = Vector(*(component[:4] for component in LEAPS))
+    assert not polar(part, "$X$", "$Y$", "kN", ",").findobj(lambda one: "chord" in str(one.get_gid()))
+
+
+@drawn
+def test_a_force_that_rests_has_no_marks() -> None:
+    idle = Vector([0.0, 90.0, 180.0, 180.0, 360.0], [0, 2, 0, 0, 0], [3, 1, -1, 0, 0])
+    words = texts(polar(idle, "$X$", "$Y$", "kN", ","))
+    assert {"0°", "90°", "180°"} <= set(words)
+    assert not {"210°", "270°", "360°"} & set(words)
+    assert words.count("180°") == 1
+
+
+@drawn
+@pytest.mark.parametrize("name", ["$Z$", "Radial force $Z$ in some very long words"])
+def test_the_scale_of_forces_leaves_the_name_of_the_axis_free(name: str) -> None:
+    figure = polar(Vector(ANGLES, [0.1 * one for one in SINES], COSINES), "$T$", name, "kN", ",", ("", "up"))
+    image(figure, "svg")
+    (heading,) = (one for one in texts_of(figure) if "Z" in one.get_text())
+    assert heading.get_text().endswith("kN, up")
+    (scale,) = (one for one in texts_of(figure) if one.get_text().endswith("$ kN"))
+    assert not heading.get_window_extent().overlaps(scale.get_window_extent())
+    assert scale.get_window_extent().y1 <= figure.bbox.y1
 
 
 @drawn

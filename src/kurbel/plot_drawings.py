@@ -10,7 +10,7 @@ from kurbel import captions
 from kurbel.errors import ProblemError
 from kurbel.plot_curves import motion_panels, pin_force
 from kurbel.plot_mechanism import WORDS, mechanism
-from kurbel.plot_polar import polar
+from kurbel.plot_polar import Vector, polar
 from kurbel.plotting import curves
 from kurbel.problem import Crank, check_angles
 from kurbel.request import Request, page_columns
@@ -22,6 +22,13 @@ if TYPE_CHECKING:
     from kurbel.engine_request import EngineRequest
 
 MOST_POSITIONS = 36
+# The diagram turns with the crank.
+POLAR_TITLE = {
+    "de": "Polardiagramm der Kraft am Kurbelzapfen im Achsenkreuz der Kurbel",
+    "en": "Polar diagram of the force on the crank pin, in the frame of the crank",
+}
+# The directions of its axes, across and up.
+POLAR_WAYS = {"de": ("im Drehsinn", "zur Welle"), "en": ("as the crank turns", "towards the shaft")}
 
 
 class Drawing(NamedTuple):
@@ -36,8 +43,29 @@ def motion_drawing(request: Request, mark: str) -> Drawing:
 
 def polar_drawing(request: Request, mark: str) -> Drawing:
     """Return the polar diagram of the force on the crank pin of a request for `pin_force_keys`."""
-    vector, (across, up), unit = pin_force(request)
-    return Drawing(polar(vector, across, up, unit, mark), _title(request))
+    return _polar(pin_force(request), _title(request), request.lang, mark)
+
+
+def engine_polar_drawing(request: EngineRequest, mark: str) -> Drawing:
+    """Return the polar diagram of the force on the crank pin of an engine, for `plot_engine.PIN_FORCE`."""
+    from kurbel.engine_captions import caption
+    from kurbel.plot_engine import engine_pin_force
+
+    return _polar(engine_pin_force(request), caption(request), request.lang, mark)
+
+
+def _polar(force: tuple[Vector, tuple[Label, Label], Label], title: Label, lang: str, mark: str) -> Drawing:
+    vector, (across, up), unit = force
+    figure = polar(vector, across, up, unit, mark, POLAR_WAYS[lang])
+    return Drawing(figure, f"{POLAR_TITLE[lang]}: {title}")
+
+
+def engine_forces_drawing(request: EngineRequest, mark: str) -> Drawing:
+    """Return the curves of an engine's forces over the crank angle."""
+    from kurbel.engine_captions import caption
+    from kurbel.plot_engine import force_panels
+
+    return Drawing(curves(force_panels(request), request.lang, mark), caption(request))
 
 
 def mechanism_drawing(crank: Crank, angles: Sequence[Fraction], lang: str, mark: str) -> Drawing:

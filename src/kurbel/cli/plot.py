@@ -10,6 +10,8 @@ from typing import Any
 import click
 
 from kurbel.cli import engine
+from kurbel.cli.machine import machine_option
+from kurbel.cli.masses import MOVING, SIZE
 from kurbel.cli.options import Columns, Name, in_order, typed, without_outdone
 from kurbel.cli.plot_kinds import LAYOUT, STEPS, WIDEST, kind_of, of_kind
 from kurbel.cli.table import CRANK_RIVALS, LENGTHS, METHOD, RATIO
@@ -27,9 +29,11 @@ def _formats() -> Sequence[str]:
 KINDS = (
     click.option("--positions", multiple=True, metavar="ANGLES",
                  help="Draw the mechanism to scale at these crank angles: 30, or 30;90;150."),
+    click.option("--forces", is_flag=True,
+                 help="Draw the forces in the crank drive: of a steam engine with --eps or --card, else of a"
+                 " constant piston force."),
     click.option("--polar", is_flag=True,
-                 help="Draw the force that a constant piston force exerts on the crank pin, as a polar"
-                 " diagram."),
+                 help="Draw the polar diagram of the force on the crank pin, of either."),
     click.option("--turning", is_flag=True,
                  help="Draw the turning effort of a steam engine: tangential force, its mean and the excess"
                  " energy."),
@@ -43,11 +47,17 @@ CURVES = (
     click.option("--step", metavar="ANGLE",
                  help=f"Step of the angles; default 1/{STEPS} of their range, at most {WIDEST}°."),
 )  # fmt: skip
+ROTATING = click.option(
+    "--rotating", metavar="MASS", help="Mass of the crank itself at its pin, for the main bearing: 60kg."
+)
 UNITS = (
     *LENGTHS,
-    click.option("--speed", metavar="SPEED", help="Speed, for m/s and m/s²: 120/min, 12.5rad/s."),
+    click.option(
+        "--speed", metavar="SPEED", help="Speed, for m/s and m/s², and for masses: 120/min, 12.5rad/s."
+    ),
     click.option("--force", metavar="FORCE", help="Piston force, to draw forces in N and N m: 10kN."),
 )
+ENGINE = (engine.EPS, *engine.STEAM, engine.CRANKS, *SIZE, *MOVING, ROTATING)
 OUTPUT = (
     click.option("-f", "--format", type=Name("drawing format", _formats), metavar="FORMAT",
                  help="svg, png or pdf; default: by the suffix of -o."),
@@ -61,16 +71,19 @@ OUTPUT = (
 
 
 @click.command()
-@in_order((*KINDS, RATIO, *CURVES, *UNITS, engine.EPS, *engine.STEAM, engine.CRANKS, *OUTPUT))
+@machine_option
+@in_order((*KINDS, RATIO, *CURVES, *UNITS, *ENGINE, *OUTPUT))
 def plot(**options: Any) -> None:
-    """Draw path, velocity and acceleration over the crank angle, or what --positions, --polar and --turning
-    say. Drawings need the extra `plot`.
+    """Draw path, velocity and acceleration over the crank angle, or what --positions, --forces, --polar and
+    --turning say. Drawings need the extra `plot`.
 
     \b
     kurbel plot --ratio 1:5 -o bewegung.svg
     kurbel plot --ratio '1:4;1:5' --columns p -o beschleunigung.pdf
     kurbel plot --ratio 1:5 --force 10kN --stroke 600mm -o kraefte.pdf
     kurbel plot --positions 30 --ratio 1:5 -o kurbeltrieb.svg
+    kurbel plot --polar --eps 4 --bore 300mm --pressure 8bar -o zapfenkraft.pdf
+    kurbel plot --forces --machine engine.toml -o kraefte.svg
     kurbel plot --turning --eps 4 --ratio 1:5 -o drehkraft.pdf
     """  # fmt: skip
     from kurbel.labels import plain
