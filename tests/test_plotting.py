@@ -21,12 +21,17 @@ import kurbel
 from kurbel import plot_style
 from kurbel.errors import ChoiceError, MissingExtraError, ProblemError
 from kurbel.formula import FUNCTIONS, GREEK, SIGNS, SYMBOLS
+from kurbel.linkage import ArcCrank
+from kurbel.plot_arc import arc_mechanism, arc_position
 from kurbel.plot_mechanism import LONGEST_ROD, mechanism, position
+from kurbel.plot_parallel import SHAFTS, parallel_mechanism
 from kurbel.plot_place import BESIDE, around, beside, densely, freest
 from kurbel.plot_polar import Vector, polar
+from kurbel.plot_sketch import Point
 from kurbel.plot_style import LINES, image, text_of
 from kurbel.plot_ticks import angle_ticks, axis_label, power_of_thousand, round_step, value_ticks
 from kurbel.plotting import Curve, Panel, curves
+from kurbel.problem import Crank
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -48,6 +53,16 @@ COSINES = [0.75 * math.cos(math.radians(angle + 20)) for angle in ANGLES]
 PANEL = Panel([Curve("$c/v$", ANGLES, SINES), Curve("$x/R$", ANGLES, COSINES)], "")
 
 
+# Rockers above and below the slide, with pivots of their own, and one that swings far.
+ARCS = (
+    ArcCrank(Crank(Fraction(1, 5)), Fraction(6)),
+    ArcCrank(Crank(Fraction(1, 4), Fraction(3, 10)), Fraction(3)),
+    ArcCrank(Crank(Fraction(1, 5)), Fraction(4), Fraction(4), Fraction(-7, 2)),
+    ArcCrank(Crank(Fraction(1, 3)), Fraction(3), Fraction(18, 5), Fraction(0)),
+    ArcCrank(Crank(Fraction(1, 12)), Fraction(12)),
+)
+
+
 def two_panels(mark: str = ",") -> Figure:
     return curves([PANEL, Panel([Curve("", ANGLES, SINES)], "$M$", "N m")], "de", mark)
 
@@ -60,7 +75,21 @@ def sketch() -> Figure:
     return mechanism(0.25, 0.3, [Fraction(75), 150, 300], "de", ",")
 
 
-DRAWINGS: dict[str, Callable[[], Figure]] = {"curves": two_panels, "polar": diagram, "mechanism": sketch}
+def arc_sketch() -> Figure:
+    return arc_mechanism(ARCS[0], [Fraction(75), 150, 300], "de", ",")
+
+
+def parallel_sketch() -> Figure:
+    return parallel_mechanism([Fraction(75), 150, 300], ",")
+
+
+DRAWINGS: dict[str, Callable[[], Figure]] = {
+    "curves": two_panels,
+    "polar": diagram,
+    "mechanism": sketch,
+    "arc": arc_sketch,
+    "parallel": parallel_sketch,
+}
 
 
 def artist(figure: Figure, name: str) -> Line2D:
@@ -122,7 +151,7 @@ def test_a_drawing_is_the_same_bytes_wherever_and_whenever_it_is_made(tmp_path: 
     with ThreadPoolExecutor() as pool:
         first = pool.submit(hashes, tmp_path / "one", **one)
         second = pool.submit(hashes, tmp_path / "other", **other)
-    assert len(first.result().splitlines()) == 9
+    assert len(first.result().splitlines()) == 15
     assert first.result() == second.result()
 
 
@@ -687,4 +716,95 @@ def test_a_rod_too_long_for_the_page_is_refused(ratio: float, rod: str) -> None:
         mechanism(ratio, 0, [30], "de", ",")
     assert f"the length of the rod is {rod}; drawn to scale it may be at most {LONGEST_ROD} R" in str(
         error.value
+    )
+
+
+# Arc crank and parallel crank ---------------------------------------------------------------------------
+
+
+def ends(figure: Figure, name: str) -> tuple[Point, Point]:
+    line = artist(figure, name)
+    x, y = (np.asarray(side, float).tolist() for side in (line.get_xdata(), line.get_ydata()))
+    return (x[0], y[0]), (x[1], y[1])
+
+
+@drawn
+@pytest.mark.parametrize("crank", ARCS)
+@pytest.mark.parametrize("angle", [0, 37, 90, 180, 201.5, 340])
+def test_crank_rod_and_rocker_are_drawn_true_to_scale(crank: ArcCrank, angle: float) -> None:
+    figure = arc_mechanism(crank, [angle], "en", ".")
+    (shaft, pin), (start, head), (end, pivot) = (ends(figure, name) for name in ("crank", "rod", "rocker"))
+    assert (shaft, start, end) == ((0, 0), pin, head)
+    assert pin == pytest.approx((math.cos(math.radians(angle)), math.sin(math.radians(angle))), abs=1e-12)
+    assert math.dist(pin, head) == pytest.approx(1 / float(crank.crank.ratio), rel=1e-12)
+    assert math.dist(head, pivot) == pytest.approx(float(crank.rocker), rel=1e-12)
+    rod = 1 / crank.crank.ratio
+    height = crank.crank.offset + crank.rocker if crank.height is None else crank.height
+    assert pivot == pytest.approx((float(crank.distance or rod), float(height)))
+    (x0, y0), (x1, y1) = figure.axes[0].transData.transform([(0, 0), (1, 1)])
+    assert x1 - x0 == pytest.approx(y1 - y0, rel=1e-9)
+    path = np.stack((artist(figure, "arc").get_xdata(), artist(figure, "arc").get_ydata()), axis=1)
+    assert np.hypot(*(path - pivot).T) == pytest.approx(float(crank.rocker), rel=1e-12)
+    assert np.hypot(*(path - head).T).min() < 0.05 * float(crank.rocker)
+
+
+@pytest.mark.parametrize("crank", ARCS)
+def test_the_rods_end_stays_on_its_side_of_pin_and_pivot(crank: ArcCrank) -> None:
+    sides = set()
+    for angle in range(0, 360, 5):
+        one = arc_position(crank, angle)
+        pivot = np.asarray((float(crank.distance or 1 / crank.crank.ratio), float(crank.pivot_height)))
+        (x, y), (across, up) = pivot - one.pin, np.asarray(one.head) - one.pin
+        sides.add(x * up - y * across > 0)
+    assert sides == {crank.pivot_height < 0}
+
+
+@pytest.mark.parametrize("crank", ARCS)
+def test_at_the_dead_centres_of_an_arc_crank_rod_and_crank_are_in_line(crank: ArcCrank) -> None:
+    from kurbel.plot_arc import _drive
+
+    drive, rod = _drive(crank), 1 / float(crank.crank.ratio)
+    assert math.hypot(*drive.inner.head) == pytest.approx(rod + 1)
+    assert math.hypot(*drive.outer.head) == pytest.approx(rod - 1)
+
+
+@drawn
+@pytest.mark.parametrize("crank", ARCS)
+def test_nothing_written_of_an_arc_crank_leaves_the_page(crank: ArcCrank) -> None:
+    for angles in ([45], [225], [60, 0, 180, 300]):
+        figure = arc_mechanism(crank, angles, "de", ",")
+        assert {"innerer Totpunkt", "äußerer Totpunkt", "$B$", "$D$"} <= set(texts(figure))
+        assert ("$H$" in texts(figure)) == (crank.pivot_height != 0)
+        boxes = [text.get_window_extent() for text in figure.axes[0].texts]
+        for number, box in enumerate(boxes):
+            assert figure.bbox.x0 <= box.x0 and box.x1 <= figure.bbox.x1, angles
+            assert figure.bbox.y0 <= box.y0 and box.y1 <= figure.bbox.y1, angles
+            assert not any(box.overlaps(other) for other in boxes[:number]), (angles, texts(figure))
+        assert figure.get_figwidth() * 25.4 <= 120.001
+        assert figure.get_figheight() * 25.4 <= 150.001
+
+
+@drawn
+@pytest.mark.parametrize("angle", [0, 37, 90, 180, 201.5, 340])
+def test_the_two_cranks_of_a_parallel_crank_turn_angle_for_angle(angle: float) -> None:
+    figure = parallel_mechanism([angle, 20], ".")
+    (shaft, pin), (other, second), rod = (ends(figure, name) for name in ("crank", "second-crank", "rod"))
+    way = (math.cos(math.radians(angle)), math.sin(math.radians(angle)))
+    assert (shaft, other, rod) == ((0, 0), (SHAFTS, 0), (pin, second))
+    assert pin == pytest.approx(way, abs=1e-12)
+    assert second == pytest.approx((SHAFTS + way[0], way[1]), abs=1e-12)
+    assert texts(figure).count("$R$") == texts(figure).count("$L$") == 2
+    (x0, y0), (x1, y1) = figure.axes[0].transData.transform([(0, 0), (1, 1)])
+    assert x1 - x0 == pytest.approx(y1 - y0, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("ratio", "rocker", "rod"), [((1, 5), 13, "5 R"), ((1, 13), 6, "13 R"), ((0, 1), 6, "infinite")]
+)
+def test_links_too_long_for_the_page_are_refused(ratio: tuple[int, int], rocker: int, rod: str) -> None:
+    with pytest.raises(ProblemError) as error:
+        arc_mechanism(ArcCrank(Crank(Fraction(*ratio)), Fraction(rocker)), [30], "de", ",")
+    assert str(error.value) == (
+        f"the length of the rod is {rod}, that of the rocker {rocker} R; drawn to scale they may be at most"
+        f" {LONGEST_ROD} R, or the crank is too small to be seen"
     )

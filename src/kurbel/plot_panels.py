@@ -43,8 +43,8 @@ def panels_of(traces: Iterable[Trace], lang: str, apart: bool) -> list[Panel]:
 
 def _panel(traces: Sequence[Trace], lang: str) -> Panel:
     first = traces[0]
-    names = dict.fromkeys(one.name for one in traces)
-    label = enumerated(names, lang) if len(names) > 1 else f"{first.name} {first.heading}"
+    alike = len({(one.name, one.heading) for one in traces}) == 1
+    label = f"{first.name} {first.heading}" if alike else enumerated((one.name for one in traces), lang)
     parts = [(one.heading, *one.telling) for one in traces]
     # Only what is not the same of all tells one from the others.
     differing = [len(set(column)) > 1 for column in zip(*parts, strict=True)]

@@ -1,10 +1,10 @@
-"""`kurbel plot`: the motion, the mechanism, the force on the crank pin, the turning effort of an engine."""
+"""`kurbel plot`: the motion, the mechanism to scale, and the forces, also those of an engine."""
 
 from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import click
@@ -12,8 +12,9 @@ import click
 from kurbel.cli import engine
 from kurbel.cli.machine import machine_option
 from kurbel.cli.masses import MOVING, SIZE
+from kurbel.cli.mechanism import mechanism_options
 from kurbel.cli.options import Columns, Name, in_order, typed, without_outdone
-from kurbel.cli.plot_kinds import LAYOUT, STEPS, WIDEST, kind_of, of_kind
+from kurbel.cli.plot_kinds import ENGINE_LAYOUT, LAYOUT, STEPS, WIDEST, kind_of, of_kind
 from kurbel.cli.table import CRANK_RIVALS, LENGTHS, METHOD, RATIO
 from kurbel.errors import ChoiceError
 from kurbel.formats import DECIMAL_OF_LANGUAGE, DECIMALS
@@ -24,6 +25,15 @@ def _formats() -> Sequence[str]:
     from kurbel.plot_style import FORMATS
 
     return tuple(FORMATS)
+
+
+class DrawnColumns(Columns):
+    """Names of columns of the page whose quantities are drawn."""
+
+    def _default(self, typed: Mapping[str, Any]) -> str:
+        if typed.get("forces") and (typed.get("eps") or typed.get("card")):
+            return ENGINE_LAYOUT
+        return super()._default(typed)
 
 
 KINDS = (
@@ -39,7 +49,7 @@ KINDS = (
                  " energy."),
 )  # fmt: skip
 CURVES = (
-    click.option("--columns", type=Columns(LAYOUT), multiple=True, metavar="NAMES",
+    click.option("--columns", type=DrawnColumns(LAYOUT), multiple=True, metavar="NAMES",
                  help="Quantities to draw: x,c,p or rod_force,guide_force; `kurbel quantities` lists them."),
     METHOD,
     click.option("--from", metavar="ANGLE", help="First angle; default 0."),
@@ -72,7 +82,9 @@ OUTPUT = (
 
 @click.command()
 @machine_option
-@in_order((*KINDS, RATIO, *CURVES, *UNITS, *ENGINE, *OUTPUT))
+@in_order((*KINDS, RATIO, *CURVES, *UNITS))
+@mechanism_options
+@in_order((*ENGINE, *OUTPUT))
 def plot(**options: Any) -> None:
     """Draw path, velocity and acceleration over the crank angle, or what --positions, --forces, --polar and
     --turning say. Drawings need the extra `plot`.
@@ -82,6 +94,7 @@ def plot(**options: Any) -> None:
     kurbel plot --ratio '1:4;1:5' --columns p -o beschleunigung.pdf
     kurbel plot --ratio 1:5 --force 10kN --stroke 600mm -o kraefte.pdf
     kurbel plot --positions 30 --ratio 1:5 -o kurbeltrieb.svg
+    kurbel plot --mechanism arc --rocker 6 -o bogenschubkurbel.svg
     kurbel plot --polar --eps 4 --bore 300mm --pressure 8bar -o zapfenkraft.pdf
     kurbel plot --forces --machine engine.toml -o kraefte.svg
     kurbel plot --turning --eps 4 --ratio 1:5 -o drehkraft.pdf

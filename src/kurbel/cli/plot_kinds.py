@@ -6,9 +6,14 @@ from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+import click
+from click.core import ParameterSource
+
 from kurbel import notation
 from kurbel.cli.engine import engine_conditions, engines_of
+from kurbel.cli.linkage import arc_cranks
 from kurbel.cli.masses import MASSES, inertia_of, load_of
+from kurbel.cli.mechanism import MECHANISMS, chosen_mechanism
 from kurbel.cli.options import typed
 from kurbel.cli.table import cranks_of, ends_of_run
 from kurbel.errors import ProblemError
@@ -16,6 +21,7 @@ from kurbel.errors import ProblemError
 if TYPE_CHECKING:
     from kurbel.engine_request import EngineRequest
     from kurbel.layouts import Layout
+    from kurbel.linkage_page import LinkageRequest
     from kurbel.plot_drawings import Drawing
     from kurbel.problem import Crank
     from kurbel.request import Request
@@ -73,8 +79,11 @@ def _refusal(name: str, kind: Kind, flag: str) -> str:
 
 def _motion(options: Mapping[str, Any], mark: str) -> Drawing:
     from kurbel.plot_curves import motion_keys
-    from kurbel.plot_drawings import motion_drawing
+    from kurbel.plot_drawings import linkage_drawing, motion_drawing
 
+    name, options = _mechanism(options)
+    if name in LINKAGES:
+        return linkage_drawing(_linkage_request(name, options), mark)
     return motion_drawing(_request(options, _cranks(options), motion_keys), mark)
 
 
@@ -82,6 +91,7 @@ def _forces(options: Mapping[str, Any], mark: str) -> Drawing:
     from kurbel.plot_curves import force_keys
     from kurbel.plot_drawings import motion_drawing
 
+    options = _sliding(options)
     return motion_drawing(_request(options, _cranks(options), force_keys), mark)
 
 
@@ -89,15 +99,58 @@ def _polar(options: Mapping[str, Any], mark: str) -> Drawing:
     from kurbel.plot_curves import pin_force_keys
     from kurbel.plot_drawings import polar_drawing
 
+    options = _sliding(options)
     crank = _only(_cranks(options), "polar", "ratios")
     return polar_drawing(_request(options, (crank,), pin_force_keys), mark)
 
 
 def _positions(options: Mapping[str, Any], mark: str) -> Drawing:
-    from kurbel.plot_drawings import mechanism_drawing
+    from kurbel.layouts import layout
+    from kurbel.plot_drawings import arc_drawing, mechanism_drawing, parallel_drawing
 
-    crank = _only(_cranks(options), "positions", "ratios")
-    return mechanism_drawing(crank, notation.angles(options["positions"]), options["lang"], mark)
+    name, options = _mechanism(options)
+    angles, lang = notation.angles(options["positions"]), options["lang"]
+    if name == "parallel":
+        return parallel_drawing(angles, lang, mark)
+    if name == "arc":
+        arcs = arc_cranks(layout(options["layout"]), options)
+        return arc_drawing(_only(arcs, "positions", "ratios"), angles, lang, mark)
+    return mechanism_drawing(_only(_cranks(options), "positions", "ratios"), angles, lang, mark)
+
+
+def _mechanism(options: Mapping[str, Any]) -> tuple[str, dict[str, Any]]:
+    """Return which crank drive is to be drawn, and the options without those of others."""
+    name, kept = chosen_mechanism({**options, "layout": None})
+    if name in LINKAGES and typed("force"):
+        raise ProblemError(f"--force says nothing about the {name} crank; leave it out")
+    return name, kept
+
+
+def _sliding(options: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the options of a crank drive with a crosshead, the only one whose forces are known."""
+    if options["mechanism"] not in LINKAGES:
+        return _mechanism(options)[1]
+    if typed("mechanism"):
+        raise ProblemError(
+            f"the forces of the {options['mechanism']} crank are not computed; leave --mechanism out"
+        )
+    return _mechanism({**options, "mechanism": None})[1]
+
+
+def _linkage_request(name: str, options: Mapping[str, Any]) -> LinkageRequest:
+    from kurbel.layouts import layout
+    from kurbel.linkage_page import LinkageRequest
+    from kurbel.plot_linkage import ARC_MOTION
+
+    page = layout(options["layout"])
+    columns = notation.names(options["columns"], "columns", "path,velocity")
+    return LinkageRequest(
+        layout=page,
+        angles=_angles(options),
+        cranks=arc_cranks(page, options) if name == "arc" else (),
+        lang=options["lang"],
+        columns=columns or (ARC_MOTION if name == "arc" else ()),
+    )
 
 
 def _engine_forces(options: Mapping[str, Any], mark: str) -> Drawing:
@@ -157,7 +210,12 @@ def _engine_request(options: Mapping[str, Any], name: str, columns: tuple[str, .
     if options["method"] == "infinite":
         raise ProblemError("--method infinite is for the motion alone; of engines write --ratio 1:∞")
     page = layout(name)
-    drives = [Crank(crank.ratio) for crank in cranks_of(page, {**options, "offset": None, "speed": None})]
+    cranks = cranks_of(page, {**options, "offset": _offset_of_machine(), "speed": None})
+    if any(crank.offset for crank in cranks):
+        raise ProblemError(
+            "the machine has an offset crank, and engines are drawn with a straight one; leave its offset out"
+        )
+    drives = [Crank(crank.ratio) for crank in cranks]
     return EngineRequest(
         layout=page,
         **engines_of(page, options) | {"drives": drives},
@@ -168,6 +226,13 @@ def _engine_request(options: Mapping[str, Any], name: str, columns: tuple[str, .
         inertia=inertia_of(options, drives),
         load=load_of(options),
     )
+
+
+def _offset_of_machine() -> str | None:
+    """Return the offset that --machine gives: no engine may be drawn without it."""
+    context = click.get_current_context()
+    from_file = context.get_parameter_source("offset") is ParameterSource.DEFAULT_MAP
+    return context.params["offset"] if from_file else None
 
 
 def _heavy(options: Mapping[str, Any]) -> bool:
@@ -202,8 +267,10 @@ def _angles(options: Mapping[str, Any]) -> Sequence[Fraction]:
     return notation.progression(first, last, notation.angle(options["step"], "step"))
 
 
+# The crank drives without a crosshead.
+LINKAGES = tuple(name for name, one in MECHANISMS.items() if one.subject != "motion")
 _RUN = frozenset(("from", "to", "step", "method"))
-_LENGTHS = frozenset(("offset", "stroke", "rod"))
+_LENGTHS = frozenset(("mechanism", "rocker", "pivot", "offset", "stroke", "rod"))
 # The options of a steam engine: what shows that there is one, and what goes with it.
 STEAM = ("eps", "back", "exponent", "clearance", "card", "other_side", "single_acting")
 OF_ENGINES = frozenset((*STEAM, "cranks", "bore", "pressure", *MASSES))
