@@ -465,7 +465,11 @@ def test_arc_cranks_of_several_ratios_share_the_panel_of_a_quantity() -> None:
     panels = linkage("arc", "path", "rod", ratios=(FIFTH, QUARTER), lang="en")
     assert [panel.label for panel in panels] == ["Path along the arc $x/R$", "Rod angle $ψ$"]
     assert [labels(panel) for panel in panels] == [["$R:L = 1:5$", "$R:L = 1:4$"]] * 2
-    assert labels(linkage("arc", "velocity", "velocity_return", lang="en")[0]) == ["Outstroke", "Return"]
+    (panel,) = linkage("arc", "velocity", "velocity_return", lang="en")
+    assert labels(panel) == ["Outstroke", "Return"]
+    # The angles of the return stroke count from the outer dead centre, and so do its velocities.
+    there, back = (np.asarray(curve.values) for curve in panel.curves)
+    np.testing.assert_allclose(back[:61], -there[60:], rtol=0, atol=1e-12)
 
 
 def test_several_engines_are_told_apart_and_have_no_means() -> None:

@@ -288,7 +288,7 @@ def test_a_heading_wider_than_the_panel_is_set_in_rows(labelled: bool) -> None:
     crowd = [Curve(name, ANGLES, [value + 3 * n for value in SINES]) for n, name in enumerate(names)]
     heading = "Kolbenkraft, Führungsdruck, Tangentialkraft, Radialkraft und Kraft am Kurbelzapfen in $10^3$ N"
     figure = curves([PANEL, Panel(crowd, heading)], "de", ",")
-    image(figure, "svg")
+    figure.canvas.draw()
     above, axes = figure.axes
     (title,) = (one for one in texts_of(figure) if one.get_text() == axes.get_title(loc="left"))
     assert title.get_text().count("\n") == 1
@@ -634,7 +634,7 @@ def test_a_force_that_rests_has_no_marks() -> None:
 @pytest.mark.parametrize("name", ["$Z$", "Radial force $Z$ in some very long words"])
 def test_the_scale_of_forces_leaves_the_name_of_the_axis_free(name: str) -> None:
     figure = polar(Vector(ANGLES, [0.1 * one for one in SINES], COSINES), "$T$", name, "kN", ",", ("", "up"))
-    image(figure, "svg")
+    figure.canvas.draw()
     (heading,) = (one for one in texts_of(figure) if "Z" in one.get_text())
     assert heading.get_text().endswith("kN, up")
     (scale,) = (one for one in texts_of(figure) if one.get_text().endswith("$ kN"))
