@@ -297,6 +297,14 @@ def test_the_curves_bend_at_cut_off_and_at_dead_centres_whatever_the_step() -> N
     assert {180.0, 360.0} <= set(curve.angles)
 
 
+def test_a_cut_off_at_an_angle_of_the_curve_is_no_jump() -> None:
+    # After a quarter of the stroke the crank of an infinite rod is at 60°, and at 240°.
+    request = replace(engine_request(*PIN_FORCE, steams=[Steam(Fraction(4))]), drives=[Crank(Fraction(0))])
+    vector = engine_pin_force(request)[0]
+    assert [angle for angle, after in pairwise(vector.angles) if angle == after] == [180]
+    assert len(vector.angles) == len(ANGLES) + 1
+
+
 def test_single_acting_the_return_stroke_is_idle() -> None:
     (panel,) = force_panels(engine_request("piston_force", "radial_force", double=False))
     for curve in panel.curves:

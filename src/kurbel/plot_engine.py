@@ -100,7 +100,9 @@ def course_of(
     """
     first, last = angles[0], angles[-1]
     dead = set(_dead_centres(turn, first, last))
-    places = sorted({*angles, *dead, *_cut_offs(turn, first, last)})
+    # A cut-off comes from floats: where one is at 60°, it and the angle 60 are one place.
+    near = {round(float(place), 9): place for place in (*_cut_offs(turn, first, last), *angles, *dead)}
+    places = [near[place] for place in sorted(near)]
     after = {place: _values(quantities, turn, place / 180) for place in places}
     most = [max(map(abs, column)) for column in zip(*after.values(), strict=True)]
     rows: list[tuple[Fraction, list[float]]] = []
