@@ -79,7 +79,7 @@ HEADS: Mapping[str, Mapping[str, Head]] = {
             ("piston_force", "F", "Kolbenkraft", "Piston force"),
             ("rod_force", "S", "Stangenkraft", "Rod force"),
             ("guide_force", "N", "Führungsdruck", "Guide force"),
-            ("crank_force", "T", "Tangentialkraft", "Tangential force"),
+            ("tangential_force", "T", "Tangentialkraft", "Tangential force"),
             ("radial_force", "Z", "Radialkraft", "Radial force"),
         )
     },
@@ -90,7 +90,7 @@ HEADS: Mapping[str, Mapping[str, Head]] = {
             ("rod_force_n", "S", "Stange", "Rod", "N"),
             ("guide_force_n", "N", "Führung", "Guide", "N"),
             ("crank_pin_force_n", "K", "Kurbelzapfen", "Crank pin", "N"),
-            ("crank_force_n", "T", "Kurbelzapfen", "Crank pin", "N"),
+            ("tangential_force_n", "T", "Kurbelzapfen", "Crank pin", "N"),
             ("radial_force_n", "Z", "Kurbelzapfen", "Crank pin", "N"),
             ("bearing_along_n", "H_x", "Hauptlager", "Main bearing", "N"),
             ("bearing_across_n", "H_y", "Hauptlager", "Main bearing", "N"),

@@ -149,7 +149,7 @@ def solved(machine: Machine, degrees: Fraction) -> Mapping[str, Real]:
         "guide_force_n": guide,
         "crosshead_pin_force_n": mp.hypot(b_x, b_y),
         "crank_pin_force_n": mp.hypot(a_x, a_y),
-        "crank_force_n": -a_x * mp.sin(phi) - a_y * mp.cos(phi),
+        "tangential_force_n": -a_x * mp.sin(phi) - a_y * mp.cos(phi),
         "radial_force_n": -a_x * mp.cos(phi) + a_y * mp.sin(phi),
         "bearing_along_n": -h_x,
         "bearing_across_n": -h_y,
@@ -220,9 +220,9 @@ def test_a_tie_is_settled_where_the_masses_press_alone() -> None:
 def test_a_mass_that_only_rotates_leaves_the_ties_of_the_steam() -> None:
     # At full pressure and with an infinite rod the crank takes (1 - b) sin 30° of Q, which is 0.25.
     words = ("--eps=1", "--back=0.5", "--ratio=1:∞", *SIZE, "--speed=120/min", "--rotating=-40kg")
-    at = ("--angle=30", "--columns=crank_force", "--digits=1", "-f", "csv")
-    assert printed("forces", *words, *at).records() == [{"crank_force": "0.3"}]
-    assert printed("forces", *words, *at, "--rounding=half-even").records() == [{"crank_force": "0.2"}]
+    at = ("--angle=30", "--columns=tangential_force", "--digits=1", "-f", "csv")
+    assert printed("forces", *words, *at).records() == [{"tangential_force": "0.3"}]
+    assert printed("forces", *words, *at, "--rounding=half-even").records() == [{"tangential_force": "0.2"}]
 
 
 def test_a_card_weighs_the_masses_by_its_own_pressure() -> None:

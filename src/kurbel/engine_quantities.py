@@ -127,10 +127,8 @@ def _mean_torque(turn: AnyTurn, where: Where) -> Any:
 
 def _power(turn: AnyTurn, where: Where) -> Any:
     """The power in W, as it is given or of the steam."""
-    wheel = _flywheel(where)
-    return (
-        _mean_torque(turn, where) * _number(turn, _speed(turn, where)) if wheel.power is None else wheel.power
-    )
+    power = _flywheel(where).power
+    return _mean_torque(turn, where) * _number(turn, _speed(turn, where)) if power is None else power
 
 
 def _turns_a_minute(turn: AnyTurn, where: Where) -> Any:

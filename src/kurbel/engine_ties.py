@@ -1,10 +1,10 @@
 """Whether a tangential force or an excess energy can lie half-way between two printed numbers.
 
 At a rational angle the tangential force is algebraic, and so is the energy, but for the logarithms of
-Mariotte's law, and for the moving masses. The logarithms' sum is V₁ ln Z with an algebraic Z: where Z is 1 the
-energy is algebraic again, as at ε = 4, 90° and an infinite rod; elsewhere it is transcendental (Lindemann) and
-equals no printed number. What the masses add is in units of Q an algebraic multiple of π or of 1/π; where it
-is not zero, the whole is transcendental.
+Mariotte's law, and for the moving masses. The logarithms' sum is V₁ ln Z with an algebraic Z: where Z is 1
+the energy is algebraic again, as at ε = 4, 90° and an infinite rod; elsewhere it is transcendental
+(Lindemann) and equals no printed number. What the masses add is in units of Q an algebraic multiple of π or
+of 1/π; where it is not zero, the whole is transcendental.
 """
 
 from __future__ import annotations

@@ -15,8 +15,8 @@ LEAST, MOST = Fraction(1, 10**9), Fraction(10**12)
 
 @dataclass(frozen=True, slots=True)
 class Flywheel:
-    """Power in watts, None where it follows from the steam, speed, the degree of irregularity δ = (v_max - v_min)/v to keep, and the radius in
-    metres at which a mass is wanted, if one is."""
+    """Power in watts, None where it follows from the steam, speed, the degree of irregularity
+    δ = (v_max - v_min)/v to keep, and the radius in metres at which a mass is wanted, if one is."""
 
     power: Fraction | None
     speed: Speed

@@ -166,9 +166,8 @@ def value(quantity: Quantity, method: str, crank: Crank, circle: Any, numbers: N
     ratio = numbers.of(quantity.stroke * (Fraction(0) if method == "infinite" else crank.ratio))
     offset = numbers.of(quantity.stroke * crank.offset) if crank.offset else None
     if quantity.loaded is not None and crank.moving is not None:
-        return _loaded(quantity.loaded, crank, circle, ratio, offset, numbers) * quantity.scale(
-            crank, numbers
-        )
+        force = _loaded(quantity.loaded, crank, circle, ratio, offset, numbers)
+        return force * quantity.scale(crank, numbers)
     formula = quantity.formula(method, crank, numbers)
     return formula(circle, ratio, offset) * quantity.scale(crank, numbers)
 
@@ -332,7 +331,8 @@ def greatest_load(crank: Crank) -> Fraction:
     moving, speed = crank.moving, crank.speed
     assert moving is not None
     assert speed is not None
-    masses = sum(map(abs, moving.joined), moving.reciprocating + abs(moving.rotating))
+    pin, crosshead, couple = moving.joined
+    masses = abs(pin) + crosshead + abs(Fraction(couple)) + moving.reciprocating + abs(moving.rotating)
     factor = 40 if speed.turns else 1
     return (crank.force or Fraction(0)) + masses * _radius(crank) * speed.value**2 * factor
 

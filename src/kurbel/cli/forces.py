@@ -80,9 +80,8 @@ def _subject(options: Mapping[str, Any]) -> Callable[[dict[str, Any]], None]:
 
 
 def _print_piston(options: dict[str, Any]) -> None:
-    _refuse(
-        options, ("bore", "pressure", "cranks", *STEAM_NAMES), "is of a steam engine; add --eps or --card"
-    )
+    steam = ("bore", "pressure", "cranks", *STEAM_NAMES)
+    _refuse(options, steam, "is for the steam of an engine; add --eps or --card")
     name = options["layout"] or "forces"
     if layout_of(name, ("motion", *OF_ENGINES)).subject in OF_ENGINES:
         raise ProblemError(f"layout {name} is of a steam engine; add --eps or --card")
