@@ -23,11 +23,12 @@ from numpy.typing import NDArray
 from tools import require_library
 
 import kurbel
-from kurbel.engine import Engine, Inertia, Load, Steam
+from kurbel.engine import Engine, Load, Steam
 from kurbel.engine_request import EngineRequest
 from kurbel.layouts import layout
 from kurbel.linkage import ArcCrank
 from kurbel.linkage_page import LinkageRequest
+from kurbel.moving import Moving
 from kurbel.plot_curves import axis_name, motion_keys, motion_panels, pin_force, pin_force_keys
 from kurbel.plot_engine import PIN_FORCE, engine_pin_force, force_panels
 from kurbel.plot_linkage import linkage_panels
@@ -124,7 +125,7 @@ def test_forces_of_one_crank_share_a_panel_and_are_in_newtons_where_the_piston_f
     forces, torque = motion_panels(asked(keys, MACHINE, lang="en"))
     assert (forces.unit, torque.unit) == ("N", "N m")
     assert forces.label == "Rod force, guide force, tangential force and radial force"
-    assert torque.label == "Torque $M$"
+    assert torque.label == "Torque $M_d$"
     assert labels(forces) == ["$S$", "$N$", "$T$", "$Z$"]
     shares = kurbel.compute(FLOATS, "1:5", ["rod_force", "guide_force", "tangential_force", "radial_force"])
     for curve, values in zip(forces.curves, shares.values(), strict=True):
@@ -158,7 +159,7 @@ def test_every_quantity_has_an_axis_that_names_it_with_its_unit_once(lang: str) 
     assert names["psi"][1] == "°"
     for key, (name, unit) in names.items():
         assert name.startswith(registry()[key].name[lang])
-        assert ("in " in name) <= (not unit), key
+        assert (" in " in name) <= (not unit), key
         assert bool(unit) == (bool(registry()[key].needs) or registry()[key].arc), key
 
 
@@ -218,14 +219,17 @@ def test_the_curves_have_the_tips_at_cut_off() -> None:
 EPS, BACK = 3, 0.1
 STEAM = Steam(Fraction(EPS), Fraction(1, 10))
 # 300 mm bore and 8 bar, 600 mm stroke, 120/min.
-LOAD = Load(Fraction(3, 10), Fraction(800_000), Fraction(3, 10))
+LOAD = Load(Fraction(3, 10), Fraction(800_000))
+SIZED = Crank(QUARTER, radius=Fraction(3, 10))
 NEWTONS = math.pi / 4 * 0.3**2 * 800_000
 OMEGA = 4 * math.pi
 
 
-def engine_request(*columns: str, steams: Sequence[Steam] = (STEAM,), **rest: Any) -> EngineRequest:
+def engine_request(
+    *columns: str, steams: Sequence[Steam] = (STEAM,), drive: Crank = SIZED, **rest: Any
+) -> EngineRequest:
     return EngineRequest(
-        layout=layout("engine-forces"), steams=steams, drives=[Crank(QUARTER)], angles=ANGLES,
+        layout=layout("engine-forces"), steams=steams, drives=[drive], angles=ANGLES,
         columns=columns, **rest,
     )  # fmt: skip
 
@@ -336,9 +340,9 @@ def test_quantities_of_an_engine_have_their_unit_once() -> None:
 
 
 def moving(**masses: Any) -> EngineRequest:
-    inertia = Inertia(speed=Speed(Fraction(2)), **masses)
+    heavy = replace(SIZED, speed=Speed(Fraction(2)), moving=Moving(**masses))
     keys = tuple(f"{key}_n" for key in ("tangential_force", "radial_force", "guide_force"))
-    return engine_request(*keys, load=LOAD, inertia=inertia)
+    return engine_request(*keys, load=LOAD, drive=heavy)
 
 
 def newton(phi: NDArray[np.float64], piston: float, rod: float, centre: float, gyration: float) -> Any:
@@ -405,13 +409,13 @@ def test_the_polar_diagram_leaps_at_the_dead_centres_along_the_crank() -> None:
 
 
 def test_the_turning_effort_with_the_masses_has_theirs_besides_the_steams() -> None:
-    masses = Inertia(Fraction(200), Speed(Fraction(2)))
+    heavy_crank = replace(SIZED, speed=Speed(Fraction(2)), moving=Moving(Fraction(200)))
     request = EngineRequest(
-        layout=layout("turning"), steams=[STEAM], drives=[Crank(QUARTER)], angles=ANGLES, columns=COLUMNS,
-        load=LOAD, inertia=masses,
+        layout=layout("turning"), steams=[STEAM], drives=[heavy_crank], angles=ANGLES, columns=COLUMNS,
+        load=LOAD,
     )  # fmt: skip
     phi, heavy = curve_at(turning_panels(request)[0].curves[0])
-    light = np.asarray(turning_panels(replace(request, inertia=None))[0].curves[0].values)
+    light = np.asarray(turning_panels(replace(request, drives=[SIZED]))[0].curves[0].values)
     psi = np.arcsin(np.sin(phi) / 4)
     velocity = np.sin(phi + psi) / np.cos(psi)
     slope = np.gradient(velocity, phi)
@@ -425,7 +429,7 @@ def test_the_turning_effort_with_the_masses_has_theirs_besides_the_steams() -> N
 
 def linkage(name: str, *columns: str, ratios: Sequence[Fraction] = (FIFTH,), lang: str = "de") -> list[Panel]:
     cranks = tuple(ArcCrank(Crank(ratio), Fraction(3)) for ratio in ratios) if name == "arc" else ()
-    request = LinkageRequest(layout(name), angles=ANGLES, cranks=cranks, columns=columns, lang=lang)
+    request = LinkageRequest(layout=layout(name), angles=ANGLES, cranks=cranks, columns=columns, lang=lang)
     return linkage_panels(request)
 
 
@@ -833,8 +837,7 @@ REFUSALS = [
     ),
     (
         ("--forces", "--eps", "4", "--columns", "mean_force"),
-        "column mean_force is one number of the whole turn; draw what changes with the crank angle, such as"
-        " tangential_force",
+        'there is no column "mean_force" (did you mean bearing_force?); choose from epsilon, ratio, phi, ',
     ),
     (
         ("--forces", "--eps", "4", "--columns", "rod_force_n"),

@@ -81,12 +81,13 @@ COLUMNS = {
         ),
     ],
     "forces": [
-        both(key + end, "exact", 4, f"{de}|{stroke}|${letter}/F$", f"{en}|{in_english}|${letter}/F$")
+        both(key + end, "exact", 4, f"{de}|{stroke}|${letter}$", f"{en}|{in_english}|${letter}$")
         for key, letter, de, en in (
-            ("rod_force", "S", "Stangenkraft", "Rod force"),
-            ("guide_force", "N", "Führungsdruck", "Guide force"),
-            ("tangential_force", "T", "Tangentialkraft", "Tangential force"),
-            ("radial_force", "Z", "Radialkraft", "Radial force"),
+            ("rod_force", "S/F", "Stangenkraft", "Rod force"),
+            ("guide_force", "N/F", "Führungsdruck", "Guide force"),
+            ("tangential_force", "T/F = M_d/(F R)", "Tangentialkraft und Drehmoment",
+             "Tangential force and torque"),
+            ("radial_force", "Z/F", "Radialkraft", "Radial force"),
         )
         for end, stroke, in_english in (("", "Hingang", "Outstroke"), ("_return", "Rückgang", "Return"))
     ],

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -69,6 +69,30 @@ SYMBOLS = {
     "infinite": "",
     "offset": "$sin ψ = λ (sin {angle} - e/R)$, $λ = {ratio}$",
 }
+# Of a stroke: what the forces act on, and in which direction they are positive.
+FORCE_SIGNS: Mapping[str, Mapping[str, str]] = {
+    "S": {
+        "de": "$S$ am Kreuzkopf, auf dem Hingang Druck, auf dem Rückgang Zug",
+        "en": "$S$ at the crosshead, thrust on the outstroke, pull on the return",
+    },
+    "N": {
+        "de": "$N$ auf den Kreuzkopf, nach der Seite, auf der in diesem Hub der Kurbelzapfen läuft",
+        "en": "$N$ on the crosshead, towards the side on which the crank pin runs in that stroke",
+    },
+    "T": {"de": "$T$ im Drehsinn", "en": "$T$ as the crank turns"},
+    "Z": {"de": "$Z$ nach der Welle hin", "en": "$Z$ towards the shaft"},
+    "K": {"de": "$K$ Betrag am Kurbelzapfen", "en": "$K$ magnitude at the crank pin"},
+    "B": {"de": "$B$ Betrag am Kreuzkopfzapfen", "en": "$B$ magnitude at the crosshead pin"},
+    "H": {"de": "$H$ Betrag am Hauptlager", "en": "$H$ magnitude at the main bearing"},
+    "H_x": {
+        "de": "$H_x$ auf das Hauptlager, in der Richtung des Hubes",
+        "en": "$H_x$ on the main bearing, in the direction of the stroke",
+    },
+    "H_y": {
+        "de": "$H_y$ auf das Hauptlager, nach der Seite des Kurbelzapfens",
+        "en": "$H_y$ on the main bearing, towards the side of the crank pin",
+    },
+}
 # For columns that the layout's own caption does not know.
 PLAIN_CAPTION = "{quantities}{for_ratio}; {method}"
 WORDS: Mapping[str, Mapping[str, str]] = {
@@ -114,10 +138,9 @@ WORDS: Mapping[str, Mapping[str, str]] = {
         "en": "Rod: centre of mass $a = {centre} {length}$ from the crosshead pin,"
         " $k = {gyration} {length}$, $k^2 - a b = {couple} {length}^2${mass}",
     },
-    "mirrored": {
-        "de": "bei $360° - φ$ sind $X$ und $P$ dieselben, $N$, $Y$ und $M_d$ entgegengesetzt",
-        "en": "at $360° - φ$ $X$ and $P$ are the same, $N$, $Y$ and $M_d$ opposite",
-    },
+    "mirrored": {"de": "bei $360° - φ$ ", "en": "at $360° - φ$ "},
+    "same": {"de": "{letters} gleich", "en": "{letters} the same"},
+    "opposite": {"de": "{letters} entgegengesetzt", "en": "{letters} opposite"},
     "phi": {"de": "Kurbelwinkel", "en": "Crank angle"},
     "ratio": {"de": "Kurbelverhältnis R:L", "en": "Crank ratio R:L"},
 }
@@ -162,11 +185,23 @@ def notes(request: Request, columns: Sequence[Digits]) -> list[Label]:
         lines.append(WORDS["difference"][request.lang])
     if request.layout.formulas:
         lines += _formula_lines(request, columns)
+    lines += _sign_notes(columns, request.lang)
     lines += drive_notes(request.cranks, request.lang)
     lines += dict.fromkeys(force_note(crank.force) for crank in request.cranks if crank.force is not None)
+    for crank in request.cranks[:1]:
+        if crank.moving is not None:
+            lines += moving_notes(crank, request.layout.ratio_symbol, request.lang)
     if request.layout.subject == "inertia":
-        lines += rod_notes(request.cranks, request.lang)
+        shown = {column.quantity.symbol.strip("$") for column in columns}
+        lines += rod_notes(request.cranks, request.lang, shown)
     return lines
+
+
+def _sign_notes(columns: Sequence[Digits], lang: str) -> list[Label]:
+    """Return the line about the directions of the forces shown, if there are any."""
+    shown = dict.fromkeys(column.quantity.symbol.strip("$") for column in columns if column.quantity.is_force)
+    said = [FORCE_SIGNS[letter][lang] for letter in shown if letter in FORCE_SIGNS]
+    return ["; ".join(said)] if said else []
 
 
 def drive_notes(cranks: Sequence[Crank], lang: str) -> list[Label]:
@@ -180,11 +215,25 @@ def force_note(force: Fraction) -> Label:
     return f'$F = {_plain(force)} "N"$'
 
 
-def rod_notes(cranks: Sequence[Crank], lang: str) -> Iterator[Label]:
-    """Yield the lines about the connecting rods, and the symmetry where cranks are straight."""
+def rod_notes(cranks: Sequence[Crank], lang: str, shown: Collection[str]) -> Iterator[Label]:
+    """Yield the lines about the connecting rods, and where cranks are straight the symmetry of the letters
+    shown."""
     yield from dict.fromkeys(connecting_rod(crank.rod, lang) for crank in cranks if crank.rod is not None)
-    if not any(crank.offset for crank in cranks):
-        yield WORDS["mirrored"][lang]
+    if any(crank.offset for crank in cranks):
+        return
+    said = [
+        WORDS[key][lang].format(letters=enumerated_letters([one for one in letters if one in shown], lang))
+        for key, letters in (("same", ("X", "P")), ("opposite", ("N", "Y", "M_d")))
+        if set(letters) & set(shown)
+    ]
+    if said:
+        yield WORDS["mirrored"][lang] + ", ".join(said)
+
+
+def enumerated_letters(letters: Sequence[str], lang: str) -> Label:
+    """Return "$X$ and $P$"."""
+    *others, last = (f"${letter}$" for letter in letters)
+    return ", ".join(others) + WORDS["and"][lang] + last if others else last
 
 
 def moving_notes(crank: Crank, ratio_symbol: str, lang: str) -> Iterator[Label]:
@@ -213,10 +262,18 @@ def connecting_rod(rod: Rod, lang: str, length: str = "L") -> Label:
     return WORDS["connecting_rod"][lang].format(
         length=length,
         centre=_plain(1 - rod.centre),
-        gyration=_certified(gyration, 4, algebraic=True),
+        gyration=_root(rod.gyration_square) or _certified(gyration, 4, algebraic=True),
         couple=_plain(rod.couple),
         mass=f', $M = {_plain(rod.mass)} "kg"$' if rod.mass is not None else "",
     )
+
+
+def _root(square: Fraction) -> str:
+    """The square root of a fraction that has a short one, else nothing."""
+    from math import isqrt
+
+    root = Fraction(isqrt(square.numerator), isqrt(square.denominator))
+    return _plain(root) if root * root == square and finite_decimals(root) is not None else ""
 
 
 def axis_fields(request: Request, decimals: int | None) -> dict[str, Field]:
@@ -245,6 +302,11 @@ def _fraction(ratio: Fraction) -> str:
 def _formula_lines(request: Request, columns: Sequence[Digits]) -> Iterator[Label]:
     finite = [crank for crank in request.cranks if crank.ratio]
     offset = any(crank.offset for crank in finite)
+    if any(crank.moving for crank in request.cranks):
+        # What the masses add has no formula that a line holds.
+        columns = [column for column in columns if column.quantity.loaded is None]
+    if not columns:
+        return
     strokes = {column.quantity.stroke for column in columns}
     sign = "±" if len(strokes) > 1 else "+" if strokes == {OUT} else "-"
     pairs = dict.fromkeys(

@@ -186,6 +186,15 @@ class CardTurn:
         sign = (RETURN if stroke else OUT) if force.framed else 1
         return float(force.of(at, ratio, self.weights, net)) * sign
 
+    def crank_force_error(self, force: CrankForce, half_turns: Fraction) -> float:
+        """How far such a force may be off, in Q: as far as the net pressure there, by the rod's slant."""
+        stroke, angle = next(self._cranks(half_turns))
+        at, ratio = circle(180.0 * angle), float(self.engine.crank.ratio) * (RETURN if stroke else OUT)
+        share = self.motion.path(at, ratio) / 2
+        own = self.strokes[stroke].force(share)
+        apart = max(abs(float(own - half.strokes[stroke].force(share))) for half in self.coarser)
+        return max(apart, self.force_apart) * abs(float(force.bare(at, ratio, None)))
+
     def energy_at(self, half_turns: Fraction | float) -> float:
         """The excess work W/(Q R) since the first crank's inner dead centre."""
         return self._energy(half_turns) - self._energy(0.0)

@@ -96,7 +96,7 @@ def make_engine_table(
         speed,
         (reciprocating, rotating, centre, gyration, rod_file, rod_mass),
     )
-    heavy = drives[0].moving is not None
+    heavy = any(drive.moving is not None for drive in drives)
     wheels = _flywheels(power, speed, irregularities, radius, heavy) if page.subject == "flywheel" else ()
     shifts = notation.crank_angles(cranks) if isinstance(cranks, str) else read_each(cranks, as_angle)
     return build(

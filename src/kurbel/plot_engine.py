@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, NamedTuple
 from kurbel.engine_axes import expansion_label
 from kurbel.engine_quantities import AnyTurn, EngineQuantity, Where
 from kurbel.engine_request import EngineRequest
-from kurbel.errors import ProblemError
 from kurbel.notation import ratio_text
 from kurbel.plot_panels import Trace, check_drawn, degrees, panels_of
 from kurbel.plot_polar import Vector
@@ -49,16 +48,10 @@ def force_panels(request: EngineRequest) -> list[Panel]:
     """Return a panel for each force, with all engines in it; of one engine, a panel for each unit.
 
     The curves have the dead centres and the points of cut-off besides the angles of the request. Raises
-    ProblemError for one angle, or more than can be drawn, and for a column that has no curve.
+    ProblemError for one angle, or more than can be drawn.
     """
     engines = list(product(range(len(request.steams)), range(len(request.drives))))
     check_drawn(request.angles, len(engines))
-    for column in request.page_columns:
-        if column.quantity.scope != "angle":
-            raise ProblemError(
-                f"column {column.key} is one number of the whole turn; draw what changes with the crank"
-                " angle, such as tangential_force"
-            )
     turns = [(engine_label(request, *place), _turn(request, *place)) for place in engines]
     traces = (
         _trace(column.quantity, label, turn, request)

@@ -114,6 +114,10 @@ class Quantity(NamedTuple):
     loaded: CrankForce | None = None
 
     @property
+    def is_force(self) -> bool:
+        return self.loaded is not None or self.unit["en"] == "F"
+
+    @property
     def part(self) -> Mapping[str, str]:
         """What sets it apart from others of its name: the stroke, or what stands for the rod."""
         return ROD_MODELS[self.model] if self.model else STROKES[self.stroke]
