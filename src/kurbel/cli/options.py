@@ -112,6 +112,10 @@ def _column_keys(name: str) -> tuple[str, ...]:
         from kurbel.balance_request import balance_column_keys
 
         return balance_column_keys()
+    if page.subject == "collation":
+        from kurbel.collate_page import KEYS as COLLATION_KEYS
+
+        return COLLATION_KEYS
     if page.subject in ("arc crank", "parallel crank"):
         from kurbel.linkage_page import linkage_column_keys
 
