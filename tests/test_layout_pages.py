@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from cli import printed
 from golden import FOLDER, assert_golden
-from pages import BALANCES, BEAMS, ENGINES, LINKAGES, RODS, command, default_page, each_layout
+from pages import BALANCES, BEAMS, COLLATIONS, ENGINES, LINKAGES, RODS, command, default_page, each_layout
 
 from kurbel.formats import FORMATS
 from kurbel.layouts import LANGUAGES, layout_names
@@ -30,16 +30,21 @@ TEXTS = {
     "inertia-units": ("inertia", *ROD, "--offset=0.2", "--step=30"),
     "inertia-errors-units": ("inertia", "--layout=inertia-errors", *ROD),
     "forces-tangent-units": ("forces", "--at=tangent", "--ratio=1:5;1:4", "--force=10kN", "--stroke=600mm"),
+    "collate-roetscher-112": ("collate", "roetscher-112"),
+    **{f"collate-{key}": ("collate", key) for key in ("blau-31", "blau-32", "blau-34", "blau-35")},
+    "collate-weisbach-149": ("collate", "weisbach-149"),
+    "collate-weisbach-150": ("collate", "weisbach-150"),
+    "collate-deviations": ("collate", "weisbach-150", "--only=deviations"),
     "weisbach-150-weisbach": ("delta", "--method=weisbach"),
 }
 # Pages whose cells are not all alike: angles beside numbers, notes, units and places without a value.
-RICH = ("delta-detail", "flywheel", "forces-tangent")
+RICH = ("delta-detail", "flywheel", "forces-tangent", "collation")
 SUFFIXES = {entry.suffixes[0]: name for name, entry in FORMATS.items() if name not in ("text", "csv")}
 PAGES = {
     **{f"{name}.{lang}.txt": (*text, f"--lang={lang}") for name, text in TEXTS.items() for lang in LANGUAGES},
     **{
         f"{name}.csv": (*command(name), "-f", "csv")
-        for name in ("kinematics", *ENGINES, *BEAMS, *BALANCES, *LINKAGES, *RODS)
+        for name in ("kinematics", *ENGINES, *BEAMS, *BALANCES, *LINKAGES, *RODS, *COLLATIONS)
     },
     **{f"{name}{suffix}": (*command(name), "-f", form) for name in RICH for suffix, form in SUFFIXES.items()},
 }

@@ -10,6 +10,7 @@ from itertools import count
 
 from kurbel.arrange import Axis, Grid, Place, check_size, panels
 from kurbel.axes import ColumnAxis
+from kurbel.choices import choose
 from kurbel.collation import Collated
 from kurbel.layouts import layout as layout_named
 from kurbel.notation import angle, plain, ratio, ratio_text
@@ -17,7 +18,17 @@ from kurbel.problem import Crank
 from kurbel.sheet import Heads, Sheet, records_of, table_of
 from kurbel.source import AXES, SourceTable
 from kurbel.table import Cell, Field, Label, Note, Number, Panel, Table, Value
-from kurbel.verdict import DIGIT, FOLLOWS, LAST_PLACE, OTHER_FORMULA, RIGHT, VERDICTS, Verdict
+from kurbel.verdict import (
+    ALL,
+    DEVIATIONS,
+    DIGIT,
+    FOLLOWS,
+    LAST_PLACE,
+    OTHER_FORMULA,
+    RIGHT,
+    VERDICTS,
+    Verdict,
+)
 
 WORDS: Mapping[str, Mapping[str, str]] = {
     "place": {"de": "Stelle", "en": "Place"},
@@ -62,8 +73,6 @@ METHOD_NAMES: Mapping[str, Mapping[str, str]] = {
 KEYS = (
     "table", "place", "quantity", *AXES, "method", "printed", "recomputed", "difference", "verdict", "detail",
 )  # fmt: skip
-ALL, DEVIATIONS = "all", "deviations"
-ONLY = (ALL, DEVIATIONS)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -73,6 +82,11 @@ class CollateRequest(Sheet):
     table: SourceTable
     collated: Sequence[Collated] = field(repr=False)
     only: str = ALL
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        for key in self.columns:
+            choose(key, KEYS, "column")
 
     def __len__(self) -> int:
         """How many records there are."""
@@ -197,7 +211,7 @@ def _recomputed(one: Collated) -> Number | Label:
 def place_label(one: Collated, lang: str) -> Label:
     """Return where a value stands: "$x/R$, $R:L = 1:5$, 45°"."""
     cell = one.cell
-    parts = [cell.label or quantity_label(cell.quantity)]
+    parts = [cell.label or quantity_label(cell.quantity, lang)]
     if "ratio" in cell.axes:
         parts.append(f"${ratio_text(ratio(cell.axes['ratio']))}$")
     if "epsilon" in cell.axes:
@@ -209,14 +223,16 @@ def place_label(one: Collated, lang: str) -> Label:
     return ", ".join(parts)
 
 
-def quantity_label(key: str) -> Label:
+def quantity_label(key: str, lang: str) -> Label:
     """Return how a quantity is written at the head of its column."""
     from kurbel.beam import registry as beam_registry
     from kurbel.engine_quantities import engine_registry
     from kurbel.quantities import registry
 
     if key in registry():
-        return registry()[key].heading["de"] if "$" in registry()[key].heading["de"] else f"${key}$"
+        quantity = registry()[key]
+        heading = quantity.heading[lang]
+        return heading if "$" in heading else f"{quantity.symbol} {heading}"
     return engine_registry()[key].symbol if key in engine_registry() else beam_registry()[key].symbol
 
 

@@ -42,6 +42,8 @@ class Printed(NamedTuple):
             mark = self.form if self.decimals else ""
             point = len(digits) - self.decimals
             return f"{sign}{digits[:point]}{mark}{digits[point:]}"
+        if self.form == "/":
+            return f"{sign}{size}/{self.unit.denominator}"
         if self.form == "°":
             return f"{sign}{size}°"
         halves = 2 if self.form == "½'" else 1

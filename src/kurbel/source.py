@@ -68,6 +68,7 @@ class SourceTable:
             named = {name for one in (cell.formula, cell.way) if one for name in one.names}
             for unknown in sorted(named - {*places}):
                 raise SourceError(f"{_at(self.file, cell)}: {unknown} in a formula is no place here")
+        _check_circles(self.file, cells)
         return cells
 
     def at(self, cell: SourceCell) -> str:
@@ -154,6 +155,19 @@ def _cells(file: Path, method: str) -> Iterator[SourceCell]:
             raise SourceError(f"{place(name, line_number)}: {error}") from None
     if head is None:
         raise SourceError(f"{name} is empty; it starts with its heads, {';'.join(COLUMNS)}")
+
+
+def _check_circles(file: Path, cells: Sequence[SourceCell]) -> None:
+    """Raise SourceError where a cell's value would need itself."""
+    needs = {
+        cell.place: {name for one in (cell.formula, cell.way) if one for name in one.names} for cell in cells
+    }
+    settled: set[str] = set()
+    while left := [cell for cell in cells if cell.place not in settled]:
+        ready = [cell.place for cell in left if needs[cell.place] <= settled]
+        if not ready:
+            raise SourceError(f"{_at(file, left[0])}: {left[0].place} names itself, by way of other cells")
+        settled |= {*ready}
 
 
 def _head(row: Sequence[str]) -> list[str]:

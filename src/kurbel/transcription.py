@@ -59,6 +59,31 @@ class _Point(NamedTuple):
     printed: Printed
 
 
+def collated_table(
+    table: str | None,
+    file: str | os.PathLike[str] | None,
+    quantity: str | None,
+    crank_ratio: str | None,
+    method: str | None,
+    folder: str | None,
+) -> tuple[Any, tuple[Collated, ...]]:
+    """Return a book's table, or what stands for one's own, with its collated values."""
+    from kurbel.collation import Collation
+    from kurbel.source import source_tables
+
+    if file is not None:
+        return collated_file(file, quantity, crank_ratio, method)
+    if not (quantity is None and crank_ratio is None and method is None):
+        raise ProblemError(
+            "quantity, ratio and method are for your own transcription, --csv; a book's table has its own"
+        )
+    tables = source_tables(folder)
+    if table is None:
+        raise ProblemError(f"name a table, such as roetscher-112, or --csv; kurbel has {', '.join(tables)}")
+    found = tables[choose(table, tables, "table")]
+    return found, tuple(Collation(found))
+
+
 def collated_file(
     path: str | os.PathLike[str], quantity: str | None, crank_ratio: str | None, method: str | None
 ) -> tuple[Any, tuple[Collated, ...]]:
@@ -165,7 +190,10 @@ def _column(head: str, alone: bool, quantity: str | None, crank_ratio: str | Non
     if own_ratio is None and text is None:
         raise ProblemError("the crank ratio is not known; add --ratio, for example --ratio 1:5")
     known = choose(key, registry(), "quantity")
-    return _Column(head, known, ratio(text or "") if own_ratio is None else own_ratio)
+    value = ratio(text or "") if own_ratio is None else own_ratio
+    if not registry()[known].available(Crank(value)):
+        raise ProblemError(f"the quantity {known} has a unit, and no lengths are known; choose one without")
+    return _Column(head, known, value)
 
 
 def _ratio(head: str) -> Fraction | None:

@@ -13,6 +13,9 @@ from kurbel.printed_value import Printed
 
 RIGHT, LAST_PLACE, ON_THE_WAY, OTHER_FORMULA = "right", "last_place", "rounded_on_the_way", "other_formula"
 SIGN, DIGIT, EXCHANGED, CARRIED, UNEXPLAINED = "sign", "digit", "exchanged", "carried_over", "unexplained"
+# Which of the values a page shows.
+ALL, DEVIATIONS = "all", "deviations"
+ONLY = (ALL, DEVIATIONS)
 # Of a last place that the printed intermediates give.
 FOLLOWS = "follows"
 # In the order in which they are tried.

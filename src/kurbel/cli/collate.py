@@ -7,10 +7,10 @@ from typing import Any
 import click
 
 from kurbel.cli.lists import lang_option
-from kurbel.cli.options import Columns, Name, output_options, sheet_of
+from kurbel.cli.options import Columns, Name, layout_option, output_options, sheet_of
 from kurbel.errors import ProblemError
+from kurbel.verdict import ONLY
 
-ONLY = ("all", "deviations")
 folder_option = click.option(
     "--sources", metavar="DIR", type=click.Path(), help="A folder with books of your own, a folder each."
 )
@@ -23,7 +23,8 @@ def sources(sources: str | None, lang: str) -> None:
     """List the books that kurbel knows, with their tables."""
     from kurbel.source import books
 
-    for book in books(sources):
+    # All are read before any is listed.
+    for book in tuple(books(sources)):
         click.echo(f"{book.key}: {book.citation[lang]}")
         for table in book.tables:
             click.echo(f"    {table.key}  {table.title[lang]}")
@@ -43,6 +44,7 @@ def sources(sources: str | None, lang: str) -> None:
 @click.option("--columns", type=Columns("collation"), multiple=True, metavar="NAMES",
               help="Keys of CSV and JSON and their order: place,printed,recomputed,verdict.")  # fmt: skip
 @folder_option
+@layout_option("collation", "collation")
 @output_options
 def collate(**options: Any) -> int:
     """Print a table of a book, or your own transcription, with the values that it should have.
@@ -54,12 +56,16 @@ def collate(**options: Any) -> int:
     """  # fmt: skip
     from kurbel.cli.printing import Printing, print_table
     from kurbel.collate_page import CollateRequest
-    from kurbel.layouts import layout
+    from kurbel.layouts import layout_of
+    from kurbel.transcription import collated_table
 
+    if options["csv"] is not None and options["table"] is not None:
+        raise ProblemError("--csv is a table of your own, and one of a book is named too; leave one out")
     printing = Printing.chosen(options)
-    table, collated = _collated(options)
+    names = ("table", "csv", "quantity", "ratio", "method", "sources")
+    table, collated = collated_table(*(options[name] for name in names))
     request = CollateRequest(
-        layout=layout("collation"),
+        layout=layout_of(options["layout"], ("collation",)),
         table=table,
         collated=collated,
         only=options["only"],
@@ -67,24 +73,3 @@ def collate(**options: Any) -> int:
     )
     print_table(request, printing)
     return int(options["strict"] and bool(request.deviations))
-
-
-def _collated(options: dict[str, Any]) -> Any:
-    from kurbel.choices import choose
-    from kurbel.collation import Collation
-    from kurbel.source import source_tables
-
-    if options["csv"] is not None:
-        if options["table"] is not None:
-            raise ProblemError("--csv is a table of your own, and one of a book is named too; leave one out")
-        from kurbel.transcription import collated_file
-
-        return collated_file(options["csv"], options["quantity"], options["ratio"], options["method"])
-    for name in ("quantity", "ratio", "method"):
-        if options[name] is not None:
-            raise ProblemError(f"--{name} is for your own transcription, --csv; a book's table has its own")
-    tables = source_tables(options["sources"])
-    if options["table"] is None:
-        raise ProblemError(f"name a table, such as roetscher-112, or --csv; kurbel has {', '.join(tables)}")
-    table = tables[choose(options["table"], tables, "table")]
-    return table, tuple(Collation(table))
