@@ -27,7 +27,7 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "dead centres": ("deadcentres",),
     "harmonics": ("harmonics",),
     "balance": ("balance",),
-    "collation": ("collate", "blau-33"),
+    "collation": ("collate", "roetscher-112"),
     "arc crank": ("table", "--mechanism=arc", "--rocker=6"),
     "parallel crank": ("table", "--mechanism=parallel"),
     "inertia": ("inertia", "--centre=0.65", "--gyration=0.35"),
@@ -73,7 +73,7 @@ def default_page(name: str, lang: str = "de", label: str = "") -> Table:
         case "balance":
             return kurbel.make_balance_table(layout=name, lang=lang, label=label)
         case "collation":
-            return kurbel.make_collation_table("blau-33", layout=name, lang=lang, label=label)
+            return kurbel.make_collation_table("roetscher-112", layout=name, lang=lang, label=label)
         case "arc crank":
             return kurbel.make_arc_table(6, layout=name, lang=lang, label=label)
         case "parallel crank":

@@ -30,7 +30,7 @@ TEXTS = {
     "inertia-units": ("inertia", *ROD, "--offset=0.2", "--step=30"),
     "inertia-errors-units": ("inertia", "--layout=inertia-errors", *ROD),
     "forces-tangent-units": ("forces", "--at=tangent", "--ratio=1:5;1:4", "--force=10kN", "--stroke=600mm"),
-    "collate-roetscher-112": ("collate", "roetscher-112"),
+    "collate-blau-33": ("collate", "blau-33"),
     **{f"collate-{key}": ("collate", key) for key in ("blau-31", "blau-32", "blau-34", "blau-35")},
     "collate-weisbach-149": ("collate", "weisbach-149"),
     "collate-weisbach-150": ("collate", "weisbach-150"),

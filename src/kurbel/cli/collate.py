@@ -61,6 +61,8 @@ def collate(**options: Any) -> int:
 
     if options["csv"] is not None and options["table"] is not None:
         raise ProblemError("--csv is a table of your own, and one of a book is named too; leave one out")
+    if options["digits"] is not None:
+        raise ProblemError("--digits has no use here: a value is recomputed to as many places as are printed")
     printing = Printing.chosen(options)
     names = ("table", "csv", "quantity", "ratio", "method", "sources")
     table, collated = collated_table(*(options[name] for name in names))
