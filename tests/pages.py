@@ -27,6 +27,7 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "dead centres": ("deadcentres",),
     "harmonics": ("harmonics",),
     "balance": ("balance",),
+    "collation": ("collate", "roetscher-112"),
     "arc crank": ("table", "--mechanism=arc", "--rocker=6"),
     "parallel crank": ("table", "--mechanism=parallel"),
     "inertia": ("inertia", "--centre=0.65", "--gyration=0.35"),
@@ -45,6 +46,7 @@ MOTION = about("motion")
 ENGINES = about("irregularity", "strokes", "turning", "crank forces", "machine", "flywheel")
 BEAMS = about("dead centres")
 BALANCES = about("harmonics", "balance")
+COLLATIONS = about("collation")
 LINKAGES = about("arc crank", "parallel crank")
 # What `kurbel table` prints.
 DRIVES = about("motion", "arc crank", "parallel crank")
@@ -72,6 +74,8 @@ def default_page(name: str, lang: str = "de", label: str = "") -> Table:
             return kurbel.make_harmonics_table(layout=name, lang=lang, label=label)
         case "balance":
             return kurbel.make_balance_table(layout=name, lang=lang, label=label)
+        case "collation":
+            return kurbel.make_collation_table("roetscher-112", layout=name, lang=lang, label=label)
         case "arc crank":
             return kurbel.make_arc_table(6, layout=name, lang=lang, label=label)
         case "parallel crank":

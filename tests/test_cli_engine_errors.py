@@ -233,7 +233,7 @@ TURNINGS = [
         ("--columns", "phi,enregy"),
         'there is no column "enregy" (did you mean energy?);'
         " choose from epsilon, ratio, phi, tangential, mean_force, tangential_excess, energy, delta, back,"
-        " exponent, clearance",
+        " exponent, clearance, torque_nm",
     ),
     (("--columns", "epsilon,phi"), "there is no column beside the axes; add one, such as energy"),
     (
@@ -356,7 +356,10 @@ def test_a_wrong_flywheel_is_answered_with_a_sentence(words: tuple[str, ...], se
 @pytest.mark.parametrize("missing", FLYWHEEL)
 def test_a_flywheel_needs_power_speed_and_irregularity(missing: str) -> None:
     words = [word for name, text in FLYWHEEL.items() if name != missing for word in (name, text)]
-    assert refusal("flywheel", *words) == f"Missing option '{missing}'; see kurbel flywheel --help"
+    told = f"Missing option '{missing}'; see kurbel flywheel --help"
+    # With masses it follows from the steam.
+    power = "a flywheel needs the power of the engine; add --power, for example --power 50kW"
+    assert refusal("flywheel", *words) == (power if missing == "--power" else told)
 
 
 def test_pages_of_engines_are_not_printed_as_tables_of_motion() -> None:

@@ -91,6 +91,9 @@ def test_the_columns_are_those_of_the_mechanism_that_was_typed() -> None:
     assert set(completed("bash", *words)) == {"ratio", "phi", *arc_registry()}
     assert completed("bash", "table", "--layout", "parallel", "--columns", "p") == ["phi"]
     assert completed("bash", "table", "--mechanism", "p") == ["parallel"]
+    assert completed("bash", "plot", "--mechanism", "parallel", "--columns", "coupler_p") == ["coupler_path"]
+    forces = ("plot", "--forces", "--eps", "4", "--columns", "crank_pin")
+    assert completed("bash", *forces) == ["crank_pin_force", "crank_pin_force_n"]
 
 
 def test_columns_of_an_engine_are_those_that_its_page_can_show() -> None:

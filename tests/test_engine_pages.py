@@ -79,7 +79,7 @@ HEADS: Mapping[str, Mapping[str, Head]] = {
             ("piston_force", "F", "Kolbenkraft", "Piston force"),
             ("rod_force", "S", "Stangenkraft", "Rod force"),
             ("guide_force", "N", "Führungsdruck", "Guide force"),
-            ("crank_force", "T", "Tangentialkraft", "Tangential force"),
+            ("tangential_force", "T", "Tangentialkraft", "Tangential force"),
             ("radial_force", "Z", "Radialkraft", "Radial force"),
         )
     },
@@ -90,7 +90,7 @@ HEADS: Mapping[str, Mapping[str, Head]] = {
             ("rod_force_n", "S", "Stange", "Rod", "N"),
             ("guide_force_n", "N", "Führung", "Guide", "N"),
             ("crank_pin_force_n", "K", "Kurbelzapfen", "Crank pin", "N"),
-            ("crank_force_n", "T", "Kurbelzapfen", "Crank pin", "N"),
+            ("tangential_force_n", "T", "Kurbelzapfen", "Crank pin", "N"),
             ("radial_force_n", "Z", "Kurbelzapfen", "Crank pin", "N"),
             ("bearing_along_n", "H_x", "Hauptlager", "Main bearing", "N"),
             ("bearing_across_n", "H_y", "Hauptlager", "Main bearing", "N"),
@@ -271,7 +271,7 @@ def test_no_stub_cell_is_left_without_a_head_of_its_own(name: str) -> None:
 def test_every_column_that_can_be_asked_for_is_printed(name: str) -> None:
     scopes = {"irregularity": ("turn", "span"), "strokes": ("turn", "span", "stroke"),
               "turning": ("angle", "turn"), "flywheel": ("flywheel",),
-              "crank forces": ("crank", "angle", "turn"), "machine": ("crank", "angle", "turn"),
+              "crank forces": ("crank", "angle"), "machine": ("crank", "angle"),
               }[layout(name).subject]  # fmt: skip
     assert not {*engine_registry()} & {*ENGINE_AXES[layout(name).subject]}
     for key, quantity in engine_registry().items():
@@ -279,7 +279,7 @@ def test_every_column_that_can_be_asked_for_is_printed(name: str) -> None:
             with pytest.raises(KurbelError, match=f'^there is no column "{key}"'):
                 page(name, columns=[key])
             continue
-        load: dict[str, Any] = LOAD if quantity.scope == "crank" else {}
+        load: dict[str, Any] = LOAD if quantity.needs in ("load", "torque") else {}
         table = page(name, columns=[key], expansions="3", ratios="1:4", **load)
         assert [field.key for field in table.records.fields] == [key]
         values = [row[0] for row in table.records.rows]

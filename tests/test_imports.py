@@ -109,9 +109,12 @@ def test_only_its_start_knows_the_command_line() -> None:
 
 def test_only_drawings_know_matplotlib() -> None:
     drawing = {f"kurbel.{name}" for name in ("plotting", "plot_style", "plot_polar", "plot_mechanism")}
+    drawing |= {f"kurbel.plot_{name}" for name in ("arc", "parallel", "sketch")}
     assert importers("matplotlib") == drawing | {"kurbel.plot_drawings"}
     knowing = {name for name in MODULES if drawing & {name, *reached(name)}}
-    plots = {"kurbel.plot_curves", "kurbel.plot_turning", "kurbel.plot_drawings"}
+    plots = {
+        f"kurbel.plot_{name}" for name in ("curves", "drawings", "engine", "linkage", "panels", "turning")
+    }
     assert knowing == drawing | plots | {"kurbel.cli.plot", "kurbel.cli.plot_kinds"}
 
 

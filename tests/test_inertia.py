@@ -77,6 +77,31 @@ def test_every_cell_is_newton_s_reaction_of_its_model() -> None:
                 assert abs(mp.mpf(record[key]) - true) <= mp.mpf("0.00005"), (key, record["phi"])
 
 
+def test_the_parts_of_the_acceleration_make_up_that_of_the_crank_pin() -> None:
+    rod = ("--ratio=1:3", "--centre=0.6", "--gyration=0.4", "--offset=0.3")
+    words = ("inertia", *rod, "--step=17", "--digits=20")
+    keys = [f"{part}_acceleration" for part in ("common", "turning", "stretching")]
+    records = printed(*words, "--columns=phi," + ",".join(keys), "-f", "csv").records()
+    assert len(records) == 22
+    with mp.workdps(30):
+        for record in records:
+            phi, common, turning, stretching = (mp.mpf(record[key]) for key in ("phi", *keys))
+            phi = mp.radians(phi)
+            psi = mp.asin((mp.sin(phi) - mp.mpf("0.3")) / 3)
+            # The pin runs on a circle: its acceleration is R ω² towards the shaft.
+            assert mp.almosteq(mp.cos(phi), -_along(common, turning, stretching, psi), abs_eps=1e-18)
+            assert mp.almosteq(mp.sin(phi), -_across(turning, stretching, psi), abs_eps=1e-18)
+
+
+def _along(common: Any, turning: Any, stretching: Any, psi: Any) -> Any:
+    """X of the acceleration of the pin: p₂ against X, p₄ square to the rod against Y, p₅ along it."""
+    return -common - turning * mp.sin(psi) + stretching * mp.cos(psi)
+
+
+def _across(turning: Any, stretching: Any, psi: Any) -> Any:
+    return -turning * mp.cos(psi) - stretching * mp.sin(psi)
+
+
 def test_newtons_are_those_of_mass_radius_and_speed() -> None:
     keys = [key_of(force, "exact", "_nm" if force == "torque" else "_n") for force in NEWTON]
     words = (
@@ -110,9 +135,10 @@ def test_centre_counts_from_the_crosshead_so_that_six_tenths_is_the_railway_rule
 def test_page_has_columns_in_newtons_if_mass_length_and_speed_are_known() -> None:
     rod: dict[str, Any] = {"centre": 0.6, "gyration": 0.48, "rod_mass": 100}
     both = kurbel.make_inertia_table(**rod, radius="0.3", speed=2)
-    assert len(both.panels[0].columns) == 12
+    assert [column.spanners[1] for column in both.panels[0].columns] == ["$N$ in N"] * 3 + ["$P$ in N"] * 3
     for missing in ({"rod_mass": None, "radius": "0.3", "speed": 2}, {"radius": "0.3"}, {}):
         assert len(kurbel.make_inertia_table(**{**rod, **missing}).panels[0].columns) == 6
+    assert "$N$ in N" not in str(kurbel.make_inertia_table(**rod).panels)
 
 
 @pytest.mark.parametrize("ratio", ["1:5", "1:4;1:3"])

@@ -5,7 +5,18 @@ from __future__ import annotations
 import pytest
 from cli import printed
 from golden import FOLDER, assert_golden
-from pages import BALANCES, BEAMS, ENGINES, LINKAGES, RODS, SOLVED, command, default_page, each_layout
+from pages import (
+    BALANCES,
+    BEAMS,
+    COLLATIONS,
+    ENGINES,
+    LINKAGES,
+    RODS,
+    SOLVED,
+    command,
+    default_page,
+    each_layout,
+)  # fmt: skip
 
 from kurbel.formats import FORMATS
 from kurbel.layouts import LANGUAGES, layout_names
@@ -36,16 +47,21 @@ TEXTS = {
     "solve-units": ("solve", *SOLVE_MACHINE, "--where=c = 3 m/s", "--where=x = 200 mm"),
     "solve-offset": ("solve", "--ratio=1:4", "--offset=0.5", "--where=s=25%", "--where=psi=2°30'"),
     "solve-arc": ("solve", "--mechanism=arc", "--rocker=6", "--where=acceleration=0", "--where=rocker=0"),
+    "collate-blau-33": ("collate", "blau-33"),
+    **{f"collate-{key}": ("collate", key) for key in ("blau-31", "blau-32", "blau-34", "blau-35")},
+    "collate-weisbach-149": ("collate", "weisbach-149"),
+    "collate-weisbach-150": ("collate", "weisbach-150"),
+    "collate-deviations": ("collate", "weisbach-150", "--only=deviations"),
     "weisbach-150-weisbach": ("delta", "--method=weisbach"),
 }
 # Pages whose cells are not all alike: angles beside numbers, notes, units and places without a value.
-RICH = ("delta-detail", "flywheel", "forces-tangent", "solve")
+RICH = ("delta-detail", "flywheel", "forces-tangent", "collation", "solve")
 SUFFIXES = {entry.suffixes[0]: name for name, entry in FORMATS.items() if name not in ("text", "csv")}
 PAGES = {
     **{f"{name}.{lang}.txt": (*text, f"--lang={lang}") for name, text in TEXTS.items() for lang in LANGUAGES},
     **{
         f"{name}.csv": (*command(name), "-f", "csv")
-        for name in ("kinematics", *ENGINES, *BEAMS, *BALANCES, *LINKAGES, *RODS, *SOLVED)
+        for name in ("kinematics", *ENGINES, *BEAMS, *BALANCES, *LINKAGES, *RODS, *COLLATIONS, *SOLVED)
     },
     **{f"{name}{suffix}": (*command(name), "-f", form) for name in RICH for suffix, form in SUFFIXES.items()},
 }

@@ -171,7 +171,6 @@ def test_the_formulas_below_the_table_give_its_numbers(
     start = math.degrees(cmath.phase(cmath.exp(1j * float(dead)) / (-side * 1j)))
     for row in table.records.rows:
         phi, x, c, p, theta, psi, tau = (number.scaled / 10**number.decimals for number in row)  # type: ignore[union-attr]
-        # Angles stand for φ from the start of the stroke, in the closure for the whole angle.
         assert tau == pytest.approx(psi + theta, abs=1e-12)
         assert x == pytest.approx(stroke * side * rocker * math.radians(start - theta), abs=1e-12)
         zeta, τ = math.radians(phi - theta), math.radians(tau)
@@ -180,14 +179,18 @@ def test_the_formulas_below_the_table_give_its_numbers(
         bent = math.sin(zeta) + stroke * side / rocker * c**2
         expected = math.cos(zeta) + λ * math.cos(zeta) ** 2 / math.cos(τ) ** 3 - bent * math.tan(τ)
         assert p == pytest.approx(expected, abs=1e-12)
-        φ, ψ, θ = (math.radians(angle) for angle in (phi + (0 if stroke == OUT else 180), psi, theta))
-        along, across = math.cos(φ) + rod * math.cos(ψ), math.sin(φ) - rod * math.sin(ψ)
+        φ, ψ, θ = (math.radians(angle) for angle in (phi, psi, theta))
+        along = stroke * math.cos(φ) + rod * math.cos(ψ)
+        across = stroke * math.sin(φ) - rod * math.sin(ψ)
         assert along == pytest.approx(distance + side * rocker * math.sin(θ), abs=1e-12)
         assert across == pytest.approx(float(crank.pivot_height) - side * rocker * math.cos(θ), abs=1e-12)
     sign, bow, back = ("+" if stroke == OUT else "−"), ("+" if stroke * side > 0 else "−"), "−+"[side < 0]
     text = notes(table)
     assert f"cos ζ {sign} λ (cos² ζ)/cos³ τ − (sin ζ {bow} β c²/v²) tan τ" in text
-    assert f"= D {'+' if side > 0 else '−'} B sin θ, R sin φ − L sin ψ = H {back} B cos θ" in text
+    lead = "" if stroke == OUT else "− "
+    assert f"{lead}R cos φ + L cos ψ = D {'+' if side > 0 else '−'} B sin θ" in text
+    assert f", {lead}R sin φ − L sin ψ = H {back} B cos θ" in text
+    assert ("− R" in text) == (stroke != OUT)
     starts = {(OUT, 1): "θᵢ − θ", (OUT, -1): "θ − θᵢ", (RETURN, 1): "θ − θₒ", (RETURN, -1): "θₒ − θ"}
     assert f"x = B ({starts[stroke, side]})" in text
 
@@ -199,7 +202,8 @@ def test_both_strokes_have_both_signs_below_the_table() -> None:
     assert "oberes Zeichen: Hingang" in above
     paths = notes(kurbel.make_arc_table(6, columns="phi,path,rod_velocity_return"))
     assert "ζ" not in paths
-    assert "oberes Zeichen" not in paths
+    assert "± R cos φ" in paths
+    assert "oberes Zeichen" in paths
     assert "Rückgang bei 180° + φ" in paths
 
 

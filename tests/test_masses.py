@@ -14,11 +14,12 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
 from kurbel.certify import ball
-from kurbel.engine import Engine, Inertia, Load, Steam
+from kurbel.engine import Engine, Load, Steam
 from kurbel.errors import ProblemError
 from kurbel.kernel import inertia, rod
 from kurbel.kernel.circle import circle
 from kurbel.kernel.rod import Masses
+from kurbel.moving import Moving
 from kurbel.problem import Crank, Speed
 from kurbel.rod import Rod
 from kurbel.turn import Turn, turn_of
@@ -66,34 +67,35 @@ def brute_irregularity(ratio: float, expansion: float) -> float:
 TWO_A_SECOND = Speed(Fraction(2))
 
 
-def heavy(speed: Speed = TWO_A_SECOND) -> Inertia:
+def heavy(ratio: Fraction, speed: Speed = TWO_A_SECOND) -> Crank:
     connecting = Rod.of_gyration(1 - Fraction("0.6"), Fraction("0.3"), Fraction(150))
-    return Inertia(Fraction(300), speed, connecting)
+    moving = Moving(Fraction(300), connecting)
+    return Crank(ratio, radius=Fraction("0.3"), speed=speed, moving=moving)
 
 
-LOAD = Load(Fraction("0.3"), Fraction(800_000), Fraction("0.3"))
+LOAD = Load(Fraction("0.3"), Fraction(800_000))
 
 
 @pytest.mark.parametrize(("ratio", "expansion"), [("1/5", 4), ("1/5", 2), ("1/3", 6), ("2/9", 3)])
 def test_irregularity_with_masses_is_that_of_the_moving_bodies(ratio: str, expansion: int) -> None:
-    engine = Engine(Crank(Fraction(ratio)), Steam(Fraction(expansion)), inertia=heavy(), load=LOAD)
+    engine = Engine(heavy(Fraction(ratio)), Steam(Fraction(expansion)), load=LOAD)
     brute = brute_irregularity(float(Fraction(ratio)), float(expansion))
     assert math.isclose(float(Turn(engine, "exact").irregularity()), brute, rel_tol=1e-6)
 
 
 def test_speed_in_radians_is_the_same_speed() -> None:
     radians = Fraction(4 * math.pi)
-    steam, crank = Steam(Fraction(4)), Crank(Fraction(1, 5))
-    turns = Turn(Engine(crank, steam, inertia=heavy(), load=LOAD), "exact")
-    same = Turn(Engine(crank, steam, inertia=heavy(Speed(radians, turns=False)), load=LOAD), "exact")
+    steam, ratio = Steam(Fraction(4)), Fraction(1, 5)
+    turns = Turn(Engine(heavy(ratio), steam, load=LOAD), "exact")
+    same = Turn(Engine(heavy(ratio, Speed(radians, turns=False)), steam, load=LOAD), "exact")
     assert math.isclose(float(turns.irregularity()), float(same.irregularity()), rel_tol=1e-14)
 
 
 def test_next_to_no_mass_changes_next_to_nothing() -> None:
     crank, steam = Crank(Fraction(1, 5)), Steam(Fraction(4))
-    light = Inertia(Fraction(1, 10**9), Speed(Fraction(1)))
-    load = Load(Fraction(1), Fraction(10**6), Fraction(1))
-    with_mass = Turn(Engine(crank, steam, inertia=light, load=load), "exact").irregularity()
+    light = Crank(Fraction(1, 5), radius=Fraction(1), speed=TWO_A_SECOND, moving=Moving(Fraction(1, 10**9)))
+    load = Load(Fraction(1), Fraction(10**6))
+    with_mass = Turn(Engine(light, steam, load=load), "exact").irregularity()
     assert abs(float(with_mass - Turn(Engine(crank, steam), "exact").irregularity())) < 1e-10
 
 
@@ -112,7 +114,7 @@ def test_torque_takes_the_energy_and_its_slope_is_right(degrees: float, ratio: f
 
 
 def test_every_extreme_is_enclosed_with_masses_too() -> None:
-    turn = Turn(Engine(Crank(Fraction(1, 5)), Steam(Fraction(4)), inertia=heavy(), load=LOAD), "exact")
+    turn = Turn(Engine(heavy(Fraction(1, 5)), Steam(Fraction(4)), load=LOAD), "exact")
     before = flint.ctx.prec
     flint.ctx.prec = 200
     try:
@@ -127,7 +129,7 @@ def test_every_extreme_is_enclosed_with_masses_too() -> None:
 
 
 def test_masses_have_exact_formulas_only() -> None:
-    engine = Engine(Crank(Fraction(1, 5)), Steam(Fraction(4)), inertia=heavy(), load=LOAD)
+    engine = Engine(heavy(Fraction(1, 5)), Steam(Fraction(4)), load=LOAD)
     with pytest.raises(ProblemError, match='method "series" has no formulas for the masses; use exact'):
         turn_of(engine, "series")
 
@@ -143,10 +145,24 @@ def test_delta_of_the_command_line_is_that_of_the_moving_bodies() -> None:
     assert math.isclose(float(record["delta"]), brute_irregularity(0.2, 4), rel_tol=2e-6)
 
 
-def test_flywheel_takes_the_same_masses() -> None:
-    words = ("--power", "50kW", "--delta", "1:100", "-f", "csv", "--digits", "6")
+def test_flywheel_takes_the_same_masses_and_the_power_of_the_steam() -> None:
+    words = ("--delta", "1:100", "-f", "csv", "--digits", "6")
     (record,) = printed("flywheel", *WORDS.split(), *words).records()
     assert math.isclose(float(record["swing_share"]), brute_irregularity(0.2, 4), rel_tol=2e-6)
+    # Two strokes of Q 2R [(1 + ln ε)/ε - 1/ε] in a turn, at two turns a second.
+    force = math.pi / 4 * BORE**2 * PRESSURE
+    power = 2 * 2 * RADIUS * force * math.log(4) / 4 * TURNS
+    assert math.isclose(float(record["power"]), power, rel_tol=1e-9)
+    torque = power / (2 * math.pi * TURNS)
+    assert math.isclose(float(record["mean_torque"]), torque, rel_tol=1e-9)
+    swing = brute_irregularity(0.2, 4) * torque
+    assert math.isclose(float(record["swing"]), swing, rel_tol=2e-6)
+    assert math.isclose(float(record["inertia"]), swing / 0.01 / (2 * math.pi * TURNS) ** 2, rel_tol=2e-6)
+
+
+def test_a_power_beside_masses_is_refused() -> None:
+    said = refusal("flywheel", *WORDS.split(), "--delta", "1:100", "--power", "50kW")
+    assert said == "with masses the power follows from pressure, bore, stroke and speed; leave --power out"
 
 
 @pytest.mark.parametrize(

@@ -21,12 +21,17 @@ import kurbel
 from kurbel import plot_style
 from kurbel.errors import ChoiceError, MissingExtraError, ProblemError
 from kurbel.formula import FUNCTIONS, GREEK, SIGNS, SYMBOLS
+from kurbel.linkage import ArcCrank
+from kurbel.plot_arc import arc_mechanism, arc_position
 from kurbel.plot_mechanism import LONGEST_ROD, mechanism, position
+from kurbel.plot_parallel import SHAFTS, parallel_mechanism
 from kurbel.plot_place import BESIDE, around, beside, densely, freest
 from kurbel.plot_polar import Vector, polar
+from kurbel.plot_sketch import Point
 from kurbel.plot_style import LINES, image, text_of
 from kurbel.plot_ticks import angle_ticks, axis_label, power_of_thousand, round_step, value_ticks
 from kurbel.plotting import Curve, Panel, curves
+from kurbel.problem import Crank
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -48,6 +53,16 @@ COSINES = [0.75 * math.cos(math.radians(angle + 20)) for angle in ANGLES]
 PANEL = Panel([Curve("$c/v$", ANGLES, SINES), Curve("$x/R$", ANGLES, COSINES)], "")
 
 
+# Rockers above and below the slide, with pivots of their own, and one that swings far.
+ARCS = (
+    ArcCrank(Crank(Fraction(1, 5)), Fraction(6)),
+    ArcCrank(Crank(Fraction(1, 4), Fraction(3, 10)), Fraction(3)),
+    ArcCrank(Crank(Fraction(1, 5)), Fraction(4), Fraction(4), Fraction(-7, 2)),
+    ArcCrank(Crank(Fraction(1, 3)), Fraction(3), Fraction(18, 5), Fraction(0)),
+    ArcCrank(Crank(Fraction(1, 12)), Fraction(12)),
+)
+
+
 def two_panels(mark: str = ",") -> Figure:
     return curves([PANEL, Panel([Curve("", ANGLES, SINES)], "$M$", "N m")], "de", mark)
 
@@ -60,7 +75,21 @@ def sketch() -> Figure:
     return mechanism(0.25, 0.3, [Fraction(75), 150, 300], "de", ",")
 
 
-DRAWINGS: dict[str, Callable[[], Figure]] = {"curves": two_panels, "polar": diagram, "mechanism": sketch}
+def arc_sketch() -> Figure:
+    return arc_mechanism(ARCS[0], [Fraction(75), 150, 300], "de", ",")
+
+
+def parallel_sketch() -> Figure:
+    return parallel_mechanism([Fraction(75), 150, 300], ",")
+
+
+DRAWINGS: dict[str, Callable[[], Figure]] = {
+    "curves": two_panels,
+    "polar": diagram,
+    "mechanism": sketch,
+    "arc": arc_sketch,
+    "parallel": parallel_sketch,
+}
 
 
 def artist(figure: Figure, name: str) -> Line2D:
@@ -122,7 +151,7 @@ def test_a_drawing_is_the_same_bytes_wherever_and_whenever_it_is_made(tmp_path: 
     with ThreadPoolExecutor() as pool:
         first = pool.submit(hashes, tmp_path / "one", **one)
         second = pool.submit(hashes, tmp_path / "other", **other)
-    assert len(first.result().splitlines()) == 9
+    assert len(first.result().splitlines()) == 15
     assert first.result() == second.result()
 
 
@@ -232,6 +261,46 @@ def test_a_value_that_is_no_number_is_a_gap(bad: float) -> None:
     shown = np.asarray(artist(figure, "curve-1-1").get_ydata(), float)
     assert list(np.flatnonzero(np.isnan(shown))) == [10]
     assert all(map(math.isfinite, figure.axes[0].get_ylim()))
+
+
+LEAP = Curve("$F$", [0.0, 90.0, 180.0, 180.0, 270.0, 360.0, 360.0], [3.0, 2.0, 1.0, -3.0, -2.0, -1.0, 3.0])
+
+
+@drawn
+def test_where_a_value_jumps_the_curve_is_broken_and_a_thin_line_joins_its_ends() -> None:
+    figure = curves([Panel([LEAP], "$F$")], "de", ",")
+    curve, jumps = artist(figure, "curve-1-1"), artist(figure, "jumps-1-1")
+    assert list(np.asarray(curve.get_xdata())) == [0, 90, 180, 180, 180, 270, 360, 360, 360]
+    np.testing.assert_array_equal(
+        np.asarray(curve.get_ydata(), float), [3, 2, 1, math.nan, -3, -2, -1, math.nan, 3]
+    )
+    assert list(np.asarray(jumps.get_xdata())) == [180, 180, 180, 360, 360, 360]
+    np.testing.assert_array_equal(np.asarray(jumps.get_ydata(), float), [1, -3, math.nan, -1, 3, math.nan])
+    assert jumps.get_linewidth() < curve.get_linewidth() / 2
+    assert jumps.get_color() == curve.get_color()
+    assert not two_panels().findobj(lambda one: str(one.get_gid()).startswith("jumps"))
+
+
+@drawn
+@pytest.mark.parametrize("labelled", [True, False])
+def test_a_heading_wider_than_the_panel_is_set_in_rows(labelled: bool) -> None:
+    names = [f"$F_{number}$" if labelled else "" for number in range(5)]
+    crowd = [Curve(name, ANGLES, [value + 3 * n for value in SINES]) for n, name in enumerate(names)]
+    heading = "Kolbenkraft, Führungsdruck, Tangentialkraft, Radialkraft und Kraft am Kurbelzapfen in $10^3$ N"
+    figure = curves([PANEL, Panel(crowd, heading)], "de", ",")
+    figure.canvas.draw()
+    above, axes = figure.axes
+    (title,) = (one for one in texts_of(figure) if one.get_text() == axes.get_title(loc="left"))
+    assert title.get_text().count("\n") == 1
+    assert title.get_text().replace("\n", " ") == text_of(heading, ",")
+    box = title.get_window_extent()
+    assert box.x1 <= figure.bbox.x1
+    tops = [box.y1]
+    if legend := axes.get_legend():
+        tops.append(legend.get_window_extent().y1)
+        assert box.y1 <= legend.get_window_extent().y0 + 1
+    assert (legend is not None) == labelled
+    assert max(tops) <= above.bbox.y0
 
 
 def test_a_panel_without_any_number_is_refused() -> None:
@@ -524,6 +593,55 @@ def test_gaps_in_the_force_stay_gaps() -> None:
     assert "30°" not in texts(figure)
 
 
+LEAPS = Vector(
+    [0.0, 60.0, 120.0, 180.0, 180.0, 240.0, 300.0, 360.0],
+    [0.0, 2.0, 1.5, 0.0, 0.0, 1.5, 1.0, 0.0],
+    [3.0, 1.5, -0.5, -1.0, 4.0, 1.5, -1.0, -2.0],
+)
+
+
+@drawn
+def test_where_the_force_jumps_a_chord_leads_from_end_to_end() -> None:
+    figure = polar(LEAPS, "$X$", "$Y$", "kN", ",")
+    line = artist(figure, "curve")
+    assert list(np.flatnonzero(np.isnan(np.asarray(line.get_ydata(), float)))) == [4]
+    ends = {"chord-1": [-1, 4], "chord-2": [-2, 3]}
+    for name, up in ends.items():
+        chord = artist(figure, name)
+        assert list(np.asarray(chord.get_xdata())) == [0, 0]
+        assert list(np.asarray(chord.get_ydata())) == up
+        assert chord.is_dashed()
+    words = texts(figure)
+    assert [words.count(f"{angle}°") for angle in (0, 30, 150, 180, 210, 360)] == [1, 1, 1, 2, 1, 1]
+
+
+@drawn
+def test_part_of_a_turn_has_no_chord_back_to_its_beginning() -> None:
+    part = Vector(*(component[:4] for component in LEAPS))
+    assert not polar(part, "$X$", "$Y$", "kN", ",").findobj(lambda one: "chord" in str(one.get_gid()))
+
+
+@drawn
+def test_a_force_that_rests_has_no_marks() -> None:
+    idle = Vector([0.0, 90.0, 180.0, 180.0, 360.0], [0, 2, 0, 0, 0], [3, 1, -1, 0, 0])
+    words = texts(polar(idle, "$X$", "$Y$", "kN", ","))
+    assert {"0°", "90°", "180°"} <= set(words)
+    assert not {"210°", "270°", "360°"} & set(words)
+    assert words.count("180°") == 1
+
+
+@drawn
+@pytest.mark.parametrize("name", ["$Z$", "Radial force $Z$ in some very long words"])
+def test_the_scale_of_forces_leaves_the_name_of_the_axis_free(name: str) -> None:
+    figure = polar(Vector(ANGLES, [0.1 * one for one in SINES], COSINES), "$T$", name, "kN", ",", ("", "up"))
+    figure.canvas.draw()
+    (heading,) = (one for one in texts_of(figure) if "Z" in one.get_text())
+    assert heading.get_text().endswith("kN, up")
+    (scale,) = (one for one in texts_of(figure) if one.get_text().endswith("$ kN"))
+    assert not heading.get_window_extent().overlaps(scale.get_window_extent())
+    assert scale.get_window_extent().y1 <= figure.bbox.y1
+
+
 @drawn
 @pytest.mark.parametrize("value", [0.0, math.nan])
 def test_a_force_that_is_nowhere_is_refused(value: float) -> None:
@@ -598,4 +716,95 @@ def test_a_rod_too_long_for_the_page_is_refused(ratio: float, rod: str) -> None:
         mechanism(ratio, 0, [30], "de", ",")
     assert f"the length of the rod is {rod}; drawn to scale it may be at most {LONGEST_ROD} R" in str(
         error.value
+    )
+
+
+# Arc crank and parallel crank ---------------------------------------------------------------------------
+
+
+def ends(figure: Figure, name: str) -> tuple[Point, Point]:
+    line = artist(figure, name)
+    x, y = (np.asarray(side, float).tolist() for side in (line.get_xdata(), line.get_ydata()))
+    return (x[0], y[0]), (x[1], y[1])
+
+
+@drawn
+@pytest.mark.parametrize("crank", ARCS)
+@pytest.mark.parametrize("angle", [0, 37, 90, 180, 201.5, 340])
+def test_crank_rod_and_rocker_are_drawn_true_to_scale(crank: ArcCrank, angle: float) -> None:
+    figure = arc_mechanism(crank, [angle], "en", ".")
+    (shaft, pin), (start, head), (end, pivot) = (ends(figure, name) for name in ("crank", "rod", "rocker"))
+    assert (shaft, start, end) == ((0, 0), pin, head)
+    assert pin == pytest.approx((math.cos(math.radians(angle)), math.sin(math.radians(angle))), abs=1e-12)
+    assert math.dist(pin, head) == pytest.approx(1 / float(crank.crank.ratio), rel=1e-12)
+    assert math.dist(head, pivot) == pytest.approx(float(crank.rocker), rel=1e-12)
+    rod = 1 / crank.crank.ratio
+    height = crank.crank.offset + crank.rocker if crank.height is None else crank.height
+    assert pivot == pytest.approx((float(crank.distance or rod), float(height)))
+    (x0, y0), (x1, y1) = figure.axes[0].transData.transform([(0, 0), (1, 1)])
+    assert x1 - x0 == pytest.approx(y1 - y0, rel=1e-9)
+    path = np.stack((artist(figure, "arc").get_xdata(), artist(figure, "arc").get_ydata()), axis=1)
+    assert np.hypot(*(path - pivot).T) == pytest.approx(float(crank.rocker), rel=1e-12)
+    assert np.hypot(*(path - head).T).min() < 0.05 * float(crank.rocker)
+
+
+@pytest.mark.parametrize("crank", ARCS)
+def test_the_rods_end_stays_on_its_side_of_pin_and_pivot(crank: ArcCrank) -> None:
+    sides = set()
+    for angle in range(0, 360, 5):
+        one = arc_position(crank, angle)
+        pivot = np.asarray((float(crank.distance or 1 / crank.crank.ratio), float(crank.pivot_height)))
+        (x, y), (across, up) = pivot - one.pin, np.asarray(one.head) - one.pin
+        sides.add(x * up - y * across > 0)
+    assert sides == {crank.pivot_height < 0}
+
+
+@pytest.mark.parametrize("crank", ARCS)
+def test_at_the_dead_centres_of_an_arc_crank_rod_and_crank_are_in_line(crank: ArcCrank) -> None:
+    from kurbel.plot_arc import _drive
+
+    drive, rod = _drive(crank), 1 / float(crank.crank.ratio)
+    assert math.hypot(*drive.inner.head) == pytest.approx(rod + 1)
+    assert math.hypot(*drive.outer.head) == pytest.approx(rod - 1)
+
+
+@drawn
+@pytest.mark.parametrize("crank", ARCS)
+def test_nothing_written_of_an_arc_crank_leaves_the_page(crank: ArcCrank) -> None:
+    for angles in ([45], [225], [60, 0, 180, 300]):
+        figure = arc_mechanism(crank, angles, "de", ",")
+        assert {"innerer Totpunkt", "äußerer Totpunkt", "$B$", "$D$"} <= set(texts(figure))
+        assert ("$H$" in texts(figure)) == (crank.pivot_height != 0)
+        boxes = [text.get_window_extent() for text in figure.axes[0].texts]
+        for number, box in enumerate(boxes):
+            assert figure.bbox.x0 <= box.x0 and box.x1 <= figure.bbox.x1, angles
+            assert figure.bbox.y0 <= box.y0 and box.y1 <= figure.bbox.y1, angles
+            assert not any(box.overlaps(other) for other in boxes[:number]), (angles, texts(figure))
+        assert figure.get_figwidth() * 25.4 <= 120.001
+        assert figure.get_figheight() * 25.4 <= 150.001
+
+
+@drawn
+@pytest.mark.parametrize("angle", [0, 37, 90, 180, 201.5, 340])
+def test_the_two_cranks_of_a_parallel_crank_turn_angle_for_angle(angle: float) -> None:
+    figure = parallel_mechanism([angle, 20], ".")
+    (shaft, pin), (other, second), rod = (ends(figure, name) for name in ("crank", "second-crank", "rod"))
+    way = (math.cos(math.radians(angle)), math.sin(math.radians(angle)))
+    assert (shaft, other, rod) == ((0, 0), (SHAFTS, 0), (pin, second))
+    assert pin == pytest.approx(way, abs=1e-12)
+    assert second == pytest.approx((SHAFTS + way[0], way[1]), abs=1e-12)
+    assert texts(figure).count("$R$") == texts(figure).count("$L$") == 2
+    (x0, y0), (x1, y1) = figure.axes[0].transData.transform([(0, 0), (1, 1)])
+    assert x1 - x0 == pytest.approx(y1 - y0, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("ratio", "rocker", "rod"), [((1, 5), 13, "5 R"), ((1, 13), 6, "13 R"), ((0, 1), 6, "infinite")]
+)
+def test_links_too_long_for_the_page_are_refused(ratio: tuple[int, int], rocker: int, rod: str) -> None:
+    with pytest.raises(ProblemError) as error:
+        arc_mechanism(ArcCrank(Crank(Fraction(*ratio)), Fraction(rocker)), [30], "de", ",")
+    assert str(error.value) == (
+        f"the length of the rod is {rod}, that of the rocker {rocker} R; drawn to scale they may be at most"
+        f" {LONGEST_ROD} R, or the crank is too small to be seen"
     )

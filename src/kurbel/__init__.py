@@ -19,6 +19,7 @@ from kurbel.errors import KurbelError
 
 if TYPE_CHECKING:
     from kurbel.balance_library import make_balance_table, make_harmonics_table
+    from kurbel.collate_library import make_collation_table
     from kurbel.engine_library import make_dead_centres_table, make_engine_table
     from kurbel.irregularity import delta
     from kurbel.library import certified, compute, make_table, typeset
@@ -35,6 +36,7 @@ __all__ = [
     "delta",
     "make_arc_table",
     "make_balance_table",
+    "make_collation_table",
     "make_dead_centres_table",
     "make_engine_table",
     "make_harmonics_table",
@@ -48,6 +50,7 @@ __all__ = [
 _MODULES = {
     "delta": "kurbel.irregularity",
     "make_balance_table": "kurbel.balance_library",
+    "make_collation_table": "kurbel.collate_library",
     "make_dead_centres_table": "kurbel.engine_library",
     "make_engine_table": "kurbel.engine_library",
     "make_harmonics_table": "kurbel.balance_library",

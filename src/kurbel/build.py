@@ -17,6 +17,7 @@ from kurbel.table import Note, Records, Table
 if TYPE_CHECKING:
     from kurbel.balance_request import BalanceRequest
     from kurbel.beam_page import BeamRequest
+    from kurbel.collate_page import CollateRequest
     from kurbel.engine_request import EngineRequest
     from kurbel.harmonics_page import HarmonicsRequest
     from kurbel.inertia_page import ErrorsRequest
@@ -50,6 +51,12 @@ def _beam(request: BeamRequest, pages: bool) -> Table:
     from kurbel.beam_page import build_beam
 
     return build_beam(request, pages)
+
+
+def _collation(request: CollateRequest, pages: bool) -> Table:
+    from kurbel.collate_page import build_collation
+
+    return build_collation(request, pages)
 
 
 def _harmonics(request: HarmonicsRequest, pages: bool) -> Table:
@@ -134,6 +141,7 @@ BUILDERS: dict[str, Callable[[Any, bool], Table]] = {
     "flywheel": _engine,
     "dead centres": _beam,
     "harmonics": _harmonics,
+    "collation": _collation,
     "balance": _balance,
     "arc crank": _linkage,
     "parallel crank": _linkage,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -48,10 +48,10 @@ FORMULAS: Mapping[str, Mapping[str, str]] = {
         "c": "$c/v = sin {angle} {±} (λ sin {angle} cos {angle})/(cos ψ)$",
         "p": "$(p R)/v^2 = cos {angle} {±} λ (cos 2 {angle} + λ^2 sin^4 {angle})/(cos^3 ψ)$",
         "S": "$S/F = 1/(cos ψ)$",
-        "N": "$N/F = {ψ}tan ψ$",
-        "T": "$T/F = sin({angle} {±} ψ)/(cos ψ)$",
-        "Z": "$Z/F = cos({angle} {±} ψ)/(cos ψ)$",
-        "M": "$M/(F R) = T/F$",
+        "N": "$N/F = {guide}tan ψ$",
+        "T": "$T/F = sin({angle} {slant} ψ)/(cos ψ)$",
+        "Z": "$Z/F = cos({angle} {slant} ψ)/(cos ψ)$",
+        "M_d": "$M_d/(F R) = T/F$",
     },
     "series": {
         "x": "$x/R = 1 - cos {angle} {±} 1/2 λ sin^2 {angle}$",
@@ -70,12 +70,41 @@ OFFSET_FORMULAS = {
     "x": "$x/R = (cos φ_i - cos {angle}) + (cos ψ_i - cos ψ)/λ$",
     "c": "$c/v = sin {angle} + cos {angle} tan ψ$",
     "p": "$(p R)/v^2 = cos {angle} - sin {angle} tan ψ + λ (cos^2 {angle})/(cos^3 ψ)$",
+    "S": "$S/F = 1/(cos ψ)$",
+    "N": "$N/F = tan ψ$",
+    "T": "$T/F = sin({angle} + ψ)/(cos ψ)$",
+    "Z": "$Z/F = cos({angle} + ψ)/(cos ψ)$",
+    "M_d": "$M_d/(F R) = T/F$",
 }
 SYMBOLS = {
     "exact": "$sin ψ = {ψ}λ sin {angle}$, $λ = {ratio}$",
     "series": "$λ = {ratio}$",
     "infinite": "",
     "offset": "$sin ψ = λ (sin {angle} - e/R)$, $λ = {ratio}$",
+}
+# Of a stroke: what the forces act on, and in which direction they are positive.
+FORCE_SIGNS: Mapping[str, Mapping[str, str]] = {
+    "S": {
+        "de": "$S$ am Kreuzkopf, auf dem Hingang Druck, auf dem Rückgang Zug",
+        "en": "$S$ at the crosshead, thrust on the outstroke, pull on the return",
+    },
+    "N": {
+        "de": "$N$ auf den Kreuzkopf, nach der Seite, auf der in diesem Hub der Kurbelzapfen läuft",
+        "en": "$N$ on the crosshead, towards the side on which the crank pin runs in that stroke",
+    },
+    "T": {"de": "$T$ im Drehsinn", "en": "$T$ as the crank turns"},
+    "Z": {"de": "$Z$ nach der Welle hin", "en": "$Z$ towards the shaft"},
+    "K": {"de": "$K$ Betrag am Kurbelzapfen", "en": "$K$ magnitude at the crank pin"},
+    "B": {"de": "$B$ Betrag am Kreuzkopfzapfen", "en": "$B$ magnitude at the crosshead pin"},
+    "H": {"de": "$H$ Betrag am Hauptlager", "en": "$H$ magnitude at the main bearing"},
+    "H_x": {
+        "de": "$H_x$ auf das Hauptlager, in der Richtung des Hubes",
+        "en": "$H_x$ on the main bearing, in the direction of the stroke",
+    },
+    "H_y": {
+        "de": "$H_y$ auf das Hauptlager, nach der Seite des Kurbelzapfens",
+        "en": "$H_y$ on the main bearing, towards the side of the crank pin",
+    },
 }
 # For columns that the layout's own caption does not know.
 PLAIN_CAPTION = "{quantities}{for_ratio}; {method}"
@@ -110,16 +139,21 @@ WORDS: Mapping[str, Mapping[str, str]] = {
         " $v:c_m = {quotient}$",
         "en": '; {turns}$v = {pin} "m/s"$, mean piston speed $c_m = {mean} "m/s"$, $v:c_m = {quotient}$',
     },
+    "masses": {"de": "Massen: ", "en": "Masses: "},
+    "reciprocating": {"de": "Kolben und Kreuzkopf", "en": "piston and crosshead"},
+    "rotating": {
+        "de": "Kurbel weniger Gegengewicht, am Zapfen",
+        "en": "crank less counterweight, at its pin",
+    },
     "connecting_rod": {
-        "de": "Schubstange: Schwerpunkt $a = {centre} L$ vom Kreuzkopfzapfen, $k = {gyration} L$,"
-        " $k^2 - a b = {couple} L^2${mass}",
-        "en": "Rod: centre of mass $a = {centre} L$ from the crosshead pin, $k = {gyration} L$,"
-        " $k^2 - a b = {couple} L^2${mass}",
+        "de": "Schubstange: Schwerpunkt $a = {centre} {length}$ vom Kreuzkopfzapfen,"
+        " $k = {gyration} {length}$, $k^2 - a b = {couple} {length}^2${mass}",
+        "en": "Rod: centre of mass $a = {centre} {length}$ from the crosshead pin,"
+        " $k = {gyration} {length}$, $k^2 - a b = {couple} {length}^2${mass}",
     },
-    "mirrored": {
-        "de": "bei $360° - φ$ sind $X$ und $P$ dieselben, $N$, $Y$ und $M_d$ entgegengesetzt",
-        "en": "at $360° - φ$ $X$ and $P$ are the same, $N$, $Y$ and $M_d$ opposite",
-    },
+    "mirrored": {"de": "bei $360° - φ$ ", "en": "at $360° - φ$ "},
+    "same": {"de": "{letters} gleich", "en": "{letters} the same"},
+    "opposite": {"de": "{letters} entgegengesetzt", "en": "{letters} opposite"},
     "phi": {"de": "Kurbelwinkel", "en": "Crank angle"},
     "ratio": {"de": "Kurbelverhältnis R:L", "en": "Crank ratio R:L"},
 }
@@ -164,11 +198,23 @@ def notes(request: Request, columns: Sequence[Digits]) -> list[Label]:
         lines.append(WORDS["difference"][request.lang])
     if request.layout.formulas:
         lines += formula_lines(request, columns)
+    lines += _sign_notes(columns, request.lang)
     lines += drive_notes(request.cranks, request.lang)
     lines += dict.fromkeys(force_note(crank.force) for crank in request.cranks if crank.force is not None)
+    for crank in request.cranks[:1]:
+        if crank.moving is not None:
+            lines += moving_notes(crank, request.layout.ratio_symbol, request.lang)
     if request.layout.subject == "inertia":
-        lines += rod_notes(request.cranks, request.lang)
+        shown = {column.quantity.symbol.strip("$") for column in columns}
+        lines += rod_notes(request.cranks, request.lang, shown)
     return lines
+
+
+def _sign_notes(columns: Sequence[Digits], lang: str) -> list[Label]:
+    """Return the line about the directions of the forces shown, if there are any."""
+    shown = dict.fromkeys(column.quantity.symbol.strip("$") for column in columns if column.quantity.is_force)
+    said = [FORCE_SIGNS[letter][lang] for letter in shown if letter in FORCE_SIGNS]
+    return ["; ".join(said)] if said else []
 
 
 def drive_notes(cranks: Sequence[Crank], lang: str) -> list[Label]:
@@ -182,14 +228,44 @@ def force_note(force: Fraction) -> Label:
     return f'$F = {_plain(force)} "N"$'
 
 
-def rod_notes(cranks: Sequence[Crank], lang: str) -> Iterator[Label]:
-    """Yield the lines about the connecting rods, and the symmetry where cranks are straight."""
+def rod_notes(cranks: Sequence[Crank], lang: str, shown: Collection[str]) -> Iterator[Label]:
+    """Yield the lines about the connecting rods, and where cranks are straight the symmetry of the letters
+    shown."""
     yield from dict.fromkeys(connecting_rod(crank.rod, lang) for crank in cranks if crank.rod is not None)
-    if not any(crank.offset for crank in cranks):
-        yield WORDS["mirrored"][lang]
+    if any(crank.offset for crank in cranks):
+        return
+    said = [
+        WORDS[key][lang].format(letters=enumerated_letters([one for one in letters if one in shown], lang))
+        for key, letters in (("same", ("X", "P")), ("opposite", ("N", "Y", "M_d")))
+        if set(letters) & set(shown)
+    ]
+    if said:
+        yield WORDS["mirrored"][lang] + ", ".join(said)
 
 
-def connecting_rod(rod: Rod, lang: str) -> Label:
+def enumerated_letters(letters: Sequence[str], lang: str) -> Label:
+    """Return "$X$ and $P$"."""
+    *others, last = (f"${letter}$" for letter in letters)
+    return ", ".join(others) + WORDS["and"][lang] + last if others else last
+
+
+def moving_notes(crank: Crank, ratio_symbol: str, lang: str) -> Iterator[Label]:
+    """Yield the lines about the moving masses, with the size and the speed that make forces of them."""
+    moving, speed, radius = crank.moving, crank.speed, ratio_symbol[0]
+    assert moving is not None
+    assert speed is not None
+    assert crank.radius is not None
+    said = {"reciprocating": moving.reciprocating, "rotating": moving.rotating}
+    parts = [f'{WORDS[key][lang]} ${_plain(mass)} "kg"$' for key, mass in said.items() if mass]
+    value = _plain(60 * speed.value if speed.turns else speed.value)
+    turns = f'n = {value} "min"^(-1)' if speed.turns else f'ω = {value} "rad/s"'
+    parts += [f'${radius} = {_plain(1000 * crank.radius)} "mm"$', f"${turns}$"]
+    yield WORDS["masses"][lang] + ", ".join(parts)
+    if moving.rod is not None:
+        yield connecting_rod(moving.rod, lang, ratio_symbol[-1])
+
+
+def connecting_rod(rod: Rod, lang: str, length: str = "L") -> Label:
     """Return the line about a rod: where its masses are, and its mass if that is known."""
     from kurbel.kernel.circle import root
 
@@ -197,11 +273,20 @@ def connecting_rod(rod: Rod, lang: str) -> Label:
         return root(numbers.of(rod.gyration_square))
 
     return WORDS["connecting_rod"][lang].format(
+        length=length,
         centre=_plain(1 - rod.centre),
-        gyration=_certified(gyration, 4, algebraic=True),
+        gyration=_root(rod.gyration_square) or _certified(gyration, 4, algebraic=True),
         couple=_plain(rod.couple),
         mass=f', $M = {_plain(rod.mass)} "kg"$' if rod.mass is not None else "",
     )
+
+
+def _root(square: Fraction) -> str:
+    """The square root of a fraction that has a short one, else nothing."""
+    from math import isqrt
+
+    root = Fraction(isqrt(square.numerator), isqrt(square.denominator))
+    return _plain(root) if root * root == square and finite_decimals(root) is not None else ""
 
 
 def axis_fields(request: Request, decimals: int | None) -> dict[str, Field]:
@@ -231,6 +316,11 @@ def formula_lines(request: Formulated, columns: Sequence[Digits]) -> Iterator[La
     """Yield the formulas of the columns, each once, and what their signs mean."""
     finite = [crank for crank in request.cranks if crank.ratio]
     offset = any(crank.offset for crank in finite)
+    if any(crank.moving for crank in request.cranks):
+        # What the masses add has no formula that a line holds.
+        columns = [column for column in columns if column.quantity.loaded is None]
+    if not columns:
+        return
     strokes = {column.quantity.stroke for column in columns}
     sign = "±" if len(strokes) > 1 else "+" if strokes == {OUT} else "-"
     pairs = dict.fromkeys(
@@ -253,7 +343,7 @@ def formula_lines(request: Formulated, columns: Sequence[Digits]) -> Iterator[La
 
 
 def _has_signs(formula: str) -> bool:
-    return "{±}" in formula or "{ψ}" in formula
+    return any(place in formula for place in ("{±}", "{ψ}", "{guide}", "{slant}"))
 
 
 def _methods_of(method: str) -> tuple[str, ...]:
@@ -261,9 +351,13 @@ def _methods_of(method: str) -> tuple[str, ...]:
 
 
 def _filled(line: str, request: Formulated, sign: str, rod_angle: bool) -> Label:
+    # A rod angle with a sign of its own needs none in the formulas that have it.
+    signed = f"{sign} " if sign != "+" else ""
     parts = {
         "{±}": sign,
-        "{ψ}": f"{sign} " if rod_angle and sign != "+" else "",
+        "{ψ}": signed if rod_angle else "",
+        "{guide}": "" if rod_angle else signed,
+        "{slant}": "+" if rod_angle else sign,
         "{angle}": request.layout.angle_symbol,
         "{ratio}": request.layout.ratio_symbol.replace(":", "/"),
     }

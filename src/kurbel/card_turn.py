@@ -164,9 +164,8 @@ class CardTurn:
 
     def radius(self) -> float:
         """The crank radius in metres."""
-        assert self.engine.load is not None
-        assert self.engine.load.radius is not None
-        return float(self.engine.load.radius)
+        assert self.engine.crank.radius is not None
+        return float(self.engine.crank.radius)
 
     def _excesses(self, places: Any) -> Any:
         """The excess at an array of half turns."""
@@ -186,6 +185,15 @@ class CardTurn:
         net = self.strokes[stroke].force(self.motion.path(at, ratio) / 2)
         sign = (RETURN if stroke else OUT) if force.framed else 1
         return float(force.of(at, ratio, self.weights, net)) * sign
+
+    def crank_force_error(self, force: CrankForce, half_turns: Fraction) -> float:
+        """How far such a force may be off, in Q: as far as the net pressure there, by the rod's slant."""
+        stroke, angle = next(self._cranks(half_turns))
+        at, ratio = circle(180.0 * angle), float(self.engine.crank.ratio) * (RETURN if stroke else OUT)
+        share = self.motion.path(at, ratio) / 2
+        own = self.strokes[stroke].force(share)
+        apart = max(abs(float(own - half.strokes[stroke].force(share))) for half in self.coarser)
+        return max(apart, self.force_apart) * abs(float(force.bare(at, ratio, None)))
 
     def energy_at(self, half_turns: Fraction | float) -> float:
         """The excess work W/(Q R) since the first crank's inner dead centre."""

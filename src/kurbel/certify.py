@@ -88,8 +88,10 @@ def rounded(value: Callable[[], arb], decimals: int, rounding: str, tie_bits: Ti
             if nearest is not None and (rounding == "half-away" or not raised.contains_integer()):
                 return _signed(int(nearest), scaled)
             odd = (2 * abs(scaled) + flint.arb(0.5)).floor().unique_fmpz()
-            if odd is None:
+            if odd is None and precision <= MOST_TIE_BITS:
                 continue
+            if odd is None:
+                raise ProblemError("a value is not settled: it grows beyond all bounds")
             bits = bits_of(Fraction(int(odd), 2 * unit))
             if precision > (MOST_BITS if bits == inf else MOST_TIE_BITS):
                 raise ProblemError(
@@ -100,6 +102,28 @@ def rounded(value: Callable[[], arb], decimals: int, rounding: str, tie_bits: Ti
                 return _signed(_half(int(odd), rounding), scaled)
     finally:
         flint.ctx.prec = before
+
+
+def vanishes(value: Callable[[], arb], bits: float) -> bool:
+    """Return whether a value that is zero, or at least 2**-bits in magnitude, is zero for certain.
+
+    A value that is not told from zero within MOST_TIE_BITS is not taken for it.
+    """
+    before, precision = flint.ctx.prec, GUARD_BITS
+    try:
+        while precision < MOST_TIE_BITS:
+            precision *= 2
+            flint.ctx.prec = precision
+            near = value()
+            if not near.contains(0):
+                return False
+            if near == 0 or (precision > bits and abs(near).upper() < flint.arb(2) ** -int(bits + 1)):
+                return True
+            if bits >= MOST_TIE_BITS:
+                return False
+    finally:
+        flint.ctx.prec = before
+    return False
 
 
 def _never(boundary: Fraction) -> float:

@@ -29,74 +29,54 @@ class Weights(NamedTuple):
 
 
 class CrankForce(NamedTuple):
-    """A force of the crank drive: `bare` without masses, in the piston force, of circle and ratio; `loaded`
-    of circle, ratio, weights and piston force.
+    """A force of the crank drive: `bare` without masses, in the piston force, of circle, ratio and e/R or
+    None; `loaded` of circle, ratio, weights, e/R or None and piston force.
 
     `framed` forces have a direction in the frame of the outstroke: away from its dead centre and towards the
     side of the crank pin. On the return stroke that is the other way round than along the stroke. Of a
     `magnitude` the direction is not said.
     """
 
-    bare: Callable[[Any, Any], Any]
-    loaded: Callable[[Any, Any, Weights, Any], Any]
+    bare: Callable[[Any, Any, Any], Any]
+    loaded: Callable[[Any, Any, Weights, Any, Any], Any]
     framed: bool = False
     magnitude: bool = False
 
     def of(self, circle: Any, ratio: Any, weights: Weights | None, net: Any) -> Any:
-        """Return the force that a net pressure on the piston calls up, in the frame of the stroke."""
+        """Return the force that a net pressure on the piston calls up in a straight crank drive."""
         if weights is not None:
-            return self.loaded(circle, ratio, weights, net)
-        force = net * self.bare(circle, ratio)
+            return self.loaded(circle, ratio, weights, None, net)
+        force = net * self.bare(circle, ratio, None)
         return abs(force) if self.magnitude else force
 
 
+def _at_crosshead(formula: Callable[..., Any]) -> Callable[..., Any]:
+    return lambda circle, ratio, one, e, net: formula(circle, ratio, one.masses, one.reciprocating, e, net)
+
+
+def _of_rod(formula: Callable[..., Any]) -> Callable[..., Any]:
+    return lambda circle, ratio, one, e, net: formula(circle, ratio, one.masses, e, net)
+
+
+def _on_shaft(formula: Callable[..., Any], sign: int = 1) -> Callable[..., Any]:
+    return lambda circle, ratio, one, e, net: sign * formula(circle, ratio, one.on_shaft, e, net)
+
+
+def _unit(circle: Any, ratio: Any, offset: Any) -> Any:
+    return 1
+
+
 CRANK_FORCES: Mapping[str, CrankForce] = {
-    "piston_force": CrankForce(lambda circle, ratio: 1, lambda circle, ratio, one, net: net, framed=True),
-    "rod_force": CrankForce(
-        forces.rod_force,
-        lambda circle, ratio, one, net: rod.rod_force(
-            circle, ratio, one.masses, one.reciprocating, None, net
-        ),
-        framed=True,
-    ),
-    "guide_force": CrankForce(
-        forces.guide_force,
-        lambda circle, ratio, one, net: rod.guide_force(circle, ratio, one.masses, None, net),
-        framed=True,
-    ),
+    "piston_force": CrankForce(_unit, lambda circle, ratio, one, e, net: net, framed=True),
+    "rod_force": CrankForce(forces.rod_force, _at_crosshead(rod.rod_force), framed=True),
+    "guide_force": CrankForce(forces.guide_force, _of_rod(rod.guide_force), framed=True),
     "crosshead_pin_force": CrankForce(
-        forces.rod_force,
-        lambda circle, ratio, one, net: rod.crosshead_pin_force(
-            circle, ratio, one.masses, one.reciprocating, None, net
-        ),
-        magnitude=True,
+        forces.rod_force, _at_crosshead(rod.crosshead_pin_force), magnitude=True
     ),
-    "crank_pin_force": CrankForce(
-        forces.rod_force,
-        lambda circle, ratio, one, net: rod.pin_force(circle, ratio, one.masses, None, net),
-        magnitude=True,
-    ),
-    "crank_force": CrankForce(
-        forces.tangential_force,
-        lambda circle, ratio, one, net: rod.torque(circle, ratio, one.masses, None, net),
-    ),
-    "radial_force": CrankForce(
-        forces.radial_force,
-        lambda circle, ratio, one, net: rod.radial_force(circle, ratio, one.masses, None, net),
-    ),
-    "bearing_force": CrankForce(
-        forces.rod_force,
-        lambda circle, ratio, one, net: rod.pin_force(circle, ratio, one.on_shaft, None, net),
-        magnitude=True,
-    ),
-    "bearing_along": CrankForce(
-        lambda circle, ratio: 1,
-        lambda circle, ratio, one, net: rod.pin_force_along(circle, ratio, one.on_shaft, None, net),
-        framed=True,
-    ),
-    "bearing_across": CrankForce(
-        forces.guide_force,
-        lambda circle, ratio, one, net: 0 - rod.pin_force_across(circle, ratio, one.on_shaft, None, net),
-        framed=True,
-    ),
+    "crank_pin_force": CrankForce(forces.rod_force, _of_rod(rod.pin_force), magnitude=True),
+    "tangential_force": CrankForce(forces.tangential_force, _of_rod(rod.torque)),
+    "radial_force": CrankForce(forces.radial_force, _of_rod(rod.radial_force)),
+    "bearing_along": CrankForce(_unit, _on_shaft(rod.pin_force_along), framed=True),
+    "bearing_across": CrankForce(forces.guide_force, _on_shaft(rod.pin_force_across, -1), framed=True),
+    "bearing_force": CrankForce(forces.rod_force, _on_shaft(rod.pin_force), magnitude=True),
 }

@@ -51,6 +51,15 @@ def read_head(line: str, names: Sequence[str]) -> tuple[Head, list[str]]:
     return Head(tuple(columns), delimiter, len(fields)), [field.strip() for field in fields]
 
 
+def whole_head(line: str) -> Head:
+    """Return all columns of a line of heads, by their heads as they stand."""
+    split = {delimiter: _fields(line, delimiter, strict=False) for delimiter in _DELIMITERS}
+    delimiter = max(split, key=lambda one: len(split[one]))
+    fields = [field.strip() for field in _fields(line, delimiter)]
+    columns = tuple(Column(field, index, "") for index, field in enumerate(fields))
+    return Head(columns, delimiter, len(fields))
+
+
 def _columns(fields: Sequence[str], names: Collection[str]) -> list[Column]:
     found = [(index, *name_and_unit(field)) for index, field in enumerate(fields)]
     return [Column(name, index, unit) for index, name, unit in found if name in names]

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.notation import Progression
 from kurbel.problem import Crank
-from kurbel.quantities import Numbers, Quantity, certified, value
+from kurbel.quantities import Numbers, Quantity, certified, greatest_load, value
 
 if TYPE_CHECKING:
     import numpy as np
@@ -75,6 +75,9 @@ def float_bound(column: Digits, crank: Crank, largest_angle: float) -> float:
     in_radians = max(largest_angle, 360.0) / 57
     degrees = 60.0 if column.quantity.arc else 1.0
     scale = abs(float(column.quantity.scale(crank, _floats())))
+    if column.quantity.loaded is not None and crank.moving is not None:
+        # A force is a sum of few products of these with powers of 1/cos ψ.
+        scale *= 8 * float(greatest_load(crank))
     return float((16 + 4 * in_radians) * unit * growth * degrees * scale)
 
 

@@ -10,14 +10,12 @@ from typing import TYPE_CHECKING, Any
 
 from kurbel.crank_forces import Weights
 from kurbel.errors import ProblemError
-from kurbel.kernel.rod import Masses, joined
 from kurbel.kernel.steam import Expansion, best_back, net_work
 from kurbel.notation import about, plain
-from kurbel.problem import Crank, Speed
+from kurbel.problem import Crank
 
 if TYPE_CHECKING:
     from kurbel.card import Card
-    from kurbel.rod import Rod
 
 LARGEST_EXPANSION = 10**6
 LARGEST_EXPONENT = 10
@@ -27,7 +25,6 @@ LEAST_CURVE = Fraction(1, 10**6)
 # Nearer to 1 the piston of the exact motion stands still but for an instant.
 LARGEST_RATIO = 1 - Fraction(1, 10**12)
 MOST_CRANKS = 24
-HEAVIEST = 10**9
 HIGHEST = 10**12
 # Below this share of Q no mean force drives anything, and δ, counted in it, grows beyond all bounds.
 LEAST_WORK = 1e-9
@@ -117,61 +114,20 @@ class Diagram:
 
 @dataclass(frozen=True, slots=True)
 class Load:
-    """What makes newtons of Q, and newton metres of Q R: bore and crank radius in metres, and the steam
-    pressure before cut-off in pascals. An indicator card has its pressures itself.
+    """What makes newtons of Q: the bore in metres and the steam pressure before cut-off in pascals. An
+    indicator card has its pressures itself.
     """
 
     bore: Fraction
     pressure: Fraction | None = None
-    radius: Fraction | None = None
 
     def __post_init__(self) -> None:
-        if min(self.bore, 1 if self.radius is None else self.radius) <= 0:
-            raise ProblemError("bore and crank radius must be above 0 to make newtons of the steam")
+        if self.bore <= 0:
+            raise ProblemError(f"the bore is {about(self.bore)} m; it must be above 0")
         if self.pressure is not None and not 0 < self.pressure <= HIGHEST:
             raise ProblemError(
                 f"the pressure is {about(self.pressure)} Pa; it must be above 0 and at most 10^12 Pa"
             )
-
-
-@dataclass(frozen=True, slots=True)
-class Inertia:
-    """The moving masses of each cylinder in kg and the speed: piston and crosshead, the rod, and `rotating`,
-    the crank's own at its pin, which is negative where a counterweight outweighs it.
-    """
-
-    reciprocating: Fraction
-    speed: Speed
-    rod: Rod | None = None
-    rotating: Fraction = Fraction(0)
-
-    def __post_init__(self) -> None:
-        if not 0 <= self.reciprocating <= HEAVIEST:
-            raise ProblemError(
-                f"the reciprocating mass is {about(self.reciprocating)} kg; it must lie within 0..10^9 kg"
-            )
-        if self.rod is not None and self.rod.mass is None:
-            raise ProblemError("the rod's masses are shares; add its mass in kg, --rod-mass")
-        if abs(self.rotating) > HEAVIEST:
-            raise ProblemError(
-                f"the rotating mass is {about(self.rotating)} kg; it must lie within -10^9..10^9 kg"
-            )
-
-    @property
-    def joined(self) -> Masses[Fraction]:
-        """The masses of rod and reciprocating parts, in kg."""
-        if self.rod is None:
-            return Masses(Fraction(0), self.reciprocating, Fraction(0))
-        return joined(self.rod.masses("exact", Fraction), self.rod.mass, self.reciprocating)
-
-    def weights(self, of: Callable[[Fraction], Any], factor: Any) -> Weights:
-        """Return the masses times a factor, in a kind of number."""
-        masses = Masses(*(of(Fraction(part)) * factor for part in self.joined))
-        return Weights(masses, of(self.reciprocating) * factor, of(self.rotating) * factor)
-
-    def scale(self, radius: Fraction) -> Fraction:
-        """Return R ω² in m/s², without the factor (2π)² where the speed counts turns."""
-        return radius * self.speed.value**2
 
 
 @dataclass(frozen=True, slots=True)
@@ -186,7 +142,6 @@ class Engine:
     steam: Steam | Diagram
     double: bool = True
     cranks: tuple[Fraction, ...] = (Fraction(0),)
-    inertia: Inertia | None = None
     load: Load | None = None
 
     def __post_init__(self) -> None:
@@ -212,25 +167,26 @@ class Engine:
 
     def weights(self, of: Callable[[Fraction], Any], pi: Any, pressure: Fraction) -> Weights | None:
         """Return the masses in units of Q/(R ω²), in a kind of number, where Q is of this pressure in Pa."""
-        if self.inertia is None:
+        crank = self.crank
+        if crank.moving is None:
             return None
         assert self.load is not None
-        assert self.load.radius is not None
+        assert crank.radius is not None
+        assert crank.speed is not None
         # Q = π/4 d² p; ω has the factor 2π where it counts turns.
-        scale = 4 * self.inertia.scale(self.load.radius) / (self.load.bore**2 * pressure)
-        factor = of(4 * scale) * pi if self.inertia.speed.turns else of(scale) / pi
-        return self.inertia.weights(of, factor)
+        scale = 4 * crank.radius * crank.speed.value**2 / (self.load.bore**2 * pressure)
+        return crank.moving.weights(of, of(4 * scale) * pi if crank.speed.turns else of(scale) / pi)
 
     def _check_load(self) -> None:
         if self.load is None:
-            if self.inertia is not None:
-                raise ProblemError("masses need bore and crank radius to be weighed against the steam")
+            if self.crank.moving is not None:
+                raise ProblemError(
+                    "masses need the bore to be weighed against the steam; add it, for example --bore 300mm"
+                )
         elif self.carded and self.load.pressure is not None:
             raise ProblemError("the indicator card has its own pressures; leave the steam pressure out")
         elif not self.carded and self.load.pressure is None:
             raise ProblemError("the bore makes newtons of the steam only with its pressure; add that")
-        elif self.inertia is not None and self.load.radius is None:
-            raise ProblemError("masses need the crank radius to be weighed against the steam; add the stroke")
 
     @property
     def carded(self) -> bool:

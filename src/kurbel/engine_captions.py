@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from kurbel.captions import WORDS as MOTION_WORDS
-from kurbel.captions import connecting_rod
+from kurbel.captions import enumerated_letters, moving_notes
 from kurbel.crank_forces import CRANK_FORCES
-from kurbel.engine import Engine, Inertia, Load, Steam
+from kurbel.engine import Engine, Load, Steam
 from kurbel.engine_axes import CARD, expansion_label
 from kurbel.engine_quantities import EngineQuantity, engine_registry
 from kurbel.engine_request import ENGINE_METHODS, OVER_ANGLE, EngineColumn, EngineRequest
@@ -47,13 +47,25 @@ WORDS: Mapping[str, Words] = {
         "en": "{letters} positive in the direction of the outstroke and towards the side on which the"
         " crank pin then runs",
     },
-    "crank_force": {"de": "$T$ in der Drehrichtung", "en": "$T$ as the crank turns"},
+    "guide_force": {"de": "$N$ auf den Kreuzkopf", "en": "$N$ on the crosshead"},
+    "rod_force": {
+        "de": "$S$ am Kreuzkopf, positiv als Druck",
+        "en": "$S$ at the crosshead, positive as thrust",
+    },
+    "crosshead_pin_force": {
+        "de": "$B$ Betrag am Kreuzkopfzapfen",
+        "en": "$B$ magnitude at the crosshead pin",
+    },
+    "crank_pin_force": {"de": "$K$ Betrag am Kurbelzapfen", "en": "$K$ magnitude at the crank pin"},
+    "tangential_force": {"de": "$T$ in der Drehrichtung", "en": "$T$ as the crank turns"},
     "radial_force": {"de": "$Z$ nach der Welle hin", "en": "$Z$ towards the shaft"},
     "bearing": {
-        "de": "$H$ Druck dieser Kurbel allein auf das Hauptlager",
-        "en": "$H$ pressure of this crank alone on the main bearing",
+        "de": "$H$ auf das Hauptlager, von dieser Kurbel allein",
+        "en": "$H$ on the main bearing, of this crank alone",
     },
-    "first_crank": {"de": "erste Kurbel", "en": "first crank"},
+    "torque_nm": {"de": "$M_d$ an der Welle", "en": "$M_d$ on the shaft"},
+    "all_cranks": {"de": "$M_d$ an der Welle, von allen Kurbeln", "en": "$M_d$ on the shaft, of all cranks"},
+    "first_crank": {"de": "die übrigen der ersten Kurbel", "en": "the others of the first crank"},
     "massless": {"de": "ohne Massen", "en": "without masses"},
     "load": {
         "de": '$Q = π/4 d^2 p$, $d = {bore} "mm"$, $p = {pressure} "kPa"$',
@@ -105,9 +117,6 @@ WORDS: Mapping[str, Words] = {
     },
     "errors": {"de": "geschätzter Fehler", "en": "estimated error"},
     "less": {"de": ", Unterschied", "en": ", difference"},
-    "masses": {"de": "mit den Massen: ", "en": "with the masses: "},
-    "reciprocating": {"de": "Kolben und Kreuzkopf", "en": "piston and crosshead"},
-    "rotating": {"de": "Kurbel am Zapfen", "en": "crank at its pin"},
     "difference": {
         "de": "Unterschied: genauer Wert weniger Näherung, vor dem Runden gebildet.",
         "en": "Difference: exact value less approximation, taken before rounding.",
@@ -191,17 +200,16 @@ def notes(request: EngineRequest) -> Iterator[Label]:
     shown = {column.quantity.key.removesuffix("_n") for column in request.page_columns}
     if "energy" in shown:
         yield WORDS["energy"][lang]
-    if "torque_nm" in shown:
-        shown.add("crank_force")
-    if shown & set(CRANK_FORCES):
+    shown |= {"torque_nm"} & {column.quantity.key for column in request.page_columns}
+    if shown & {*CRANK_FORCES, "torque_nm"}:
         yield "; ".join(_signs(request, shown))
-    if request.load is not None and (request.inertia or _newtons(request)):
+    if request.load is not None and (request.first.crank.moving or _newtons(request)):
         yield _load(request.load, lang)
     if any(column.methods == ("weisbach",) for column in request.page_columns):
         yield WORDS["weisbach"][lang]
     yield "; ".join(_engine(request, lang))
-    if request.inertia is not None and request.inertia.rod is not None:
-        yield connecting_rod(request.inertia.rod, lang)
+    if request.first.crank.moving is not None:
+        yield from moving_notes(request.first.crank, request.layout.ratio_symbol, lang)
 
 
 def _newtons(request: EngineRequest) -> bool:
@@ -211,17 +219,21 @@ def _newtons(request: EngineRequest) -> bool:
 def _signs(request: EngineRequest, shown: set[str]) -> Iterator[Label]:
     """The directions of the forces shown, and whose they are."""
     lang, registry = request.lang, engine_registry()
-    letters = [registry[key].symbol for key, force in CRANK_FORCES.items() if force.framed and key in shown]
+    # S is a thrust or a pull, which a direction in the frame does not say.
+    framed = [key for key, force in CRANK_FORCES.items() if force.framed and key != "rod_force"]
+    letters = [registry[key].symbol.strip("$") for key in framed if key in shown]
     if letters:
-        *others, last = letters
-        joined = ", ".join(others) + WORDS["and"][lang] + last if others else last
-        yield WORDS["framed"][lang].format(letters=joined)
-    yield from (WORDS[key][lang] for key in ("crank_force", "radial_force") if key in shown)
+        yield WORDS["framed"][lang].format(letters=enumerated_letters(letters, lang))
+    words = ("guide_force", "rod_force", "crosshead_pin_force", "crank_pin_force", "tangential_force")
+    yield from (WORDS[key][lang] for key in (*words, "radial_force") if key in shown)
     if any(key.startswith("bearing") for key in shown):
         yield WORDS["bearing"][lang]
-    if len(request.cranks) > 1:
+    several = len(request.cranks) > 1
+    if "torque_nm" in shown:
+        yield WORDS["all_cranks" if several else "torque_nm"][lang]
+    if several:
         yield WORDS["first_crank"][lang]
-    if request.inertia is None:
+    if request.first.crank.moving is None:
         yield WORDS["massless"][lang]
 
 
@@ -238,19 +250,6 @@ def _engine(request: EngineRequest, lang: str) -> Iterator[Label]:
     else:
         yield from _steam(request, lang)
     yield from _cranks(request.first, lang)
-    if request.inertia is not None:
-        assert request.load is not None
-        yield _masses(request.inertia, request.load, lang)
-
-
-def _masses(inertia: Inertia, load: Load, lang: str) -> Label:
-    said = {"reciprocating": inertia.reciprocating, "rotating": inertia.rotating}
-    parts = [f'{WORDS[key][lang]} ${plain(mass)} "kg"$' for key, mass in said.items() if mass]
-    speed = inertia.speed.value
-    turns = f'n = {plain(60 * speed)} "min"^(-1)' if inertia.speed.turns else f'ω = {plain(speed)} "rad/s"'
-    assert load.radius is not None
-    parts += [f'$r = {plain(1000 * load.radius)} "mm"$', f"${turns}$"]
-    return WORDS["masses"][lang] + ", ".join(parts)
 
 
 def _steam(request: EngineRequest, lang: str) -> Iterator[Label]:

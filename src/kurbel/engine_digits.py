@@ -8,6 +8,7 @@ from math import ceil, floor, log10
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.certify import NEVER_TIES, TieBits, rounded
+from kurbel.crank_forces import CRANK_FORCES
 from kurbel.engine_quantities import AT_ANGLE, SCALES, EngineQuantity, Where
 from kurbel.engine_request import EngineColumn
 from kurbel.engine_ties import TIES
@@ -76,6 +77,10 @@ def estimate(column: EngineColumn, turns: Sequence[CardTurn], where: Where, unit
     if quantity.arc:
         errors = (turn.place_error(bool(quantity.greatest), where.stroke) for turn in turns)
         return Estimate(best, unit * 180 * sum(errors))
+    if quantity.scope == "crank":
+        key = quantity.key.removesuffix("_n")
+        of_force = sum(turn.crank_force_error(CRANK_FORCES[key], where.half_turns) for turn in turns)
+        return Estimate(best, unit * _newtons(quantity, turns[0]) * of_force + FLOAT_ERROR * (abs(best) + 1))
     coarser = [value(versions) for versions in zip(*(turn.coarser for turn in turns), strict=True)]
     # A difference may vanish by chance: what the work allows and what it shows, whichever is more.
     shown = max(abs(best - other) for other in coarser)
@@ -117,8 +122,11 @@ def _sensitivity(quantity: EngineQuantity, turn: CardTurn, value: float) -> floa
     irregularity = (4 + 0.64 * turn.irregularity()) * work / 2 / turn.mean_force()
     if quantity.scope == "flywheel":
         return irregularity / turn.irregularity() * value if quantity.key in SWINGS else 0.0
-    scale = SCALES[str(quantity.unit)](turn) if quantity.needs in ("load", "torque") else 1.0
-    return {"delta": irregularity, "mean_force": work}.get(quantity.key, 2 * work * scale)
+    return {"delta": irregularity, "mean_force": work}.get(quantity.key, 2 * work * _newtons(quantity, turn))
+
+
+def _newtons(quantity: EngineQuantity, turn: CardTurn) -> float:
+    return float(SCALES[str(quantity.unit)](turn)) if quantity.needs in ("load", "torque") else 1.0
 
 
 def _to_place(value: Fraction, decimals: int, rounding: str) -> Number | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from os import PathLike
 from typing import TYPE_CHECKING
@@ -17,9 +18,9 @@ from kurbel.problem import Crank, Speed
 from kurbel.table import Table
 
 if TYPE_CHECKING:
-    from kurbel.engine import Diagram, Inertia, Load
+    from kurbel.engine import Diagram, Load
     from kurbel.flywheel import Flywheel
-    from kurbel.rod import Rod
+    from kurbel.moving import Moving
 
 ENGINE_SUBJECTS = ("irregularity", "strokes", *OVER_ANGLE, "flywheel")
 
@@ -89,12 +90,14 @@ def make_engine_table(
             Steam(expansion, None if back is None else as_share(back), *inside)
             for expansion in read_values(given, _expansion_ratios, as_fraction)
         ]
-    size = _optional(stroke)
-    drives = [
-        Crank(ratio, radius=None if size is None else size / 2)
-        for ratio in read_values(page.ratios if ratios is None else ratios, notation.ratios, as_ratio)
-    ]
-    rod = (centre, gyration, rod_file, rod_mass)
+    drives = _drives(
+        [*read_values(page.ratios if ratios is None else ratios, notation.ratios, as_ratio)],
+        _optional(stroke),
+        speed,
+        (reciprocating, rotating, centre, gyration, rod_file, rod_mass),
+    )
+    heavy = any(drive.moving is not None for drive in drives)
+    wheels = _flywheels(power, speed, irregularities, radius, heavy) if page.subject == "flywheel" else ()
     shifts = notation.crank_angles(cranks) if isinstance(cranks, str) else read_each(cranks, as_angle)
     return build(
         EngineRequest(
@@ -105,9 +108,8 @@ def make_engine_table(
             cranks=shifts,
             methods=(methods,) if isinstance(methods, str) else tuple(methods),
             angles=read_values((page.angles or "0") if angles is None else angles, notation.angles, as_angle),
-            flywheels=_flywheels(power, speed, irregularities, radius) if page.subject == "flywheel" else (),
-            load=_load(bore, pressure, size),
-            inertia=_inertia(drives, speed, reciprocating, rotating, rod),
+            flywheels=wheels if page.subject == "flywheel" else (),
+            load=None if bore is None else _load(bore, pressure),
             digits=digits,
             rounding=rounding,
             lang=choose(lang, LANGUAGES, "language"),
@@ -117,48 +119,40 @@ def make_engine_table(
     )
 
 
-def _load(bore: Exact | None, pressure: Exact | None, stroke: Fraction | None) -> Load | None:
+def _load(bore: Exact, pressure: Exact | None) -> Load:
     from kurbel.engine import Load
 
-    if bore is None:
-        return None
-    return Load(as_fraction(bore), _optional(pressure), None if stroke is None else stroke / 2)
+    return Load(as_fraction(bore), _optional(pressure))
 
 
-def _inertia(
-    drives: Sequence[Crank],
-    speed: Exact | None,
-    reciprocating: Exact | None,
-    rotating: Exact | None,
-    rod: tuple[Exact | None, Exact | None, str | PathLike[str] | None, Exact | None],
-) -> Inertia | None:
-    from kurbel.engine import Inertia
-
-    rodded = any(one is not None for one in rod)
-    if reciprocating is None and rotating is None and not rodded:
-        return None
-    if speed is None:
-        raise ProblemError("masses need the speed, in turns per second, to become forces")
-    return Inertia(
-        Fraction(0) if reciprocating is None else as_fraction(reciprocating),
-        Speed(as_fraction(speed)),
-        _rod(drives, *rod) if rodded else None,
-        Fraction(0) if rotating is None else as_fraction(rotating),
-    )
+# Reciprocating and rotating mass; the rod's centre, gyration, file and mass.
+Masses = tuple[
+    Exact | None, Exact | None, Exact | None, Exact | None, str | PathLike[str] | None, Exact | None
+]
 
 
-def _rod(
-    drives: Sequence[Crank],
-    centre: Exact | None,
-    gyration: Exact | None,
-    file: str | PathLike[str] | None,
-    mass: Exact | None,
-) -> Rod:
+def _drives(
+    ratios: Sequence[Fraction], stroke: Fraction | None, speed: Exact | None, masses: Masses
+) -> list[Crank]:
+    drives = [Crank(ratio, radius=None if stroke is None else stroke / 2) for ratio in ratios]
+    if all(one is None for one in masses):
+        return drives
+    turns = None if speed is None else Speed(as_fraction(speed))
+    # One rod for all ratios has a length of its own only if there is one ratio.
+    moving = _moving(masses, drives[0].rod_length if len(drives) == 1 else None)
+    return [replace(drive, speed=turns, moving=moving) for drive in drives]
+
+
+def _moving(masses: Masses, length: Fraction | None) -> Moving:
+    from kurbel.moving import Moving
     from kurbel.rod_given import given_rod
 
-    shares = [None if one is None else as_share(one) for one in (centre, gyration)]
-    length = drives[0].rod_length if len(drives) == 1 else None
-    return given_rod(shares[0], shares[1], file, _optional(mass), length)
+    reciprocating, rotating, centre, gyration, file, mass = masses
+    rod = None
+    if any(one is not None for one in masses[2:]):
+        shares = [None if one is None else as_share(one) for one in (centre, gyration)]
+        rod = given_rod(shares[0], shares[1], file, _optional(mass), length)
+    return Moving(_optional(reciprocating) or Fraction(0), rod, _optional(rotating) or Fraction(0))
 
 
 def _optional(value: Exact | None) -> Fraction | None:
@@ -180,16 +174,24 @@ def _expansion_ratios(texts: Iterable[str]) -> Sequence[Fraction]:
 
 
 def _flywheels(
-    power: Exact | None, speed: Exact | None, irregularities: Exact | Iterable[Exact], radius: Exact | None
+    power: Exact | None,
+    speed: Exact | None,
+    irregularities: Exact | Iterable[Exact],
+    radius: Exact | None,
+    heavy: bool,
 ) -> tuple[Flywheel, ...]:
     from kurbel.flywheel import Flywheel
 
-    if power is None or speed is None:
+    if speed is None or (power is None and not heavy):
         raise ProblemError("a page of flywheels needs the power in W and the speed in turns per second")
+    if power is not None and heavy:
+        raise ProblemError(
+            "with masses the power follows from pressure, bore, stroke and speed; leave it out"
+        )
     size = None if radius is None else as_fraction(radius)
     turns = Speed(as_fraction(speed))
     return tuple(
-        Flywheel(as_fraction(power), turns, each, size)
+        Flywheel(None if power is None else as_fraction(power), turns, each, size)
         for each in read_values(irregularities, notation.irregularities, as_ratio)
     )
 

@@ -168,7 +168,8 @@ def _errors(solved: _Solved) -> Iterator[Label]:
             for error in [solved.error(column, place)]
             if error
         ]
-        yield engine_captions.errors(request, expansion, ratio, errors)
+        if errors:
+            yield engine_captions.errors(request, expansion, ratio, errors)
 
 
 def _fields(request: EngineRequest) -> tuple[Field, ...]:

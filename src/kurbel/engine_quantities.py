@@ -117,10 +117,18 @@ def _degrees(half_turns: Number) -> Number:
 
 
 def _mean_torque(turn: AnyTurn, where: Where) -> Any:
-    """P r in N m; rational where the speed is given in radians."""
+    """P r in N m: of the power, rational where the speed is given in radians, or of the steam."""
     wheel = _flywheel(where)
+    if wheel.power is None:
+        return turn.mean_force() * SCALES["N m"](turn)
     turns = wheel.power / wheel.speed.value
     return turn.of(turns / 2) / turn.pi if wheel.speed.turns else turns
+
+
+def _power(turn: AnyTurn, where: Where) -> Any:
+    """The power in W, as it is given or of the steam."""
+    power = _flywheel(where).power
+    return _mean_torque(turn, where) * _number(turn, _speed(turn, where)) if power is None else power
 
 
 def _turns_a_minute(turn: AnyTurn, where: Where) -> Any:
@@ -187,7 +195,7 @@ _ROWS: tuple[tuple[Any, ...], ...] = (
      lambda turn, where: turn.tangential_force(where.half_turns) - turn.mean_force()),
     ("energy", "Überschussarbeit|Excess energy", "$W$", "$Q r$", "angle", 4,
      lambda turn, where: turn.energy_at(where.half_turns)),
-    ("power", "Leistung|Power", "$N$", "W", "flywheel", None, lambda turn, where: _flywheel(where).power),
+    ("power", "Leistung|Power", "$N$", "W", "flywheel", None, _power),
     ("speed", "Drehzahl|Speed", "$n$", '$"min"^(-1)$', "flywheel", None, _turns_a_minute),
     ("omega", "Winkelgeschwindigkeit|Angular velocity", "$ω$", "rad/s", "flywheel", None, _speed),
     ("mean_torque", "mittleres Drehmoment|Mean torque", "$P r$", "N m", "flywheel", None, _mean_torque),
@@ -216,7 +224,7 @@ _FORCE_NAMES = {
     "guide_force": ("Führungsdruck|Guide force", "N"),
     "crosshead_pin_force": ("Kraft am Kreuzkopfzapfen|Crosshead-pin force", "B"),
     "crank_pin_force": ("Kraft am Kurbelzapfen|Crank-pin force", "K"),
-    "crank_force": ("Tangentialkraft|Tangential force", "T"),
+    "tangential_force": ("Tangentialkraft|Tangential force", "T"),
     "radial_force": ("Radialkraft|Radial force", "Z"),
     "bearing_along": ("Lagerkraft längs|Bearing force along", "H_x"),
     "bearing_across": ("Lagerkraft quer|Bearing force across", "H_y"),
@@ -231,6 +239,9 @@ def _force_entries() -> Iterator[EngineQuantity]:
         yield EngineQuantity(key, names, symbol, "$Q$", "crank", 4, _force(key))
         yield EngineQuantity(f"{key}_n", names, symbol, "N", "crank", 1, _force(key, "N"), needs="load")
     names = {"de": "Drehmoment", "en": "Torque"}
-    yield EngineQuantity(
-        "torque_nm", names, "$M_d$", "N m", "crank", 1, _force("crank_force", "N m"), needs="torque"
-    )
+    yield EngineQuantity("torque_nm", names, "$M_d$", "N m", "angle", 1, _torque, needs="torque")
+
+
+def _torque(turn: AnyTurn, where: Where) -> Number:
+    """The torque of all cranks on the shaft."""
+    return turn.tangential_force(where.half_turns) * SCALES["N m"](turn)

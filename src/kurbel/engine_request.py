@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from kurbel.choices import choose
-from kurbel.engine import MOST_CRANKS, Diagram, Engine, Inertia, Load, Steam
+from kurbel.engine import MOST_CRANKS, Diagram, Engine, Load, Steam
 from kurbel.engine_quantities import OUTSTROKE, RETURN_STROKE, WHOLE, EngineQuantity, engine_registry
 from kurbel.errors import ProblemError
 from kurbel.flywheel import Flywheel
@@ -51,7 +51,7 @@ SCOPES: Mapping[str, tuple[str, ...]] = {
     "irregularity": ("turn", "span"),
     "strokes": ("turn", "span", "stroke"),
     "turning": ("angle", "turn"),
-    **dict.fromkeys(("crank forces", "machine"), ("crank", "angle", "turn")),
+    **dict.fromkeys(("crank forces", "machine"), ("crank", "angle")),
     "flywheel": ("flywheel",),
 }
 # The keys of the axes in records, and on the command line.
@@ -98,7 +98,6 @@ class EngineRequest(Sheet):
     angles: Sequence[Fraction] = (Fraction(0),)
     flywheels: tuple[Flywheel, ...] = ()
     load: Load | None = None
-    inertia: Inertia | None = None
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -135,7 +134,7 @@ class EngineRequest(Sheet):
             raise ProblemError(f"the engine has {len(self.cranks)} cranks; 1 to {MOST_CRANKS} are allowed")
         for ratio in range(len(self.drives)):
             self.engine(0, ratio)
-        if self.layout.subject == "machine" and self.inertia is None:
+        if self.layout.subject == "machine" and self.first.crank.moving is None:
             raise ProblemError(
                 f"layout {self.layout.key} is of an engine with its masses; give one, such as --reciprocating"
                 " 300kg, or use --layout engine-forces"
@@ -156,7 +155,6 @@ class EngineRequest(Sheet):
             self.steams[steam],
             self.double,
             tuple(self.cranks),
-            self.inertia,
             self.load,
         )
 
@@ -242,7 +240,7 @@ class EngineRequest(Sheet):
         unknown = {
             "steam": self.carded,
             "load": self.load is None,
-            "torque": self.load is None or self.load.radius is None,
+            "torque": self.load is None or self.first.crank.radius is None,
             "radius": not self.flywheels or self.flywheels[0].radius is None,
         }
         return UNKNOWN[quantity.needs] if unknown.get(quantity.needs) else ""

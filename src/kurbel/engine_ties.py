@@ -1,23 +1,25 @@
 """Whether a tangential force or an excess energy can lie half-way between two printed numbers.
 
 At a rational angle the tangential force is algebraic, and so is the energy, but for the logarithms of
-Mariotte's law. Their sum is V₁ ln Z with an algebraic Z: where Z is 1 the energy is algebraic again, as at
-ε = 4, 90° and an infinite rod; elsewhere it is transcendental (Lindemann) and equals no printed number.
+Mariotte's law, and for the moving masses. The logarithms' sum is V₁ ln Z with an algebraic Z: where Z is 1
+the energy is algebraic again, as at ε = 4, 90° and an infinite rod; elsewhere it is transcendental
+(Lindemann) and equals no printed number. What the masses add is in units of Q an algebraic multiple of π or
+of 1/π; where it is not zero, the whole is transcendental.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from fractions import Fraction
 from math import inf, lcm
 from typing import Any, NamedTuple
 
 import flint
 
-from kurbel.certify import MOST_TIE_BITS, TieBits, ball, ball_circle
+from kurbel.certify import MOST_TIE_BITS, TieBits, ball, ball_circle, vanishes
 from kurbel.crank_forces import CRANK_FORCES, CrankForce
 from kurbel.engine import Engine
-from kurbel.kernel import steam, turning
+from kurbel.kernel import inertia, rod, steam, turning
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.kinds import Number
 from kurbel.separation import Separation, circle_separation
@@ -55,8 +57,7 @@ def force_ties(turn: Turn, half_turns: Fraction) -> TieBits:
 
     def bits(boundary: Fraction) -> float:
         engine = turn.engine
-        if engine.inertia is not None:
-            # The masses add a multiple of π.
+        if not _balanced(turn, half_turns):
             return inf
         acting = engine.ideal.numbers(_BOUNDS.of, _BOUNDS.exponent)
         total = Separation.rational(-boundary)
@@ -78,7 +79,7 @@ def energy_ties(turn: Turn, half_turns: Fraction) -> TieBits:
     mariotte = turn.engine.ideal.exponent == 1
 
     def bits(boundary: Fraction) -> float:
-        if turn.engine.inertia is not None or (mariotte and not _logarithms_vanish(turn, cranks)):
+        if not _same_motion(turn, cranks) or (mariotte and not _logarithms_vanish(turn, cranks)):
             return inf
         work = steam.full_pressure_work if mariotte else steam.net_work
         return (_energy(turn, cranks, work) - Separation.rational(boundary)).bits()
@@ -101,10 +102,9 @@ def crank_force_ties(key: str) -> Callable[[Turn, Fraction], TieBits]:
 
         def bits(boundary: Fraction) -> float:
             if not _weightless(turn, crank, force):
-                # The masses add an algebraic multiple of π, or of 1/π.
                 return inf
-            circle, ratio = _BOUNDS.circle(180 * crank.angle), _BOUNDS.of(turn.engine.crank.ratio)
-            alone = _pressure_bounds(turn, crank) * force.bare(circle, ratio)
+            circle, ratio = _place(turn, crank, _BOUNDS)
+            alone = _pressure_bounds(turn, crank) * force.bare(circle, ratio, None)
             return float((alone - Separation.rational(boundary)).bits())
 
         return bits
@@ -112,23 +112,24 @@ def crank_force_ties(key: str) -> Callable[[Turn, Fraction], TieBits]:
     return ties
 
 
-def newton_ties(key: str, moment: bool = False) -> Callable[[Turn, Fraction], TieBits]:
-    """Return the same in N or N m: the steam's share has the factor π, that of the masses π² or none."""
+def newton_ties(key: str) -> Callable[[Turn, Fraction], TieBits]:
+    """Return the same in newtons: the steam's share has the factor π, that of the masses π² or none."""
     force = CRANK_FORCES[key]
 
     def ties(turn: Turn, half_turns: Fraction) -> TieBits:
         crank = next(_cranks(turn, half_turns))
 
         def bits(boundary: Fraction) -> float:
-            inertia, load = turn.engine.inertia, turn.engine.load
-            if inertia is None or inertia.speed.turns or not _without_steam(turn, crank):
+            drive = turn.engine.crank
+            if drive.moving is None or not _without_steam(turn, crank):
                 return inf
-            assert load is not None
-            assert load.radius is not None
-            unit = inertia.scale(load.radius) * (load.radius if moment else 1)
-            weights = inertia.weights(_BOUNDS.of, _BOUNDS.of(unit))
-            circle, ratio = _BOUNDS.circle(180 * crank.angle), _BOUNDS.of(turn.engine.crank.ratio)
-            alone = force.loaded(circle, ratio, weights, Separation.rational(0))
+            assert drive.speed is not None
+            assert drive.radius is not None
+            if drive.speed.turns:
+                return inf
+            weights = drive.moving.weights(_BOUNDS.of, _BOUNDS.of(drive.radius * drive.speed.value**2))
+            circle, ratio = _place(turn, crank, _BOUNDS)
+            alone = force.loaded(circle, ratio, weights, None, Separation.rational(0))
             return float((alone - Separation.rational(boundary)).bits())
 
         return bits
@@ -144,7 +145,6 @@ TIES: Mapping[str, Callable[[Turn, Fraction], TieBits]] = {
     "back": back_ties,
     **{key: crank_force_ties(key) for key in CRANK_FORCES},
     **{f"{key}_n": newton_ties(key) for key in CRANK_FORCES},
-    "torque_nm": newton_ties("crank_force", moment=True),
 }
 
 
@@ -158,21 +158,73 @@ def _pressure_bounds(turn: Turn, crank: _Crank) -> Separation:
     return beyond
 
 
+def _place(turn: Turn, crank: _Crank, kind: _Kind) -> tuple[Circle[Number], Number]:
+    """The circle of the crank's angle and the ratio with the sign of its stroke."""
+    ratio = SIGNS[crank.stroke] * turn.engine.crank.ratio
+    return kind.circle(180 * crank.angle), kind.of(ratio)
+
+
+def _zero(value: Callable[[_Kind], Any]) -> bool:
+    """Whether a sum of what the masses do, in kg, is zero for certain."""
+    return vanishes(lambda: value(_BALLS), value(_BOUNDS).bits())
+
+
 def _weightless(turn: Turn, crank: _Crank, force: CrankForce) -> bool:
-    """Whether the masses have no part in the force, for certain."""
-    weights = turn.cylinder.weights
-    if weights is None:
+    """Whether the masses have no part in the force."""
+    moving = turn.engine.crank.moving
+    if moving is None:
         return True
-    at, ratio = ball_circle(180 * crank.angle), turn.cylinder.ratio * SIGNS[crank.stroke]
-    return bool(force.loaded(at, ratio, weights, flint.arb(0)) == 0)
+
+    def part(kind: _Kind) -> Any:
+        one = kind.of(Fraction(1))
+        circle, ratio = _place(turn, crank, kind)
+        return force.loaded(circle, ratio, moving.weights(kind.of, one), None, kind.of(Fraction(0)))
+
+    return _zero(part)
+
+
+def _balanced(turn: Turn, half_turns: Fraction) -> bool:
+    """Whether the masses of all cranks together have no torque."""
+    moving = turn.engine.crank.moving
+    if moving is None:
+        return True
+
+    def torque(kind: _Kind) -> Any:
+        masses = moving.weights(kind.of, kind.of(Fraction(1))).masses
+        return sum(
+            (rod.torque(*_place(turn, crank, kind), masses) for crank in _cranks(turn, half_turns)),
+            kind.of(Fraction(0)),
+        )
+
+    return _zero(torque)
+
+
+def _same_motion(turn: Turn, cranks: Iterable[_Crank]) -> bool:
+    """Whether the masses have the kinetic energy that they had where W is zero."""
+    moving = turn.engine.crank.moving
+    if moving is None:
+        return True
+
+    def gain(kind: _Kind) -> Any:
+        masses = moving.weights(kind.of, kind.of(Fraction(1))).masses
+        return sum(
+            (crank.weight * inertia.kinetic_energy(*_place(turn, crank, kind), masses) for crank in cranks),
+            kind.of(Fraction(0)),
+        )
+
+    return _zero(gain)
 
 
 def _without_steam(turn: Turn, crank: _Crank) -> bool:
     """Whether no net pressure acts on the piston, for certain."""
     if crank.stroke and not turn.engine.double:
         return True
-    # The best back pressure is that of the steam at the end of the stroke.
-    return crank.angle == 1 and turn.engine.ideal.back is None
+
+    def net() -> Number:
+        share = _share_and_velocity(turn, crank, _BALLS)[0]
+        return steam.net_pressure(share, turn.engine.ideal.numbers(_BALLS.of, _BALLS.exponent))
+
+    return vanishes(net, float(_pressure_bounds(turn, crank).bits()))
 
 
 def _at_full_pressure(turn: Turn, crank: _Crank) -> bool:

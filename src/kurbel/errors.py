@@ -62,3 +62,9 @@ class LayoutError(KurbelError):
     """A layout.toml or a template that cannot be used."""
 
     exit_code = 1
+
+
+class SourceError(KurbelError):
+    """A source of printed values cannot be used."""
+
+    exit_code = 1

@@ -15,16 +15,17 @@ LEAST, MOST = Fraction(1, 10**9), Fraction(10**12)
 
 @dataclass(frozen=True, slots=True)
 class Flywheel:
-    """Power in watts, speed, the degree of irregularity δ = (v_max - v_min)/v to keep, and the radius in
-    metres at which a mass is wanted, if one is."""
+    """Power in watts, None where it follows from the steam, speed, the degree of irregularity
+    δ = (v_max - v_min)/v to keep, and the radius in metres at which a mass is wanted, if one is."""
 
-    power: Fraction
+    power: Fraction | None
     speed: Speed
     irregularity: Fraction
     radius: Fraction | None = None
 
     def __post_init__(self) -> None:
-        _check("the power", self.power, "W")
+        if self.power is not None:
+            _check("the power", self.power, "W")
         _check("the speed", self.speed.value, "1/s")
         if not LEAST <= self.irregularity < 2:
             raise ProblemError(

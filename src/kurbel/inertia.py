@@ -124,10 +124,20 @@ ROD_FORCES: Mapping[str, RodForce] = {
 }  # fmt: skip
 
 
+# Ensslin's parts of the acceleration of the crank-pin end: key, letter, name.
+_PARTS: tuple[tuple[str, str, Mapping[str, str]], ...] = (
+    ("common_acceleration", "p_2", _named("gemeinsame Beschleunigung", "Common acceleration")),
+    ("turning_acceleration", "p_4", _named("Drehbeschleunigung", "Turning acceleration")),
+    ("stretching_acceleration", "p_5", _named("Dehnungsbeschleunigung", "Stretching acceleration")),
+)
+
+
 @cache
 def inertia_registry() -> Mapping[str, Quantity]:
-    """Return every force by every model: inertia_guide, inertia_guide_two_mass, inertia_guide_railway_n."""
-    return {entry.key: entry for force in ROD_FORCES.values() for entry in _entries(force)}
+    """Return every force by every model: inertia_guide, inertia_guide_two_mass, inertia_guide_railway_n; and
+    the parts of the acceleration, of which they come."""
+    forces = {entry.key: entry for force in ROD_FORCES.values() for entry in _entries(force)}
+    return forces | {key: _part(key, letter, name) for key, letter, name in _PARTS}
 
 
 def _entries(force: RodForce) -> Iterator[Quantity]:
@@ -158,6 +168,21 @@ def _entry(
         scale=scale,
         needs=needs,
         model=model,
+    )
+
+
+def _part(key: str, letter: str, name: Mapping[str, str]) -> Quantity:
+    """A part of the acceleration, which the masses do not change."""
+    part = key.removesuffix("_acceleration")
+
+    def formula(circle: Any, ratio: Any, masses: Any, offset: Any = None) -> Any:
+        return getattr(rod.parts(circle, ratio, offset), part)
+
+    heading = _named(f"${letter}/(R ω^2)$", f"${letter}/(R ω^2)$")
+    unit = _named("R ω²", "R ω²")
+    formulas = {"exact": formula, "infinite": formula}
+    return Quantity(
+        key, name, f"${letter}$", heading, unit, OUT, formulas, 4, _one, needs="rod", model="exact"
     )
 
 

@@ -205,7 +205,7 @@ def _for_ratio(request: ErrorsRequest) -> Label:
 def _notes(request: ErrorsRequest) -> Iterator[Label]:
     yield from (note[request.lang] for note in request.layout.notes)
     yield from captions.drive_notes(request.cranks, request.lang)
-    yield from captions.rod_notes(request.cranks, request.lang)
+    yield from captions.rod_notes(request.cranks, request.lang, [force.letter for force in FORCES])
 
 
 def _grid(request: ErrorsRequest) -> Grid:
@@ -284,8 +284,12 @@ def _number(request: ErrorsRequest, column: ErrorColumn, place: Place) -> Number
     if peak is None:
         return None
     whole = request.peak(place["ratio"], peak.force, EXACT, False)
-    if column.unit == "%" and whole.vanishes:
-        return None
+    if column.unit == "%":
+        if whole.vanishes:
+            return None
+        share = peak.share_of(whole)
+        if share is not None:
+            return nearest(100 * share, decimals, request.rounding)
 
     def value(numbers: Numbers, of: Any) -> Any:
         if column.unit == "%":

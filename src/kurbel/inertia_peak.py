@@ -101,6 +101,16 @@ class Peak:
         """Return where it is greatest, from 0° to 180° or, of an offset crank, 360°; the first such place."""
         return 180 * self._half_turns(self.places[0])
 
+    def share_of(self, whole: Peak) -> Fraction | None:
+        """Return how many times the other's magnitude this is, throughout, if they are in proportion."""
+        infinite = not self.crank.ratio
+        own = [Fraction(one) for one in self.force.coefficients(self.masses, infinite)]
+        others = [Fraction(one) for one in self.force.coefficients(whole.masses, infinite)]
+        share = next((one / other for one, other in zip(own, others, strict=True) if other), None)
+        if share is None or any(one != share * other for one, other in zip(own, others, strict=True)):
+            return None
+        return abs(share)
+
     def separation(self) -> Separation | None:
         """Return the bound of the magnitude where it is an algebraic number of known degree, else None."""
         if self.vanishes:
@@ -134,9 +144,12 @@ class Peak:
         return bend * pi()
 
     def _candidates(self) -> Iterator[Place]:
-        """Yield the quarters of the turn and all zeros of the slope between them."""
-        turn = 2 if self.crank.offset else 1
-        quarters = [Fraction(quarter, 2) for quarter in range(2 * turn + 1)]
+        """Yield the quarters of the turn and all zeros of the slope between them.
+
+        With an infinite rod the torque is greatest at the eighths, where values are algebraic too.
+        """
+        turn, parts = (2 if self.crank.offset else 1), (2 if self.crank.ratio else 4)
+        quarters = [Fraction(quarter, parts) for quarter in range(parts * turn + 1)]
         for quarter in quarters:
             yield Place(quarter, quarter)
         for low, high in pairwise(quarters):

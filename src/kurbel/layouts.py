@@ -21,6 +21,7 @@ SUBJECTS: Mapping[str, tuple[str, ...]] = {
     "irregularity": ("expansion", "ratio", "column"),
     "strokes": ("expansion", "ratio", "stroke", "column"),
     "turning": ("expansion", "ratio", "angle", "column"),
+    "collation": ("place", "column"),
     "crank forces": ("expansion", "ratio", "angle", "column"),
     "machine": ("expansion", "ratio", "angle", "column"),
     "flywheel": ("expansion", "ratio", "target", "column"),

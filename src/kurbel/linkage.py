@@ -161,6 +161,15 @@ def balls() -> Kind:
     return Kind(certify.ball, certify.ball_circle, certify.ball_degrees, certify.pi())
 
 
+def floats() -> Kind:
+    """Return floats, or arrays of them, whose circles are those of floats in degrees."""
+    import numpy as np
+
+    from kurbel.kernel.circle import circle
+
+    return Kind(float, circle, lambda sine: np.degrees(np.arcsin(sine)), np.pi)
+
+
 def bounds() -> Kind:
     """Return separation bounds."""
     from kurbel.separation import Separation, circle_separation

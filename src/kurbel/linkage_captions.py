@@ -35,7 +35,7 @@ SYMBOLS: Mapping[str, tuple[Label, ...]] = {
     "acceleration": ("$ζ = φ - θ$", "$τ = ψ + θ$", "$λ = R/L$", "$β = R/B$"),
     "slant": ("$τ = ψ + θ$",),
 }
-CLOSURE = "$R cos φ + L cos ψ = D {β+} B sin θ$, $R sin φ - L sin ψ = H {β-} B cos θ$"
+CLOSURE = "${lead}R cos φ + L cos ψ = D {β+} B sin θ$, ${lead}R sin φ - L sin ψ = H {β-} B cos θ$"
 SIGNS = {("", 1): "+", ("", -1): "-", ("both", 1): "±", ("both", -1): "∓"}
 COUPLER = (
     "$x/R = 1 - cos φ$, $c_x/v = sin φ$, $(p_x R)/v^2 = cos φ$,"
@@ -48,10 +48,10 @@ WORDS: Mapping[str, Mapping[str, str]] = {
         "en": "{closure}; rocker $B$, its pivot $D$ along and $H$ across the slide direction from the shaft",
     },
     "angles": {
-        "de": "$θ$ im Drehsinn der Kurbel, von der Schwinge quer zur Schubrichtung an; $ψ$ gegen ihn, von der"
-        " Schubrichtung an",
-        "en": "$θ$ in the crank's sense, from the rocker square to the slide direction; $ψ$ against it, from"
-        " the slide direction",
+        "de": "$θ$ im Drehsinn der Kurbel von der Lage der Schwinge quer zur Schubrichtung, $ψ$ im"
+        " entgegengesetzten von der Schubrichtung; in $x$ im Bogenmaß",
+        "en": "$θ$ in the crank's sense from the rocker's position square to the slide direction, $ψ$ in the"
+        " opposite one from the slide direction; in $x$ in radians",
     },
     "dead_centres": {
         "de": "{drive}: Totlagen $φ_i = {inner}°$ und $φ_o = {outer}°$, Schwingungswinkel ${swing}°$,"
@@ -124,7 +124,7 @@ def _formula_lines(request: LinkageRequest) -> Iterator[Label]:
     yield WORDS["angles"][lang]
     if RETURN in strokes:
         yield MOTION_WORDS["offset_return"][lang].replace("{angle}", request.layout.angle_symbol)
-    if len(strokes) > 1 and "acceleration" in shown:
+    if len(strokes) > 1:
         yield MOTION_WORDS["signs"][lang]
 
 
@@ -133,6 +133,7 @@ def _signed(line: Label, strokes: set[int], side: int) -> Label:
     upper = 1 if many else stroke
     parts = {
         "{±}": SIGNS[many, upper],
+        "{lead}": "" if (many, upper) == ("", OUT) else f"{SIGNS[many, upper]} ",
         "{β±}": SIGNS[many, upper * side],
         "{β+}": SIGNS["", side],
         "{β-}": SIGNS["", -side],

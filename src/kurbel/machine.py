@@ -26,50 +26,55 @@ from typing import Any, NamedTuple
 from kurbel.choices import choose
 from kurbel.errors import MachineError
 
-LARGEST_FILE = 10**6
+# A key of very many parts takes the parser minutes.
+LARGEST_FILE = 20_000
 
 
 class Entry(NamedTuple):
-    """An entry of the file: the option that it stands for, what it is, and whether a list is one option."""
+    """An entry of the file: the option that it stands for, what it is, whether it may be a list, and whether
+    the option is repeated for one."""
 
     option: str
     about: str
     many: bool = False
+    several: bool = False
     flag: bool = False
     file: bool = False
 
 
 SECTIONS: Mapping[str, Mapping[str, Entry]] = {
     "crank": {
-        "ratio": Entry("ratio", 'crank ratio R:L, such as "1:5"', many=True),
+        "ratio": Entry("ratio", 'crank ratio R:L, such as "1:5"', many=True, several=True),
         "stroke": Entry("stroke", 'stroke 2R, such as "600mm"'),
         "rod": Entry("rod", 'length of the rod, such as "1500mm"'),
         "speed": Entry("speed", 'speed, such as "120/min"'),
         "offset": Entry("offset", "offset e as a share of R, or a length"),
-        "angles": Entry("cranks", "angles in degrees by which several cranks follow the first"),
+        "angles": Entry("cranks", "angles in degrees by which several cranks follow the first", many=True),
     },
     "steam": {
-        "eps": Entry("eps", "expansion ratio ε", many=True),
+        "eps": Entry("eps", "expansion ratio ε", many=True, several=True),
         "back": Entry("back", "back pressure as a share of the steam pressure"),
         "exponent": Entry("exponent", "n of p Vⁿ = const."),
         "clearance": Entry("clearance", "clearance as a share of the swept volume"),
         "pressure": Entry("pressure", 'steam pressure before cut-off, such as "8bar"'),
         "bore": Entry("bore", 'bore of the cylinder, such as "300mm"'),
         "single_acting": Entry("single_acting", "whether steam works on the outstroke only", flag=True),
-        "card": Entry("card", "indicator card, a CSV file beside this one", many=True, file=True),
+        "card": Entry(
+            "card", "indicator card, a CSV file beside this one", many=True, several=True, file=True
+        ),
         "other_side": Entry("other_side", "pressure on the other face of a single-acting piston"),
     },
     "masses": {
         "reciprocating": Entry("reciprocating", 'mass of piston and crosshead, such as "300kg"'),
         "rod": Entry("rod_mass", 'mass of the connecting rod, such as "150kg"'),
-        "centre": Entry("centre", "its centre of mass from the crosshead pin, in rod lengths"),
-        "gyration": Entry("gyration", "its radius of gyration, in rod lengths"),
+        "centre": Entry("centre", "its centre of mass from the crosshead pin, in rod lengths or a length"),
+        "gyration": Entry("gyration", "its radius of gyration about that, in rod lengths or a length"),
         "rotating": Entry("rotating", "mass of the crank itself at its pin, less counterweights"),
         "file": Entry("rod_file", "its masses, a CSV file beside this one", file=True),
     },
     "flywheel": {
         "power": Entry("power", 'power, such as "50kW"'),
-        "delta": Entry("delta", 'degree of irregularity to keep, such as "1:100"', many=True),
+        "delta": Entry("delta", 'degree of irregularity to keep, such as "1:100"', many=True, several=True),
         "radius": Entry("radius", "radius at which the mass of the rim is wanted"),
     },
 }
@@ -83,37 +88,30 @@ def read_machine(path: str) -> dict[str, Any]:
     given = _parsed(path)
     options: dict[str, Any] = {}
     for section, entries in given.items():
-        choose_in(path, section, SECTIONS, "section")
-        if not isinstance(entries, dict):
-            raise MachineError(f"{path}: {section} is {entries!r:.40}; it must be a section, [{section}]")
+        _check_section(path, section, entries)
         for key, value in entries.items():
-            entry = SECTIONS[section][choose_in(path, key, SECTIONS[section], f"entry in [{section}]")]
+            entry = SECTIONS[section][choose_in(path, key, SECTIONS[section], f"entry of [{section}],")]
             options[entry.option] = _option(path, f"{section}.{key}", entry, value)
-    return options | _proportions(path, options)
+    return options
 
 
-def _proportions(path: str, options: Mapping[str, Any]) -> dict[str, Any]:
-    """Return ratio and stroke where the rod's length gives one of them, and no rod.
-
-    Not every command takes the rod's length, and all are to be about the same crank.
-    """
-    if "rod" not in options or not {"ratio", "stroke"} & set(options):
-        return {}
-    if {"ratio", "stroke"} <= set(options):
-        raise MachineError(
-            f"{path}: two of crank.ratio, crank.stroke and crank.rod give the third; leave one out"
-        )
-    from kurbel.notation import plain, ratios
+def with_ratio(options: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the options with the ratio that stroke and rod give, for a command that takes neither."""
+    if "ratio" in options or not {"stroke", "rod"} <= set(options):
+        return dict(options)
     from kurbel.units import length
 
-    rod = length(options["rod"], "rod")
-    if "stroke" in options:
-        share = length(options["stroke"], "stroke") / 2 / rod
-        return {"ratio": [f"{share.numerator}:{share.denominator}"], "rod": None}
-    shares = ratios(options["ratio"])
-    if len(shares) > 1:
-        raise MachineError(f"{path}: crank.rod gives the stroke for one ratio, and there are {len(shares)}")
-    return {"stroke": f"{plain(2 * rod * shares[0])} m", "rod": None}
+    share = length(options["stroke"], "stroke") / 2 / length(options["rod"], "rod")
+    return {**options, "ratio": [f"{share.numerator}:{share.denominator}"]}
+
+
+def _check_section(path: str, section: str, entries: Any) -> None:
+    homes = [home for home, own in SECTIONS.items() if section in own]
+    if section not in SECTIONS and homes and not isinstance(entries, dict):
+        raise MachineError(f"{path}: {section} stands outside of the sections; write it under [{homes[0]}]")
+    choose_in(path, section, SECTIONS, "section")
+    if not isinstance(entries, dict):
+        raise MachineError(f"{path}: {section} is {_shown(entries)}; it must be a section, [{section}]")
 
 
 def choose_in(path: str, name: str, allowed: Mapping[str, Any], what: str) -> str:
@@ -128,29 +126,64 @@ def _parsed(path: str) -> dict[str, Any]:
     import tomllib
 
     try:
-        if not os.path.isfile(path):
-            raise MachineError(f"cannot read the machine {path}: there is no such file")
-        if os.path.getsize(path) > LARGEST_FILE:
-            raise MachineError(f"{path} has more than {LARGEST_FILE} bytes; no machine needs them")
-        with open(path, "rb") as file:
-            return tomllib.load(file)
-    except (OSError, ValueError) as error:
+        return tomllib.loads(_text(path))
+    except RecursionError:
+        raise MachineError(f"{path} is nested too deeply; a machine has sections with entries") from None
+    except ValueError as error:
         # A malformed file is a ValueError that says the line.
         raise MachineError(f"cannot read the machine {path}: {error}") from None
+
+
+def _text(path: str) -> str:
+    if not path:
+        raise MachineError("the machine's file has no name; give one, such as --machine engine.toml")
+    if os.path.exists(path) and not os.path.isfile(path):
+        raise MachineError(f"cannot read the machine {path}: it is a directory or a device; name a TOML file")
+    try:
+        with open(path, "rb") as file:
+            content = file.read(LARGEST_FILE + 1)
+    except FileNotFoundError:
+        raise MachineError(f"cannot read the machine {path}: there is no such file") from None
+    except (OSError, ValueError) as error:
+        raise MachineError(f"cannot read the machine {path}: {error}") from None
+    if len(content) > LARGEST_FILE:
+        raise MachineError(f"{path} has more than {LARGEST_FILE} bytes; no machine needs them")
+    try:
+        # An editor may have put a mark before the text.
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = content[: error.start].count(b"\n") + 1
+        raise MachineError(
+            f"{path}, line {line}: the byte 0x{content[error.start]:02x} is not UTF-8; save the machine so"
+        ) from None
 
 
 def _option(path: str, name: str, entry: Entry, value: Any) -> Any:
     if entry.flag:
         if not isinstance(value, bool):
-            raise MachineError(f"{path}: {name} is {value!r:.40}; it must be true or false")
+            raise MachineError(f"{path}: {name} is {_shown(value)}; it must be true or false")
         return value
     values = value if isinstance(value, list) else [value]
     if not values or any(isinstance(one, bool) or not isinstance(one, (str, int, float)) for one in values):
-        raise MachineError(f'{path}: {name} is {value!r:.40}; write text such as "600mm", a number or a list')
+        allowed = 'text such as "600mm", a number' + (" or a list" if entry.many else "")
+        raise MachineError(f"{path}: {name} is {_shown(value)}; it must be {allowed}")
+    if len(values) > 1 and not entry.many:
+        raise MachineError(f"{path}: {name} is a list; it must be one value")
     texts = [str(one) for one in values]
     if entry.file:
         texts = [os.path.join(os.path.dirname(path), text) for text in texts]
-    return texts if entry.many else ";".join(texts)
+    return texts if entry.several else ";".join(texts)
+
+
+def _shown(value: Any) -> str:
+    """What a value is, in the words of a TOML file."""
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, dict):
+        return "a table"
+    if isinstance(value, list):
+        return "a list" if value else "an empty list"
+    return f'"{value}"'[:42] if isinstance(value, str) else str(value)[:40]
 
 
 def schema() -> dict[str, Any]:
@@ -159,7 +192,7 @@ def schema() -> dict[str, Any]:
     several = {"anyOf": [one, {"type": "array", "items": one, "minItems": 1}]}
 
     def described(entry: Entry) -> dict[str, Any]:
-        kind: dict[str, Any] = {"type": "boolean"} if entry.flag else several
+        kind: dict[str, Any] = {"type": "boolean"} if entry.flag else several if entry.many else one
         return {"description": entry.about, **kind}
 
     return {

@@ -6,19 +6,16 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from kurbel.captions import enumerated
 from kurbel.digits import Digits, on_floats
-from kurbel.errors import ProblemError
-from kurbel.notation import about, ratio_text
+from kurbel.notation import ratio_text
+from kurbel.plot_panels import Trace, check_drawn, degrees, panels_of
 from kurbel.plot_polar import Vector
-from kurbel.plotting import Curve, Panel, check_count
+from kurbel.plotting import Panel
 from kurbel.problem import Crank
 from kurbel.quantities import STROKES, Quantity, registry
 from kurbel.request import Request, page_columns
 from kurbel.table import Label
 
-# Four points to each dot of a printer with 1200 dpi, over the width of a panel.
-MOST_POINTS = 20_000
 # What is drawn unless columns are named: the quantity and, where lengths, speed or force are known, the same
 # in their units.
 MOTION = (("x", "x_mm"), ("c", "c_mps"), ("p", "p_mps2"))
@@ -50,6 +47,12 @@ def motion_keys(crank: Crank) -> tuple[str, ...]:
     return _in_known_units(FORCES if crank.force else MOTION, crank)
 
 
+def force_keys(crank: Crank) -> tuple[str, ...]:
+    """Return the forces in the crank drive; the torque is one of its own only in newton metres."""
+    keys = _in_known_units(FORCES, crank)
+    return keys if crank.force else keys[:-1]
+
+
 def pin_force_keys(crank: Crank) -> tuple[str, ...]:
     """Return the components of the force on the crank pin, in newtons where the piston force is known."""
     return _in_known_units(PIN_FORCE, crank)
@@ -65,12 +68,26 @@ def motion_panels(request: Request) -> list[Panel]:
     The values are those of `kurbel.compute`. Raises ProblemError for one angle, or more than can be drawn.
     """
     check_drawn(request.angles, len(request.cranks))
-    lang, angles = request.lang, degrees(request.angles)
-    groups: dict[tuple[str, ...], list[_Drawn]] = {}
-    for one in _drawn(request, angles):
-        own = (one.quantity.name[lang],) if len(request.cranks) > 1 else ()
-        groups.setdefault((one.quantity.unit[lang], *own), []).append(one)
-    return [_panel(drawn, angles, lang) for drawn in groups.values()]
+    angles = degrees(request.angles)
+    traces = (_trace(one, angles, request.lang) for one in _drawn(request, angles))
+    return panels_of(traces, request.lang, apart=len(request.cranks) > 1)
+
+
+def _trace(one: _Drawn, angles: Sequence[float], lang: str) -> Trace:
+    quantity = one.quantity
+    return Trace(
+        quantity.name[lang],
+        _heading(quantity, lang),
+        quantity.unit[lang],
+        axis_name(quantity, lang)[1],
+        (ratio_label(one.crank.ratio), STROKES[quantity.stroke][lang]),
+        angles,
+        one.values,
+    )
+
+
+def ratio_label(ratio: Fraction) -> Label:
+    return f"$R:L = {ratio_text(ratio)}$"
 
 
 def pin_force(request: Request) -> tuple[Vector, tuple[Label, Label], Label]:
@@ -96,23 +113,6 @@ def _heading(quantity: Quantity, lang: str) -> Label:
     return quantity.heading[lang].removesuffix(f" in {quantity.unit[lang]}")
 
 
-def degrees(angles: Sequence[Fraction]) -> list[float]:
-    """Return exact angles as floats."""
-    return [float(angle) for angle in angles]
-
-
-def check_drawn(angles: Sequence[Fraction], count: int) -> None:
-    """Raise ProblemError unless so many curves can be drawn over the angles, before they are computed."""
-    check_count(count)
-    if len(angles) > MOST_POINTS:
-        raise ProblemError(
-            f"curves of {len(angles)} points were asked for; at most {MOST_POINTS} can be drawn,"
-            " so make the step larger"
-        )
-    if len(angles) < 2:
-        raise ProblemError(f"the only crank angle is {about(angles[0])}°; a curve needs two")
-
-
 def _drawn(request: Request, angles: Sequence[float]) -> list[_Drawn]:
     """Return every quantity of every crank, in the order of quantities."""
     import numpy as np
@@ -127,20 +127,3 @@ def _drawn(request: Request, angles: Sequence[float]) -> list[_Drawn]:
         for number, column in enumerate(columns)
         for crank, row in zip(request.cranks, rows, strict=True)
     ]
-
-
-def _panel(drawn: Sequence[_Drawn], angles: Sequence[float], lang: str) -> Panel:
-    label, unit = axis_name(drawn[0].quantity, lang)
-    if len({one.quantity.name[lang] for one in drawn}) > 1:
-        label = enumerated((one.column.quantity.name[lang] for one in drawn), lang)
-    parts = [_parts(one, lang) for one in drawn]
-    # Only what is not the same of all tells one from the others.
-    telling = [len(set(column)) > 1 for column in zip(*parts, strict=True)]
-    labels = (", ".join(part for part, tells in zip(one, telling, strict=True) if tells) for one in parts)
-    curves = [Curve(text, angles, one.values) for text, one in zip(labels, drawn, strict=True)]
-    return Panel(curves, label, unit)
-
-
-def _parts(one: _Drawn, lang: str) -> tuple[Label, ...]:
-    stroke = STROKES[one.quantity.stroke][lang]
-    return _heading(one.quantity, lang), f"$R:L = {ratio_text(one.crank.ratio)}$", stroke

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from kurbel import captions
 from kurbel.errors import ProblemError
+from kurbel.notation import plain
 from kurbel.plot_curves import motion_panels, pin_force
-from kurbel.plot_mechanism import WORDS, mechanism
-from kurbel.plot_polar import polar
+from kurbel.plot_mechanism import mechanism
+from kurbel.plot_polar import Vector, polar
 from kurbel.plotting import curves
 from kurbel.problem import Crank, check_angles
 from kurbel.request import Request, page_columns
@@ -20,8 +21,22 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from kurbel.engine_request import EngineRequest
+    from kurbel.linkage import ArcCrank
+    from kurbel.linkage_page import LinkageRequest
 
 MOST_POSITIONS = 36
+WORDS = {
+    "drive": {"de": "Kurbeltrieb", "en": "Crank drive"},
+    "arc": {"de": "Bogenschubkurbel", "en": "Arc crank"},
+    "parallel": {"de": "Parallelkurbel", "en": "Parallel crank"},
+}
+# The diagram turns with the crank.
+POLAR_TITLE = {
+    "de": "Polardiagramm der Kraft am Kurbelzapfen im Achsenkreuz der Kurbel",
+    "en": "Polar diagram of the force on the crank pin, in the frame of the crank",
+}
+# The directions of its axes, across and up.
+POLAR_WAYS = {"de": ("im Drehsinn", "zur Welle"), "en": ("as the crank turns", "towards the shaft")}
 
 
 class Drawing(NamedTuple):
@@ -36,20 +51,71 @@ def motion_drawing(request: Request, mark: str) -> Drawing:
 
 def polar_drawing(request: Request, mark: str) -> Drawing:
     """Return the polar diagram of the force on the crank pin of a request for `pin_force_keys`."""
-    vector, (across, up), unit = pin_force(request)
-    return Drawing(polar(vector, across, up, unit, mark), _title(request))
+    return _polar(pin_force(request), _title(request), request.lang, mark)
+
+
+def engine_polar_drawing(request: EngineRequest, mark: str) -> Drawing:
+    """Return the polar diagram of the force on the crank pin of an engine, for `plot_engine.PIN_FORCE`."""
+    from kurbel.engine_captions import caption
+    from kurbel.plot_engine import engine_pin_force
+
+    return _polar(engine_pin_force(request), caption(request), request.lang, mark)
+
+
+def _polar(force: tuple[Vector, tuple[Label, Label], Label], title: Label, lang: str, mark: str) -> Drawing:
+    vector, (across, up), unit = force
+    figure = polar(vector, across, up, unit, mark, POLAR_WAYS[lang])
+    return Drawing(figure, f"{POLAR_TITLE[lang]}: {title}")
+
+
+def engine_forces_drawing(request: EngineRequest, mark: str) -> Drawing:
+    """Return the curves of an engine's forces over the crank angle."""
+    from kurbel.engine_captions import caption
+    from kurbel.plot_engine import force_panels
+
+    return Drawing(curves(force_panels(request), request.lang, mark), caption(request))
+
+
+def linkage_drawing(request: LinkageRequest, mark: str) -> Drawing:
+    """Return the curves of the arc crank or the parallel crank over the crank angle."""
+    from kurbel.linkage_captions import caption
+    from kurbel.plot_linkage import linkage_panels
+
+    return Drawing(curves(linkage_panels(request), request.lang, mark), caption(request))
 
 
 def mechanism_drawing(crank: Crank, angles: Sequence[Fraction], lang: str, mark: str) -> Drawing:
     """Return the crank drive to scale at crank angles, the first one strong."""
+    _check_positions(angles)
+    figure = mechanism(float(crank.ratio), float(crank.offset), angles, lang, mark)
+    return Drawing(figure, WORDS["drive"][lang] + captions.for_ratio(crank.ratio, lang))
+
+
+def arc_drawing(crank: ArcCrank, angles: Sequence[Fraction], lang: str, mark: str) -> Drawing:
+    """Return the arc crank to scale, likewise."""
+    from kurbel.plot_arc import arc_mechanism
+
+    _check_positions(angles)
+    rocker = f"$B = {plain(crank.rocker)} R$"
+    title = f"{WORDS['arc'][lang]}{captions.for_ratio(crank.crank.ratio, lang)}, {rocker}"
+    return Drawing(arc_mechanism(crank, angles, lang, mark), title)
+
+
+def parallel_drawing(angles: Sequence[Fraction], lang: str, mark: str) -> Drawing:
+    """Return the parallel crank to scale, likewise."""
+    from kurbel.plot_parallel import parallel_mechanism
+
+    _check_positions(angles)
+    return Drawing(parallel_mechanism(angles, mark), WORDS["parallel"][lang])
+
+
+def _check_positions(angles: Sequence[Fraction]) -> None:
     if len(angles) > MOST_POSITIONS:
         raise ProblemError(
             f"a drawing of {len(angles)} crank angles was asked for;"
             f" at most {MOST_POSITIONS} can be told apart"
         )
     check_angles(angles)
-    figure = mechanism(float(crank.ratio), float(crank.offset), angles, lang, mark)
-    return Drawing(figure, WORDS["drive"][lang] + captions.for_ratio(crank.ratio, lang))
 
 
 def turning_drawing(request: EngineRequest, mark: str) -> Drawing:

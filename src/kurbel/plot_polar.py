@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from fractions import Fraction
+from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 from kurbel.errors import ProblemError
@@ -19,6 +20,7 @@ from kurbel.plot_style import (
     STRONG,
     TEXT_SIZE,
     THIN,
+    WHITE,
     WIDTH,
     arrowhead,
     page,
@@ -35,18 +37,45 @@ if TYPE_CHECKING:
 
 LEFT, RIGHT, ABOVE, BELOW = 13.0, 4.0, 7.5, 10.5
 MOST_WIDTH, MOST_HEIGHT, LEAST_WIDTH = WIDTH - LEFT - RIGHT, 110.0, 60.0
+# The scale stands in a row of its own where it has no room beside the name of the axis.
+SCALE_ROW, SCALE_GAP = 4.5, 8.0
 # Room around the curve for the labels of the angles.
 EDGE = 8.0
 GRID = 9.0
 MARK_STEP = 30
+# The radius of a mark in mm.
+MARK = 0.55
+# A vector, or a difference of two, of so small a share is none.
+NOTHING = 1e-6
+CHORD = (6, 4)
+
+
+# A chord shorter than this, in mm, has no room for an arrow.
+LEAST_CHORD = 8.0
 
 
 class Vector(NamedTuple):
-    """The components of a force at rising angles in degrees; a value that is no finite number is a gap."""
+    """The components of a force at rising angles in degrees; a value that is no finite number is a gap.
+
+    Where an angle comes twice the force jumps, from the first of its values to the second.
+    """
 
     angles: Sequence[float]
     across: Sequence[float]
     up: Sequence[float]
+
+
+class _Piece(NamedTuple):
+    """The heads of the vectors at rising angles, without a jump between them."""
+
+    angles: Points
+    path: Points
+
+    def at(self, angle: float) -> Points:
+        """Return the head at an angle; between two given ones, on the line between their heads."""
+        import numpy as np
+
+        return np.asarray([np.interp(angle, self.angles, component) for component in self.path.T])
 
 
 class _Plan(NamedTuple):
@@ -56,6 +85,8 @@ class _Plan(NamedTuple):
     frame: Box
     grid: Fraction
     power: int
+    # In mm: the room above the frame.
+    above: float = ABOVE
 
     def on_paper(self, points: Points) -> Points:
         import numpy as np
@@ -67,11 +98,14 @@ class _Plan(NamedTuple):
         return (right - left) * self.scale, (top - bottom) * self.scale
 
 
-def polar(vector: Vector, across: Label, up: Label, unit: Label, mark: str) -> Figure:
+def polar(
+    vector: Vector, across: Label, up: Label, unit: Label, mark: str, ways: tuple[Label, Label] = ("", "")
+) -> Figure:
     """Return the polar diagram of a force, with a mark every 30° of the crank and one scale both ways.
 
-    The diagram is at most 120 mm wide; across and up name its axes. The arrow on the curve points where
-    the angle rises. Raises ProblemError if no vector is finite.
+    The diagram is at most 120 mm wide; across and up name its axes, ways their directions. The arrow on
+    the curve points where the angle rises. Where the force jumps the curve ends and begins anew; a dashed
+    chord leads from the one end to the other. Raises ProblemError if no vector is finite.
     """
     import numpy as np
 
@@ -79,12 +113,29 @@ def polar(vector: Vector, across: Label, up: Label, unit: Label, mark: str) -> F
         path = np.stack((np.asarray(vector.across, float), np.asarray(vector.up, float)), axis=1)
         path[~np.isfinite(path).all(axis=1)] = np.nan
         plan = _plan(path)
+        labels = (axis_label(one, unit, plan.power) for one in (across, up))
+        names = [text_of(", ".join(filter(None, one)), mark) for one in zip(labels, ways, strict=True)]
+        scale = _scale_text(plan, unit, mark)
+        bar = float(plan.grid) * plan.scale + SCALE_GAP + size_of(scale, SMALL_TEXT)[0]
+        if size_of(names[1])[0] + bar > plan.size()[0]:
+            plan = plan._replace(above=ABOVE + SCALE_ROW)
         figure, axes = _laid_out(plan)
-        _axes(axes, plan, [text_of(axis_label(one, unit, plan.power), mark) for one in (across, up)], mark)
-        _scale_bar(axes, plan, unit, mark)
-        _curve(axes, plan, path)
-        _marks(axes, plan, np.asarray(vector.angles, float), path)
+        _axes(axes, plan, names, mark)
+        _scale_bar(axes, plan, scale)
+        pieces = _pieces(np.asarray(vector.angles, float), path)
+        _curve(axes, pieces)
+        chords = _chords(axes, plan, pieces)
+        _marks(axes, plan, pieces, chords)
+        _arrow(axes, plan, pieces)
     return figure
+
+
+def _pieces(angles: Points, path: Points) -> list[_Piece]:
+    """Return what lies between two jumps."""
+    import numpy as np
+
+    jumps = np.flatnonzero(np.diff(angles) == 0) + 1
+    return [_Piece(*one) for one in zip(np.split(angles, jumps), np.split(path, jumps), strict=True)]
 
 
 def _plan(path: Points) -> _Plan:
@@ -107,7 +158,7 @@ def _plan(path: Points) -> _Plan:
 
 def _laid_out(plan: _Plan) -> tuple[Figure, Axes]:
     width, height = plan.size()
-    total = (LEFT + width + RIGHT, BELOW + height + ABOVE)
+    total = (LEFT + width + RIGHT, BELOW + height + plan.above)
     figure = page(total[1], total[0])
     box = (LEFT / total[0], BELOW / total[1], width / total[0], height / total[1])
     left, bottom, right, top = plan.frame
@@ -130,38 +181,73 @@ def _axes(axes: Axes, plan: _Plan, names: Sequence[str], mark: str) -> None:
     axes.set_title(names[1], loc="left", pad=4, fontsize=TEXT_SIZE)
 
 
-def _scale_bar(axes: Axes, plan: _Plan, unit: Label, mark: str) -> None:
-    """Draw the scale of forces above the frame: it stays true when the drawing is made smaller."""
-    _, _, right, top = plan.frame
-    step, y = float(plan.grid), top + 2.7 / plan.scale
-    ends = (right - step, right)
-    axes.plot(ends, (y, y), color=BLACK, linewidth=MEDIUM, clip_on=False, marker="|", markersize=2 * MM)
+def _scale_text(plan: _Plan, unit: Label, mark: str) -> str:
+    step = float(plan.grid)
     number = value_ticks(step * 0.9, step * 1.1, plan.grid, plan.power, ".").texts[0]
     factor = f" · 10^{plan.power}" if plan.power > 0 else f" · 10^({plan.power})" if plan.power else ""
-    text = text_of(f"${number}{factor}$ {unit}", mark)
+    return text_of(f"${number}{factor}$ {unit}", mark)
+
+
+def _scale_bar(axes: Axes, plan: _Plan, text: str) -> None:
+    """Draw the scale of forces above the frame: it stays true when the drawing is made smaller."""
+    _, _, right, top = plan.frame
+    step, y = float(plan.grid), top + (plan.above - ABOVE + 2.7) / plan.scale
+    ends = (right - step, right)
+    axes.plot(ends, (y, y), color=BLACK, linewidth=MEDIUM, clip_on=False, marker="|", markersize=2 * MM)
     axes.text(ends[0] - 1.5 / plan.scale, y, text, ha="right", va="center", fontsize=SMALL_TEXT)
 
 
-def _curve(axes: Axes, plan: _Plan, path: Points) -> None:
-    drawn = axes.plot(*path.T, color=BLACK, linewidth=STRONG, zorder=4)[0]
-    drawn.set_gid("curve")
+def _curve(axes: Axes, pieces: Sequence[_Piece]) -> None:
+    drawn = axes.plot(
+        *_with_gaps([piece.path for piece in pieces]).T, color=BLACK, linewidth=STRONG, zorder=4
+    )
+    drawn[0].set_gid("curve")
 
 
-def _marks(axes: Axes, plan: _Plan, angles: Points, path: Points) -> None:
+def _with_gaps(paths: Sequence[Points]) -> Points:
+    import numpy as np
+
+    gap = np.full((1, 2), np.nan)
+    return np.concatenate([row for path in paths for row in (gap, path)][1:])
+
+
+def _chords(axes: Axes, plan: _Plan, pieces: Sequence[_Piece]) -> list[Points]:
+    """Draw what the force leaps over: between two pieces, and after a whole turn back to its beginning."""
+    import numpy as np
+
+    ends = list(pairwise(pieces))
+    if (pieces[-1].angles[-1] - pieces[0].angles[0]) % 360 == 0:
+        ends.append((pieces[-1], pieces[0]))
+    chords = [np.stack((before.path[-1], after.path[0])) for before, after in ends]
+    chords = [chord for chord in chords if np.isfinite(chord).all() and not _same(*chord)]
+    for number, (start, end) in enumerate(chords, 1):
+        across_up = np.stack((start, end)).T
+        # At a dead centre the force has no part across the crank: chords lie on the axis and on each other.
+        axes.plot(*across_up, color=WHITE, linewidth=3 * MEDIUM, zorder=3.2, solid_capstyle="butt")
+        axes.plot(*across_up, color=BLACK, linewidth=MEDIUM, dashes=CHORD, zorder=3.2)[0].set_gid(
+            f"chord-{number}"
+        )
+        if np.hypot(*(end - start)) * plan.scale > LEAST_CHORD:
+            way = (end - start) / np.hypot(*(end - start))
+            arrowhead(axes, end - way * MARK / plan.scale, way, 1 / plan.scale, size=2.6, slim=0.28)
+    return chords
+
+
+def _marks(axes: Axes, plan: _Plan, pieces: Sequence[_Piece], chords: Sequence[Points]) -> None:
     """Draw the vectors at every 30° and write their angles where there is room."""
     import numpy as np
 
-    heads = _heads(angles, path)
-    for head in heads.values():
+    heads = _heads(pieces)
+    for _, head in heads:
         axes.plot((0, head[0]), (0, head[1]), color=GREY, linewidth=THIN, zorder=3)
-        axes.plot(*head[:, None], marker="o", markersize=1.1 * MM, color=BLACK, zorder=5)
+        axes.plot(*head[:, None], marker="o", markersize=2 * MARK * MM, color=BLACK, zorder=5)
     left, bottom, right, top = plan.frame
-    lines = [((left, 0), (right, 0)), ((0, bottom), (0, top))]
-    shafts = [np.asarray(((0, 0), head)) for head in heads.values()]
+    lines = [((left, 0), (right, 0)), ((0, bottom), (0, top)), *chords]
+    shafts = [np.asarray(((0, 0), head)) for _, head in heads]
     taken = [densely(plan.on_paper(np.asarray(line))) for line in (*lines, *shafts)]
-    for angle, head in heads.items():
-        taken.append(_mark(axes, plan, f"{angle}°", head, densely(plan.on_paper(path)), taken))
-    _arrow(axes, plan, angles, path)
+    line = densely(plan.on_paper(_with_gaps([piece.path for piece in pieces])))
+    for angle, head in heads:
+        taken.append(_mark(axes, plan, f"{angle}°", head, line, taken))
 
 
 def _mark(axes: Axes, plan: _Plan, text: str, head: Points, line: Points, taken: Sequence[Points]) -> Points:
@@ -180,37 +266,39 @@ def _mark(axes: Axes, plan: _Plan, text: str, head: Points, line: Points, taken:
     return box_points(place, size)
 
 
-def _heads(angles: Points, path: Points) -> dict[int, Points]:
-    """Return the vector at every 30°, between two given angles on the line between their vectors."""
+def _heads(pieces: Sequence[_Piece]) -> list[tuple[int, Points]]:
+    """Return the vectors at every 30°, two where the force jumps, none of no length."""
     import numpy as np
 
-    first, last = math.ceil(angles[0] / MARK_STEP), math.floor(angles[-1] / MARK_STEP)
-    marks = [MARK_STEP * number for number in range(first, last + 1)]
-    heads = {angle: _between(angle, angles, path) for angle in marks}
-    if len(marks) > 1 and _same(heads[marks[0]], heads[marks[-1]]):
-        del heads[marks[-1]]
-    return {angle: head for angle, head in heads.items() if np.isfinite(head).all()}
+    heads = [(angle, piece.at(angle)) for piece in pieces for angle in _marked(piece)]
+    if len(heads) > 1 and _same(heads[0][1], heads[-1][1]):
+        del heads[-1]
+    most = max(float(np.nanmax(np.abs(piece.path), initial=0)) for piece in pieces)
+    return [(angle, head) for angle, head in heads if np.hypot(*head) > NOTHING * most]
+
+
+def _marked(piece: _Piece) -> list[int]:
+    first, last = math.ceil(piece.angles[0] / MARK_STEP), math.floor(piece.angles[-1] / MARK_STEP)
+    return [MARK_STEP * number for number in range(first, last + 1)]
 
 
 def _same(one: Points, other: Points) -> bool:
     import numpy as np
 
-    return float(np.hypot(*(one - other))) <= 1e-6 * float(np.hypot(*one))
+    return float(np.hypot(*(one - other))) <= NOTHING * float(np.hypot(*one))
 
 
-def _between(angle: float, angles: Points, path: Points) -> Points:
-    import numpy as np
-
-    return np.asarray([np.interp(angle, angles, component) for component in path.T])
-
-
-def _arrow(axes: Axes, plan: _Plan, angles: Points, path: Points) -> None:
+def _arrow(axes: Axes, plan: _Plan, pieces: Sequence[_Piece]) -> None:
     """Draw an arrow on the longest piece between two marks, pointing where the angle rises."""
     import numpy as np
 
-    middles = np.arange(angles[0] + MARK_STEP / 2, angles[-1], MARK_STEP)
-    pieces = [[_between(one + way, angles, path) for way in (-MARK_STEP / 2, 0, 0.5)] for one in middles]
-    pieces = [piece for piece in pieces if np.isfinite(piece).all()]
-    if pieces:
-        _, tip, beyond = max(pieces, key=lambda piece: float(np.hypot(*(piece[1] - piece[0]))))
+    half = MARK_STEP / 2
+    stretches = [
+        [piece.at(middle + way) for way in (-half, 0, 0.5)]
+        for piece in pieces
+        for middle in np.arange(piece.angles[0] + half, piece.angles[-1], MARK_STEP)
+    ]
+    stretches = [one for one in stretches if np.isfinite(one).all()]
+    if stretches:
+        _, tip, beyond = max(stretches, key=lambda one: float(np.hypot(*(one[1] - one[0]))))
         arrowhead(axes, tip, beyond - tip, 1 / plan.scale, size=2.6, slim=0.28)

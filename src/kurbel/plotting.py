@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Sequence
-from itertools import chain
+from itertools import chain, pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 from kurbel.captions import WORDS
@@ -44,8 +45,15 @@ LEGEND_ROW, SAMPLE, SAMPLE_GAP, LEGEND_GAP = 4.2, 9.0, 1.5, 4.0
 MOST_LABELS = 4
 
 
+# A crank angle and a value.
+Point = tuple[float, float]
+
+
 class Curve(NamedTuple):
-    """Values at angles in degrees; a value that is no finite number is a gap in the line."""
+    """Values at rising angles in degrees; a value that is no finite number is a gap in the line.
+
+    Where an angle comes twice the value jumps, from the first to the second.
+    """
 
     label: Label
     angles: Sequence[float]
@@ -77,10 +85,11 @@ class _Plan(NamedTuple):
 
     def top(self) -> float:
         """Return what the heading and the legend need above the panel."""
+        heading = ABOVE + LEGEND_ROW * self.heading.count("\n") if self.heading else BARE
         if not self.columns:
-            return ABOVE if self.heading else BARE
+            return heading
         rows = math.ceil(len(self.texts) / self.columns)
-        return ABOVE + LEGEND_ROW * (rows if self.apart else rows - 1)
+        return heading + LEGEND_ROW * (rows if self.apart else rows - 1)
 
     def bare(self) -> _Plan:
         """Return the same without the names of its curves."""
@@ -92,7 +101,8 @@ def curves(panels: Sequence[Panel], lang: str, mark: str) -> Figure:
 
     The curves of a panel have their labels beside them where all find room, else in a legend; panels of like
     curves share the legend of the first. They differ
-    in colour and in pattern, for print in black and for eyes that tell no colours. Raises ProblemError for
+    in colour and in pattern, for print in black and for eyes that tell no colours. Where a value jumps its
+    curve ends and begins anew, and a thin line leads from the one end to the other. Raises ProblemError for
     a panel of more curves than can be told apart, or without any finite value, and for a single angle.
     """
     for panel in panels:
@@ -134,13 +144,25 @@ def _finite(panel: Panel) -> list[float]:
 def _plan(panel: Panel, span: tuple[float, float], height: float, mark: str) -> _Plan:
     values = _finite(panel)
     power = power_of_thousand(values)
-    heading = text_of(axis_label(panel.label, panel.unit, power), mark)
+    heading = _in_rows(text_of(axis_label(panel.label, panel.unit, power), mark))
     texts = tuple(text_of(curve.label, mark) for curve in panel.curves)
     plan = _Plan(panel, span, _limits(values), height, heading, power, texts, None, 0)
     if not any(texts):
         return plan
     places = _places(plan) if len(texts) <= MOST_LABELS else None
     return plan._replace(places=places) if places else _with_legend(plan)
+
+
+def _in_rows(text: str) -> str:
+    """Return a heading in rows not wider than the panel, broken at spaces outside of formulas."""
+    rows = [""]
+    for word in re.split(r" (?=(?:[^$]*\$[^$]*\$)*[^$]*$)", text):
+        longer = f"{rows[-1]} {word}".lstrip()
+        if rows[-1] and size_of(longer)[0] > PANEL_WIDTH:
+            rows.append(word)
+        else:
+            rows[-1] = longer
+    return "\n".join(rows)
 
 
 def _with_one_legend(plans: list[_Plan]) -> list[_Plan]:
@@ -160,7 +182,7 @@ def _limits(values: Sequence[float]) -> tuple[float, float]:
 def _with_legend(plan: _Plan) -> _Plan:
     """Return the plan with a legend beside the heading or, where the two do not fit beside, above it."""
     widest = max(size_of(text)[0] for text in plan.texts) + SAMPLE + SAMPLE_GAP + LEGEND_GAP
-    beside = int((PANEL_WIDTH - size_of(plan.heading)[0]) / widest)
+    beside = 0 if "\n" in plan.heading else int((PANEL_WIDTH - size_of(plan.heading)[0]) / widest)
     most, count = beside or max(1, int((PANEL_WIDTH + LEGEND_GAP) / widest)), len(plan.texts)
     # Rows of equal length: three and three, not four and two.
     columns = math.ceil(count / math.ceil(count / most))
@@ -171,9 +193,9 @@ def _places(plan: _Plan) -> Sequence[Points] | None:
     """Return where labels beside the curves have room, or None unless all have."""
     import numpy as np
 
-    lines = [densely(_on_paper(curve, plan)) for curve in plan.panel.curves]
+    lines = [densely(_on_paper(_broken(curve), plan)) for curve in plan.panel.curves]
     zero = Curve("", plan.span, (0, 0))
-    labels = [densely(_on_paper(zero, plan))]
+    labels = [densely(_on_paper(one, plan)) for one in (zero, *map(_jumps, plan.panel.curves))]
     places = []
     for line, text in zip(lines, plan.texts, strict=True):
         size = size_of(text)
@@ -199,6 +221,28 @@ def _with_gaps(values: Sequence[float]) -> list[float]:
     return [float(value) if math.isfinite(value) else math.nan for value in values]
 
 
+def _broken(curve: Curve) -> Curve:
+    """Return the curve with a gap in every jump."""
+    places = [place for place, _ in _jumping(curve)]
+    angles, values = list(curve.angles), list(curve.values)
+    for place in reversed(places):
+        angles.insert(place, angles[place])
+        values.insert(place, math.nan)
+    return curve._replace(angles=angles, values=values)
+
+
+def _jumps(curve: Curve) -> Curve:
+    """Return the jumps of the curve alone, with gaps between them."""
+    ends = [end for _, jump in _jumping(curve) for end in (*jump, (jump[1][0], math.nan))]
+    return curve._replace(angles=[angle for angle, _ in ends], values=[value for _, value in ends])
+
+
+def _jumping(curve: Curve) -> list[tuple[int, tuple[Point, Point]]]:
+    """Return where a curve jumps: the number of the point after it, and both points."""
+    points = list(zip(curve.angles, curve.values, strict=True))
+    return [(place, ends) for place, ends in enumerate(pairwise(points), 1) if ends[0][0] == ends[1][0]]
+
+
 def _laid_out(plans: Sequence[_Plan]) -> tuple[Figure, list[Axes]]:
     """Return the page and its empty panels."""
     total = BELOW + sum(plan.top() + plan.height for plan in plans)
@@ -214,11 +258,13 @@ def _laid_out(plans: Sequence[_Plan]) -> tuple[Figure, list[Axes]]:
 def _draw(axes: Axes, plan: _Plan, number: int) -> None:
     drawn = []
     for curve, line in zip(plan.panel.curves, LINES, strict=False):
-        artist = axes.plot(curve.angles, _with_gaps(curve.values))[0]
+        whole = _broken(curve)
+        artist = axes.plot(whole.angles, _with_gaps(whole.values))[0]
         artist.set(color=line.colour, linewidth=line.width, zorder=3, clip_on=False)
         artist.set_linestyle((0, line.dashes) if line.dashes else "-")
         drawn.append(artist)
         artist.set_gid(f"curve-{number}-{len(drawn)}")
+        _draw_jumps(axes, curve, line.colour, f"jumps-{number}-{len(drawn)}")
     axes.set(xlim=plan.span, ylim=plan.limits)
     if plan.places:
         for place, text, line in zip(plan.places, plan.texts, LINES, strict=False):
@@ -226,6 +272,13 @@ def _draw(axes: Axes, plan: _Plan, number: int) -> None:
             axes.text(x, y, text, color=line.colour, transform=axes.transAxes, ha="center", va="center")
     elif plan.columns:
         _legend(axes, drawn, plan)
+
+
+def _draw_jumps(axes: Axes, curve: Curve, colour: str, name: str) -> None:
+    jumps = _jumps(curve)
+    if jumps.angles:
+        artist = axes.plot(jumps.angles, _with_gaps(jumps.values), color=colour, linewidth=THIN, zorder=3)[0]
+        artist.set(clip_on=False, gid=name)
 
 
 def _legend(axes: Axes, drawn: Sequence[Line2D], plan: _Plan) -> None:
@@ -236,7 +289,7 @@ def _legend(axes: Axes, drawn: Sequence[Line2D], plan: _Plan) -> None:
         [drawn[place] for place in order],
         [plan.texts[place] for place in order],
         loc="lower right",
-        bbox_to_anchor=(1, 1 + plan.apart * LEGEND_ROW / plan.height),
+        bbox_to_anchor=(1, 1 + plan.apart * LEGEND_ROW * (1 + plan.heading.count("\n")) / plan.height),
         ncols=plan.columns,
         frameon=False,
         handlelength=SAMPLE * in_sizes,
@@ -253,7 +306,7 @@ def _value_axis(axes: Axes, plan: _Plan, mark: str) -> None:
     step = round_step((high - low) * TICK_HEIGHT / plan.height)
     ticks = value_ticks(low, high, step, plan.power, mark)
     axes.set_yticks(ticks.places, ticks.texts)
-    axes.set_title(plan.heading, loc="left", pad=4, fontsize=TEXT_SIZE)
+    axes.set_title(plan.heading, loc="left", pad=4, fontsize=TEXT_SIZE, linespacing=1.0)
     if low < 0 < high:
         axes.axhline(0, color=BLACK, linewidth=MEDIUM, zorder=2)
 

@@ -11,6 +11,7 @@ from kurbel.errors import ProblemError
 from kurbel.notation import Progression, about, ratio_text
 
 if TYPE_CHECKING:
+    from kurbel.moving import Moving
     from kurbel.rod import Rod
 
 LONGEST_ROD = 10**9
@@ -33,7 +34,7 @@ class Speed:
 @dataclass(frozen=True, slots=True)
 class Crank:
     """A crank drive: ratio λ = R/L, offset e/R, crank radius R in metres, speed, piston force in
-    newtons and connecting rod where they are known.
+    newtons, connecting rod and moving masses where they are known.
 
     Valid for 0 <= λ < 1 and |e| < L − R; λ = 0 is the infinite rod.
     """
@@ -44,6 +45,7 @@ class Crank:
     speed: Speed | None = None
     force: Fraction | None = None
     rod: Rod | None = None
+    moving: Moving | None = None
 
     @property
     def rod_length(self) -> Fraction | None:
@@ -65,8 +67,13 @@ class Crank:
             )
         if self.radius is not None and self.radius <= 0:
             raise ProblemError(f"the crank radius is {about(self.radius)} m; it must be above 0")
-        if self.speed is not None and self.radius is None:
+        if self.speed is not None and self.radius is None and self.moving is None:
             raise ProblemError("a speed needs a length to give m/s; add --stroke, for example --stroke 600mm")
+        if self.moving is not None and (self.radius is None or self.speed is None):
+            raise ProblemError(
+                "masses need the stroke and the speed to become forces; add these, for example --stroke 600mm"
+                " --speed 120/min"
+            )
 
 
 def check_angles(angles: Sequence[Fraction]) -> None:

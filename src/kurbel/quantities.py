@@ -7,10 +7,12 @@ digits), separation bounds (ties), floats and arrays (bulk).
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 from typing import Any, NamedTuple
 
+from kurbel.crank_forces import CRANK_FORCES, CrankForce
 from kurbel.errors import ProblemError
 from kurbel.kernel import forces, kinematics
 from kurbel.problem import Crank
@@ -24,6 +26,7 @@ NEEDS: Mapping[str, tuple[str, ...]] = {
     "speed": ("--stroke", "--speed"),
     "force": ("--force",),
     "torque": ("--force", "--stroke"),
+    "masses": ("--reciprocating", "--stroke", "--speed"),
     "rod": ("--centre", "--gyration"),
     "inertia": ("--rod-mass", "--stroke", "--speed"),
 }
@@ -93,6 +96,7 @@ class Quantity(NamedTuple):
     On the return stroke λ and e are negative (the lower sign of the books). `scale` turns the kernel's unit
     into the quantity's; `arc` means the rod angle, which each kind of number finds in its own way. Where the
     rod's masses count, `model` says what stands for it, and formulas take (circle, λ, masses, e/R or None).
+    `loaded` is what a force becomes where the crank has moving masses.
     """
 
     key: str
@@ -107,6 +111,11 @@ class Quantity(NamedTuple):
     needs: str = ""
     arc: bool = False
     model: str = ""
+    loaded: CrankForce | None = None
+
+    @property
+    def is_force(self) -> bool:
+        return self.loaded is not None or self.unit["en"] == "F"
 
     @property
     def part(self) -> Mapping[str, str]:
@@ -117,8 +126,9 @@ class Quantity(NamedTuple):
         known = {
             "length": crank.radius is not None,
             "speed": crank.speed is not None,
-            "force": crank.force is not None,
-            "torque": crank.force is not None and crank.radius is not None,
+            "force": crank.force is not None or crank.moving is not None,
+            "torque": crank.radius is not None and (crank.force is not None or crank.moving is not None),
+            "masses": crank.moving is not None,
             "rod": crank.rod is not None,
             "inertia": crank.rod is not None and crank.rod.mass is not None and crank.speed is not None,
         }
@@ -159,8 +169,18 @@ def value(quantity: Quantity, method: str, crank: Crank, circle: Any, numbers: N
     """Return the quantity in its unit, on the kind of number that circle and `numbers` are of."""
     ratio = numbers.of(quantity.stroke * (Fraction(0) if method == "infinite" else crank.ratio))
     offset = numbers.of(quantity.stroke * crank.offset) if crank.offset else None
+    if quantity.loaded is not None and crank.moving is not None:
+        force = _loaded(quantity.loaded, crank, circle, ratio, offset, numbers)
+        return force * quantity.scale(crank, numbers)
     formula = quantity.formula(method, crank, numbers)
     return formula(circle, ratio, offset) * quantity.scale(crank, numbers)
+
+
+def _loaded(force: CrankForce, crank: Crank, circle: Any, ratio: Any, offset: Any, numbers: Numbers) -> Any:
+    """Return a force in newtons, of the piston force and of the moving masses."""
+    assert crank.moving is not None
+    weights = crank.moving.weights(numbers.of, pin_acceleration(crank, numbers))
+    return force.loaded(circle, ratio, weights, offset, numbers.of(crank.force or Fraction(0)))
 
 
 def certified(
@@ -181,8 +201,28 @@ def certified(
     def tie_bits(boundary: Fraction) -> float:
         return _tie_bits(quantity, method, crank, angle, boundary)
 
-    ties = certify.NEVER_TIES if quantity.transcendental(crank) else tie_bits
+    if _weighs(quantity, method, crank, angle):
+        # Turns a second bring the factor π² to what the masses add to an algebraic number.
+        ties: certify.TieBits | None = certify.NEVER_TIES
+    else:
+        ties = certify.NEVER_TIES if quantity.transcendental(crank) else tie_bits
     return certify.rounded(as_ball, decimals, rounding, ties)
+
+
+def _weighs(quantity: Quantity, method: str, crank: Crank, angle: Fraction) -> bool:
+    """Whether the masses may have a part in the force that has the factor π²."""
+    if quantity.loaded is None or crank.moving is None or crank.speed is None or not crank.speed.turns:
+        return False
+    from kurbel import certify
+    from kurbel.separation import Separation
+
+    alone = replace(crank, force=None)
+
+    def part() -> Any:
+        return value(quantity, method, alone, certify.ball_circle(angle), Numbers(certify.ball))
+
+    bound = value(quantity, method, alone, _bounds(angle), Numbers(Separation.rational))
+    return not certify.vanishes(part, float(bound.bits()))
 
 
 def numbers_of_balls() -> Numbers:
@@ -193,12 +233,17 @@ def numbers_of_balls() -> Numbers:
 
 
 def _tie_bits(quantity: Quantity, method: str, crank: Crank, angle: Fraction, boundary: Fraction) -> float:
-    from kurbel.kernel.circle import Circle
-    from kurbel.separation import Separation, circle_separation
+    from kurbel.separation import Separation
 
-    circle = Circle(*circle_separation(angle))
-    bound = value(quantity, method, crank, circle, Numbers(Separation.rational))
+    bound = value(quantity, method, crank, _bounds(angle), Numbers(Separation.rational))
     return float((bound - Separation.rational(boundary)).bits())
+
+
+def _bounds(angle: Fraction) -> Any:
+    from kurbel.kernel.circle import Circle
+    from kurbel.separation import circle_separation
+
+    return Circle(*circle_separation(angle))
 
 
 def _straight_or_offset(straight: Callable[..., Any], offset: Callable[..., Any]) -> Formula:
@@ -269,6 +314,9 @@ def pin_acceleration(crank: Crank, numbers: Numbers) -> Any:
 
 
 def _force(crank: Crank) -> Fraction:
+    """What makes newtons of a unit force; forces of moving masses are in newtons as they are."""
+    if crank.moving is not None:
+        return Fraction(1)
     assert crank.force is not None
     return crank.force
 
@@ -281,6 +329,18 @@ def _newton_metres(crank: Crank, numbers: Numbers) -> Any:
     return numbers.of(_force(crank) * _radius(crank))
 
 
+def greatest_load(crank: Crank) -> Fraction:
+    """Return a bound of the forces in newtons that piston force and moving masses call up, but for the rod's
+    slant: without the factor (2π)² where the speed counts turns."""
+    moving, speed = crank.moving, crank.speed
+    assert moving is not None
+    assert speed is not None
+    pin, crosshead, couple = moving.joined
+    masses = abs(pin) + crosshead + abs(Fraction(couple)) + moving.reciprocating + abs(moving.rotating)
+    factor = 40 if speed.turns else 1
+    return (crank.force or Fraction(0)) + masses * _radius(crank) * speed.value**2 * factor
+
+
 _PATH_NAME = {"de": "Kolbenweg", "en": "Piston path"}
 _VELOCITY_NAME = {"de": "Kolbengeschwindigkeit", "en": "Piston velocity"}
 _ACCELERATION_NAME = {"de": "Kolbenbeschleunigung", "en": "Piston acceleration"}
@@ -291,6 +351,15 @@ _FORCES: tuple[tuple[str, dict[str, str], str, Formula], ...] = (
     ("guide_force", {"de": "Führungsdruck", "en": "Guide force"}, "N", forces.guide_force),
     ("tangential_force", {"de": "Tangentialkraft", "en": "Tangential force"}, "T", forces.tangential_force),
     ("radial_force", {"de": "Radialkraft", "en": "Radial force"}, "Z", forces.radial_force),
+)
+
+# Where masses count, what one force alone does not show.
+_PIN_FORCES: tuple[tuple[str, dict[str, str], str], ...] = (
+    ("crosshead_pin_force", {"de": "Kraft am Kreuzkopfzapfen", "en": "Crosshead-pin force"}, "B"),
+    ("crank_pin_force", {"de": "Kraft am Kurbelzapfen", "en": "Crank-pin force"}, "K"),
+    ("bearing_along", {"de": "Lagerkraft längs", "en": "Bearing force along"}, "H_x"),
+    ("bearing_across", {"de": "Lagerkraft quer", "en": "Bearing force across"}, "H_y"),
+    ("bearing_force", {"de": "Lagerkraft", "en": "Bearing force"}, "H"),
 )
 
 
@@ -355,18 +424,24 @@ def registry() -> Mapping[str, Quantity]:
 def _force_entries() -> Iterator[Quantity]:
     for key, name, letter, formula in _FORCES:
         symbol, rest = f"${letter}$", {"formulas": _forces(formula)}
+        loaded = CRANK_FORCES[key]
         yield from _strokes(
             key, f"{key}_return", symbol, name, f"${letter}/F$", "F", decimals=4, scale=_one, **rest
         )
         yield from _strokes(
             f"{key}_n", f"{key}_return_n", symbol, name, f"${letter}$ in N", "N",
-            decimals=1, scale=_newtons, needs="force", **rest,
+            decimals=1, scale=_newtons, needs="force", loaded=loaded, **rest,
+        )  # fmt: skip
+    for key, name, letter in _PIN_FORCES:
+        yield from _strokes(
+            f"{key}_n", f"{key}_return_n", f"${letter}$", name, f"${letter}$ in N", "N", decimals=1,
+            scale=_newtons, needs="masses", loaded=CRANK_FORCES[key], formulas={},
         )  # fmt: skip
     name, rest = {"de": "Drehmoment", "en": "Torque"}, {"formulas": _forces(forces.tangential_force)}
     yield from _strokes(
-        "torque", "torque_return", "$M$", name, "$M/(F R)$", "F R", decimals=4, scale=_one, **rest
+        "torque", "torque_return", "$M_d$", name, "$M_d/(F R)$", "F R", decimals=4, scale=_one, **rest
     )
     yield from _strokes(
-        "torque_nm", "torque_return_nm", "$M$", name, "$M$ in N m", "N m",
-        decimals=1, scale=_newton_metres, needs="torque", **rest,
+        "torque_nm", "torque_return_nm", "$M_d$", name, "$M_d$ in N m", "N m",
+        decimals=1, scale=_newton_metres, needs="torque", loaded=CRANK_FORCES["tangential_force"], **rest,
     )  # fmt: skip

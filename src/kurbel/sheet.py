@@ -35,9 +35,10 @@ class Sheet:
         """Return the decimals asked for, else a quantity's own."""
         return own if self.digits is None else self.digits
 
-    def chosen(self) -> tuple[str, ...]:
-        """Return the keys of the columns asked for, else the layout's."""
-        return self.columns or tuple(column.quantity for column in self.layout.columns)
+    def chosen(self, known: Callable[[str], bool] = lambda key: True) -> tuple[str, ...]:
+        """Return the keys of the columns asked for, else the layout's that do not give way to a known one."""
+        own = (one for one in self.layout.columns if not (one.unless and known(one.unless)))
+        return self.columns or tuple(column.quantity for column in own)
 
 
 class Heads(NamedTuple):

@@ -37,7 +37,7 @@ CLOSED_FORMS = {
     "N": "(F R)/L",
     "T": "F sqrt((R/L)^2 + 1)",
     "Z": "0",
-    "M": "F R sqrt((R/L)^2 + 1)",
+    "M_d": "F R sqrt((R/L)^2 + 1)",
 }
 
 
@@ -68,7 +68,7 @@ class TangentRequest(Sheet):
 
     @property
     def shown(self) -> tuple[str, ...]:
-        chosen = tuple(key for key in self.chosen() if key != "ratio" and self._knows(key))
+        chosen = tuple(key for key in self.chosen(self._knows) if key != "ratio" and self._knows(key))
         if not chosen:
             raise ProblemError("there is no column beside the ratio; add one, such as rod_force")
         return chosen

@@ -189,9 +189,8 @@ class Turn:
 
     def radius(self) -> Number:
         """The crank radius in metres."""
-        assert self.engine.load is not None
-        assert self.engine.load.radius is not None
-        return ball(self.engine.load.radius)
+        assert self.engine.crank.radius is not None
+        return ball(self.engine.crank.radius)
 
     def back(self) -> Number:
         """The back pressure R_b/Q."""
@@ -329,7 +328,7 @@ class WeisbachTurn(Turn):
 
 def turn_of(engine: Engine, method: str) -> Turn | CardTurn:
     """Return the engine's turn by a method: exact, series or weisbach; of an indicator card in floats."""
-    if engine.inertia is not None and method != "exact":
+    if engine.crank.moving is not None and method != "exact":
         raise ProblemError(f'method "{method}" has no formulas for the masses; use exact')
     if engine.carded:
         from kurbel.card_turn import CardTurn

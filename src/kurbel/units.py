@@ -89,9 +89,9 @@ def force(text: str) -> Fraction:
     return _checked(Fraction(newtons), text, "force", "N", 10**12)
 
 
-def pressure(text: str, what: str) -> float:
+def pressure(text: str, what: str) -> Fraction:
     """Return a pressure in pascals, which may be below 0 where it counts from the atmosphere: "1.013bar"."""
-    return float(_quantity(text, what, "a pressure such as 1bar", "[pressure]").to("Pa").magnitude)
+    return Fraction(_quantity(text, what, "a pressure such as 1bar", "[pressure]").to("Pa").magnitude)
 
 
 def is_measure(text: str) -> bool:

@@ -28,7 +28,9 @@ COMMANDS = {
         "Print the harmonics of the piston's path, velocity or acceleration.",
     ),
     "balance": ("kurbel.cli.balance", "Print the free forces and moments of an engine."),
-    "plot": ("kurbel.cli.plot", "Draw the motion, the mechanism, the pin force or the turning effort."),
+    "collate": ("kurbel.cli.collate", "Compare a book's printed values, or your own, with recomputed ones."),
+    "sources": ("kurbel.cli.collate", "List the books that can be collated."),
+    "plot": ("kurbel.cli.plot", "Draw the motion, the mechanism, the forces or the turning effort."),
     "layouts": ("kurbel.cli.lists", "List the page layouts."),
     "quantities": ("kurbel.cli.lists", "List the quantities that columns can show."),
 }

@@ -76,7 +76,8 @@ def harmonics(**options: Any) -> None:
 @click.option(
     "--engine",
     type=Name("engine", usual),
-    help="inline-1 to inline-6, v2-90, v6-90, v8-90, v12-60, boxer-2, boxer-4; default: inline-4.",
+    help="inline-1, inline-2-180, inline-2-360, inline-3 to inline-6, v2-90, v6-90, v8-90, v12-60, boxer-2,"
+    " boxer-4; default: inline-4.",
 )
 @click.option(
     "--cranks",

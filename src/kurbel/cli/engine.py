@@ -10,7 +10,7 @@ import click
 
 from kurbel import notation
 from kurbel.cli.machine import machine_option
-from kurbel.cli.masses import inertia_of, load_of, mass_options
+from kurbel.cli.masses import is_heavy, load_of, mass_options, with_masses
 from kurbel.cli.options import (
     Columns,
     Name,
@@ -18,6 +18,7 @@ from kurbel.cli.options import (
     layout_option,
     output_options,
     sheet_of,
+    typed,
     without_outdone,
 )
 from kurbel.errors import ProblemError
@@ -65,13 +66,15 @@ CRANKS = click.option("--cranks", metavar="ANGLES",
                       help="Angles by which the cranks follow the first, with cylinders alike: 0;90 or"
                       " 0;120;240.")  # fmt: skip
 STEAM_NAMES = ("eps", "back", "exponent", "clearance", "card", "other_side", "single_acting")
+# What a page without forces takes for the masses' sake alone.
+ONLY_MASSES = ("stroke", "bore", "pressure")
 # --eps, the steam or a card, but neither ratio nor method.
 steam_options = in_order((EPS, *STEAM))
 
 
 def engine_conditions(options: Mapping[str, Any]) -> bool:
-    """Whether any of steam_options is there."""
-    return any(options[name] not in (None, (), False) for name in STEAM_NAMES)
+    """Whether there is steam, or an indicator card."""
+    return bool(options["eps"] or options["card"])
 
 
 def engine_options(command: Command) -> Command:
@@ -114,6 +117,7 @@ def delta(**options: Any) -> None:
     kurbel delta --eps 2..8 --ratio '1:4;1:5;1:∞' --back 0.1 -f latex -o anhang.tex
     kurbel delta --eps 4 --cranks '0;90' --detail
     """  # fmt: skip
+    _check_masses(options, ("speed", *ONLY_MASSES))
     print_engine(options, _delta_layout(without_outdone(options, RIVALS)), ("irregularity", "strokes"))
 
 
@@ -157,6 +161,7 @@ def turning(**options: Any) -> None:
     """  # fmt: skip
     from kurbel.layouts import layout_of
 
+    _check_masses(options, ("speed", *ONLY_MASSES))
     if options["angle"] and options["step"] is not None:
         raise ProblemError("--angle lists the angles and --step runs through the turn; use one or the other")
     if options["step"] is not None:
@@ -172,7 +177,8 @@ def turning(**options: Any) -> None:
 @machine_option
 @engine_options
 @mass_options
-@click.option("--power", metavar="POWER", required=True, help="Power of the engine: 50kW, 68PS.")
+@click.option("--power", metavar="POWER",
+              help="Power of the engine: 50kW, 68PS; with masses it follows from the steam.")  # fmt: skip
 @click.option("--speed", metavar="SPEED", required=True, help="Speed: 120/min, 12.5rad/s.")
 @click.option("--delta", multiple=True, metavar="δ", required=True,
               help="Degree of irregularity to keep: 1:100, 0.01; lists 1:50;1:100.")  # fmt: skip
@@ -188,12 +194,35 @@ def flywheel(**options: Any) -> None:
     kurbel flywheel --power 50kW --speed 120/min --delta '1:50;1:100' --eps 4 --radius 1.5m
     """  # fmt: skip
     from kurbel.flywheel import Flywheel
-    from kurbel.units import length, power, speed
+    from kurbel.units import length, speed
 
-    watts, turns = power(options["power"]), speed(options["speed"])
+    _check_masses(options, ONLY_MASSES)
+    watts, turns = _power(options), speed(options["speed"])
     radius = None if options["radius"] is None else length(options["radius"], "radius")
     wheels = [Flywheel(watts, turns, each, radius) for each in notation.irregularities(options["delta"])]
     print_engine(options, options["layout"], ("flywheel",), flywheels=tuple(wheels))
+
+
+def _power(options: Mapping[str, Any]) -> Fraction | None:
+    """Return the power in watts; with masses it follows from the steam, against which they are weighed."""
+    from kurbel.units import power
+
+    if is_heavy(options):
+        if options["power"] is not None and typed("power"):
+            raise ProblemError(
+                "with masses the power follows from pressure, bore, stroke and speed; leave --power out"
+            )
+        return None
+    if options["power"] is None:
+        raise ProblemError("a flywheel needs the power of the engine; add --power, for example --power 50kW")
+    return power(options["power"])
+
+
+def _check_masses(options: Mapping[str, Any], names: tuple[str, ...]) -> None:
+    """Refuse what is for the masses where there are none."""
+    for name in names:
+        if not is_heavy(options) and options[name] is not None and typed(name):
+            raise ProblemError(f"--{name} is for moving masses; add --reciprocating or a rod, --rod-mass")
 
 
 def print_engine(options: dict[str, Any], name: str, subjects: tuple[str, ...], **rest: Any) -> None:
@@ -210,7 +239,6 @@ def print_engine(options: dict[str, Any], name: str, subjects: tuple[str, ...], 
         **engines,
         methods=tuple(dict.fromkeys(options["method"])),
         **sheet_of(options, "epsilon,delta"),
-        inertia=inertia_of(options, engines["drives"]),
         load=load_of(options),
         **rest,
     )
@@ -219,11 +247,14 @@ def print_engine(options: dict[str, Any], name: str, subjects: tuple[str, ...], 
 
 def engines_of(page: Layout, options: Mapping[str, Any]) -> dict[str, Any]:
     """Return what the options say of engines, as EngineRequest takes it."""
-    from kurbel.problem import Crank
+    from kurbel.cli.table import cranks_of
 
+    beside = ("bore",) if options["card"] else ("bore", "pressure")
+    # A flywheel has the speed too, which is no speed of the piston without its masses.
+    drives = cranks_of(page, {**options, "speed": None})
     return {
         "steams": _diagrams(options) if options["card"] else _steams(page, options),
-        "drives": [Crank(ratio) for ratio in notation.ratios(options["ratio"] or page.ratios)],
+        "drives": with_masses(drives, options, beside),
         "double": not options["single_acting"],
         "cranks": notation.crank_angles("0" if options["cranks"] is None else options["cranks"]),
     }
@@ -241,7 +272,7 @@ def _diagrams(options: Mapping[str, Any]) -> list[Diagram]:
             )
     if options["other_side"] is not None and not options["single_acting"]:
         raise ProblemError("--other-side is for --single-acting; double-acting, the other end works as well")
-    other = None if options["other_side"] is None else pressure(options["other_side"], "other side")
+    other = None if options["other_side"] is None else float(pressure(options["other_side"], "other side"))
     return [Diagram(read_card(file), other) for file in options["card"]]
 
 

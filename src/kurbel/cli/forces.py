@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -10,12 +10,22 @@ from typing import Any
 import click
 
 from kurbel import notation
-from kurbel.cli.engine import STEAM_NAMES, engine_conditions, print_engine, steam_options
+from kurbel.cli.engine import CRANKS, STEAM_NAMES, engine_conditions, print_engine, steam_options
 from kurbel.cli.machine import machine_option
-from kurbel.cli.masses import MASSES, MOVING, SIZE
-from kurbel.cli.options import LayoutName, Name, in_order, output_options, sheet_of, typed, without_outdone
-from kurbel.cli.table import RIVALS, chosen_angles, cranks_of, motion_options, print_motion
+from kurbel.cli.masses import MASSES, MOVING, ROTATING, SIZE, is_heavy, with_masses
+from kurbel.cli.options import (
+    LayoutName,
+    Name,
+    in_order,
+    output_options,
+    sheet_of,
+    typed,
+    without_outdone,
+)
+from kurbel.cli.printing import Printing, print_table
+from kurbel.cli.table import RIVALS, chosen_angles, cranks_of, motion_options, motion_request
 from kurbel.errors import ProblemError
+from kurbel.layouts import layout_of
 
 OF_ENGINES = ("crank forces", "machine")
 POSITIONS = ("tangent",)
@@ -31,19 +41,11 @@ POSITIONS = ("tangent",)
     help="tangent: a sheet of the position in which the rod touches the crank circle, with closed forms.",
 )
 @steam_options
+@CRANKS
 @in_order(SIZE)
 @in_order(MOVING)
-@click.option(
-    "--rotating",
-    metavar="MASS",
-    help="Mass of the crank itself at its pin, for the main bearing: 60kg; -40kg if counterweights outweigh.",
-)
+@ROTATING
 @click.option("--speed", metavar="SPEED", help="Speed, for the masses: 120/min, 12.5rad/s.")
-@click.option(
-    "--method",
-    type=Name("method", lambda: ("exact", "series")),
-    help="Motion of the piston of an engine: exact (default) or series.",
-)
 @click.option(
     "--layout",
     type=LayoutName(("motion", *OF_ENGINES, "tangent")),
@@ -53,7 +55,8 @@ POSITIONS = ("tangent",)
 def forces(**options: Any) -> None:
     """Print the forces of the crank drive: rod, guide, tangential and radial force, torque.
 
-    Per unit piston force, under a force of so many newtons, or over the turn of a steam engine.
+    Per unit piston force, under a force of so many newtons and with moving masses, or over the turn of a
+    steam engine.
 
     \b
     kurbel forces --ratio 1:5
@@ -65,37 +68,46 @@ def forces(**options: Any) -> None:
     _subject(options)(options)
 
 
-def _subject(options: Mapping[str, Any]) -> Any:
+def _subject(options: Mapping[str, Any]) -> Callable[[dict[str, Any]], None]:
     from kurbel.layouts import layout
 
-    page = options["layout"] and layout(options["layout"])
-    if options["at"] is not None or (page and page.subject == "tangent"):
+    about = layout(options["layout"]).subject if options["layout"] else ""
+    if options["at"] is not None or about == "tangent":
         return _print_tangent
-    return _print_engine if engine_conditions(options) else _print_unit
+    # What is typed outdoes the steam of a machine.
+    alone = about == "motion" or (typed("force") and not (typed("eps") or typed("card")))
+    return _print_engine if engine_conditions(options) and not alone else _print_piston
 
 
-def _print_unit(options: dict[str, Any]) -> None:
-    _refuse(options, ("bore", "pressure", *MASSES), "is for the steam of an engine; add --eps or --card")
-    print_motion({**options, "layout": options["layout"] or "forces"}, _newtons(options))
+def _print_piston(options: dict[str, Any]) -> None:
+    steam = ("bore", "pressure", "cranks", *STEAM_NAMES)
+    _refuse(options, steam, "is for the steam of an engine; add --eps or --card")
+    name = options["layout"] or "forces"
+    if layout_of(name, ("motion", *OF_ENGINES)).subject in OF_ENGINES:
+        raise ProblemError(f"layout {name} is of a steam engine; add --eps or --card")
+    if not is_heavy(options):
+        _refuse(options, ("speed",), "is for moving masses; add --reciprocating or a rod, --rod-mass")
+    options = without_outdone(options, RIVALS)
+    page, printing = layout_of(name, ("motion",)), Printing.chosen(options)
+    # A speed alone makes no force.
+    cranks = cranks_of(page, {**options, "speed": None}, _newtons(options))
+    print_table(motion_request(page, tuple(with_masses(cranks, options, ())), options), printing)
 
 
 def _print_engine(options: dict[str, Any]) -> None:
-    from kurbel.layouts import layout_of
-
     if options["offset"] is not None and notation.number(options["offset"], "offset"):
         raise ProblemError("the steam engine has a straight crank, and an offset was given; leave it out")
-    without = "does not go with the steam of an engine, --eps or --card; leave it out"
-    _refuse(options, ("force", "rod"), without)
-    heavy = any(options[name] is not None for name in MASSES)
-    name = options["layout"] or ("machine-forces" if heavy else "engine-forces")
+    _refuse(options, ("force",), "does not go with the steam of an engine, --eps or --card; leave it out")
+    if not is_heavy(options):
+        _refuse(options, ("speed",), "is for moving masses; add --reciprocating or a rod, --rod-mass")
+        if options["bore"] is None:
+            _refuse(options, ("stroke",), "makes newton metres of the steam only with --bore; add that")
+    name = options["layout"] or ("machine-forces" if is_heavy(options) else "engine-forces")
     angles = chosen_angles(layout_of(name, OF_ENGINES), options)
-    options |= {"cranks": None, "method": (options["method"],) if options["method"] else ()}
-    print_engine(options, name, OF_ENGINES, angles=angles)
+    print_engine({**options, "method": ()}, name, OF_ENGINES, angles=angles)
 
 
 def _print_tangent(options: dict[str, Any]) -> None:
-    from kurbel.cli.printing import Printing, print_table
-    from kurbel.layouts import layout_of
     from kurbel.tangent_page import TangentRequest
 
     options = without_outdone(options, RIVALS)
@@ -103,11 +115,11 @@ def _print_tangent(options: dict[str, Any]) -> None:
     own = "does not go with --at tangent, a position with an angle of its own; leave it out"
     _refuse(options, ("angle", "from", "to", "step"), own)
     about = "does not go with --at tangent, a position under one piston force, --force; leave it out"
-    _refuse(options, (*STEAM_NAMES, *MASSES, "bore", "pressure"), about)
+    _refuse(options, (*STEAM_NAMES, *MASSES, "bore", "pressure", "speed", "cranks"), about)
     force, printing = _newtons(options), Printing.chosen(options)
     request = TangentRequest(
         layout=page,
-        cranks=tuple(replace(crank, force=force) for crank in cranks_of(page, options)),
+        cranks=tuple(replace(crank, force=force) for crank in cranks_of(page, {**options, "speed": None})),
         **sheet_of(options, "phi,rod_force"),
     )
     print_table(request, printing)
@@ -115,7 +127,7 @@ def _print_tangent(options: dict[str, Any]) -> None:
 
 def _refuse(options: Mapping[str, Any], names: tuple[str, ...], why: str) -> None:
     for name in names:
-        if options[name] not in (None, ()) and typed(name):
+        if options[name] not in (None, (), False) and typed(name):
             raise ProblemError(f"--{name.replace('_', '-')} {why}")
 
 

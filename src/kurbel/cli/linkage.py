@@ -28,14 +28,14 @@ def print_linkage(name: str, options: dict[str, Any]) -> None:
     request = LinkageRequest(
         layout=page,
         angles=chosen_angles(page, options),
-        cranks=arc_cranks_of(page, options) if name == "arc" else (),
+        cranks=arc_cranks(page, options) if name == "arc" else (),
         **sheet_of(options, "phi,path,rocker"),
     )
     print_table(request, printing)
 
 
-def arc_cranks_of(page: Layout, options: Mapping[str, Any]) -> tuple[ArcCrank, ...]:
-    """Return the arc cranks that the options describe, with the ratios of the layout by default."""
+def arc_cranks(page: Layout, options: Mapping[str, Any]) -> tuple[ArcCrank, ...]:
+    """Return the arc cranks that the options describe, of the layout's ratios if none are there."""
     if options["method"] not in (None, "exact"):
         raise ProblemError(
             f'method "{options["method"]}" has no formulas for the arc crank; use exact,'

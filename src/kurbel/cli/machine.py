@@ -23,10 +23,12 @@ def machine_option(command: Command) -> Command:
 def _load(context: click.Context, parameter: click.Parameter, path: str | None) -> None:
     if path is None:
         return
-    from kurbel.machine import read_machine
+    from kurbel.machine import read_machine, with_ratio
 
     names = {one.name for one in context.command.params}
     machine = read_machine(path)
+    if "rod" not in names:
+        machine = with_ratio(machine)
     if machine.get("offset") and "offset" not in names:
         raise MachineError(
             f"{path}: crank.offset is {machine['offset']}, and kurbel {context.info_name} is about the"

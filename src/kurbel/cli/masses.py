@@ -10,18 +10,21 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from kurbel import notation
-from kurbel.cli.options import in_order
+from kurbel.cli.options import in_order, without_outdone
 from kurbel.errors import NotationError, ProblemError
 
 if TYPE_CHECKING:
-    from kurbel.engine import Inertia, Load
+    from kurbel.engine import Load
     from kurbel.problem import Crank
     from kurbel.rod import Rod
 
-# What every mass needs beside it to become a force.
-SCALE = ("stroke", "speed", "bore", "pressure")
 ROD_NAMES = ("rod_mass", "centre", "gyration", "rod_file")
 MASSES = ("reciprocating", *ROD_NAMES, "rotating")
+# What gives way, where it only comes from the environment or a machine, to what is typed.
+ROD_RIVALS = (
+    *((name, {"rod_file"}) for name in ("rod_mass", "centre", "gyration")),
+    *(("rod_file", {name}) for name in ("centre", "gyration")),
+)
 
 
 ROD = (
@@ -38,66 +41,71 @@ ROD = (
 rod_options = in_order(ROD)
 MOVING = (
     click.option("--reciprocating", metavar="MASS",
-                 help="Mass of piston and crosshead: 200kg. Masses need --stroke, --speed, --bore and"
-                 " --pressure."),
+                 help="Mass of piston and crosshead: 200kg. Masses need --stroke and --speed, and beside"
+                 " steam --bore and --pressure."),
     *ROD,
 )  # fmt: skip
+ROTATING = click.option("--rotating", metavar="MASS",
+                        help="Mass of the crank itself at its pin, for the main bearing: 60kg; -40kg if"
+                        " counterweights outweigh it.")  # fmt: skip
 SIZE = (
     click.option("--bore", metavar="LENGTH", help="Bore of the cylinder: 300mm."),
     click.option("--pressure", metavar="PRESSURE",
                  help="Steam pressure before cut-off: 8bar; an indicator card has its own."),
 )  # fmt: skip
-STROKE = click.option("--stroke", metavar="LENGTH", help="Stroke 2R: 600mm.")
-mass_options = in_order((*MOVING, STROKE, *SIZE))
+LENGTHS = (
+    click.option("--stroke", metavar="LENGTH", help="Stroke 2R: 600mm."),
+    click.option("--rod", metavar="LENGTH",
+                 help="Rod length L, which with --stroke gives the ratio: 1500mm."),
+)  # fmt: skip
+mass_options = in_order((*MOVING, *LENGTHS, *SIZE))
 
 
 def load_of(options: Mapping[str, Any]) -> Load | None:
     """Return what makes newtons of the steam force, None if it is not known."""
-    needed = ("bore",) if options["card"] else ("bore", "pressure")
     if options["bore"] is None and (options["card"] or options["pressure"] is None):
         return None
+    needed = ("bore",) if options["card"] else ("bore", "pressure")
     missing = [f"--{name}" for name in needed if options[name] is None]
     if missing:
         raise ProblemError(f"newtons need the bore and the steam pressure; add {missing[0]}")
     from kurbel.engine import Load
     from kurbel.units import length, pressure
 
-    steam, stroke = options["pressure"], options["stroke"]
-    return Load(
-        length(options["bore"], "bore"),
-        None if steam is None else Fraction(pressure(steam, "pressure")),
-        None if stroke is None else length(stroke, "stroke") / 2,
-    )
+    steam = options["pressure"]
+    return Load(length(options["bore"], "bore"), None if steam is None else pressure(steam, "pressure"))
 
 
-def inertia_of(options: Mapping[str, Any], drives: Sequence[Crank]) -> Inertia | None:
-    """Return the masses that the options describe, None if there are none."""
-    given = [name for name in MASSES if options.get(name) is not None]
-    if not given:
-        return None
-    option = f"--{given[0].replace('_', '-')}"
-    needed = [name for name in SCALE if name != "pressure" or not options["card"]]
-    missing = [f"--{name}" for name in needed if options[name] is None]
+def is_heavy(options: Mapping[str, Any]) -> bool:
+    """Whether any mass is given."""
+    return any(options.get(name) is not None for name in MASSES)
+
+
+def with_masses(cranks: Sequence[Crank], options: Mapping[str, Any], beside: tuple[str, ...]) -> list[Crank]:
+    """Return the cranks with the masses that the options describe, and the speed that makes forces of them.
+
+    `beside` names the further options that every mass needs.
+    """
+    if not is_heavy(options):
+        return list(cranks)
+    first = next(name for name in MASSES if options.get(name) is not None)
+    missing = [f"--{name}" for name in ("speed", *beside) if options[name] is None]
+    if any(crank.radius is None for crank in cranks):
+        missing.insert(0, "--stroke")
     if missing:
-        raise ProblemError(f"{option} needs {', '.join(missing)} to become a force")
-    from kurbel.engine import Inertia
-    from kurbel.units import length, mass, signed_mass, speed
+        raise ProblemError(f"--{first.replace('_', '-')} needs {', '.join(missing)} to become a force")
+    from kurbel.moving import Moving
+    from kurbel.units import mass, signed_mass, speed
 
     reciprocating, rotating = options["reciprocating"], options.get("rotating")
-    radius = length(options["stroke"], "stroke") / 2
-    return Inertia(
+    # One rod for all ratios has a length of its own only if there is one ratio.
+    length = cranks[0].rod_length if len(cranks) == 1 else None
+    moving = Moving(
         Fraction(0) if reciprocating is None else mass(reciprocating, "reciprocating mass"),
-        speed(options["speed"]),
-        _heavy_rod(options, [replace(drive, radius=radius) for drive in drives]),
+        rod_of(options, length) if any(options[name] is not None for name in ROD_NAMES) else None,
         Fraction(0) if rotating is None else signed_mass(rotating, "rotating mass"),
     )
-
-
-def _heavy_rod(options: Mapping[str, Any], drives: Sequence[Crank]) -> Rod | None:
-    if all(options[name] is None for name in ROD_NAMES):
-        return None
-    # One rod for all ratios has a length of its own only if there is one ratio.
-    return rod_of(options, drives[0].rod_length if len(drives) == 1 else None)
+    return [replace(crank, speed=speed(options["speed"]), moving=moving) for crank in cranks]
 
 
 def rod_of(options: Mapping[str, Any], length: Fraction | None) -> Rod:
@@ -105,6 +113,7 @@ def rod_of(options: Mapping[str, Any], length: Fraction | None) -> Rod:
     from kurbel.rod_given import given_rod
     from kurbel.units import mass
 
+    options = without_outdone(dict(options), ROD_RIVALS)
     weight = options["rod_mass"]
     return given_rod(
         _in_rod_lengths(options["centre"], "centre of mass", length),

@@ -112,6 +112,10 @@ def _column_keys(name: str) -> tuple[str, ...]:
         from kurbel.balance_request import balance_column_keys
 
         return balance_column_keys()
+    if page.subject == "collation":
+        from kurbel.collate_page import KEYS as COLLATION_KEYS
+
+        return COLLATION_KEYS
     if page.subject in ("arc crank", "parallel crank"):
         from kurbel.linkage_page import linkage_column_keys
 
@@ -231,7 +235,7 @@ def without_foreign(options: dict[str, Any], foreign: Mapping[str, str]) -> dict
     for option, sentence in foreign.items():
         if typed(option):
             raise ProblemError(sentence)
-    return options | {option: _nothing(options[option]) for option in foreign}
+    return options | {option: nothing(options[option]) for option in foreign}
 
 
 def without_outdone(options: dict[str, Any], rivals: Iterable[tuple[str, set[str]]]) -> dict[str, Any]:
@@ -239,10 +243,10 @@ def without_outdone(options: dict[str, Any], rivals: Iterable[tuple[str, set[str
     kept = dict(options)
     for option, others in rivals:
         if not typed(option) and all(map(typed, others)):
-            kept[option] = _nothing(options[option])
+            kept[option] = nothing(options[option])
     return kept
 
 
-def _nothing(value: Any) -> tuple[()] | None:
-    """What an option is that was not given."""
+def nothing(value: Any) -> tuple[()] | None:
+    """Return what an option is that was not given."""
     return () if isinstance(value, tuple) else None

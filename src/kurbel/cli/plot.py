@@ -1,18 +1,21 @@
-"""`kurbel plot`: the motion, the mechanism, the force on the crank pin, the turning effort of an engine."""
+"""`kurbel plot`: the motion, the mechanism to scale, and the forces, also those of an engine."""
 
 from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import click
 
 from kurbel.cli import engine
+from kurbel.cli.machine import machine_option
+from kurbel.cli.masses import MOVING, ROTATING, SIZE
+from kurbel.cli.mechanism import mechanism_options
 from kurbel.cli.options import Columns, Name, in_order, typed, without_outdone
-from kurbel.cli.plot_kinds import LAYOUT, STEPS, WIDEST, kind_of, of_kind
-from kurbel.cli.table import CRANK_RIVALS, LENGTHS, METHOD, RATIO
+from kurbel.cli.plot_kinds import ENGINE_LAYOUT, LAYOUT, STEPS, WIDEST, kind_of, of_kind
+from kurbel.cli.table import LENGTHS, METHOD, RATIO
 from kurbel.errors import ChoiceError
 from kurbel.formats import DECIMAL_OF_LANGUAGE, DECIMALS
 from kurbel.layouts import LANGUAGES
@@ -24,18 +27,29 @@ def _formats() -> Sequence[str]:
     return tuple(FORMATS)
 
 
+class DrawnColumns(Columns):
+    """Names of columns of the page whose quantities are drawn."""
+
+    def _default(self, typed: Mapping[str, Any]) -> str:
+        if typed.get("forces") and (typed.get("eps") or typed.get("card")):
+            return ENGINE_LAYOUT
+        return super()._default(typed)
+
+
 KINDS = (
-    click.option("--mechanism", multiple=True, metavar="ANGLES",
-                 help="Draw crank, rod and crosshead to scale at these crank angles: 30, or 30;90;150."),
+    click.option("--positions", multiple=True, metavar="ANGLES",
+                 help="Draw the mechanism to scale at these crank angles: 30, or 30;90;150."),
+    click.option("--forces", is_flag=True,
+                 help="Draw the forces in the crank drive: of a steam engine with --eps or --card, else of a"
+                 " constant piston force."),
     click.option("--polar", is_flag=True,
-                 help="Draw the force that a constant piston force exerts on the crank pin, as a polar"
-                 " diagram."),
+                 help="Draw the polar diagram of the force on the crank pin, of either."),
     click.option("--turning", is_flag=True,
                  help="Draw the turning effort of a steam engine: tangential force, its mean and the excess"
                  " energy."),
 )  # fmt: skip
 CURVES = (
-    click.option("--columns", type=Columns(LAYOUT), multiple=True, metavar="NAMES",
+    click.option("--columns", type=DrawnColumns(LAYOUT), multiple=True, metavar="NAMES",
                  help="Quantities to draw: x,c,p or rod_force,guide_force; `kurbel quantities` lists them."),
     METHOD,
     click.option("--from", metavar="ANGLE", help="First angle; default 0."),
@@ -45,9 +59,12 @@ CURVES = (
 )  # fmt: skip
 UNITS = (
     *LENGTHS,
-    click.option("--speed", metavar="SPEED", help="Speed, for m/s and m/s²: 120/min, 12.5rad/s."),
+    click.option(
+        "--speed", metavar="SPEED", help="Speed, for m/s and m/s², and for masses: 120/min, 12.5rad/s."
+    ),
     click.option("--force", metavar="FORCE", help="Piston force, to draw forces in N and N m: 10kN."),
 )
+ENGINE = (engine.EPS, *engine.STEAM, engine.CRANKS, *SIZE, *MOVING, ROTATING)
 OUTPUT = (
     click.option("-f", "--format", type=Name("drawing format", _formats), metavar="FORMAT",
                  help="svg, png or pdf; default: by the suffix of -o."),
@@ -61,16 +78,22 @@ OUTPUT = (
 
 
 @click.command()
-@in_order((*KINDS, RATIO, *CURVES, *UNITS, engine.EPS, *engine.STEAM, engine.CRANKS, *OUTPUT))
+@machine_option
+@in_order((*KINDS, RATIO, *CURVES, *UNITS))
+@mechanism_options
+@in_order((*ENGINE, *OUTPUT))
 def plot(**options: Any) -> None:
-    """Draw path, velocity and acceleration over the crank angle, or what --mechanism, --polar and --turning
-    say. Drawings need the extra `plot`.
+    """Draw path, velocity and acceleration over the crank angle, or what --positions, --forces, --polar and
+    --turning say. Drawings need the extra `plot`.
 
     \b
     kurbel plot --ratio 1:5 -o bewegung.svg
     kurbel plot --ratio '1:4;1:5' --columns p -o beschleunigung.pdf
     kurbel plot --ratio 1:5 --force 10kN --stroke 600mm -o kraefte.pdf
-    kurbel plot --mechanism 30 --ratio 1:5 -o kurbeltrieb.svg
+    kurbel plot --positions 30 --ratio 1:5 -o kurbeltrieb.svg
+    kurbel plot --mechanism arc --rocker 6 -o bogenschubkurbel.svg
+    kurbel plot --polar --eps 4 --bore 300mm --pressure 8bar -o zapfenkraft.pdf
+    kurbel plot --forces --machine engine.toml -o kraefte.svg
     kurbel plot --turning --eps 4 --ratio 1:5 -o drehkraft.pdf
     """  # fmt: skip
     from kurbel.labels import plain
@@ -79,7 +102,7 @@ def plot(**options: Any) -> None:
 
     name = _format(options["format"], options["output"])
     kind = kind_of(options)
-    kept = of_kind(without_outdone(options, (*CRANK_RIVALS, *engine.RIVALS)), kind)
+    kept = of_kind(without_outdone(options, engine.RIVALS), kind)
     mark = DECIMALS[options["decimal"] or DECIMAL_OF_LANGUAGE[options["lang"]]]
     drawing = kind.draw(kept, mark)
     drawn = image(drawing.figure, name, plain(drawing.title, mark))

@@ -8,8 +8,8 @@ import click
 
 from kurbel.cli.machine import machine_option
 from kurbel.cli.mechanism import chosen_mechanism, mechanism_options
-from kurbel.cli.options import Columns, in_order, layout_option, output_options, sheet_of, without_outdone
-from kurbel.cli.table import CRANK_RIVALS, LENGTHS, METHOD, RATIO
+from kurbel.cli.options import Columns, in_order, layout_option, output_options, sheet_of
+from kurbel.cli.table import LENGTHS, METHOD, RATIO
 from kurbel.errors import ProblemError
 from kurbel.layouts import Layout
 
@@ -54,7 +54,6 @@ def solve(**options: Any) -> None:
     from kurbel.solve_page import SolveRequest
     from kurbel.where import read_condition
 
-    options = without_outdone(options, CRANK_RIVALS)
     page = layout_of(options["layout"], ("roots",))
     name, options = chosen_mechanism({**options, "layout": None})
     if name == "parallel":
@@ -80,6 +79,6 @@ def _slide_drives(page: Layout, options: dict[str, Any]) -> Any:
 
 def _arc_drives(page: Layout, options: dict[str, Any]) -> Any:
     from kurbel.arc_drive import ArcDrive
-    from kurbel.cli.linkage import arc_cranks_of
+    from kurbel.cli.linkage import arc_cranks
 
-    return tuple(ArcDrive(crank) for crank in arc_cranks_of(page, options))
+    return tuple(ArcDrive(crank) for crank in arc_cranks(page, options))

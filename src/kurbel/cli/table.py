@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
 from kurbel import notation
+from kurbel.cli.lengths import settled_lengths
 from kurbel.cli.machine import machine_option
 from kurbel.cli.mechanism import MECHANISMS, chosen_mechanism, mechanism_options
 from kurbel.cli.options import (
@@ -30,10 +30,6 @@ if TYPE_CHECKING:
     from kurbel.request import Request
 
 # What gives way, where it only comes from the environment, to what is typed.
-CRANK_RIVALS = (
-    ("rod", {"ratio"}),
-    ("ratio", {"stroke", "rod"}),
-)
 RIVALS = (
     ("angle", {"from"}),
     ("angle", {"to"}),
@@ -41,7 +37,6 @@ RIVALS = (
     ("from", {"angle"}),
     ("to", {"angle"}),
     ("step", {"angle"}),
-    *CRANK_RIVALS,
 )
 Command = TypeVar("Command", bound=Callable[..., Any])
 FULL_TURN = Fraction(360)
@@ -156,35 +151,22 @@ def ends_of_run(start: str | None, stop: str | None) -> tuple[Fraction, Fraction
 
 def cranks_of(page: Layout, options: Mapping[str, Any], force: Fraction | None = None) -> tuple[Crank, ...]:
     """Return the cranks that --ratio, --offset, --stroke, --rod and --speed describe, or the layout's."""
+    options = settled_lengths(options)
     if options.get("method") == "infinite" and options["rod"] and not options["stroke"]:
         raise ProblemError("--rod gives the rod a length, but --method infinite takes none; use --stroke")
-    lengths = (options.get(name) for name in ("stroke", "rod", "speed", "offset"))
-    cranks = _cranks(page, options["ratio"], *lengths)
-    return tuple(replace(crank, force=force) for crank in cranks) if force else cranks
-
-
-def _cranks(
-    page: Layout,
-    ratio: tuple[str, ...],
-    stroke: str | None,
-    rod: str | None,
-    speed: str | None,
-    offset: str | None,
-) -> tuple[Crank, ...]:
-    if rod is not None and ratio and stroke is not None:
-        raise ProblemError("--stroke and --rod already give the ratio; leave --ratio out")
-    radius, length = _length(stroke, "stroke"), _length(rod, "rod")
+    radius, length = _length(options["stroke"], "stroke"), _length(options["rod"], "rod")
     radius = None if radius is None else radius / 2
     if radius is not None and length is not None:
         values: Sequence[Fraction] = (radius / length,)
     else:
-        values = notation.ratios(ratio or page.ratios)
+        values = notation.ratios(options["ratio"] or page.ratios)
         if length is not None and 0 in values:
             raise ProblemError(
                 "--rod gives the rod a length, but ratio 1:∞ asks for an infinite one; leave one out"
             )
+    speed = _speed(options.get("speed"))
     return tuple(
-        Crank(value, _offset(offset, size), size, _speed(speed))
+        Crank(value, _offset(options.get("offset"), size), size, speed, force)
         for value in values
         for size in [length * value if length is not None and radius is None else radius]
     )

@@ -1,0 +1,304 @@
+"""A book's table and its collation become a page: as printed, with marks, and a critical apparatus below."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from itertools import count
+
+from kurbel.arrange import Axis, Grid, Place, check_size, panels
+from kurbel.axes import ColumnAxis
+from kurbel.choices import choose
+from kurbel.collation import Collated
+from kurbel.layouts import layout as layout_named
+from kurbel.notation import angle, plain, ratio, ratio_text
+from kurbel.problem import Crank
+from kurbel.sheet import Heads, Sheet, records_of, table_of
+from kurbel.source import AXES, SourceTable
+from kurbel.table import Cell, Field, Label, Note, Number, Panel, Table, Value
+from kurbel.verdict import (
+    ALL,
+    DEVIATIONS,
+    DIGIT,
+    FOLLOWS,
+    LAST_PLACE,
+    OTHER_FORMULA,
+    RIGHT,
+    VERDICTS,
+    Verdict,
+)
+
+WORDS: Mapping[str, Mapping[str, str]] = {
+    "place": {"de": "Stelle", "en": "Place"},
+    "printed": {"de": "gedruckt", "en": "printed"},
+    "recomputed": {"de": "neu berechnet", "en": "recomputed"},
+    "difference": {"de": "Unterschied", "en": "difference"},
+    "verdict": {"de": "Befund", "en": "verdict"},
+    "detail": {"de": "Einzelheit", "en": "detail"},
+    "quantity": {"de": "Größe", "en": "quantity"},
+    "units": {
+        "de": "Unterschied: gedruckter weniger neu berechneter Wert, in Einheiten der letzten Stelle",
+        "en": "Difference: printed less recomputed value, in units of the last place",
+    },
+    "careful": {
+        "de": "Ob Verfasser, Setzer oder Abschrift eine Abweichung verschuldet, zeigt der Vergleich nicht",
+        "en": "Whether author, compositor or transcription caused a deviation the comparison does not show",
+    },
+    "summary": {"de": "{count} gedruckte Werte: {verdicts}", "en": "{count} printed values: {verdicts}"},
+    "entry": {
+        "de": "{place}: {printed}] {recomputed}, {difference}, {verdict}",
+        "en": "{place}: {printed}] {recomputed}, {difference}, {verdict}",
+    },
+    "for": {"de": "{0} für {1}", "en": "{0} for {1}"},
+    "too_many": {"de": "{0} zu viel", "en": "{0} too many"},
+    "missing": {"de": "{0} fehlt", "en": "{0} missing"},
+    "follows": {
+        "de": "folgt aus den gedruckten Zwischenwerten",
+        "en": "follows from the printed intermediate values",
+    },
+    "table": {"de": "Tafel", "en": "Table"},
+    "outstroke": {"de": "Hingang", "en": "outstroke"},
+    "return": {"de": "Rückgang", "en": "return"},
+    "turn": {"de": "Umdrehung", "en": "turn"},
+}
+METHOD_NAMES: Mapping[str, Mapping[str, str]] = {
+    "exact": {"de": "genau", "en": "exact"},
+    "series": {"de": "erste Ordnung", "en": "first order"},
+    "infinite": {"de": "unendliche Stange", "en": "infinite rod"},
+    "weisbach": {"de": "Weisbach", "en": "Weisbach"},
+    "approximate": {"de": "Näherung", "en": "approximate"},
+}
+KEYS = (
+    "table", "place", "quantity", *AXES, "method", "printed", "recomputed", "difference", "verdict", "detail",
+)  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class CollateRequest(Sheet):
+    """What is asked for: the collated cells of a table, all or those that deviate."""
+
+    table: SourceTable
+    collated: Sequence[Collated] = field(repr=False)
+    only: str = ALL
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        for key in self.columns:
+            choose(key, KEYS, "column")
+
+    def __len__(self) -> int:
+        """How many records there are."""
+        return len(self.shown)
+
+    @cached_property
+    def deviations(self) -> list[Collated]:
+        return [one for one in self.collated if one.verdict.kind != RIGHT]
+
+    @property
+    def shown(self) -> Sequence[Collated]:
+        return self.deviations if self.only == DEVIATIONS else self.collated
+
+
+def build_collation(request: CollateRequest, pages: bool = True) -> Table:
+    """Return the page with its apparatus; without `pages` only its records."""
+    lang, table = request.lang, request.table
+    names = request.columns or KEYS
+    records = records_of(len(request), names, _fields(lang), lambda: _records(request))
+    as_printed = bool(table.layout) and request.only == ALL
+    marks = _marks(request) if as_printed else {}
+    caption = request.layout.caption[lang].replace("{title}", table.title[lang])
+    drawn = table_of(request, caption, None if as_printed or not pages else _grid(request), records, ())
+    return replace(
+        drawn,
+        key=request.label or table.key or drawn.key,
+        panels=_printed_page(request, marks) if as_printed and pages else drawn.panels,
+        notes=tuple(_notes(request, marks)),
+        source=table.book.citation[lang],
+    )
+
+
+def _marks(request: CollateRequest) -> Mapping[str, str]:
+    """Return a letter for each place that deviates: a to z, then aa."""
+    letters = (_letters(number) for number in count())
+    return {one.cell.place: mark for one, mark in zip(request.deviations, letters, strict=False)}
+
+
+def _letters(number: int) -> str:
+    first, last = divmod(number, 26)
+    return (_letters(first - 1) if first else "") + "abcdefghijklmnopqrstuvwxyz"[last]
+
+
+def _printed_page(request: CollateRequest, marks: Mapping[str, str]) -> tuple[Panel, ...]:
+    """The page in the book's layout, with the characters of the book."""
+    from kurbel.motion import motion_grid
+    from kurbel.request import Request, page_columns
+
+    page = layout_named(request.table.layout)
+    ratios = dict.fromkeys(ratio(one.cell.axes["ratio"]) for one in request.collated)
+    angles = list(dict.fromkeys(angle(one.cell.axes["phi"], "angle") for one in request.collated))
+    asked = Request(page, tuple(Crank(each) for each in ratios), angles, lang=request.lang)
+    columns = page_columns(asked)
+    by_place = {
+        (one.cell.quantity, ratio(one.cell.axes["ratio"]), angle(one.cell.axes["phi"], "angle")): one
+        for one in request.collated
+    }
+
+    def cell(place: Place) -> Cell:
+        quantity = columns[place["column"]].digits.quantity.key
+        found = by_place.get((quantity, [*ratios][place["ratio"]], angles[place["angle"]]))
+        if found is None:
+            return Cell(None)
+        mark = marks.get(found.cell.place)
+        return Cell(_printed(found), (mark,) if mark else ())
+
+    return panels(page, Grid(motion_grid(asked, columns).axes, cell))
+
+
+def _printed(one: Collated) -> Number | Label:
+    if one.printed.form in (",", "."):
+        return Number(one.printed.scaled, one.printed.decimals)
+    return _characters(one.printed.text)
+
+
+def _characters(text: str) -> Label:
+    """Characters as they stand, with the decimal point of labels."""
+    return f"${text.replace(',', '.').replace('−', '-')}$" if "½" not in text else text
+
+
+class _PlaceAxis(Axis):
+    """The places of the printed values."""
+
+    def __init__(self, request: CollateRequest) -> None:
+        super().__init__(len(request.shown))
+        self.request = request
+
+    def stub_heading(self) -> Label:
+        return WORDS["place"][self.request.lang]
+
+    def heads(self, place: Place) -> tuple[Label, ...]:
+        return (place_label(self.request.shown[place["place"]], self.request.lang),)
+
+
+def _grid(request: CollateRequest) -> Grid:
+    layout, lang = request.layout, request.lang
+    keys = [column.key for column in layout.columns]
+    heads = [Heads((), (WORDS[key][lang],)) for key in keys]
+    axes: dict[str, Axis] = {"place": _PlaceAxis(request), "column": ColumnAxis(layout, heads, (), lang)}
+    check_size(layout, {name: axis.size for name, axis in axes.items()})
+
+    def cell(place: Place) -> Cell:
+        one = request.shown[place["place"]]
+        match keys[place["column"]]:
+            case "printed":
+                return Cell(_printed(one))
+            case "recomputed":
+                return Cell(_recomputed(one))
+            case "difference":
+                return Cell(Number(one.off, 0) if one.off else None)
+        return Cell(verdict_text(one.verdict, request, lang))
+
+    return Grid(axes, cell)
+
+
+def _recomputed(one: Collated) -> Number | Label:
+    if one.printed.form in (",", "."):
+        return Number(one.printed.scaled - one.off, one.printed.decimals)
+    return _characters(one.recomputed)
+
+
+def place_label(one: Collated, lang: str) -> Label:
+    """Return where a value stands: "$x/R$, $R:L = 1:5$, 45°"."""
+    cell = one.cell
+    parts = [cell.label or quantity_label(cell.quantity, lang)]
+    if "ratio" in cell.axes:
+        parts.append(f"${ratio_text(ratio(cell.axes['ratio']))}$")
+    if "epsilon" in cell.axes:
+        parts.append(f"$ε = {cell.axes['epsilon']}$")
+    if "stroke" in cell.axes:
+        parts.append(WORDS[cell.axes["stroke"]][lang])
+    if "phi" in cell.axes:
+        parts.append(f"${plain(angle(cell.axes['phi'], 'angle'))}°$")
+    return ", ".join(parts)
+
+
+def quantity_label(key: str, lang: str) -> Label:
+    """Return how a quantity is written at the head of its column."""
+    from kurbel.beam import registry as beam_registry
+    from kurbel.engine_quantities import engine_registry
+    from kurbel.quantities import registry
+
+    if key in registry():
+        quantity = registry()[key]
+        heading = quantity.heading[lang]
+        return heading if "$" in heading else f"{quantity.symbol} {heading}"
+    return engine_registry()[key].symbol if key in engine_registry() else beam_registry()[key].symbol
+
+
+def verdict_text(found: Verdict, request: CollateRequest, lang: str) -> Label:
+    """Return the verdict with what it is about."""
+    said = VERDICTS[found.kind][lang]
+    detail = _detail(found, request, lang)
+    return f"{said}: {detail}" if detail else said
+
+
+def _detail(found: Verdict, request: CollateRequest, lang: str) -> Label:
+    if not found.detail:
+        return ""
+    if found.kind == DIGIT:
+        digit, sign = found.detail[0], found.detail[1]
+        words = {":": "for", "+": "too_many", "-": "missing"}[sign]
+        return WORDS[words][lang].format(digit, found.detail[2:])
+    if found.kind == OTHER_FORMULA:
+        return METHOD_NAMES[found.detail][lang]
+    if (found.kind, found.detail) == (LAST_PLACE, FOLLOWS):
+        return WORDS["follows"][lang]
+    by_place = {one.cell.place: one for one in request.collated}
+    return "; ".join(place_label(by_place[name], lang) for name in found.detail.split(", "))
+
+
+def _notes(request: CollateRequest, marks: Mapping[str, str]) -> Iterator[Note]:
+    lang = request.lang
+    for one in request.deviations if marks else ():
+        text = WORDS["entry"][lang].format(
+            place=place_label(one, lang),
+            printed=f"${one.printed.text.replace(',', '.')}$",
+            recomputed=f"${one.recomputed.replace(',', '.')}$",
+            difference=f"${one.off:+d}$",
+            verdict=verdict_text(one.verdict, request, lang),
+        )
+        yield Note(text, marks[one.cell.place])
+    counted = Counter(one.verdict.kind for one in request.collated)
+    found = (f"{counted[kind]} {words[lang]}" for kind, words in VERDICTS.items() if counted[kind])
+    yield Note(WORDS["summary"][lang].format(count=len(request.collated), verdicts=", ".join(found)))
+    yield from (Note(note) for note in request.table.notes[lang])
+    yield Note(WORDS["units"][lang])
+    if request.deviations:
+        yield Note(WORDS["careful"][lang])
+
+
+def _fields(lang: str) -> Mapping[str, Field]:
+    from kurbel.captions import WORDS as MOTION_WORDS
+
+    names = {key: words[lang] for key, words in WORDS.items()}
+    names |= {"ratio": MOTION_WORDS["ratio"][lang], "phi": MOTION_WORDS["phi"][lang]}
+    return {key: Field(key, names.get(key, key)) for key in KEYS}
+
+
+def _records(request: CollateRequest) -> Iterator[Mapping[str, Value]]:
+    for one in request.shown:
+        cell = one.cell
+        axes = {axis: cell.axes.get(axis) for axis in AXES}
+        yield {
+            "table": request.table.key,
+            "place": cell.place,
+            "quantity": cell.quantity or None,
+            **axes,
+            "method": cell.method if cell.quantity else None,
+            "printed": one.printed.text,
+            "recomputed": one.recomputed,
+            "difference": Number(one.off, 0),
+            "verdict": one.verdict.kind,
+            "detail": one.verdict.detail or None,
+        }

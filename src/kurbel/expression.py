@@ -1,0 +1,130 @@
+"""Arithmetic of a source's cells: "1 - cos(45) + 0.1 * sin(45)^2", "v_max - v_min", on numbers of any kind.
+
+An expression has numbers, names of other cells, + - * / ^, brackets and the functions sin, cos (of degrees),
+arccos (in degrees), sqrt and ln. It is evaluated on balls, or on separation bounds to tell whether its value
+can be a tie.
+"""
+
+from __future__ import annotations
+
+import ast
+import operator
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+from kurbel.errors import NotationError
+
+LONGEST = 500
+_OPERATIONS: Mapping[type, Callable[[Any, Any], Any]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+}
+FUNCTIONS = ("sin", "cos", "sqrt", "ln", "arccos")
+
+
+class Kind(NamedTuple):
+    """A kind of number: of a fraction, sine and cosine of exact degrees, logarithm and arc if it has them."""
+
+    of: Callable[[Fraction], Any]
+    circle: Callable[[Fraction], Any]
+    ln: Callable[[Any], Any] | None = None
+    arccos: Callable[[Any], Any] | None = None
+
+
+class Expression:
+    """An expression that was read once; `names` are the other cells in it."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self._tree = _parsed(text)
+        self.names = frozenset(node.id for node in ast.walk(self._tree) if isinstance(node, ast.Name)) - {
+            *FUNCTIONS
+        }
+
+    @property
+    def transcendental(self) -> bool:
+        """Whether it has a logarithm or an arc."""
+        names = (node.id for node in ast.walk(self._tree) if isinstance(node, ast.Name))
+        return bool({"ln", "arccos"} & {*names})
+
+    def value(self, kind: Kind, cell: Callable[[str], Any]) -> Any:
+        """Return the value on a kind of number, with those of the cells that it names."""
+        return _value(self._tree, kind, cell)
+
+
+def _parsed(text: str) -> ast.expr:
+    if len(text) > LONGEST:
+        raise NotationError(f"an expression of {len(text)} characters is too long; {LONGEST} are allowed")
+    try:
+        tree = ast.parse(text.replace("^", "**"), mode="eval").body
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        raise NotationError(f'"{text[:60]}" is no expression; write one such as 1 - cos(45)') from None
+    _check(tree, text)
+    return tree
+
+
+def _check(tree: ast.expr, text: str) -> None:
+    """Raise NotationError for anything but numbers, names, the four operations, powers and functions."""
+    match tree:
+        case ast.Constant(value=int() | float()) | ast.Name():
+            return
+        case ast.UnaryOp(op=ast.USub(), operand=inner):
+            _check(inner, text)
+        case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=int() as power)) if 0 <= power <= 9:
+            _check(left, text)
+        case ast.BinOp(left=left, op=op, right=right) if type(op) in _OPERATIONS:
+            _check(left, text)
+            _check(right, text)
+        case ast.Call(func=ast.Name(id=name), args=[inner], keywords=[]) if name in FUNCTIONS:
+            _check(inner, text)
+            if name in ("sin", "cos"):
+                _rational(inner, text)
+        case _:
+            raise NotationError(
+                f'"{text[:60]}" has what no expression may; it has numbers, names of cells, + - * / ^,'
+                f" brackets, {', '.join(FUNCTIONS)}"
+            )
+
+
+def _rational(tree: ast.expr, text: str) -> Fraction:
+    """Return a number written out, as the argument of sin and cos must be."""
+    match tree:
+        case ast.Constant(value=int() | float() as value):
+            return Fraction(str(value))
+        case ast.UnaryOp(op=ast.USub(), operand=inner):
+            return -_rational(inner, text)
+        case ast.BinOp(left=left, op=op, right=right) if type(op) in _OPERATIONS:
+            return Fraction(_OPERATIONS[type(op)](_rational(left, text), _rational(right, text)))
+    raise NotationError(f'"{text[:60]}" has a sine or cosine of no number; write its degrees out')
+
+
+def _value(tree: ast.expr, kind: Kind, cell: Callable[[str], Any]) -> Any:
+    match tree:
+        case ast.Constant(value=value):
+            return kind.of(Fraction(str(value)))
+        case ast.Name(id=name):
+            return cell(name)
+        case ast.UnaryOp(operand=inner):
+            return -_value(inner, kind, cell)
+        case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=int() as power)):
+            return _value(left, kind, cell) ** power
+        case ast.BinOp(left=left, op=op, right=right):
+            return _OPERATIONS[type(op)](_value(left, kind, cell), _value(right, kind, cell))
+        case ast.Call(func=ast.Name(id=name), args=[inner]):
+            return _called(name, inner, kind, cell)
+    raise AssertionError(tree)
+
+
+def _called(name: str, inner: ast.expr, kind: Kind, cell: Callable[[str], Any]) -> Any:
+    if name in ("sin", "cos"):
+        circle = kind.circle(_rational(inner, ""))
+        return circle.sine if name == "sin" else circle.cosine
+    value = _value(inner, kind, cell)
+    if name in ("ln", "arccos"):
+        function = kind.ln if name == "ln" else kind.arccos
+        assert function is not None
+        return function(value)
+    return value**0.5

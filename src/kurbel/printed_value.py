@@ -1,0 +1,83 @@
+"""Printed values as characters: what they say, to which last place, and how another would stand there."""
+
+from __future__ import annotations
+
+import re
+from fractions import Fraction
+from typing import NamedTuple
+
+from kurbel.errors import NotationError
+
+_DECIMAL = re.compile(r"([-−]?)(\d+)(?:([.,])(\d+))?")
+_ARC = re.compile(r"([-−]?)(\d+)°\s*(?:(\d+)(½)?['′])?")
+_QUOTIENT = re.compile(r"([-−]?)(\d+)/(\d+)")
+
+
+class Printed(NamedTuple):
+    """A printed value: scaled · unit, where the unit is that of its last place.
+
+    `form` says how it is written: with a decimal "," or ".", as "°", "'" (degrees and minutes), "½'" (half
+    minutes counted), or as "/", a quotient, which has no last place but is exact.
+    """
+
+    text: str
+    scaled: int
+    unit: Fraction
+    form: str
+
+    @property
+    def value(self) -> Fraction:
+        return self.scaled * self.unit
+
+    @property
+    def exact(self) -> bool:
+        return self.form == "/"
+
+    def standing_for(self, scaled: int) -> str:
+        """Return how a value of so many units would be printed in its place."""
+        sign = "-" if scaled < 0 else ""
+        size = abs(scaled)
+        if self.form in (",", "."):
+            digits = str(size).rjust(self.decimals + 1, "0")
+            mark = self.form if self.decimals else ""
+            point = len(digits) - self.decimals
+            return f"{sign}{digits[:point]}{mark}{digits[point:]}"
+        if self.form == "/":
+            return f"{sign}{size}/{self.unit.denominator}"
+        if self.form == "°":
+            return f"{sign}{size}°"
+        halves = 2 if self.form == "½'" else 1
+        degrees, rest = divmod(size, 60 * halves)
+        minutes, half = divmod(rest, halves)
+        return f"{sign}{degrees}°{minutes}{'½' if half else ''}'"
+
+    @property
+    def decimals(self) -> int:
+        """How many decimals are printed."""
+        return len(str(self.unit.denominator)) - 1 if self.form in (",", ".") else 0
+
+
+def printed_value(text: str) -> Printed:
+    """Return what the characters say: "0,981", "-0.025", "32°51½'", "77°", "1/72"."""
+    stripped = text.strip()
+    if match := _DECIMAL.fullmatch(stripped):
+        sign, whole, mark, rest = match.groups()
+        rest = rest or ""
+        scaled = int(whole + rest) * (-1 if sign else 1)
+        return Printed(stripped, scaled, Fraction(1, 10 ** len(rest)), mark or ",")
+    if match := _ARC.fullmatch(stripped):
+        sign, degrees, minutes, half = match.groups()
+        if minutes is None:
+            return Printed(stripped, int(degrees) * (-1 if sign else 1), Fraction(1), "°")
+        halves = 2 if half else 1
+        scaled = (int(degrees) * 60 + int(minutes)) * halves + bool(half)
+        form = "½'" if half else "'"
+        return Printed(stripped, scaled * (-1 if sign else 1), Fraction(1, 60 * halves), form)
+    if match := _QUOTIENT.fullmatch(stripped):
+        sign, top, bottom = match.groups()
+        if int(bottom):
+            value = Fraction(int(top), int(bottom)) * (-1 if sign else 1)
+            return Printed(stripped, value.numerator, Fraction(1, value.denominator), "/")
+    raise NotationError(
+        f'"{text[:40]}" is no printed value; write 0,981 or 0.981, an angle as 32°51\' or a quotient as 1/72'
+    )
