@@ -230,7 +230,7 @@ def test_formulas_of_cells_have_the_value_that_mpmath_gives() -> None:
                 values[one.cell.place] = value = by_python(one.cell.formula.text, values)
                 unit = mp.mpf(one.printed.unit.numerator) / one.printed.unit.denominator
                 right = int(mp.floor(value / unit + mp.mpf("0.5")))
-                assert one.printed.scaled - one.off == right, one.cell.place
+                assert one.off is not None and one.printed.scaled - one.off == right, one.cell.place
                 count += 1
     assert count == 44
 
@@ -369,11 +369,11 @@ def test_a_missing_file_or_quantity_is_answered_with_a_sentence(tmp_path: Path) 
     said = refusal("collate", "--csv=nowhere.csv", code=1)
     assert said.startswith("cannot read the transcription nowhere.csv")
     path = written(tmp_path, "phi;1:4\n0;1\n")
-    said = refusal("collate", "--csv", path, code=1)
+    said = refusal("collate", "--csv", path)
     assert said.endswith("what is printed is not known; add --quantity, for example --quantity p")
-    said = refusal("collate", "--csv", written(tmp_path, "phi;p\n0;1\n"), "--ratio=2:1", code=1)
+    said = refusal("collate", "--csv", written(tmp_path, "phi;p\n0;1\n"), "--ratio=2:1")
     assert "crank ratio R:L is 2; it must be below 1" in said
-    said = refusal("collate", "--csv", written(tmp_path, "phi;x_mm\n0;1\n"), "--ratio=1:4", code=1)
+    said = refusal("collate", "--csv", written(tmp_path, "phi;x_mm\n0;1\n"), "--ratio=1:4")
     assert "the quantity x_mm has a unit, and no lengths are known; choose one without" in said
     with pytest.raises(KurbelError, match="either a table of a book"):
         library.make_collation_table()
@@ -422,13 +422,51 @@ def test_a_book_of_ones_own_is_a_folder(tmp_path: Path) -> None:
         (BOOK, VALUES.replace("c;", "a;"), "line 2: the place a is given twice"),
         (BOOK, VALUES.replace("b;x;1:5;60", "b;;;"), "line 3: b has neither a quantity nor a formula"),
         (BOOK, VALUES.replace("b;x;1:5;60", "b;xx;1:5;60"), 'there is no quantity "xx" (did you mean x?)'),
-        (BOOK, VALUES.replace("b;x;1:5;60", "b;x;1:5;"), "b has no phi, which the quantity x needs"),
+        (
+            BOOK,
+            VALUES.replace("b;x;1:5;60", "b;x;1:5;"),
+            "line 3: b: there is no phi, which the quantity x needs",
+        ),
         (BOOK, VALUES.replace("place;", "platz;"), 'line 1: there is no column "platz"; choose from place'),
         (BOOK, VALUES.replace(";printed", ";printed;printed2"), 'there is no column "printed2"'),
         (BOOK, "", "is empty; it starts with its heads"),
         (BOOK.replace("[tables.1]", "[tables.1"), VALUES, "cannot read the source"),
-        (BOOK.replace('citation = "A. Author, A Book"', "citation = 3"), VALUES, "citation must be a text"),
+        (
+            BOOK.replace('citation = "A. Author, A Book"', "citation = 3"),
+            VALUES,
+            "citation must be a line of text",
+        ),
         ("tables = 3", VALUES, "tables must be sections, such as [tables.112]"),
+        ("[tables]\n1 = 3", VALUES, "the table '1' must be a section, such as [tables.112]"),
+        ('citation = "C"\n[tables."../1"]', VALUES, "the table '../1' must be a section"),
+        (f"{BOOK}notes.de = 5\n", VALUES, "notes must be lists of lines, notes.de and notes.en"),
+        (f'{BOOK}notes.de = "abc"\n', VALUES, "notes must be lists of lines"),
+        (BOOK.replace("A Book", "\\u001b[31m"), VALUES, "citation must be a line of text"),
+        (f'{BOOK}layout = "weisbach-150"\n', VALUES, "layout weisbach-150 is about something else"),
+        (f'{BOOK}layout = "roetscher-112"\n', VALUES, "the layout roetscher-112 has no place for a"),
+        (BOOK, VALUES.replace("a + 0.1", "1 / 0"), "line 4: c: "),
+        (BOOK, VALUES.replace("a + 0.1", "sin(1 / 0)"), 'line 4: "sin(1 / 0)" divides by zero'),
+        (BOOK, VALUES.replace("0,61", "1/7").replace("a + 0.1", "1 / 0"), 'c: "1 / 0" divides by zero'),
+        (BOOK, VALUES.replace("a + 0.1", "a + True"), '"True" is no number of an expression'),
+        (BOOK, VALUES.replace("a + 0.1", "1e400"), '"1e400" is no number of an expression'),
+        (BOOK, VALUES.replace("a + 0.1", "2^True"), '"True" is no number of an expression'),
+        (BOOK, VALUES.replace("a + 0.1", "arccos(2)"), "line 4: c: "),
+        (BOOK, VALUES.replace(";;0,58", ";a;0,58"), "b has a quantity and a formula"),
+        (BOOK, "place;formula;printed;printed\na;1;1;2\n", "line 1: a column stands there twice"),
+        (BOOK, "place;formula;printed\n", "has no printed value below its heads"),
+        (BOOK, "place;formula;printed\na;1;\n", "has no printed value below its heads"),
+        (BOOK, "place;quantity;ratio;phi;stroke;printed\na;p;1:5;30;foo;0,966\n", "quantity p has no stroke"),
+        (BOOK, "place;quantity;ratio;epsilon;printed\na;delta;;2;1,3\n", "a: there is no ratio, which"),
+        (
+            BOOK,
+            f"place;formula;printed\na;1;0,{'0' * 5000}\n",
+            "a printed value of 5002 characters is too long",
+        ),
+        (
+            BOOK,
+            "place;formula;printed\na0;1;1\n" + "".join(f"a{n};a{n - 1};1\n" for n in range(1, 200)),
+            "more than 50 cells build on one another",
+        ),
     ],
 )
 def test_a_book_that_cannot_be_used_is_answered_with_a_sentence(
@@ -438,6 +476,91 @@ def test_a_book_that_cannot_be_used_is_answered_with_a_sentence(
     assert result.code in (1, 2)
     assert sentence in result.err
     assert "Traceback" not in result.err
+
+
+def test_a_formula_without_a_label_is_headed_by_its_place(tmp_path: Path) -> None:
+    folder = own(tmp_path, values="place;formula;printed\nroot_2;sqrt(2);1,4\n")
+    assert " root 2     1,4" in printed("collate", "author-1", "--sources", folder).out
+
+
+@pytest.mark.parametrize(
+    ("formula", "text", "recomputed", "verdict", "detail"),
+    [
+        ("1 / 72", "1/72", "1/72", RIGHT, ""),
+        ("1 / 71", "1/72", "1/71", DIGIT, "2:1"),
+        ("1 / 3", "1/4", "1/3", DIGIT, "4:3"),
+        ("5", "1/72", "5", UNEXPLAINED, ""),
+        ("1 / 3", "-1/3", "1/3", SIGN, ""),
+        ("12 / 31", "12/13", "12/31", EXCHANGED, ""),
+        ("sqrt(2)", "7/5", "1,414214", UNEXPLAINED, ""),
+        ("sqrt(2)^2 / 4", "1/2", "1/2", RIGHT, ""),
+        ("-cos(60)", "1/2", "-0,500000", SIGN, ""),
+        ("ln(2)", "1/2", "0,693147", UNEXPLAINED, ""),
+        ("0.12345678901234567890", "0,12345678901234567890", "0,12345678901234567890", RIGHT, ""),
+    ],
+)
+def test_a_quotient_is_right_only_as_the_value_itself(
+    formula: str, text: str, recomputed: str, verdict: str, detail: str, tmp_path: Path
+) -> None:
+    folder = own(tmp_path, values=f"place;formula;printed\na;{formula};{text}\n")
+    (record,) = printed("collate", "author-1", "--sources", folder, "-f", "csv").records()
+    found = (record["recomputed"], record["verdict"], record["detail"])
+    assert found == (recomputed, verdict, detail)
+    assert record["difference"] == ("0" if verdict == RIGHT else "")
+
+
+def test_cells_that_name_others_often_are_computed_once(tmp_path: Path) -> None:
+    lines = "".join(f"a{n};(a{n - 1} + a{n - 1}) / 2;1\n" for n in range(1, 50))
+    folder = own(tmp_path, values=f"place;formula;printed\na0;sqrt(1);1\n{lines}")
+    records = printed("collate", "author-1", "--sources", folder, "-f", "csv").records()
+    assert [one["verdict"] for one in records] == [RIGHT] * 50
+
+
+def test_a_quotient_of_ones_own_is_held_to_the_method(tmp_path: Path) -> None:
+    file = tmp_path / "$own$.csv"
+    file.write_text("phi;p\n90;-1/4\n", encoding="utf-8")
+    words = ("collate", "--csv", str(file), "--ratio=1:4")
+    (exact,) = printed(*words, "-f", "csv").records()
+    # -λ/√(1 - λ²), by hand.
+    assert (exact["recomputed"], exact["verdict"], exact["detail"]) == ("-0,258199", OTHER_FORMULA, "series")
+    (series,) = printed(*words, "--method=series", "-f", "csv").records()
+    assert (series["recomputed"], series["verdict"]) == ("-1/4", RIGHT)
+    assert printed(*words).out.startswith(" Kollation von $own$.csv")
+
+
+@pytest.mark.parametrize(
+    ("head", "words", "sentence"),
+    [
+        ("p", ("--quantity=p_return", "--ratio=1:4"), "a column headed p, and --quantity is p_return"),
+        ("1:4", ("--quantity=c", "--ratio=1:5"), "a column headed 1:4, and --ratio is another"),
+        ("p", ("--quantity=foo", "--ratio=1:4"), 'there is no quantity "foo"'),
+        ("p", ("--ratio=xx",), 'crank ratio "xx" is not a ratio'),
+        ("v", ("--quantity=delta", "--ratio=1:4"), "delta does not go by crank angles"),
+        ("p", (), "the crank ratio is not known"),
+        ("p", ("--ratio=1:4", "--sources=nowhere"), "--sources is for tables of books"),
+        ("p", ("--ratio=1:4", "--digits=3"), "--digits has no use here"),
+        ("p", ("--ratio=1:4", "--rounding=half-even"), "--rounding has no use here"),
+    ],
+)
+def test_what_does_not_go_together_is_wrong_usage(
+    head: str, words: tuple[str, ...], sentence: str, tmp_path: Path
+) -> None:
+    file = tmp_path / "own.csv"
+    file.write_text(f"phi;{head}\n30;0,981\n", encoding="utf-8")
+    assert sentence in refusal("collate", "--csv", str(file), *words)
+
+
+def test_two_columns_of_one_kind_are_refused(tmp_path: Path) -> None:
+    file = tmp_path / "own.csv"
+    file.write_text("phi;1:4;2:8\n30;0,981;0,981\n", encoding="utf-8")
+    said = refusal("collate", "--csv", str(file), "--quantity=p", code=1)
+    assert said.endswith("line 1: there are two columns of p at R:L = 1:4")
+
+
+def test_a_folder_without_books_is_told(tmp_path: Path) -> None:
+    own(tmp_path)
+    said = refusal("sources", "--sources", str(tmp_path / "author"), code=1)
+    assert said.endswith("has no books: no folder in it has a source.toml")
 
 
 def test_a_folder_that_is_not_there_is_told() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from functools import cached_property
 from itertools import count
 
@@ -12,11 +13,12 @@ from kurbel.arrange import Axis, Grid, Place, check_size, panels
 from kurbel.axes import ColumnAxis
 from kurbel.choices import choose
 from kurbel.collation import Collated
-from kurbel.layouts import layout as layout_named
+from kurbel.errors import ChoiceError, SourceError
+from kurbel.layouts import layout_of
 from kurbel.notation import angle, plain, ratio, ratio_text
 from kurbel.problem import Crank
 from kurbel.sheet import Heads, Sheet, records_of, table_of
-from kurbel.source import AXES, SourceTable
+from kurbel.source import AXES, SourceCell, SourceTable
 from kurbel.table import Cell, Field, Label, Note, Number, Panel, Table, Value
 from kurbel.verdict import (
     ALL,
@@ -47,6 +49,7 @@ WORDS: Mapping[str, Mapping[str, str]] = {
         "en": "Whether author, compositor or transcription caused a deviation the comparison does not show",
     },
     "summary": {"de": "{count} gedruckte Werte: {verdicts}", "en": "{count} printed values: {verdicts}"},
+    "one": {"de": "{count} gedruckter Wert: {verdicts}", "en": "{count} printed value: {verdicts}"},
     "entry": {
         "de": "{place}: {printed}] {recomputed}, {difference}, {verdict}",
         "en": "{place}: {printed}] {recomputed}, {difference}, {verdict}",
@@ -135,15 +138,25 @@ def _printed_page(request: CollateRequest, marks: Mapping[str, str]) -> tuple[Pa
     from kurbel.motion import motion_grid
     from kurbel.request import Request, page_columns
 
-    page = layout_named(request.table.layout)
-    ratios = dict.fromkeys(ratio(one.cell.axes["ratio"]) for one in request.collated)
-    angles = list(dict.fromkeys(angle(one.cell.axes["phi"], "angle") for one in request.collated))
+    table = request.table
+    try:
+        page = layout_of(table.layout, ("motion",))
+    except ChoiceError as error:
+        raise SourceError(f"{table.book.path}: {error}") from None
+    shown = {column.quantity for column in page.columns}
+    by_place: dict[tuple[str, Fraction, Fraction], Collated] = {}
+    for one in request.collated:
+        where = _where(one.cell)
+        if one.cell.quantity not in shown or where is None or where in by_place:
+            raise SourceError(
+                f"{table.at(one.cell)}: the layout {page.key} has no place for {one.cell.place};"
+                " give the table another or none"
+            )
+        by_place[where] = one
+    ratios = dict.fromkeys(place[1] for place in by_place)
+    angles = list(dict.fromkeys(place[2] for place in by_place))
     asked = Request(page, tuple(Crank(each) for each in ratios), angles, lang=request.lang)
     columns = page_columns(asked)
-    by_place = {
-        (one.cell.quantity, ratio(one.cell.axes["ratio"]), angle(one.cell.axes["phi"], "angle")): one
-        for one in request.collated
-    }
 
     def cell(place: Place) -> Cell:
         quantity = columns[place["column"]].digits.quantity.key
@@ -156,15 +169,22 @@ def _printed_page(request: CollateRequest, marks: Mapping[str, str]) -> tuple[Pa
     return panels(page, Grid(motion_grid(asked, columns).axes, cell))
 
 
+def _where(cell: SourceCell) -> tuple[str, Fraction, Fraction] | None:
+    if not {"ratio", "phi"} <= {*cell.axes}:
+        return None
+    return cell.quantity, ratio(cell.axes["ratio"]), angle(cell.axes["phi"], "angle")
+
+
 def _printed(one: Collated) -> Number | Label:
-    if one.printed.form in (",", "."):
+    plainly = one.printed.standing_for(one.printed.scaled) if one.printed.form in (",", ".") else ""
+    if plainly == one.printed.text.replace("−", "-"):
         return Number(one.printed.scaled, one.printed.decimals)
     return _characters(one.printed.text)
 
 
 def _characters(text: str) -> Label:
     """Characters as they stand, with the decimal point of labels."""
-    return f"${text.replace(',', '.').replace('−', '-')}$" if "½" not in text else text
+    return f"${text.replace(',', '.').replace('−', '-')}$" if "½" not in text else text.replace("'", "′")
 
 
 class _PlaceAxis(Axis):
@@ -203,7 +223,7 @@ def _grid(request: CollateRequest) -> Grid:
 
 
 def _recomputed(one: Collated) -> Number | Label:
-    if one.printed.form in (",", "."):
+    if one.printed.form in (",", ".") and one.off is not None:
         return Number(one.printed.scaled - one.off, one.printed.decimals)
     return _characters(one.recomputed)
 
@@ -265,13 +285,14 @@ def _notes(request: CollateRequest, marks: Mapping[str, str]) -> Iterator[Note]:
             place=place_label(one, lang),
             printed=f"${one.printed.text.replace(',', '.')}$",
             recomputed=f"${one.recomputed.replace(',', '.')}$",
-            difference=f"${one.off:+d}$",
+            difference="–" if one.off is None else f"${one.off:+d}$",
             verdict=verdict_text(one.verdict, request, lang),
         )
         yield Note(text, marks[one.cell.place])
     counted = Counter(one.verdict.kind for one in request.collated)
     found = (f"{counted[kind]} {words[lang]}" for kind, words in VERDICTS.items() if counted[kind])
-    yield Note(WORDS["summary"][lang].format(count=len(request.collated), verdicts=", ".join(found)))
+    words = WORDS["one" if len(request.collated) == 1 else "summary"][lang]
+    yield Note(words.format(count=len(request.collated), verdicts=", ".join(found)))
     yield from (Note(note) for note in request.table.notes[lang])
     yield Note(WORDS["units"][lang])
     if request.deviations:
@@ -298,7 +319,7 @@ def _records(request: CollateRequest) -> Iterator[Mapping[str, Value]]:
             "method": cell.method if cell.quantity else None,
             "printed": one.printed.text,
             "recomputed": one.recomputed,
-            "difference": Number(one.off, 0),
+            "difference": None if one.off is None else Number(one.off, 0),
             "verdict": one.verdict.kind,
             "detail": one.verdict.detail or None,
         }

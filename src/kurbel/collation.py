@@ -5,34 +5,40 @@ A true value is rounded once to the last place that is printed, half away from z
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
+from math import inf
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from kurbel.certify import NEVER_TIES, TieBits, ball, ball_circle, ball_degrees, rounded
+from kurbel.certify import NEVER_TIES, TieBits, ball, ball_circle, ball_degrees, rounded, vanishes
 from kurbel.choices import choose
 from kurbel.errors import KurbelError, NotationError, SourceError
 from kurbel.expression import Expression, Kind
 from kurbel.kernel.circle import Circle
 from kurbel.notation import angle, number, ratio
-from kurbel.printed_value import Printed
+from kurbel.printed_value import Printed, quotient_text
 from kurbel.separation import Separation, circle_separation
 from kurbel.source import SourceCell, SourceTable
-from kurbel.verdict import RIGHT, Evidence, Verdict, verdict
+from kurbel.verdict import RIGHT, Evidence, Verdict, quotient_verdict, verdict
 
 if TYPE_CHECKING:
     from flint import arb
 
 BALLS = Kind(ball, ball_circle, lambda value: value.log(), lambda value: 90 - ball_degrees(value))
+FRACTIONS = Kind(lambda value: value, lambda degrees: None)
 BOUNDS = Kind(Separation.rational, lambda degrees: Circle(*circle_separation(degrees)))
 
 
 class Truth(NamedTuple):
-    """What a cell is: its ball at the precision in force, and its separation bound, None without one."""
+    """What a cell is: its ball at the precision in force, its separation bound, None without one.
+
+    `rational` is the value itself where the cell has nothing but the four operations.
+    """
 
     value: Callable[[], arb]
     bound: Callable[[], Separation] | None = None
+    rational: Fraction | None = None
 
     def in_units(self, printed: Printed) -> int:
         """Return how many units of the printed value's last place it is, rounded."""
@@ -45,14 +51,22 @@ class Truth(NamedTuple):
         ties: TieBits | None = NEVER_TIES if self.bound is None else tie_bits
         return rounded(lambda: self.value() / ball(unit), 0, "half-away", ties)
 
+    def equals(self, value: Fraction) -> bool:
+        """Return whether it is this number itself."""
+        bits = inf if self.bound is None else (self.bound() - Separation.rational(value)).bits()
+        return vanishes(lambda: self.value() - ball(value), float(bits))
+
 
 class Collated(NamedTuple):
-    """A printed value with what it should be, by how many units of the last place it is off, and why."""
+    """A printed value with what it should be, by how many units of the last place it is off, and why.
+
+    `off` is None for a quotient that is not right, which has no last place.
+    """
 
     cell: SourceCell
     printed: Printed
     recomputed: str
-    off: int
+    off: int | None
     verdict: Verdict
 
 
@@ -63,6 +77,7 @@ class Collation:
         self.table = table
         self._by_place = {cell.place: cell for cell in table.cells}
         self._done: dict[str, Collated] = {}
+        self._truths: dict[str, Truth] = {}
 
     def __iter__(self) -> Iterator[Collated]:
         for cell in self.table.cells:
@@ -79,27 +94,22 @@ class Collation:
         printed = cell.printed
         assert printed is not None
         try:
-            right = self._right(cell, printed)
-            evidence = Evidence(printed, right, self._others(cell, printed), *self._way(cell, printed))
-            recomputed, off = printed.standing_for(right), printed.scaled - right
-            return Collated(cell, printed, recomputed, off, verdict(evidence))
-        except NotationError as error:
-            raise SourceError(f"{self.table.at(cell)}: {error}") from None
+            truth, others, way = self.truth(cell), self._others(cell), self._way(cell)
+            return collate(cell, printed, truth, others, *way)
+        except KurbelError as error:
+            if isinstance(error, SourceError):
+                raise
+            raise SourceError(f"{self.table.at(cell)}: {cell.place}: {error}") from None
 
-    def _right(self, cell: SourceCell, printed: Printed) -> int:
-        truth = self.truth(cell)
-        if not printed.exact:
-            return truth.in_units(printed)
-        # A quotient is right if it is the value itself, which for a rational one a bound tells.
-        difference = Truth(lambda: truth.value() - ball(printed.value), truth.bound)
-        finer = printed._replace(unit=printed.unit / 10**12)
-        off = difference.in_units(finer)
-        return printed.scaled if off == 0 else printed.scaled + (1 if off > 0 else -1)
+    def truth(self, cell: SourceCell) -> Truth:
+        """Return what the cell is, by the book's method."""
+        if cell.place not in self._truths:
+            self._truths[cell.place] = _kept(self._truth(cell))
+        return self._truths[cell.place]
 
-    def truth(self, cell: SourceCell, method: str = "") -> Truth:
-        """Return what the cell is, by the book's method or by another."""
+    def _truth(self, cell: SourceCell) -> Truth:
         if cell.quantity:
-            return quantity_truth(cell, method or cell.method)
+            return quantity_truth(cell, cell.method)
         assert cell.formula is not None
         return self._of(cell.formula, lambda name: self.truth(self._by_place[name]))
 
@@ -112,29 +122,30 @@ class Collation:
             return found()
 
         algebraic = not formula.transcendental and all(one.bound is not None for one in named)
+        rational = formula.rational and all(one.rational is not None for one in named)
         return Truth(
             lambda: formula.value(BALLS, lambda name: cells(name).value()),
             (lambda: formula.value(BOUNDS, bound)) if algebraic else None,
+            _quotient(formula, lambda name: cells(name).rational) if rational else None,
         )
 
-    def _others(self, cell: SourceCell, printed: Printed) -> Mapping[str, Callable[[], int]]:
-        """Return the values by the other methods, as far as they have formulas."""
+    def _others(self, cell: SourceCell) -> Mapping[str, Callable[[], Truth | None]]:
+        """Return what the cell is by the other methods, None where one has no formula for it."""
         if not cell.quantity:
             return {}
 
-        def other(method: str) -> Callable[[], int]:
-            def value() -> int:
+        def other(method: str) -> Callable[[], Truth | None]:
+            def truth() -> Truth | None:
                 try:
-                    return self.truth(cell, method).in_units(printed)
+                    return quantity_truth(cell, method)
                 except KurbelError:
-                    # This method has no formula here, so that it explains nothing.
-                    return printed.scaled + 1
+                    return None
 
-            return value
+            return truth
 
         return {method: other(method) for method in methods_of(cell.quantity) if method != cell.method}
 
-    def _way(self, cell: SourceCell, printed: Printed) -> tuple[int | None, tuple[str, ...]]:
+    def _way(self, cell: SourceCell) -> tuple[Truth | None, tuple[str, ...]]:
         """Return the value from what was printed before, and which of that is not right itself."""
         way = cell.way or cell.formula
         if way is None or not way.names:
@@ -142,23 +153,98 @@ class Collation:
         before = {name: self._by_place[name].printed for name in way.names}
         if any(one is None for one in before.values()):
             return None, ()
-        found = self._of(way, lambda name: _constant(before[name])).in_units(printed)
+        found = self._of(way, lambda name: _constant(before[name]))
         slips = tuple(name for name in sorted(way.names) if self.collated(name).verdict.kind != RIGHT)
         return found, slips
 
 
-def right_or_verdict(
-    cell: SourceCell, printed: Printed, right: int, others: Mapping[str, Callable[[], int]]
+def collate(
+    cell: SourceCell,
+    printed: Printed,
+    truth: Truth,
+    others: Mapping[str, Callable[[], Truth | None]],
+    way: Truth | None = None,
+    slips: tuple[str, ...] = (),
 ) -> Collated:
-    """Return a value of which nothing but the true one and those by other methods is known."""
-    found = Verdict(RIGHT) if printed.scaled == right else verdict(Evidence(printed, right, others))
+    """Return a printed value with its verdict, from its true value, those by other methods and of its way."""
+    if not printed.exact:
+        found = None if way is None else way.in_units(printed)
+        return collated_units(cell, printed, truth.in_units(printed), others, found, slips)
+    return Collated(cell, printed, *_collated_quotient(printed, truth, others, way, slips))
+
+
+def collated_units(
+    cell: SourceCell,
+    printed: Printed,
+    right: int,
+    others: Mapping[str, Callable[[], Truth | None]],
+    on_the_way: int | None = None,
+    slips: tuple[str, ...] = (),
+) -> Collated:
+    """Return a value with a last place, which is so many units of it by rights, with its verdict."""
+
+    def in_units(other: Callable[[], Truth | None]) -> Callable[[], int | None]:
+        def units() -> int | None:
+            found = other()
+            return None if found is None else found.in_units(printed)
+
+        return units
+
+    by_others = {method: in_units(other) for method, other in others.items()}
+    found = verdict(Evidence(printed, right, by_others, on_the_way, slips))
     return Collated(cell, printed, printed.standing_for(right), printed.scaled - right, found)
+
+
+def _collated_quotient(
+    printed: Printed,
+    truth: Truth,
+    others: Mapping[str, Callable[[], Truth | None]],
+    way: Truth | None,
+    slips: tuple[str, ...],
+) -> tuple[str, int | None, Verdict]:
+    """Return what a quotient should be, 0 where it is right, and the verdict.
+
+    It has no last place, and is right only as the value itself.
+    """
+    value = printed.value
+    if truth.equals(value):
+        return printed.text, 0, Verdict(RIGHT)
+    if truth.rational is not None:
+        standing = quotient_text(truth.rational)
+    else:
+        decimals = Printed("", 0, Fraction(1, 10**6), ",")
+        standing = decimals.standing_for(truth.in_units(decimals))
+    found = quotient_verdict(
+        printed.text,
+        standing if truth.rational is not None else "",
+        truth.equals(-value),
+        [name for name, other in others.items() if (by := other()) is not None and by.equals(value)],
+        way is not None and way.equals(value),
+        slips,
+    )
+    return standing, None, found
+
+
+def _quotient(formula: Expression, cell: Callable[[str], Fraction | None]) -> Fraction:
+    try:
+        found: Fraction = formula.value(FRACTIONS, cell)
+    except ZeroDivisionError:
+        raise NotationError(f'"{formula.text[:60]}" divides by zero') from None
+    return found
+
+
+def _kept(truth: Truth) -> Truth:
+    """Return the same, computed once for each precision."""
+    from flint import ctx
+
+    at = cache(lambda precision: truth.value())
+    return Truth(lambda: at(ctx.prec), truth.bound and cache(truth.bound), truth.rational)
 
 
 def _constant(printed: Printed | None) -> Truth:
     assert printed is not None
     value = printed.value
-    return Truth(lambda: ball(value), lambda: Separation.rational(value))
+    return Truth(lambda: ball(value), lambda: Separation.rational(value), value)
 
 
 # Quantities -----------------------------------------------------------------------------------------------
@@ -184,15 +270,24 @@ def quantity_truth(cell: SourceCell, method: str) -> Truth:
     axes = cell.axes
     if "epsilon" in axes:
         choose(cell.quantity, engine_registry(), "quantity")
+        _check_axes(cell, ("ratio", "epsilon"), ("stroke",))
         return _engine_truth(cell, method)
     if "arm" in axes:
         choose(cell.quantity, beam_registry(), "quantity")
+        _check_axes(cell, ("ratio", "arm"))
         return _beam_truth(cell, method)
     choose(cell.quantity, registry(), "quantity")
-    for axis in ("ratio", "phi"):
-        if axis not in axes:
-            raise NotationError(f"{cell.place} has no {axis}, which the quantity {cell.quantity} needs")
+    _check_axes(cell, ("ratio", "phi"))
     return motion_truth(cell.quantity, method, ratio(axes["ratio"]), angle(axes["phi"], "angle"))
+
+
+def _check_axes(cell: SourceCell, needed: Sequence[str], free: Sequence[str] = ()) -> None:
+    for axis in needed:
+        if axis not in cell.axes:
+            raise NotationError(f"there is no {axis}, which the quantity {cell.quantity} needs")
+    for axis in cell.axes:
+        if axis not in (*needed, *free):
+            raise NotationError(f"the quantity {cell.quantity} has no {axis}; leave it out")
 
 
 def motion_truth(key: str, method: str, crank_ratio: Fraction, degrees: Fraction) -> Truth:

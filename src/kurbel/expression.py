@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import ast
 import operator
+import re
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any, NamedTuple
@@ -23,6 +24,7 @@ _OPERATIONS: Mapping[type, Callable[[Any, Any], Any]] = {
     ast.Div: operator.truediv,
 }
 FUNCTIONS = ("sin", "cos", "sqrt", "ln", "arccos")
+_NUMBER = re.compile(r"[0-9]+(\.[0-9]+)?")
 
 
 class Kind(NamedTuple):
@@ -50,6 +52,11 @@ class Expression:
         names = (node.id for node in ast.walk(self._tree) if isinstance(node, ast.Name))
         return bool({"ln", "arccos"} & {*names})
 
+    @property
+    def rational(self) -> bool:
+        """Whether it has no functions, so that its value is rational where those of the cells are."""
+        return not any(isinstance(node, ast.Call) for node in ast.walk(self._tree))
+
     def value(self, kind: Kind, cell: Callable[[str], Any]) -> Any:
         """Return the value on a kind of number, with those of the cells that it names."""
         return _value(self._tree, kind, cell)
@@ -58,22 +65,38 @@ class Expression:
 def _parsed(text: str) -> ast.expr:
     if len(text) > LONGEST:
         raise NotationError(f"an expression of {len(text)} characters is too long; {LONGEST} are allowed")
+    written = text.replace("^", "**")
     try:
-        tree = ast.parse(text.replace("^", "**"), mode="eval").body
+        tree = ast.parse(written, mode="eval")
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         raise NotationError(f'"{text[:60]}" is no expression; write one such as 1 - cos(45)') from None
-    _check(tree, text)
-    return tree
+    read: ast.expr = _Numbers(written).visit(tree).body
+    _check(read, text)
+    return read
+
+
+class _Numbers(ast.NodeTransformer):
+    """Takes the numbers from the characters, for a decimal fraction is no float."""
+
+    def __init__(self, written: str) -> None:
+        self.written = written
+
+    def visit_Constant(self, node: ast.Constant) -> ast.Constant:
+        """Put a Fraction for the number as it is written."""
+        said = ast.get_source_segment(self.written, node) or ""
+        if not _NUMBER.fullmatch(said):
+            raise NotationError(f'"{said[:40]}" is no number of an expression; write digits, such as 0.125')
+        return ast.copy_location(ast.Constant(Fraction(said)), node)  # type: ignore[arg-type]
 
 
 def _check(tree: ast.expr, text: str) -> None:
     """Raise NotationError for anything but numbers, names, the four operations, powers and functions."""
     match tree:
-        case ast.Constant(value=int() | float()) | ast.Name():
+        case ast.Constant() | ast.Name():
             return
         case ast.UnaryOp(op=ast.USub(), operand=inner):
             _check(inner, text)
-        case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=int() as power)) if 0 <= power <= 9:
+        case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=power)) if power in range(10):
             _check(left, text)
         case ast.BinOp(left=left, op=op, right=right) if type(op) in _OPERATIONS:
             _check(left, text)
@@ -92,25 +115,28 @@ def _check(tree: ast.expr, text: str) -> None:
 def _rational(tree: ast.expr, text: str) -> Fraction:
     """Return a number written out, as the argument of sin and cos must be."""
     match tree:
-        case ast.Constant(value=int() | float() as value):
-            return Fraction(str(value))
+        case ast.Constant(value=Fraction() as value):
+            return value
         case ast.UnaryOp(op=ast.USub(), operand=inner):
             return -_rational(inner, text)
         case ast.BinOp(left=left, op=op, right=right) if type(op) in _OPERATIONS:
-            return Fraction(_OPERATIONS[type(op)](_rational(left, text), _rational(right, text)))
+            try:
+                return Fraction(_OPERATIONS[type(op)](_rational(left, text), _rational(right, text)))
+            except ZeroDivisionError:
+                raise NotationError(f'"{text[:60]}" divides by zero') from None
     raise NotationError(f'"{text[:60]}" has a sine or cosine of no number; write its degrees out')
 
 
 def _value(tree: ast.expr, kind: Kind, cell: Callable[[str], Any]) -> Any:
     match tree:
-        case ast.Constant(value=value):
-            return kind.of(Fraction(str(value)))
+        case ast.Constant(value=Fraction() as value):
+            return kind.of(value)
         case ast.Name(id=name):
             return cell(name)
         case ast.UnaryOp(operand=inner):
             return -_value(inner, kind, cell)
-        case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=int() as power)):
-            return _value(left, kind, cell) ** power
+        case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=Fraction() as power)):
+            return _value(left, kind, cell) ** int(power)
         case ast.BinOp(left=left, op=op, right=right):
             return _OPERATIONS[type(op)](_value(left, kind, cell), _value(right, kind, cell))
         case ast.Call(func=ast.Name(id=name), args=[inner]):

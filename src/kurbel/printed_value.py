@@ -8,9 +8,10 @@ from typing import NamedTuple
 
 from kurbel.errors import NotationError
 
-_DECIMAL = re.compile(r"([-−]?)(\d+)(?:([.,])(\d+))?")
-_ARC = re.compile(r"([-−]?)(\d+)°\s*(?:(\d+)(½)?['′])?")
-_QUOTIENT = re.compile(r"([-−]?)(\d+)/(\d+)")
+LONGEST = 100
+_DECIMAL = re.compile(r"([-−]?)([0-9]+)(?:([.,])([0-9]+))?")
+_ARC = re.compile(r"([-−]?)([0-9]+)°\s*(?:([0-9]+)(½)?['′])?")
+_QUOTIENT = re.compile(r"([-−]?)([0-9]+)/([0-9]+)")
 
 
 class Printed(NamedTuple):
@@ -42,8 +43,6 @@ class Printed(NamedTuple):
             mark = self.form if self.decimals else ""
             point = len(digits) - self.decimals
             return f"{sign}{digits[:point]}{mark}{digits[point:]}"
-        if self.form == "/":
-            return f"{sign}{size}/{self.unit.denominator}"
         if self.form == "°":
             return f"{sign}{size}°"
         halves = 2 if self.form == "½'" else 1
@@ -57,9 +56,18 @@ class Printed(NamedTuple):
         return len(str(self.unit.denominator)) - 1 if self.form in (",", ".") else 0
 
 
+def quotient_text(value: Fraction) -> str:
+    """Return a rational value as a quotient is printed: 1/72, and a whole number as itself."""
+    return str(value)
+
+
 def printed_value(text: str) -> Printed:
     """Return what the characters say: "0,981", "-0.025", "32°51½'", "77°", "1/72"."""
     stripped = text.strip()
+    if len(stripped) > LONGEST:
+        raise NotationError(
+            f"a printed value of {len(stripped)} characters is too long; {LONGEST} are allowed"
+        )
     if match := _DECIMAL.fullmatch(stripped):
         sign, whole, mark, rest = match.groups()
         rest = rest or ""

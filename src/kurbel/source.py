@@ -12,6 +12,7 @@ the book has; a cell that it has not is there for others.
 from __future__ import annotations
 
 import csv
+import re
 import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
@@ -28,6 +29,9 @@ AXES = ("ratio", "phi", "epsilon", "stroke", "arm")
 COLUMNS = ("place", "quantity", *AXES, "method", "formula", "way", "label", "printed")
 NEEDED = ("place", "printed")
 LANGUAGES = ("de", "en")
+# As many cells may build on one another.
+DEEPEST = 50
+_KEY = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]*")
 
 
 class SourceCell(NamedTuple):
@@ -47,7 +51,9 @@ class SourceCell(NamedTuple):
 class SourceTable:
     """A table or worked example of a book."""
 
-    def __init__(self, book: Book, name: str, given: Mapping[str, Any]) -> None:
+    def __init__(self, book: Book, name: str, given: Any) -> None:
+        if not isinstance(given, dict) or not _KEY.fullmatch(name):
+            raise SourceError(f"{book.path}: the table {name[:40]!r} must be a section, such as [tables.112]")
         self.book = book
         self.name = name
         self.key = f"{book.key}-{name}"
@@ -69,6 +75,8 @@ class SourceTable:
             for unknown in sorted(named - {*places}):
                 raise SourceError(f"{_at(self.file, cell)}: {unknown} in a formula is no place here")
         _check_circles(self.file, cells)
+        if not any(cell.printed for cell in cells):
+            raise SourceError(f"{shown(self.file)} has no printed value below its heads")
         return cells
 
     def at(self, cell: SourceCell) -> str:
@@ -82,6 +90,8 @@ class Book:
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self.key = folder.name
+        if not _KEY.fullmatch(self.key):
+            raise SourceError(f"the folder {shown(folder)} names a book; use letters, digits, - and _ alone")
         given = _toml(folder / "source.toml")
         self.citation = _words(self, given, "citation")
         self.stated = _words(self, given, "stated")
@@ -102,9 +112,10 @@ def books(folder: str | None = None) -> Iterator[Book]:
     for path in (own, *([Path(folder)] if folder else [])):
         if folder and path == Path(folder) and not path.is_dir():
             raise SourceError(f"cannot read the sources {shown(folder)}: there is no such folder")
-        for each in sorted(path.iterdir()):
-            if (each / "source.toml").is_file():
-                yield Book(each)
+        found = [each for each in sorted(path.iterdir()) if (each / "source.toml").is_file()]
+        if not found:
+            raise SourceError(f"{shown(path)} has no books: no folder in it has a source.toml")
+        yield from map(Book, found)
 
 
 def source_tables(folder: str | None = None) -> Mapping[str, SourceTable]:
@@ -114,7 +125,7 @@ def source_tables(folder: str | None = None) -> Mapping[str, SourceTable]:
 
 def _toml(path: Path) -> dict[str, Any]:
     try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
+        return tomllib.loads(path.read_text(encoding="utf-8-sig"))
     except (OSError, ValueError, RecursionError) as error:
         raise SourceError(f"cannot read the source {shown(path)}: {error}") from None
 
@@ -122,18 +133,22 @@ def _toml(path: Path) -> dict[str, Any]:
 def _words(book: Book, given: Mapping[str, Any], key: str) -> Mapping[str, str]:
     """A text in each language, or one for all."""
     entry = given.get(key, "")
-    if isinstance(entry, str):
-        return dict.fromkeys(LANGUAGES, entry)
-    if not isinstance(entry, dict) or not all(isinstance(entry.get(lang), str) for lang in LANGUAGES):
-        raise SourceError(f"{book.path}: {key} must be a text, or one each as {key}.de and {key}.en")
-    return {lang: entry[lang] for lang in LANGUAGES}
+    texts = dict.fromkeys(LANGUAGES, entry) if isinstance(entry, str) else entry
+    if not isinstance(texts, dict) or not all(_is_text(texts.get(lang)) for lang in LANGUAGES):
+        raise SourceError(f"{book.path}: {key} must be a line of text, or one each as {key}.de and {key}.en")
+    return {lang: texts[lang] for lang in LANGUAGES}
+
+
+def _is_text(entry: object) -> bool:
+    return isinstance(entry, str) and (entry.isprintable() or not entry)
 
 
 def _notes(book: Book, given: Mapping[str, Any]) -> Mapping[str, Sequence[str]]:
     entry = given.get("notes", {})
-    if not isinstance(entry, dict):
-        raise SourceError(f"{book.path}: notes must be lists, notes.de and notes.en")
-    return {lang: [str(one) for one in entry.get(lang, [])] for lang in LANGUAGES}
+    lists: list[Any] = [entry.get(lang, []) for lang in LANGUAGES] if isinstance(entry, dict) else [None]
+    if not all(isinstance(one, list) and all(map(_is_text, one)) for one in lists):
+        raise SourceError(f"{book.path}: notes must be lists of lines, notes.de and notes.en")
+    return dict(zip(LANGUAGES, lists, strict=True))
 
 
 def _at(file: Path, cell: SourceCell) -> str:
@@ -163,15 +178,23 @@ def _check_circles(file: Path, cells: Sequence[SourceCell]) -> None:
         cell.place: {name for one in (cell.formula, cell.way) if one for name in one.names} for cell in cells
     }
     settled: set[str] = set()
+    rounds = 0
     while left := [cell for cell in cells if cell.place not in settled]:
         ready = [cell.place for cell in left if needs[cell.place] <= settled]
         if not ready:
             raise SourceError(f"{_at(file, left[0])}: {left[0].place} names itself, by way of other cells")
         settled |= {*ready}
+        rounds += 1
+        if rounds > DEEPEST:
+            raise SourceError(
+                f"{_at(file, left[0])}: more than {DEEPEST} cells build on one another up to {ready[0]}"
+            )
 
 
 def _head(row: Sequence[str]) -> list[str]:
     names = [field.strip() for field in row]
+    if len({*names}) != len(names):
+        raise NotationError("a column stands there twice")
     for name in names:
         if name not in COLUMNS:
             raise NotationError(f'there is no column "{name[:40]}"; choose from {", ".join(COLUMNS)}')
@@ -187,6 +210,10 @@ def _cell(row: Mapping[str, str], method: str, line: int) -> SourceCell:
         raise NotationError(f'the place "{known["place"][:40]}" is no name; write it as x_45')
     if not known["quantity"] and not known["formula"]:
         raise NotationError(f"{known['place']} has neither a quantity nor a formula")
+    if known["quantity"] and known["formula"]:
+        raise NotationError(
+            f"{known['place']} has a quantity and a formula; leave one out, or call the formula way"
+        )
     return SourceCell(
         known["place"],
         printed_value(known["printed"]) if known["printed"] else None,
@@ -195,6 +222,6 @@ def _cell(row: Mapping[str, str], method: str, line: int) -> SourceCell:
         known["method"] or method,
         Expression(known["formula"]) if known["formula"] else None,
         Expression(known["way"]) if known["way"] else None,
-        known["label"],
+        known["label"] or ("" if known["quantity"] else known["place"].replace("_", " ")),
         line,
     )

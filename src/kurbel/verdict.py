@@ -6,7 +6,7 @@ set them so, no value tells.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
 from kurbel.printed_value import Printed
@@ -48,7 +48,7 @@ class Evidence(NamedTuple):
 
     printed: Printed
     right: int
-    others: Mapping[str, Callable[[], int]]
+    others: Mapping[str, Callable[[], int | None]]
     on_the_way: int | None = None
     slips: tuple[str, ...] = ()
 
@@ -59,7 +59,7 @@ def verdict(evidence: Evidence) -> Verdict:
     if printed.scaled == right:
         return Verdict(RIGHT)
     reproduced = evidence.on_the_way is not None and evidence.on_the_way == printed.scaled
-    if abs(printed.scaled - right) == 1 and not printed.exact:
+    if abs(printed.scaled - right) == 1:
         return Verdict(LAST_PLACE, FOLLOWS if reproduced and not evidence.slips else "")
     if reproduced and not evidence.slips:
         return Verdict(ON_THE_WAY)
@@ -75,6 +75,27 @@ def verdict(evidence: Evidence) -> Verdict:
     if reproduced:
         return Verdict(CARRIED, ", ".join(evidence.slips))
     return Verdict(UNEXPLAINED)
+
+
+def quotient_verdict(
+    printed: str, right: str, opposite: bool, methods: Sequence[str], reproduced: bool, slips: tuple[str, ...]
+) -> Verdict:
+    """Return the verdict on a quotient that is not right; `right` is empty where no quotient is.
+
+    `opposite` is whether its negative is right, `methods` are those that give it, `reproduced` tells that
+    the printed intermediates do.
+    """
+    if reproduced and not slips:
+        return Verdict(ON_THE_WAY)
+    if methods:
+        return Verdict(OTHER_FORMULA, methods[0])
+    if opposite:
+        return Verdict(SIGN)
+    if right and (digit := _one_digit(printed, right)):
+        return Verdict(DIGIT, digit)
+    if right and _exchanged(printed, right):
+        return Verdict(EXCHANGED)
+    return Verdict(CARRIED, ", ".join(slips)) if reproduced else Verdict(UNEXPLAINED)
 
 
 def _one_digit(printed: str, right: str) -> str:

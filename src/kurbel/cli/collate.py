@@ -9,6 +9,7 @@ import click
 from kurbel.cli.lists import lang_option
 from kurbel.cli.options import Columns, Name, layout_option, output_options, sheet_of
 from kurbel.errors import ProblemError
+from kurbel.numerals import ROUNDINGS
 from kurbel.verdict import ONLY
 
 folder_option = click.option(
@@ -63,6 +64,8 @@ def collate(**options: Any) -> int:
         raise ProblemError("--csv is a table of your own, and one of a book is named too; leave one out")
     if options["digits"] is not None:
         raise ProblemError("--digits has no use here: a value is recomputed to as many places as are printed")
+    if options["rounding"] != ROUNDINGS[0]:
+        raise ProblemError("--rounding has no use here: printed values are held against half rounded away")
     printing = Printing.chosen(options)
     names = ("table", "csv", "quantity", "ratio", "method", "sources")
     table, collated = collated_table(*(options[name] for name in names))
