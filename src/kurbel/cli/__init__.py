@@ -27,6 +27,7 @@ COMMANDS = {
         "Print the harmonics of the piston's path, velocity or acceleration.",
     ),
     "balance": ("kurbel.cli.balance", "Print the free forces and moments of an engine."),
+    "example": ("kurbel.cli.example", "Print a worked example of a book, as printed and recomputed."),
     "plot": ("kurbel.cli.plot", "Draw the motion, the mechanism, the forces or the turning effort."),
     "layouts": ("kurbel.cli.lists", "List the page layouts."),
     "quantities": ("kurbel.cli.lists", "List the quantities that columns can show."),
