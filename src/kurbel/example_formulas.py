@@ -1,8 +1,8 @@
-"""The formulas behind the steps of worked examples: Blau's piston paths and zeros of the acceleration.
+"""The formulas behind the steps of worked examples.
 
 A formula takes the numbers of its part and a kind of number; `exact` are the coefficients of equations.
-Everything is of the first order in λ = R/L, as the book has it. Sources: Blau, eq. (22) and (26),
-examples 31 to 35.
+Blau's are of the first order in λ = R/L. Sources: Blau, eq. (22) and (26), examples 31 to 35; the exercise
+"Kräfte am Kurbeltrieb"; Weisbach-Herrmann, § 149.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 
 from kurbel.certify import pi
 from kurbel.example_kinds import Formula, Given, Kind
+from kurbel.kernel.beam import approximate_lean, approximate_path
 from kurbel.kernel.circle import root
 
 
@@ -130,7 +131,12 @@ def quadratic(constant: Callable[[Given], Fraction]) -> Formulas:
 
 
 def _degrees(cosine: Any) -> Any:
-    return cosine.acos() * 180 / pi()
+    return _arc(cosine.acos())
+
+
+def _arc(radians: Any) -> Any:
+    """Return degrees."""
+    return radians * 180 / pi()
 
 
 # p = 0; p = +(1 + λ)/6; p = -(1 + λ)/6, in v²/R.
@@ -138,4 +144,65 @@ ZERO = quadratic(lambda given: Fraction(1, 2))
 SIXTH = quadratic(lambda given: (1 / given["ratio"] + 7) / 12)
 RETARDED = quadratic(lambda given: (5 - 1 / given["ratio"]) / 12)
 
-FORMULAS: Mapping[str, Formulas] = {"path": PATH, "zero": ZERO, "sixth": SIXTH, "retarded": RETARDED}
+
+def _secant(given: Given, kind: Kind) -> Any:
+    """sqrt((r/l)² + 1), what the rod carries of the piston force. Source: the exercise, eq. (5)."""
+    return kind.root(given["ratio"] ** 2 + 1)
+
+
+SQUARE = Formulas(
+    {
+        "alpha": lambda given, kind: _arc(kind.of(given["ratio"]).atan()),
+        "rod": _secant,
+        "rod_n": lambda given, kind: _secant(given, kind) * kind.of(given["force"]),
+        "guide": lambda given, kind: kind.of(given["ratio"]),
+        "guide_n": lambda given, kind: kind.of(given["ratio"] * given["force"]),
+        "torque": _secant,
+        "torque_n": lambda given, kind: _secant(given, kind) * kind.of(given["force"]),
+    },
+    RATIOS,
+    {"numbers": lambda given: "ratio" in given, "newtons": lambda given: "force" in given},
+)
+
+
+def _lean(side: int) -> Formula:
+    """μ (side 1) or ν (side -1) in radians. Source: § 149."""
+    return lambda given, kind: kind.of(approximate_lean(given["beam"], side * given["ratio"]))
+
+
+MU, NU = _lean(1), _lean(-1)
+
+
+def _distance(side: int) -> Formula:
+    """180° ± (ν - μ)."""
+    return lambda given, kind: 180 + side * _arc(NU(given, kind) - MU(given, kind))
+
+
+def _beam_path(lean: Formula) -> Formula:
+    return lambda given, kind: approximate_path((lean(given, kind) / 2).sin())
+
+
+BEAM = Formulas(
+    {
+        "mu_radians": MU,
+        "nu_radians": NU,
+        "mu": lambda given, kind: _arc(MU(given, kind)),
+        "nu": lambda given, kind: _arc(NU(given, kind)),
+        "distance_1": _distance(1),
+        "distance_2": _distance(-1),
+        "path_1": _beam_path(MU),
+        "path_2": _beam_path(NU),
+    },
+    RATIOS,
+    {},
+    frozenset(("path_1", "path_2")),
+)
+
+FORMULAS: Mapping[str, Formulas] = {
+    "path": PATH,
+    "zero": ZERO,
+    "sixth": SIXTH,
+    "retarded": RETARDED,
+    "square": SQUARE,
+    "beam": BEAM,
+}

@@ -2,7 +2,7 @@
 
 {half}       a step, or an exact number: 0.125, 1/9
 {+c} {-c}    sign and amount: + 0.707; {-c} turns the sign
-{(c)}        in parentheses if it is negative
+{(c)}        in parentheses if it is negative or a fraction
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ def filled(text: Label, figure_of: Callable[[str], str]) -> Label:
         amount = shown.removeprefix("-")
         if match["sign"]:
             return f"{'+' if negative == (match['sign'] == '-') else '-'} {amount}"
-        return f"({shown})" if match["open"] and negative else shown
+        return f"({shown})" if match["open"] and (negative or "/" in shown) else shown
 
     return _PLACE.sub(place, text)
 

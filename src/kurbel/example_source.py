@@ -42,7 +42,7 @@ class Step(NamedTuple):
 class Part(NamedTuple):
     """A part of an example as the book has it: its numbers, its lines and the printed values of its steps.
 
-    `remarks` say of a step what its difference from print is.
+    `title` heads the part; `remarks` say of a step what its difference from print is.
     """
 
     letter: str
@@ -50,19 +50,22 @@ class Part(NamedTuple):
     lines: tuple[Line, ...]
     printed: Mapping[str, Figure]
     remarks: Mapping[str, Localised]
+    title: Localised | None = None
 
 
 class Source(NamedTuple):
-    """A book: its name, what it calls its examples, and how it is cited."""
+    """A book: its name, what it calls its examples, how it is cited, its letters of the ratio."""
 
     key: str
     name: str
     example: Localised
     citation: Localised
+    ratio: str = "R:L"
 
 
 class Example(NamedTuple):
-    """A worked example. `takes` names the options that replace its numbers, `own` the lines for these."""
+    """A worked example. `takes` names the options that replace its numbers, `own` the lines for these;
+    without lines the book's serve."""
 
     source: Source
     number: str
@@ -91,7 +94,8 @@ def numbers_of(key: str) -> tuple[str, ...]:
 def source(key: str) -> Source:
     """Return the source of that key; an unknown one is answered with the nearest and the list."""
     page = _read(choose(key, source_keys(), "source"), "source")
-    return Source(key, page["name"], _localised(page["example"]), _localised(page["citation"]))
+    words = (_localised(page[name]) for name in ("example", "citation"))
+    return Source(key, page["name"], *words, page.get("ratio", "R:L"))
 
 
 @cache
@@ -110,7 +114,7 @@ def example(key: str, number: str) -> Example:
         notes=tuple({"de": de, "en": en} for de, en in zip(notes["de"], notes["en"], strict=True)),
         steps={name: Step(symbol, figure(form)) for name, (symbol, form) in page.get("steps", {}).items()},
         parts=tuple(_part(printed, page["takes"], **part) for part in page["part"]),
-        own=_lines(page["own"]["lines"]),
+        own=_lines(page.get("own", {"lines": []})["lines"]),
     )
 
 
@@ -142,13 +146,14 @@ def _part(
     lines: Sequence[Any],
     letter: str = "",
     remarks: Mapping[str, Localised] | None = None,
+    title: Localised | None = None,
     **given: str,
 ) -> Part:
     numbers = {name: READERS[name](given[name]) for name in takes if name in given}
-    return Part(letter, numbers, _lines(lines), printed.get(letter, {}), remarks or {})
+    return Part(letter, numbers, _lines(lines), printed.get(letter, {}), remarks or {}, title)
 
 
-READERS = {"ratio": ratio, "angle": number}
+READERS = {"ratio": ratio, "angle": number, "beam": number, "eps": number}
 
 
 def _lines(lines: Sequence[Any]) -> tuple[Line, ...]:

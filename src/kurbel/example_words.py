@@ -17,8 +17,10 @@ WORDS: Mapping[str, Mapping[str, str]] = {
     "recomputed": {"de": "neu berechnet", "en": "recomputed"},
     "computed": {"de": "berechnet", "en": "computed"},
     "unusable": {"de": "unbrauchbar", "en": "unusable"},
-    "anew": {"de": "neu berechnet", "en": "computed anew"},
-    "own": {"de": "mit eigenen Zahlen", "en": "with numbers of one's own"},
+    "and": {"de": "und", "en": "and"},
+    "printed_source": {"de": "neu berechnet", "en": "computed anew"},
+    "own_source": {"de": "mit anderen Zahlen", "en": "with other numbers"},
+    "letters_source": {"de": "neu gesetzt", "en": "set anew"},
     "differs": {"de": "weicht ab", "en": "differs"},
     "unit": {
         "de": "weicht um 1 Einheit der letzten Stelle ab",

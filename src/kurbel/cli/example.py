@@ -13,10 +13,18 @@ from kurbel import notation
 from kurbel.cli.options import page_options
 from kurbel.cli.table import RATIO
 
-READERS: Mapping[str, Callable[[Sequence[str]], Sequence[Fraction]]] = {
+READERS: Mapping[str, Callable[[Any], Sequence[Fraction]]] = {
     "ratio": notation.ratios,
     "angle": notation.angles,
+    "beam": lambda texts: notation.numbers(texts, "beam arm"),
+    "force": lambda texts: (_newtons(texts),),
 }
+
+
+def _newtons(text: str) -> Fraction:
+    from kurbel.units import force
+
+    return force(text)
 
 
 class _Source(click.ParamType):  # type: ignore[type-arg]
@@ -57,6 +65,8 @@ class _Number(click.ParamType):  # type: ignore[type-arg]
     metavar="ANGLES",
     help="Crank angles in degrees, where the example starts from them: 60, lists 30;60.",
 )
+@click.option("--beam", multiple=True, metavar="A:R", help="Arm of the beam in crank radii: 3; lists 3;4.")
+@click.option("--force", metavar="FORCE", help="Piston force, for newtons: 10kN.")
 @page_options
 def example(**options: Any) -> None:
     """Print a worked example of a book in its steps: each figure as printed, and what it should be.
@@ -72,7 +82,8 @@ def example(**options: Any) -> None:
         _print_list(options["source"], options["lang"])
         return
     from kurbel.cli.printing import Printing, print_made
-    from kurbel.example_page import ExampleRequest, build_example
+    from kurbel.example_page import build_example
+    from kurbel.example_request import ExampleRequest
 
     printing = Printing.chosen(options)
     request = ExampleRequest(
