@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import product
+from math import prod
 
 from kurbel.beam import BeamEngine
 from kurbel.choices import choose
@@ -15,6 +16,8 @@ from kurbel.example_source import Example, Part, example
 from kurbel.layouts import LANGUAGES
 from kurbel.problem import Crank, check_angles
 from kurbel.request import check_label
+
+MOST = 100
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -36,8 +39,14 @@ class ExampleRequest:
                 raise ProblemError(
                     f"example {self.source} {self.number} takes no {name} of your own; it takes {takes}"
                 )
+        self._check_count()
         for part in self.parts:
             _check(part.given)
+
+    def _check_count(self) -> None:
+        count = prod(max(len(values), 1) for values in self.own.values())
+        if count > MOST:
+            raise ProblemError(f"that makes {count} examples; at most {MOST} are printed at once")
 
     @cached_property
     def example(self) -> Example:

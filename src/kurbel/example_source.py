@@ -94,8 +94,8 @@ def numbers_of(key: str) -> tuple[str, ...]:
 def source(key: str) -> Source:
     """Return the source of that key; an unknown one is answered with the nearest and the list."""
     page = _read(choose(key, source_keys(), "source"), "source")
-    words = (_localised(page[name]) for name in ("example", "citation"))
-    return Source(key, page["name"], *words, page.get("ratio", "R:L"))
+    example, citation = (_localised(page[name]) for name in ("example", "citation"))
+    return Source(key, page["name"], example, citation, page.get("ratio", "R:L"))
 
 
 @cache
