@@ -30,7 +30,7 @@ class Figure(NamedTuple):
     form: Form
 
     def text(self) -> str:
-        """Return the figure for a formula, with a decimal point: 0.343, 79°20', 5/4."""
+        """Return the figure for a formula, with a decimal point: 0.343, 79°20', 5/4; for prose 32°51½′."""
         if self.form.fraction:
             return str(self.value)
         if not self.form.parts:
@@ -40,14 +40,14 @@ class Figure(NamedTuple):
         sign = "-" if self.value < 0 else ""
         if self.form.parts == 1:
             return f"{sign}{degrees}°"
-        return f"{sign}{degrees}°{minutes}{'½' if half else ''}'"
+        # The notation of formulas has no ½, nor has that of prose a prime after it.
+        return f"{sign}{degrees}°{minutes}½′" if half else f"{sign}{degrees}°{minutes}'"
 
     def cell(self) -> Number | Label:
         """Return the figure for a table."""
         if not self.form.fraction and not self.form.parts:
             return self._number()
         text = self.text()
-        # The notation of formulas has no ½.
         return text if "½" in text else f"${text}$"
 
     def _number(self) -> Number:

@@ -2,7 +2,7 @@
 
 A formula takes the numbers of its part and a kind of number; `exact` are the coefficients of equations.
 Blau's are of the first order in λ = R/L. Sources: Blau, eq. (22) and (26), examples 31 to 35; the exercise
-"Kräfte am Kurbeltrieb"; Weisbach-Herrmann, § 149.
+"Kräfte am Kurbeltrieb"; Weisbach-Herrmann, §§ 149 and 150 (example_steam.py).
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any, NamedTuple
 
+from kurbel import example_steam
 from kurbel.certify import pi
 from kurbel.example_kinds import Formula, Given, Kind
 from kurbel.kernel.beam import approximate_lean, approximate_path
@@ -198,6 +199,22 @@ BEAM = Formulas(
     frozenset(("path_1", "path_2")),
 )
 
+STEAM = Formulas(
+    example_steam.STEPS,
+    {
+        **RATIOS,
+        "eps": lambda given: given["eps"],
+        "back": lambda given: given["back"],
+        "loss": lambda given: given["eps"] * given["back"],
+        "double": lambda given: 2 * given["ratio"],
+    },
+    {
+        "best_back": example_steam.is_best,
+        "other_back": lambda given: not example_steam.is_best(given),
+    },
+    frozenset(example_steam.STEPS),
+)
+
 FORMULAS: Mapping[str, Formulas] = {
     "path": PATH,
     "zero": ZERO,
@@ -205,4 +222,5 @@ FORMULAS: Mapping[str, Formulas] = {
     "retarded": RETARDED,
     "square": SQUARE,
     "beam": BEAM,
+    "steam": STEAM,
 }

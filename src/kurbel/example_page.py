@@ -31,13 +31,14 @@ from kurbel.table import (
 # Of the records.
 KEYS = ("part", "line", "step", "symbol", "printed", "recomputed", "difference")
 MARKS = "abcdefghijklmnoprstuvwxyz"
-SYMBOLS = {"angle": "α", "beam": "a:r", "force": "F", "eps": "ε"}
+SYMBOLS = {"angle": "α", "beam": "a:r", "force": "F", "eps": "ε", "back": "R:Q"}
 GIVEN_TEXTS: Mapping[str, Callable[[Fraction], str]] = {
     "ratio": ratio_text,
     "angle": angle_text,
     "beam": exact_text,
     "force": lambda value: f'{plain(value)} "N"',
     "eps": exact_text,
+    "back": exact_text,
 }
 # What a page shows: the book's figures, those of other numbers, or letters alone.
 PRINTED, OWN, LETTERS = "printed", "own", "letters"

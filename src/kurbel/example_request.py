@@ -13,6 +13,7 @@ from kurbel.beam import BeamEngine
 from kurbel.choices import choose
 from kurbel.errors import ProblemError
 from kurbel.example_source import Example, Part, example
+from kurbel.example_steam import engine_turn
 from kurbel.layouts import LANGUAGES
 from kurbel.problem import Crank, check_angles
 from kurbel.request import check_label
@@ -89,6 +90,8 @@ def _check(given: Mapping[str, Fraction]) -> None:
         check_angles([given["angle"]])
     if "beam" in given:
         BeamEngine(given["beam"], given["ratio"])
+    if "eps" in given:
+        engine_turn(given)
     if "force" in given:
         if "ratio" not in given:
             raise ProblemError("a force becomes newtons with a ratio only; add one, such as 1:5")

@@ -17,6 +17,7 @@ from kurbel.numerals import degrees_text, finite_decimals
 from kurbel.table import Label
 
 INDENT = "\u00a0\u00a0"
+CONTINUED = ("$=", "$- ")
 
 
 class Entry(NamedTuple):
@@ -78,7 +79,7 @@ class Working:
     def _line(self, line: Line) -> Label:
         text = filled(line.text, self._figure)
         text = f"[{text}]" if line.added else text
-        return INDENT + text if text.startswith("$=") else text
+        return INDENT + text if text.startswith(CONTINUED) else text
 
     def _figure(self, name: str) -> str:
         if name in self.example.steps:

@@ -17,7 +17,9 @@ READERS: Mapping[str, Callable[[Any], Sequence[Fraction]]] = {
     "ratio": notation.ratios,
     "angle": notation.angles,
     "beam": lambda texts: notation.numbers(texts, "beam arm"),
-    "force": lambda texts: (_newtons(texts),),
+    "force": lambda text: (_newtons(text),),
+    "eps": lambda texts: notation.numbers(texts, "expansion ratio"),
+    "back": lambda text: (notation.share(text, "back pressure"),),
 }
 
 
@@ -66,6 +68,8 @@ class _Number(click.ParamType):  # type: ignore[type-arg]
     help="Crank angles in degrees, where the example starts from them: 60, lists 30;60.",
 )
 @click.option("--beam", multiple=True, metavar="A:R", help="Arm of the beam in crank radii: 3; lists 3;4.")
+@click.option("--eps", multiple=True, metavar="ε", help="Expansion ratio ε: 4; lists 2;4, ranges 2..6.")
+@click.option("--back", metavar="B", help="Back pressure R/Q: 0.1, 10%; default: the best, 1/ε.")
 @click.option("--force", metavar="FORCE", help="Piston force, for newtons: 10kN.")
 @page_options
 def example(**options: Any) -> None:
