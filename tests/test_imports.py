@@ -145,7 +145,15 @@ def test_imports_run_one_way() -> None:
         "kurbel.cli.inertia",
     ]
     square = ["kurbel.kernel.forces", "kurbel.tangent_page", "kurbel.cli.forces"]
-    for order in (motion, engine, quantity, beam, balance, linkage, rod, square):
+    worked = [
+        "kurbel.example_figures",
+        "kurbel.example_kinds",
+        "kurbel.example_formulas",
+        "kurbel.example_working",
+        "kurbel.example_page",
+        "kurbel.cli.example",
+    ]
+    for order in (motion, engine, quantity, beam, balance, linkage, rod, square, worked):
         for low, high in pairwise(order):
             assert low in reached(high)
             assert high not in reached(low)
@@ -245,7 +253,7 @@ PAGES += [
     ("inertia", "--centre=0.6", "--gyration=0.4", f"--layout={name}")
     for name in ("inertia", "inertia-errors")
 ]
-PAGES += [("forces", "--at", "tangent")]
+PAGES += [("forces", "--at", "tangent"), ("example", "blau", "33"), ("example", "weisbach", "150")]
 
 
 @pytest.mark.parametrize("name", ["text", "markdown", "latex", "html", "csv", "json"])

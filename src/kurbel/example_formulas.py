@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from kurbel import example_steam
 from kurbel.certify import pi
-from kurbel.example_kinds import Formula, Given, Kind
+from kurbel.example_kinds import Formula, Given, Kind, exact_root
 from kurbel.kernel.beam import approximate_lean, approximate_path
 from kurbel.kernel.circle import root
 
@@ -99,11 +99,17 @@ def quadratic(constant: Callable[[Given], Fraction]) -> Formulas:
     def radicand(given: Given) -> Fraction:
         return 1 / given["ratio"] ** 2 + 16 * constant(given)
 
-    def cosine(given: Given, kind: Kind) -> Any:
-        return (kind.root(radicand(given)) - kind.of(1 / given["ratio"])) / 4
+    def solved(sign: int) -> Formula:
+        def root_of(given: Given, kind: Kind) -> Any:
+            rod, exact = 1 / given["ratio"], exact_root(radicand(given))
+            # A ball around -1 reaches where no angle has such a cosine.
+            if exact is not None:
+                return kind.of((sign * exact - rod) / 4)
+            return (sign * kind.root(radicand(given)) - kind.of(rod)) / 4
 
-    def other(given: Given, kind: Kind) -> Any:
-        return -(kind.root(radicand(given)) + kind.of(1 / given["ratio"])) / 4
+        return root_of
+
+    cosine, other = solved(1), solved(-1)
 
     def position(given: Given, kind: Kind) -> Position:
         here = cosine(given, kind)

@@ -28,9 +28,15 @@ class Kind(NamedTuple):
 Formula = Callable[[Given, Kind], Any]
 
 
-def _exact_root(square: Fraction) -> Fraction:
+def exact_root(square: Fraction) -> Fraction | None:
+    """Return the square root if it is a fraction."""
     result = Fraction(isqrt(square.numerator), isqrt(square.denominator))
-    if result * result != square:
+    return result if result * result == square else None
+
+
+def _fraction_root(square: Fraction) -> Fraction:
+    result = exact_root(square)
+    if result is None:
         raise ProblemError(f"the root of {square} is no fraction")
     return result
 
@@ -48,7 +54,7 @@ BOUNDS = Kind(
     Separation.rational, lambda square: root(Separation.rational(square)),
     lambda angle: _Bounded(*circle_separation(angle)[:2]),
 )  # fmt: skip
-FRACTIONS = Kind(lambda value: value, _exact_root, _no_circle)
+FRACTIONS = Kind(lambda value: value, _fraction_root, _no_circle)
 
 
 class _Bounded(NamedTuple):
