@@ -116,7 +116,7 @@ def _given_text(example: Example, part: Part, names: Sequence[str]) -> Label:
 def _part_label(request: ExampleRequest, part: Part) -> Label:
     title = part.title[request.lang] if part.title else ""
     text = ", ".join(filter(None, (title, _given_text(request.example, part, _varied(request)))))
-    return f"{part.letter}) {text}" if part.letter else text
+    return f"{part.letter}) {text}".rstrip() if part.letter else text
 
 
 def _caption(request: ExampleRequest) -> Label:
