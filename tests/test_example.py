@@ -429,12 +429,16 @@ ERRORS = [
     (("blau", "3"), 'there is no example of blau "3" (did you mean 35?); choose from 31, 32, 33, 34, 35'),
     (("blau", "33", "--angle=30"), "example blau 33 takes no angle of your own; it takes ratio"),
     (("weisbach", "149", "--eps=2"), "example weisbach 149 takes no eps of your own; it takes ratio, beam"),
-    (("blau", "33", "--ratio=1:∞"), "the worked examples divide by R:L; give a finite rod, such as 1:5"),
+    (("blau", "33", "--ratio=1:∞"), "the worked examples are of a finite rod; give a ratio such as 1:5"),
     (("uebung", "12", "--force=1kN"), "a force becomes newtons with a ratio only; add one, such as 1:5"),
     (("blau", "31", "--angle=0..180:1"), "that makes 181 examples; at most 100 are printed at once"),
     (
         ("weisbach", "150", "--eps=1"),
         "the way of § 150 is for expanding steam; give an expansion ratio above 1",
+    ),
+    (
+        ("weisbach", "150", "--eps=1.1", "--back=0"),
+        "at ε = 1.1 the speed is greatest before the cut-off, where the equation of § 150 for α₂ does not",
     ),
     (
         ("blau", "33", "--ratio=1:1"),

@@ -13,7 +13,7 @@ from kurbel.beam import BeamEngine
 from kurbel.choices import choose
 from kurbel.errors import ProblemError
 from kurbel.example_source import Example, Part, example
-from kurbel.example_steam import engine_turn
+from kurbel.example_steam import check_steam
 from kurbel.layouts import LANGUAGES
 from kurbel.problem import Crank, check_angles
 from kurbel.request import check_label
@@ -85,13 +85,13 @@ def _check(given: Mapping[str, Fraction]) -> None:
     if "ratio" in given:
         Crank(given["ratio"])
         if not given["ratio"]:
-            raise ProblemError("the worked examples divide by R:L; give a finite rod, such as 1:5")
+            raise ProblemError("the worked examples are of a finite rod; give a ratio such as 1:5")
     if "angle" in given:
         check_angles([given["angle"]])
     if "beam" in given:
         BeamEngine(given["beam"], given["ratio"])
     if "eps" in given:
-        engine_turn(given)
+        check_steam(given)
     if "force" in given:
         if "ratio" not in given:
             raise ProblemError("a force becomes newtons with a ratio only; add one, such as 1:5")

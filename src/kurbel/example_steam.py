@@ -14,6 +14,7 @@ from kurbel.engine import Engine, Steam
 from kurbel.engine_quantities import OUTSTROKE, RETURN_STROKE, WHOLE
 from kurbel.errors import ProblemError
 from kurbel.example_kinds import Formula, Given
+from kurbel.notation import about
 from kurbel.problem import Crank
 from kurbel.turn import WeisbachTurn
 
@@ -28,6 +29,15 @@ def engine_turn(given: Given) -> WeisbachTurn:
     if given["eps"] <= 1:
         raise ProblemError("the way of § 150 is for expanding steam; give an expansion ratio above 1")
     return _turn(given["ratio"], given["eps"], given.get("back"))
+
+
+def check_steam(given: Given) -> None:
+    """Raise ProblemError where the book's equation for α₂ does not hold."""
+    if not engine_turn(given).expands_first:
+        raise ProblemError(
+            f"at ε = {about(given['eps'])} the speed is greatest before the cut-off, where the equation of"
+            " § 150 for α₂ does not hold; give a larger expansion ratio"
+        )
 
 
 def _of(value: Callable[[WeisbachTurn], Any]) -> Formula:
