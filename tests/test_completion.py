@@ -62,6 +62,13 @@ def test_commands_and_options_are_completed(shell: str) -> None:
     assert completed(shell, "table", "--lay") == ["--layout"]
 
 
+def test_sources_and_numbers_of_examples_are_completed() -> None:
+    assert completed("bash", "example", "") == ["blau", "uebung", "weisbach"]
+    assert completed("bash", "example", "blau", "") == ["31", "32", "33", "34", "35"]
+    assert completed("bash", "example", "weisbach", "14") == ["149"]
+    assert completed("bash", "example", "unknown", "") == []
+
+
 def test_a_list_of_columns_is_completed_after_the_comma_without_those_it_has() -> None:
     assert completed("bash", "table", "--columns", "phi,psi,ps") == ["phi,psi,psi_return"]
     assert completed("bash", "table", "--columns", "phi,x_mm,x_m") == []

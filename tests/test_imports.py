@@ -153,7 +153,15 @@ def test_imports_run_one_way() -> None:
         "kurbel.solve_page",
         "kurbel.cli.solve",
     ]
-    for order in (motion, engine, quantity, beam, balance, linkage, rod, square, roots):
+    worked = [
+        "kurbel.example_figures",
+        "kurbel.example_kinds",
+        "kurbel.example_formulas",
+        "kurbel.example_working",
+        "kurbel.example_page",
+        "kurbel.cli.example",
+    ]
+    for order in (motion, engine, quantity, beam, balance, linkage, rod, square, roots, worked):
         for low, high in pairwise(order):
             assert low in reached(high)
             assert high not in reached(low)
@@ -254,6 +262,7 @@ PAGES += [
     for name in ("inertia", "inertia-errors")
 ]
 PAGES += [("forces", "--at", "tangent"), ("solve", "--where", "p=0")]
+PAGES += [("example", "blau", "33"), ("example", "weisbach", "150")]
 
 
 @pytest.mark.parametrize("name", ["text", "markdown", "latex", "html", "csv", "json"])

@@ -94,6 +94,11 @@ def test_only_a_formula_with_a_bar_needs_height_of_its_own() -> None:
             "<mi>sin</mi><mo>&#x2061;</mo>"
             '<mrow><mo stretchy="false">(</mo><mi>φ</mi><mo stretchy="false">)</mo></mrow>',
         ),
+        (
+            "(a/b)/(c + d) e",
+            '<mfrac><mrow><mi>a</mi><mo lspace="0" rspace="0">/</mo><mi>b</mi></mrow>'
+            "<mrow><mi>c</mi><mo>+</mo><mi>d</mi></mrow></mfrac><mi>e</mi>",
+        ),
         ("1/4.5 a", "<mfrac><mn>1</mn><mn>4,5</mn></mfrac><mi>a</mi>"),
         ("c_m^2", "<msubsup><mi>c</mi><mi>m</mi><mn>2</mn></msubsup>"),
         ("a < b", "<mi>a</mi><mo>&lt;</mo><mi>b</mi>"),

@@ -23,11 +23,15 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return built
 
 
-def test_the_wheel_holds_templates_and_types(wheel: Path) -> None:
+def test_the_wheel_holds_templates_sources_and_types(wheel: Path) -> None:
     names = zipfile.ZipFile(wheel).namelist()
     assert "kurbel/py.typed" in names
     for template in (ROOT / "templates").rglob("*.*"):
         assert f"kurbel/templates/{template.relative_to(ROOT / 'templates').as_posix()}" in names
+    for printed in (ROOT / "src" / "kurbel" / "sources").rglob("*.*"):
+        assert (
+            f"kurbel/sources/{printed.relative_to(ROOT / 'src' / 'kurbel' / 'sources').as_posix()}" in names
+        )
 
 
 def test_an_installed_wheel_prints_a_table_from_another_directory(wheel: Path, tmp_path: Path) -> None:

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from kurbel.balance_library import make_balance_table, make_harmonics_table
     from kurbel.collate_library import make_collation_table
     from kurbel.engine_library import make_dead_centres_table, make_engine_table
+    from kurbel.example_library import make_example_table
     from kurbel.irregularity import delta
     from kurbel.library import certified, compute, make_table, typeset
     from kurbel.linkage_library import make_arc_table, make_parallel_table
@@ -39,6 +40,7 @@ __all__ = [
     "make_collation_table",
     "make_dead_centres_table",
     "make_engine_table",
+    "make_example_table",
     "make_harmonics_table",
     "make_inertia_table",
     "make_parallel_table",
@@ -53,6 +55,7 @@ _MODULES = {
     "make_collation_table": "kurbel.collate_library",
     "make_dead_centres_table": "kurbel.engine_library",
     "make_engine_table": "kurbel.engine_library",
+    "make_example_table": "kurbel.example_library",
     "make_harmonics_table": "kurbel.balance_library",
     "make_arc_table": "kurbel.linkage_library",
     "make_parallel_table": "kurbel.linkage_library",

@@ -271,7 +271,9 @@ def _mathml_node(nodes: Nodes, place: int, mark: str) -> str:
 
 def _row(nodes: Nodes, mark: str) -> str:
     content = _mathml(nodes, mark)
-    return content if len(nodes) == 1 else f"<mrow>{content}</mrow>"
+    # A fraction with a stroke is one node but three elements.
+    single = len(nodes) == 1 and not (isinstance(nodes[0], Fraction) and _has_stroke(nodes, 0))
+    return content if single else f"<mrow>{content}</mrow>"
 
 
 _THIN = '<mspace width="0.167em"/>'

@@ -240,8 +240,8 @@ def most_decimals(cells: Iterable[Cell]) -> int:
     return max((cell.value.decimals for cell in cells if isinstance(cell.value, Number)), default=0)
 
 
-# Angles and the like, which a compositor sets as he sets numbers: 2°30', 15 %.
-_FIGURES = re.compile(r"[-+−]?[0-9][0-9.,°'′″ ]*%?")
+# Angles and the like, which a compositor sets as he sets numbers: 2°30', 32°51½', 5/4, 15 %; and nothing.
+_FIGURES = re.compile(r"(?:[-+−]?[0-9][0-9.,°'′″½/ ]*%?)?")
 
 
 def alignment(cells: Iterable[Cell]) -> Literal["left", "right"]:

@@ -67,7 +67,7 @@ def _page(table: Table, form: Format, mark: str, standalone: bool, longtable: bo
     if form.name == "latex":
         from kurbel.texwidth import tex_layout
 
-        tex = tex_layout(page(table, by_name("text"), mark))
+        tex = tex_layout(page(table, by_name("text"), mark), ready)
         # A float longer than a page would run out of a document that has nothing else on it.
         values |= {"tex": tex, "longtable": longtable or (standalone and tex.tall)}
     fragment = _template(table, form.name, form.name).render(values)
@@ -82,7 +82,7 @@ def is_taller_than_a_page(table: Table) -> bool:
     """Tell whether the table, set by LaTeX, is too long for a float."""
     from kurbel.texwidth import tex_layout
 
-    return tex_layout(page(table, by_name("text"), ".")).tall
+    return tex_layout(*(page(table, by_name(name), ".") for name in ("text", "latex"))).tall
 
 
 def _template(table: Table, format: str, name: str) -> Template:

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Sequence
 from itertools import groupby
 from typing import NamedTuple
 
-from kurbel.page import HeadCell, Page, PagePanel
+from kurbel.page import HeadCell, Page, PageCell, PagePanel
 
 TYPE_WIDTH = 455.0
 """The width of a page of 16 cm, in points."""
@@ -63,8 +63,11 @@ class TexLayout(NamedTuple):
         return "".join(f"*{{{times}}}{{{column}}}" if times > 2 else column * times for column, times in runs)
 
 
-def tex_layout(page: Page) -> TexLayout:
-    """Return the layout for a page set as plain text, whose characters are what is measured."""
+def tex_layout(page: Page, ready: Page) -> TexLayout:
+    """Return the layout for a page set as plain text, whose characters are what is measured.
+
+    `ready` is the same page for LaTeX: a line with a high fraction takes the height of two.
+    """
     count = max(len(panel.columns) for panel in page.panels)
     cells = _widest((_cell_widths(panel) for panel in page.panels), count)
     widths = _widest((_widths(panel) for panel in page.panels), count)
@@ -79,7 +82,7 @@ def tex_layout(page: Page) -> TexLayout:
         ),
         size=size,
         share=min(1.0, round(_points(widths, size) / TYPE_WIDTH, 2)),
-        tall=_lines(page) * size.leading > TYPE_HEIGHT,
+        tall=_lines(ready) * size.leading > TYPE_HEIGHT,
     )
 
 
@@ -91,7 +94,11 @@ def _widest(panels: Iterable[Sequence[float]], count: int) -> list[float]:
 def _lines(page: Page) -> int:
     heads = sum(len(panel.spanners) + len(panel.heading_lines) + 2 for panel in page.panels)
     groups = [group for panel in page.panels for group in panel.groups]
-    return heads + sum(len(group.rows) + (3 if group.label else 1) for group in groups)
+    return heads + sum(sum(map(_row_lines, group.rows)) + (3 if group.label else 1) for group in groups)
+
+
+def _row_lines(row: Sequence[PageCell]) -> int:
+    return 2 if any("\\displaystyle" in cell.text for cell in row) else 1
 
 
 def _points(widths: Sequence[float], size: Size) -> float:

@@ -309,6 +309,11 @@ class WeisbachTurn(Turn):
         relation, slope = partial(self._relation, piece, 0), partial(self._relation, piece, 1)
         yield from _zeros(piece, relation, slope)
 
+    @property
+    def expands_first(self) -> bool:
+        """Whether on both strokes the speed is greatest beyond the cut-off, where his cot(α₂/2) holds."""
+        return all(map(self._turns_beyond_cut_off, self.pieces))
+
     def _turns_beyond_cut_off(self, piece: Piece) -> bool:
         (stroke, begun) = piece.strokes[0]
         return bool(at_bits(EQUAL_BITS, lambda: self.excess(piece, self.cut_off(stroke) + ball(begun))) > 0)

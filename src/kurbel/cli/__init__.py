@@ -30,6 +30,7 @@ COMMANDS = {
     "balance": ("kurbel.cli.balance", "Print the free forces and moments of an engine."),
     "collate": ("kurbel.cli.collate", "Compare a book's printed values, or your own, with recomputed ones."),
     "sources": ("kurbel.cli.collate", "List the books that can be collated."),
+    "example": ("kurbel.cli.example", "Print a worked example of a book, as printed and recomputed."),
     "plot": ("kurbel.cli.plot", "Draw the motion, the mechanism, the forces or the turning effort."),
     "layouts": ("kurbel.cli.lists", "List the page layouts."),
     "quantities": ("kurbel.cli.lists", "List the quantities that columns can show."),

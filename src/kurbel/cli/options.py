@@ -169,8 +169,23 @@ def layout_option(default: str, *subjects: str) -> Callable[[Command], Command]:
 
 
 def output_options(command: Command) -> Command:
-    """Add -f, -o, --lang, --decimal, --digits, --rounding, --standalone and --longtable."""
-    options = (
+    """Add -f, -o, --lang, --decimal, --digits, --rounding, --label, --standalone and --longtable."""
+    digits = (
+        click.option("--digits", type=Count("digits", 0, MOST_DIGITS), metavar="N",
+                     help=f"Decimals of every column, 0 to {MOST_DIGITS}."),
+        click.option("--rounding", type=Name("rounding", lambda: ROUNDINGS), default=ROUNDINGS[0],
+                     show_default=True, help="What becomes of a tie."),
+    )  # fmt: skip
+    return in_order((*_format_options(command), *digits, *_document_options()))(command)
+
+
+def page_options(command: Command) -> Command:
+    """Add the same without --digits and --rounding, for pages whose figures have places of their own."""
+    return in_order((*_format_options(command), *_document_options()))(command)
+
+
+def _format_options(command: Command) -> tuple[Callable[[Command], Command], ...]:
+    return (
         click.option("-f", "--format", type=FormatName("format", lambda: FORMATS),
                      envvar=[f"KURBEL_{command.__name__.upper()}_FORMAT", "KURBEL_FORMAT"],
                      help="Output format; default: by the suffix of -o, else text."),
@@ -180,16 +195,16 @@ def output_options(command: Command) -> Command:
                      envvar="KURBEL_LANG", help="Language of headings and captions: de or en."),
         click.option("--decimal", type=Name("decimal mark", lambda: DECIMALS), envvar="KURBEL_DECIMAL",
                      help="comma or point; default: by the language, point in CSV and JSON."),
-        click.option("--digits", type=Count("digits", 0, MOST_DIGITS), metavar="N",
-                     help=f"Decimals of every column, 0 to {MOST_DIGITS}."),
-        click.option("--rounding", type=Name("rounding", lambda: ROUNDINGS), default=ROUNDINGS[0],
-                     show_default=True, help="What becomes of a tie."),
+    )  # fmt: skip
+
+
+def _document_options() -> tuple[Callable[[Command], Command], ...]:
+    return (
         click.option("--label", metavar="NAME", default="",
                      help="Name for cross references: \\label{tab:NAME}; default: the layout's."),
         click.option("--standalone", is_flag=True, help="LaTeX and HTML: a whole document, not a fragment."),
         click.option("--longtable", is_flag=True, help="LaTeX: a longtable, which breaks across pages."),
     )  # fmt: skip
-    return in_order(options)(command)
 
 
 def sheet_of(options: Mapping[str, Any], example: str = "") -> dict[str, Any]:

@@ -16,6 +16,7 @@ from kurbel.output import whole_file
 
 if TYPE_CHECKING:
     from kurbel.build import Asked
+    from kurbel.table import Table
 
 # Shorter tables are done before a bar could be read.
 BAR_ROWS = 200_000
@@ -40,14 +41,24 @@ class Printing(NamedTuple):
 
 def print_table(request: Asked, printing: Printing) -> None:
     """Write the table in the format to the file, whole or not at all."""
-    chosen, output = printing.format, printing.output
+    chosen = printing.format
     if chosen.kind == "page":
-        pieces, rows = _page(request, printing), 0
-    else:
-        from kurbel.streams import record_chunks
+        from kurbel.build import build
 
-        rows = len(request)
-        pieces = record_chunks(request, chosen.name, chosen.decimal_name(request.lang, printing.decimal))
+        print_made(build(request), printing)
+        return
+    from kurbel.streams import record_chunks
+
+    pieces = record_chunks(request, chosen.name, chosen.decimal_name(request.lang, printing.decimal))
+    _write(pieces, printing.output, len(request))
+
+
+def print_made(table: Table, printing: Printing) -> None:
+    """Write a table that is there already."""
+    _write(_rendered(table, printing), printing.output, 0)
+
+
+def _write(pieces: Iterator[bytes], output: str, rows: int) -> None:
     # The first piece is made before the file is opened, so that bad input leaves no trace.
     first = next(pieces)
     with whole_file(output) as stream, _bar(rows) as bar:
@@ -57,13 +68,11 @@ def print_table(request: Asked, printing: Printing) -> None:
             bar.update(1)
 
 
-def _page(request: Asked, printing: Printing) -> Iterator[bytes]:
-    from kurbel.build import build
+def _rendered(table: Table, printing: Printing) -> Iterator[bytes]:
     from kurbel.render import is_taller_than_a_page, render
 
     form, output, decimal, standalone, longtable = printing
     name = form.name
-    table = build(request)
     width = get_terminal_size().columns if output == "-" and sys.stdout.isatty() else None
     text = render(table, name, decimal=decimal, standalone=standalone, longtable=longtable, width=width)
     yield text.encode()
