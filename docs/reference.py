@@ -16,6 +16,7 @@ from kurbel.captions import quantity_name
 from kurbel.cli import COMMANDS
 from kurbel.engine_quantities import COMMANDS_OF, engine_registry
 from kurbel.engine_request import ENGINE_METHODS
+from kurbel.example_source import example, numbers_of, source_keys
 from kurbel.formats import FORMATS
 from kurbel.harmonics import registry as harmonics_registry
 from kurbel.harmonics_page import harmonic_name
@@ -35,7 +36,9 @@ PAGE = Path(__file__).with_name("reference.md")
 
 def reference() -> str:
     """Return the whole page."""
-    return "\n".join([*_commands(), *_quantities(), *_layouts(), *_formats(), *_methods()]) + "\n"
+    return (
+        "\n".join([*_commands(), *_quantities(), *_layouts(), *_examples(), *_formats(), *_methods()]) + "\n"
+    )
 
 
 def _commands() -> Iterator[str]:
@@ -137,6 +140,16 @@ def _layouts() -> Iterator[str]:
         others = "; ".join((*page.expansions, *page.arms, *page.angles))
         columns = ", ".join(f"`{column.key}`" for column in page.columns)
         yield f"| `{name}` | {page.title['en']} | {page.subject} | {defaults} | {others} | {columns} |"
+
+
+def _examples() -> Iterator[str]:
+    yield "\n## Worked examples\n\nOf `kurbel example`.\n\n| source | number | title | takes |"
+    yield "| --- | --- | --- | --- |"
+    for key in source_keys():
+        for number in numbers_of(key):
+            one = example(key, number)
+            takes = " ".join(f"`--{name}`" for name in one.takes)
+            yield f"| `{key}` | `{number}` | {one.title['en']} | {takes} |"
 
 
 def _formats() -> Iterator[str]:

@@ -18,8 +18,9 @@ from textbook import Drive, evaluate, real, rounded
 
 import kurbel
 from kurbel.errors import KurbelError, LayoutError
-from kurbel.example_figures import figure
+from kurbel.example_figures import Figure, figure
 from kurbel.example_source import FOLDER, example, numbers_of, source_keys
+from kurbel.example_working import arc_text
 
 BOOKS = Path(__file__).parent / "sources" / "examples"
 EXAMPLES = [(key, number) for key in source_keys() for number in numbers_of(key)]
@@ -405,6 +406,12 @@ def test_numbers_of_the_book_bring_its_printed_figures() -> None:
     rows = records("blau", "33", "--ratio=1:4;1:6")
     assert {row["part"] for row in rows} == {"b", "R:L = 1:6"}
     assert all(bool(row["printed"]) == (row["part"] == "b") for row in rows if row["step"] == "alpha")
+
+
+def test_a_difference_of_half_a_minute_is_named() -> None:
+    assert arc_text(Figure(Fraction(93), figure("32°51½'").form)) == "46½′"
+    assert arc_text(Figure(Fraction(4), figure("79°20'").form)) == "$4'$"
+    assert arc_text(Figure(Fraction(64), figure("79°20'").form)) == "$1°4'$"
 
 
 def test_ties_are_rounded_away_from_zero() -> None:

@@ -56,3 +56,8 @@ def test_an_installed_wheel_prints_a_table_from_another_directory(wheel: Path, t
         check=True, capture_output=True, text=True, cwd=elsewhere, env={"PYTHONUTF8": "1"},
     )  # fmt: skip
     assert r"\toprule" in page.stdout
+    worked = subprocess.run(
+        [str(python), "-m", "kurbel", "example", "blau", "35", "-f", "csv"],
+        check=True, capture_output=True, text=True, cwd=elsewhere, env={"PYTHONUTF8": "1"},
+    )  # fmt: skip
+    assert worked.stdout.splitlines()[-1].endswith("other,cos α,−5/2,−5/2,")

@@ -65,10 +65,9 @@ class _Bounded(NamedTuple):
 def certified(formula: Formula, given: Given, form: Form, transcendental: bool = False) -> Figure:
     """Return the value of a formula in a form, rounded once, half away from zero.
 
-    `transcendental` claims that no value is a rational number but by itself at once seen: an angle in
-    degrees, and what logarithms and π enter. Angles of the examples belong to cosines of at most degree 2
-    over the rationals (cos α = c with rational or quadratic c, tan α rational); an odd number of half
-    minutes of arc has a cosine of far higher degree, and so none is a tie.
+    `transcendental` claims that no value is a tie, for logarithms or π enter it. Nor is an angle a tie, an
+    odd number of quarters or halves of a minute or degree: the angles of the examples are rational over π, or
+    have a cosine of at most degree 2 over the rationals, and those odd numbers one of a higher degree.
     """
     if form.fraction:
         return Figure(formula(given, FRACTIONS), form)

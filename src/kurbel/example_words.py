@@ -30,7 +30,7 @@ WORDS: Mapping[str, Mapping[str, str]] = {
         "de": "weicht um {units} Einheiten der letzten Stelle ab",
         "en": "differs by {units} units of the last place",
     },
-    "arc": {"de": "weicht um ${arc}$ ab", "en": "differs by ${arc}$"},
+    "arc": {"de": "weicht um {arc} ab", "en": "differs by {arc}"},
     "added": {"de": "[ ] steht nicht im Buch", "en": "[ ] is not in the book"},
     "rounded_printed": {
         "de": "Rechnung mit den gedruckten Zahlen; neu berechnet ist der wahre Wert der Größe, einmal"

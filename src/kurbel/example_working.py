@@ -99,13 +99,13 @@ class Working:
             return WORDS["differs"][self.lang]
         units = abs(value.value - printed.value)
         if form.parts:
-            return WORDS["arc"][self.lang].format(arc=_arc_text(Figure(units, form)))
+            return WORDS["arc"][self.lang].format(arc=arc_text(Figure(units, form)))
         return WORDS["unit" if units == 1 else "units"][self.lang].format(units=units)
 
 
-def _arc_text(arc: Figure) -> str:
+def arc_text(arc: Figure) -> Label:
     """Return a small angle without its degrees of zero: 4'."""
-    return arc.text().removeprefix("0°")
+    return str(arc.cell()).replace("$0°", "$").removeprefix("0°")
 
 
 def angle_text(angle: Fraction) -> str:
