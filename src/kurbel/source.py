@@ -140,7 +140,8 @@ def _words(book: Book, given: Mapping[str, Any], key: str) -> Mapping[str, str]:
 
 
 def _is_text(entry: object) -> bool:
-    return isinstance(entry, str) and (entry.isprintable() or not entry)
+    # The no-break space is typography, though it counts as not printable.
+    return isinstance(entry, str) and entry.replace("\u00a0", " ").isprintable()
 
 
 def _notes(book: Book, given: Mapping[str, Any]) -> Mapping[str, Sequence[str]]:
