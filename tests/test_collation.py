@@ -558,7 +558,11 @@ def test_a_quotient_of_ones_own_is_held_to_the_method(tmp_path: Path) -> None:
         ("1:4", ("--quantity=c", "--ratio=1:5"), "a column headed 1:4, and --ratio is another"),
         ("p", ("--quantity=foo", "--ratio=1:4"), 'there is no quantity "foo"'),
         ("p", ("--ratio=xx",), 'crank ratio "xx" is not a ratio'),
-        ("v", ("--quantity=delta", "--ratio=1:4"), "delta does not go by crank angles"),
+        (
+            "v",
+            ("--quantity=delta", "--ratio=1:4"),
+            "delta does not go by angles, as the file does",
+        ),
         ("p", (), "the crank ratio is not known"),
         ("p", ("--ratio=1:4", "--sources=nowhere"), "--sources is for tables of books"),
         ("p", ("--ratio=1:4", "--digits=3"), "--digits has no use here"),
@@ -571,6 +575,52 @@ def test_what_does_not_go_together_is_wrong_usage(
     file = tmp_path / "own.csv"
     file.write_text(f"phi;{head}\n30;0,981\n", encoding="utf-8")
     assert sentence in refusal("collate", "--csv", str(file), *words)
+
+
+def test_a_transcription_can_go_by_expansion_ratios(tmp_path: Path) -> None:
+    # The printed values, and those of tests/sources/weisbach, worked out with mpmath.
+    path = written(tmp_path, "eps;1:5\n2;1,305\n3;1,374\n4;1,421\n5;1,453\n6;1,477\n")
+    words = ("collate", "--csv", path, "--quantity=delta", "-f", "csv")
+    exact = [(one["epsilon"], one["recomputed"], one["verdict"]) for one in printed(*words).records()]
+    assert exact == [
+        ("2", "1,282", UNEXPLAINED), ("3", "1,374", RIGHT), ("4", "1,423", OTHER_FORMULA),
+        ("5", "1,454", LAST_PLACE), ("6", "1,478", LAST_PLACE),
+    ]  # fmt: skip
+    own = [one["verdict"] for one in printed(*words, "--method=weisbach").records()]
+    assert own == [UNEXPLAINED, LAST_PLACE, RIGHT, RIGHT, RIGHT]
+
+
+def test_a_transcription_can_go_by_the_arm_of_the_beam(tmp_path: Path) -> None:
+    path = written(tmp_path, "arm;mu;nu;path_1\n3;0°48';1°12';0,00010\n")
+    words = ("collate", "--csv", path, "--ratio=1:5", "-f", "csv")
+    found = [(one["quantity"], one["recomputed"]) for one in printed(*words).records()]
+    assert found == [("mu", "0°49′"), ("nu", "1°14′"), ("path_1", "0,00013")]
+    assert [one["verdict"] for one in printed(*words, "--method=approximate").records()] == [RIGHT] * 3
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        ("eps;1:5\n2;1,3\n2,0;1,3\n", "line 3: the expansion ratio 2,0 stands in line 2 already"),
+        ("eps;1:5\n0,5;1,3\n", "line 2: "),
+        ("gamma;1:5\n2;1,3\n", 'line 1: the first head is "gamma"; it must be phi'),
+    ],
+)
+def test_axes_that_cannot_be_are_told(text: str, sentence: str, tmp_path: Path) -> None:
+    said = refusal("collate", "--csv", written(tmp_path, text), "--quantity=delta", code=1)
+    assert sentence in said
+
+
+def test_methods_that_a_quantity_has_not_are_told(tmp_path: Path) -> None:
+    path = written(tmp_path, "eps;1:5\n2;1,3\n")
+    said = refusal("collate", "--csv", path, "--quantity=delta", "--method=infinite")
+    assert 'there is no method "infinite"' in said
+
+
+def test_sources_say_what_is_stated_and_what_is_inferred() -> None:
+    said = printed("sources", "--lang=en").out
+    assert "    Inferred: Author and title are not in the copy.\n" in said
+    assert "    Stated: Title and equations (1) to (11).\n" in said
 
 
 def test_two_columns_of_one_kind_are_refused(tmp_path: Path) -> None:

@@ -15,7 +15,7 @@ from kurbel.choices import choose
 from kurbel.collation import Collated
 from kurbel.errors import ChoiceError, SourceError
 from kurbel.layouts import layout_of
-from kurbel.notation import angle, plain, ratio, ratio_text
+from kurbel.notation import angle, number, plain, ratio, ratio_text
 from kurbel.problem import Crank
 from kurbel.sheet import Heads, Sheet, records_of, table_of
 from kurbel.source import AXES, SourceCell, SourceTable
@@ -235,7 +235,9 @@ def place_label(one: Collated, lang: str) -> Label:
     if "ratio" in cell.axes:
         parts.append(f"${ratio_text(ratio(cell.axes['ratio']))}$")
     if "epsilon" in cell.axes:
-        parts.append(f"$ε = {cell.axes['epsilon']}$")
+        parts.append(f"$ε = {plain(number(cell.axes['epsilon'], 'expansion ratio'))}$")
+    if "arm" in cell.axes:
+        parts.append(f"$a = {plain(number(cell.axes['arm'], 'beam arm'))} r$")
     if "stroke" in cell.axes:
         parts.append(WORDS[cell.axes["stroke"]][lang])
     if "phi" in cell.axes:

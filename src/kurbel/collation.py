@@ -94,7 +94,7 @@ class Collation:
         printed = cell.printed
         assert printed is not None
         try:
-            truth, others, way = self.truth(cell), self._others(cell), self._way(cell)
+            truth, others, way = self.truth(cell), others_of(cell), self._way(cell)
             return collate(cell, printed, truth, others, *way)
         except KurbelError as error:
             if isinstance(error, SourceError):
@@ -128,22 +128,6 @@ class Collation:
             (lambda: formula.value(BOUNDS, bound)) if algebraic else None,
             _quotient(formula, lambda name: cells(name).rational) if rational else None,
         )
-
-    def _others(self, cell: SourceCell) -> Mapping[str, Callable[[], Truth | None]]:
-        """Return what the cell is by the other methods, None where one has no formula for it."""
-        if not cell.quantity:
-            return {}
-
-        def other(method: str) -> Callable[[], Truth | None]:
-            def truth() -> Truth | None:
-                try:
-                    return quantity_truth(cell, method)
-                except KurbelError:
-                    return None
-
-            return truth
-
-        return {method: other(method) for method in methods_of(cell.quantity) if method != cell.method}
 
     def _way(self, cell: SourceCell) -> tuple[Truth | None, tuple[str, ...]]:
         """Return the value from what was printed before, and which of that is not right itself."""
@@ -248,6 +232,23 @@ def _constant(printed: Printed | None) -> Truth:
 
 
 # Quantities -----------------------------------------------------------------------------------------------
+
+
+def others_of(cell: SourceCell) -> Mapping[str, Callable[[], Truth | None]]:
+    """Return what the cell is by the other methods, None where one has no formula for it."""
+    if not cell.quantity:
+        return {}
+
+    def other(method: str) -> Callable[[], Truth | None]:
+        def truth() -> Truth | None:
+            try:
+                return quantity_truth(cell, method)
+            except KurbelError:
+                return None
+
+        return truth
+
+    return {method: other(method) for method in methods_of(cell.quantity) if method != cell.method}
 
 
 def methods_of(quantity: str) -> tuple[str, ...]:

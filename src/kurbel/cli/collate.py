@@ -12,6 +12,12 @@ from kurbel.errors import ProblemError
 from kurbel.numerals import ROUNDINGS
 from kurbel.verdict import ONLY
 
+# Of what a source says about itself.
+WORDS = {
+    "stated": {"de": "Belegt", "en": "Stated"},
+    "inferred": {"de": "Erschlossen", "en": "Inferred"},
+}
+
 folder_option = click.option(
     "--sources", metavar="DIR", type=click.Path(), help="A folder with books of your own, a folder each."
 )
@@ -27,16 +33,26 @@ def sources(sources: str | None, lang: str) -> None:
     # All are read before any is listed.
     for book in tuple(books(sources)):
         click.echo(f"{book.key}: {book.citation[lang]}")
+        for name, text in (("stated", book.stated), ("inferred", book.inferred)):
+            if text[lang]:
+                click.echo(f"    {WORDS[name][lang]}: {text[lang]}")
         for table in book.tables:
             click.echo(f"    {table.key}  {table.title[lang]}")
 
 
 @click.command()
 @click.argument("table", required=False)
-@click.option("--csv", metavar="FILE", type=click.Path(), help="Your own transcription: phi, printed values.")
-@click.option("--quantity", metavar="KEY", help="With --csv: what is printed, such as x, c or p.")
+@click.option(
+    "--csv",
+    metavar="FILE",
+    type=click.Path(),
+    help="Your own transcription: phi, epsilon or arm, and printed values.",
+)
+@click.option("--quantity", metavar="KEY", help="With --csv: what is printed, such as x, c, p or delta.")
 @click.option("-r", "--ratio", metavar="R:L", help="With --csv: crank ratio, such as 1:4,5.")
-@click.option("--method", metavar="METHOD", help="With --csv: exact (default), series or infinite.")
+@click.option(
+    "--method", metavar="METHOD", help="With --csv: exact (default), series, infinite, weisbach, approximate."
+)
 @click.option(
     "--only", type=Name("choice", lambda: ONLY), default="all", show_default=True,
     help="all, or deviations: what is not right.",
