@@ -29,7 +29,6 @@ from kurbel.verdict import (
     OTHER_FORMULA,
     RIGHT,
     VERDICTS,
-    Verdict,
 )
 
 WORDS: Mapping[str, Mapping[str, str]] = {
@@ -217,7 +216,7 @@ def _grid(request: CollateRequest) -> Grid:
                 return Cell(_recomputed(one))
             case "difference":
                 return Cell(Number(one.off, 0) if one.off else None)
-        return Cell(verdict_text(one.verdict, request, lang))
+        return Cell(verdict_text(one, request, lang))
 
     return Grid(axes, cell)
 
@@ -228,21 +227,27 @@ def _recomputed(one: Collated) -> Number | Label:
     return _characters(one.recomputed)
 
 
-def place_label(one: Collated, lang: str) -> Label:
-    """Return where a value stands: "$x/R$, $R:L = 1:5$, 45°"."""
-    cell = one.cell
+def place_label(one: Collated, lang: str, beside: SourceCell | None = None) -> Label:
+    """Return where a value stands: "$x/R$, $R:L = 1:5$, 45°", without what the cell beside it shares."""
+    cell, shared = one.cell, {} if beside is None else beside.axes
     parts = [cell.label or quantity_label(cell.quantity, lang)]
-    if "ratio" in cell.axes:
-        parts.append(f"${ratio_text(ratio(cell.axes['ratio']))}$")
-    if "epsilon" in cell.axes:
-        parts.append(f"$ε = {plain(number(cell.axes['epsilon'], 'expansion ratio'))}$")
-    if "arm" in cell.axes:
-        parts.append(f"$a = {plain(number(cell.axes['arm'], 'beam arm'))} r$")
-    if "stroke" in cell.axes:
-        parts.append(WORDS[cell.axes["stroke"]][lang])
-    if "phi" in cell.axes:
-        parts.append(f"${plain(angle(cell.axes['phi'], 'angle'))}°$")
+    for axis, text in cell.axes.items():
+        if shared.get(axis) != text:
+            parts.append(_axis_label(axis, text, lang))
     return ", ".join(parts)
+
+
+def _axis_label(axis: str, text: str, lang: str) -> Label:
+    match axis:
+        case "ratio":
+            return f"${ratio_text(ratio(text))}$"
+        case "epsilon":
+            return f"$ε = {plain(number(text, 'expansion ratio'))}$"
+        case "arm":
+            return f"$a = {plain(number(text, 'beam arm'))} r$"
+        case "phi":
+            return f"${plain(angle(text, 'angle'))}°$"
+    return WORDS[text][lang]
 
 
 def quantity_label(key: str, lang: str) -> Label:
@@ -258,14 +263,15 @@ def quantity_label(key: str, lang: str) -> Label:
     return engine_registry()[key].symbol if key in engine_registry() else beam_registry()[key].symbol
 
 
-def verdict_text(found: Verdict, request: CollateRequest, lang: str) -> Label:
+def verdict_text(one: Collated, request: CollateRequest, lang: str) -> Label:
     """Return the verdict with what it is about."""
-    said = VERDICTS[found.kind][lang]
-    detail = _detail(found, request, lang)
+    said = VERDICTS[one.verdict.kind][lang]
+    detail = _detail(one, request, lang)
     return f"{said}: {detail}" if detail else said
 
 
-def _detail(found: Verdict, request: CollateRequest, lang: str) -> Label:
+def _detail(one: Collated, request: CollateRequest, lang: str) -> Label:
+    found = one.verdict
     if not found.detail:
         return ""
     if found.kind == DIGIT:
@@ -276,8 +282,8 @@ def _detail(found: Verdict, request: CollateRequest, lang: str) -> Label:
         return METHOD_NAMES[found.detail][lang]
     if (found.kind, found.detail) == (LAST_PLACE, FOLLOWS):
         return WORDS["follows"][lang]
-    by_place = {one.cell.place: one for one in request.collated}
-    return "; ".join(place_label(by_place[name], lang) for name in found.detail.split(", "))
+    by_place = {each.cell.place: each for each in request.collated}
+    return "; ".join(place_label(by_place[name], lang, one.cell) for name in found.detail.split(", "))
 
 
 def _notes(request: CollateRequest, marks: Mapping[str, str]) -> Iterator[Note]:
@@ -288,7 +294,7 @@ def _notes(request: CollateRequest, marks: Mapping[str, str]) -> Iterator[Note]:
             printed=f"${one.printed.text.replace(',', '.')}$",
             recomputed=f"${one.recomputed.replace(',', '.')}$",
             difference="–" if one.off is None else f"${one.off:+d}$",
-            verdict=verdict_text(one.verdict, request, lang),
+            verdict=verdict_text(one, request, lang),
         )
         yield Note(text, marks[one.cell.place])
     counted = Counter(one.verdict.kind for one in request.collated)
