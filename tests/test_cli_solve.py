@@ -124,6 +124,11 @@ def test_wrong_usage_is_answered_with_a_sentence(words: tuple[str, ...], said: s
 @pytest.mark.parametrize(
     ("words", "said"),
     [
+        # arcsin(1/5) = 11.5369590328...°
+        (
+            ("--where=psi=11.53696",),
+            "psi = 11.53696 is reached nowhere for R:L = 1:5; psi lies between 0.000000° and 11.536959° on",
+        ),
         (("--where=p=2",), "p = 2 is reached nowhere for R:L = 1:5; p lies between -0.8000 and 1.2000 v²/R"),
         (
             ("--where=s=120%",),

@@ -121,7 +121,7 @@ def test_any_text_is_a_condition_or_an_error_in_a_sentence(text: str) -> None:
         ("x = 25%", 'condition "x = 25%" has a percentage, which is for s'),
         ("c = 1/6 of dead centre", 'condition "c = 1/6 of dead centre" has no value at the dead centre'),
         ("s = 200 mm", 'condition "s = 200 mm" has a unit, which only x, c and p'),
-        ("psi = 3 mm", 'condition "psi = 3 mm" "3 mm" is not an angle in degrees'),
+        ("psi = 3 mm", 'condition "psi = 3 mm": "3 mm" is not an angle in degrees'),
         ("x = " + "1" * 500, 'condition "x = 1111'),
     ],
 )

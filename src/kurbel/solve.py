@@ -14,7 +14,7 @@ from kurbel.course import Course, Target
 from kurbel.drives import Drive, SlideDrive
 from kurbel.errors import NoRootError, ProblemError
 from kurbel.notation import plain, ratio_text
-from kurbel.numerals import nearest, number_text
+from kurbel.numerals import MOST_DIGITS, nearest, number_text
 from kurbel.place import Place
 from kurbel.problem import Crank
 from kurbel.quantities import OUT, RETURN
@@ -212,11 +212,16 @@ def _range(drive: Drive, condition: Condition, stroke: int) -> str:
         return "between 0% and 100%"
     column = drive.columns[column_of(drive, condition)]
     course, unit = drive.course(condition.quantity, stroke), column.unit["en"]
-    scaled = (
-        drive.digits(column.key, stroke, course.greatest(side)[0], column.decimals, "half-away")
-        for side in (-1, 1)
-    )
-    least, most = (number_text(Number(one, column.decimals)) for one in scaled)
+    value = _known(drive, condition).get(column.key)
+    for decimals in range(column.decimals, MOST_DIGITS + 1):
+        ends = [
+            drive.digits(column.key, stroke, course.greatest(side)[0], decimals, "half-away")
+            for side in (-1, 1)
+        ]
+        # A value that is not reached must not lie between the ends as they are rounded.
+        if value is None or not ends[0] <= value * 10**decimals <= ends[1]:
+            break
+    least, most = (number_text(Number(one, decimals)) for one in ends)
     return f"between {least}° and {most}°" if unit == "°" else f"between {least} and {most} {unit}"
 
 

@@ -91,7 +91,7 @@ def read_condition(text: str, names: Mapping[str, str] = SLIDE_NAMES) -> Conditi
     if share := _OF_DEAD_CENTRE.fullmatch(right):
         return _of_dead_centre(quantity, share.group(1), shown)
     if quantity in ANGLES:
-        return Condition(quantity, VALUE, notation.angle(right, shown))
+        return Condition(quantity, VALUE, notation.angle(right, f"{shown}:"))
     if measure := _MEASURE.fullmatch(right):
         unit = measure.group(1)
         if quantity not in MEASURED:
