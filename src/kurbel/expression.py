@@ -86,6 +86,7 @@ class _Numbers(ast.NodeTransformer):
         said = ast.get_source_segment(self.written, node) or ""
         if not _NUMBER.fullmatch(said):
             raise NotationError(f'"{said[:40]}" is no number of an expression; write digits, such as 0.125')
+        # The tree is never compiled, so that a constant may be what Python's own are not.
         return ast.copy_location(ast.Constant(Fraction(said)), node)  # type: ignore[arg-type]
 
 

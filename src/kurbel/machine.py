@@ -24,7 +24,7 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from kurbel.choices import choose
-from kurbel.errors import MachineError
+from kurbel.errors import ChoiceError, MachineError
 
 # A key of very many parts takes the parser minutes.
 LARGEST_FILE = 20_000
@@ -118,7 +118,7 @@ def choose_in(path: str, name: str, allowed: Mapping[str, Any], what: str) -> st
     """Return the name if it is allowed, else raise with the file, the nearest name and the list."""
     try:
         return choose(name, allowed, what)
-    except Exception as error:
+    except ChoiceError as error:
         raise MachineError(f"{path}: {error}") from None
 
 

@@ -167,7 +167,8 @@ def _collated(
         )
         try:
             if index in rights:
-                yield collated_units(cell, point.printed, rights[index], others_of(cell))
+                wrong = rights[index] != point.printed.scaled
+                yield collated_units(cell, point.printed, rights[index], others_of(cell) if wrong else {})
             else:
                 yield collate(cell, point.printed, quantity_truth(cell, method), others_of(cell))
         except KurbelError as error:

@@ -29,6 +29,7 @@ def _newtons(text: str) -> Fraction:
     return force(text)
 
 
+# Generic from click 8.5 on, and not to be subscripted before.
 class _Source(click.ParamType):  # type: ignore[type-arg]
     """The key of a source; the page itself refuses a wrong one."""
 
