@@ -63,10 +63,10 @@ def run() -> tuple[int, str]:
     except click.Abort:
         return 128 + signal.SIGINT, ""
     except click.ClickException as error:
-        return error.exit_code, _one_line(error)
+        return error.exit_code, one_line(error)
 
 
-def _one_line(error: click.ClickException) -> str:
+def one_line(error: click.ClickException) -> str:
     """Return click's sentences as one of ours."""
     if isinstance(error, click.NoSuchOption):
         from kurbel.choices import did_you_mean

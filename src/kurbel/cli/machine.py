@@ -9,6 +9,8 @@ import click
 
 from kurbel.errors import MachineError
 
+# Where a context keeps the name of the file.
+MACHINE = "kurbel.machine"
 Command = TypeVar("Command", bound=Callable[..., Any])
 
 
@@ -21,18 +23,22 @@ def machine_option(command: Command) -> Command:
 
 
 def _load(context: click.Context, parameter: click.Parameter, path: str | None) -> None:
-    if path is None:
-        return
+    if path is not None:
+        context.default_map = {**(context.default_map or {}), **machine_defaults(context.command, path)}
+        context.meta[MACHINE] = path
+
+
+def machine_defaults(command: click.Command, path: str) -> dict[str, Any]:
+    """Return what the file says of the options of the command, by their names."""
     from kurbel.machine import read_machine, with_ratio
 
-    names = {one.name for one in context.command.params}
+    names = {one.name for one in command.params}
     machine = read_machine(path)
     if "rod" not in names:
         machine = with_ratio(machine)
     if machine.get("offset") and "offset" not in names:
         raise MachineError(
-            f"{path}: crank.offset is {machine['offset']}, and kurbel {context.info_name} is about the"
+            f"{path}: crank.offset is {machine['offset']}, and kurbel {command.name} is about the"
             " straight crank; leave the offset out of the machine"
         )
-    given = {name: value for name, value in machine.items() if name in names}
-    context.default_map = {**(context.default_map or {}), **given}
+    return {name: value for name, value in machine.items() if name in names}

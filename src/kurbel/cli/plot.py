@@ -10,6 +10,7 @@ from typing import Any
 import click
 
 from kurbel.cli import engine
+from kurbel.cli.kept import keeper
 from kurbel.cli.machine import machine_option
 from kurbel.cli.masses import MOVING, ROTATING, SIZE
 from kurbel.cli.mechanism import mechanism_options
@@ -100,11 +101,15 @@ def plot(**options: Any) -> None:
     from kurbel.output import whole_file
     from kurbel.plot_style import image
 
-    name = _format(options["format"], options["output"])
+    kept_drawing = keeper()
+    name = "" if kept_drawing else _format(options["format"], options["output"])
     kind = kind_of(options)
     kept = of_kind(without_outdone(options, engine.RIVALS), kind)
     mark = DECIMALS[options["decimal"] or DECIMAL_OF_LANGUAGE[options["lang"]]]
     drawing = kind.draw(kept, mark)
+    if kept_drawing:
+        kept_drawing.made, kept_drawing.decimal = drawing, options["decimal"]
+        return
     drawn = image(drawing.figure, name, plain(drawing.title, mark))
     with whole_file(options["output"]) as stream:
         stream.write(drawn)

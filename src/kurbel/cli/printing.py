@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
+from kurbel.cli.kept import keeper
 from kurbel.cli.options import chosen_format
 from kurbel.formats import Format
 from kurbel.output import whole_file
@@ -42,7 +43,7 @@ class Printing(NamedTuple):
 def print_table(request: Asked, printing: Printing) -> None:
     """Write the table in the format to the file, whole or not at all."""
     chosen = printing.format
-    if chosen.kind == "page":
+    if chosen.kind == "page" or keeper():
         from kurbel.build import build
 
         print_made(build(request), printing)
@@ -55,6 +56,9 @@ def print_table(request: Asked, printing: Printing) -> None:
 
 def print_made(table: Table, printing: Printing) -> None:
     """Write a table that is there already."""
+    if kept := keeper():
+        kept.made, kept.decimal = table, printing.decimal
+        return
     _write(_rendered(table, printing), printing.output, 0)
 
 

@@ -1,0 +1,143 @@
+"""A command's words become the table or the drawing that it would print: for handbooks and marked places.
+
+Nothing from outside counts but the words and the defaults that are given with them: neither KURBEL_ variables
+nor, but for the files that the words name, the folder in which kurbel runs.
+"""
+
+from __future__ import annotations
+
+import importlib
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager, redirect_stdout
+from io import StringIO
+from typing import Any, NamedTuple
+
+import click
+
+from kurbel.choices import choose
+from kurbel.cli import COMMANDS
+from kurbel.cli.app import one_line
+from kurbel.cli.kept import Kept
+from kurbel.cli.machine import MACHINE, machine_defaults
+from kurbel.errors import ChoiceError, ProblemError
+
+# Those that print lists, or work on whole files.
+NO_TABLES = frozenset(("sources", "layouts", "quantities", "handbook", "inject"))
+# A document decides these for all of its tables.
+SET_ELSEWHERE = ("output", "format", "standalone", "longtable")
+# The numbers of a book's page are the book's: such commands take no others by default.
+OF_THE_PAGE = frozenset(("lang", "decimal"))
+
+
+class Asked(NamedTuple):
+    """What the words ask for: a table or a drawing, its decimal mark, and the files that were read for it.
+
+    `code` is 1 where the command, such as collate --strict, would end with it.
+    """
+
+    made: Any
+    decimal: str | None
+    files: tuple[str, ...]
+    code: int
+
+
+def printing_commands() -> tuple[str, ...]:
+    """Return the names of the commands that print a table or draw."""
+    return tuple(name for name in COMMANDS if name not in NO_TABLES)
+
+
+def command_of(name: str) -> click.Command:
+    """Return the command; a wrong name is answered with the nearest."""
+    module, _ = COMMANDS[choose(name, printing_commands(), "command")]
+    command = getattr(importlib.import_module(module), name)
+    assert isinstance(command, click.Command)
+    return command
+
+
+def option_names() -> frozenset[str]:
+    """Return the options of all these commands for which there may be defaults."""
+    return frozenset(
+        one.name
+        for name in printing_commands()
+        for one in command_of(name).params
+        if isinstance(one, click.Option) and one.name and one.name not in (*SET_ELSEWHERE, "label")
+    )
+
+
+def asked(
+    words: Sequence[str],
+    defaults: Mapping[str, Any],
+    machine: str | None = None,
+    set_by: str = "the document",
+) -> Asked:
+    """Return what the words, a command and its options, ask for.
+
+    `defaults` are options by their names, for those commands that have them; `machine` is a machine's file,
+    which they outdo. Raises KurbelError, also for a mistake that click finds.
+    """
+    if not words:
+        raise ChoiceError(f"there is no command; write one of {', '.join(printing_commands())}")
+    command = command_of(words[0])
+    kept = Kept()
+    given = _defaults(command, defaults, machine)
+    try:
+        with _without_environment(), redirect_stdout(StringIO()):
+            context = command.make_context(f"kurbel {words[0]}", [*words[1:]], obj=kept, default_map=given)
+            with context:
+                _check(context)
+                code = command.invoke(context)
+    except click.exceptions.Exit:
+        raise ProblemError(f"kurbel {words[0]} was asked for its help; a document needs a table") from None
+    except click.ClickException as error:
+        raise ProblemError(one_line(error)) from None
+    if kept.made is None:
+        raise ProblemError(f'"{" ".join(words)[:60]}" prints a list; a document needs a table')
+    return Asked(kept.made, kept.decimal, _files(context, machine), code if isinstance(code, int) else 0)
+
+
+def _defaults(command: click.Command, defaults: Mapping[str, Any], machine: str | None) -> dict[str, Any]:
+    params = {one.name: one for one in command.params if isinstance(one, click.Option)}
+    allowed = set(params) if "machine" in params else OF_THE_PAGE & set(params)
+    given: dict[str, Any] = {}
+    if machine is not None and "machine" in params:
+        given |= machine_defaults(command, machine)
+    for name, value in defaults.items():
+        if name in allowed:
+            given[name] = _value(params[name], value)
+    return given
+
+
+def _value(param: click.Option, value: Any) -> Any:
+    """Return a default as click takes it: a list for an option that may be repeated."""
+    if isinstance(value, bool):
+        return value
+    if param.multiple:
+        return [str(one) for one in value] if isinstance(value, list) else [str(value)]
+    return ";".join(map(str, value)) if isinstance(value, list) else str(value)
+
+
+def _check(context: click.Context) -> None:
+    for name in (*SET_ELSEWHERE, "label"):
+        if context.get_parameter_source(name) is click.core.ParameterSource.COMMANDLINE:
+            raise ProblemError(f"--{name} is for single tables; a document sets it by itself")
+
+
+def _files(context: click.Context, machine: str | None) -> tuple[str, ...]:
+    """Return the files and folders that the options name."""
+    found = [one for one in (machine, context.meta.get(MACHINE)) if one]
+    for param in context.command.params:
+        if isinstance(param.type, click.Path) and param.name not in ("output", "machine"):
+            value = context.params.get(param.name or "")
+            found += [] if not value else [value] if isinstance(value, str) else [*value]
+    return tuple(dict.fromkeys(found))
+
+
+@contextmanager
+def _without_environment() -> Iterator[None]:
+    """Hide the defaults of the environment, which are another one's on another machine."""
+    hidden = {name: os.environ.pop(name) for name in list(os.environ) if name.startswith("KURBEL_")}
+    try:
+        yield
+    finally:
+        os.environ.update(hidden)

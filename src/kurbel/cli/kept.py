@@ -1,0 +1,21 @@
+"""What a command made, kept for a handbook or a marked place instead of being written."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import click
+
+
+@dataclass
+class Kept:
+    """Takes the table or the drawing that a command would print, and the decimal mark asked for."""
+
+    made: Any = None
+    decimal: str | None = None
+
+
+def keeper() -> Kept | None:
+    """Return what takes the place of the output, if the command does not print."""
+    return click.get_current_context().find_object(Kept)

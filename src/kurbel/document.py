@@ -1,0 +1,108 @@
+"""A handbook as its documents see it: chapters of texts, tables and figures, numbered throughout.
+
+Titles and captions are labels in the notation of `labels.py`; what stands in a format is made elsewhere.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, Literal, NamedTuple
+
+from kurbel.choices import choose
+from kurbel.formats import DECIMALS, Format
+from kurbel.labels import set_label
+from kurbel.table import Label
+
+# By the language of the document; TeX and Typst have the same words.
+WORDS: Mapping[str, Mapping[str, str]] = {
+    "de": {
+        "table": "Tabelle",
+        "figure": "Abbildung",
+        "contents": "Inhalt",
+        "tables": "Tabellenverzeichnis",
+        "figures": "Abbildungsverzeichnis",
+        "babel": "ngerman",
+    },
+    "en": {
+        "table": "Table",
+        "figure": "Figure",
+        "contents": "Contents",
+        "tables": "List of Tables",
+        "figures": "List of Figures",
+        "babel": "english",
+    },
+}
+
+
+class Item(NamedTuple):
+    """A text, a table or a figure of a chapter.
+
+    `name` is what its files are called and, behind tab: or fig:, its label; `number` counts its kind through
+    the whole handbook from 1. A text has only its blocks.
+    """
+
+    kind: Literal["text", "table", "figure"]
+    name: str = ""
+    number: int = 0
+    lang: str = ""
+    caption: Label = ""
+    blocks: Sequence[Any] = ()
+
+
+class Chapter(NamedTuple):
+    """`name` is a slug, unique among the chapters; `number` counts from 1."""
+
+    title: Label
+    name: str
+    number: int
+    items: tuple[Item, ...]
+
+
+class Document(NamedTuple):
+    """`decimal` is the decimal mark of numbers in texts and titles."""
+
+    title: Label
+    lang: str
+    decimal: str
+    chapters: tuple[Chapter, ...]
+    subtitle: Label = ""
+    author: Label = ""
+
+    def items(self, *kinds: str) -> Iterator[Item]:
+        """Yield the items of these kinds in their order."""
+        for chapter in self.chapters:
+            yield from (item for item in chapter.items if item.kind in kinds)
+
+    @property
+    def words(self) -> Mapping[str, str]:
+        """The document's own words, such as those over its lists."""
+        return WORDS[self.lang]
+
+    def home(self, name: str) -> tuple[Chapter, Item | None]:
+        """Return the chapter of that name, or the table or figure and its chapter.
+
+        Raises ChoiceError with the nearest name for one that nothing has.
+        """
+        homes: dict[str, tuple[Chapter, Item | None]] = {one.name: (one, None) for one in self.chapters}
+        homes |= {
+            item.name: (chapter, item)
+            for chapter in self.chapters
+            for item in chapter.items
+            if item.kind != "text"
+        }
+        return homes[choose(name, homes, "table, figure or chapter")]
+
+    def title_of(self, one: Chapter | Item) -> str:
+        """Return what a reference calls it: "Tabelle 3", or a chapter's title without formulas' notation."""
+        if isinstance(one, Chapter):
+            from kurbel.labels import plain
+
+            return plain(one.title, DECIMALS[self.decimal])
+        return f"{self.words[one.kind]} {one.number}"
+
+    def set(self, label: Label, form: Format) -> str:
+        """Return a title or a caption in a format."""
+        mark = DECIMALS[self.decimal]
+        return set_label(
+            label, form.escape, lambda formula: form.formula(formula, mark, False), lambda note: ""
+        )
