@@ -68,3 +68,9 @@ class SourceError(KurbelError):
     """A source of printed values cannot be used."""
 
     exit_code = 1
+
+
+class HandbookError(KurbelError):
+    """A manifest, or a folder that a handbook cannot be built into."""
+
+    exit_code = 1
