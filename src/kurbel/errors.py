@@ -74,3 +74,13 @@ class HandbookError(KurbelError):
     """A manifest, or a folder that a handbook cannot be built into."""
 
     exit_code = 1
+
+
+class ProseError(KurbelError):
+    """A text that cannot be set; `line` counts the lines of the text from 1."""
+
+    exit_code = 1
+
+    def __init__(self, line: int, reason: str) -> None:
+        super().__init__(f"line {line}: {reason}")
+        self.line = line

@@ -78,7 +78,9 @@ class Build:
         for part in self.manifest.parts():
             if part.words:
                 done = self.old.get(part.name)
-                if done is not None and is_fresh(done, self.part_key(part), self.manifest.folder, self.folder):
+                if done is not None and is_fresh(
+                    done, self.part_key(part), self.manifest.folder, self.folder
+                ):
                     self.new[part.name] = done
                 else:
                     yield part
@@ -161,10 +163,14 @@ class Build:
     def make_documents(self) -> None:
         """Make the documents whose contents changed, from the parts as they are now."""
         chapters = self.planned()
-        stale = {name: key for name in DOCUMENTS if name in self.formats for key in self.stale_key(name, chapters)}
+        stale = {
+            name: key for name in DOCUMENTS if name in self.formats for key in self.stale_key(name, chapters)
+        }
         if stale:
             document = document_of(self.manifest, chapters)
-            tasks = [PageTask(name, document, self.fragments(chapters, name), self.templates) for name in stale]
+            tasks = [
+                PageTask(name, document, self.fragments(chapters, name), self.templates) for name in stale
+            ]
             for task, made in worked(make_document, tasks, 1, apart=self.templates is not None):
                 self.take_document(_named(task.format), stale[task.format], made)
         if PDF in self.manifest.formats:
@@ -210,7 +216,9 @@ class Build:
             return
         suffixes = (".typ", ".svg") if engine == "typst" else (".tex", ".pdf")
         used = {path: hashed for path, hashed in self.hashes().items() if path.endswith(suffixes)}
-        key = key_of(self.print, engine, standards, os.environ.get("SOURCE_DATE_EPOCH"), _program(engine), used)
+        key = key_of(
+            self.print, engine, standards, os.environ.get("SOURCE_DATE_EPOCH"), _program(engine), used
+        )
         done = self.old.get(_named(PDF))
         if done is not None and is_fresh(done, key, self.manifest.folder, self.folder):
             self.new[_named(PDF)] = done

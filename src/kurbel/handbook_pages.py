@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, NamedTuple
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 
 from kurbel.document import Chapter, Document, Item
 from kurbel.errors import HandbookError, KurbelError
 from kurbel.formats import by_name
-from kurbel.handbook import FIGURES, GIGABYTES, PATIENCE, PDF, Failure
+from kurbel.handbook import FIGURES, GIGABYTES, PATIENCE, PDF
 from kurbel.handbook_manifest import ChapterPlan, Manifest, Part
 
 WORDS = {"de": "Fehlt", "en": "Missing"}
 
 
 class Entry(NamedTuple):
-    """A part as documents see it: a text in Markdown or, of a table or figure, its kind, caption and language.
+    """A part as documents see it: a text, or what is to know of a table or figure: kind, caption, language.
 
     A text that cannot be set, or stands for what could not be made, is `said`.
     """
@@ -52,7 +52,7 @@ class PdfTask(NamedTuple):
 
 
 def entry_of_text(manifest: Manifest, part: Part) -> Entry:
-    """Return a text, be it of the manifest or of its own file, read as far as to see whether it can be set."""
+    """Return a text, of the manifest or of its own file, or what keeps it from being set."""
     from kurbel.prose import parse_prose
 
     try:

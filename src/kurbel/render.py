@@ -7,7 +7,7 @@ the third of its time that loading Jinja takes.
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
@@ -70,12 +70,23 @@ def _page(table: Table, form: Format, mark: str, standalone: bool, longtable: bo
         tex = tex_layout(page(table, by_name("text"), mark), ready)
         # A float longer than a page would run out of a document that has nothing else on it.
         values |= {"tex": tex, "longtable": longtable or (standalone and tex.tall)}
+    if form.name == "typst":
+        from kurbel.typstrows import typst_layout
+
+        values |= {"typst": typst_layout(page(table, by_name("text"), mark)), "longtable": longtable}
     fragment = _template(table, form.name, form.name).render(values)
     if standalone and form.document:
         return _template(table, form.name, f"{form.name}.document").render(
             values, fragment=fragment, title=form.escape(plain(table.caption, mark))
         )
     return fragment
+
+
+def render_document(
+    format: str, name: str, values: Mapping[str, object], templates: str | None = None
+) -> str:
+    """Return what a template that is not about one table, such as "index" in Markdown, makes of the values."""
+    return _environment(format).get_template(f"base/{name}.{format}.jinja").render(values)
 
 
 def is_taller_than_a_page(table: Table) -> bool:
@@ -106,6 +117,8 @@ _DELIMITERS: dict[str, dict[str, Any]] = {
         "comment_end_string": "#>",
     }
 }
+# Typst has hash signs, braces and dollar signs, but no percent signs.
+_DELIMITERS["typst"] = _DELIMITERS["latex"]
 
 
 @cache
