@@ -85,6 +85,10 @@ class Build:
                 else:
                     yield part
 
+    def novelty(self, part: Part) -> str:
+        """Return in a word why a part must be made."""
+        return "changed" if part.name in self.old else "new"
+
     def make_parts(self, parts: Sequence[Part], step: Callable[[], None]) -> None:
         tasks = [task_of(self.manifest, part) for part in parts]
         for task, made in worked(self.make, tasks, self.jobs, apart=self.templates is not None):

@@ -76,8 +76,8 @@ def _pool(jobs: int) -> Iterator[ProcessPoolExecutor]:
 def deadline(seconds: float, gigabytes: int, counts: bool) -> Iterator[None]:
     """If it `counts`, end this process where the block is not done in time, and limit its memory.
 
-    For the processes of `worked` only. Too much memory is a MemoryError. A watch in C ends even a process that
-    is inside of one long operation.
+    For the processes of `worked` only. Too much memory is a MemoryError. A watch in C ends even a process
+    that is inside of one long operation.
     """
     if not counts:
         yield

@@ -32,6 +32,7 @@ COMMANDS = {
     "sources": ("kurbel.cli.collate", "List the books that can be collated."),
     "example": ("kurbel.cli.example", "Print a worked example of a book, as printed and recomputed."),
     "plot": ("kurbel.cli.plot", "Draw the motion, the mechanism, the forces or the turning effort."),
+    "handbook": ("kurbel.cli.handbook", "Build, check or watch a whole appendix from its manifest."),
     "layouts": ("kurbel.cli.lists", "List the page layouts."),
     "quantities": ("kurbel.cli.lists", "List the quantities that columns can show."),
 }
