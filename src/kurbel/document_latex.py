@@ -96,14 +96,13 @@ def _parts(
     find = finder(document, ":")
     for item in chapter.items:
         if item.kind == "text":
-            text = set_prose(item.blocks, form, DECIMALS[document.decimal], find)
+            # A chapter is a section.
+            text = set_prose(item.blocks, form, DECIMALS[document.decimal], find, level=2)
             yield TexPart("text", "", "", text, "", False)
         else:
             long = item.kind == "table" and r"\begin{longtable}" in fragments[item.name]
             caption = document.set(item.caption, form)
-            yield TexPart(
-                item.kind, item.name, label_of(item, ":"), caption, _language(document, item), long
-            )
+            yield TexPart(item.kind, item.name, label_of(item, ":"), caption, _language(document, item), long)
 
 
 def _language(document: Document, item: Item) -> str:
