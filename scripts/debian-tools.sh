@@ -2,7 +2,7 @@
 # Install the programs that check printed pages and completion: TeX, Chromium, pdftotext, fish.
 set -eu
 
-packages="texlive-latex-base texlive-latex-recommended texlive-luatex texlive-lang-german lmodern chromium poppler-utils fish"
+packages="texlive-latex-base texlive-latex-recommended texlive-luatex texlive-latex-extra texlive-lang-german latexmk lmodern chromium poppler-utils fish"
 
 missing=""
 for package in $packages; do
