@@ -116,7 +116,9 @@ class _Reader:
         self.path = path
         self.text = text
         self.lines = key_lines(text)
-        self.names: dict[str, int] = {}
+        # A chapter may be called as its table is: their labels begin otherwise.
+        self.chapter_names: dict[str, int] = {}
+        self.part_names: dict[str, int] = {}
 
     def line(self, place: Place) -> int:
         """Return the line of a key or, where it has none, of what it lies in."""
@@ -160,7 +162,8 @@ class _Reader:
             values = self.section("chapter", place, one)
             if not values.get("title", "").strip():
                 raise self.error(place, 'a chapter has no title; write title = "..."')
-            name = self.unique((*place, "name"), values.get("name") or slug(values["title"]))
+            name = values.get("name") or slug(values["title"])
+            self.check_name((*place, "name"), name, self.chapter_names)
             own = {**defaults, **_picked(values, "lang"), **values.get("defaults", {})}
             yield ChapterPlan(values["title"], name, tuple(self.parts(place, values.get("part", ()), own)))
 
@@ -189,25 +192,25 @@ class _Reader:
         words = words[1:] if words[:1] == ("kurbel",) else words
         if not words:
             raise self.error(place_of_run, 'run is empty; write a command, such as run = "table --ratio 1:5"')
-        name = self.unique((*place, "name"), values.get("name") or slug(" ".join(words)))
+        name = values.get("name") or slug(" ".join(words))
+        self.check_name((*place, "name"), name, self.part_names)
         return Part(self.line(place_of_run), name, words, caption=values.get("caption", ""), options=options)
 
-    def unique(self, place: Place, name: str) -> str:
-        """Return the name if files may be called so and nothing else has it."""
+    def check_name(self, place: Place, name: str, taken: dict[str, int]) -> None:
+        """Raise HandbookError unless files may be called so and nothing else has the name."""
         if not _NAME.fullmatch(name) or len(name) > LONGEST_NAME or name.lower() in _DEVICES:
             raise self.error(
                 place,
                 f'the name "{name[:40]}" cannot be that of a file; it may have letters from a to z, digits'
                 f" and hyphens, {LONGEST_NAME} at the most",
             )
-        if name.lower() in self.names:
+        if name.lower() in taken:
             raise self.error(
                 place,
-                f'the name "{name}" is taken in line {self.names[name.lower()]};'
+                f'the name "{name}" is taken in line {taken[name.lower()]};'
                 ' give one of the two another with name = "..."',
             )
-        self.names[name.lower()] = self.line(place)
-        return name
+        taken[name.lower()] = self.line(place)
 
     def inside(self, place: Place, path: str) -> str:
         """Return a path if it leads to something in the manifest's folder."""

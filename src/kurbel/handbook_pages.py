@@ -143,4 +143,4 @@ def _set(task: PdfTask) -> bytes:
         return compile_typst(source, root=task.folder, standards=task.standards)
     from kurbel.pdf_tex import compile_tex
 
-    return compile_tex(task.folder, "handbook", task.engine, os.environ.get("SOURCE_DATE_EPOCH"))
+    return compile_tex(task.folder, "handbook", task.engine, epoch_of_source() or 0)

@@ -140,11 +140,13 @@ def listed(folder: str) -> None:
     for number, chapter in enumerate(manifest.chapters, 1):
         click.echo(f"\n{number} {chapter.title} ({chapter.name})")
         rows = [
-            (f"    {part.name}", part.shown, "unchanged" if part.name not in stale else one.novelty(part))
+            (part.name, part.shown, "unchanged" if part.name not in stale else one.novelty(part))
             for part in chapter.parts
             if part.words
         ]
-        click.echo(tabulate(rows, tablefmt="plain", disable_numparse=True)) if rows else None
+        lines = tabulate(rows, tablefmt="plain", disable_numparse=True).splitlines() if rows else []
+        for line in lines:
+            click.echo(f"    {line.rstrip()}")
 
 
 @handbook.command()
