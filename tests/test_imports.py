@@ -93,7 +93,8 @@ def test_kernel_and_table_do_not_know_each_other() -> None:
 
 
 def test_only_render_knows_jinja() -> None:
-    assert importers("jinja2") == {"kurbel.render"}
+    assert importers("jinja2") == {"kurbel.render", "kurbel.sandbox"}
+    assert {name for name in MODULES if "kurbel.sandbox" in imported(name)} == {"kurbel.render"}
 
 
 def test_only_the_command_line_knows_click() -> None:
