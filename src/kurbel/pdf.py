@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import Literal, get_args
 
-from kurbel.errors import LayoutError, MissingExtraError, NotationError, ProblemError
+from kurbel.errors import LayoutError, MissingExtraError, NotationError, OutputError, ProblemError
 from kurbel.table import Table
 
 EPOCH = "SOURCE_DATE_EPOCH"
@@ -79,7 +79,9 @@ def _epoch() -> int | None:
     if not text:
         return None
     if not (text.isascii() and text.isdigit() and int(text[:20]) <= LAST):
-        raise NotationError(f'{EPOCH} is "{text[:40]}"; it must be a number of seconds since 1970')
+        raise NotationError(
+            f'{EPOCH} is "{text[:40]}"; it must be a number of seconds from 1970 up to the year 9999'
+        )
     return int(text)
 
 
@@ -87,6 +89,8 @@ def _epoch() -> int | None:
 def _folder(root: str | None) -> Iterator[str]:
     """Give the folder whose files a document may read, an empty one if none is named."""
     if root is not None:
+        if not os.path.isdir(root):
+            raise OutputError(f"the folder {root} does not exist")
         yield root
         return
     from tempfile import TemporaryDirectory
