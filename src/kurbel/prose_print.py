@@ -9,6 +9,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable
 from importlib import import_module
 from typing import Literal, NamedTuple
+from urllib.parse import unquote
 
 from kurbel.formats import Format
 from kurbel.formula import Formula
@@ -169,6 +170,14 @@ class ProsePrinter(ABC):
     @abstractmethod
     def reference(self, reference: Reference, content: Inlines) -> str:
         """Return a reference to a part of the handbook."""
+
+
+def is_own(address: str, content: Inlines) -> bool:
+    """Tell whether the words of a link are nothing but its address."""
+    match content:
+        case (Text(text),):
+            return unquote(text) in (unquote(address), unquote(address.removeprefix("mailto:")))
+    return False
 
 
 def indented(text: str, first: str, rest: str) -> str:
