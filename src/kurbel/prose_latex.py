@@ -9,6 +9,7 @@ from kurbel.formula import Formula
 from kurbel.formula_print import formula_plain
 from kurbel.prose import (
     Blocks,
+    Break,
     Code,
     CodeBlock,
     Emphasis,
@@ -30,6 +31,7 @@ _COLUMNS = {None: "l", "left": "l", "center": "c", "right": "r"}
 _NAMES = {"table": r"\tablename", "figure": r"\figurename", "chapter": r"\chaptername"}
 # A word of code that no line end may cut would run off a narrow line.
 _LONG_WORD = re.compile(r"[^ \u00a0]{20,}")
+_PARTED = re.compile(r"([-,'<>])\{\}(?=\1)")
 # No text has this character.
 _HERE = "\0"
 _PIECES = {_HERE: r"\penalty500 ", "'": r"\textquotesingle{}"}
@@ -120,6 +122,13 @@ class Printer(ProsePrinter):
     def _row(self, cells: tuple[Inlines, ...]) -> str:
         return " & ".join(self.inlines(cell) for cell in cells) + r" \\"
 
+    def paragraph(self, content: Inlines) -> str:
+        # Above the first line there is none to end.
+        return r"\leavevmode" * _breaks_first(content) + self.inlines(content)
+
+    def text(self, text: str) -> str:
+        return _escaped(text)
+
     def code(self, text: str) -> str:
         return rf"\texttt{{{_code(text)}}}"
 
@@ -145,6 +154,25 @@ class Printer(ProsePrinter):
         return rf"\hyperref[{label}]{{{text}}}"
 
 
+def _breaks_first(content: Inlines) -> bool:
+    """Tell whether the first thing printed is the end of a line."""
+    match content:
+        case (Break(), *_):
+            return True
+        case (Emphasis(inner) | Strong(inner) | Link(_, inner) | Refer(_, inner), *_):
+            return _breaks_first(inner)
+    return False
+
+
+def _escaped(text: str) -> str:
+    """Return text whose characters stay what they are in LuaLaTeX too.
+
+    There an empty group does not part --, and any straight quotation mark but that of \\textquotedbl is bent.
+    """
+    escaped = escape_latex(text).replace(r"\char34{}", r"\textquotedbl{}")
+    return _PARTED.sub(r"\1{\\kern0pt}", escaped)
+
+
 def _lines(lines: tuple[str, ...]) -> str:
     """Return lines of code. verbatim would neither break a long one nor stand in an argument."""
     code = "\\\\\n".join(rf"\mbox{{}}{_code(line)}" for line in lines) or r"\mbox{}"
@@ -160,4 +188,4 @@ def _code(text: str) -> str:
 def _breakable(text: str) -> str:
     """Return code or an address in which a long word may be broken, if need be, at any character."""
     marked = _LONG_WORD.sub(lambda word: _HERE.join(word.group()), text)
-    return "".join(_PIECES.get(piece) or escape_latex(piece) for piece in re.split(f"({_HERE}|')", marked))
+    return "".join(_PIECES.get(piece) or _escaped(piece) for piece in re.split(f"({_HERE}|')", marked))
