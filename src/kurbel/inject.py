@@ -112,12 +112,12 @@ def _places(document: bytes, kind: Kind, name: str) -> Iterator[Place]:
     opened: tuple[_Line, str] | None = None
     for line in _lines(document):
         # What stands in a marked place is no code of the author's.
-        if opened is None and code.holds(line.text):
+        if (opened is None and code.holds(line.text)) or b"kurbel" not in line.text:
             continue
-        words = _marker(line, kind, name, code.without_inline(line.text)) if b"kurbel" in line.text else None
-        where = f"{name}:{line.number}"
+        words = _marker(line, kind, name, code.without_inline(line.text))
         if words is None:
             continue
+        where = f"{name}:{line.number}"
         if words and opened:
             raise MarkerError(
                 f"{where}: the marker is nested in the one of line {opened[0].number}, which is still open;"
@@ -137,8 +137,12 @@ def _places(document: bytes, kind: Kind, name: str) -> Iterator[Place]:
 
 
 def _lines(document: bytes) -> Iterator[_Line]:
+    """Yield the lines up to the last that can have a marker."""
     begin = len(BOM) if document.startswith(BOM) else 0
+    last = document.rfind(b"kurbel")
     for number, text in enumerate(document[begin:].splitlines(keepends=True), 1):
+        if begin > last:
+            return
         yield _Line(number, text, begin, begin + len(text))
         begin += len(text)
 

@@ -17,6 +17,10 @@ _TEX_TEXT = re.compile(rb"(?:[^\\%]|\\.)*", re.DOTALL)
 _TYPST = re.compile(rb"`+|/\*|\*/|(?<!:)//")
 
 
+# No block of code, item or quotation begins with one of these; most lines of a text do.
+_PLAIN = frozenset(range(256)) - frozenset(b" \t\r\n\f\v>-*+0123456789`~")
+
+
 class Code(Protocol):
     """Goes through a document line by line."""
 
@@ -69,6 +73,12 @@ class MarkdownCode:
         self.after_blank = True
 
     def holds(self, line: bytes) -> bool:
+        if line[0] in b"\r\n":
+            self.after_blank = True
+            return bool(self.fence)
+        if not self.fence and not self.items and line[0] in _PLAIN:
+            self.after_blank = False
+            return False
         # In a fence that is not of a quotation > is a letter like others.
         quote = None if self.fence and not self.of_fence[1] else _QUOTE.match(line)
         text = line[quote.end() if quote else 0 :].rstrip().expandtabs(4)

@@ -94,6 +94,8 @@ def _command(names: Sequence[str]) -> str:
 
 
 def _document(name: str) -> Document:
+    if os.path.isdir(name):
+        raise MarkerError(f"{name} is a directory; name the documents in it")
     kind = kind_of(name)
     old = _read(name)
     found = places(old, kind, name)
@@ -111,8 +113,6 @@ def _document(name: str) -> Document:
 
 
 def _read(name: str) -> bytes:
-    if os.path.isdir(name):
-        raise MarkerError(f"{name} is a directory; name the documents in it")
     if os.path.exists(name) and not os.path.isfile(name):
         raise MarkerError(f"{name} is no file that could be written anew; name a document")
     try:
@@ -138,7 +138,9 @@ def _asked(place: Place, kind: Kind, name: str) -> Asked:
     except KurbelError as error:
         raise MarkerError(f"{where}: {error}") from None
     if one.code:
-        raise MarkerError(f'{where}: the command "{place.words[:60]}" ends with {one.code}')
+        raise MarkerError(
+            f'{where}: "{place.words[:60]}" fails, as --strict asks it to where a printed value deviates'
+        )
     return one
 
 
@@ -199,7 +201,7 @@ def _refresh(document: Document) -> None:
 
     with whole_file(document.name) as stream:
         stream.write(filled(document.old, document.found, document.contents))
-    say(f"{len(stale)} {'table' if len(stale) == 1 else 'tables'} in {document.name} refreshed")
+    say(f"{len(stale)} {'place' if len(stale) == 1 else 'places'} in {document.name} refreshed")
 
 
 def _show(document: Document) -> None:
