@@ -110,11 +110,15 @@ class _Line(NamedTuple):
 def _places(document: bytes, kind: Kind, name: str) -> Iterator[Place]:
     code = CODE[kind.name]()
     opened: tuple[_Line, str] | None = None
-    for line in _lines(document):
+    end = len(BOM) if document.startswith(BOM) else 0
+    # A document may have millions of lines: nothing is made of those that cannot have a marker.
+    for number, text in enumerate(document[end : _last_end(document)].splitlines(keepends=True), 1):
+        begin, end = end, end + len(text)
         # What stands in a marked place is no code of the author's.
-        if (opened is None and code.holds(line.text)) or b"kurbel" not in line.text:
+        if (opened is None and code.holds(text)) or b"kurbel" not in text:
             continue
-        words = _marker(line, kind, name, code.without_inline(line.text))
+        line = _Line(number, text, begin, end)
+        words = _marker(line, kind, name, code.without_inline(text))
         if words is None:
             continue
         where = f"{name}:{line.number}"
@@ -136,15 +140,10 @@ def _places(document: bytes, kind: Kind, name: str) -> Iterator[Place]:
         )
 
 
-def _lines(document: bytes) -> Iterator[_Line]:
-    """Yield the lines up to the last that can have a marker."""
-    begin = len(BOM) if document.startswith(BOM) else 0
-    last = document.rfind(b"kurbel")
-    for number, text in enumerate(document[begin:].splitlines(keepends=True), 1):
-        if begin > last:
-            return
-        yield _Line(number, text, begin, begin + len(text))
-        begin += len(text)
+def _last_end(document: bytes) -> int:
+    """Return an end of a line behind the last that can have a marker."""
+    last = document.find(b"\n", document.rfind(b"kurbel"))
+    return len(document) if last < 0 else last + 1
 
 
 def _marker(line: _Line, kind: Kind, name: str, bare: bytes) -> str | None:
