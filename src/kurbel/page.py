@@ -152,8 +152,10 @@ class Setter:
 
     def label(self, label: Label, display: bool = False) -> str:
         form = self.form
-        return set_label(
-            label, form.escape, lambda formula: form.formula(formula, self.mark, display), self.note_mark
+        return form.finish(
+            set_label(
+                label, form.escape, lambda formula: form.formula(formula, self.mark, display), self.note_mark
+            )
         )
 
     def labels(self, labels: Iterable[Label]) -> tuple[str, ...]:
