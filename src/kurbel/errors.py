@@ -68,3 +68,13 @@ class SourceError(KurbelError):
     """A source of printed values cannot be used."""
 
     exit_code = 1
+
+
+class ProseError(KurbelError):
+    """A text that cannot be set; `line` counts the lines of the text from 1."""
+
+    exit_code = 1
+
+    def __init__(self, line: int, reason: str) -> None:
+        super().__init__(f"line {line}: {reason}")
+        self.line = line

@@ -72,6 +72,25 @@ def escape_latex(prose: str) -> str:
     return _LIGATURE.sub(r"\1{}", prose.translate(_LATEX))
 
 
+# Characters that Typst obeys anywhere.
+_TYPST = re.compile(r"[\\#$*_@<`~\[\]\"']")
+# Hyphens stay between letters only: with each other, ?, a digit or a space they make dashes, breaks, minus
+# signs and lists. Points make an ellipsis, strokes a comment or, after a colon, a link.
+_TYPST_PAIRS = re.compile(r"(?<![^\W\d_])-|-(?![^\W\d_])|\.(?=\.)|(?<=\.)\.|/(?=[/*])|(?<=/)/")
+# At the start of a line these make a heading, a list or a term.
+_TYPST_START = re.compile(r"^( *)([=+/])|^( *[0-9]+)(\.)")
+
+
+def escape_typst(prose: str) -> str:
+    escaped = _TYPST_PAIRS.sub(r"\\\g<0>", _TYPST.sub(r"\\\g<0>", prose))
+    return _TYPST_START.sub(r"\1\3\\\2\4", escaped)
+
+
+def string_typst(text: str) -> str:
+    """Return a text as a string of Typst's code, quotation marks included."""
+    return '"' + re.sub(r'[\\"]', r"\\\g<0>", text) + '"'
+
+
 def mark_text(mark: str, target: str = "") -> str:
     """Return a mark raised, ᵃ⁾, or as it is, *), where Unicode has no raised character. Text has no links."""
     closed = f"{mark})"
@@ -105,3 +124,8 @@ def _kept(match: re.Match[str]) -> str:
     text = match[0]
     alone = text.startswith("<math") and text.endswith("</math>")
     return text if alone else f'<span class="kept">{text}</span>'
+
+
+def mark_typst(mark: str, target: str = "") -> str:
+    """Return a mark without a link, which a table that is printed twice in a document would not compile with."""
+    return f"#super[{escape_typst(mark)})];"

@@ -112,6 +112,14 @@ FORMATS = {
             "language",
             document=True,
         ),
+        Format(
+            "typst",
+            (".typ",),
+            "Typst, for #include or as a document",
+            "page",
+            "language",
+            document=True,
+        ),
         Format("csv", (".csv",), "one record a line, for spreadsheets", "records", "point", minus="-"),
         Format(
             "json",

@@ -1,4 +1,4 @@
-"""Formulas in print: one line of Unicode, LaTeX, MathML.
+"""Formulas in print: one line of Unicode, LaTeX, MathML, Typst.
 
 A new format adds a function named after it; `Format.formula` finds it by this name.
 """
@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 
-from kurbel.escapes import POWERS, escape_html, escape_latex, escape_markdown
+from kurbel.escapes import POWERS, escape_html, escape_latex, escape_markdown, string_typst
 from kurbel.formula import (
     CAPITALS,
     GREEK,
@@ -292,3 +292,67 @@ def _apply(nodes: Nodes, place: int) -> str:
     return "<mo>&#x2061;</mo>" + _THIN * (
         not isinstance(argument, Group | Word) and not is_function(argument)
     )
+
+
+def formula_typst(formula: Formula, mark: str = ".", display: bool = False) -> str:
+    """Return a formula for Typst with a text for readers that do not see it, which PDF/UA asks for.
+
+    `display` gives fractions their full size, and the line the height for it.
+    """
+    content = _typst(formula.content, mark)
+    alternative = string_typst(formula_plain(formula, mark))
+    if display and _has_bar(formula.content):
+        return f"#box(inset: (y: .3em), math.equation(alt: {alternative}, $display({content})$));"
+    return f"#math.equation(alt: {alternative}, ${content}$);"
+
+
+# Beside these nothing runs together; a space beside quotation marks would be printed.
+_TYPST_CLOSED = frozenset('()[]"')
+
+
+def _typst(nodes: Nodes, mark: str) -> str:
+    result = ""
+    for place in range(len(nodes)):
+        piece = _typst_node(nodes, place, mark)
+        result += " " * _would_join(result[-1:], piece[:1]) + piece
+    return result
+
+
+def _would_join(before: str, after: str) -> bool:
+    """Tell whether two characters would be read as one word or, as -> is, one sign."""
+    if not before or not after or {before, after} & _TYPST_CLOSED:
+        return False
+    return before.isalnum() == after.isalnum()
+
+
+def _typst_node(nodes: Nodes, place: int, mark: str) -> str:
+    node = nodes[place]
+    match node:
+        case Word(text) | Variable(text):
+            return text
+        case Numeral(text):
+            # A comma in quotes, for else it is set with the space of a list.
+            return text.replace(".", '","' if mark == "," else mark)
+        case Sign(":"):
+            return '":"'
+        case Sign(text):
+            return SIGNS[text][0]
+        case Symbol(text):
+            return f'"{SYMBOLS[text][0]}"'
+        case Upright(text):
+            return string_typst(text)
+        case Space():
+            return "thin" * _is_seen(nodes, place)
+        case Group(content, fences):
+            return f"{fences[0]}{_typst(content, mark)}{fences[1]}"
+        case Root(content):
+            return f"sqrt({_typst(content, mark)})"
+        case Fraction(top, bottom) if _has_stroke(nodes, place):
+            below = _typst(bottom if len(bottom) == 1 else (Group(bottom),), mark)
+            return f"{_typst(top, mark)}\\/{below}"
+        case Fraction(top, bottom):
+            return f"frac({_typst(top, mark)}, {_typst(bottom, mark)})"
+        case Script(base, index, power):
+            below = f"_({_typst(index, mark)})" if index else ""
+            above = f"^({_typst(power, mark)})" if power else ""
+            return _typst((base,), mark) + below + above

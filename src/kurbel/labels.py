@@ -33,7 +33,7 @@ Part = Prose | Formula | Mark
 
 _PART = re.compile(r"\\(?P<dollar>\$)|\$(?P<formula>[^$]*)(?P<end>\$?)|\[\^(?P<mark>[^\]]+)\]")
 # Everything that breaks or jumps within a line; the no-break and thin spaces of typography stay.
-_WHITE = re.compile(r"[\t-\r\x1c-\x20\x85\u2028\u2029]+")
+WHITE = re.compile(r"[\t-\r\x1c-\x20\x85\u2028\u2029]+")
 # Minutes and seconds of an angle typed with quotation marks.
 _MINUTES = re.compile(r"(°[0-9.,]+)'(?:([0-9.,]+)\")?")
 
@@ -45,7 +45,7 @@ def parse(label: str) -> tuple[Part, ...]:
     Raises LayoutError, naming the label, if a formula is not closed or not understood.
     """
     try:
-        return tuple(_joined(_parts(_WHITE.sub(" ", label))))
+        return tuple(_joined(_parts(WHITE.sub(" ", label))))
     except MalformedError as error:
         raise LayoutError(f'the label "{label}" cannot be set: {error}') from None
 
@@ -71,7 +71,12 @@ def _joined(parts: Iterable[Part]) -> Iterator[Part]:
         if not is_prose:
             yield from run
         elif prose := "".join(part.text for part in run if isinstance(part, Prose)):
-            yield Prose(_MINUTES.sub(_primes, prose))
+            yield Prose(primed(prose))
+
+
+def primed(prose: str) -> str:
+    """Return prose with the primes of its angles: 2°30' becomes 2°30′."""
+    return _MINUTES.sub(_primes, prose)
 
 
 def _primes(angle: re.Match[str]) -> str:

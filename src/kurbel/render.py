@@ -70,6 +70,10 @@ def _page(table: Table, form: Format, mark: str, standalone: bool, longtable: bo
         tex = tex_layout(page(table, by_name("text"), mark), ready)
         # A float longer than a page would run out of a document that has nothing else on it.
         values |= {"tex": tex, "longtable": longtable or (standalone and tex.tall)}
+    if form.name == "typst":
+        from kurbel.typstrows import typst_layout
+
+        values |= {"typst": typst_layout(page(table, by_name("text"), mark)), "longtable": longtable}
     fragment = _template(table, form.name, form.name).render(values)
     if standalone and form.document:
         return _template(table, form.name, f"{form.name}.document").render(
@@ -111,6 +115,8 @@ _DELIMITERS: dict[str, dict[str, Any]] = {
         "comment_end_string": "#>",
     }
 }
+# Typst has hash signs, braces and dollar signs, but no percent signs.
+_DELIMITERS["typst"] = _DELIMITERS["latex"]
 
 
 @cache

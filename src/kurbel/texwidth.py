@@ -7,7 +7,7 @@ keeps the cells of the source clean. The estimate is of Computer Modern; it is a
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby
 from typing import NamedTuple
 
@@ -68,22 +68,33 @@ def tex_layout(page: Page, ready: Page) -> TexLayout:
 
     `ready` is the same page for LaTeX: a line with a high fraction takes the height of two.
     """
-    count = max(len(panel.columns) for panel in page.panels)
-    cells = _widest((_cell_widths(panel) for panel in page.panels), count)
-    widths = _widest((_widths(panel) for panel in page.panels), count)
+    widths = column_widths(page)
     size = next((size for size in SIZES if _points(widths, size) <= TYPE_WIDTH), SIZES[-1])
-    words = {
-        place for panel in page.panels for place, column in enumerate(panel.columns) if column.align == "left"
-    }
     return TexLayout(
-        columns=tuple(
-            "l" if place in words else _figures(room - own)
-            for place, (room, own) in enumerate(zip(widths, cells, strict=True))
-        ),
+        columns=tuple("l" if spare is None else _figures(spare) for spare in spare_widths(page, widths)),
         size=size,
         share=min(1.0, round(_points(widths, size) / TYPE_WIDTH, 2)),
         tall=_lines(ready) * size.leading > TYPE_HEIGHT,
     )
+
+
+def column_widths(page: Page) -> list[float]:
+    """Return the width of each column in em, the same in all panels."""
+    return _widest((_widths(panel) for panel in page.panels), _count(page))
+
+
+def spare_widths(page: Page, widths: Sequence[float]) -> Iterator[float | None]:
+    """Yield the width that its figures leave free in each column of that width, None for words."""
+    words = {
+        place for panel in page.panels for place, column in enumerate(panel.columns) if column.align == "left"
+    }
+    cells = _widest((_cell_widths(panel) for panel in page.panels), _count(page))
+    for place, (room, own) in enumerate(zip(widths, cells, strict=True)):
+        yield None if place in words else room - own
+
+
+def _count(page: Page) -> int:
+    return max(len(panel.columns) for panel in page.panels)
 
 
 def _widest(panels: Iterable[Sequence[float]], count: int) -> list[float]:

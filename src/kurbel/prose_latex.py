@@ -1,0 +1,163 @@
+r"""Free text in LaTeX. Needs amsmath for formulas, array and booktabs for tables, hyperref for links."""
+
+from __future__ import annotations
+
+import re
+
+from kurbel.escapes import escape_latex
+from kurbel.formula import Formula
+from kurbel.formula_print import formula_plain
+from kurbel.prose import (
+    Blocks,
+    Code,
+    CodeBlock,
+    Emphasis,
+    Grid,
+    Inlines,
+    Link,
+    Listing,
+    Paragraph,
+    Quote,
+    Refer,
+    Strong,
+    Text,
+)
+from kurbel.prose_print import ProsePrinter, Reference, is_own
+
+_SECTIONS = ("chapter", "section", "subsection", "subsubsection", "paragraph")
+_COUNTERS = ("enumi", "enumii", "enumiii", "enumiv")
+_COLUMNS = {None: "l", "left": "l", "center": "c", "right": "r"}
+_NAMES = {"table": r"\tablename", "figure": r"\figurename", "chapter": r"\chaptername"}
+# A word of code that no line end may cut would run off a narrow line.
+_LONG_WORD = re.compile(r"[^ \u00a0]{20,}")
+# No text has this character.
+_HERE = "\0"
+_PIECES = {_HERE: r"\penalty500 ", "'": r"\textquotesingle{}"}
+_BOOKMARK = str.maketrans(
+    {character: f"\\{character}" for character in "#$%&_{}"}
+    | {
+        "\\": r"\textbackslash{}",
+        "~": r"\textasciitilde{}",
+        "^": r"\textasciicircum{}",
+        '"': r"\textquotedbl{}",
+    }
+)
+_ADDRESS = str.maketrans(
+    {"%": r"\%", "#": r"\#", "&": r"\&", "~": r"\%7E", "$": r"\%24", "_": r"\_", "^": r"\%5E", '"': r"\%22"}
+    | {"{": r"\%7B", "}": r"\%7D", "\\": r"\%5C"}
+)
+
+
+class Printer(ProsePrinter):
+    numbered = 0
+
+    def heading(self, level: int, content: Inlines) -> str:
+        section = _SECTIONS[max(1, min(level, len(_SECTIONS))) - 1]
+        title = self.inlines(content)
+        # Bookmarks hold nothing but characters.
+        bookmark = self._plain(content).translate(_BOOKMARK)
+        if bookmark != title:
+            title = rf"\texorpdfstring{{{title}}}{{{bookmark}}}"
+        return rf"\{section}{{{title}}}"
+
+    def _plain(self, content: Inlines) -> str:
+        """Return the characters of a heading."""
+        pieces = []
+        for inline in content:
+            match inline:
+                case Text(text) | Code(text):
+                    pieces.append(text)
+                case Formula():
+                    pieces.append(formula_plain(inline, self.mark))
+                case Emphasis(inner) | Strong(inner) | Link(_, inner):
+                    pieces.append(self._plain(inner))
+                case Refer(name, inner):
+                    pieces.append(self._plain(inner) or self.refer(name).text)
+                case _:
+                    pieces.append(" ")
+        return "".join(pieces)
+
+    def code_block(self, lines: tuple[str, ...]) -> str:
+        return f"\\begin{{quote}}\n{_lines(lines)}\n\\end{{quote}}"
+
+    def quote(self, content: Blocks) -> str:
+        return f"\\begin{{quote}}\n{self.blocks(content)}\n\\end{{quote}}"
+
+    def listing(self, listing: Listing) -> str:
+        if listing.start is None:
+            return f"\\begin{{itemize}}\n{self._items(listing)}\n\\end{{itemize}}"
+        counter = _COUNTERS[self.numbered]
+        start = "" if listing.start == 1 else f"\\setcounter{{{counter}}}{{{listing.start - 1}}}\n"
+        self.numbered += 1
+        items = self._items(listing)
+        self.numbered -= 1
+        return f"\\begin{{enumerate}}\n{start}{items}\n\\end{{enumerate}}"
+
+    def _items(self, listing: Listing) -> str:
+        close = "\\setlength{\\itemsep}{0pt}\\setlength{\\parsep}{0pt}\n" if listing.tight else ""
+        return close + "\n".join(rf"\item {self._item(item)}" for item in listing.items)
+
+    def _item(self, item: Blocks) -> str:
+        """Return an item so that its mark stands on its first line."""
+        match item:
+            case (CodeBlock(lines), *rest):
+                return f"{{{_lines(lines)}\\par}}\n\n{self.blocks(tuple(rest))}"
+            case (Paragraph() | Listing() | Quote(), *_) | ():
+                return self.blocks(item)
+        return rf"\mbox{{}}{self.blocks(item)}"
+
+    def rule(self) -> str:
+        return r"\par\noindent\rule{\linewidth}{0.4pt}\par"
+
+    def grid(self, grid: Grid) -> str:
+        columns = "".join(_COLUMNS[align] for align in grid.aligns)
+        rows = "".join(f"{self._row(row)}\n" for row in grid.rows)
+        return (
+            f"\\begin{{center}}\n\\begin{{tabular}}{{{columns}}}\n\\toprule\n"
+            f"{self._row(grid.head)}\n\\midrule\n{rows}\\bottomrule\n\\end{{tabular}}\n\\end{{center}}"
+        )
+
+    def _row(self, cells: tuple[Inlines, ...]) -> str:
+        return " & ".join(self.inlines(cell) for cell in cells) + r" \\"
+
+    def code(self, text: str) -> str:
+        return rf"\texttt{{{_code(text)}}}"
+
+    def line_break(self) -> str:
+        return "\\newline\n"
+
+    def emphasis(self, content: Inlines) -> str:
+        return rf"\emph{{{self.inlines(content)}}}"
+
+    def strong(self, content: Inlines) -> str:
+        return rf"\textbf{{{self.inlines(content)}}}"
+
+    def link(self, address: str, content: Inlines) -> str:
+        return rf"\href{{{address.translate(_ADDRESS)}}}{{{self._shown(address, content)}}}"
+
+    def _shown(self, address: str, content: Inlines) -> str:
+        """Return the words of a link; an address may be broken at any character."""
+        return _breakable(self._plain(content)) if is_own(address, content) else self.inlines(content)
+
+    def reference(self, reference: Reference, content: Inlines) -> str:
+        label = reference.target
+        text = self.inlines(content) or rf"{_NAMES[reference.kind]}~\ref*{{{label}}}"
+        return rf"\hyperref[{label}]{{{text}}}"
+
+
+def _lines(lines: tuple[str, ...]) -> str:
+    """Return lines of code. verbatim would neither break a long one nor stand in an argument."""
+    code = "\\\\\n".join(rf"\mbox{{}}{_code(line)}" for line in lines) or r"\mbox{}"
+    return f"\\ttfamily\\raggedright\n{code}"
+
+
+def _code(text: str) -> str:
+    """Return code whose spaces are kept and whose quotation marks are straight."""
+    pieces = (piece for piece in re.split("( )", text) if piece)
+    return "".join(r"\ " if piece == " " else _breakable(piece) for piece in pieces)
+
+
+def _breakable(text: str) -> str:
+    """Return code or an address in which a long word may be broken, if need be, at any character."""
+    marked = _LONG_WORD.sub(lambda word: _HERE.join(word.group()), text)
+    return "".join(_PIECES.get(piece) or escape_latex(piece) for piece in re.split(f"({_HERE}|')", marked))

@@ -1,0 +1,67 @@
+"""A text with every construct and many characters that some format would obey."""
+
+from __future__ import annotations
+
+from kurbel.errors import ChoiceError
+from kurbel.prose_print import Reference
+
+SAMPLE = r"""# Kurbeltrieb mit $λ_1 = R/L$ & *mehr*
+
+Der Kolben eilt bei 2°30' *vor*, und zwar **um $x/R = 1/4.5 · cos^2 φ$**; siehe
+[](#delta), [die **Skizze**](#drive) und [](#start).\
+50 % & 3 \$, a|b, #_{}~^\\, <b>fett</b> &amp;lt; "so" 'so' -- --- << >> ?\` !\` [x] @delta //x /*y*/ \*z\*
+<https://example.org/a_b%20c?d=1&e=~x#f>, [Netz](https://example.org/$(1)), <mail@example.org>.
+
+## Größe
+
+- eins
+- `a  b $x$ \o/ "q" 'q' -- ~^`
+  1. innen
+  2. noch einer
+
+     > Zitat im Punkt
+- ```
+  if (a < b) { x = "y"; }  # 100 %
+      weiter, mit 'Größe' -- und \n `~^_
+  ```
+
+7. sieben
+
+8. acht
+
+   mit Absatz
+
+> Ein *Zitat*.
+>
+> - Liste
+
+***
+
+| Größe $x$ | links | Mitte | rechts |
+|---|:--|:-:|--:|
+| $a_1 · b_1 (c_1)$ | `a\|b` | *c* & [](#delta) | 1,5 |
+| [-1] | * | 2°30' | 10 |
+
+    0123456789012345678901234567890123456789012345678901234567890123456789012345678901234567890123456789
+    !"#$%&'()*+,-./0123456789:;<=>?@ABCDEFGHIJKLMNOPQRSTUVWXYZ[\]^_`abcdefghijklmnopqrstuvwxyz{|}~ äöüÄÖÜß
+
+    der letzte
+"""
+
+_PARTS = {"delta": ("table", "tab", 3), "drive": ("figure", "fig", 1), "start": ("chapter", "ch", 2)}
+_TARGETS = {"latex": "{}:{}", "typst": "{}-{}", "html": "#{}-{}", "markdown": "02-x.md#{}-{}", "text": "{}{}"}
+_NAMES = {"table": "Tabelle", "figure": "Abbildung", "chapter": "Kapitel"}
+
+
+class Parts:
+    """Finds the parts of a handbook for one format."""
+
+    def __init__(self, form: str) -> None:
+        self.form = form
+
+    def __call__(self, name: str) -> Reference:
+        if name not in _PARTS:
+            raise ChoiceError(f"no part has the name {name}")
+        kind, prefix, number = _PARTS[name]
+        target = _TARGETS[self.form].format(prefix, name)
+        return Reference(kind, target, f"{_NAMES[kind]} {number}")  # type: ignore[arg-type]
