@@ -7,7 +7,7 @@ the third of its time that loading Jinja takes.
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
@@ -80,11 +80,6 @@ def _page(table: Table, form: Format, mark: str, standalone: bool, longtable: bo
             values, fragment=fragment, title=form.escape(plain(table.caption, mark))
         )
     return fragment
-
-
-def render_document(format: str, values: Mapping[str, Any], templates: str | None = None) -> str:
-    """Return a handbook as text in the named format."""
-    return _environment(format).get_template(f"base/handbook.{format}.jinja").render(values)
 
 
 def is_taller_than_a_page(table: Table) -> bool:
