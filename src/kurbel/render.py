@@ -7,7 +7,7 @@ the third of its time that loading Jinja takes.
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
@@ -80,6 +80,13 @@ def _page(table: Table, form: Format, mark: str, standalone: bool, longtable: bo
             values, fragment=fragment, title=form.escape(plain(table.caption, mark))
         )
     return fragment
+
+
+def render_document(
+    format: str, name: str, values: Mapping[str, object], templates: str | None = None
+) -> str:
+    """Return what a template that is not about one table, such as "index" in Markdown, makes of the values."""
+    return _environment(format).get_template(f"base/{name}.{format}.jinja").render(values)
 
 
 def is_taller_than_a_page(table: Table) -> bool:
