@@ -6,9 +6,14 @@ import re
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
-from kurbel.document import Chapter, Document, Item
+from kurbel.document import Document, Item
 from kurbel.formats import DECIMALS, by_name
+from kurbel.html_width import width_in_ems
 from kurbel.labels import plain
+from kurbel.prose_print import set_prose
+from kurbel.references import finder, label_of, number_of
+from kurbel.render import render_document
+from kurbel.svg_inline import inline
 
 NAME = "handbook.html"
 WORDS: Mapping[str, Mapping[str, str]] = {
@@ -19,19 +24,22 @@ WORDS: Mapping[str, Mapping[str, str]] = {
     },
     "en": {"skip": "Skip to the main text", "link": "Link to the chapter", "back": "Back to the contents"},
 }
-_PREFIXES = {"table": "tab", "figure": "fig"}
 _REMARK = re.compile(r"\A\s*<!--.*?-->\s*", re.DOTALL)
 
 
 class Part(NamedTuple):
-    """A text, table or figure as finished HTML. `lang` is empty where it is that of the page."""
+    """A text, table or figure as finished HTML. `lang` is empty where it is that of the page.
+
+    `ems` is how wide a table is in units of the size of its type.
+    """
 
     kind: str
     target: str
-    title: str
+    number: str
     caption: str
     lang: str
     content: str
+    ems: float = 0.0
 
 
 class Section(NamedTuple):
@@ -49,19 +57,16 @@ class Section(NamedTuple):
         return tuple(part for part in self.parts if part.kind != "text")
 
 
-def files(
-    document: Document, fragments: Mapping[str, str], templates: str | None = None
-) -> dict[str, str]:
+def files(document: Document, fragments: Mapping[str, str], templates: str | None = None) -> dict[str, str]:
     """Return the page by the name of its file.
 
     `fragments` has the HTML of each table and the SVG file of each figure by its name.
     """
-    from kurbel.render import render_document
-
     form = by_name("html")
     mark = DECIMALS[document.decimal]
     page = render_document(
         form.name,
+        "handbook",
         {
             "document": document,
             "title": document.set(document.title, form),
@@ -71,16 +76,11 @@ def files(
             "plain_author": form.escape(plain(document.author, mark)),
             "head": css_string(plain(document.title, mark)),
             "sections": [*_sections(document, fragments)],
-            "words": document.words | WORDS[document.lang],
+            "words": {**document.words, **WORDS[document.lang]},
         },
         templates,
     )
     return {NAME: page}
-
-
-def target_of(one: Chapter | Item) -> str:
-    """Return the id on the page of a chapter, a table or a figure."""
-    return f"sec-{one.name}" if isinstance(one, Chapter) else f"{_PREFIXES[one.kind]}-{one.name}"
 
 
 def css_string(text: str) -> str:
@@ -94,7 +94,7 @@ def _sections(document: Document, fragments: Mapping[str, str]) -> Iterator[Sect
     for chapter in document.chapters:
         yield Section(
             chapter.number,
-            target_of(chapter),
+            label_of(chapter, "-"),
             document.set(chapter.title, by_name("html")),
             css_string(plain(chapter.title, DECIMALS[document.decimal])),
             tuple(_part(document, item, fragments) for item in chapter.items),
@@ -105,28 +105,16 @@ def _part(document: Document, item: Item, fragments: Mapping[str, str]) -> Part:
     lang = item.lang if item.lang != document.lang else ""
     if item.kind == "text":
         return Part("text", "", "", "", lang, _text(document, item))
-    title, target = document.title_of(item), target_of(item)
+    target, number = label_of(item, "-"), number_of(item)
     caption = document.set(item.caption, by_name("html"))
-    return Part(item.kind, target, title, caption, lang, _content(document, item, fragments[item.name]))
-
-
-def _content(document: Document, item: Item, fragment: str) -> str:
+    fragment = fragments[item.name]
     if item.kind == "table":
-        return _REMARK.sub("", fragment)
-    from kurbel.svg_inline import inline
-
-    title = f"{document.title_of(item)}: {plain(item.caption, DECIMALS[document.decimal])}"
-    return inline(fragment, target_of(item), title)
+        return Part("table", target, number, caption, lang, _REMARK.sub("", fragment), width_in_ems(fragment))
+    title = f"{number}: {plain(item.caption, DECIMALS[document.decimal])}"
+    return Part("figure", target, number, caption, lang, inline(fragment, target, title))
 
 
 def _text(document: Document, item: Item) -> str:
-    from kurbel.prose_print import Reference, set_prose
-
-    def refer(name: str) -> Reference:
-        chapter, found = document.home(name)
-        one = found or chapter
-        kind = found.kind if found else "chapter"
-        assert kind != "text"
-        return Reference(kind, f"#{target_of(one)}", document.title_of(one))
-
-    return set_prose(item.blocks, by_name("html"), DECIMALS[document.decimal], refer, 2)
+    find = finder(document, "-", lambda chapter: "#")
+    # The page has one heading above the chapters.
+    return set_prose(item.blocks, by_name("html"), DECIMALS[document.decimal], find, 2)

@@ -101,9 +101,7 @@ def _parts(
         else:
             long = item.kind == "table" and r"\begin{longtable}" in fragments[item.name]
             caption = document.set(item.caption, form)
-            yield TexPart(
-                item.kind, item.name, label_of(item, ":"), caption, _language(document, item), long
-            )
+            yield TexPart(item.kind, item.name, label_of(item, ":"), caption, _language(document, item), long)
 
 
 def _language(document: Document, item: Item) -> str:
