@@ -80,6 +80,17 @@ def test_a_fault_is_found(viewer: Viewer, fault: str) -> None:
 # On a narrow screen ---------------------------------------------------------------------------------------
 
 
+def test_long_formulas_do_not_hide_the_figures_behind_them(viewer: Viewer) -> None:
+    for table in (kurbel.make_example_table("blau", "33"), default_page("roetscher-112")):
+        page = viewer.open(document(table), TELEPHONE)
+        assert viewer.lost() == []
+        room = page.evaluate("""() => {
+            const stub = document.querySelector('.row')?.getBoundingClientRect();
+            return innerWidth - (stub && stub.left < 20 ? stub.right : 0);
+        }""")
+        assert room > TELEPHONE / 2
+
+
 @each_name
 def test_caption_and_names_of_rows_stay_in_view(viewer: Viewer, name: str) -> None:
     viewer.open(document(default_page(name)), TELEPHONE)

@@ -112,7 +112,7 @@ def mark_html(mark: str, target: str = "") -> str:
 
 
 # Browsers break a line between a formula and a sign beside it, whatever the sign.
-_BESIDE_FORMULA = re.compile(r"(?:[^\s<>]*<math.*?</math>)+[^\s<>]*")
+_BESIDE_FORMULA = re.compile(r"(?<![^\s<>])(?:[^\s<>]*<math.*?</math>)+[^\s<>]*")
 
 
 def finish_html(label: str) -> str:
