@@ -96,7 +96,8 @@ def _parts(
     find = finder(document, ":")
     for item in chapter.items:
         if item.kind == "text":
-            text = set_prose(item.blocks, form, DECIMALS[document.decimal], find)
+            # A chapter is a section.
+            text = set_prose(item.blocks, form, DECIMALS[document.decimal], find, level=2)
             yield TexPart("text", "", "", text, "", False)
         else:
             long = item.kind == "table" and r"\begin{longtable}" in fragments[item.name]

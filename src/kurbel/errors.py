@@ -70,6 +70,12 @@ class SourceError(KurbelError):
     exit_code = 1
 
 
+class TexError(KurbelError):
+    """A PDF that TeX cannot make."""
+
+    exit_code = 1
+
+
 class ProseError(KurbelError):
     """A text that cannot be set; `line` counts the lines of the text from 1."""
 

@@ -1,0 +1,120 @@
+"""A handbook of three chapters in both languages, with every kind of item, for the tests of its documents."""
+
+from __future__ import annotations
+
+import shlex
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+from kurbel.cli.asking import asked
+from kurbel.document import Chapter, Document, Item
+from kurbel.plot_style import image
+from kurbel.prose import parse_prose
+from kurbel.render import is_taller_than_a_page, render
+from kurbel.table import Table
+
+TABLES = {
+    "weg": "table --ratio 1:5",
+    "zusammenstellung": "table --layout roetscher-112 --ratio 1:5 --ratio 1:4,5 --ratio 1:4",
+    "path": "table --ratio 1:4 --step 30 --lang en",
+    "feinweg": "table --ratio 1:5 --step 2",
+    "delta": "delta --eps 2..6",
+    "dead-centres": "deadcentres --lang en",
+    "harmonische": "harmonics",
+    "blau": "example blau 33",
+}
+FIGURES = {"kurven": "plot --ratio 1:5", "stellung": "plot --positions 30 --ratio 1:5 --lang en"}
+
+_FIRST = """
+Die Tafeln dieses Abschnitts geben Weg, Geschwindigkeit und Beschleunigung des Kolbens in Einheiten von $R$,
+$v$ und $v^2/R$. Die Stange ist *fünfmal* so lang wie die Kurbel, $λ = R/L = 1/5$; für andere Verhältnisse
+gilt [](#zusammenstellung). Den Verlauf zeigt [](#kurven), und was daraus folgt, steht in
+[dem Abschnitt über den Gleichgang](#gleichgang).
+
+# Zum Gebrauch
+
+- Winkel zählen vom inneren Totpunkt, auf dem Rückgang vom äußeren.
+- Zwischenwerte: geradlinig, mit einem Fehler unter $0.001$.
+
+| Größe | Einheit |
+|-------|---------|
+| Weg $x$ | $R$ |
+| Geschwindigkeit $c$ | $v$ |
+"""
+_SECOND = "Der Ungleichförmigkeitsgrad $δ$ hängt von der Füllung ab; siehe [](#delta) und [](#path)."
+
+
+@cache
+def table(name: str) -> Table:
+    """Return a table of the handbook."""
+    made: Table = asked(shlex.split(TABLES[name]), {}).made
+    return replace(made, key=name, layout=made.layout or made.key)
+
+
+@cache
+def figure(name: str, form: str) -> bytes:
+    """Return a figure of the handbook."""
+    return image(asked(shlex.split(FIGURES[name]), {}).made.figure, form)
+
+
+def document(**changes: object) -> Document:
+    """Return the handbook; `changes` are other fields of it."""
+    tables = {
+        name: Item("table", name, number, table(name).lang, table(name).caption)
+        for number, name in enumerate(TABLES, 1)
+    }
+    figures = {
+        "kurven": Item("figure", "kurven", 1, "de", "Weg, Geschwindigkeit und Beschleunigung, $R:L = 1:5$"),
+        "stellung": Item("figure", "stellung", 2, "en", "The drive at $φ = 30°$"),
+    }
+    chapters = (
+        Chapter(
+            "Bewegung des Kolbens, $x/R$",
+            "bewegung",
+            1,
+            (
+                Item("text", blocks=parse_prose(_FIRST)),
+                *(tables[name] for name in ("weg", "zusammenstellung")),
+                figures["kurven"],
+                *(tables[name] for name in ("path", "feinweg")),
+            ),
+        ),
+        Chapter(
+            "Gleichgang",
+            "gleichgang",
+            2,
+            (
+                Item("text", blocks=parse_prose(_SECOND)),
+                tables["delta"],
+                tables["dead-centres"],
+                figures["stellung"],
+            ),
+        ),
+        Chapter("Beispiele und Reihen", "beispiele", 3, (tables["harmonische"], tables["blau"])),
+    )
+    base = Document(
+        "Tafeln des Kurbeltriebs", "de", "comma", chapters, "für Handbücher und Vorlesungen", "A. Setzer"
+    )
+    return base._replace(**changes)
+
+
+def fragments(format: str) -> dict[str, str]:
+    """Return the tables in a format."""
+    return {
+        name: render(table(name), format, longtable=format == "latex" and is_taller_than_a_page(table(name)))
+        for name in TABLES
+    }
+
+
+def write_folder(folder: Path, pages: dict[str, str], tables: dict[str, str], suffix: str) -> None:
+    """Write pages, tables and figures as they stand in the output folder of a handbook."""
+    texts = pages | {f"tables/{name}{suffix}": text for name, text in tables.items()}
+    for path, text in texts.items():
+        target = folder / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(text, encoding="utf-8")
+    (folder / "figures").mkdir(exist_ok=True)
+    for name in FIGURES:
+        for form in ("svg", "pdf"):
+            (folder / f"figures/{name}.{form}").write_bytes(figure(name, form))
