@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import time
 from html.parser import HTMLParser
+from pathlib import Path
 
 import pytest
 from hypothesis import given, settings
@@ -258,11 +259,8 @@ _SPACE = re.compile(
 def rendered(text: str, renderer: MarkdownIt) -> str:
     """Return the page that readers of Markdown show, white space apart."""
     page = re.sub(r' class="language[^"]*"|<!-- -->| title="[^"]*"', "", renderer.render(text))
-    page = (
-        re.sub(r"(<br />\s*)+(?=</)", "", page.replace("<br>", "<br />"))
-        .replace("′", "'")
-        .replace("″", "&quot;")
-    )
+    page = page.replace("<br>", "<br />").replace("′", "'").replace("″", "&quot;")
+    page = re.sub(r"(<(?:p|li|h\d)>)(?:\s*<br />)+|(?:<br />\s*)+(?=</)", r"\1", page)
     return _SPACE.sub(r"\1", " ".join(page.split())).replace("<p></p>", "")
 
 
@@ -285,3 +283,13 @@ def test_sample_keeps_its_blocks_through_markdown() -> None:
     assert {type(block) for block in blocks} == {Heading, Paragraph, Listing, Quote, Rule, Grid, CodeBlock}
     again = parse_prose(set_prose(blocks, FORMATS["markdown"], ",", Parts("html"), 0))
     assert [type(block) for block in again] == [type(block) for block in blocks]
+
+
+def test_every_example_of_the_documentation_is_understood() -> None:
+    page = (Path(__file__).parent.parent / "docs" / "prose.md").read_text(encoding="utf-8")
+    examples = re.findall(r"```markdown\n(.*?)```", page, re.DOTALL)
+    assert len(examples) == 2
+    assert all(printed(example, form) for example in examples for form in PAGES)
+    with pytest.raises(ProseError) as caught:
+        parse_prose("a\n\nb\nc $x")
+    assert f"```text\n{caught.value}\n```" in page
