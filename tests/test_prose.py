@@ -8,7 +8,7 @@ from html.parser import HTMLParser
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from markdown_it import MarkdownIt
 from prose_sample import SAMPLE, Parts
@@ -264,6 +264,15 @@ def rendered(text: str, renderer: MarkdownIt) -> str:
     return _SPACE.sub(r"\1", " ".join(page.split())).replace("<p></p>", "")
 
 
+@example("a \\| b\\\n\\:-")
+@example("a\\\n\\===")
+@example("a\\\n\\---")
+@example("a\\\n\\1. b")
+@example("\\# a\n\n# a \\#\n\n\\1) b")
+@example("- - +\n\n* * *\n\n- a\n\n+ b")
+@example("- > # a\n  [x]: y\n  > b")
+@example("a*b*c *&#32;d* ***e*** **f *g* h**, *i*_j_")
+@example("``` a`b ```\n\n|`a\\|b`|\\||\n|-|-|")
 @settings(max_examples=300)
 @given(TEXTS)
 def test_markdown_is_shown_as_its_source(text: str) -> None:
@@ -271,6 +280,10 @@ def test_markdown_is_shown_as_its_source(text: str) -> None:
     if blocks := parsed(text):
         page = set_prose(blocks, FORMATS["markdown"], ",", Parts("markdown"), 0)
         assert rendered(page, _RENDERER) == rendered(text, _PLAIN)
+
+
+def test_line_that_ends_before_its_first_word_is_one_in_latex() -> None:
+    assert printed("*\\\na*", "latex") == "\\leavevmode\\emph{\\newline\na}\n"
 
 
 def test_formulas_in_markdown_are_plain_text_that_stays_so() -> None:
