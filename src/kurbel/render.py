@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
+from kurbel.errors import ChoiceError
 from kurbel.formats import Format, by_name
 from kurbel.labels import plain
 from kurbel.layouts import template_folder
@@ -39,6 +40,8 @@ def render(
     further panels where it would be wider than `width` characters.
     """
     form = by_name(format)
+    if form.kind == "compiled":
+        raise ChoiceError(f"a {form.name} is bytes and no text; make it with kurbel.typeset_{form.name}")
     if form.kind == "records":
         return "".join(rows(table, form, decimal))
     mark = form.decimal_mark(table.lang, decimal)
@@ -73,7 +76,7 @@ def _page(table: Table, form: Format, mark: str, standalone: bool, longtable: bo
     if form.name == "typst":
         from kurbel.typstrows import typst_layout
 
-        values |= {"typst": typst_layout(page(table, by_name("text"), mark)), "longtable": longtable}
+        values |= {"typst": typst_layout(page(table, by_name("text"), mark))}
     fragment = _template(table, form.name, form.name).render(values)
     if standalone and form.document:
         return _template(table, form.name, f"{form.name}.document").render(
