@@ -215,6 +215,12 @@ def test_table_shorter_than_a_page_moves_to_the_next_with_its_caption(tmp_path: 
     assert "Jeder Teil einer Tafel" in below
 
 
+def test_page_may_be_as_large_as_its_table(tmp_path: Path) -> None:
+    fragment = render(everything(), "typst")
+    (text,) = compiled(f"{HEAD}#set page(width: auto, height: auto)\n{fragment}", tmp_path)
+    assert_rows_stand_in(text.splitlines(), everything(), angles=False)
+
+
 def test_fragment_sets_nothing_outside_itself(tmp_path: Path) -> None:
     values = "(text.size, text.lang, text.number-width, par.leading, super.size, figure.caption.position)"
     asked = f"#context [#metadata(repr({values})) <found>]\n"
