@@ -115,7 +115,8 @@ def test_only_drawings_know_matplotlib() -> None:
     plots = {
         f"kurbel.plot_{name}" for name in ("curves", "drawings", "engine", "linkage", "panels", "turning")
     }
-    assert knowing == drawing | plots | {"kurbel.cli.plot", "kurbel.cli.plot_kinds"}
+    documents = {"kurbel.plot_inline", "kurbel.cli.inject"}
+    assert knowing == drawing | plots | documents | {"kurbel.cli.plot", "kurbel.cli.plot_kinds"}
 
 
 def test_imports_run_one_way() -> None:

@@ -72,7 +72,7 @@ def inject(files: tuple[str, ...], check: bool) -> int:
     if stale:
         sys.stdout.flush()
         names = [document.name for document in stale]
-        say(f"{_and(names)} {'is' if len(names) == 1 else 'are'} stale; mend it with: {_command(names)}")
+        say(f"{_and(names)} {'is' if len(names) == 1 else 'are'} stale; mend with: {_command(names)}")
     return int(failed or bool(stale))
 
 
