@@ -261,7 +261,7 @@ def test_each_document_is_done_or_not_by_itself(tmp_path: Path) -> None:
 
 def test_a_command_that_fails_in_the_second_place_leaves_the_first_alone(tmp_path: Path) -> None:
     path = written(tmp_path, place(".md") + place(".md", "table --ratio 2:1"))
-    assert refused(path).startswith("notes.md:3: crank ratio R:L is 2:1; ")
+    assert refused(path).startswith("notes.md:3: crank ratio R:L is 2; ")
     assert [one.name for one in tmp_path.iterdir()] == ["notes.md"]
 
 
@@ -278,7 +278,7 @@ def test_a_command_that_fails_in_the_second_place_leaves_the_first_alone(tmp_pat
         ("table --longtable", "--longtable is for latex; the format is markdown"),
         ("table --help", "kurbel table was asked for its help; "),
         ("table --angle 2°30'", "the marker has a quotation mark or a backslash without its second half; "),
-        ("table --machine missing.toml", "cannot read missing.toml: "),
+        ("table --machine missing.toml", "cannot read the machine missing.toml: "),
         ("plot", "a drawing can stand in HTML only; "),
         ("collate weisbach-150 --strict", '"collate weisbach-150 --strict" fails, '),
     ],
@@ -306,11 +306,13 @@ def test_markdown_has_no_labels_to_come_twice(tmp_path: Path) -> None:
 
 
 def test_a_document_of_another_encoding_is_refused_where_the_table_is_no_ascii(tmp_path: Path) -> None:
-    latin = f"Maß\n{place('.tex')}".encode("latin-1")
+    latin = f"Maß\n{place('.tex', 'table --ratio 1:4 --step 60')}".encode("latin-1")
     assert refused(written(tmp_path, latin, "notes.tex")) == (
         "notes.tex is not in UTF-8, in which its tables would be written; save it in UTF-8"
     )
     assert "is in UTF-16" in refused(written(tmp_path, place(".md").encode("utf-16")))
+    english = written(tmp_path, f"Maß\n{place('.tex')}".encode("latin-1"), "english.tex")
+    assert refreshed(english).startswith("Maß\n".encode("latin-1"))
     # What is not touched need not be read.
     path = written(tmp_path, b"\x89PNG\r\n\x00\xff", "image.md")
     assert printed("inject", str(path)).out == ""
