@@ -4,9 +4,14 @@ from __future__ import annotations
 
 import os
 import re
+import subprocess
+import sys
 import time
 from itertools import pairwise
 from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+from unittest import mock
 
 import pytest
 from cli import Result, kurbel, printed
@@ -15,6 +20,8 @@ from hypothesis import strategies as st
 from markdown_it import MarkdownIt
 from test_latex import compiled, complaints
 from tools import require_library
+
+from kurbel.cli.asking import asked
 
 MARKERS = {
     ".md": ("<!-- kurbel: {} -->", "<!-- /kurbel -->"),
@@ -340,31 +347,53 @@ def test_what_is_no_file_is_said_to_be_none(tmp_path: Path) -> None:
     assert kurbel("inject").code == 2
 
 
+def test_a_document_that_is_saved_meanwhile_keeps_what_was_saved(tmp_path: Path) -> None:
+    path = written(tmp_path, place(".md"))
+
+    def saved(*words: Any, **options: Any) -> Any:
+        path.write_text("saved", encoding="utf-8")
+        return asked(*words, **options)
+
+    with mock.patch("kurbel.cli.inject.asked", saved):
+        result = kurbel("inject", str(path))
+    sentence = f"kurbel: {path} was changed while its tables were made; refresh it again\n"
+    assert (result, path.read_text(encoding="utf-8")) == (Result(1, "", sentence), "saved")
+
+
+def test_a_document_without_markers_is_told_how_they_look_on_a_terminal_only(tmp_path: Path) -> None:
+    path = written(tmp_path, "<!-- kurbel table -->\n")
+    assert printed("inject", str(path)).err == ""
+    master, slave = os.openpty()
+    subprocess.run([sys.executable, "-m", "kurbel", "inject", str(path)], stderr=slave, check=True)
+    os.close(slave)
+    assert b"has no markers; they are <!-- kurbel: table --ratio 1:5 --> and " in os.read(master, 4096)
+    os.close(master)
+
+
 def test_an_empty_document_has_no_places(tmp_path: Path) -> None:
     assert printed("inject", str(written(tmp_path, ""))).out == ""
 
 
 @pytest.mark.skipif(os.geteuid() != 0, reason="only root can turn into another user")
-def test_a_read_only_document_is_refused_only_where_it_is_stale(tmp_path: Path) -> None:
-    tmp_path.parent.chmod(0o755)
-    path = written(tmp_path, place(".md"))
-    fresh = written(tmp_path, place(".md"), "fresh.md")
-    refreshed(fresh)
-    path.chmod(0o444)
-    fresh.chmod(0o444)
-    os.setresuid(65534, 65534, 0)
-    try:
-        assert os.access(path, os.R_OK) == os.access(fresh, os.R_OK)
-        if os.access(path, os.R_OK):
+def test_a_read_only_document_is_refused_only_where_it_is_stale() -> None:
+    with TemporaryDirectory() as name:
+        folder = Path(name)
+        folder.chmod(0o755)
+        path, fresh = (written(folder, place(".md"), one) for one in ("notes.md", "fresh.md"))
+        refreshed(fresh)
+        path.chmod(0o444)
+        fresh.chmod(0o444)
+        os.setresuid(65534, 65534, 0)
+        try:
             assert kurbel("inject", str(path)).err == f"kurbel: cannot write {path}: the file is read-only\n"
             assert printed("inject", str(fresh)).out == ""
-    finally:
-        os.setresuid(0, 0, 0)
+        finally:
+            os.setresuid(0, 0, 0)
 
 
 def test_fifty_megabytes_are_gone_through_in_seconds(tmp_path: Path) -> None:
     line = b"A line of text such as a lecture has, with `code` and 1:5 in it, of eighty letters.\n"
-    path = written(tmp_path, line * 600_000 + b"\n" + place(".md").encode() + b"\n" + line)
+    path = written(tmp_path, line * 620_000 + b"\n" + place(".md").encode() + b"\n" + line)
     begun = time.process_time()
     refreshed(path)
     assert time.process_time() - begun < 10
