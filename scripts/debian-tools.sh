@@ -1,8 +1,8 @@
 #!/bin/sh
-# Install the programs that check printed pages and completion: TeX, Chromium, pdftotext, fish.
+# Install the programs that check printed pages and completion: TeX, Chromium, pdftotext, fish, patch.
 set -eu
 
-packages="texlive-latex-base texlive-latex-recommended texlive-luatex texlive-lang-german lmodern chromium poppler-utils fish"
+packages="texlive-latex-base texlive-latex-recommended texlive-luatex texlive-lang-german lmodern chromium poppler-utils fish patch"
 
 missing=""
 for package in $packages; do
