@@ -21,7 +21,7 @@ MOST_KILLED = 3
 
 
 class Killed(NamedTuple):
-    """What stands for the result of a piece whose process ended, or that was not tried for others that did."""
+    """What stands for the result of a piece whose process ended, or that was not tried as others ended."""
 
     tried: bool = True
 
