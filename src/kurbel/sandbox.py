@@ -6,7 +6,7 @@ Beside `render` the only module that knows Jinja. It is loaded for a user's temp
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 from jinja2 import BaseLoader, TemplateNotFound, TemplateSyntaxError, nodes
@@ -128,11 +128,14 @@ class Sandbox(ImmutableSandboxedEnvironment):
 
     def __init__(self, *args: Any, **options: Any) -> None:
         super().__init__(*args, **options)
-        self.concat = concatenated
         self.globals.pop("lipsum")
         for name in _BARRED_FILTERS:
             del self.filters[name]
         self.filters.update({name: _checked(name, each) for name, each in self.filters.items()})
+
+    @staticmethod
+    def concat(pieces: Iterable[Any]) -> str:
+        return concatenated(pieces)
 
     def call_binop(self, context: Context, operator: str, left: Any, right: Any) -> Any:
         return OPERATORS[operator](left, right)
