@@ -12,6 +12,7 @@ from collections.abc import Iterator, Mapping
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
+from kurbel.errors import ChoiceError
 from kurbel.formats import Format, by_name
 from kurbel.labels import plain
 from kurbel.layouts import template_folder
@@ -44,6 +45,8 @@ def render(
     cannot be used is a LayoutError with its line.
     """
     form = by_name(format)
+    if form.kind == "compiled":
+        raise ChoiceError(f"a {form.name} is bytes and no text; make it with kurbel.typeset_{form.name}")
     if form.kind == "records":
         return "".join(rows(table, form, decimal))
     mark = form.decimal_mark(table.lang, decimal)
@@ -80,7 +83,7 @@ def _page(
     if form.name == "typst":
         from kurbel.typstrows import typst_layout
 
-        values |= {"typst": typst_layout(page(table, by_name("text"), mark)), "longtable": longtable}
+        values |= {"typst": typst_layout(page(table, by_name("text"), mark))}
 
     def filled(name: str, more: dict[str, str]) -> str:
         template = _own_template(table, name, templates) or f"base/{name}.jinja"
