@@ -1,4 +1,4 @@
-"""A user's folder of templates: it outdoes ours, can do no harm, and its mistakes are named with their line."""
+"""A user's folder of templates: it outdoes ours, can do no harm, and its mistakes are named with line."""
 
 from __future__ import annotations
 
@@ -151,7 +151,7 @@ DOUBLED = "{% set n = namespace(x='ab') %}{% for i in range(60) %}{% set n.x = {
     ],
 )
 def test_nothing_huge_is_made(template: str, folder: Path) -> None:
-    with pytest.raises(LayoutError, match="the result would have more than 10000000 characters$"):
+    with pytest.raises(LayoutError, match=r"the result would have more than 10000000 characters$"):
         made(folder, template)
 
 
@@ -181,5 +181,5 @@ def test_what_is_no_text_is_refused(folder: Path) -> None:
     ):
         render(everything(), "markdown", templates=str(folder))
     (folder / "base/markdown.jinja").write_text("x" * 2_000_000, encoding="utf-8")
-    with pytest.raises(LayoutError, match="markdown.jinja is longer than 1000000 characters$"):
+    with pytest.raises(LayoutError, match=r"markdown\.jinja is longer than 1000000 characters$"):
         render(everything(), "markdown", templates=str(folder))

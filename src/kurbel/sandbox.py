@@ -84,12 +84,12 @@ class Folders(BaseLoader):
 
     def get_source(self, environment: Environment, template: str) -> tuple[str, str, Callable[[], bool]]:
         path = self._path(template)
-        stamp = _stamp(path)
+        found = path, _stamp(path)
         with open(path, encoding="utf-8") as file:
             text = file.read(LONGEST_FILE + 1)
         if len(text) > LONGEST_FILE:
             raise LayoutError(f"the template {path} is longer than {LONGEST_FILE} characters")
-        return text, path, lambda: (self._path(template), _stamp(path)) == (path, stamp)
+        return text, path, lambda: (now := self._path(template), _stamp(now)) == found
 
     def _path(self, template: str) -> str:
         """Return the file of a template; one outside the folders is refused, however it is reached."""
