@@ -52,7 +52,7 @@ def compile_typst(source: str, *, root: str | None = None, standards: Sequence[S
     one; PDF/A demands a date, which then is 1970-01-01. Raises LayoutError for a source with mistakes.
     """
     _check(source, standards)
-    epoch = _epoch()
+    epoch = source_date_epoch()
     undated = epoch is None and not any(name.startswith("a-") for name in standards)
     with _folder(root) as folder, _mistakes_as_sentences(folder, undated):
         from typst import Compiler
@@ -74,7 +74,8 @@ def _check(source: str, standards: Sequence[Standard]) -> None:
         )
 
 
-def _epoch() -> int | None:
+def source_date_epoch() -> int | None:
+    """Return the date that the environment sets for what is made, in seconds since 1970, if it does."""
     text = os.environ.get(EPOCH, "")
     if not text:
         return None
