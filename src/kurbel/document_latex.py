@@ -79,6 +79,7 @@ def files(document: Document, fragments: Mapping[str, str], templates: str | Non
         "languages": _languages(document),
         "chapters": chapters,
         "long": any(part.long for chapter in chapters for part in chapter.parts),
+        "linked": any(document.items("text")),
     }
     return {
         f"{name}.tex": render_document("latex", name, values, templates) for name in ("appendix", "handbook")

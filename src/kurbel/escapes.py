@@ -64,12 +64,12 @@ _LATEX = str.maketrans(
         "°": r"\textdegree{}",
     }
 )
-# Two of these in a row are one sign in TeX fonts: --, ,, '' << >>.
+# Two of these in a row are one sign in TeX fonts: --, ,, '' << >>. Between braces LuaTeX still joins them.
 _LIGATURE = re.compile(r"([-,'<>])(?=\1)")
 
 
 def escape_latex(prose: str) -> str:
-    return _LIGATURE.sub(r"\1{}", prose.translate(_LATEX))
+    return _LIGATURE.sub(r"\1\\/", prose.translate(_LATEX))
 
 
 # Characters that Typst obeys anywhere.
