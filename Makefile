@@ -14,7 +14,7 @@ $(READY): pyproject.toml
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "kurbel needs Python 3.11 or newer")'
 	$(PYTHON) -m venv $(VENV)
 	$(BIN)/python -m pip install --quiet --upgrade 'pip>=25.1'
-	$(BIN)/python -m pip install --quiet --editable '.[units,plot]' --group dev
+	$(BIN)/python -m pip install --quiet --editable '.[units,plot,pdf]' --group dev
 	touch $(READY)
 
 demo: $(READY) ## print the table for R:L = 1:5

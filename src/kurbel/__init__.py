@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from kurbel.irregularity import delta
     from kurbel.library import certified, compute, make_table, typeset
     from kurbel.linkage_library import make_arc_table, make_parallel_table
+    from kurbel.pdf import typeset_pdf
     from kurbel.rod_library import make_inertia_table, make_tangent_table
     from kurbel.solve_library import make_solve_table
 
@@ -48,6 +49,7 @@ __all__ = [
     "make_table",
     "make_tangent_table",
     "typeset",
+    "typeset_pdf",
 ]
 _MODULES = {
     "delta": "kurbel.irregularity",
@@ -62,6 +64,7 @@ _MODULES = {
     "make_inertia_table": "kurbel.rod_library",
     "make_tangent_table": "kurbel.rod_library",
     "make_solve_table": "kurbel.solve_library",
+    "typeset_pdf": "kurbel.pdf",
 }
 
 

@@ -52,6 +52,12 @@ class RodError(KurbelError):
     exit_code = 1
 
 
+class MarkerError(KurbelError):
+    """A document whose marked places cannot be found or filled."""
+
+    exit_code = 1
+
+
 class OutputError(KurbelError):
     """A file or stream that could not be written."""
 
@@ -66,6 +72,12 @@ class LayoutError(KurbelError):
 
 class SourceError(KurbelError):
     """A source of printed values cannot be used."""
+
+    exit_code = 1
+
+
+class HandbookError(KurbelError):
+    """A manifest, or a folder that a handbook cannot be built into."""
 
     exit_code = 1
 

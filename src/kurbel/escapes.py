@@ -127,5 +127,5 @@ def _kept(match: re.Match[str]) -> str:
 
 
 def mark_typst(mark: str, target: str = "") -> str:
-    """Return a mark without a link, which a table that is printed twice in a document would not compile with."""
+    """Return a mark without a link: a document that prints a table twice would not compile with it."""
     return f"#super[{escape_typst(mark)})];"

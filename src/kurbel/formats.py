@@ -22,12 +22,13 @@ class Format(NamedTuple):
     `decimal` is "language" or "point": where the decimal mark comes from unless the user sets it.
     `document` tells that a standalone page differs from a fragment. Formats of pages also set labels, with
     functions that carry their name and are looked up when the first label is set, to keep the registry cheap.
+    A compiled format is bytes, made of the document in another format.
     """
 
     name: str
     suffixes: tuple[str, ...]
     media: str
-    kind: Literal["page", "records"]
+    kind: Literal["page", "records", "compiled"]
     decimal: Literal["language", "point"]
     minus: str = "−"
     missing: str = "–"
@@ -120,6 +121,7 @@ FORMATS = {
             "language",
             document=True,
         ),
+        Format("pdf", (".pdf",), "PDF by Typst, always a document", "compiled", "language"),
         Format("csv", (".csv",), "one record a line, for spreadsheets", "records", "point", minus="-"),
         Format(
             "json",

@@ -140,10 +140,11 @@ def typeset(
     standalone: bool = False,
     longtable: bool = False,
 ) -> str:
-    """Return the page in a format: text, markdown, latex, html, csv or json.
+    """Return the page in a format: text, markdown, latex, html, typst, csv or json; PDF is typeset_pdf's.
 
     `decimal` is "comma" or "point", by default the mark of the page's language (point in CSV and JSON);
-    `standalone` gives a whole document (LaTeX, HTML), `longtable` a LaTeX longtable. Raises KurbelError.
+    `standalone` gives a whole document (LaTeX, HTML, Typst), `longtable` a LaTeX longtable. Raises
+    KurbelError.
 
     >>> print(typeset(make_table("1:4", layout="blau-kolbenwege", angles=[90]), "markdown").splitlines()[-3])
     |     90 |         1,125 |             0,563 |

@@ -25,9 +25,11 @@ from typing import Any, NamedTuple
 
 from kurbel.choices import choose
 from kurbel.errors import ChoiceError, MachineError
+from kurbel.toml_file import TomlKind, read_toml, shown
 
-# A key of very many parts takes the parser minutes.
-LARGEST_FILE = 20_000
+KIND = TomlKind(
+    "machine", MachineError, 20_000, "a machine has sections with entries", "--machine engine.toml"
+)
 
 
 class Entry(NamedTuple):
@@ -85,7 +87,7 @@ def read_machine(path: str) -> dict[str, Any]:
 
     Raises MachineError with the file's name for anything that is no machine.
     """
-    given = _parsed(path)
+    given = read_toml(path, KIND)
     options: dict[str, Any] = {}
     for section, entries in given.items():
         _check_section(path, section, entries)
@@ -111,7 +113,7 @@ def _check_section(path: str, section: str, entries: Any) -> None:
         raise MachineError(f"{path}: {section} stands outside of the sections; write it under [{homes[0]}]")
     choose_in(path, section, SECTIONS, "section")
     if not isinstance(entries, dict):
-        raise MachineError(f"{path}: {section} is {_shown(entries)}; it must be a section, [{section}]")
+        raise MachineError(f"{path}: {section} is {shown(entries)}; it must be a section, [{section}]")
 
 
 def choose_in(path: str, name: str, allowed: Mapping[str, Any], what: str) -> str:
@@ -122,68 +124,21 @@ def choose_in(path: str, name: str, allowed: Mapping[str, Any], what: str) -> st
         raise MachineError(f"{path}: {error}") from None
 
 
-def _parsed(path: str) -> dict[str, Any]:
-    import tomllib
-
-    try:
-        return tomllib.loads(_text(path))
-    except RecursionError:
-        raise MachineError(f"{path} is nested too deeply; a machine has sections with entries") from None
-    except ValueError as error:
-        # A malformed file is a ValueError that says the line.
-        raise MachineError(f"cannot read the machine {path}: {error}") from None
-
-
-def _text(path: str) -> str:
-    if not path:
-        raise MachineError("the machine's file has no name; give one, such as --machine engine.toml")
-    if os.path.exists(path) and not os.path.isfile(path):
-        raise MachineError(f"cannot read the machine {path}: it is a directory or a device; name a TOML file")
-    try:
-        with open(path, "rb") as file:
-            content = file.read(LARGEST_FILE + 1)
-    except FileNotFoundError:
-        raise MachineError(f"cannot read the machine {path}: there is no such file") from None
-    except (OSError, ValueError) as error:
-        raise MachineError(f"cannot read the machine {path}: {error}") from None
-    if len(content) > LARGEST_FILE:
-        raise MachineError(f"{path} has more than {LARGEST_FILE} bytes; no machine needs them")
-    try:
-        # An editor may have put a mark before the text.
-        return content.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        line = content[: error.start].count(b"\n") + 1
-        raise MachineError(
-            f"{path}, line {line}: the byte 0x{content[error.start]:02x} is not UTF-8; save the machine so"
-        ) from None
-
-
 def _option(path: str, name: str, entry: Entry, value: Any) -> Any:
     if entry.flag:
         if not isinstance(value, bool):
-            raise MachineError(f"{path}: {name} is {_shown(value)}; it must be true or false")
+            raise MachineError(f"{path}: {name} is {shown(value)}; it must be true or false")
         return value
     values = value if isinstance(value, list) else [value]
     if not values or any(isinstance(one, bool) or not isinstance(one, (str, int, float)) for one in values):
         allowed = 'text such as "600mm", a number' + (" or a list" if entry.many else "")
-        raise MachineError(f"{path}: {name} is {_shown(value)}; it must be {allowed}")
+        raise MachineError(f"{path}: {name} is {shown(value)}; it must be {allowed}")
     if len(values) > 1 and not entry.many:
         raise MachineError(f"{path}: {name} is a list; it must be one value")
     texts = [str(one) for one in values]
     if entry.file:
         texts = [os.path.join(os.path.dirname(path), text) for text in texts]
     return texts if entry.several else ";".join(texts)
-
-
-def _shown(value: Any) -> str:
-    """What a value is, in the words of a TOML file."""
-    if isinstance(value, bool):
-        return str(value).lower()
-    if isinstance(value, dict):
-        return "a table"
-    if isinstance(value, list):
-        return "a list" if value else "an empty list"
-    return f'"{value}"'[:42] if isinstance(value, str) else str(value)[:40]
 
 
 def schema() -> dict[str, Any]:

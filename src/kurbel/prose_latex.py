@@ -3,12 +3,14 @@ r"""Free text in LaTeX. Needs amsmath for formulas, array and booktabs for table
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
 from kurbel.escapes import escape_latex
 from kurbel.formula import Formula
 from kurbel.formula_print import formula_plain
 from kurbel.prose import (
     Blocks,
+    Break,
     Code,
     CodeBlock,
     Emphasis,
@@ -27,9 +29,13 @@ from kurbel.prose_print import ProsePrinter, Reference, is_own
 _SECTIONS = ("chapter", "section", "subsection", "subsubsection", "paragraph")
 _COUNTERS = ("enumi", "enumii", "enumiii", "enumiv")
 _COLUMNS = {None: "l", "left": "l", "center": "c", "right": "r"}
+_RAGGED = {None: r"\raggedright", "left": r"\raggedright", "center": r"\centering", "right": r"\raggedleft"}
+# Characters of a line, and of a column whose lines are not broken.
+_LINE, _SHORT = 75, 15
 _NAMES = {"table": r"\tablename", "figure": r"\figurename", "chapter": r"\chaptername"}
 # A word of code that no line end may cut would run off a narrow line.
 _LONG_WORD = re.compile(r"[^ \u00a0]{20,}")
+_PARTED = re.compile(r"([-,'<>])\{\}(?=\1)")
 # No text has this character.
 _HERE = "\0"
 _PIECES = {_HERE: r"\penalty500 ", "'": r"\textquotesingle{}"}
@@ -110,15 +116,36 @@ class Printer(ProsePrinter):
         return r"\par\noindent\rule{\linewidth}{0.4pt}\par"
 
     def grid(self, grid: Grid) -> str:
-        columns = "".join(_COLUMNS[align] for align in grid.aligns)
+        columns = "".join(self._columns(grid))
         rows = "".join(f"{self._row(row)}\n" for row in grid.rows)
         return (
             f"\\begin{{center}}\n\\begin{{tabular}}{{{columns}}}\n\\toprule\n"
             f"{self._row(grid.head)}\n\\midrule\n{rows}\\bottomrule\n\\end{{tabular}}\n\\end{{center}}"
         )
 
+    def _columns(self, grid: Grid) -> Iterator[str]:
+        """Yield the columns; where the rows are longer than a line, those of sentences break their lines."""
+        rows = (grid.head, *grid.rows)
+        widths = [max(len(self._plain(cell)) for cell in cells) for cells in zip(*rows, strict=True)]
+        fits = sum(widths) + 2 * len(widths) <= _LINE
+        long = sum(width for width in widths if width > _SHORT)
+        room = _LINE - sum(width + 2 for width in widths if width <= _SHORT)
+        for align, width in zip(grid.aligns, widths, strict=True):
+            if fits or width <= _SHORT:
+                yield _COLUMNS[align]
+            else:
+                share = max(0.05, 0.9 * width / long * room / _LINE)
+                yield rf">{{{_RAGGED[align]}\arraybackslash}}p{{{share:.3f}\linewidth}}"
+
     def _row(self, cells: tuple[Inlines, ...]) -> str:
         return " & ".join(self.inlines(cell) for cell in cells) + r" \\"
+
+    def paragraph(self, content: Inlines) -> str:
+        # Above the first line there is none to end.
+        return r"\leavevmode" * _breaks_first(content) + self.inlines(content)
+
+    def text(self, text: str) -> str:
+        return _escaped(text)
 
     def code(self, text: str) -> str:
         return rf"\texttt{{{_code(text)}}}"
@@ -145,6 +172,25 @@ class Printer(ProsePrinter):
         return rf"\hyperref[{label}]{{{text}}}"
 
 
+def _breaks_first(content: Inlines) -> bool:
+    """Tell whether the first thing printed is the end of a line."""
+    match content:
+        case (Break(), *_):
+            return True
+        case (Emphasis(inner) | Strong(inner) | Link(_, inner) | Refer(_, inner), *_):
+            return _breaks_first(inner)
+    return False
+
+
+def _escaped(text: str) -> str:
+    """Return text whose characters stay what they are in LuaLaTeX too.
+
+    There an empty group does not part --, and any straight quotation mark but that of \\textquotedbl is bent.
+    """
+    escaped = escape_latex(text).replace(r"\char34{}", r"\textquotedbl{}")
+    return _PARTED.sub(r"\1{\\kern0pt}", escaped)
+
+
 def _lines(lines: tuple[str, ...]) -> str:
     """Return lines of code. verbatim would neither break a long one nor stand in an argument."""
     code = "\\\\\n".join(rf"\mbox{{}}{_code(line)}" for line in lines) or r"\mbox{}"
@@ -160,4 +206,4 @@ def _code(text: str) -> str:
 def _breakable(text: str) -> str:
     """Return code or an address in which a long word may be broken, if need be, at any character."""
     marked = _LONG_WORD.sub(lambda word: _HERE.join(word.group()), text)
-    return "".join(_PIECES.get(piece) or escape_latex(piece) for piece in re.split(f"({_HERE}|')", marked))
+    return "".join(_PIECES.get(piece) or _escaped(piece) for piece in re.split(f"({_HERE}|')", marked))

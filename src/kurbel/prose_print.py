@@ -103,7 +103,7 @@ class ProsePrinter(ABC):
         """Return one inline."""
         match inline:
             case Text(text):
-                return self.form.escape(text)
+                return self.text(text)
             case Formula():
                 return self.form.formula(inline, self.mark, False)
             case Code(text):
@@ -118,6 +118,10 @@ class ProsePrinter(ABC):
                 return self.link(address, content)
             case Refer(name, content):
                 return self.reference(self.refer(name), content)
+
+    def text(self, text: str) -> str:
+        """Return words."""
+        return self.form.escape(text)
 
     def paragraph(self, content: Inlines) -> str:
         """Return a paragraph."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, TypeVar
 
@@ -202,7 +203,8 @@ def _document_options() -> tuple[Callable[[Command], Command], ...]:
     return (
         click.option("--label", metavar="NAME", default="",
                      help="Name for cross references: \\label{tab:NAME}; default: the layout's."),
-        click.option("--standalone", is_flag=True, help="LaTeX and HTML: a whole document, not a fragment."),
+        click.option("--standalone", is_flag=True,
+                     help="LaTeX, HTML and Typst: a whole document, not a fragment."),
         click.option("--longtable", is_flag=True, help="LaTeX: a longtable, which breaks across pages."),
     )  # fmt: skip
 
@@ -232,12 +234,21 @@ def chosen_format(format_name: str | None, output: str, standalone: bool, longta
         raise click.UsageError("--output names no file; - is standard output.")
     named = output == "-" or typed("format")
     chosen = FORMATS[format_name or "text"] if named else for_suffix(output)
-    if standalone and not chosen.document and typed("standalone"):
-        documents = " and ".join(name for name, entry in FORMATS.items() if entry.document)
-        raise click.UsageError(f"--standalone is for {documents}; {chosen.name} has no documents.")
+    if chosen.kind == "compiled":
+        _refuse_terminal(chosen.name, output)
+    if standalone and chosen.kind != "compiled" and not chosen.document and typed("standalone"):
+        *documents, last = (name for name, entry in FORMATS.items() if entry.document)
+        raise click.UsageError(
+            f"--standalone is for {', '.join(documents)} and {last}; {chosen.name} has no documents."
+        )
     if longtable and chosen.name != "latex" and typed("longtable"):
         raise click.UsageError(f"--longtable is for latex; the format is {chosen.name}.")
     return chosen
+
+
+def _refuse_terminal(name: str, output: str) -> None:
+    if output == "-" and sys.stdout.isatty():
+        raise click.UsageError(f"a terminal shows no {name}; name a file, such as -o kurbel.{name}")
 
 
 def typed(option: str) -> bool:

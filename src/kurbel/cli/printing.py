@@ -43,7 +43,7 @@ class Printing(NamedTuple):
 def print_table(request: Asked, printing: Printing) -> None:
     """Write the table in the format to the file, whole or not at all."""
     chosen = printing.format
-    if chosen.kind == "page" or keeper():
+    if chosen.kind != "records" or keeper():
         from kurbel.build import build
 
         print_made(build(request), printing)
@@ -57,9 +57,10 @@ def print_table(request: Asked, printing: Printing) -> None:
 def print_made(table: Table, printing: Printing) -> None:
     """Write a table that is there already."""
     if kept := keeper():
-        kept.made, kept.decimal = table, printing.decimal
+        kept.made, kept.decimal, kept.longtable = table, printing.decimal, printing.longtable
         return
-    _write(_rendered(table, printing), printing.output, 0)
+    made = _compiled if printing.format.kind == "compiled" else _rendered
+    _write(made(table, printing), printing.output, 0)
 
 
 def _write(pieces: Iterator[bytes], output: str, rows: int) -> None:
@@ -82,6 +83,12 @@ def _rendered(table: Table, printing: Printing) -> Iterator[bytes]:
     yield text.encode()
     if name == "latex" and not (standalone or longtable) and is_taller_than_a_page(table):
         click.echo("kurbel: the table is longer than a page; --longtable lets it break", err=True)
+
+
+def _compiled(table: Table, printing: Printing) -> Iterator[bytes]:
+    from kurbel.pdf import typeset_pdf
+
+    yield typeset_pdf(table, decimal=printing.decimal)
 
 
 class _NoBar:

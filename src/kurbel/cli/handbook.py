@@ -1,0 +1,232 @@
+"""`kurbel handbook`: whole appendices from one manifest, built, checked, watched and listed."""
+
+from __future__ import annotations
+
+import os
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from kurbel.cli.lists import lang_option
+from kurbel.cli.options import Count, Name, in_order
+from kurbel.handbook_keys import ENGINES
+
+if TYPE_CHECKING:
+    from kurbel.handbook import Built
+    from kurbel.handbook_folder import Folder
+    from kurbel.handbook_manifest import Manifest
+
+MOST_JOBS = 256
+# How often the files are looked at, in seconds.
+GLANCE = 0.4
+
+
+class _Group(click.Group):
+    """A wrong name of a command is answered with the nearest."""
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        from kurbel.choices import choose
+
+        if not args[0].startswith("-") and not ctx.resilient_parsing:
+            choose(args[0], self.commands, "command of kurbel handbook")
+        return super().resolve_command(ctx, args)
+
+
+@click.group(cls=_Group)
+def handbook() -> None:
+    """Build a handbook appendix of tables, worked examples and figures from its manifest, handbook.toml.
+
+    \b
+    kurbel handbook init appendix/
+    kurbel handbook build appendix/
+    kurbel handbook check appendix/
+    """  # fmt: skip
+
+
+FOLDER = click.argument("folder", type=click.Path(), default=".")
+JOBS = click.option("-j", "--jobs", type=Count("jobs", 1, MOST_JOBS), metavar="N",
+                    help="Processes at once; default: one for each core.")  # fmt: skip
+ENGINE = click.option("--pdf-engine", type=Name("PDF engine", lambda: ENGINES), metavar="ENGINE",
+                      help="typst (default), lualatex or latexmk; outdoes the manifest.")  # fmt: skip
+building = in_order((FOLDER, JOBS, ENGINE))
+
+
+@handbook.command()
+@FOLDER
+@lang_option
+def init(folder: str, lang: str) -> None:
+    """Write a manifest with comments, which builds at once, into FOLDER."""
+    from kurbel.errors import HandbookError, OutputError
+    from kurbel.handbook_init import first_manifest
+    from kurbel.handbook_manifest import NAME
+    from kurbel.output import whole_file
+
+    path = os.path.join(folder, NAME)
+    if os.path.lexists(path):
+        raise HandbookError(f"{path} is there already; kurbel handbook build builds it")
+    try:
+        os.makedirs(folder, exist_ok=True)
+    except OSError as error:
+        raise OutputError(f"cannot make the folder {folder}: {error.strerror}") from error
+    with whole_file(path) as stream:
+        stream.write(first_manifest(lang).encode())
+    _say(f"{path} is written; build it with: kurbel handbook build{_typed(folder)}")
+
+
+@handbook.command()
+@building
+def build(**options: Any) -> int:
+    """Build what changed of the handbook in FOLDER: its tables, figures and documents."""
+    return _build(options)
+
+
+def _build(options: dict[str, Any]) -> int:
+    from kurbel.cli.handbook_parts import make_part
+    from kurbel.handbook_build import build as built
+
+    manifest, folder, jobs = _opened(options)
+    with _bar() as start:
+        done = built(manifest, folder, make_part, jobs, start, _waiting)
+    _report(manifest, done)
+    counts = f"{len(done.written)} written, {len(done.unchanged)} unchanged"
+    removed = f", {len(done.removed)} removed" if done.removed else ""
+    _say(f"{folder.path}: {counts}{removed}{_failed(done)}")
+    return int(bool(done.failures))
+
+
+@handbook.command()
+@building
+def check(**options: Any) -> int:
+    """Tell whether what was built in FOLDER is what a build would write now; exit with 1 if not.
+
+    All is built anew, elsewhere. The differences go to standard output.
+    """
+    from kurbel.cli.handbook_parts import make_part
+    from kurbel.handbook_check import check as checked
+
+    manifest, folder, jobs = _opened(options)
+    with _bar() as start:
+        done, stale = checked(manifest, folder, make_part, jobs, start)
+    for one in stale:
+        click.echo("\n".join((f"{folder.path}/{one.path}", *(f"    {line}" for line in one.shown))))
+    _report(manifest, done)
+    if stale:
+        mend = f"kurbel handbook build{_typed(options['folder'])}{_engine(options)}"
+        _say(f"{folder.path}: {len(stale)} files are stale{_failed(done)}; this mends them: {mend}")
+    elif not done.failures:
+        _say(f"{folder.path}: all {len(done.written)} files are what the manifest says")
+    return int(bool(stale or done.failures))
+
+
+@handbook.command("list")
+@FOLDER
+def listed(folder: str) -> None:
+    """List the chapters and parts of the handbook in FOLDER, and what a build would make anew."""
+    from tabulate import tabulate
+
+    from kurbel.handbook_build import Build
+
+    options = {"folder": folder, "jobs": 1, "pdf_engine": None}
+    manifest, output, jobs = _opened(options)
+    one = Build(manifest, output, lambda task: "", jobs)
+    stale = {part.name for part in one.stale()}
+    click.echo(f"{output.path}: {', '.join(manifest.formats)}")
+    for number, chapter in enumerate(manifest.chapters, 1):
+        click.echo(f"\n{number} {chapter.title} ({chapter.name})")
+        rows = [
+            (part.name, part.shown, "unchanged" if part.name not in stale else one.novelty(part))
+            for part in chapter.parts
+            if part.words
+        ]
+        lines = tabulate(rows, tablefmt="plain", disable_numparse=True).splitlines() if rows else []
+        for line in lines:
+            click.echo(f"    {line.rstrip()}")
+
+
+@handbook.command()
+@building
+def watch(**options: Any) -> None:
+    """Build the handbook in FOLDER, and again each time a file of it is saved, until Ctrl-C."""
+    from kurbel.errors import KurbelError
+    from kurbel.handbook_watch import glance
+
+    _say("each file that is saved is built; Ctrl-C ends this")
+    seen: object = None
+    while True:
+        now = glance(options["folder"])
+        if now != seen:
+            try:
+                _build(options)
+            except KurbelError as error:
+                _say(str(error))
+            # The build itself has said which files there are.
+            now = glance(options["folder"])
+        seen = now
+        time.sleep(GLANCE)
+
+
+def _opened(options: dict[str, Any]) -> tuple[Manifest, Folder, int]:
+    """Return the manifest, the output folder and how many processes may run."""
+    from kurbel.handbook_folder import Folder
+    from kurbel.handbook_manifest import manifest_path, read_manifest
+    from kurbel.handbook_pool import cores
+
+    manifest = read_manifest(manifest_path(options["folder"]))
+    if options["pdf_engine"]:
+        manifest = manifest._replace(engine=options["pdf_engine"])
+    return manifest, Folder(manifest.folder, manifest.output), options["jobs"] or cores()
+
+
+def _typed(folder: str) -> str:
+    """Return the folder as one would type it behind a command, if it must be typed at all."""
+    from shlex import quote
+
+    return "" if folder == "." else f" {quote(folder)}"
+
+
+def _engine(options: dict[str, Any]) -> str:
+    return f" --pdf-engine {options['pdf_engine']}" if options["pdf_engine"] else ""
+
+
+def _report(manifest: Manifest, done: Built) -> None:
+    for failure in done.failures:
+        line = f", line {failure.line}" if failure.line else ""
+        _say(f"{manifest.path}{line}, {failure.name}: {failure.said}")
+
+
+def _failed(done: Built) -> str:
+    return f", {len(done.failures)} failed" if done.failures else ""
+
+
+def _waiting() -> None:
+    _say("another build of this handbook is under way; waiting for its end")
+
+
+def _say(text: str) -> None:
+    shown = "".join(one if one.isprintable() else ascii(one)[1:-1] for one in text)
+    click.echo(f"kurbel: {shown}", err=True)
+
+
+@contextmanager
+def _bar() -> Iterator[Callable[[int], Callable[[], None]]]:
+    """A progress bar on a terminal; it is told how many steps there are and then each of them."""
+    bars: list[Any] = []
+
+    def start(count: int) -> Callable[[], None]:
+        if not count or not sys.stderr.isatty():
+            return lambda: None
+        bars.append(click.progressbar(length=count, label=f"{count} parts", file=sys.stderr))
+        bar = bars[0].__enter__()
+        return lambda: bar.update(1)
+
+    try:
+        yield start
+    finally:
+        for bar in bars:
+            bar.__exit__(None, None, None)

@@ -1,0 +1,72 @@
+"""A part of a handbook is made: its command's words become the files of a table or of a drawing."""
+
+from __future__ import annotations
+
+import os
+from contextlib import chdir
+from dataclasses import replace
+from typing import Any
+
+from kurbel.errors import KurbelError
+from kurbel.formats import FORMATS
+from kurbel.handbook import GIGABYTES, PATIENCE, Made, Task
+
+
+def make_part(task: Task) -> Made | str:
+    """Return the files of the part, or in a sentence why it cannot be made.
+
+    It is made in the manifest's folder, beside which the files lie that its command names.
+    """
+    from kurbel.cli.asking import asked
+    from kurbel.table import Table
+
+    part = task.part
+    try:
+        with chdir(task.folder):
+            answer = asked(part.words, {**part.options, "label": part.name}, task.machine)
+        if answer.code:
+            return "the command ends with 1, for printed values deviate and it is strict"
+        made = _table if isinstance(answer.made, Table) else _figure
+        return made(task, answer.made, answer.decimal, answer.files)
+    except KurbelError as error:
+        return str(error)
+
+
+def _table(task: Task, table: Any, decimal: str | None, inputs: tuple[str, ...]) -> Made:
+    from kurbel.handbook_pool import deadline
+
+    part = task.part
+    named = replace(
+        table, key=part.name, layout=table.layout or table.key, caption=part.caption or table.caption
+    )
+    templates = task.templates and os.path.abspath(os.path.join(task.folder, task.templates))
+    with deadline(PATIENCE, GIGABYTES, templates is not None):
+        files = {
+            f"tables/{part.name}{FORMATS[name].suffixes[0]}": _text(named, name, decimal, templates)
+            for name in task.formats
+        }
+    return Made("table", named.caption, named.lang, files, inputs)
+
+
+def _text(table: Any, name: str, decimal: str | None, templates: str | None) -> bytes:
+    from kurbel.render import is_taller_than_a_page, render
+
+    if FORMATS[name].kind == "records":
+        # Data keep the point, so that programs need not know the language of the page.
+        return render(table, name).encode()
+    longtable = name == "latex" and is_taller_than_a_page(table)
+    return render(table, name, decimal=decimal, longtable=longtable, templates=templates).encode()
+
+
+def _figure(task: Task, drawing: Any, decimal: str | None, inputs: tuple[str, ...]) -> Made:
+    from kurbel.formats import DECIMAL_OF_LANGUAGE, DECIMALS
+    from kurbel.labels import plain
+    from kurbel.plot_style import image
+
+    part = task.part
+    lang = str(part.options["lang"])
+    mark = DECIMALS[decimal or DECIMAL_OF_LANGUAGE[lang]]
+    caption = part.caption or drawing.title
+    title = plain(caption, mark)
+    files = {f"figures/{part.name}.{name}": image(drawing.figure, name, title) for name in task.figures}
+    return Made("figure", caption, lang, files, inputs)

@@ -1,0 +1,75 @@
+"""What a build of a handbook is about: the tasks, what they give, and the report."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Literal, NamedTuple
+
+from kurbel.formats import FORMATS
+from kurbel.handbook_manifest import Manifest, Part
+
+PDF = "pdf"
+KILLED = "its process was ended: what it asks for takes too much memory or, with templates of one's own, time"
+# Templates of one's own have so many seconds for a page, and so much memory.
+PATIENCE, GIGABYTES = 20.0, 4
+# What a document is made of beside its own format: figures as these files.
+FIGURES = {"html": "svg", "markdown": "svg", "typst": "svg", "latex": "pdf"}
+
+
+class Task(NamedTuple):
+    """A part that is to be made, with all that a process of its own needs to make it."""
+
+    part: Part
+    folder: str
+    machine: str | None
+    templates: str | None
+    formats: tuple[str, ...]
+    figures: tuple[str, ...]
+
+
+class Made(NamedTuple):
+    """A table or a figure: its files by their paths in the output folder, and the files it was made of."""
+
+    kind: Literal["table", "figure"]
+    caption: str
+    lang: str
+    files: Mapping[str, bytes]
+    inputs: tuple[str, ...]
+
+
+# Makes a part, or says in a sentence why it cannot be made.
+Maker = Callable[[Task], Made | str]
+
+
+class Failure(NamedTuple):
+    """A part or a document that could not be made."""
+
+    line: int
+    name: str
+    said: str
+
+
+@dataclass
+class Built:
+    """What a build did, file by file, and what failed."""
+
+    written: list[str] = field(default_factory=list)
+    unchanged: list[str] = field(default_factory=list)
+    removed: list[str] = field(default_factory=list)
+    failures: list[Failure] = field(default_factory=list)
+
+
+def formats_of(manifest: Manifest) -> tuple[str, ...]:
+    """Return the formats of the tables: a PDF brings along what it is set from."""
+    wanted = manifest.formats
+    if PDF in wanted:
+        wanted = (*wanted, "typst" if manifest.engine == "typst" else "latex")
+    return tuple(name for name in FORMATS if name in wanted and name != PDF)
+
+
+def task_of(manifest: Manifest, part: Part) -> Task:
+    """Return what makes the part."""
+    formats = formats_of(manifest)
+    figures = tuple(sorted({FIGURES[name] for name in formats if name in FIGURES}))
+    return Task(part, manifest.folder, manifest.machine, manifest.templates, formats, figures)

@@ -1,0 +1,271 @@
+"""A build of a handbook: tables, figures, documents; only what changed is made anew, nothing is half done."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any
+
+from kurbel.documents import MODULES as DOCUMENTS
+from kurbel.errors import KurbelError
+from kurbel.handbook import KILLED, PDF, Built, Failure, Made, Maker, formats_of, task_of
+from kurbel.handbook_folder import Folder, digest
+from kurbel.handbook_manifest import Manifest, Part
+from kurbel.handbook_pages import (
+    Entry,
+    PageTask,
+    PdfTask,
+    PlannedChapter,
+    document_of,
+    entry_of_text,
+    fragment_paths,
+    make_document,
+    make_pdf,
+)
+from kurbel.handbook_pool import Killed, worked
+from kurbel.handbook_state import Done, digest_of, fingerprint, is_fresh, key_of, read_state, write_state
+
+# All that was built, with hashes: it tells what an earlier build left behind, also on another machine.
+CONTENTS = "contents.json"
+
+
+def build(
+    manifest: Manifest,
+    folder: Folder,
+    make: Maker,
+    jobs: int,
+    start: Callable[[int], Callable[[], None]] = lambda count: lambda: None,
+    waiting: Callable[[], None] = lambda: None,
+) -> Built:
+    """Build what changed and return what was done.
+
+    `make` makes a part, perhaps in another process; `start` is told how many steps there are and returns what
+    is called after each; `waiting` is called if another build of the same folder is under way. Parts that
+    fail are in the report, and the others are built. Raises KurbelError where the folder cannot be used.
+    """
+    with folder.locked(waiting):
+        one = Build(manifest, folder, make, jobs)
+        parts = [*one.stale()]
+        step = start(len(parts))
+        one.make_parts(parts, step)
+        one.make_documents()
+        return one.finish()
+
+
+class Build:
+    """One build of a manifest into a folder."""
+
+    def __init__(self, manifest: Manifest, folder: Folder, make: Maker, jobs: int) -> None:
+        self.manifest = manifest
+        self.folder = folder
+        self.make = make
+        self.jobs = jobs
+        self.old = read_state(folder)
+        self.new: dict[str, Done] = {}
+        self.built = Built()
+        base = manifest.folder
+        self.formats = formats_of(manifest)
+        self.templates = manifest.templates and os.path.abspath(os.path.join(base, manifest.templates))
+        self.print = key_of(fingerprint(), self.templates and digest_of(self.templates))
+
+    def part_key(self, part: Part) -> str:
+        task = task_of(self.manifest, part)
+        return key_of(self.print, part._replace(line=0), task._replace(part=None, folder=""))  # type: ignore[arg-type]
+
+    def stale(self) -> Iterator[Part]:
+        """Yield the parts that must be made; the others count as made."""
+        for part in self.manifest.parts():
+            if part.words:
+                done = self.old.get(part.name)
+                if done is not None and is_fresh(
+                    done, self.part_key(part), self.manifest.folder, self.folder
+                ):
+                    self.new[part.name] = done
+                else:
+                    yield part
+
+    def novelty(self, part: Part) -> str:
+        """Return in a word why a part must be made."""
+        return "changed" if part.name in self.old else "new"
+
+    def make_parts(self, parts: Sequence[Part], step: Callable[[], None]) -> None:
+        tasks = [task_of(self.manifest, part) for part in parts]
+        for task, made in worked(self.make, tasks, self.jobs, apart=self.templates is not None):
+            step()
+            if isinstance(made, Killed):
+                self.fail(task.part.line, task.part.name, KILLED)
+            elif isinstance(made, str):
+                self.fail(task.part.line, task.part.name, made)
+            else:
+                self.take(task.part, made)
+
+    def take(self, part: Part, made: Made) -> None:
+        try:
+            files = self.write(made.files)
+        except KurbelError as error:
+            self.fail(part.line, part.name, str(error))
+            return
+        inputs = {path: digest_of(os.path.join(self.manifest.folder, path)) for path in made.inputs}
+        about = (made.kind, made.caption, made.lang)
+        self.new[part.name] = Done(self.part_key(part), inputs, files, about)
+
+    def write(self, files: Mapping[str, bytes]) -> dict[str, str]:
+        """Write the files and return their hashes."""
+        for path, content in files.items():
+            changed = self.folder.write(path, content)
+            (self.built.written if changed else self.built.unchanged).append(path)
+        return {path: digest(content) for path, content in files.items()}
+
+    def fail(self, line: int, name: str, said: str) -> None:
+        """Note what failed; what an earlier build made of it stays."""
+        self.built.failures.append(Failure(line, name, said))
+        if name in self.old:
+            self.new[name] = self.old[name]
+
+    def finish(self) -> Built:
+        """Remove what is no longer built, and keep what this build knows for the next."""
+        files = {path: hashed for done in self.new.values() for path, hashed in done.files.items()}
+        for path, hashed in self.left_behind().items():
+            content = None if path in files else self.folder.read(path)
+            # What somebody changed by hand is not ours to remove.
+            if content is not None and digest(content) == hashed:
+                self.folder.remove(path)
+                self.built.removed.append(path)
+        self.folder.write(CONTENTS, contents_of(files))
+        write_state(self.folder, self.new)
+        for path in files:
+            if path not in self.built.written and path not in self.built.unchanged:
+                self.built.unchanged.append(path)
+        return self.built
+
+    def left_behind(self) -> dict[str, str]:
+        """Return the files of earlier builds, also of those on another machine."""
+        return {
+            **contents_in(self.folder),
+            **{path: hashed for done in self.old.values() for path, hashed in done.files.items()},
+        }
+
+    def planned(self) -> list[PlannedChapter]:
+        """Return the chapters with what their parts have become."""
+        return [
+            PlannedChapter(plan, tuple(self.entry(part) for part in plan.parts))
+            for plan in self.manifest.chapters
+        ]
+
+    def entry(self, part: Part) -> Entry:
+        if not part.words:
+            entry = entry_of_text(self.manifest, part)
+            if entry.said:
+                self.fail(part.line, part.file or "text", entry.said)
+            return entry
+        if part.name in self.new:
+            return Entry(part, about=self.new[part.name].about)
+        said = next(failure.said for failure in self.built.failures if failure.name == part.name)
+        return Entry(part, said=said)
+
+    def make_documents(self) -> None:
+        """Make the documents whose contents changed, from the parts as they are now."""
+        chapters = self.planned()
+        stale = {
+            name: key for name in DOCUMENTS if name in self.formats for key in self.stale_key(name, chapters)
+        }
+        if stale:
+            document = document_of(self.manifest, chapters)
+            tasks = [
+                PageTask(name, document, self.fragments(chapters, name), self.templates) for name in stale
+            ]
+            for task, made in worked(make_document, tasks, 1, apart=self.templates is not None):
+                self.take_document(_named(task.format), stale[task.format], made)
+        if PDF in self.manifest.formats:
+            self.make_pdf()
+
+    def stale_key(self, name: str, chapters: Sequence[PlannedChapter]) -> Iterator[str]:
+        """Yield the key of a document that must be made; one that need not be counts as made."""
+        hashes = self.hashes()
+        used = {path: hashes.get(path, "") for path in fragment_paths(chapters, name).values()}
+        head = self.manifest._replace(path="", digest="", chapters=())
+        key = key_of(self.print, name, head, _raw(chapters), used)
+        done = self.old.get(_named(name))
+        if done is not None and is_fresh(done, key, self.manifest.folder, self.folder):
+            self.new[_named(name)] = done
+        else:
+            yield key
+
+    def hashes(self) -> dict[str, str]:
+        """Return all files made so far with their hashes."""
+        return {path: hashed for done in self.new.values() for path, hashed in done.files.items()}
+
+    def fragments(self, chapters: Sequence[PlannedChapter], name: str) -> dict[str, str]:
+        read = {stem: self.folder.read(path) for stem, path in fragment_paths(chapters, name).items()}
+        # Drawings in PDF are files beside the document and no text.
+        return {stem: (content or b"").decode("utf-8", "replace") for stem, content in read.items()}
+
+    def take_document(self, name: str, key: str, made: Mapping[str, bytes] | str | Killed) -> None:
+        if isinstance(made, Killed):
+            made = KILLED
+        if isinstance(made, str):
+            self.fail(0, name, made)
+            return
+        try:
+            self.new[name] = Done(key, {}, self.write(made))
+        except KurbelError as error:
+            self.fail(0, name, str(error))
+
+    def make_pdf(self) -> None:
+        """Set the PDF if anything that it is made of changed."""
+        engine, standards = self.manifest.engine, self.manifest.standards
+        source = _named("typst" if engine == "typst" else "latex")
+        if source not in self.new:
+            return
+        suffixes = (".typ", ".svg") if engine == "typst" else (".tex", ".pdf")
+        used = {path: hashed for path, hashed in self.hashes().items() if path.endswith(suffixes)}
+        key = key_of(
+            self.print, engine, standards, os.environ.get("SOURCE_DATE_EPOCH"), _program(engine), used
+        )
+        done = self.old.get(_named(PDF))
+        if done is not None and is_fresh(done, key, self.manifest.folder, self.folder):
+            self.new[_named(PDF)] = done
+            return
+        task = PdfTask(self.folder.path, engine, standards, self.templates is not None)
+        for _, made in worked(make_pdf, [task], 1, apart=self.templates is not None):
+            self.take_document(_named(PDF), key, made)
+
+
+def _named(name: str) -> str:
+    """Return under which name the state has a document: no part can be called so."""
+    return f"document in {name}"
+
+
+def _raw(chapters: Sequence[PlannedChapter]) -> list[Any]:
+    return [
+        (plan.title, plan.name, [(entry.part.name, entry.text, entry.about, entry.said) for entry in entries])
+        for plan, entries in chapters
+    ]
+
+
+def _program(engine: str) -> list[Any]:
+    """Return what tells a TeX from another; of Typst the libraries' versions tell it."""
+    import shutil
+
+    path = None if engine == "typst" else shutil.which(engine)
+    return [] if path is None else [path, os.stat(path).st_mtime_ns]
+
+
+def contents_of(files: Mapping[str, str]) -> bytes:
+    """Return the list of what was built: each file and its hash."""
+    return (json.dumps({"files": dict(sorted(files.items()))}, indent=0) + "\n").encode()
+
+
+def contents_in(folder: Folder) -> dict[str, str]:
+    """Return the list that lies in the folder; an empty one if there is none or it is not ours."""
+    try:
+        files = json.loads(folder.read(CONTENTS) or b"{}").get("files", {})
+        return {path: hashed for path, hashed in files.items() if isinstance(hashed, str) and _is_plain(path)}
+    except (ValueError, AttributeError):
+        return {}
+
+
+def _is_plain(path: str) -> bool:
+    """Tell whether a path is one that a build could have written."""
+    return not os.path.isabs(path) and ".." not in path.split("/") and not path.startswith(".")

@@ -1,0 +1,149 @@
+"""The whole documents of a handbook: from its parts, as they were made, to pages in each format."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, NamedTuple, cast
+
+from kurbel.document import Chapter, Document, Item
+from kurbel.errors import HandbookError, KurbelError
+from kurbel.formats import by_name
+from kurbel.handbook import FIGURES, GIGABYTES, PATIENCE, PDF
+from kurbel.handbook_manifest import ChapterPlan, Manifest, Part
+
+if TYPE_CHECKING:
+    from kurbel.pdf import Standard
+
+WORDS = {"de": "Fehlt", "en": "Missing"}
+
+
+class Entry(NamedTuple):
+    """A part as documents see it: a text, or what is to know of a table or figure: kind, caption, language.
+
+    A text that cannot be set, or stands for what could not be made, is `said`.
+    """
+
+    part: Part
+    text: str = ""
+    about: tuple[str, ...] = ()
+    said: str = ""
+
+
+class PlannedChapter(NamedTuple):
+    plan: ChapterPlan
+    entries: tuple[Entry, ...]
+
+
+class PageTask(NamedTuple):
+    """A document that is to be made in a format, of the fragments by their names."""
+
+    format: str
+    document: Document
+    fragments: Mapping[str, str]
+    templates: str | None
+
+
+class PdfTask(NamedTuple):
+    """A PDF that is to be set from the documents in a folder."""
+
+    folder: str
+    engine: str
+    standards: tuple[str, ...]
+    # Where templates may have written the source, which is then not trusted.
+    limited: bool
+
+
+def entry_of_text(manifest: Manifest, part: Part) -> Entry:
+    """Return a text, of the manifest or of its own file, or what keeps it from being set."""
+    from kurbel.prose import parse_prose
+
+    try:
+        text = _text_of(os.path.join(manifest.folder, part.file)) if part.file else part.text
+        parse_prose(text)
+    except KurbelError as error:
+        return Entry(part, said=str(error))
+    return Entry(part, text)
+
+
+def _text_of(path: str) -> str:
+    try:
+        with open(path, encoding="utf-8-sig") as file:
+            return file.read()
+    except (OSError, ValueError) as error:
+        said = error.strerror if isinstance(error, OSError) else "it is not UTF-8"
+        raise HandbookError(f"cannot read the text {path}: {said}") from None
+
+
+def document_of(manifest: Manifest, chapters: Sequence[PlannedChapter]) -> Document:
+    """Return the document with its tables and figures numbered."""
+    counts = {"table": 0, "figure": 0}
+    made = []
+    for number, (plan, entries) in enumerate(chapters, 1):
+        items = tuple(_item(entry, counts, manifest.lang) for entry in entries)
+        made.append(Chapter(plan.title, plan.name, number, items))
+    return Document(
+        manifest.title, manifest.lang, manifest.decimal, tuple(made), manifest.subtitle, manifest.author
+    )
+
+
+def _item(entry: Entry, counts: dict[str, int], lang: str) -> Item:
+    from kurbel.prose import parse_prose
+
+    if not entry.about:
+        return Item("text", blocks=parse_prose(_missing(entry, lang) if entry.said else entry.text))
+    kind, caption, own_lang = entry.about
+    counts[kind] += 1
+    return Item("table" if kind == "table" else "figure", entry.part.name, counts[kind], own_lang, caption)
+
+
+def _missing(entry: Entry, lang: str) -> str:
+    """Return a text that nobody overlooks in place of what is not there."""
+    escape = by_name("markdown").escape
+    what = entry.part.shown if entry.part.words else entry.part.file or entry.part.text[:40]
+    return f"> **{WORDS[lang]}: {escape(' '.join(what.split()))}.** {escape(' '.join(entry.said.split()))}"
+
+
+def fragment_paths(chapters: Sequence[PlannedChapter], name: str) -> dict[str, str]:
+    """Return, by the names of tables and figures, the files that a document of the format is made of."""
+    form = by_name(name)
+    paths = {}
+    for entry in (entry for chapter in chapters for entry in chapter.entries if entry.about):
+        stem, is_table = entry.part.name, entry.about[0] == "table"
+        paths[stem] = f"tables/{stem}{form.suffixes[0]}" if is_table else f"figures/{stem}.{FIGURES[name]}"
+    return paths
+
+
+def make_document(task: PageTask) -> dict[str, bytes] | str:
+    """Return the files of a document, or in a sentence why it cannot be made."""
+    from kurbel.documents import document_files
+    from kurbel.handbook_pool import deadline
+
+    try:
+        with deadline(PATIENCE, GIGABYTES, task.templates is not None):
+            files = document_files(task.document, task.format, task.fragments, task.templates)
+    except KurbelError as error:
+        return str(error)
+    return {path: text.encode() for path, text in files.items()}
+
+
+def make_pdf(task: PdfTask) -> dict[str, bytes] | str:
+    """Return the PDF, or in a sentence why it cannot be made."""
+    from kurbel.handbook_pool import deadline
+
+    try:
+        with deadline(PATIENCE, GIGABYTES, task.limited):
+            return {f"handbook.{PDF}": _set(task)}
+    except KurbelError as error:
+        return str(error)
+
+
+def _set(task: PdfTask) -> bytes:
+    from kurbel.pdf import compile_typst, source_date_epoch
+
+    if task.engine == "typst":
+        source = _text_of(os.path.join(task.folder, "handbook.typ"))
+        return compile_typst(source, root=task.folder, standards=cast("Sequence[Standard]", task.standards))
+    from kurbel.pdf_tex import compile_tex
+
+    return compile_tex(task.folder, "handbook", task.engine, source_date_epoch() or 0)
