@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 MODULES = {
     "latex": "kurbel.document_latex",
     "markdown": "kurbel.document_markdown",
+    "typst": "kurbel.document_typst",
 }
 
 
