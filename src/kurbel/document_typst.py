@@ -15,7 +15,7 @@ from kurbel.render import render_document
 
 
 class TypstTitle(NamedTuple):
-    """A title as it is printed, as a string of code for what a PDF tells of itself, and for a running head."""
+    """A title as it is printed, as a string of code for what a PDF says of itself, and for a running head."""
 
     text: str
     string: str

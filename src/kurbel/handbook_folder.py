@@ -27,7 +27,7 @@ class Folder:
 
     def __init__(self, base: str, name: str) -> None:
         """Raise HandbookError if the way from the base to the folder leads over a link or a file."""
-        self.path = os.path.join(base, *name.split("/"))
+        self.path = os.path.normpath(os.path.join(base, *name.split("/")))
         self.base = base
         self.name = name
         self._seen: set[str] = set()
@@ -100,15 +100,19 @@ class Folder:
 
         The lock ends with the process, however that ends. What a killed build left half written is removed.
         """
-        self.write(f"{OWN}/.gitignore", b"*\n")
         lock = f"{OWN}/lock"
         self._check(lock)
-        handle = os.open(self.at(lock), os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0), 0o644)
+        try:
+            os.makedirs(self.at(OWN), exist_ok=True)
+            handle = os.open(self.at(lock), os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0), 0o644)
+        except OSError as error:
+            raise OutputError(f"cannot write into {self.path}: {error.strerror}") from error
         try:
             if not _try_lock(handle):
                 waiting()
                 _wait_for_lock(handle)
             self._remove_left_over()
+            self.write(f"{OWN}/.gitignore", b"*\n")
             yield
         finally:
             os.close(handle)
