@@ -124,6 +124,7 @@ def formula(source: str) -> Formula:
         ("x_m^2", "x_(m)^(2)"),
         ('2.5 "m/s"', '2","5 thin"m/s"'),
         ("sqrt(1 + λ^2)", "sqrt(1+λ^(2))"),
+        ("F·sqrt(5)", "F · sqrt(5)"),
         ("a - > b", "a− >b"),
         (r'"a\b"', r'"a\\b"'),
     ],
@@ -133,7 +134,9 @@ def test_formula_in_typst(source: str, typst: str) -> None:
     assert formula_typst(formula(source), ",") == f"#math.equation(alt: {alternative}, ${typst}$);"
 
 
-_PIECES = st.sampled_from([*"()[]/_^ -<>±:°'", "sin", "max", "xy", "x", "φ", "2", "4.5", '"#a$"', "sqrt(2)"])
+_PIECES = st.sampled_from(
+    [*"()[]/_^ -<>±·×:°'", "sin", "max", "xy", "x", "φ", "2", "4.5", '"#a$"', "sqrt(2)"]
+)
 
 
 @settings(max_examples=40, deadline=None)

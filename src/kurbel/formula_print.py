@@ -323,7 +323,12 @@ def _would_join(before: str, after: str) -> bool:
     """Tell whether two characters would be read as one word or, as -> is, one sign."""
     if not before or not after or {before, after} & _TYPST_CLOSED:
         return False
-    return before.isalnum() == after.isalnum()
+    return _in_word(before) == _in_word(after)
+
+
+def _in_word(character: str) -> bool:
+    """Tell whether Typst reads a character behind a letter as part of the word; it does so with the dot of ·."""
+    return f"x{character}".isidentifier()
 
 
 def _typst_node(nodes: Nodes, place: int, mark: str) -> str:
