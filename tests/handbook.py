@@ -6,6 +6,7 @@ import shlex
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 from kurbel.cli.asking import asked
 from kurbel.document import Chapter, Document, Item
@@ -58,8 +59,8 @@ def figure(name: str, form: str) -> bytes:
     return image(asked(shlex.split(FIGURES[name]), {}).made.figure, form)
 
 
-def document() -> Document:
-    """Return the handbook."""
+def document(**changes: Any) -> Document:
+    """Return the handbook; `changes` are other fields of it."""
     tables = {
         name: Item("table", name, number, table(name).lang, table(name).caption)
         for number, name in enumerate(TABLES, 1)
@@ -93,9 +94,10 @@ def document() -> Document:
         ),
         Chapter("Beispiele und Reihen", "beispiele", 3, (tables["harmonische"], tables["blau"])),
     )
-    return Document(
+    whole = Document(
         "Tafeln des Kurbeltriebs", "de", "comma", chapters, "für Handbücher und Vorlesungen", "A. Setzer"
     )
+    return whole._replace(**changes)
 
 
 def small() -> Document:

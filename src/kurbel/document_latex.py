@@ -14,7 +14,7 @@ from kurbel.document import WORDS, Chapter, Document, Item
 from kurbel.formats import DECIMALS, Format, by_name
 from kurbel.labels import plain
 from kurbel.prose_print import set_prose
-from kurbel.references import finder, label_of
+from kurbel.references import finder, highest_heading, label_of
 from kurbel.render import render_document
 
 # What hyperref does not take from a string of letters as it stands.
@@ -95,8 +95,10 @@ def _parts(
     find = finder(document, ":")
     for item in chapter.items:
         if item.kind == "text":
-            # A chapter is a section.
-            text = set_prose(tuple(item.blocks), form, DECIMALS[document.decimal], find, level=2)
+            # A chapter is a section, and what stands below it a subsection.
+            text = set_prose(
+                tuple(item.blocks), form, DECIMALS[document.decimal], find, 3 - highest_heading(document)
+            )
             yield TexPart("text", "", "", text, "", False)
         else:
             long = item.kind == "table" and r"\begin{longtable}" in fragments[item.name]

@@ -10,7 +10,7 @@ from kurbel.document import Chapter, Document
 from kurbel.formats import DECIMALS, Format, by_name
 from kurbel.labels import plain
 from kurbel.prose_print import Find, set_prose
-from kurbel.references import finder, label_of, number_of
+from kurbel.references import finder, highest_heading, label_of, number_of
 from kurbel.render import render_document
 
 # A # at the end of a heading would be taken for its end.
@@ -88,7 +88,7 @@ def _parts(
     mark = DECIMALS[document.decimal]
     for item in chapter.items:
         if item.kind == "text":
-            text = set_prose(tuple(item.blocks), form, mark, find)
+            text = set_prose(tuple(item.blocks), form, mark, find, 2 - highest_heading(document))
             yield MarkdownPart("text", "", "", "", "", "", text)
         else:
             yield MarkdownPart(
