@@ -16,6 +16,7 @@ MODULES = {
     "latex": "kurbel.document_latex",
     "markdown": "kurbel.document_markdown",
     "html": "kurbel.document_html",
+    "typst": "kurbel.document_typst",
 }
 
 
