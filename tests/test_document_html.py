@@ -14,11 +14,12 @@ import pytest
 from browser import DESKTOP, TELEPHONE, Viewer
 from tools import require
 
+import kurbel
 from kurbel.document import Chapter, Document, Item
-from kurbel.document_html import NAME, css_string
+from kurbel.document_html import NAME, css_string, levelled
 from kurbel.documents import document_files
 from kurbel.errors import ChoiceError
-from kurbel.prose import parse_prose
+from kurbel.prose import Heading, parse_prose
 from kurbel.render import render
 from kurbel.svg_inline import COLOURS
 
@@ -233,6 +234,8 @@ def test_nothing_is_cut_off_at_the_right(printed: Path) -> None:
 def test_pages_have_heads_and_numbers_and_chapters_begin_on_new_ones(printed: Path) -> None:
     first, *others = text_of(printed, "-layout").rstrip("\f").split("\f")
     assert first.count("Tafeln des Kurbeltriebs") == 1
+    # A B behind an escaped sign is not taken for one of its digits.
+    assert "1 Bewegung des Kolbens" in others[0].split("\n", 1)[0]
     for number, one in enumerate(others, 2):
         assert one.lstrip().startswith("Tafeln des Kurbeltriebs")
         assert one.split()[-1] == str(number)
@@ -287,6 +290,26 @@ def test_the_running_head_is_a_string(viewer: Viewer) -> None:
     opened = viewer.open(f'<style>p::before {{ content: "{css_string(text)}"; }}</style><p></p>')
     found = opened.evaluate("getComputedStyle(document.querySelector('p'), '::before').content")
     assert re.sub(r"\\([\"\\])", r"\1", found[1:-1]).replace("\\a ", "\n") == text
+
+
+@pytest.mark.parametrize(
+    ("text", "levels"),
+    [
+        ("# A\n## B\n# C", [1, 2, 1]),
+        ("## A\n## B", [1, 1]),
+        ("### A\n# B\n### C\n## D\n### E", [1, 1, 2, 2, 3]),
+    ],
+)
+def test_no_level_of_headings_is_left_out(text: str, levels: list[int]) -> None:
+    found = [block.level for block in levelled(parse_prose(text)) if isinstance(block, Heading)]
+    assert found == levels
+
+
+def test_marks_of_neighbouring_rows_can_be_told_apart_by_a_finger(viewer: Viewer) -> None:
+    page = kurbel.make_example_table("weisbach", 150)
+    viewer.open(render(page, "html", standalone=True), TELEPHONE)
+    assert viewer.page.locator("td sup a").count() > 4
+    assert viewer.violations("target-size") == []
 
 
 def test_a_reference_to_nothing_is_named() -> None:
