@@ -86,36 +86,37 @@ def files(document: Document, fragments: Mapping[str, str], templates: str | Non
 
 def _chapter(document: Document, chapter: Chapter, form: Format, fragments: Mapping[str, str]) -> TexChapter:
     parts = tuple(_parts(document, chapter, form, fragments))
-    return TexChapter(_title(document, chapter.title, form), label_of(chapter, ":"), parts)
+    title = _title(document, chapter.title, form, chapter.lang)
+    return TexChapter(title, label_of(chapter, ":"), parts)
 
 
 def _parts(
     document: Document, chapter: Chapter, form: Format, fragments: Mapping[str, str]
 ) -> Iterator[TexPart]:
-    find = finder(document, ":")
     for item in chapter.items:
         if item.kind == "text":
+            find = finder(document, ":", item.lang)
             # A chapter is a section, and what stands below it a subsection.
             text = set_prose(
-                tuple(item.blocks), form, DECIMALS[document.decimal], find, 3 - highest_heading(document)
+                tuple(item.blocks), form, document.mark(item.lang), find, 3 - highest_heading(document)
             )
-            yield TexPart("text", "", "", text, "", False)
+            yield TexPart("text", "", "", text, _language(document, item), False)
         else:
             long = item.kind == "table" and r"\begin{longtable}" in fragments[item.name]
-            caption = document.set(item.caption, form)
+            caption = document.set(item.caption, form, item.lang)
             yield TexPart(item.kind, item.name, label_of(item, ":"), caption, _language(document, item), long)
 
 
 def _language(document: Document, item: Item) -> str:
-    return "" if item.lang == document.lang else WORDS[item.lang]["babel"]
+    return "" if item.lang in ("", document.lang) else WORDS[item.lang]["babel"]
 
 
 def _languages(document: Document) -> str:
     """Return the options of babel, the document's own language last."""
-    others = sorted({_language(document, item) for item in document.items("table", "figure")} - {""})
+    others = sorted({_language(document, item) for item in document.items("text", "table", "figure")} - {""})
     return ",".join([*others, f"main={document.words['babel']}"])
 
 
-def _title(document: Document, label: str, form: Format) -> TexTitle:
-    words = plain(label, DECIMALS[document.decimal])
-    return TexTitle(document.set(label, form), words.translate(_STRING), document.set_head(label, form))
+def _title(document: Document, label: str, form: Format, lang: str = "") -> TexTitle:
+    words = plain(label, document.mark(lang)).translate(_STRING)
+    return TexTitle(document.set(label, form, lang), words, document.set_head(label, form, lang))

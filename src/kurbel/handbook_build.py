@@ -245,7 +245,7 @@ def _named(name: str) -> str:
 
 def _raw(chapters: Sequence[PlannedChapter]) -> list[Any]:
     return [
-        (plan.title, plan.name, [(entry.part.name, entry.text, entry.about, entry.said) for entry in entries])
+        (plan._replace(parts=()), [(*entry[1:], entry.part.name, entry.part.options) for entry in entries])
         for plan, entries in chapters
     ]
 

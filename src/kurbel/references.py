@@ -17,16 +17,19 @@ def label_of(part: Chapter | Item, joint: str) -> str:
     return f"{PREFIXES[_kind(part)]}{joint}{part.name}"
 
 
-def finder(document: Document, joint: str, page: Callable[[Chapter], str] = lambda chapter: "") -> Find:
+def finder(
+    document: Document, joint: str, lang: str = "", page: Callable[[Chapter], str] = lambda chapter: ""
+) -> Find:
     """Return the function that finds what a name refers to; it raises ChoiceError for one that nothing has.
 
-    The target is the label behind what `page` returns for its chapter, such as "#" or "02-paths.md#".
+    The target is the label behind what `page` returns for its chapter, such as "#" or "02-paths.md#"; its name
+    is that of the text's language.
     """
 
     def find(name: str) -> Reference:
         chapter, item = document.home(name)
         part = item or chapter
-        return Reference(_kind(part), page(chapter) + label_of(part, joint), document.title_of(part))
+        return Reference(_kind(part), page(chapter) + label_of(part, joint), document.title_of(part, lang))
 
     return find
 
