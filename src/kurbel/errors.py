@@ -52,6 +52,12 @@ class RodError(KurbelError):
     exit_code = 1
 
 
+class MarkerError(KurbelError):
+    """A document whose marked places cannot be found or filled."""
+
+    exit_code = 1
+
+
 class OutputError(KurbelError):
     """A file or stream that could not be written."""
 

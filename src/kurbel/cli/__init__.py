@@ -33,6 +33,7 @@ COMMANDS = {
     "example": ("kurbel.cli.example", "Print a worked example of a book, as printed and recomputed."),
     "plot": ("kurbel.cli.plot", "Draw the motion, the mechanism, the forces or the turning effort."),
     "handbook": ("kurbel.cli.handbook", "Build, check or watch a whole appendix from its manifest."),
+    "inject": ("kurbel.cli.inject", "Refresh the tables at marked places of your own documents."),
     "layouts": ("kurbel.cli.lists", "List the page layouts."),
     "quantities": ("kurbel.cli.lists", "List the quantities that columns can show."),
 }
@@ -118,10 +119,15 @@ def _command() -> int:
 
 
 def _failed(message: str, code: int) -> int:
+    say(message)
+    return code
+
+
+def say(message: str) -> None:
+    """Write a sentence to standard error, on one line."""
     # The user's own text may have line ends and other controls.
     shown = "".join(one if one.isprintable() else ascii(one)[1:-1] for one in message)
     print(f"kurbel: {shown}", file=sys.stderr)
-    return code
 
 
 def _silenced(code: int) -> int:

@@ -24,8 +24,9 @@ from kurbel.errors import ChoiceError, ProblemError
 
 # Those that print lists, or work on whole files.
 NO_TABLES = frozenset(("sources", "layouts", "quantities", "handbook", "inject"))
-# A document decides these for all of its tables.
-SET_ELSEWHERE = ("output", "format", "standalone", "longtable")
+# A document decides these for all of its tables; those of a single format, for which files it has.
+ONLY_PRINTING = ("output", "format", "standalone")
+SET_ELSEWHERE = (*ONLY_PRINTING, "longtable", "label")
 # The numbers of a book's page are the book's: such commands take no others by default.
 OF_THE_PAGE = frozenset(("lang", "decimal"))
 
@@ -33,13 +34,15 @@ OF_THE_PAGE = frozenset(("lang", "decimal"))
 class Asked(NamedTuple):
     """What the words ask for: a table or a drawing, its decimal mark, and the files that were read for it.
 
-    `code` is 1 where the command, such as collate --strict, would end with it.
+    `longtable` tells that LaTeX may break the table over pages; `code` is 1 where the command, such as
+    collate --strict, would end with it.
     """
 
     made: Any
     decimal: str | None
     files: tuple[str, ...]
     code: int
+    longtable: bool = False
 
 
 def printing_commands() -> tuple[str, ...]:
@@ -61,7 +64,7 @@ def option_names() -> frozenset[str]:
         one.name
         for name in printing_commands()
         for one in command_of(name).params
-        if isinstance(one, click.Option) and one.name and one.name not in (*SET_ELSEWHERE, "label")
+        if isinstance(one, click.Option) and one.name and one.name not in SET_ELSEWHERE
     )
 
 
@@ -70,22 +73,28 @@ def asked(
     defaults: Mapping[str, Any],
     machine: str | None = None,
     set_by: str = "the document",
+    format: str | None = None,
 ) -> Asked:
     """Return what the words, a command and its options, ask for.
 
     `defaults` are options by their names, for those commands that have them; `machine` is a machine's file,
-    which they outdo. Raises KurbelError, also for a mistake that click finds.
+    which they outdo. With a format the table is for this one only, and the words may say what else is set
+    for a document at once: its label, and for LaTeX that it may break over pages. Raises KurbelError, also
+    for a mistake that click finds.
     """
     if not words:
         raise ChoiceError(f"there is no command; write one of {', '.join(printing_commands())}")
     command = command_of(words[0])
     kept = Kept()
     given = _defaults(command, defaults, machine)
+    if format is not None and "longtable" in {one.name for one in command.params}:
+        given["format"] = format
+    refused = SET_ELSEWHERE if format is None else ONLY_PRINTING
     try:
         with _without_environment(), redirect_stdout(StringIO()):
             context = command.make_context(f"kurbel {words[0]}", [*words[1:]], obj=kept, default_map=given)
             with context:
-                _check(context)
+                _check(context, refused)
                 code = command.invoke(context)
     except click.exceptions.Exit:
         raise ProblemError(f"kurbel {words[0]} was asked for its help; a document needs a table") from None
@@ -93,7 +102,8 @@ def asked(
         raise ProblemError(one_line(error)) from None
     if kept.made is None:
         raise ProblemError(f'"{" ".join(words)[:60]}" prints a list; a document needs a table')
-    return Asked(kept.made, kept.decimal, _files(context, machine), code if isinstance(code, int) else 0)
+    files = _files(context, machine)
+    return Asked(kept.made, kept.decimal, files, code if isinstance(code, int) else 0, kept.longtable)
 
 
 def _defaults(command: click.Command, defaults: Mapping[str, Any], machine: str | None) -> dict[str, Any]:
@@ -117,8 +127,8 @@ def _value(param: click.Option, value: Any) -> Any:
     return ";".join(map(str, value)) if isinstance(value, list) else str(value)
 
 
-def _check(context: click.Context) -> None:
-    for name in (*SET_ELSEWHERE, "label"):
+def _check(context: click.Context, refused: Sequence[str]) -> None:
+    for name in refused:
         if context.get_parameter_source(name) is click.core.ParameterSource.COMMANDLINE:
             raise ProblemError(f"--{name} is for single tables; a document sets it by itself")
 

@@ -10,10 +10,12 @@ import click
 
 @dataclass
 class Kept:
-    """Takes the table or the drawing that a command would print, and the decimal mark asked for."""
+    """Takes the table or the drawing that a command would print, and how: the decimal mark, and whether
+    LaTeX may break it over pages."""
 
     made: Any = None
     decimal: str | None = None
+    longtable: bool = False
 
 
 def keeper() -> Kept | None:

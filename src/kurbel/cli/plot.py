@@ -105,10 +105,11 @@ def plot(**options: Any) -> None:
     name = "" if kept_drawing else _format(options["format"], options["output"])
     kind = kind_of(options)
     kept = of_kind(without_outdone(options, engine.RIVALS), kind)
-    mark = DECIMALS[options["decimal"] or DECIMAL_OF_LANGUAGE[options["lang"]]]
+    decimal = options["decimal"] or DECIMAL_OF_LANGUAGE[options["lang"]]
+    mark = DECIMALS[decimal]
     drawing = kind.draw(kept, mark)
     if kept_drawing:
-        kept_drawing.made, kept_drawing.decimal = drawing, options["decimal"]
+        kept_drawing.made, kept_drawing.decimal = drawing, decimal
         return
     drawn = image(drawing.figure, name, plain(drawing.title, mark))
     with whole_file(options["output"]) as stream:

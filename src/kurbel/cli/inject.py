@@ -1,0 +1,211 @@
+"""`kurbel inject`: the tables at marked places of one's own documents."""
+
+from __future__ import annotations
+
+import os
+import shlex
+import sys
+from collections.abc import Sequence
+from contextlib import chdir
+from typing import NamedTuple
+
+import click
+
+from kurbel.cli import say
+from kurbel.cli.asking import Asked, asked
+from kurbel.errors import KurbelError, MarkerError
+from kurbel.inject import Kind, Place, content, filled, kind_of, places
+
+
+class Document(NamedTuple):
+    """A document with its marked places and what should stand there."""
+
+    name: str
+    old: bytes
+    found: tuple[Place, ...]
+    contents: tuple[bytes, ...]
+
+    @property
+    def stale(self) -> list[Place]:
+        """The places whose content is another one."""
+        pairs = zip(self.found, self.contents, strict=True)
+        return [place for place, new in pairs if self.old[place.begin : place.end] != new]
+
+
+@click.command()
+@click.argument("files", nargs=-1, required=True, type=click.Path(), metavar="FILE...")
+@click.option(
+    "--check", is_flag=True, help="Write nothing; show what would change, and exit with 1 if anything would."
+)
+def inject(files: tuple[str, ...], check: bool) -> int:
+    """Refresh the tables between markers in Markdown, HTML, LaTeX and Typst; all else stays as it is.
+
+    \b
+    <!-- kurbel: table --ratio 1:5 --step 15 -->    Markdown, HTML
+    <!-- /kurbel -->
+    % kurbel: delta --eps 2..6 --lang en            LaTeX
+    % /kurbel
+    // kurbel: table --machine engine.toml          Typst
+    // /kurbel
+
+    A marker stands alone on its line. Files that it names are looked for from the document's folder. A
+    document whose tables cannot all be made is left as it is. In HTML, `kurbel: plot` draws.
+
+    \b
+    kurbel inject notes.md lectures/*.tex
+    kurbel inject --check notes.md
+    """  # fmt: skip
+    documents: list[Document] = []
+    failed = False
+    for name in _once(files):
+        try:
+            document = _document(name)
+            if not check:
+                _refresh(document)
+            documents.append(document)
+        except KurbelError as error:
+            failed = True
+            say(str(error))
+    stale = [document for document in documents if document.stale] if check else []
+    for document in stale:
+        _show(document)
+    if stale:
+        sys.stdout.flush()
+        names = [document.name for document in stale]
+        say(f"{_and(names)} {'is' if len(names) == 1 else 'are'} stale; mend it with: {_command(names)}")
+    return int(failed or bool(stale))
+
+
+def _once(files: Sequence[str]) -> list[str]:
+    """Return the names without those of files that were named before."""
+    first: dict[str, str] = {}
+    for name in files:
+        first.setdefault(os.path.realpath(name), name)
+    return [*first.values()]
+
+
+def _and(names: Sequence[str]) -> str:
+    return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
+
+
+def _command(names: Sequence[str]) -> str:
+    dashes = ["--"] if any(name.startswith("-") for name in names) else []
+    return shlex.join(["kurbel", "inject", *dashes, *names])
+
+
+def _document(name: str) -> Document:
+    if os.path.isdir(name):
+        raise MarkerError(f"{name} is a directory; name the documents in it")
+    kind = kind_of(name)
+    old = _read(name)
+    found = places(old, kind, name)
+    if not found and b"kurbel:" not in old and sys.stderr.isatty():
+        say(f"{name} has no markers; they are {kind.opening} and {kind.closing}, each on a line of its own")
+    made = [_asked(place, kind, name) for place in found]
+    if kind.labelled:
+        _check_labels(found, made, name)
+    contents = tuple(
+        content(_text(one, kind, f"kurbel-{number}", f"{name}:{place.line}"), place, kind)
+        for number, (place, one) in enumerate(zip(found, made, strict=True), 1)
+    )
+    _check_encoding(old, contents, name)
+    return Document(name, old, found, contents)
+
+
+def _read(name: str) -> bytes:
+    if os.path.exists(name) and not os.path.isfile(name):
+        raise MarkerError(f"{name} is no file that could be written anew; name a document")
+    try:
+        with open(name, "rb") as stream:
+            return stream.read()
+    except (OSError, ValueError) as error:
+        raise MarkerError(f"cannot read {name}: {getattr(error, 'strerror', None) or error}") from None
+
+
+def _asked(place: Place, kind: Kind, name: str) -> Asked:
+    where = f"{name}:{place.line}"
+    try:
+        words = shlex.split(place.words)
+    except ValueError:
+        raise MarkerError(
+            f'{where}: the marker has a quotation mark or a backslash without its second half; write "2°30\'"'
+            " between quotation marks, as in a shell"
+        ) from None
+    folder = os.path.dirname(os.path.realpath(name))
+    try:
+        with chdir(folder):
+            one = asked(words, {}, format=kind.format)
+    except KurbelError as error:
+        raise MarkerError(f"{where}: {error}") from None
+    if one.code:
+        raise MarkerError(
+            f'{where}: "{place.words[:60]}" fails, as --strict asks it to where a printed value deviates'
+        )
+    return one
+
+
+def _check_labels(found: Sequence[Place], made: Sequence[Asked], name: str) -> None:
+    from kurbel.table import Table
+
+    lines: dict[str, int] = {}
+    for place, one in zip(found, made, strict=True):
+        if not isinstance(one.made, Table):
+            continue
+        if one.made.key in lines:
+            raise MarkerError(
+                f'{name}:{place.line}: the label "{one.made.key}" is that of the table of line'
+                f" {lines[one.made.key]} too; write --label NAME into one of the two markers"
+            )
+        lines[one.made.key] = place.line
+
+
+def _text(one: Asked, kind: Kind, identifier: str, where: str) -> str:
+    """Return a table as a fragment of the document, a drawing for HTML as SVG."""
+    from kurbel.table import Table
+
+    if isinstance(one.made, Table):
+        from kurbel.render import is_taller_than_a_page, render
+
+        if kind.format == "latex" and not one.longtable and is_taller_than_a_page(one.made):
+            say(f"{where}: the table is longer than a page; --longtable lets it break")
+        return render(one.made, kind.format, decimal=one.decimal, longtable=one.longtable)
+    if kind.format != "html":
+        raise MarkerError(
+            f"{where}: a drawing can stand in HTML only; write it into a file with kurbel plot -o, and"
+            f" include that in {kind.name}"
+        )
+    from kurbel.formats import DECIMALS
+    from kurbel.labels import plain
+    from kurbel.plot_inline import inline_svg
+
+    assert one.decimal
+    return inline_svg(one.made.figure, plain(one.made.title, DECIMALS[one.decimal]), identifier)
+
+
+def _check_encoding(old: bytes, contents: Sequence[bytes], name: str) -> None:
+    if all(new.isascii() for new in contents):
+        return
+    try:
+        old.decode()
+    except UnicodeDecodeError:
+        raise MarkerError(
+            f"{name} is not in UTF-8, in which its tables would be written; save it in UTF-8"
+        ) from None
+
+
+def _refresh(document: Document) -> None:
+    stale = document.stale
+    if not stale:
+        return
+    from kurbel.output import whole_file
+
+    with whole_file(document.name) as stream:
+        stream.write(filled(document.old, document.found, document.contents))
+    say(f"{len(stale)} {'place' if len(stale) == 1 else 'places'} in {document.name} refreshed")
+
+
+def _show(document: Document) -> None:
+    from kurbel.inject_difference import difference
+
+    for line in difference(document.name, document.old, document.found, document.contents):
+        sys.stdout.buffer.write(line)

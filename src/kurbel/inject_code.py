@@ -1,0 +1,199 @@
+"""What of a document is code, in which markers are only shown: fences, verbatim text, raw text."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from typing import Protocol
+
+_RUN = re.compile(rb"`+")
+_FENCE = re.compile(rb"(`{3,})[^`]*\Z|(~{3,})", re.DOTALL)
+_ITEM = re.compile(rb"(?:[-*+]|[0-9]{1,9}[.)])(?: +|\Z)")
+_QUOTE = re.compile(rb"(?: {0,3}>)+ ?")
+_LITERAL = rb"verbatim|[BL]?Verbatim|lstlisting|minted|comment|alltt|filecontents"
+_BEGIN = re.compile(rb"\\begin[ \t]*\{((?:" + _LITERAL + rb")\*?)\}")
+_VERB = re.compile(rb"\\(?:verb\*?|lstinline(?:\[[^]\n]*\])?)([^A-Za-z\s*])(?:(?!\1).)*\1")
+_TEX_TEXT = re.compile(rb"(?:[^\\%]|\\.)*", re.DOTALL)
+_TYPST = re.compile(rb"`+|/\*|\*/|(?<!:)//")
+
+
+# No block of code, item or quotation begins with one of these; most lines of a text do.
+_PLAIN = frozenset(range(256)) - frozenset(b" \t\r\n\f\v>-*+0123456789`~")
+
+
+class Code(Protocol):
+    """Goes through a document line by line."""
+
+    def holds(self, line: bytes) -> bool:
+        """Whether the line, the next one of the document, is of a block of code."""
+
+    def without_inline(self, line: bytes) -> bytes:
+        """Return the line without the code in it."""
+
+
+class NoCode:
+    """A kind of document that shows markers only with other letters, as HTML does."""
+
+    def holds(self, line: bytes) -> bool:
+        return False
+
+    def without_inline(self, line: bytes) -> bytes:
+        return line
+
+
+def without_raw(line: bytes) -> bytes:
+    """Return a line without what stands between equal runs of backticks."""
+    runs = [(run.start(), run.end()) for run in _RUN.finditer(line)]
+    last_of_length = {end - start: place for place, (start, end) in enumerate(runs)}
+    pieces, done, place = [], 0, 0
+    while place < len(runs):
+        start, end = runs[place]
+        place += 1
+        if last_of_length[end - start] < place:
+            continue
+        while runs[place][1] - runs[place][0] != end - start:
+            place += 1
+        pieces.append(line[done:start])
+        done = runs[place][1]
+        place += 1
+    return b"".join((*pieces, line[done:]))
+
+
+class MarkdownCode:
+    """Fenced and indented code, also in items of lists and in quotations.
+
+    Source: CommonMark 0.31, sections 4.4, 4.5, 5.1 and 5.2.
+    """
+
+    def __init__(self) -> None:
+        self.fence = b""
+        self.of_fence = (0, False)
+        # Where the texts of the open items begin, outermost first.
+        self.items: list[int] = []
+        self.after_blank = True
+
+    def holds(self, line: bytes) -> bool:
+        if line[0] in b"\r\n":
+            self.after_blank = True
+            return bool(self.fence)
+        if not self.fence and not self.items and line[0] in _PLAIN:
+            self.after_blank = False
+            return False
+        # In a fence that is not of a quotation > is a letter like others.
+        quote = None if self.fence and not self.of_fence[1] else _QUOTE.match(line)
+        text = line[quote.end() if quote else 0 :].rstrip().expandtabs(4)
+        if not text:
+            self.after_blank = True
+            return bool(self.fence)
+        stripped = text.lstrip(b" ")
+        indent = len(text) - len(stripped)
+        if self.fence and self._in_fence(indent, bool(quote)):
+            self._close(stripped)
+            return True
+        self.fence = b""
+        return self._block(indent, stripped, bool(quote))
+
+    def _in_fence(self, indent: int, quoted: bool) -> bool:
+        least, of_quote = self.of_fence
+        return indent >= least and quoted == of_quote
+
+    def _close(self, stripped: bytes) -> None:
+        # At least as many of the same sign, and nothing behind them.
+        if stripped.startswith(self.fence) and not stripped.strip(self.fence[:1]):
+            self.fence = b""
+            self.after_blank = True
+
+    def _block(self, indent: int, stripped: bytes, quoted: bool) -> bool:
+        if self.after_blank or _ITEM.match(stripped):
+            while self.items and indent < self.items[-1]:
+                self.items.pop()
+        if indent - self._base() >= 4:
+            # Without a blank line before it, it goes on with a paragraph; no table can stand there.
+            return True
+        while (item := _ITEM.match(stripped)) and indent - self._base() < 4:
+            width = item.end() if stripped[item.end() :] else len(item[0].rstrip()) + 1
+            if width - len(item[0].rstrip()) > 4:
+                width = len(item[0].rstrip()) + 1
+            self.items.append(indent + width)
+            indent, stripped = indent + item.end(), stripped[item.end() :]
+        self.after_blank = False
+        if fence := _FENCE.match(stripped):
+            self.fence = fence[1] or fence[2]
+            self.of_fence = (self._base(), quoted)
+        return bool(self.fence)
+
+    def _base(self) -> int:
+        return self.items[-1] if self.items else 0
+
+    def without_inline(self, line: bytes) -> bytes:
+        return without_raw(line)
+
+
+class LatexCode:
+    """Verbatim environments of LaTeX, fancyvrb, listings, minted and verbatim."""
+
+    def __init__(self) -> None:
+        self.end = b""
+
+    def holds(self, line: bytes) -> bool:
+        if self.end:
+            if self.end in line:
+                self.end = b""
+            return True
+        if b"\\begin" not in line:
+            return False
+        text = _TEX_TEXT.match(self.without_inline(line))
+        assert text
+        for begin in _BEGIN.finditer(text[0]):
+            end = b"\\end{" + begin[1] + b"}"
+            if end not in line[line.rfind(begin[0]) :]:
+                self.end = end
+        return bool(self.end)
+
+    def without_inline(self, line: bytes) -> bytes:
+        return _VERB.sub(b"", line) if b"\\verb" in line or b"\\lstinline" in line else line
+
+
+class TypstCode:
+    """Raw text between backticks, and comments between /* and */, which may be nested."""
+
+    def __init__(self) -> None:
+        self.ticks = 0
+        self.depth = 0
+
+    def holds(self, line: bytes) -> bool:
+        held = bool(self.ticks or self.depth)
+        for match in _TYPST.finditer(line):
+            sign = match[0]
+            if sign.startswith(b"`"):
+                self._raw(len(sign))
+            elif self.ticks:
+                continue
+            elif sign == b"//":
+                if not self.depth:
+                    break
+            elif sign == b"/*":
+                self.depth += 1
+            elif self.depth:
+                self.depth -= 1
+        return held
+
+    def _raw(self, ticks: int) -> None:
+        if self.depth:
+            return
+        if not self.ticks:
+            # Two are an empty text, three and more begin a block.
+            self.ticks = 0 if ticks == 2 else ticks
+        elif ticks >= self.ticks:
+            self.ticks = 0
+
+    def without_inline(self, line: bytes) -> bytes:
+        return without_raw(line)
+
+
+CODE: Mapping[str, type[Code]] = {
+    "Markdown": MarkdownCode,
+    "HTML": NoCode,
+    "LaTeX": LatexCode,
+    "Typst": TypstCode,
+}
