@@ -19,6 +19,7 @@ checked() {
     # Until the token stands there again, GitHub takes nothing of the output for a command to itself.
     token=$(od -An -N16 -tx1 /dev/urandom | tr -d ' \n')
     echo "::stop-commands::$token"
+    echo "kurbel $*"
     cat "$log" "$said"
     echo "::$token::"
     if [ "$code" -ne 0 ]; then
@@ -31,7 +32,7 @@ checked() {
 
 # Turn sentences of kurbel into annotations, at a file and its line where they name them.
 annotations() {
-    sed -e 's/%/%25/g' -e 's/^kurbel: //' \
+    sed -e 's/%/%25/g' -e 's/^kurbel: //' | sed \
         -e 's/^\([^:,]*\), line \([0-9][0-9]*\)\(, [^:]*\)*: /::error file=\1,line=\2::/' -e t \
         -e 's/^\([^:,]*\):\([0-9][0-9]*\): /::error file=\1,line=\2::/' -e t \
         -e 's/^/::error title=kurbel::/'
