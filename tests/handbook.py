@@ -58,8 +58,8 @@ def figure(name: str, form: str) -> bytes:
     return image(asked(shlex.split(FIGURES[name]), {}).made.figure, form)
 
 
-def document(**changes: object) -> Document:
-    """Return the handbook; `changes` are other fields of it."""
+def document() -> Document:
+    """Return the handbook."""
     tables = {
         name: Item("table", name, number, table(name).lang, table(name).caption)
         for number, name in enumerate(TABLES, 1)
@@ -93,10 +93,9 @@ def document(**changes: object) -> Document:
         ),
         Chapter("Beispiele und Reihen", "beispiele", 3, (tables["harmonische"], tables["blau"])),
     )
-    base = Document(
+    return Document(
         "Tafeln des Kurbeltriebs", "de", "comma", chapters, "für Handbücher und Vorlesungen", "A. Setzer"
     )
-    return base._replace(**changes)
 
 
 def fragments(format: str) -> dict[str, str]:

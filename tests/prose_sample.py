@@ -9,7 +9,7 @@ SAMPLE = r"""# Kurbeltrieb mit $λ_1 = R/L$ & *mehr*
 
 Der Kolben eilt bei 2°30' *vor*, und zwar **um $x/R = 1/4.5 · cos^2 φ$**; siehe
 [](#delta), [die **Skizze**](#drive) und [](#start).\
-50 % & 3 \$, a|b, #_{}~^\\, <b>fett</b> &amp;lt; "so" 'so' -- --- << >> ?` !` [x] @delta //x /*y*/ \*z\*
+50 % & 3 \$, a|b, #_{}~^\\, <b>fett</b> &amp;lt; "so" 'so' -- --- << >> ?\` !\` [x] @delta //x /*y*/ \*z\*
 <https://example.org/a_b%20c?d=1&e=~x#f>, [Netz](https://example.org/$(1)), <mail@example.org>.
 
 ## Größe

@@ -122,7 +122,7 @@ ENGINES = [
         ("--rounding", "even"),
         'there is no rounding "even" (did you mean half-even?); choose from half-away, half-even',
     ),
-    (("-f", "pdf"), f'there is no format "pdf"; choose from {", ".join(FORMATS)}'),
+    (("-f", "docx"), f'there is no format "docx"; choose from {", ".join(FORMATS)}'),
     (
         ("-o", "x.foo"),
         "the file name 'x.foo' names no format;"
@@ -197,7 +197,7 @@ DELTAS = [
     ),
     (
         ("--standalone", "-f", "csv"),
-        "--standalone is for latex and html; csv has no documents; see kurbel delta --help",
+        "--standalone is for latex, html and typst; csv has no documents; see kurbel delta --help",
     ),
     (("--longtable", "-f", "html"), "--longtable is for latex; the format is html; see kurbel delta --help"),
     (("1:5",), "Got unexpected extra argument (1:5); see kurbel delta --help"),

@@ -116,7 +116,7 @@ CHOICES = [
     (("--digits", "٣"), 'digits "٣" cannot be printed; write a whole number from 0 to 50'),
     (
         ("--standalone", "-f", "csv"),
-        f"--standalone is for latex and html; csv has no documents; {HELP}",
+        f"--standalone is for latex, html and typst; csv has no documents; {HELP}",
     ),
     (("--longtable", "-f", "html"), f"--longtable is for latex; the format is html; {HELP}"),
     (
@@ -241,7 +241,7 @@ def test_nothing_is_written_on_an_error(words: tuple[str, ...], format_name: str
     ("name", "value", "sentence"),
     [
         ("KURBEL_LANG", "xx", 'there is no language "xx"; choose from de, en'),
-        ("KURBEL_FORMAT", "pdf", f'there is no format "pdf"; choose from {", ".join(FORMATS)}'),
+        ("KURBEL_FORMAT", "docx", f'there is no format "docx"; choose from {", ".join(FORMATS)}'),
         ("KURBEL_DECIMAL", ".", 'there is no decimal mark "."; choose from comma, point'),
         ("KURBEL_TABLE_RATIO", "1:1", f"crank ratio R:L is 1; {TOO_SHORT}"),
         ("KURBEL_TABLE_STEP", "x", f'step "x" {NO_ANGLE}'),

@@ -39,7 +39,13 @@ PAGES = {
     },
     **{
         f"blau-34{suffix}": ("blau", "34", "-f", form)
-        for suffix, form in ((".md", "markdown"), (".tex", "latex"), (".html", "html"), (".csv", "csv"))
+        for suffix, form in (
+            (".md", "markdown"),
+            (".tex", "latex"),
+            (".html", "html"),
+            (".typ", "typst"),
+            (".csv", "csv"),
+        )
     },
 }
 

@@ -15,7 +15,7 @@ from kurbel.layouts import template_folder
 
 def test_every_format_is_found_by_each_of_its_suffixes() -> None:
     suffixes = [suffix for entry in FORMATS.values() for suffix in entry.suffixes]
-    assert len(suffixes) == len(set(suffixes)) == 7
+    assert len(suffixes) == len(set(suffixes)) == 9
     for entry in FORMATS.values():
         for suffix in entry.suffixes:
             assert for_suffix(f"a.b{suffix.upper()}") is entry
@@ -39,13 +39,15 @@ def test_every_page_format_sets_labels() -> None:
 
 def test_unknown_choices_are_sentences() -> None:
     with pytest.raises(ChoiceError) as caught:
-        by_name("pdf")
-    assert str(caught.value) == "format is 'pdf'; it must be one of text, markdown, latex, html, csv, json"
-    with pytest.raises(ChoiceError) as caught:
-        for_suffix("out/page.pdf")
+        by_name("docx")
     assert str(caught.value) == (
-        "the file name 'out/page.pdf' names no format; its suffix must be one of"
-        " .txt, .md, .tex, .html, .htm, .csv, .json"
+        "format is 'docx'; it must be one of text, markdown, latex, html, typst, pdf, csv, json"
+    )
+    with pytest.raises(ChoiceError) as caught:
+        for_suffix("out/page.docx")
+    assert str(caught.value) == (
+        "the file name 'out/page.docx' names no format; its suffix must be one of"
+        " .txt, .md, .tex, .html, .htm, .typ, .pdf, .csv, .json"
     )
     with pytest.raises(ChoiceError) as caught:
         by_name("text").decimal_mark("de", "semicolon")

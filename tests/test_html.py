@@ -1,58 +1,167 @@
-"""HTML pages in a browser."""
+"""HTML pages in a browser: every layout on a desktop and a telephone, in light and dark, and printed."""
 
 from __future__ import annotations
 
-import html
-import re
 import subprocess
 from pathlib import Path
 
+import pytest
+from browser import TELEPHONE, Viewer, assert_readable, assert_readable_in_the_dark
 from everything import everything
+from pages import default_page, each_layout
+from test_shipped_pages import assert_rows_stand_in
 from tools import require
 
+import kurbel
+from kurbel.layouts import LANGUAGES, layout_names
 from kurbel.render import render
+from kurbel.table import Table
 
-_FLAGS = (
-    "--headless",
-    "--no-sandbox",
-    "--disable-gpu",
-    "--disable-quic",
-    "--no-first-run",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-)
-# A window cannot be as narrow as a telephone, but a frame can.
-_MEASURE = """<!DOCTYPE html><body><iframe style="width: {width}px; height: 640px; border: 0" srcdoc="{page}"
-onload="const d = this.contentDocument; document.title = [d.documentElement.scrollWidth, d.body.scrollWidth,
-  Math.max(...[...d.querySelectorAll('.scroll')].map(e => e.scrollWidth)),
-  d.querySelector('caption').textContent.length,
-  d.querySelectorAll('td, th').length].join(' ')"></iframe>"""
+EXAMPLES = [("blau", "33"), ("uebung", "12"), ("weisbach", "149")]
+each_example = pytest.mark.parametrize(("source", "number"), EXAMPLES)
+each_name = pytest.mark.parametrize("name", layout_names())
+each_language = pytest.mark.parametrize("lang", LANGUAGES)
 
 
-def measured(page: str, width: int, folder: Path) -> list[int]:
-    """Return the widths of page, body and widest table, the length of the caption and the count of cells."""
-    chromium = require("chromium")
-    frame = folder / "frame.html"
-    frame.write_text(_MEASURE.format(width=width, page=html.escape(page)), encoding="utf-8")
-    dom = subprocess.run(
-        [chromium, *_FLAGS, f"--user-data-dir={folder / 'profile'}", "--dump-dom", frame.as_uri()],
-        capture_output=True,
-        text=True,
-        timeout=60,
-        check=True,
-    ).stdout
-    title = re.search("<title>(.*?)</title>", dom)
-    assert title, dom[:500]
-    return [int(number) for number in title.group(1).split()]
+def document(table: Table) -> str:
+    return render(table, "html", standalone=True)
 
 
-def test_page_does_not_overflow_a_narrow_screen(tmp_path: Path) -> None:
-    document, body, table, caption, cells = measured(
-        render(everything(), "html", standalone=True), 360, tmp_path
+@each_layout
+def test_everybody_can_read_every_layout(viewer: Viewer, name: str, lang: str) -> None:
+    assert_readable(viewer, document(default_page(name, lang)))
+
+
+@each_name
+def test_every_layout_is_good_in_the_dark(viewer: Viewer, name: str) -> None:
+    assert_readable_in_the_dark(viewer, document(default_page(name)))
+
+
+@each_language
+@each_example
+def test_everybody_can_read_an_example(viewer: Viewer, source: str, number: str, lang: str) -> None:
+    page = document(kurbel.make_example_table(source, number, lang=lang))
+    assert_readable(viewer, page)
+    assert_readable_in_the_dark(viewer, page)
+
+
+def test_everybody_can_read_a_page_with_every_part(viewer: Viewer) -> None:
+    page = document(everything())
+    assert_readable_in_the_dark(viewer, page)
+    assert_readable(viewer, page)
+    assert viewer.page.locator("td, th").count() == 55
+    assert viewer.page.evaluate("document.querySelector('.scroll').scrollWidth") > TELEPHONE
+
+
+# Each names the fault of a page that has just this one.
+FAULTS = {
+    "image-alt": '<img src="data:image/gif;base64,R0lGODlhAQABAAAAACw=">',
+    "color-contrast": '<p style="color: #bbb">pale</p>',
+    "empty-table-header": "<table><tr><th></th><td>1</td></tr></table>",
+    "px of 360": '<p style="width: 500px">wide</p>',
+    "scrolls, but not by keyboard": '<div style="overflow-x: auto"><p style="width: 500px">wide</p></div>',
+    "console": "<script>console.log('console')</script>",
+    "no such name": "<script>throw new Error('no such name')</script>",
+    "is lost": '<div class="scroll" tabindex="0"><p style="width: 500px" class="row">wide</p></div>',
+    "failed": '<img alt="x" src="http://example.invalid/x.png">',
+}
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_a_fault_is_found(viewer: Viewer, fault: str) -> None:
+    viewer.open(
+        f'<!DOCTYPE html><html lang="en"><title>x</title><main><h1>x</h1>{FAULTS[fault]}</main></html>',
+        TELEPHONE,
     )
-    assert document <= 360
-    assert body <= 360
-    assert table > 360
-    assert caption == 96
-    assert cells == 55
+    found = viewer.misfits() + viewer.lost() + viewer.violations() + viewer.complaints
+    assert any(fault in line for line in found), found
+
+
+# On a narrow screen ---------------------------------------------------------------------------------------
+
+
+def test_long_formulas_do_not_hide_the_figures_behind_them(viewer: Viewer) -> None:
+    for table in (kurbel.make_example_table("blau", "33"), default_page("roetscher-112")):
+        page = viewer.open(document(table), TELEPHONE)
+        assert viewer.lost() == []
+        room = page.evaluate("""() => {
+            const stub = document.querySelector('.row')?.getBoundingClientRect();
+            return innerWidth - (stub && stub.left < 20 ? stub.right : 0);
+        }""")
+        assert room > TELEPHONE / 2
+
+
+@each_name
+def test_caption_and_names_of_rows_stay_in_view(viewer: Viewer, name: str) -> None:
+    viewer.open(document(default_page(name)), TELEPHONE)
+    assert viewer.lost() == []
+
+
+def test_the_keyboard_scrolls_a_wide_table(viewer: Viewer) -> None:
+    page = viewer.open(document(default_page("roetscher-112")), TELEPHONE)
+    page.keyboard.press("Tab")
+    page.keyboard.press("ArrowRight")
+    page.wait_for_function("document.querySelector('.scroll').scrollLeft > 0", timeout=2000)
+    assert page.evaluate("document.activeElement.className") == "scroll"
+
+
+def test_no_sign_after_a_formula_begins_a_line(viewer: Viewer) -> None:
+    page = viewer.open(document(default_page("engine-forces")))
+    ends = page.evaluate("""() => {
+        const caption = document.querySelector('caption > span'), found = [];
+        for (let width = 150; width < 600; width += 3) {
+            caption.style.width = width + 'px';
+            for (const formula of caption.querySelectorAll('math')) {
+                const sign = formula.nextSibling;
+                if (!sign || !/^[,;]/.test(sign.data)) continue;
+                const range = document.createRange();
+                range.setStart(sign, 0); range.setEnd(sign, 1);
+                found.push(range.getBoundingClientRect().left >= formula.getBoundingClientRect().right - 1);
+            }
+        }
+        return found;
+    }""")
+    assert len(ends) == 300
+    assert all(ends)
+
+
+# What screen readers are told -----------------------------------------------------------------------------
+
+
+@each_language
+def test_heads_that_are_formulas_have_names(viewer: Viewer, lang: str) -> None:
+    """What axe cannot judge: the browser gives every head to screen readers, those of MathML alone too."""
+    page = viewer.open(document(default_page("solve", lang)))
+    session = page.context.new_cdp_session(page)
+    nodes = session.send("Accessibility.getFullAXTree")["nodes"]
+    session.detach()
+    heads = [node for node in nodes if node.get("role", {}).get("value") in ("columnheader", "rowheader")]
+    assert len(heads) == page.locator("th").count()
+    by_id = {node["nodeId"]: node for node in nodes}
+
+    def said(node: dict[str, object]) -> str:
+        children = node.get("childIds", [])
+        name = node.get("name", {})
+        assert isinstance(children, list)
+        assert isinstance(name, dict)
+        return str(name.get("value", "")) + "".join(
+            said(by_id[child]) for child in children if child in by_id
+        )
+
+    assert all(said(node).strip() for node in heads)
+
+
+# In print -------------------------------------------------------------------------------------------------
+
+PRINTED = ["kinematics", "engine-forces", "delta-verfahren", "solve", "roetscher-112", "machine-forces"]
+
+
+@each_language
+@pytest.mark.parametrize("name", PRINTED)
+def test_print_has_every_figure(viewer: Viewer, name: str, lang: str, tmp_path: Path) -> None:
+    table = default_page(name, lang)
+    page = viewer.open(document(table), media="print")
+    page.pdf(path=tmp_path / "page.pdf", format="A4")
+    words = [require("pdftotext"), "-layout", "page.pdf", "-"]
+    text = subprocess.run(words, cwd=tmp_path, check=True, capture_output=True, text=True).stdout
+    assert_rows_stand_in(text.splitlines(), table, angles=False)

@@ -93,7 +93,8 @@ def test_kernel_and_table_do_not_know_each_other() -> None:
 
 
 def test_only_render_knows_jinja() -> None:
-    assert importers("jinja2") == {"kurbel.render"}
+    assert importers("jinja2") == {"kurbel.render", "kurbel.sandbox"}
+    assert {name for name in MODULES if "kurbel.sandbox" in imported(name)} == {"kurbel.render"}
 
 
 def test_only_the_command_line_knows_click() -> None:
@@ -116,6 +117,11 @@ def test_only_drawings_know_matplotlib() -> None:
         f"kurbel.plot_{name}" for name in ("curves", "drawings", "engine", "linkage", "panels", "turning")
     }
     assert knowing == drawing | plots | {"kurbel.cli.plot", "kurbel.cli.plot_kinds"}
+
+
+def test_only_pdf_knows_its_compiler() -> None:
+    assert importers("typst") == {"kurbel.pdf"}
+    assert "typst" not in {one.split(".")[0] for one in at_import("kurbel.pdf")}
 
 
 def test_imports_run_one_way() -> None:
@@ -265,13 +271,13 @@ PAGES += [("forces", "--at", "tangent"), ("solve", "--where", "p=0")]
 PAGES += [("example", "blau", "33"), ("example", "weisbach", "150")]
 
 
-@pytest.mark.parametrize("name", ["text", "markdown", "latex", "html", "csv", "json"])
+@pytest.mark.parametrize("name", ["text", "markdown", "latex", "html", "typst", "csv", "json"])
 @pytest.mark.parametrize("words", PAGES, ids=" ".join)
 def test_a_page_is_made_without_numpy(words: tuple[str, ...], name: str) -> None:
     libraries = loaded(RUN, *words, "-f", name)
     assert not libraries & {"pint", *HEAVY}
     # Records and text are written without templates.
-    assert ("jinja2" in libraries) == (name in ("markdown", "latex", "html"))
+    assert ("jinja2" in libraries) == (name in ("markdown", "latex", "html", "typst"))
 
 
 def test_a_long_table_takes_numpy_but_neither_jinja_nor_scipy() -> None:

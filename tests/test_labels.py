@@ -192,4 +192,5 @@ def test_marks_are_raised_where_unicode_can() -> None:
     assert escapes.mark_text("*") == "*)"
     assert escapes.mark_markdown("*") == "\\*)"
     assert escapes.mark_latex("a") == r"\textsuperscript{a)}"
+    assert escapes.mark_typst("a") == "#super[a)];"
     assert escapes.mark_html("a", "t-1") == '<sup><a href="#t-1">a)</a></sup>'

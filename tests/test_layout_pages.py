@@ -56,7 +56,7 @@ TEXTS = {
 }
 # Pages whose cells are not all alike: angles beside numbers, notes, units and places without a value.
 RICH = ("delta-detail", "flywheel", "forces-tangent", "collation", "solve")
-SUFFIXES = {entry.suffixes[0]: name for name, entry in FORMATS.items() if name not in ("text", "csv")}
+SUFFIXES = {entry.suffixes[0]: name for name, entry in FORMATS.items() if name not in ("text", "csv", "pdf")}
 PAGES = {
     **{f"{name}.{lang}.txt": (*text, f"--lang={lang}") for name, text in TEXTS.items() for lang in LANGUAGES},
     **{

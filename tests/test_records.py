@@ -5,15 +5,25 @@ from __future__ import annotations
 import csv
 import io
 import json
+import re
 from collections.abc import Iterator
 from decimal import Decimal
 from itertools import islice
 
+import pytest
+from cli import printed
 from everything import everything
 from golden import assert_golden
+from hypothesis import given
+from hypothesis import strategies as st
+from pages import command
 
+from kurbel.example_source import numbers_of, source_keys
+from kurbel.labels import plain
+from kurbel.layouts import layout_names
 from kurbel.records import csv_rows, json_rows
 from kurbel.render import render
+from kurbel.source import source_tables
 from kurbel.table import Field, Number, Records, Table
 
 
@@ -70,6 +80,85 @@ def test_json_numbers_have_exactly_the_printed_digits() -> None:
 def test_json_of_no_records_is_still_json() -> None:
     table = Table("none", "en", "", (), Records((), ()))
     assert json.loads(render(table, "json"))["rows"] == []
+
+
+FORMULAS = (
+    "=1+1",
+    "=cmd|' /C calc'!A0",
+    "+1+1",
+    "-2-3",
+    "@SUM(A1)",
+    "-x",
+    "+5/4+A1",
+    "-",
+    "=",
+    " =1+1",
+    "\t=1",
+    "\r@a",
+)
+
+
+@pytest.mark.parametrize("text", FORMULAS)
+def test_text_that_a_spreadsheet_would_run_is_written_as_text(text: str) -> None:
+    assert cell_of_csv(text) == "'" + re.sub(r"\s", " ", text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["-0,0667", "+5/4", "-2°30'", "-32°51½'", "-2°30'15\"", "+15 %", "-7", "1-1", "a=b", "1:5", "−x", "'=1"],
+)
+def test_figures_and_other_text_are_written_as_they_are(text: str) -> None:
+    assert cell_of_csv(text) == plain(text)
+
+
+@given(st.text("=+-@ \t\r\n,;.:/°'\"%0123456789Ax", max_size=12), st.sampled_from(["comma", "point"]))
+def test_no_text_in_csv_is_a_formula(text: str, decimal: str) -> None:
+    cell = cell_of_csv(text, decimal)
+    assert cell in (plain(text), f"'{plain(text)}")
+    assert_harmless(cell)
+
+
+def cell_of_csv(text: str, decimal: str = "point") -> str:
+    records = Records((Field("remark", "Bemerkung"), Field("x", "Weg")), ((text, Number(-5, 1)),))
+    lines = io.StringIO("".join(csv_rows(records, decimal)), newline="")
+    cell, number = list(csv.reader(lines, delimiter=";" if decimal == "comma" else ","))[1]
+    # A number is never changed.
+    assert number == {"comma": "-0,5", "point": "-0.5"}[decimal]
+    return cell
+
+
+def assert_harmless(cell: str) -> None:
+    """Check that a cell has no operator, function or name after a sign at its beginning."""
+    if cell.strip()[:1] in ("=", "@"):
+        raise AssertionError(f"{cell!r} is a formula")
+    if cell.strip()[:1] in ("+", "-"):
+        assert set(cell[1:]) <= set("0123456789.,/°'′″½\" %"), f"{cell!r} is a formula"
+        assert cell.count("/") <= 1
+
+
+def csv_of(words: tuple[str, ...]) -> list[list[str]]:
+    return list(csv.reader(io.StringIO(printed(*words, "-f", "csv").out, newline="")))
+
+
+COMMANDS = {
+    **{name: command(name) for name in layout_names()},
+    **{f"{key}-{number}": ("example", key, number) for key in source_keys() for number in numbers_of(key)},
+    **{f"collate-{name}": ("collate", name) for name in source_tables()},
+    "long": ("table", "--ratio=1:4,5;0", "--step=0.1", "--offset=0.2"),
+}
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_no_command_writes_a_formula_into_csv(name: str) -> None:
+    head, *records = csv_of(COMMANDS[name])
+    assert records
+    for cell in (cell for record in (head, *records) for cell in record):
+        assert_harmless(cell)
+
+
+def test_lines_of_an_example_begin_with_an_apostrophe_where_they_begin_with_an_equals_sign() -> None:
+    cells = [cell for record in csv_of(("example", "blau", "33")) for cell in record]
+    assert "'= R(1.097 − 0.186)" in cells
 
 
 def test_records_are_streamed() -> None:

@@ -12,9 +12,9 @@ import pytest
 from pages import default_page
 from test_latex import ENGINES, compiled, complaints
 from test_render import fragment
-from tools import require
+from tools import require, require_library
 
-from kurbel import make_engine_table, make_table
+from kurbel import make_engine_table, make_table, typeset_pdf
 from kurbel.labels import plain
 from kurbel.layouts import LANGUAGES, layout_names
 from kurbel.numerals import number_text
@@ -73,8 +73,14 @@ def rows_of_figures(lines: list[str]) -> list[list[str]]:
     return [[figure.replace("−", "-").replace(",", ".") for figure in row] for row in rows if len(row) == 7]
 
 
-def in_pdf(page: Table, folder: Path) -> list[str]:
+def by_latex(page: Table, folder: Path) -> list[str]:
     compiled("pdflatex", render(page, "latex", standalone=True), folder)
+    return text_of_pdf(folder).splitlines()
+
+
+def by_typst(page: Table, folder: Path) -> list[str]:
+    require_library("typst")
+    (folder / "page.pdf").write_bytes(typeset_pdf(page))
     return text_of_pdf(folder).splitlines()
 
 
@@ -88,12 +94,12 @@ def in_html(page: Table) -> list[str]:
 
 
 @pytest.mark.parametrize("lang", LANGUAGES)
-@pytest.mark.parametrize("form", ["pdf", "html", "markdown", "text"])
+@pytest.mark.parametrize("form", ["latex", "pdf", "html", "markdown", "text"])
 def test_the_same_digits_stand_in_every_format(form: str, lang: str, tmp_path: Path) -> None:
     page = make_table(lang=lang)
     records = list(csv.reader(io.StringIO(render(page, "csv"))))[1:]
-    if form == "pdf":
-        lines = in_pdf(page, tmp_path)
+    if form in ("latex", "pdf"):
+        lines = {"latex": by_latex, "pdf": by_typst}[form](page, tmp_path)
     else:
         lines = in_html(page) if form == "html" else render(page, form).splitlines()
     assert rows_of_figures(lines) == [record[1:] for record in records]

@@ -13,16 +13,17 @@ import pytest
 def require(tool: str) -> str:
     """Return the path of a program; without it skip the test, or fail it where nothing may be missing."""
     path = shutil.which(tool)
-    return path or _missing(tool)
+    return path or missing(tool)
 
 
 def require_library(name: str) -> None:
     """Skip a test without a library of Python, or fail it where nothing may be missing."""
     if importlib.util.find_spec(name) is None:
-        _missing(name)
+        missing(name)
 
 
-def _missing(name: str) -> NoReturn:
+def missing(name: str) -> NoReturn:
+    """Skip the test for want of a tool, or fail it where nothing may be missing."""
     reason = f"{name} is not installed"
     if os.environ.get("CI") == "true":
         pytest.fail(f"{reason}, and CI=true lets no test be skipped")

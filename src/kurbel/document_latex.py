@@ -97,7 +97,7 @@ def _parts(
     for item in chapter.items:
         if item.kind == "text":
             # A chapter is a section.
-            text = set_prose(item.blocks, form, DECIMALS[document.decimal], find, level=2)
+            text = set_prose(tuple(item.blocks), form, DECIMALS[document.decimal], find, level=2)
             yield TexPart("text", "", "", text, "", False)
         else:
             long = item.kind == "table" and r"\begin{longtable}" in fragments[item.name]

@@ -88,7 +88,7 @@ def _parts(
     mark = DECIMALS[document.decimal]
     for item in chapter.items:
         if item.kind == "text":
-            text = set_prose(item.blocks, form, mark, find)
+            text = set_prose(tuple(item.blocks), form, mark, find)
             yield MarkdownPart("text", "", "", "", "", "", text)
         else:
             yield MarkdownPart(

@@ -1,6 +1,7 @@
 """Prose and note marks in the notation of each format: every character is printed, none is obeyed.
 
-A new format adds two functions named after it; `Format.escape` and `Format.note_mark` find them by this name.
+A new format adds two functions named after it; `Format.escape` and `Format.note_mark` find them by this name,
+and `Format.finish` a third, if labels need it.
 """
 
 from __future__ import annotations
@@ -108,6 +109,21 @@ def mark_latex(mark: str, target: str = "") -> str:
 def mark_html(mark: str, target: str = "") -> str:
     text = f"{escape_html(mark)})"
     return f'<sup><a href="#{escape_html(target)}">{text}</a></sup>' if target else f"<sup>{text}</sup>"
+
+
+# Browsers break a line between a formula and a sign beside it, whatever the sign.
+_BESIDE_FORMULA = re.compile(r"(?<![^\s<>])(?:[^\s<>]*<math.*?</math>)+[^\s<>]*")
+
+
+def finish_html(label: str) -> str:
+    """Return a label that was set, with every formula on one line with the signs that touch it."""
+    return _BESIDE_FORMULA.sub(_kept, label)
+
+
+def _kept(match: re.Match[str]) -> str:
+    text = match[0]
+    alone = text.startswith("<math") and text.endswith("</math>")
+    return text if alone else f'<span class="kept">{text}</span>'
 
 
 def mark_typst(mark: str, target: str = "") -> str:

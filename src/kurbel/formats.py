@@ -52,6 +52,13 @@ class Format(NamedTuple):
         return cast("Callable[[str, str], str]", getattr(escapes, f"mark_{self.name}"))
 
     @property
+    def finish(self) -> Callable[[str], str]:
+        """The function that a label goes through when all its parts are set; most formats have none."""
+        from kurbel import escapes
+
+        return cast("Callable[[str], str]", getattr(escapes, f"finish_{self.name}", str))
+
+    @property
     def formula(self) -> Callable[[Formula, str, bool], str]:
         """The function that sets a formula with a decimal mark, and on wish with fractions of full size."""
         from kurbel import formula_print

@@ -27,7 +27,7 @@ class Folder:
 
     def __init__(self, base: str, name: str) -> None:
         """Raise HandbookError if the way from the base to the folder leads over a link or a file."""
-        self.path = os.path.join(base, *name.split("/"))
+        self.path = os.path.normpath(os.path.join(base, *name.split("/")))
         self.base = base
         self.name = name
         self._seen: set[str] = set()

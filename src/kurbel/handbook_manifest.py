@@ -123,7 +123,8 @@ class _Reader:
     def line(self, place: Place) -> int:
         """Return the line of a key or, where it has none, of what it lies in."""
         while place and place not in self.lines:
-            place = place[:-1]
+            # Of a list of sections, the first.
+            place = (*place, 0) if (*place, 0) in self.lines else place[:-1]
         return self.lines.get(place, 1)
 
     def error(self, place: Place, said: object) -> HandbookError:
@@ -137,6 +138,8 @@ class _Reader:
         pdf = values.get("pdf", {})
         defaults = {"lang": lang, **_picked(values, "decimal"), **values.get("defaults", {})}
         chapters = tuple(self.chapters(values.get("chapter", ()), defaults))
+        if not chapters:
+            raise self.error((), "the handbook has no chapter; write [[chapter]] and below it its title")
         if sum(len(chapter.parts) for chapter in chapters) > MOST_PARTS:
             raise self.error((), f"the handbook has more than {MOST_PARTS} parts; make two of it")
         return Manifest(
@@ -178,7 +181,7 @@ class _Reader:
             if contents == ["run"]:
                 yield self.table(place, values, {**defaults, **_picked(values, "lang")})
                 continue
-            for key in set(values) - set(contents):
+            for key in (key for key in values if key not in contents):
                 raise self.error((*place, key), f"{key} is for tables and figures, and this part is a text")
             file = self.inside((*place, "file"), values["file"]) if "file" in values else ""
             yield Part(self.line((*place, contents[0])), text=values.get("text", ""), file=file)

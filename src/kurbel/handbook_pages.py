@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, cast
 
 from kurbel.document import Chapter, Document, Item
 from kurbel.errors import HandbookError, KurbelError
 from kurbel.formats import by_name
 from kurbel.handbook import FIGURES, GIGABYTES, PATIENCE, PDF
 from kurbel.handbook_manifest import ChapterPlan, Manifest, Part
+
+if TYPE_CHECKING:
+    from kurbel.pdf import Standard
 
 WORDS = {"de": "Fehlt", "en": "Missing"}
 
@@ -136,11 +139,11 @@ def make_pdf(task: PdfTask) -> dict[str, bytes] | str:
 
 
 def _set(task: PdfTask) -> bytes:
-    if task.engine == "typst":
-        from kurbel.pdf import compile_typst
+    from kurbel.pdf import compile_typst, source_date_epoch
 
+    if task.engine == "typst":
         source = _text_of(os.path.join(task.folder, "handbook.typ"))
-        return compile_typst(source, root=task.folder, standards=task.standards)
+        return compile_typst(source, root=task.folder, standards=cast("Sequence[Standard]", task.standards))
     from kurbel.pdf_tex import compile_tex
 
-    return compile_tex(task.folder, "handbook", task.engine, epoch_of_source() or 0)
+    return compile_tex(task.folder, "handbook", task.engine, source_date_epoch() or 0)

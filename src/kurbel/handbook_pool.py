@@ -5,11 +5,11 @@ from __future__ import annotations
 import os
 import signal
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import Future, ProcessPoolExecutor, as_completed
-from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
-from multiprocessing import get_context
-from typing import Generic, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, NamedTuple, TypeVar
+
+if TYPE_CHECKING:
+    from concurrent.futures import Future, ProcessPoolExecutor
 
 Task = TypeVar("Task")
 Result = TypeVar("Result")
@@ -44,8 +44,17 @@ def worked(
     if not apart and (jobs == 1 or len(tasks) < WORTH_A_PROCESS):
         for task in tasks:
             yield Worked(task, work(task))
-        return
-    left = {place: task for place, task in enumerate(tasks)}
+    elif tasks:
+        yield from _worked_apart(work, tasks, jobs)
+
+
+def _worked_apart(
+    work: Callable[[Task], Result], tasks: Sequence[Task], jobs: int
+) -> Iterator[Worked[Task, Result]]:
+    # Later than most imports: a handbook without changes needs no processes.
+    from concurrent.futures import as_completed
+
+    left = dict(enumerate(tasks))
     with _pool(min(jobs, len(tasks))) as pool:
         places = {pool.submit(work, task): place for place, task in left.items()}
         for future in as_completed(places):
@@ -54,22 +63,49 @@ def worked(
     # One process that ended has ended the others' pool as well: each of the rest has one of its own.
     for task in left.values():
         with _pool(1) as pool:
-            future = pool.submit(work, task)
-            yield Worked(task, Killed() if _was_killed(future) else future.result())
+            alone = pool.submit(work, task)
+            yield Worked(task, Killed() if _was_killed(alone) else alone.result())
 
 
-def _was_killed(future: Future[Result]) -> bool:
+def _was_killed(future: Future[Any]) -> bool:
+    from concurrent.futures.process import BrokenProcessPool
+
     return isinstance(future.exception(), BrokenProcessPool)
 
 
 @contextmanager
 def _pool(jobs: int) -> Iterator[ProcessPoolExecutor]:
+    """Give a pool of so many processes; they end at once where the block ends early."""
+    from concurrent.futures import ProcessPoolExecutor
+    from multiprocessing import active_children, get_context
+
     # Started anew, not copied, so that a piece finds the same process on every system.
     pool = ProcessPoolExecutor(jobs, mp_context=get_context("spawn"), initializer=_start)
     try:
         yield pool
+    except BaseException:
+        for child in active_children():
+            child.kill()
+        raise
     finally:
         pool.shutdown(cancel_futures=True)
+
+
+def _start() -> None:
+    """Make a process of the pool ready: it ends with the one that started it, and by no other's Ctrl-C."""
+    from multiprocessing import parent_process
+    from threading import Thread
+
+    # The terminal sends it to all; who waits for the pieces ends them.
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    parent = parent_process()
+    assert parent is not None
+
+    def follow() -> None:
+        parent.join()
+        os._exit(1)
+
+    Thread(target=follow, daemon=True).start()
 
 
 @contextmanager
@@ -101,8 +137,3 @@ def _limit_memory(gigabytes: int) -> None:
     _, hard = resource.getrlimit(resource.RLIMIT_AS)
     most = gigabytes << 30
     resource.setrlimit(resource.RLIMIT_AS, (most if hard < 0 else min(most, hard), hard))
-
-
-def _start() -> None:
-    # The terminal sends it to all; who waits for the pieces ends them.
-    signal.signal(signal.SIGINT, signal.SIG_IGN)

@@ -12,7 +12,7 @@ from itertools import accumulate, groupby, islice, pairwise, zip_longest
 from typing import Literal, NamedTuple
 
 from kurbel.formats import Format
-from kurbel.labels import plain, set_label
+from kurbel.labels import piece_lengths, plain, set_label
 from kurbel.numerals import number_text
 from kurbel.table import DITTO, Cell, Column, Label, Number, Panel, Table
 
@@ -64,10 +64,15 @@ class PageGroup(NamedTuple):
 
 class PagePanel(NamedTuple):
     """`head` holds one row a spanner level and, last, the row of the headings; a heading under fewer
-    spanners than its neighbours starts in a higher row and reaches down."""
+    spanners than its neighbours starts in a higher row and reaches down.
+
+    `names` is the column of the stub whose cells are short enough to stand beside their rows wherever a
+    reader has scrolled to: the last, or None.
+    """
 
     columns: tuple[PageColumn, ...]
     stubs: int
+    names: int | None
     head: tuple[tuple[HeadCell, ...], ...]
     groups: tuple[PageGroup, ...]
 
@@ -152,8 +157,10 @@ class Setter:
 
     def label(self, label: Label, display: bool = False) -> str:
         form = self.form
-        return set_label(
-            label, form.escape, lambda formula: form.formula(formula, self.mark, display), self.note_mark
+        return form.finish(
+            set_label(
+                label, form.escape, lambda formula: form.formula(formula, self.mark, display), self.note_mark
+            )
         )
 
     def labels(self, labels: Iterable[Label]) -> tuple[str, ...]:
@@ -182,6 +189,7 @@ class Setter:
                 for column, cells in zip(model, by_column, strict=True)
             ),
             stubs=len(panel.stub),
+            names=len(panel.stub) - 1 if panel.stub and _are_short(row.stub[-1] for row in rows) else None,
             head=tuple(tuple(self.head_cell(cell) for cell in row) for row in head_rows(panel)),
             groups=tuple(
                 PageGroup(self.label(group.label), tuple(islice(lines, len(group.rows))))
@@ -248,6 +256,20 @@ def alignment(cells: Iterable[Cell]) -> Literal["left", "right"]:
     """Return "right" for a column of figures, "left" for one with any words or formulas."""
     words = [plain(cell.value) for cell in cells if isinstance(cell.value, str)]
     return "right" if all(_FIGURES.fullmatch(word) for word in words) else "left"
+
+
+# On a telephone anything longer would hide the figures that scroll behind it.
+_LONGEST_NAME = 20
+
+
+def _are_short(names: Iterable[Cell]) -> bool:
+    """Tell whether no formula and no word in the cells is long."""
+    return all(
+        length <= _LONGEST_NAME
+        for cell in names
+        if isinstance(cell.value, str)
+        for length in piece_lengths(cell.value)
+    )
 
 
 def head_rows(panel: Panel) -> tuple[tuple[HeadCell, ...], ...]:

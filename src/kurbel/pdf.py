@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import Literal, get_args
 
-from kurbel.errors import LayoutError, MissingExtraError, NotationError, ProblemError
+from kurbel.errors import LayoutError, MissingExtraError, NotationError, OutputError, ProblemError
 from kurbel.table import Table
 
 EPOCH = "SOURCE_DATE_EPOCH"
@@ -52,7 +52,7 @@ def compile_typst(source: str, *, root: str | None = None, standards: Sequence[S
     one; PDF/A demands a date, which then is 1970-01-01. Raises LayoutError for a source with mistakes.
     """
     _check(source, standards)
-    epoch = _epoch()
+    epoch = source_date_epoch()
     undated = epoch is None and not any(name.startswith("a-") for name in standards)
     with _folder(root) as folder, _mistakes_as_sentences(folder, undated):
         from typst import Compiler
@@ -74,12 +74,15 @@ def _check(source: str, standards: Sequence[Standard]) -> None:
         )
 
 
-def _epoch() -> int | None:
+def source_date_epoch() -> int | None:
+    """Return the date that the environment sets for what is made, in seconds since 1970, if it does."""
     text = os.environ.get(EPOCH, "")
     if not text:
         return None
     if not (text.isascii() and text.isdigit() and int(text[:20]) <= LAST):
-        raise NotationError(f'{EPOCH} is "{text[:40]}"; it must be a number of seconds since 1970')
+        raise NotationError(
+            f'{EPOCH} is "{text[:40]}"; it must be a number of seconds from 1970 up to the year 9999'
+        )
     return int(text)
 
 
@@ -87,6 +90,8 @@ def _epoch() -> int | None:
 def _folder(root: str | None) -> Iterator[str]:
     """Give the folder whose files a document may read, an empty one if none is named."""
     if root is not None:
+        if not os.path.isdir(root):
+            raise OutputError(f"the folder {root} does not exist")
         yield root
         return
     from tempfile import TemporaryDirectory

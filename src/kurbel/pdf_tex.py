@@ -1,4 +1,4 @@
-"""PDF by an installed TeX, for those who have one: the same bytes for the same files, wherever and whenever."""
+"""PDF by an installed TeX, for those who have one: the same files give the same bytes, always."""
 
 from __future__ import annotations
 

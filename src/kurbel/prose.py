@@ -11,8 +11,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 from functools import lru_cache
-from typing import TYPE_CHECKING, Literal, NamedTuple
+from typing import TYPE_CHECKING, Literal
 from urllib.parse import unquote
 
 from kurbel.errors import ProseError
@@ -25,36 +26,43 @@ if TYPE_CHECKING:
 Align = Literal["left", "center", "right"]
 
 
-class Text(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Text:
     text: str
 
 
-class Code(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Code:
     """Characters of a program or a command line."""
 
     text: str
 
 
-class Break(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Break:
     """The end of a line that the author asked for."""
 
 
-class Emphasis(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Emphasis:
     content: Inlines
 
 
-class Strong(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Strong:
     content: Inlines
 
 
-class Link(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Link:
     """A link to another site; `address` is percent-encoded."""
 
     address: str
     content: Inlines
 
 
-class Refer(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Refer:
     """A reference to a part of the same handbook; without content it prints the number of the part."""
 
     name: str
@@ -65,26 +73,31 @@ Inline = Text | Formula | Code | Break | Emphasis | Strong | Link | Refer
 Inlines = tuple[Inline, ...]
 
 
-class Paragraph(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Paragraph:
     content: Inlines
 
 
-class Heading(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Heading:
     """A heading; its level is 1 for a single #."""
 
     level: int
     content: Inlines
 
 
-class CodeBlock(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class CodeBlock:
     lines: tuple[str, ...]
 
 
-class Quote(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Quote:
     content: Blocks
 
 
-class Listing(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Listing:
     """A list; `start` is its first number, or None for bullets. The items of a tight one stand close."""
 
     start: int | None
@@ -92,11 +105,13 @@ class Listing(NamedTuple):
     items: tuple[Blocks, ...]
 
 
-class Rule(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Rule:
     """A line across the page."""
 
 
-class Grid(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Grid:
     """A table written in the text."""
 
     aligns: tuple[Align | None, ...]
@@ -145,7 +160,8 @@ class _Reader:
 
     def blocks(self) -> Blocks:
         """Return the blocks up to the end of the one that is open."""
-        return tuple(self._block(token) for token in self._inside())
+        blocks = (self._block(token) for token in self._inside())
+        return tuple(block for block in blocks if block != Paragraph(()))
 
     def _inside(self) -> Iterator[Token]:
         for token in self.tokens:
@@ -194,7 +210,7 @@ class _Reader:
         content: Inlines = ()
         for token in self._inside():
             content = _Line(token, self.line).inlines()
-        return content
+        return _trimmed(content)
 
     def _heading(self, level: int) -> Heading:
         line = self.line
@@ -221,6 +237,12 @@ class _Reader:
                 aligns = aligns or tuple(align for align, _ in cells)
                 rows.append(tuple(content for _, content in cells))
         return Grid(aligns, rows[0], tuple(rows[1:]))
+
+
+def _trimmed(content: Inlines) -> Inlines:
+    """Drop white space and ends of lines before the first word and after the last."""
+    kept = [place for place, inline in enumerate(content) if inline not in (Break(), Text(" "))]
+    return content[kept[0] : kept[-1] + 1] if kept else ()
 
 
 def _lines(code: str) -> tuple[str, ...]:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import re
 
-from kurbel.escapes import escape_latex, escape_text
+from kurbel.escapes import escape_latex
 from kurbel.formula import Formula
 from kurbel.formula_print import formula_plain
 from kurbel.prose import (
-    Block,
     Blocks,
+    Break,
     Code,
+    CodeBlock,
     Emphasis,
     Grid,
     Inlines,
@@ -22,7 +23,7 @@ from kurbel.prose import (
     Strong,
     Text,
 )
-from kurbel.prose_print import ProsePrinter, Reference
+from kurbel.prose_print import ProsePrinter, Reference, is_own
 
 _SECTIONS = ("chapter", "section", "subsection", "subsubsection", "paragraph")
 _COUNTERS = ("enumi", "enumii", "enumiii", "enumiv")
@@ -30,9 +31,19 @@ _COLUMNS = {None: "l", "left": "l", "center": "c", "right": "r"}
 _NAMES = {"table": r"\tablename", "figure": r"\figurename", "chapter": r"\chaptername"}
 # A word of code that no line end may cut would run off a narrow line.
 _LONG_WORD = re.compile(r"[^ \u00a0]{20,}")
+_PARTED = re.compile(r"([-,'<>])\{\}(?=\1)")
 # No text has this character.
 _HERE = "\0"
 _PIECES = {_HERE: r"\penalty500 ", "'": r"\textquotesingle{}"}
+_BOOKMARK = str.maketrans(
+    {character: f"\\{character}" for character in "#$%&_{}"}
+    | {
+        "\\": r"\textbackslash{}",
+        "~": r"\textasciitilde{}",
+        "^": r"\textasciicircum{}",
+        '"': r"\textquotedbl{}",
+    }
+)
 _ADDRESS = str.maketrans(
     {"%": r"\%", "#": r"\#", "&": r"\&", "~": r"\%7E", "$": r"\%24", "_": r"\_", "^": r"\%5E", '"': r"\%22"}
     | {"{": r"\%7B", "}": r"\%7D", "\\": r"\%5C"}
@@ -45,9 +56,10 @@ class Printer(ProsePrinter):
     def heading(self, level: int, content: Inlines) -> str:
         section = _SECTIONS[max(1, min(level, len(_SECTIONS))) - 1]
         title = self.inlines(content)
-        if any(not isinstance(inline, Text) for inline in content):
-            # Bookmarks hold nothing but characters.
-            title = rf"\texorpdfstring{{{title}}}{{{escape_latex(self._plain(content))}}}"
+        # Bookmarks hold nothing but characters.
+        bookmark = self._plain(content).translate(_BOOKMARK)
+        if bookmark != title:
+            title = rf"\texorpdfstring{{{title}}}{{{bookmark}}}"
         return rf"\{section}{{{title}}}"
 
     def _plain(self, content: Inlines) -> str:
@@ -65,12 +77,10 @@ class Printer(ProsePrinter):
                     pieces.append(self._plain(inner) or self.refer(name).text)
                 case _:
                     pieces.append(" ")
-        return escape_text("".join(pieces))
+        return "".join(pieces)
 
     def code_block(self, lines: tuple[str, ...]) -> str:
-        # verbatim would neither break a long line nor stand in an argument.
-        code = "\\\\\n".join(rf"\mbox{{}}{_code(line)}" for line in lines) or r"\mbox{}"
-        return f"\\begin{{quote}}\n\\ttfamily\\raggedright\n{code}\n\\end{{quote}}"
+        return f"\\begin{{quote}}\n{_lines(lines)}\n\\end{{quote}}"
 
     def quote(self, content: Blocks) -> str:
         return f"\\begin{{quote}}\n{self.blocks(content)}\n\\end{{quote}}"
@@ -87,7 +97,16 @@ class Printer(ProsePrinter):
 
     def _items(self, listing: Listing) -> str:
         close = "\\setlength{\\itemsep}{0pt}\\setlength{\\parsep}{0pt}\n" if listing.tight else ""
-        return close + "\n".join(rf"\item {_started(item)}{self.blocks(item)}" for item in listing.items)
+        return close + "\n".join(rf"\item {self._item(item)}" for item in listing.items)
+
+    def _item(self, item: Blocks) -> str:
+        """Return an item so that its mark stands on its first line."""
+        match item:
+            case (CodeBlock(lines), *rest):
+                return f"{{{_lines(lines)}\\par}}\n\n{self.blocks(tuple(rest))}"
+            case (Paragraph() | Listing() | Quote(), *_) | ():
+                return self.blocks(item)
+        return rf"\mbox{{}}{self.blocks(item)}"
 
     def rule(self) -> str:
         return r"\par\noindent\rule{\linewidth}{0.4pt}\par"
@@ -102,6 +121,13 @@ class Printer(ProsePrinter):
 
     def _row(self, cells: tuple[Inlines, ...]) -> str:
         return " & ".join(self.inlines(cell) for cell in cells) + r" \\"
+
+    def paragraph(self, content: Inlines) -> str:
+        # Above the first line there is none to end.
+        return r"\leavevmode" * _breaks_first(content) + self.inlines(content)
+
+    def text(self, text: str) -> str:
+        return _escaped(text)
 
     def code(self, text: str) -> str:
         return rf"\texttt{{{_code(text)}}}"
@@ -120,10 +146,7 @@ class Printer(ProsePrinter):
 
     def _shown(self, address: str, content: Inlines) -> str:
         """Return the words of a link; an address may be broken at any character."""
-        match content:
-            case (Text(text),) if text in (address, address.removeprefix("mailto:")):
-                return _breakable(text)
-        return self.inlines(content)
+        return _breakable(self._plain(content)) if is_own(address, content) else self.inlines(content)
 
     def reference(self, reference: Reference, content: Inlines) -> str:
         label = reference.target
@@ -131,10 +154,29 @@ class Printer(ProsePrinter):
         return rf"\hyperref[{label}]{{{text}}}"
 
 
-def _started(item: Blocks) -> str:
-    """Return what lets an item begin with other than words: its mark then has a line to stand on."""
-    first: Block | None = item[0] if item else None
-    return "" if isinstance(first, Paragraph | Listing | Quote) else r"\mbox{}"
+def _breaks_first(content: Inlines) -> bool:
+    """Tell whether the first thing printed is the end of a line."""
+    match content:
+        case (Break(), *_):
+            return True
+        case (Emphasis(inner) | Strong(inner) | Link(_, inner) | Refer(_, inner), *_):
+            return _breaks_first(inner)
+    return False
+
+
+def _escaped(text: str) -> str:
+    """Return text whose characters stay what they are in LuaLaTeX too.
+
+    There an empty group does not part --, and any straight quotation mark but that of \\textquotedbl is bent.
+    """
+    escaped = escape_latex(text).replace(r"\char34{}", r"\textquotedbl{}")
+    return _PARTED.sub(r"\1{\\kern0pt}", escaped)
+
+
+def _lines(lines: tuple[str, ...]) -> str:
+    """Return lines of code. verbatim would neither break a long one nor stand in an argument."""
+    code = "\\\\\n".join(rf"\mbox{{}}{_code(line)}" for line in lines) or r"\mbox{}"
+    return f"\\ttfamily\\raggedright\n{code}"
 
 
 def _code(text: str) -> str:
@@ -146,4 +188,4 @@ def _code(text: str) -> str:
 def _breakable(text: str) -> str:
     """Return code or an address in which a long word may be broken, if need be, at any character."""
     marked = _LONG_WORD.sub(lambda word: _HERE.join(word.group()), text)
-    return "".join(_PIECES.get(piece) or escape_latex(piece) for piece in re.split(f"({_HERE}|')", marked))
+    return "".join(_PIECES.get(piece) or _escaped(piece) for piece in re.split(f"({_HERE}|')", marked))

@@ -9,6 +9,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable
 from importlib import import_module
 from typing import Literal, NamedTuple
+from urllib.parse import unquote
 
 from kurbel.formats import Format
 from kurbel.formula import Formula
@@ -102,7 +103,7 @@ class ProsePrinter(ABC):
         """Return one inline."""
         match inline:
             case Text(text):
-                return self.form.escape(text)
+                return self.text(text)
             case Formula():
                 return self.form.formula(inline, self.mark, False)
             case Code(text):
@@ -117,6 +118,10 @@ class ProsePrinter(ABC):
                 return self.link(address, content)
             case Refer(name, content):
                 return self.reference(self.refer(name), content)
+
+    def text(self, text: str) -> str:
+        """Return words."""
+        return self.form.escape(text)
 
     def paragraph(self, content: Inlines) -> str:
         """Return a paragraph."""
@@ -169,6 +174,14 @@ class ProsePrinter(ABC):
     @abstractmethod
     def reference(self, reference: Reference, content: Inlines) -> str:
         """Return a reference to a part of the handbook."""
+
+
+def is_own(address: str, content: Inlines) -> bool:
+    """Tell whether the words of a link are nothing but its address."""
+    match content:
+        case (Text(text),):
+            return unquote(text) in (unquote(address), unquote(address.removeprefix("mailto:")))
+    return False
 
 
 def indented(text: str, first: str, rest: str) -> str:

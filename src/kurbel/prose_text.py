@@ -5,7 +5,7 @@ from __future__ import annotations
 from textwrap import fill
 
 from kurbel.prose import Blocks, Grid, Inlines, Listing
-from kurbel.prose_print import ProsePrinter, Reference, indented
+from kurbel.prose_print import ProsePrinter, Reference, indented, is_own
 
 _WIDTH = 78
 # A list in a list in a quotation keeps some room.
@@ -89,8 +89,9 @@ class Printer(ProsePrinter):
 
     def link(self, address: str, content: Inlines) -> str:
         text = self.inlines(content)
-        return text if text in (address, address.removeprefix("mailto:")) else f"{text} <{address}>"
+        return text if is_own(address, content) else f"{text} <{address}>"
 
     def reference(self, reference: Reference, content: Inlines) -> str:
         text = self.inlines(content)
-        return f"{text} ({reference.text})" if text else reference.text
+        name = reference.text.replace(" ", "\u00a0")
+        return f"{text} ({name})" if text else name

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import re
+
 from kurbel.prose import Blocks, Grid, Inlines, Listing
 from kurbel.prose_print import ProsePrinter, Reference
 
 _ALIGNS = {None: "left", "left": "left", "center": "center", "right": "right"}
+_LONG_WORD = re.compile(r"\S{30}")
+_BREAK = r'show regex("\S{30,}"): it => it.text.clusters().join(box())'
 _STRING = str.maketrans({"\\": r"\\", '"': r"\"", "\n": r"\n"})
 
 
@@ -15,8 +19,7 @@ class Printer(ProsePrinter):
         return f"#heading(level: {max(level, 1)})[{self.inlines(content)}];"
 
     def code_block(self, lines: tuple[str, ...]) -> str:
-        code = _string("\n".join(lines))
-        return f"#raw({code}, block: true);"
+        return _raw("\n".join(lines), ", block: true")
 
     def quote(self, content: Blocks) -> str:
         return f"#quote(block: true)[\n{self.blocks(content)}\n];"
@@ -34,15 +37,16 @@ class Printer(ProsePrinter):
         aligns = "".join(f"{_ALIGNS[align]}, " for align in grid.aligns)
         rows = "".join(f"{self._row(row)},\n" for row in grid.rows)
         return (
-            f"#table(columns: {len(grid.aligns)}, align: ({aligns}),\n"
-            f"table.header({self._row(grid.head)}),\n{rows});"
+            f"#align(center, table(columns: {len(grid.aligns)}, align: ({aligns}), stroke: none,\n"
+            f"table.hline(stroke: .08em), table.header({self._row(grid.head)}), table.hline(stroke: .05em),\n"
+            f"{rows}table.hline(stroke: .08em)));"
         )
 
     def _row(self, cells: tuple[Inlines, ...]) -> str:
         return ", ".join(f"[{self.inlines(cell)}]" for cell in cells)
 
     def code(self, text: str) -> str:
-        return f"#raw({_string(text)});"
+        return _raw(text)
 
     def line_break(self) -> str:
         return "#linebreak();\n"
@@ -60,6 +64,12 @@ class Printer(ProsePrinter):
         """Return a reference; Typst itself names and counts what it points to."""
         label = f"<{reference.target}>"
         return f"#link({label})[{self.inlines(content)}];" if content else f"#ref({label});"
+
+
+def _raw(code: str, options: str = "") -> str:
+    """Return code in which a word that is longer than a line may be broken at any character."""
+    call = f"raw({_string(code)}{options})"
+    return f"#{{ {_BREAK}; {call} }};" if _LONG_WORD.search(code) else f"#{call};"
 
 
 def _string(text: str) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import re
 from collections.abc import Iterator
 from functools import lru_cache
 from typing import Any
@@ -17,7 +18,8 @@ from kurbel.table import Field, Number, Records, Table, Value
 def csv_rows(records: Records, decimal: str = "point") -> Iterator[str]:
     """Yield the header and the records, each with its line end.
 
-    With a decimal comma the separator is a semicolon. A missing value is empty.
+    With a decimal comma the separator is a semicolon. A missing value is empty. Text that a spreadsheet would
+    run as a formula has an apostrophe before it; numbers are never changed.
     """
     writer = csv.writer(_Line(), delimiter=";" if decimal == "comma" else ",", lineterminator="\n")
     mark = DECIMALS[decimal]
@@ -37,7 +39,18 @@ class _Line:
 def _csv_value(value: Value, mark: str) -> str:
     if isinstance(value, Number):
         return number_text(value, mark)
-    return _plain(value, mark) if value else ""
+    return _harmless(_plain(value, mark)) if value else ""
+
+
+# White space before them is no hindrance to every spreadsheet; `plain` leaves no other than spaces.
+_RUNS = ("=", "+", "-", "@")
+# Printed figures keep their signs: -0,0667  +5/4  -2°30'  -32°51½'  +15 %
+_FIGURE = re.compile(r"[+-][0-9]+(?:[.,][0-9]+)*(?:/[0-9]+| ?%|°(?:[0-9]+½?['′](?:[0-9]+[\"″])?)?)?")
+
+
+def _harmless(text: str) -> str:
+    """Return text that no spreadsheet takes for a formula: with an apostrophe, unless it is a mere figure."""
+    return f"'{text}" if text.lstrip().startswith(_RUNS) and not _FIGURE.fullmatch(text) else text
 
 
 def json_rows(table: Table) -> Iterator[str]:

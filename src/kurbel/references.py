@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Literal
 
 from kurbel.document import WORDS, Chapter, Document, Item
 from kurbel.prose_print import Find, Reference
@@ -34,5 +35,8 @@ def number_of(item: Item) -> str:
     return f"{WORDS[item.lang][item.kind]} {item.number}"
 
 
-def _kind(part: Chapter | Item) -> str:
-    return part.kind if isinstance(part, Item) else "chapter"
+def _kind(part: Chapter | Item) -> Literal["table", "figure", "chapter"]:
+    if isinstance(part, Chapter):
+        return "chapter"
+    assert part.kind != "text"
+    return part.kind

@@ -1,4 +1,5 @@
-"""From a table to text in a format. The only module that knows Jinja; templates only arrange.
+"""From a table to text in a format. With `sandbox` the only module that knows Jinja; templates only
+arrange.
 
 Plain text needs no template, for its grid is all there is to it: that saves the first table on a terminal
 the third of its time that loading Jinja takes.
@@ -20,7 +21,7 @@ from kurbel.table import Table
 from kurbel.textgrid import grid_of, text_page
 
 if TYPE_CHECKING:
-    from jinja2 import Environment, Template
+    from jinja2 import Environment
 
 
 def render(
@@ -31,6 +32,7 @@ def render(
     standalone: bool = False,
     longtable: bool = False,
     width: int | None = None,
+    templates: str | None = None,
 ) -> str:
     """Return the table as text in the named format.
 
@@ -38,6 +40,9 @@ def render(
     and JSON. `standalone` makes a document of what is otherwise a fragment, in the formats that have
     documents; `longtable` lets a LaTeX table break over pages. JSON has only points. Plain text goes on in
     further panels where it would be wider than `width` characters.
+
+    `templates` is a folder whose templates outdo ours of the same names. They run in a sandbox; one that
+    cannot be used is a LayoutError with its line.
     """
     form = by_name(format)
     if form.kind == "compiled":
@@ -50,7 +55,7 @@ def render(
 
         table = narrowed(table, lambda parted: grid_of(page(parted, form, mark)).total <= width)
         return text_page(page(table, form, mark), width)
-    return _page(table, form, mark, standalone, longtable)
+    return _page(table, form, mark, standalone, longtable, templates)
 
 
 def rows(table: Table, form: Format, decimal: str | None = None) -> Iterator[str]:
@@ -62,9 +67,11 @@ def rows(table: Table, form: Format, decimal: str | None = None) -> Iterator[str
     return csv_rows(table.records, form.decimal_name(table.lang, decimal))
 
 
-def _page(table: Table, form: Format, mark: str, standalone: bool, longtable: bool) -> str:
+def _page(
+    table: Table, form: Format, mark: str, standalone: bool, longtable: bool, templates: str | None
+) -> str:
     ready = page(table, form, mark)
-    if form.name == "text" and not _own_template(table, form.name):
+    if form.name == "text" and not _own_template(table, form.name, templates):
         return text_page(ready)
     values: dict[str, Any] = {"page": ready}
     if form.name == "latex":
@@ -77,19 +84,34 @@ def _page(table: Table, form: Format, mark: str, standalone: bool, longtable: bo
         from kurbel.typstrows import typst_layout
 
         values |= {"typst": typst_layout(page(table, by_name("text"), mark))}
-    fragment = _template(table, form.name, form.name).render(values)
+
+    def filled(name: str, more: dict[str, str]) -> str:
+        template = _own_template(table, name, templates) or f"base/{name}.jinja"
+        return _filled(form.name, template, values | more, templates)
+
+    fragment = filled(form.name, {})
     if standalone and form.document:
-        return _template(table, form.name, f"{form.name}.document").render(
-            values, fragment=fragment, title=form.escape(plain(table.caption, mark))
-        )
+        title = form.escape(plain(table.caption, mark))
+        return filled(f"{form.name}.document", {"fragment": fragment, "title": title})
     return fragment
 
 
 def render_document(
     format: str, name: str, values: Mapping[str, object], templates: str | None = None
 ) -> str:
-    """Return what a template that is not about one table, such as "index" in Markdown, makes of the values."""
-    return _environment(format).get_template(f"base/{name}.{format}.jinja").render(values)
+    """Return what a template for whole documents, such as "index" in Markdown, makes of the values.
+
+    `templates` is a folder of the user's, as in `render`.
+    """
+    return _filled(format, f"base/{name}.{format}.jinja", values, templates)
+
+
+def _filled(format: str, template: str, values: Mapping[str, object], templates: str | None) -> str:
+    if templates is None:
+        return _environment(format).get_template(template).render(values)
+    from kurbel.sandbox import filled
+
+    return filled(_sandbox(format, templates), template, values, templates)
 
 
 def is_taller_than_a_page(table: Table) -> bool:
@@ -99,14 +121,13 @@ def is_taller_than_a_page(table: Table) -> bool:
     return tex_layout(*(page(table, by_name(name), ".") for name in ("text", "latex"))).tall
 
 
-def _template(table: Table, format: str, name: str) -> Template:
-    """Return the template of the layout, if it has its own, else the common one."""
-    return _environment(format).get_template(_own_template(table, name) or f"base/{name}.jinja")
-
-
-def _own_template(table: Table, name: str) -> str:
+def _own_template(table: Table, name: str, templates: str | None) -> str:
+    """Return the template of the layout, if it has its own, here or in the user's folder."""
     own = f"{table.layout or table.key}/{name}.jinja"
-    return own if os.path.exists(os.path.join(template_folder(), own)) else ""
+    folders = [template_folder(), *([templates] if templates else [])]
+    if any(os.path.exists(os.path.join(folder, own)) for folder in folders):
+        return own
+    return f"base/{name}.jinja" if templates and os.path.exists(f"{templates}/base/{name}.jinja") else ""
 
 
 # LaTeX is full of braces and percent signs.
@@ -126,20 +147,32 @@ _DELIMITERS["typst"] = _DELIMITERS["latex"]
 
 @cache
 def _environment(name: str) -> Environment:
-    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+    from jinja2 import Environment, FileSystemLoader
+
+    return _prepared(Environment, name, auto_reload=False, loader=FileSystemLoader(template_folder()))
+
+
+@cache
+def _sandbox(name: str, templates: str) -> Environment:
+    from kurbel.sandbox import Folders, Sandbox
+
+    return _prepared(Sandbox, name, loader=Folders(templates))
+
+
+def _prepared(kind: type[Environment], name: str, **options: Any) -> Environment:
+    from jinja2 import StrictUndefined
 
     from kurbel.pipes import pipe_tables
     from kurbel.texwidth import blank_filled
 
     # No autoescape: every string of a page is finished text of its format, formulas included.
-    environment = Environment(
-        loader=FileSystemLoader(template_folder()),
+    environment = kind(
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
         keep_trailing_newline=True,
-        auto_reload=False,
         **_DELIMITERS.get(name, {}),
+        **options,
     )
     environment.filters.update(blank=blank, blank_filled=blank_filled, pipe_tables=pipe_tables)
     return environment

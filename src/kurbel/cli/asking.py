@@ -72,7 +72,6 @@ def asked(
     words: Sequence[str],
     defaults: Mapping[str, Any],
     machine: str | None = None,
-    set_by: str = "the document",
     format: str | None = None,
 ) -> Asked:
     """Return what the words, a command and its options, ask for.

@@ -156,6 +156,7 @@ def watch(**options: Any) -> None:
     from kurbel.errors import KurbelError
     from kurbel.handbook_watch import glance
 
+    _say("each file that is saved is built; Ctrl-C ends this")
     seen: object = None
     while True:
         now = glance(options["folder"])

@@ -55,7 +55,7 @@ def _text(table: Any, name: str, decimal: str | None, templates: str | None) -> 
         # Data keep the point, so that programs need not know the language of the page.
         return render(table, name).encode()
     longtable = name == "latex" and is_taller_than_a_page(table)
-    return render(table, name, decimal=decimal, longtable=longtable).encode()
+    return render(table, name, decimal=decimal, longtable=longtable, templates=templates).encode()
 
 
 def _figure(task: Task, drawing: Any, decimal: str | None, inputs: tuple[str, ...]) -> Made:

@@ -205,8 +205,7 @@ def _document_options() -> tuple[Callable[[Command], Command], ...]:
                      help="Name for cross references: \\label{tab:NAME}; default: the layout's."),
         click.option("--standalone", is_flag=True,
                      help="LaTeX, HTML and Typst: a whole document, not a fragment."),
-        click.option("--longtable", is_flag=True,
-                     help="LaTeX: a longtable, which breaks across pages; Typst breaks tables by itself."),
+        click.option("--longtable", is_flag=True, help="LaTeX: a longtable, which breaks across pages."),
     )  # fmt: skip
 
 

@@ -1,0 +1,92 @@
+"""A drawing's SVG file made part of an HTML page: names of its own, colours of the page, nothing to spare."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from xml.etree.ElementTree import Element
+
+# The colours of drawings by the names that the style sheet gives them, which has others for dark paper.
+COLOURS: Mapping[str, str] = {
+    "#000000": "ink",
+    "#ffffff": "paper",
+    "#8c8c8c": "grey",
+    "#d9d9d9": "pale",
+    "#0072b2": "blue",
+    "#d55e00": "orange",
+    "#009e73": "green",
+    "#a8508c": "purple",
+    "#7a5c00": "brown",
+}
+_COLOUR = re.compile("|".join(COLOURS))
+_TARGET = re.compile(r"(url\(#)([^)]+)")
+_NAMESPACE = re.compile(r"^\{[^}]*\}")
+# What a style sheet within a drawing says of all of its elements, and would say of the whole page.
+_ALL = re.compile(r"\*\s*\{([^{}]*)\}")
+_SPACE = re.compile(r"\s+")
+
+
+def inline(svg: str, name: str, title: str) -> str:
+    """Return the drawing for the middle of a page.
+
+    Ids begin with `name`, those that nothing refers to are gone, and so are metadata; `title`, plain text, is
+    what a screen reader says. Raises xml.etree.ElementTree.ParseError for what is no SVG.
+    """
+    from xml.etree import ElementTree
+
+    root = ElementTree.fromstring(svg)
+    _prune(root)
+    _name(root, name)
+    heading = ElementTree.Element("title", {"id": f"{name}-title"})
+    heading.text = title
+    root.insert(0, heading)
+    size = {key: root.get(key, "") for key in ("viewBox", "width", "height")}
+    style = {"style": found} if (found := root.get("style")) else {}
+    root.attrib.clear()
+    root.attrib.update(size | style | {"role": "img", "aria-labelledby": f"{name}-title"})
+    return ElementTree.tostring(root, encoding="unicode")
+
+
+def _prune(root: Element) -> None:
+    """Drop namespaces, blank lines, titles, metadata and style sheets; what these say of all the root says."""
+    for parent in [*root.iter()]:
+        parent.tag = _NAMESPACE.sub("", parent.tag)
+        for child in [*parent]:
+            tag = _NAMESPACE.sub("", child.tag)
+            if tag == "style" and (said := _ALL.search(child.text or "")):
+                root.set("style", said[1])
+            if tag in ("title", "metadata", "style"):
+                parent.remove(child)
+        parent.text = parent.tail = None
+        attributes = {_NAMESPACE.sub("", key): value for key, value in parent.attrib.items()}
+        parent.attrib.clear()
+        parent.attrib.update(attributes)
+
+
+def _name(root: Element, name: str) -> None:
+    """Give ids, and what refers to them, names of their own, and colours those of the page."""
+    targets = {found for one in root.iter() for found in _targets(one)}
+    for one in root.iter():
+        if one.get("id") not in targets:
+            one.attrib.pop("id", None)
+        for key, value in one.attrib.items():
+            one.attrib[key] = _of_the_page(key, value, name)
+
+
+def _targets(one: Element) -> Iterator[str]:
+    yield one.get("href", "").removeprefix("#")
+    for value in one.attrib.values():
+        yield from (match[2] for match in _TARGET.finditer(value))
+
+
+def _of_the_page(key: str, value: str, name: str) -> str:
+    if key == "id":
+        return f"{name}-{value}"
+    if key == "href":
+        return f"#{name}-{value.removeprefix('#')}"
+    named = _TARGET.sub(rf"\g<1>{name}-\g<2>", value)
+    coloured = _COLOUR.sub(lambda match: f"var(--{COLOURS[match[0]]})", named)
+    return _SPACE.sub(" ", coloured).strip()

@@ -1,0 +1,465 @@
+"""A handbook is built from its manifest: what is made, made anew, left alone, removed, and what fails."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Mapping
+from pathlib import Path
+
+import pytest
+from cli import Result, kurbel, refusal
+from tools import require_library
+
+from kurbel import output
+from kurbel.formats import FORMATS
+
+MANIFEST = """\
+title = "Tafeln"
+formats = ["text", "latex", "markdown", "html", "csv", "json"]
+
+[[chapter]]
+title = "Wege"
+
+[[chapter.part]]
+text = "Siehe [](#wege) und [](#schwung)."
+
+[[chapter.part]]
+run = "table --ratio 1:5 --step 45"
+name = "wege"
+
+[[chapter]]
+title = "Engine"
+lang = "en"
+
+[[chapter.part]]
+run = "flywheel --machine engine.toml"
+name = "schwung"
+"""
+MACHINE = """\
+[crank]
+ratio = "1:5"
+speed = "120/min"
+[flywheel]
+power = "50kW"
+delta = "1:100"
+"""
+
+
+def book(folder: Path, manifest: str = MANIFEST) -> Path:
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "handbook.toml").write_text(manifest, encoding="utf-8")
+    (folder / "engine.toml").write_text(MACHINE, encoding="utf-8")
+    return folder
+
+
+def build(folder: Path, *words: str) -> Result:
+    return kurbel("handbook", "build", str(folder), "--jobs", "1", *words)
+
+
+def files(folder: Path) -> dict[str, bytes]:
+    """Return all that was built, without what is of use on this machine only."""
+    output = folder / "build"
+    return {
+        path.relative_to(output).as_posix(): path.read_bytes()
+        for path in sorted(output.rglob("*"))
+        if path.is_file() and ".kurbel" not in path.parts
+    }
+
+
+def counts(result: Result) -> list[int]:
+    """Return how many files were written, unchanged and removed."""
+    last = result.err.splitlines()[-1]
+    return [int(word) for word in last.replace(",", "").split() if word.isdigit()]
+
+
+def test_every_table_is_in_every_format_and_every_document_whole(tmp_path: Path) -> None:
+    result = build(book(tmp_path / "my book"))
+    assert (result.code, result.out) == (0, "")
+    made = files(tmp_path / "my book")
+    tables = {
+        f"tables/{name}.{end}"
+        for name in ("wege", "schwung")
+        for end in ("txt", "tex", "md", "html", "csv", "json")
+    }
+    documents = {"handbook.tex", "appendix.tex", "handbook.html", "contents.json"}
+    pages = {f"markdown/{name}.md" for name in ("index", "01-wege", "02-engine")}
+    assert set(made) == tables | documents | pages
+    assert counts(result) == [len(made) - 1, 0]
+    # The machine's power and irregularity: M = P/(ω³δ) of the energy swing; here only that it was read.
+    assert b"50" in made["tables/schwung.html"]
+    assert b'lang="en"' in made["tables/schwung.html"]
+    listed = json.loads(made["contents.json"])["files"]
+    assert listed == {
+        path: hashlib.sha256(content).hexdigest() for path, content in made.items() if path != "contents.json"
+    }
+
+
+def test_what_a_table_says_is_what_its_command_prints(tmp_path: Path) -> None:
+    build(book(tmp_path))
+    for name, end in (("csv", "csv"), ("text", "txt"), ("latex", "tex")):
+        words = ("table", "--ratio", "1:5", "--step", "45", "--label", "wege", "-f", name)
+        assert files(tmp_path)[f"tables/wege.{end}"].decode() == kurbel(*words).out
+
+
+def test_nothing_is_made_anew_where_nothing_changed(tmp_path: Path) -> None:
+    build(book(tmp_path))
+    before = {path: path.stat().st_mtime_ns for path in (tmp_path / "build").rglob("*") if path.is_file()}
+    again = build(tmp_path)
+    assert counts(again)[0] == 0
+    after = {path: path.stat().st_mtime_ns for path in before}
+    lock = tmp_path / "build/.kurbel/lock"
+    assert {path for path in before if before[path] != after[path]} <= {lock}
+
+
+def made_anew(folder: Path) -> set[str]:
+    """Return the files that the next build writes."""
+    before = {path: (folder / "build" / path).stat().st_mtime_ns for path in files(folder)}
+    assert build(folder).code == 0
+    return {
+        path for path in files(folder) if before.get(path) != (folder / "build" / path).stat().st_mtime_ns
+    }
+
+
+def test_a_changed_command_makes_its_table_and_the_documents_anew(tmp_path: Path) -> None:
+    book(tmp_path)
+    build(tmp_path)
+    book(tmp_path, MANIFEST.replace("--step 45", "--step 90"))
+    anew = made_anew(tmp_path)
+    assert {path for path in anew if path.startswith("tables/")} == {
+        f"tables/wege.{end}" for end in ("txt", "tex", "md", "html", "csv", "json")
+    }
+    assert {"handbook.html", "markdown/01-wege.md", "contents.json"} <= anew
+
+
+def test_a_changed_machine_makes_what_was_made_of_it_anew(tmp_path: Path) -> None:
+    build(book(tmp_path))
+    (tmp_path / "engine.toml").write_text(MACHINE.replace("1:100", "1:80"), encoding="utf-8")
+    assert {path for path in made_anew(tmp_path) if path.startswith("tables/")} == {
+        f"tables/schwung.{end}" for end in ("txt", "tex", "md", "html", "csv", "json")
+    }
+
+
+def test_a_changed_text_makes_documents_anew_and_no_table(tmp_path: Path) -> None:
+    build(book(tmp_path))
+    book(tmp_path, MANIFEST.replace("Siehe", "Vergleiche"))
+    anew = made_anew(tmp_path)
+    assert "handbook.html" in anew
+    assert not any(path.startswith("tables/") for path in anew)
+
+
+@pytest.mark.parametrize("path", ["tables/wege.tex", "handbook.html", "contents.json", ".kurbel/state.json"])
+@pytest.mark.parametrize("content", [b"", b"\xff{]", b"[]", b'{"a": 3}', None], ids=str)
+def test_what_somebody_spoilt_is_made_anew(tmp_path: Path, path: str, content: bytes | None) -> None:
+    build(book(tmp_path))
+    before = files(tmp_path)
+    spoilt = tmp_path / "build" / path
+    spoilt.unlink() if content is None else spoilt.write_bytes(content)
+    assert build(tmp_path).code == 0
+    assert files(tmp_path) == before
+
+
+def test_what_is_no_longer_in_the_manifest_is_removed_unless_it_was_changed(tmp_path: Path) -> None:
+    build(book(tmp_path))
+    (tmp_path / "build/tables/schwung.csv").write_text("my own\n")
+    (tmp_path / "build/own.txt").write_text("my own\n")
+    # As after a fresh clone, where only what is committed is there.
+    shutil.rmtree(tmp_path / "build/.kurbel")
+    book(
+        tmp_path, MANIFEST[: MANIFEST.index('[[chapter]]\ntitle = "Engine"')].replace("und [](#schwung)", "")
+    )
+    result = build(tmp_path)
+    left = set(files(tmp_path))
+    assert {"own.txt", "tables/schwung.csv"} <= left
+    assert not {"tables/schwung.tex", "markdown/02-engine.md"} & left
+    assert counts(result)[2] == 6
+
+
+def test_a_part_that_fails_is_reported_and_the_others_are_built(tmp_path: Path) -> None:
+    wrong = MANIFEST.replace("--step 45", "--stepp 45")
+    result = build(book(tmp_path, wrong))
+    assert result.code == 1
+    first, last = result.err.splitlines()
+    assert first == (
+        f"kurbel: {tmp_path}/handbook.toml, line 11, wege:"
+        ' there is no option "--stepp" (did you mean --step?); see kurbel table --help'
+    )
+    assert last.endswith(", 1 failed")
+    made = files(tmp_path)
+    assert "tables/schwung.html" in made
+    assert "tables/wege.html" not in made
+
+
+def test_documents_say_what_is_missing(tmp_path: Path) -> None:
+    wrong = MANIFEST.replace("--step 45", "--stepp 45").replace("[](#wege) und", "")
+    assert build(book(tmp_path, wrong)).code == 1
+    made = files(tmp_path)
+    assert "Fehlt: kurbel table" in made["handbook.html"].decode()
+    assert "Fehlt: kurbel table" in made["markdown/01-wege.md"].decode()
+    assert b"schwung" in made["handbook.html"]
+
+
+def test_what_was_built_before_stays_where_its_part_fails(tmp_path: Path) -> None:
+    build(book(tmp_path))
+    before = files(tmp_path)
+    book(tmp_path, MANIFEST.replace("--step 45", "--stepp 45"))
+    assert build(tmp_path).code == 1
+    assert files(tmp_path) == before
+    # And it is tried again, though nothing changed.
+    assert build(tmp_path).code == 1
+
+
+def test_a_reference_to_nothing_fails_with_the_nearest_name(tmp_path: Path) -> None:
+    result = build(book(tmp_path, MANIFEST.replace("[](#schwung)", "[](#schwng)")))
+    assert result.code == 1
+    assert "(did you mean schwung?)" in result.err
+    assert "tables/wege.tex" in files(tmp_path)
+
+
+def test_a_strict_collation_that_deviates_fails(tmp_path: Path) -> None:
+    result = build(
+        book(tmp_path, MANIFEST.replace("flywheel --machine engine.toml", "collate blau-33 --strict"))
+    )
+    assert result.code == 1
+    assert "printed values deviate" in result.err
+
+
+SETTINGS: tuple[Mapping[str, str], ...] = (
+    {
+        "TZ": "Pacific/Kiritimati",
+        "LC_ALL": "C",
+        "PYTHONHASHSEED": "1",
+        "KURBEL_LANG": "en",
+        "KURBEL_DECIMAL": "point",
+    },
+    {"TZ": "America/Anchorage", "LC_ALL": "de_DE.UTF-8", "PYTHONHASHSEED": "2", "KURBEL_TABLE_DIGITS": "7"},
+)
+
+
+@pytest.mark.parametrize("epoch", ["", "1000000000"])
+def test_two_builds_are_the_same_bytes(tmp_path: Path, epoch: str) -> None:
+    require_library("typst")
+    require_library("matplotlib")
+    every = ", ".join(f'"{name}"' for name in FORMATS)
+    text = MANIFEST.replace('"text", "latex", "markdown", "html", "csv", "json"', every)
+    text += '\n[[chapter.part]]\nrun = "plot --ratio 1:5 --columns p"\nname = "bild"\n'
+    made = []
+    for place, setting in zip(("one", "two/three four"), SETTINGS, strict=True):
+        folder = book(tmp_path / place, text)
+        words = [
+            sys.executable,
+            "-m",
+            "kurbel",
+            "handbook",
+            "build",
+            "--jobs",
+            str(len(made) + 1),
+            str(folder),
+        ]
+        environment = {**os.environ, **setting, **({"SOURCE_DATE_EPOCH": epoch} if epoch else {})}
+        done = subprocess.run(words, env=environment, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr
+        made.append(files(folder))
+        time.sleep(1.1)
+    assert made[0] == made[1]
+    assert any(path.endswith(".pdf") and path.startswith("handbook") for path in made[0])
+    for path, content in made[0].items():
+        assert str(tmp_path).encode() not in content, path
+
+
+def test_check_passes_where_all_is_built_and_says_what_is_stale(tmp_path: Path) -> None:
+    build(book(tmp_path))
+    before = files(tmp_path)
+    passed = kurbel("handbook", "check", str(tmp_path), "--jobs", "1")
+    assert (passed.code, passed.out) == (0, "")
+    assert "all 15 files are what the manifest says" in passed.err
+    (tmp_path / "build/tables/wege.md").unlink()
+    csv = tmp_path / "build/tables/wege.csv"
+    csv.write_text(csv.read_text().replace("1.0000", "1.0001"))
+    failed = kurbel("handbook", "check", str(tmp_path), "--jobs", "1")
+    assert failed.code == 1
+    lines = failed.out.splitlines()
+    assert lines[0] == f"{tmp_path}/build/tables/wege.csv"
+    assert any(line.startswith("    -") and "1.0001" in line for line in lines)
+    assert lines[-2:] == [f"{tmp_path}/build/tables/wege.md", "    missing"]
+    assert f"2 files are stale; this mends them: kurbel handbook build {tmp_path}" in failed.err
+    assert not (tmp_path / "build/tables/wege.md").exists()
+    build(tmp_path)
+    assert files(tmp_path) == before
+
+
+def test_check_needs_no_state_and_finds_what_is_left_over(tmp_path: Path) -> None:
+    build(book(tmp_path))
+    shutil.rmtree(tmp_path / "build/.kurbel")
+    assert kurbel("handbook", "check", str(tmp_path), "--jobs", "1").code == 0
+    assert not (tmp_path / "build/.kurbel").exists()
+    book(
+        tmp_path, MANIFEST[: MANIFEST.index('[[chapter]]\ntitle = "Engine"')].replace("und [](#schwung)", "")
+    )
+    failed = kurbel("handbook", "check", str(tmp_path), "--jobs", "1")
+    assert failed.code == 1
+    assert (
+        f"{tmp_path}/build/tables/schwung.csv\n    left over: nothing in the manifest makes it" in failed.out
+    )
+
+
+def test_check_before_any_build_says_that_all_is_missing(tmp_path: Path) -> None:
+    failed = kurbel("handbook", "check", str(book(tmp_path)), "--jobs", "1")
+    assert failed.code == 1
+    assert failed.out.count("    missing\n") == 15
+    assert not (tmp_path / "build").exists()
+
+
+@pytest.mark.parametrize("lang", ["de", "en"])
+def test_the_manifest_of_init_builds_at_once(tmp_path: Path, lang: str) -> None:
+    assert kurbel("handbook", "init", str(tmp_path / "a/b"), "--lang", lang).code == 0
+    result = build(tmp_path / "a/b")
+    assert result.code == 0, result.err
+    assert {"handbook.html", "appendix.tex", "handbook.typ", "handbook.pdf"} <= set(files(tmp_path / "a/b"))
+    said = refusal("handbook", "init", str(tmp_path / "a/b"), code=1)
+    assert said == f"{tmp_path}/a/b/handbook.toml is there already; kurbel handbook build builds it"
+
+
+def test_init_leaves_out_what_needs_an_extra_that_is_missing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("kurbel.handbook_init.find_spec", lambda name: None)
+    kurbel("handbook", "init", str(tmp_path))
+    text = (tmp_path / "handbook.toml").read_text(encoding="utf-8")
+    assert "pip install 'kurbel[pdf]'" in text
+    assert "pip install 'kurbel[plot]'" in text
+    assert build(tmp_path).code == 0
+    assert not any("figures/" in path or path.endswith(".pdf") for path in files(tmp_path))
+
+
+def test_list_says_what_would_be_made(tmp_path: Path) -> None:
+    build(book(tmp_path))
+    book(tmp_path, MANIFEST.replace("--step 45", "--step 90").replace("schwung", "rad"))
+    listed = kurbel("handbook", "list", str(tmp_path))
+    assert listed.out.splitlines() == [
+        f"{tmp_path}/build: text, latex, markdown, html, csv, json",
+        "",
+        "1 Wege (wege)",
+        "    wege  kurbel table --ratio 1:5 --step 90  changed",
+        "",
+        "2 Engine (engine)",
+        "    rad  kurbel flywheel --machine engine.toml  new",
+    ]
+
+
+def test_a_wrong_subcommand_is_answered_with_the_nearest() -> None:
+    assert "did you mean build?" in refusal("handbook", "biuld")
+
+
+def test_the_output_leads_nowhere_else(tmp_path: Path) -> None:
+    outside = tmp_path / "outside"
+    outside.mkdir()
+    folder = book(tmp_path / "book")
+    (folder / "build").symlink_to(outside)
+    assert "is a link, which may lead anywhere" in refusal("handbook", "build", str(folder), code=1)
+    (folder / "build").unlink()
+    (folder / "build").mkdir()
+    (folder / "build/tables").symlink_to(outside)
+    result = build(folder)
+    assert result.code == 1
+    assert "is a link, which may lead anywhere" in result.err
+    (folder / "build/tables").unlink()
+    (folder / "build/handbook.html").symlink_to(outside / "victim")
+    (outside / "victim").write_text("precious")
+    assert "is a link, which may lead anywhere" in build(folder).err
+    assert [path.name for path in outside.iterdir()] == ["victim"]
+    assert (outside / "victim").read_text() == "precious"
+    # A list of what was built may come from anybody.
+    (folder / "build/handbook.html").unlink()
+    digest = hashlib.sha256(b"precious").hexdigest()
+    listed = {"files": {"../../outside/victim": digest, str(outside / "victim"): digest}}
+    (folder / "build/contents.json").write_text(json.dumps(listed))
+    assert build(folder).code == 0
+    assert (outside / "victim").exists()
+
+
+def test_a_file_in_place_of_the_folder_is_answered_with_a_sentence(tmp_path: Path) -> None:
+    folder = book(tmp_path)
+    (folder / "build").write_text("")
+    assert "is a file; the handbook is built into a folder" in refusal(
+        "handbook", "build", str(folder), code=1
+    )
+
+
+def test_a_full_disk_leaves_the_old_files_and_no_halves(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    build(book(tmp_path))
+    before = files(tmp_path)
+
+    def full(number: int) -> None:
+        raise OSError(28, "No space left on device")
+
+    book(tmp_path, MANIFEST.replace("--step 45", "--step 90"))
+    monkeypatch.setattr(output.os, "fsync", full)
+    result = build(tmp_path)
+    assert result.code == 1
+    assert "No space left on device" in result.err
+    assert "Traceback" not in result.err
+    assert files(tmp_path) == before
+
+
+def run(folder: Path) -> subprocess.Popen[bytes]:
+    words = [sys.executable, "-m", "kurbel", "handbook", "build", str(folder), "--jobs", "2"]
+    return subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+
+
+MANY = 'title = "Tafeln"\nformats = ["latex", "html", "csv"]\n[[chapter]]\ntitle = "Wege"\n' + "".join(
+    f'[[chapter.part]]\nrun = "table --ratio 1:{n} --step STEP"\nname = "t{n}"\n' for n in range(3, 23)
+)
+
+
+def test_a_build_killed_at_any_moment_leaves_old_or_new_files(tmp_path: Path) -> None:
+    folder = book(tmp_path / "a", MANY.replace("STEP", "45"))
+    build(folder)
+    old = files(folder)
+    new_book = book(tmp_path / "b", MANY.replace("STEP", "60"))
+    build(new_book)
+    new = files(new_book)
+    assert old.keys() == new.keys()
+    book(folder, MANY.replace("STEP", "60"))
+    chance = random.Random(6)
+    for _ in range(6):
+        process = run(folder)
+        time.sleep(chance.uniform(0.2, 2.2))
+        process.kill()
+        process.communicate()
+        for path, content in files(folder).items():
+            if not path.endswith(".part"):
+                assert content in (old[path], new[path]), path
+    assert build(folder).code == 0
+    assert files(folder) == new
+
+
+def test_two_builds_at_once_do_not_disturb_one_another(tmp_path: Path) -> None:
+    folder = book(tmp_path / "a", MANY.replace("STEP", "45"))
+    both = [run(folder), run(folder)]
+    said = [process.communicate()[1].decode() for process in both]
+    assert [process.returncode for process in both] == [0, 0], said
+    assert sum("another build of this handbook is under way" in one for one in said) <= 1
+    alone = book(tmp_path / "b", MANY.replace("STEP", "45"))
+    build(alone)
+    assert files(folder) == files(alone)
+
+
+def test_ctrl_c_ends_a_build_and_its_processes(tmp_path: Path) -> None:
+    process = run(book(tmp_path, MANY.replace("STEP", "1")))
+    time.sleep(1.5)
+    process.send_signal(signal.SIGINT)
+    started = time.monotonic()
+    process.communicate()
+    assert process.returncode == 130
+    assert time.monotonic() - started < 5
+    assert not [path for path in files(tmp_path) if path.endswith(".part")]

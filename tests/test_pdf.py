@@ -1,0 +1,176 @@
+"""PDF from the command line and from Python: whole, the same on every day, and refused with a sentence."""
+
+from __future__ import annotations
+
+import os
+import pty
+import re
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from cli import printed, refusal
+from everything import everything
+from tools import require_library
+
+import kurbel
+from kurbel.pdf import STANDARDS, Standard, compile_typst
+
+require_library("typst")
+HELP = "see kurbel table --help"
+# Dates in the old dictionary and in the XML of a PDF.
+_DATE = re.compile(rb"(?:Creation|Mod)Date\(D:(\d{14})|<xmp:(?:Create|Modify)Date>([^<]+)")
+
+
+@pytest.fixture(autouse=True)
+def _no_date_of_the_tester(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("SOURCE_DATE_EPOCH", raising=False)
+
+
+def dates(made: bytes) -> set[bytes]:
+    return {old or new for old, new in _DATE.findall(made)}
+
+
+def in_pipe(folder: Path, **environment: str) -> bytes:
+    """Run `kurbel table -f pdf` in another process, in that folder, and return what it prints."""
+    command = [sys.executable, "-m", "kurbel", "table", "--ratio", "1:5", "--angle", "0..90:30", "-f", "pdf"]
+    clean = {name: text for name, text in os.environ.items() if "KURBEL" not in name}
+    return subprocess.run(
+        command, stdout=subprocess.PIPE, check=True, cwd=folder, env=clean | environment
+    ).stdout
+
+
+def test_the_same_table_is_the_same_file_on_every_day_in_every_zone_locale_and_folder(tmp_path: Path) -> None:
+    first = in_pipe(Path("/"), TZ="Asia/Tokyo", LC_ALL="de_DE.UTF-8")
+    # The clock of a PDF counts seconds.
+    time.sleep(1.1)
+    assert in_pipe(tmp_path, TZ="America/New_York", LC_ALL="C") == first
+    assert first.startswith(b"%PDF-")
+    assert dates(first) == set()
+
+
+def test_the_date_of_the_file_is_the_one_of_the_sources() -> None:
+    stamped = in_pipe(Path("/"), SOURCE_DATE_EPOCH="1000000000", TZ="Asia/Tokyo")
+    assert dates(stamped) == {b"20010909014640", b"2001-09-09T01:46:40+00:00"}
+
+
+def test_an_archive_demands_a_date(monkeypatch: pytest.MonkeyPatch) -> None:
+    made = kurbel.typeset_pdf(everything(), standards=["a-2b", "ua-1"])
+    assert dates(made) == {b"19700101000000", b"1970-01-01T00:00:00+00:00"}
+    assert b"<pdfaid:part>2</pdfaid:part>" in made
+    assert b"<pdfuaid:part>1</pdfuaid:part>" in made
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "86400")
+    assert b"19700102000000" in dates(kurbel.typeset_pdf(everything(), standards=["a-2b"]))
+
+
+@pytest.mark.parametrize("standard", STANDARDS)
+def test_page_with_every_part_complies_with_every_standard(standard: Standard) -> None:
+    assert kurbel.typeset_pdf(everything(), standards=[standard]).startswith(b"%PDF-")
+
+
+def test_python_and_the_command_line_make_the_same_file(tmp_path: Path) -> None:
+    page = kurbel.make_table("1:5", angles="0..90:30")
+    assert kurbel.typeset_pdf(page) == in_pipe(tmp_path)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("table", "--standalone"),
+        ("delta", "--eps", "2..6"),
+        ("turning",),
+        ("solve", "--where", "p=0"),
+        ("collate", "blau-33"),
+        ("example", "blau", "33"),
+        ("balance",),
+    ],
+    ids=" ".join,
+)
+def test_every_printing_command_writes_pdf(words: tuple[str, ...], tmp_path: Path) -> None:
+    path = tmp_path / "tafel.PDF"
+    assert printed(*words, "-o", str(path)).out == ""
+    assert path.read_bytes().startswith(b"%PDF-")
+
+
+def test_a_terminal_gets_a_sentence_instead_of_bytes() -> None:
+    ours, terminal = pty.openpty()
+    command = [sys.executable, "-m", "kurbel", "table", "-f", "pdf"]
+    done = subprocess.run(command, stdout=terminal, stderr=subprocess.PIPE, text=True, check=False)
+    os.close(terminal)
+    os.close(ours)
+    sentence = f"a terminal shows no pdf; name a file, such as -o kurbel.pdf; {HELP}"
+    assert (done.returncode, done.stderr) == (2, f"kurbel: {sentence}\n")
+
+
+def test_without_the_extra_a_sentence_says_what_to_install(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setitem(sys.modules, "typst", None)
+    sentence = "PDF needs typst; install it with: pip install 'kurbel[pdf]'"
+    assert refusal("table", "-o", str(tmp_path / "tafel.pdf"), code=1) == sentence
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("call", "sentence"),
+    [
+        (
+            lambda: kurbel.typeset(everything(), "pdf"),
+            "a pdf is bytes and no text; make it with kurbel.typeset_pdf",
+        ),
+        (
+            lambda: kurbel.typeset_pdf(None),  # type: ignore[arg-type]
+            "a NoneType cannot be set; make a page with make_table",
+        ),
+        (
+            lambda: kurbel.typeset_pdf(everything(), standards=["a-9"]),  # type: ignore[list-item]
+            f"PDF standard is 'a-9'; it must be one of {', '.join(STANDARDS)}",
+        ),
+        (
+            lambda: compile_typst("Text\n#foo"),
+            "Typst cannot set the document, line 2: unknown variable: foo",
+        ),
+        (
+            lambda: compile_typst('#panic("a\nb")', standards=["a-2b"]),
+            "Typst cannot set the document, line 1: panicked with: a b",
+        ),
+        (
+            lambda: compile_typst('#import "@preview/x:1.0.0": *'),
+            "a document imports a package (@...); packages come from the network and are not used",
+        ),
+    ],
+)
+def test_mistakes_are_sentences(call: Callable[[], object], sentence: str) -> None:
+    with pytest.raises(kurbel.KurbelError) as caught:
+        call()
+    assert str(caught.value) == sentence
+
+
+@pytest.mark.parametrize("epoch", ["gestern", "-1", "1.5", "253402300800", "1" * 30])
+def test_a_date_that_is_none_is_refused(epoch: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", epoch)
+    with pytest.raises(kurbel.KurbelError) as caught:
+        compile_typst("Text")
+    sentence = f'SOURCE_DATE_EPOCH is "{epoch}"; it must be a number of seconds from 1970 up to the year 9999'
+    assert str(caught.value) == sentence
+
+
+def test_a_document_reads_the_files_of_its_folder_and_no_others(tmp_path: Path) -> None:
+    root = tmp_path / "book"
+    root.mkdir()
+    (tmp_path / "secret.typ").write_text("geheim")
+    (root / "table.typ").write_text("Zeile\n#bar")
+    (root / "whole.typ").write_text("Zeile")
+    assert compile_typst('#include "whole.typ"', root=str(root)).startswith(b"%PDF-")
+    for source, kind, start in (
+        ('#include "table.typ"', str(root), "Typst cannot set the document, table.typ, line 2: unknown"),
+        ('#include "../secret.typ"', str(root), "Typst cannot set the document, line 1: "),
+        (f'#read("{root / "whole.typ"}")', None, "Typst cannot set the document, line 1: file not found"),
+        ("Text", str(tmp_path / "nowhere"), f"the folder {tmp_path / 'nowhere'} does not exist"),
+    ):
+        with pytest.raises(kurbel.KurbelError) as caught:
+            compile_typst(source, root=kind)
+        assert str(caught.value).startswith(start)

@@ -1,0 +1,202 @@
+"""Typst: nothing in prose is obeyed, and the fragments of a handbook compile in one document."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from everything import everything
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from test_latex import tall, wide
+from test_shipped_pages import all_pages, assert_rows_stand_in, text_of_pdf
+from tools import require_library
+
+from kurbel.errors import LayoutError
+from kurbel.escapes import escape_typst, mark_typst, string_typst
+from kurbel.formula import Formula
+from kurbel.formula_print import formula_plain, formula_typst
+from kurbel.labels import parse
+from kurbel.render import render
+
+require_library("typst")
+
+HEAD = (
+    '#set text(font: "Libertinus Serif")\n#show math.equation: set text(font: "New Computer Modern Math")\n'
+)
+# What Typst obeys, and what stands beside it.
+_SIGNS = st.sampled_from(
+    [*"#$*_@<>`\\[]/~-.,'\"=+:;(){}!?&|^%", *"a1 ", "--", "...", "//", "/*", "*/", "https://"]
+)
+_PROSE = st.one_of(
+    st.lists(_SIGNS).map("".join), st.text(st.characters(codec="utf-8", exclude_categories=["C"]))
+)
+
+
+def queried(document: str, selector: str = "<found>", field: str = "value") -> list[Any]:
+    """Return that field of all elements of a document, in order."""
+    import typst
+
+    found = typst.query(document.encode(), selector, field=field, ignore_system_fonts=True)
+    return list(json.loads(found))
+
+
+def words_of(content: Any) -> Iterator[str]:
+    """Yield the text of content that is nothing but text and spaces."""
+    if content["func"] == "sequence":
+        for child in content["children"]:
+            yield from words_of(child)
+    else:
+        # A character after a backslash is a symbol.
+        assert content["func"] in ("text", "symbol", "space")
+        yield " " if content["func"] == "space" else str(content["text"])
+
+
+def in_typst(pieces: list[str]) -> list[str]:
+    """Return what Typst prints of content in square brackets."""
+    document = "".join(f"#metadata([{piece}]) <found>\n" for piece in pieces)
+    return ["".join(words_of(content)) for content in queried(document)]
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.lists(_PROSE, min_size=1, max_size=20))
+def test_no_prose_is_obeyed(texts: list[str]) -> None:
+    prose = [re.sub(r"[ \u2028\u2029]+", " ", text).strip(" ") for text in texts]
+    assert in_typst([escape_typst(one) for one in prose]) == prose
+
+
+@settings(max_examples=30, deadline=None)
+@given(st.lists(_PROSE, min_size=1, max_size=20))
+def test_no_prose_is_obeyed_beside_marks_and_formulas(texts: list[str]) -> None:
+    prose = [re.sub(r"[ \u2028\u2029]+", " ", text) for text in texts]
+    before, after = mark_typst("a"), formula_typst(formula("x"))
+    pieces = [f"{before}{escape_typst(one)}{after}" for one in prose]
+    contents = queried("".join(f"#metadata([{piece}]) <found>\n" for piece in pieces))
+    for one, content in zip(prose, contents, strict=True):
+        first, *middle, last = content["children"]
+        assert (first["func"], last["func"]) == ("super", "equation")
+        assert "".join(word for child in middle for word in words_of(child)) == one
+
+
+@given(st.text(st.characters(codec="utf-8", exclude_categories=["C"])))
+@settings(max_examples=50, deadline=None)
+def test_strings_of_code_are_the_text(text: str) -> None:
+    assert queried(f"#metadata({string_typst(text)}) <found>") == [text]
+
+
+def formula(source: str) -> Formula:
+    (part,) = parse(f"${source}$")
+    assert isinstance(part, Formula)
+    return part
+
+
+@pytest.mark.parametrize(
+    ("source", "typst"),
+    [
+        ("x/R", r"x\/R"),
+        ("R:L = 1:4.5", 'R":"L=1":"4","5'),
+        ("2 sin φ", "2 sin φ"),
+        ("1/4.5 a", 'frac(1, 4","5)a'),
+        ("x_m^2", "x_(m)^(2)"),
+        ('2.5 "m/s"', '2","5 thin"m/s"'),
+        ("sqrt(1 + λ^2)", "sqrt(1+λ^(2))"),
+        ("a - > b", "a− >b"),
+        (r'"a\b"', r'"a\\b"'),
+    ],
+)
+def test_formula_in_typst(source: str, typst: str) -> None:
+    alternative = string_typst(formula_plain(formula(source), ","))
+    assert formula_typst(formula(source), ",") == f"#math.equation(alt: {alternative}, ${typst}$);"
+
+
+_PIECES = st.sampled_from([*"()[]/_^ -<>±:°'", "sin", "max", "xy", "x", "φ", "2", "4.5", '"#a$"', "sqrt(2)"])
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.lists(st.lists(_PIECES, min_size=1, max_size=8).map("".join), min_size=10))
+def test_any_formula_is_understood_and_has_its_text(sources: list[str]) -> None:
+    formulas = list(understood(sources))
+    document = "\n".join(formula_typst(one, ",", display) for one in formulas for display in (False, True))
+    texts = [formula_plain(one, ",") for one in formulas]
+    assert queried(document, "math.equation", "alt") == [text for text in texts for _ in range(2)]
+
+
+def understood(sources: list[str]) -> Iterator[Formula]:
+    for source in sources:
+        try:
+            yield formula(source)
+        except (LayoutError, ValueError):
+            continue
+
+
+def compiled(document: str, folder: Path, *standards: str) -> list[str]:
+    """Compile a document of the files in a folder without a warning and return the text of its pages."""
+    import typst
+
+    (folder / "page.typ").write_text(document, encoding="utf-8")
+    made, warnings = typst.Compiler(
+        str(folder / "page.typ"), root=str(folder), ignore_system_fonts=True
+    ).compile_with_warnings(format="pdf", pdf_standards=list(standards), timestamp=0)  # type: ignore[arg-type]
+    assert [warning.message for warning in warnings] == []
+    assert isinstance(made, bytes)
+    (folder / "page.pdf").write_bytes(made)
+    return text_of_pdf(folder).split("\f")[:-1]
+
+
+def test_all_shipped_layouts_compile_in_one_archivable_and_accessible_handbook(tmp_path: Path) -> None:
+    pages = all_pages()
+    assert len(pages) >= 32
+    document = '#set document(title: "Handbuch")\n#set text(lang: "de")\n' + HEAD
+    document += "#outline(target: figure.where(kind: table))\n"
+    (tmp_path / "tables").mkdir()
+    for page in pages:
+        (tmp_path / "tables" / f"{page.key}.typ").write_text(render(page, "typst"), encoding="utf-8")
+        document += f'#pagebreak()\n= {page.key}\n#include "tables/{page.key}.typ"\nSiehe @tab-{page.key}.\n'
+    texts = "\f".join(compiled(document, tmp_path, "a-2b", "ua-1")).split("Siehe Tabelle ")
+    assert len(texts) == len(pages) + 1
+    for number, (page, text) in enumerate(zip(pages, texts, strict=False), 1):
+        assert f"Tabelle {number}: " in text
+        assert_rows_stand_in(text.splitlines(), page, angles=False)
+
+
+@pytest.mark.parametrize("lang", ["de", "en"])
+def test_page_with_every_part_is_archivable_and_accessible(lang: str, tmp_path: Path) -> None:
+    (text,) = compiled(render(everything(lang=lang), "typst", standalone=True), tmp_path, "a-2b", "ua-1")
+    assert {"de": "Tabelle 1: ", "en": "Table 1: "}[lang] in text
+    words = " ".join(text.split())
+    assert r"""50 % & $, a|b, #_{}~^\, <script>alert(1)</script>, [x] *y* `z` -- ,, "q" """ in words
+
+
+@pytest.mark.parametrize("decimals", [4, 6, 8])
+def test_twelve_columns_fit_the_line(decimals: int, tmp_path: Path) -> None:
+    page = wide(decimals)
+    (text,) = compiled(render(page, "typst", standalone=True), tmp_path)
+    assert_rows_stand_in(text.splitlines(), page)
+
+
+def test_table_longer_than_a_page_breaks_and_repeats_its_heads(tmp_path: Path) -> None:
+    pages = compiled(render(tall(200), "typst", standalone=True), tmp_path, "ua-1")
+    assert len(pages) == 8
+    assert [page.count("(continued)") for page in pages[:1]] == [0]
+    assert all("(continued)" in page for page in pages[1:])
+    assert all(re.search("Gruppe|Source", page) for page in pages)
+    numbers = [int(found) for page in pages for found in re.findall(r"^ *(\d+) +0[.]", page, re.MULTILINE)]
+    assert numbers == [*range(200), *range(200)]
+
+
+def test_table_shorter_than_a_page_moves_to_the_next_with_its_caption(tmp_path: Path) -> None:
+    (tmp_path / "table.typ").write_text(render(everything(), "typst"), encoding="utf-8")
+    above, below = compiled(f'{HEAD}Oben #v(20cm)\n#include "table.typ"', tmp_path)
+    assert above.split() == ["Oben"]
+    assert "Jeder Teil einer Tafel" in below
+
+
+def test_fragment_sets_nothing_outside_itself(tmp_path: Path) -> None:
+    values = "(text.size, text.lang, text.number-width, par.leading, super.size, figure.caption.position)"
+    asked = f"#context [#metadata(repr({values})) <found>]\n"
+    before, after = queried(f"{asked}{render(everything(lang='en'), 'typst')}{asked}")
+    assert before == after
