@@ -18,7 +18,6 @@ import pytest
 from cli import Result, kurbel, refusal
 from tools import require_library
 
-from kurbel import output
 from kurbel.formats import FORMATS
 
 MANIFEST = """\
@@ -250,7 +249,7 @@ def test_two_builds_are_the_same_bytes(tmp_path: Path, epoch: str) -> None:
     every = ", ".join(f'"{name}"' for name in FORMATS)
     text = MANIFEST.replace('"text", "latex", "markdown", "html", "csv", "json"', every)
     text += '\n[[chapter.part]]\nrun = "plot --ratio 1:5 --columns p"\nname = "bild"\n'
-    made = []
+    made: list[dict[str, bytes]] = []
     for place, setting in zip(("one", "two/three four"), SETTINGS, strict=True):
         folder = book(tmp_path / place, text)
         words = [
@@ -403,7 +402,7 @@ def test_a_full_disk_leaves_the_old_files_and_no_halves(
         raise OSError(28, "No space left on device")
 
     book(tmp_path, MANIFEST.replace("--step 45", "--step 90"))
-    monkeypatch.setattr(output.os, "fsync", full)
+    monkeypatch.setattr("os.fsync", full)
     result = build(tmp_path)
     assert result.code == 1
     assert "No space left on device" in result.err

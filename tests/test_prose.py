@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 import time
 from html.parser import HTMLParser
+from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from markdown_it import MarkdownIt
 from prose_sample import SAMPLE, Parts
@@ -258,14 +259,20 @@ _SPACE = re.compile(
 def rendered(text: str, renderer: MarkdownIt) -> str:
     """Return the page that readers of Markdown show, white space apart."""
     page = re.sub(r' class="language[^"]*"|<!-- -->| title="[^"]*"', "", renderer.render(text))
-    page = (
-        re.sub(r"(<br />\s*)+(?=</)", "", page.replace("<br>", "<br />"))
-        .replace("′", "'")
-        .replace("″", "&quot;")
-    )
+    page = page.replace("<br>", "<br />").replace("′", "'").replace("″", "&quot;")
+    page = re.sub(r"(<(?:p|li|h\d)>)(?:\s*<br />)+|(?:<br />\s*)+(?=</)", r"\1", page)
     return _SPACE.sub(r"\1", " ".join(page.split())).replace("<p></p>", "")
 
 
+@example("a \\| b\\\n\\:-")
+@example("a\\\n\\===")
+@example("a\\\n\\---")
+@example("a\\\n\\1. b")
+@example("\\# a\n\n# a \\#\n\n\\1) b")
+@example("- - +\n\n* * *\n\n- a\n\n+ b")
+@example("- > # a\n  [x]: y\n  > b")
+@example("a*b*c *&#32;d* ***e*** **f *g* h**, *i*_j_")
+@example("``` a`b ```\n\n|`a\\|b`|\\||\n|-|-|")
 @settings(max_examples=300)
 @given(TEXTS)
 def test_markdown_is_shown_as_its_source(text: str) -> None:
@@ -273,6 +280,10 @@ def test_markdown_is_shown_as_its_source(text: str) -> None:
     if blocks := parsed(text):
         page = set_prose(blocks, FORMATS["markdown"], ",", Parts("markdown"), 0)
         assert rendered(page, _RENDERER) == rendered(text, _PLAIN)
+
+
+def test_line_that_ends_before_its_first_word_is_one_in_latex() -> None:
+    assert printed("*\\\na*", "latex") == "\\leavevmode\\emph{\\newline\na}\n"
 
 
 def test_formulas_in_markdown_are_plain_text_that_stays_so() -> None:
@@ -285,3 +296,13 @@ def test_sample_keeps_its_blocks_through_markdown() -> None:
     assert {type(block) for block in blocks} == {Heading, Paragraph, Listing, Quote, Rule, Grid, CodeBlock}
     again = parse_prose(set_prose(blocks, FORMATS["markdown"], ",", Parts("html"), 0))
     assert [type(block) for block in again] == [type(block) for block in blocks]
+
+
+def test_every_example_of_the_documentation_is_understood() -> None:
+    page = (Path(__file__).parent.parent / "docs" / "prose.md").read_text(encoding="utf-8")
+    examples = re.findall(r"```markdown\n(.*?)```", page, re.DOTALL)
+    assert len(examples) == 2
+    assert all(printed(example, form) for example in examples for form in PAGES)
+    with pytest.raises(ProseError) as caught:
+        parse_prose("a\n\nb\nc $x")
+    assert f"```text\n{caught.value}\n```" in page

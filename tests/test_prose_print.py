@@ -92,6 +92,15 @@ def test_sample_is_printed_by_latex(engine: str, tmp_path: Path) -> None:
     assert "2.2λ\"q\"'x'`~^\\{}%a_bTabelle2.1" in page
 
 
+def test_sentences_in_a_table_stay_on_the_page(tmp_path: Path) -> None:
+    sentence = "Der Kolben eilt vor und kehrt am Totpunkt um. " * 4
+    rows = f"| Teil | Was er *tut* | Mehr |\n|:--|---|--:|\n| $x/R$ | {sentence} | {sentence} |\n"
+    assert (
+        complaints(compiled("pdflatex", f"{_LATEX}{latex(rows)}\\end{{document}}\n", tmp_path, runs=2)) == []
+    )
+    assert characters(paper(tmp_path)).count("Kolben") == 8
+
+
 def test_sample_is_printed_by_typst(tmp_path: Path) -> None:
     typeset(_TYPST + set_prose(parse_prose(SAMPLE), FORMATS["typst"], ",", Parts("typst")), tmp_path)
     page = characters(paper(tmp_path))

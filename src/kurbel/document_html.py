@@ -109,9 +109,15 @@ def _part(document: Document, item: Item, fragments: Mapping[str, str]) -> Part:
     caption = document.set(item.caption, by_name("html"))
     fragment = fragments[item.name]
     if item.kind == "table":
-        return Part("table", target, number, caption, lang, _REMARK.sub("", fragment), width_in_ems(fragment))
+        content = _numbered(_REMARK.sub("", fragment), target)
+        return Part("table", target, number, caption, lang, content, width_in_ems(fragment))
     title = f"{number}: {plain(item.caption, DECIMALS[document.decimal])}"
     return Part("figure", target, number, caption, lang, inline(fragment, target, title))
+
+
+def _numbered(fragment: str, target: str) -> str:
+    """Return a table whose regions are called by its number too, for captions may be alike."""
+    return fragment.replace(f'labelledby="{target}-caption', f'labelledby="{target}-number {target}-caption')
 
 
 def _text(document: Document, item: Item) -> str:

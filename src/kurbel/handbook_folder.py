@@ -100,15 +100,19 @@ class Folder:
 
         The lock ends with the process, however that ends. What a killed build left half written is removed.
         """
-        self.write(f"{OWN}/.gitignore", b"*\n")
         lock = f"{OWN}/lock"
         self._check(lock)
-        handle = os.open(self.at(lock), os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0), 0o644)
+        try:
+            os.makedirs(self.at(OWN), exist_ok=True)
+            handle = os.open(self.at(lock), os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0), 0o644)
+        except OSError as error:
+            raise OutputError(f"cannot write into {self.path}: {error.strerror}") from error
         try:
             if not _try_lock(handle):
                 waiting()
                 _wait_for_lock(handle)
             self._remove_left_over()
+            self.write(f"{OWN}/.gitignore", b"*\n")
             yield
         finally:
             os.close(handle)

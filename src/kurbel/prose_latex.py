@@ -3,6 +3,7 @@ r"""Free text in LaTeX. Needs amsmath for formulas, array and booktabs for table
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
 from kurbel.escapes import escape_latex
 from kurbel.formula import Formula
@@ -28,6 +29,9 @@ from kurbel.prose_print import ProsePrinter, Reference, is_own
 _SECTIONS = ("chapter", "section", "subsection", "subsubsection", "paragraph")
 _COUNTERS = ("enumi", "enumii", "enumiii", "enumiv")
 _COLUMNS = {None: "l", "left": "l", "center": "c", "right": "r"}
+_RAGGED = {None: r"\raggedright", "left": r"\raggedright", "center": r"\centering", "right": r"\raggedleft"}
+# Characters of a line, and of a column whose lines are not broken.
+_LINE, _SHORT = 75, 15
 _NAMES = {"table": r"\tablename", "figure": r"\figurename", "chapter": r"\chaptername"}
 # A word of code that no line end may cut would run off a narrow line.
 _LONG_WORD = re.compile(r"[^ \u00a0]{20,}")
@@ -112,12 +116,26 @@ class Printer(ProsePrinter):
         return r"\par\noindent\rule{\linewidth}{0.4pt}\par"
 
     def grid(self, grid: Grid) -> str:
-        columns = "".join(_COLUMNS[align] for align in grid.aligns)
+        columns = "".join(self._columns(grid))
         rows = "".join(f"{self._row(row)}\n" for row in grid.rows)
         return (
             f"\\begin{{center}}\n\\begin{{tabular}}{{{columns}}}\n\\toprule\n"
             f"{self._row(grid.head)}\n\\midrule\n{rows}\\bottomrule\n\\end{{tabular}}\n\\end{{center}}"
         )
+
+    def _columns(self, grid: Grid) -> Iterator[str]:
+        """Yield the columns; where the rows are longer than a line, those of sentences break their lines."""
+        rows = (grid.head, *grid.rows)
+        widths = [max(len(self._plain(cell)) for cell in cells) for cells in zip(*rows, strict=True)]
+        fits = sum(widths) + 2 * len(widths) <= _LINE
+        long = sum(width for width in widths if width > _SHORT)
+        room = _LINE - sum(width + 2 for width in widths if width <= _SHORT)
+        for align, width in zip(grid.aligns, widths, strict=True):
+            if fits or width <= _SHORT:
+                yield _COLUMNS[align]
+            else:
+                share = max(0.05, 0.9 * width / long * room / _LINE)
+                yield rf">{{{_RAGGED[align]}\arraybackslash}}p{{{share:.3f}\linewidth}}"
 
     def _row(self, cells: tuple[Inlines, ...]) -> str:
         return " & ".join(self.inlines(cell) for cell in cells) + r" \\"

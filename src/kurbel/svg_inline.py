@@ -51,7 +51,7 @@ def inline(svg: str, name: str, title: str) -> str:
 
 
 def _prune(root: Element) -> None:
-    """Drop namespaces, blank lines, titles, metadata and style sheets; what these say of all the root says."""
+    """Drop what only files need; what a style sheet says of all elements, the root says."""
     for parent in [*root.iter()]:
         parent.tag = _NAMESPACE.sub("", parent.tag)
         for child in [*parent]:
