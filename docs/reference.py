@@ -164,6 +164,10 @@ def _formats() -> Iterator[str]:
     for form in FORMATS.values():
         yield f"| `{form.name}` | {' '.join(form.suffixes)} | {form.media} |"
     drawings = ", ".join(f"`{name}`" for name in DRAWINGS)
+    yield (
+        "\nText in CSV that begins with =, +, - or @ and is not a mere figure such as -0,0667 or -2°30' has"
+        "\nan apostrophe before it, so that no spreadsheet runs it. Numbers are written as printed."
+    )
     yield f"\nOf drawings: {drawings}, 120 mm wide; suffixes alike."
 
 

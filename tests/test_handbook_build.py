@@ -278,7 +278,7 @@ def test_check_passes_where_all_is_built_and_says_what_is_stale(tmp_path: Path) 
     before = files(tmp_path)
     passed = kurbel("handbook", "check", str(tmp_path), "--jobs", "1")
     assert (passed.code, passed.out) == (0, "")
-    assert "all 15 files are what the manifest says" in passed.err
+    assert "all 18 files are what the manifest says" in passed.err
     (tmp_path / "build/tables/wege.md").unlink()
     csv = tmp_path / "build/tables/wege.csv"
     csv.write_text(csv.read_text().replace("1.0000", "1.0001"))
@@ -312,7 +312,7 @@ def test_check_needs_no_state_and_finds_what_is_left_over(tmp_path: Path) -> Non
 def test_check_before_any_build_says_that_all_is_missing(tmp_path: Path) -> None:
     failed = kurbel("handbook", "check", str(book(tmp_path)), "--jobs", "1")
     assert failed.code == 1
-    assert failed.out.count("    missing\n") == 15
+    assert failed.out.count("    missing\n") == 18
     assert not (tmp_path / "build").exists()
 
 
