@@ -72,7 +72,7 @@ def inject(files: tuple[str, ...], check: bool) -> int:
     if stale:
         sys.stdout.flush()
         names = [document.name for document in stale]
-        say(f"{_and(names)} {'is' if len(names) == 1 else 'are'} stale; mend it with: {_command(names)}")
+        say(f"{_and(names)} {'is' if len(names) == 1 else 'are'} stale; mend with: {_command(names)}")
     return int(failed or bool(stale))
 
 
@@ -199,6 +199,9 @@ def _refresh(document: Document) -> None:
         return
     from kurbel.output import whole_file
 
+    # Tables take their time, in which an author may save the document.
+    if _read(document.name) != document.old:
+        raise MarkerError(f"{document.name} was changed while its tables were made; refresh it again")
     with whole_file(document.name) as stream:
         stream.write(filled(document.old, document.found, document.contents))
     say(f"{len(stale)} {'place' if len(stale) == 1 else 'places'} in {document.name} refreshed")
