@@ -42,8 +42,8 @@ def main() -> None:
     nothing, cold = (statistics.median(column) for column in zip(*pairs, strict=True))
     print(f"handbook of {TABLES} tables in {len(FORMATS)} formats, built anew: {anew:.1f} s")
     print(
-        f"built again with nothing changed: {1000 * nothing:.0f} ms, {nothing / cold:.2f} times the cold start"
-        f" of `kurbel table` ({1000 * cold:.0f} ms), medians of {TIMES} in turn"
+        f"built again with nothing changed: {1000 * nothing:.0f} ms, {nothing / cold:.2f} times"
+        f" the cold start of `kurbel table` ({1000 * cold:.0f} ms), medians of {TIMES}"
     )
 
 

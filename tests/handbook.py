@@ -98,6 +98,19 @@ def document() -> Document:
     )
 
 
+def small() -> Document:
+    """Return a handbook of one chapter: a text, an English table and a figure."""
+    text = Item("text", blocks=parse_prose("Siehe [](#path), [](#stellung) und [](#kurz)."))
+    number = {"path": 1, "stellung": 1}
+    items = tuple(
+        item._replace(number=number[item.name])
+        for item in document().items("table", "figure")
+        if item.name in number
+    )
+    chapter = Chapter("Kurz, $x/R$", "kurz", 1, (text, *items))
+    return Document("Kleine Tafeln", "de", "comma", (chapter,))
+
+
 def fragments(format: str) -> dict[str, str]:
     """Return the tables in a format."""
     return {

@@ -48,7 +48,7 @@ def small_page() -> str:
         chapter._replace(items=tuple(item for item in chapter.items if item.name != "feinweg"))
         for chapter in handbook.document().chapters
     )
-    return set_page(handbook.document(chapters=chapters))
+    return set_page(handbook.document()._replace(chapters=chapters))
 
 
 # On a screen ----------------------------------------------------------------------------------------------
@@ -266,13 +266,9 @@ def test_what_a_manifest_says_is_text(viewer: Viewer) -> None:
     assert drawing
     items = (text, table._replace(caption=HOSTILE), drawing._replace(caption=HOSTILE))
     chapters = (Chapter(HOSTILE, "bewegung", 1, items),)
-    opened = viewer.open(
-        set_page(
-            handbook.document(
-                title=HOSTILE, subtitle=HOSTILE, author=HOSTILE, chapters=chapters,
-            )
-        )
-    )  # fmt: skip
+    base = handbook.document()
+    hostile = base._replace(title=HOSTILE, subtitle=HOSTILE, author=HOSTILE, chapters=chapters)
+    opened = viewer.open(set_page(hostile))
     assert viewer.complaints == []
     assert opened.evaluate("document.querySelectorAll('script, img, [onerror]').length") == 0
     assert opened.evaluate("[...document.links].every(one => one.getAttribute('href').startsWith('#'))")
@@ -297,4 +293,4 @@ def test_a_reference_to_nothing_is_named() -> None:
     text = Item("text", blocks=parse_prose("See [](#dleta)."))
     chapters = (*handbook.document().chapters, Chapter("Mehr", "mehr", 4, (text,)))
     with pytest.raises(ChoiceError, match="delta"):
-        set_page(handbook.document(chapters=chapters))
+        set_page(handbook.document()._replace(chapters=chapters))

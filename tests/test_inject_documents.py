@@ -370,6 +370,16 @@ def test_a_document_without_markers_is_told_how_they_look_on_a_terminal_only(tmp
     os.close(master)
 
 
+def test_a_folder_that_is_gone_is_one_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = written(tmp_path, place(".md"))
+    gone = tmp_path / "gone"
+    gone.mkdir()
+    monkeypatch.chdir(gone)
+    gone.rmdir()
+    sentence = f"kurbel: {path}:1: cannot go into {tmp_path} and back: No such file or directory\n"
+    assert kurbel("inject", str(path)) == Result(1, "", sentence)
+
+
 def test_an_empty_document_has_no_places(tmp_path: Path) -> None:
     assert printed("inject", str(written(tmp_path, ""))).out == ""
 

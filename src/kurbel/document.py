@@ -10,9 +10,11 @@ from typing import Any, Literal, NamedTuple
 
 from kurbel.choices import choose
 from kurbel.formats import DECIMALS, Format
-from kurbel.labels import set_label
+from kurbel.labels import plain, set_label
 from kurbel.table import Label
 
+# What fits one side of a running head.
+HEAD = 44
 # By the language of the document; TeX and Typst have the same words.
 WORDS: Mapping[str, Mapping[str, str]] = {
     "de": {
@@ -95,8 +97,6 @@ class Document(NamedTuple):
     def title_of(self, one: Chapter | Item) -> str:
         """Return what a reference calls it: "Tabelle 3", or a chapter's title without formulas' notation."""
         if isinstance(one, Chapter):
-            from kurbel.labels import plain
-
             return plain(one.title, DECIMALS[self.decimal])
         return f"{self.words[one.kind]} {one.number}"
 
@@ -106,3 +106,10 @@ class Document(NamedTuple):
         return set_label(
             label, form.escape, lambda formula: form.formula(formula, mark, False), lambda note: ""
         )
+
+    def set_head(self, label: Label, form: Format) -> str:
+        """Return a title for a running head: one too long for it is cut, its formulas in one line."""
+        words = plain(label, DECIMALS[self.decimal])
+        if len(words) <= HEAD:
+            return self.set(label, form)
+        return form.escape(f"{words[: HEAD - 1].rstrip()}…")

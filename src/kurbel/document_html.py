@@ -123,4 +123,4 @@ def _numbered(fragment: str, target: str) -> str:
 def _text(document: Document, item: Item) -> str:
     find = finder(document, "-", lambda chapter: "#")
     # The page has one heading above the chapters.
-    return set_prose(item.blocks, by_name("html"), DECIMALS[document.decimal], find, 2)
+    return set_prose(tuple(item.blocks), by_name("html"), DECIMALS[document.decimal], find, 2)

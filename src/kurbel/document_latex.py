@@ -17,8 +17,6 @@ from kurbel.prose_print import set_prose
 from kurbel.references import finder, label_of
 from kurbel.render import render_document
 
-# What fits one side of a running head.
-_HEAD = 44
 # What hyperref does not take from a string of letters as it stands.
 _STRING = str.maketrans(
     {character: f"\\{character}" for character in "#$%&_{}"}
@@ -79,6 +77,7 @@ def files(document: Document, fragments: Mapping[str, str], templates: str | Non
         "languages": _languages(document),
         "chapters": chapters,
         "long": any(part.long for chapter in chapters for part in chapter.parts),
+        "linked": any(document.items("text")),
     }
     return {
         f"{name}.tex": render_document("latex", name, values, templates) for name in ("appendix", "handbook")
@@ -117,6 +116,4 @@ def _languages(document: Document) -> str:
 
 def _title(document: Document, label: str, form: Format) -> TexTitle:
     words = plain(label, DECIMALS[document.decimal])
-    text = document.set(label, form)
-    head = text if len(words) <= _HEAD else form.escape(f"{words[: _HEAD - 1].rstrip()}…")
-    return TexTitle(text, words.translate(_STRING), head)
+    return TexTitle(document.set(label, form), words.translate(_STRING), document.set_head(label, form))

@@ -302,7 +302,8 @@ def formula_typst(formula: Formula, mark: str = ".", display: bool = False) -> s
     content = _typst(formula.content, mark)
     alternative = string_typst(formula_plain(formula, mark))
     if display and _has_bar(formula.content):
-        return f"#box(inset: (y: .3em), math.equation(alt: {alternative}, $display({content})$));"
+        # The empty box is as high above the middle of the digits beside it as it is deep below.
+        content = f"display({content})#box(height: 2.9em, baseline: 1.12em)"
     return f"#math.equation(alt: {alternative}, ${content}$);"
 
 

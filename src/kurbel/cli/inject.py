@@ -137,6 +137,8 @@ def _asked(place: Place, kind: Kind, name: str) -> Asked:
             one = asked(words, {}, format=kind.format)
     except KurbelError as error:
         raise MarkerError(f"{where}: {error}") from None
+    except OSError as error:
+        raise MarkerError(f"{where}: cannot go into {folder} and back: {error.strerror or error}") from None
     if one.code:
         raise MarkerError(
             f'{where}: "{place.words[:60]}" fails, as --strict asks it to where a printed value deviates'
