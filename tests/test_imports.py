@@ -116,7 +116,12 @@ def test_only_drawings_know_matplotlib() -> None:
     plots = {
         f"kurbel.plot_{name}" for name in ("curves", "drawings", "engine", "linkage", "panels", "turning")
     }
-    documents = {"kurbel.plot_inline", "kurbel.cli.inject"}
+    documents = {
+        "kurbel.plot_inline",
+        "kurbel.cli.inject",
+        "kurbel.cli.handbook",
+        "kurbel.cli.handbook_parts",
+    }
     assert knowing == drawing | plots | documents | {"kurbel.cli.plot", "kurbel.cli.plot_kinds"}
 
 
