@@ -103,13 +103,13 @@ def test_the_action_passes_where_all_is_fresh(job: Path) -> None:
 
 
 def test_the_action_fails_for_a_stale_page_and_says_which(job: Path) -> None:
-    spoil(job / "appendix" / "build" / "tables" / "motion.csv")
+    spoil(job / "appendix" / "pages" / "tables" / "motion.csv")
     done = act(job, folder="appendix", files="the notes.md")
     assert done.returncode == 1
-    assert "appendix/build/tables/motion.csv\n" in done.stdout
+    assert "appendix/pages/tables/motion.csv\n" in done.stdout
     annotation = next(line for line in done.stdout.splitlines() if line.startswith("::error"))
     assert annotation.endswith("kurbel handbook build appendix")
-    assert "    appendix/build/tables/motion.csv\n" in (job / "summary.md").read_text(encoding="utf-8")
+    assert "    appendix/pages/tables/motion.csv\n" in (job / "summary.md").read_text(encoding="utf-8")
 
 
 def test_the_action_fails_for_a_stale_document(job: Path) -> None:
@@ -206,7 +206,7 @@ def test_the_rules_for_make_build_once_and_check(job: Path) -> None:
     assert "kurbel handbook build appendix" in made(job).stdout
     assert "kurbel" not in made(job).stdout
     assert made(job, "check").returncode == 0
-    spoil(job / "appendix" / "build" / "tables" / "motion.csv")
+    spoil(job / "appendix" / "pages" / "tables" / "motion.csv")
     assert made(job, "check").returncode == 2
     # A build that fails is not taken for done.
     (job / "appendix" / "handbook.toml").write_text(MANIFEST.replace("1:5", "5:1"))
@@ -225,7 +225,7 @@ def test_the_job_for_gitlab_runs_and_keeps_what_differs(job: Path) -> None:
         ).returncode
 
     assert run() == 0
-    spoil(job / "appendix" / "build" / "tables" / "motion.csv")
+    spoil(job / "appendix" / "pages" / "tables" / "motion.csv")
     assert run() == 1
     assert [*map(Path, one["artifacts"]["paths"])] == [Path("stale.diff")]
     assert "+1:5,30,0.1590" in (job / "stale.diff").read_text(encoding="utf-8")

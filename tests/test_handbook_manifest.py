@@ -154,7 +154,7 @@ def test_a_file_that_is_no_manifest_is_answered_with_a_sentence(
 
 
 def test_a_missing_manifest_or_a_folder_is_answered_with_a_sentence(tmp_path: Path) -> None:
-    for path, said in ((tmp_path / "x.toml", "there is no such file"), (tmp_path, "it is a directory")):
+    for path, said in ((tmp_path / "x.toml", "kurbel handbook init writes"), (tmp_path, "it is a directory")):
         with pytest.raises(HandbookError, match=said):
             read_manifest(str(path))
 

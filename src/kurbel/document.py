@@ -40,7 +40,8 @@ class Item(NamedTuple):
     """A text, a table or a figure of a chapter.
 
     `name` is what its files are called and, behind tab: or fig:, its label; `number` counts its kind through
-    the whole handbook from 1. A text has only its language and its blocks.
+    the whole handbook from 1. A text has only its language and its blocks; one with a name stands in for a
+    table or a figure that could not be made.
     """
 
     kind: Literal["text", "table", "figure"]
@@ -88,14 +89,15 @@ class Document(NamedTuple):
     def home(self, name: str) -> tuple[Chapter, Item | None]:
         """Return the chapter of that name, or the table or figure and its chapter.
 
-        Raises ChoiceError with the nearest name for one that nothing has.
+        Of what should be a table or a figure and could not be made it is the chapter alone. Raises
+        ChoiceError with the nearest name for one that nothing has.
         """
         homes: dict[str, tuple[Chapter, Item | None]] = {one.name: (one, None) for one in self.chapters}
         homes |= {
-            item.name: (chapter, item)
+            item.name: (chapter, None if item.kind == "text" else item)
             for chapter in self.chapters
             for item in chapter.items
-            if item.kind != "text"
+            if item.name
         }
         return homes[choose(name, homes, "table, figure or chapter")]
 

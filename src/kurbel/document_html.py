@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 from kurbel.document import Document, Item
-from kurbel.formats import DECIMALS, by_name
+from kurbel.formats import by_name
 from kurbel.html_width import width_in_ems
 from kurbel.labels import plain
 from kurbel.prose import Block, Heading

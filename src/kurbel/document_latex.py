@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from kurbel.document import WORDS, Chapter, Document, Item
-from kurbel.formats import DECIMALS, Format, by_name
+from kurbel.formats import Format, by_name
 from kurbel.labels import plain
 from kurbel.prose_print import set_prose
 from kurbel.references import finder, highest_heading, label_of

@@ -7,9 +7,9 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from kurbel.document import Chapter, Document
-from kurbel.formats import DECIMALS, Format, by_name
+from kurbel.formats import Format, by_name
 from kurbel.labels import plain
-from kurbel.prose_print import Find, set_prose
+from kurbel.prose_print import set_prose
 from kurbel.references import finder, highest_heading, label_of, number_of
 from kurbel.render import render_document
 
@@ -87,7 +87,9 @@ def _parts(
     for item in chapter.items:
         if item.kind == "text":
             find = finder(document, "-", item.lang, lambda other: f"{_file(document, other)}#")
-            text = set_prose(tuple(item.blocks), form, document.mark(item.lang), find, 2 - highest_heading(document))
+            text = set_prose(
+                tuple(item.blocks), form, document.mark(item.lang), find, 2 - highest_heading(document)
+            )
             yield MarkdownPart("text", "", "", "", "", "", text)
         else:
             yield MarkdownPart(

@@ -327,7 +327,7 @@ def _would_join(before: str, after: str) -> bool:
 
 
 def _in_word(character: str) -> bool:
-    """Tell whether Typst reads a character behind a letter as part of the word; it does so with the dot of ·."""
+    """Tell whether Typst reads a character behind a letter as part of the word, as it does with a · too."""
     return f"x{character}".isidentifier()
 
 

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 from kurbel.documents import MODULES as DOCUMENTS
-from kurbel.errors import KurbelError
+from kurbel.errors import HandbookError, KurbelError
 from kurbel.handbook import KILLED, PDF, STOPPED, Built, Failure, Made, Maker, formats_of, task_of
 from kurbel.handbook_folder import Folder, digest
 from kurbel.handbook_manifest import Manifest, Part
@@ -67,6 +67,8 @@ class Build:
         base = manifest.folder
         self.formats = formats_of(manifest)
         self.templates = manifest.templates and os.path.join(base, manifest.templates)
+        if self.templates and not os.path.isdir(self.templates):
+            raise HandbookError(f"{manifest.path}: there is no folder {self.templates} with templates")
         self.print = key_of(fingerprint(), self.templates and digest_of(self.templates))
 
     def part_key(self, part: Part) -> str:
@@ -126,6 +128,10 @@ class Build:
     def fail(self, line: int, name: str, said: str) -> None:
         """Note what failed; what an earlier build made of it stays."""
         self.built.failures.append(Failure(line, name, said))
+        self.keep(name)
+
+    def keep(self, name: str) -> None:
+        """Leave what an earlier build made as it is."""
         if name in self.old:
             self.new[name] = self.old[name]
 
@@ -222,7 +228,8 @@ class Build:
         """Set the PDF if anything that it is made of changed."""
         engine, standards = self.manifest.engine, self.manifest.standards
         source = _named("typst" if engine == "typst" else "latex")
-        if source not in self.new:
+        if source not in self.new or any(failure.name == source for failure in self.built.failures):
+            self.keep(_named(PDF))
             return
         suffixes = (".typ", ".svg") if engine == "typst" else (".tex", ".pdf")
         used = {path: hashed for path, hashed in self.hashes().items() if path.endswith(suffixes)}

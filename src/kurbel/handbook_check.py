@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator
 from difflib import unified_diff
 from itertools import islice
@@ -14,15 +15,18 @@ from kurbel.handbook_folder import OWN, Folder
 from kurbel.handbook_manifest import Manifest
 from kurbel.handbook_state import files_below
 
-# A reader wants to see what changed, not all that did.
+# A reader wants to see what changed, not all that did: of each table one difference, in the first of these
+# formats, of documents none beside those of tables.
+READABLE = (".csv", ".txt", ".md", ".tex", ".typ", ".html", ".json")
 MOST_LINES, WIDEST = 40, 160
 
 
 class Stale(NamedTuple):
-    """A file that a build would write or remove, and in words or as a difference what it would do."""
+    """A file that a build would write or remove, in a word why, and perhaps the difference."""
 
     path: str
-    shown: tuple[str, ...]
+    why: str
+    difference: tuple[str, ...] = ()
 
 
 def check(
@@ -34,37 +38,56 @@ def check(
 ) -> tuple[Built, list[Stale]]:
     """Build all anew in a folder of its own, and return what failed and which files are stale.
 
-    Nothing that an earlier build knew is believed, and nothing of the folder is changed.
+    Nothing that an earlier build knew is believed, and nothing of the folder is changed. Where a part fails,
+    what an earlier build made of it does not count as left over.
     """
     with TemporaryDirectory(prefix="kurbel-") as temporary:
         anew = Folder(temporary, "build")
         built = build(manifest, anew, make, jobs, start)
-        return built, [*_stale(folder, anew)]
+        stale = [*_changed(folder, anew)]
+        if not built.failures:
+            stale += _left_over(folder, anew)
+        if not stale and folder.read(CONTENTS) != anew.read(CONTENTS):
+            stale.append(Stale(CONTENTS, "differs"))
+        return built, stale
 
 
-def _stale(folder: Folder, anew: Folder) -> Iterator[Stale]:
-    made = [path for path in files_below(anew.path) if not path.startswith(f"{OWN}/")]
-    found = [one for path in made if path != CONTENTS for one in _differing(path, folder, anew)]
-    found += [
-        Stale(path, ("left over: nothing in the manifest makes it",))
-        for path in sorted(set(contents_in(folder)) - set(made))
-        if folder.read(path) is not None
-    ]
-    yield from found or _differing(CONTENTS, folder, anew)
+def _made(anew: Folder) -> list[str]:
+    paths = files_below(anew.path)
+    return [path for path in paths if not path.startswith(f"{OWN}/") and path != CONTENTS]
 
 
-def _differing(path: str, folder: Folder, anew: Folder) -> Iterator[Stale]:
-    old, new = folder.read(path), anew.read(path) or b""
-    if old is None:
-        yield Stale(path, ("missing",))
-    elif old != new:
-        yield Stale(path, tuple(_difference(path, old, new)))
+def _left_over(folder: Folder, anew: Folder) -> Iterator[Stale]:
+    for path in sorted(set(contents_in(folder)) - set(_made(anew))):
+        if folder.read(path) is not None:
+            yield Stale(path, "left over: nothing in the manifest makes it")
 
 
-def _difference(path: str, old: bytes, new: bytes) -> Iterator[str]:
-    if path.endswith(".pdf"):
-        yield f"another PDF: {len(old)} bytes here, {len(new)} anew"
-        return
+def _changed(folder: Folder, anew: Folder) -> Iterator[Stale]:
+    differing = []
+    for path in _made(anew):
+        old = folder.read(path)
+        if old is None:
+            yield Stale(path, "missing")
+        elif old != anew.read(path):
+            differing.append(path)
+    shown = set(_worth_showing(differing))
+    for path in differing:
+        difference = _difference(path, folder, anew) if path in shown else ()
+        yield Stale(path, "differs", tuple(difference))
+
+
+def _worth_showing(paths: list[str]) -> Iterator[str]:
+    tables = [path for path in paths if path.startswith("tables/")]
+    by_name: dict[str, list[str]] = {}
+    for path in tables or [path for path in paths if path.endswith(READABLE)]:
+        by_name.setdefault(os.path.splitext(path)[0], []).append(path)
+    for same in by_name.values():
+        yield min(same, key=lambda path: READABLE.index(os.path.splitext(path)[1]))
+
+
+def _difference(path: str, folder: Folder, anew: Folder) -> Iterator[str]:
+    old, new = folder.read(path) or b"", anew.read(path) or b""
     before, after = (content.decode("utf-8", "replace").splitlines() for content in (old, new))
     lines = unified_diff(before, after, f"{path} (here)", f"{path} (anew)", n=1, lineterm="")
     shown = [line if len(line) <= WIDEST else f"{line[:WIDEST]}…" for line in islice(lines, MOST_LINES)]

@@ -97,7 +97,7 @@ class Manifest(NamedTuple):
 
 def manifest_path(given: str) -> str:
     """Return the manifest's file for a folder or for the file itself."""
-    return os.path.join(given, NAME) if os.path.isdir(given) else given
+    return os.path.normpath(os.path.join(given, NAME) if os.path.isdir(given) else given)
 
 
 def read_manifest(path: str) -> Manifest:
@@ -105,6 +105,8 @@ def read_manifest(path: str) -> Manifest:
 
     Raises HandbookError with file, line, what is allowed and the nearest name.
     """
+    if not os.path.lexists(path):
+        raise HandbookError(f"there is no {path}; kurbel handbook init writes a first one")
     text = text_of(path, KIND)
     return _Reader(path, text).manifest(parsed(path, KIND, text))
 

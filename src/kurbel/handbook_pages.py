@@ -93,7 +93,8 @@ def _item(entry: Entry, counts: dict[str, int]) -> Item:
     if not entry.about:
         lang = str(entry.part.options["lang"])
         blocks = parse_prose(_missing(entry, lang) if entry.said else entry.text)
-        return Item("text", lang=lang, blocks=blocks)
+        # With a name it is what should have been a table or a figure, and references lead to its chapter.
+        return Item("text", entry.part.name, lang=lang, blocks=blocks)
     kind, caption, own_lang = entry.about
     counts[kind] += 1
     return Item("table" if kind == "table" else "figure", entry.part.name, counts[kind], own_lang, caption)

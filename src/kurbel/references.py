@@ -22,8 +22,8 @@ def finder(
 ) -> Find:
     """Return the function that finds what a name refers to; it raises ChoiceError for one that nothing has.
 
-    The target is the label behind what `page` returns for its chapter, such as "#" or "02-paths.md#"; its name
-    is that of the text's language.
+    The target is the label behind what `page` returns for its chapter, such as "#" or "02-paths.md#"; what it
+    is called is said in the language of the text.
     """
 
     def find(name: str) -> Reference:

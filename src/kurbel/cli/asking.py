@@ -32,13 +32,14 @@ OF_THE_PAGE = frozenset(("lang", "decimal"))
 
 
 class Asked(NamedTuple):
-    """What the words ask for: a table or a drawing, its decimal mark, and the files that were read for it.
+    """What the words ask for: a table or a drawing, its language and decimal mark, the files read for it.
 
     `longtable` tells that LaTeX may break the table over pages; `code` is 1 where the command, such as
     collate --strict, would end with it.
     """
 
     made: Any
+    lang: str
     decimal: str | None
     files: tuple[str, ...]
     code: int
@@ -64,7 +65,7 @@ def option_names() -> frozenset[str]:
         one.name
         for name in printing_commands()
         for one in command_of(name).params
-        if isinstance(one, click.Option) and one.name and one.name not in SET_ELSEWHERE
+        if isinstance(one, click.Option) and one.name and one.name not in (*SET_ELSEWHERE, *OF_THE_PAGE)
     )
 
 
@@ -102,7 +103,8 @@ def asked(
     if kept.made is None:
         raise ProblemError(f'"{" ".join(words)[:60]}" prints a list; a document needs a table')
     files = _files(context, machine)
-    return Asked(kept.made, kept.decimal, files, code if isinstance(code, int) else 0, kept.longtable)
+    ended = code if isinstance(code, int) else 0
+    return Asked(kept.made, kept.lang, kept.decimal, files, ended, kept.longtable)
 
 
 def _defaults(command: click.Command, defaults: Mapping[str, Any], machine: str | None) -> dict[str, Any]:

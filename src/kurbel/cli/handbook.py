@@ -11,22 +11,28 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from kurbel.cli.lists import lang_option
 from kurbel.cli.options import Count, Name, in_order
 from kurbel.handbook_keys import ENGINES
+from kurbel.layouts import LANGUAGES
 
 if TYPE_CHECKING:
     from kurbel.handbook import Built
+    from kurbel.handbook_build import Build
     from kurbel.handbook_folder import Folder
-    from kurbel.handbook_manifest import Manifest
+    from kurbel.handbook_manifest import Manifest, Part
 
 MOST_JOBS = 256
+# So many characters of a text tell which it is.
+MOST_SHOWN = 50
 # How often the files are looked at, in seconds.
 GLANCE = 0.4
 
 
 class _Group(click.Group):
-    """A wrong name of a command is answered with the nearest."""
+    """A wrong name of a command is answered with the nearest; they are listed in the order of their use."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        return list(self.commands)
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
@@ -57,9 +63,16 @@ ENGINE = click.option("--pdf-engine", type=Name("PDF engine", lambda: ENGINES), 
 building = in_order((FOLDER, JOBS, ENGINE))
 
 
-@handbook.command()
+@handbook.command(short_help="Write a first manifest, which builds at once.")
 @FOLDER
-@lang_option
+@click.option(
+    "--lang",
+    type=Name("language", lambda: LANGUAGES),
+    default="de",
+    show_default=True,
+    envvar="KURBEL_LANG",
+    help="Language of the handbook: de or en.",
+)
 def init(folder: str, lang: str) -> None:
     """Write a manifest with comments, which builds at once, into FOLDER."""
     from kurbel.errors import HandbookError, OutputError
@@ -79,7 +92,7 @@ def init(folder: str, lang: str) -> None:
     _say(f"{path} is written; build it with: kurbel handbook build{_typed(folder)}")
 
 
-@handbook.command()
+@handbook.command(short_help="Build what changed.")
 @building
 def build(**options: Any) -> int:
     """Build what changed of the handbook in FOLDER: its tables, figures and documents."""
@@ -100,7 +113,7 @@ def _build(options: dict[str, Any]) -> int:
     return int(bool(done.failures))
 
 
-@handbook.command()
+@handbook.command(short_help="Tell whether what was built is up to date.")
 @building
 def check(**options: Any) -> int:
     """Tell whether what was built in FOLDER is what a build would write now; exit with 1 if not.
@@ -114,17 +127,20 @@ def check(**options: Any) -> int:
     with _bar() as start:
         done, stale = checked(manifest, folder, make_part, jobs, start)
     for one in stale:
-        click.echo("\n".join((f"{folder.path}/{one.path}", *(f"    {line}" for line in one.shown))))
+        lines = (f"{folder.path}/{one.path}: {one.why}", *(f"    {line}" for line in one.difference))
+        click.echo("\n".join(lines))
     _report(manifest, done)
     if stale:
         mend = f"kurbel handbook build{_typed(options['folder'])}{_engine(options)}"
-        _say(f"{folder.path}: {len(stale)} files are stale{_failed(done)}; this mends them: {mend}")
+        first = "mend what failed, and then" if done.failures else "this mends it:"
+        count = "1 file is" if len(stale) == 1 else f"{len(stale)} files are"
+        _say(f"{folder.path}: {count} stale{_failed(done)}; {first} {mend}")
     elif not done.failures:
         _say(f"{folder.path}: all {len(done.written)} files are what the manifest says")
     return int(bool(stale or done.failures))
 
 
-@handbook.command("list")
+@handbook.command("list", short_help="List what would be built.")
 @FOLDER
 def listed(folder: str) -> None:
     """List the chapters and parts of the handbook in FOLDER, and what a build would make anew."""
@@ -135,21 +151,24 @@ def listed(folder: str) -> None:
     options = {"folder": folder, "jobs": 1, "pdf_engine": None}
     manifest, output, jobs = _opened(options)
     one = Build(manifest, output, lambda task: "", jobs)
-    stale = {part.name for part in one.stale()}
+    stale = [*one.stale()]
     click.echo(f"{output.path}: {', '.join(manifest.formats)}")
     for number, chapter in enumerate(manifest.chapters, 1):
         click.echo(f"\n{number} {chapter.title} ({chapter.name})")
-        rows = [
-            (part.name, part.shown, "unchanged" if part.name not in stale else one.novelty(part))
-            for part in chapter.parts
-            if part.words
-        ]
+        rows = [_row(one, part, part in stale) for part in chapter.parts]
         lines = tabulate(rows, tablefmt="plain", disable_numparse=True).splitlines() if rows else []
         for line in lines:
             click.echo(f"    {line.rstrip()}")
 
 
-@handbook.command()
+def _row(one: Build, part: Part, stale: bool) -> tuple[str, ...]:
+    """Return what the list says of a part: its name, what it is made of, whether it would be made anew."""
+    if not part.words:
+        return "text", part.file or " ".join(part.text.split())[:MOST_SHOWN], ""
+    return part.name, part.shown, one.novelty(part) if stale else "unchanged"
+
+
+@handbook.command(short_help="Build again each time a file is saved.")
 @building
 def watch(**options: Any) -> None:
     """Build the handbook in FOLDER, and again each time a file of it is saved, until Ctrl-C."""

@@ -5,11 +5,14 @@ from __future__ import annotations
 import os
 from contextlib import chdir
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from kurbel.errors import KurbelError
 from kurbel.formats import FORMATS
 from kurbel.handbook import GIGABYTES, PATIENCE, Made, Task
+
+if TYPE_CHECKING:
+    from kurbel.cli.asking import Asked
 
 
 def make_part(task: Task) -> Made | str:
@@ -26,26 +29,25 @@ def make_part(task: Task) -> Made | str:
             answer = asked(part.words, {**part.options, "label": part.name}, task.machine)
         if answer.code:
             return "the command ends with 1, for printed values deviate and it is strict"
-        made = _table if isinstance(answer.made, Table) else _figure
-        return made(task, answer.made, answer.decimal, answer.files)
+        return _table(task, answer) if isinstance(answer.made, Table) else _figure(task, answer)
     except KurbelError as error:
         return str(error)
 
 
-def _table(task: Task, table: Any, decimal: str | None, inputs: tuple[str, ...]) -> Made:
+def _table(task: Task, answer: Asked) -> Made:
     from kurbel.handbook_pool import deadline
 
-    part = task.part
+    part, table = task.part, answer.made
     named = replace(
         table, key=part.name, layout=table.layout or table.key, caption=part.caption or table.caption
     )
     templates = task.templates and os.path.join(task.folder, task.templates)
     with deadline(PATIENCE, GIGABYTES, templates is not None):
         files = {
-            f"tables/{part.name}{FORMATS[name].suffixes[0]}": _text(named, name, decimal, templates)
+            f"tables/{part.name}{FORMATS[name].suffixes[0]}": _text(named, name, answer.decimal, templates)
             for name in task.formats
         }
-    return Made("table", named.caption, named.lang, files, inputs)
+    return Made("table", named.caption, named.lang, files, answer.files)
 
 
 def _text(table: Any, name: str, decimal: str | None, templates: str | None) -> bytes:
@@ -58,15 +60,14 @@ def _text(table: Any, name: str, decimal: str | None, templates: str | None) -> 
     return render(table, name, decimal=decimal, longtable=longtable, templates=templates).encode()
 
 
-def _figure(task: Task, drawing: Any, decimal: str | None, inputs: tuple[str, ...]) -> Made:
+def _figure(task: Task, answer: Asked) -> Made:
     from kurbel.formats import DECIMAL_OF_LANGUAGE, DECIMALS
     from kurbel.labels import plain
     from kurbel.plot_style import image
 
-    part = task.part
-    lang = str(part.options["lang"])
-    mark = DECIMALS[decimal or DECIMAL_OF_LANGUAGE[lang]]
+    part, drawing = task.part, answer.made
+    mark = DECIMALS[answer.decimal or DECIMAL_OF_LANGUAGE[answer.lang]]
     caption = part.caption or drawing.title
     title = plain(caption, mark)
     files = {f"figures/{part.name}.{name}": image(drawing.figure, name, title) for name in task.figures}
-    return Made("figure", caption, lang, files, inputs)
+    return Made("figure", caption, answer.lang, files, answer.files)

@@ -10,10 +10,11 @@ import click
 
 @dataclass
 class Kept:
-    """Takes the table or the drawing that a command would print, and how: the decimal mark, and whether
+    """Takes the table or the drawing that a command would print, and how: language, decimal mark, and whether
     LaTeX may break it over pages."""
 
     made: Any = None
+    lang: str = ""
     decimal: str | None = None
     longtable: bool = False
 

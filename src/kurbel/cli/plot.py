@@ -109,7 +109,7 @@ def plot(**options: Any) -> None:
     mark = DECIMALS[decimal]
     drawing = kind.draw(kept, mark)
     if kept_drawing:
-        kept_drawing.made, kept_drawing.decimal = drawing, decimal
+        kept_drawing.made, kept_drawing.lang, kept_drawing.decimal = drawing, options["lang"], decimal
         return
     drawn = image(drawing.figure, name, plain(drawing.title, mark))
     with whole_file(options["output"]) as stream:

@@ -57,7 +57,8 @@ def print_table(request: Asked, printing: Printing) -> None:
 def print_made(table: Table, printing: Printing) -> None:
     """Write a table that is there already."""
     if kept := keeper():
-        kept.made, kept.decimal, kept.longtable = table, printing.decimal, printing.longtable
+        kept.made, kept.lang, kept.decimal = table, table.lang, printing.decimal
+        kept.longtable = printing.longtable
         return
     made = _compiled if printing.format.kind == "compiled" else _rendered
     _write(made(table, printing), printing.output, 0)
