@@ -9,6 +9,7 @@ from kurbel.document import Chapter, Document, Item
 from kurbel.escapes import string_typst
 from kurbel.formats import DECIMALS, Format, by_name
 from kurbel.labels import plain
+from kurbel.prose_levels import stepwise
 from kurbel.prose_print import set_prose
 from kurbel.references import finder, label_of
 from kurbel.render import render_document
@@ -66,9 +67,11 @@ def _chapter(document: Document, chapter: Chapter, form: Format) -> TypstChapter
 def _parts(document: Document, chapter: Chapter, form: Format) -> Iterator[TypstPart]:
     mark = DECIMALS[document.decimal]
     find = finder(document, "-")
+    above: list[int] = []
     for item in chapter.items:
         if item.kind == "text":
-            yield TypstPart("text", "", "", set_prose(item.blocks, form, mark, find), "", "")
+            text = set_prose(stepwise(tuple(item.blocks), above), form, mark, find)
+            yield TypstPart("text", "", "", text, "", "")
         else:
             yield TypstPart(
                 item.kind,
