@@ -35,6 +35,7 @@ bench: $(READY) ## measure start-up, kernels, δ and CSV against their rivals
 	$(BIN)/python benchmarks/bench_kernel.py
 	$(BIN)/python benchmarks/bench_csv.py
 	$(BIN)/python benchmarks/bench_delta.py
+	$(BIN)/python benchmarks/bench_handbook.py
 
 docs: $(READY) ## write docs/reference.md anew
 	$(BIN)/python docs/reference.py

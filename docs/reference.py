@@ -45,9 +45,16 @@ def _commands() -> Iterator[str]:
     yield "# Reference\n\nWritten by `make docs` from the program itself.\n\n## Commands"
     for name, (module, line) in COMMANDS.items():
         command = getattr(importlib.import_module(module), name)
-        context = click.Context(command, info_name=f"kurbel {name}", terminal_width=98, max_content_width=98)
-        context.help_option_names = ["-h", "--help"]
-        yield f"\n### kurbel {name}\n\n{line}\n\n```text\n{command.get_help(context)}\n```"
+        yield f"\n### kurbel {name}\n\n{line}\n\n{_help(command, f'kurbel {name}')}"
+        if isinstance(command, click.Group):
+            for one, inner in command.commands.items():
+                yield f"\n#### kurbel {name} {one}\n\n{_help(inner, f'kurbel {name} {one}')}"
+
+
+def _help(command: click.Command, name: str) -> str:
+    context = click.Context(command, info_name=name, terminal_width=98, max_content_width=98)
+    context.help_option_names = ["-h", "--help"]
+    return f"```text\n{command.get_help(context)}\n```"
 
 
 def _quantities() -> Iterator[str]:
@@ -157,6 +164,10 @@ def _formats() -> Iterator[str]:
     for form in FORMATS.values():
         yield f"| `{form.name}` | {' '.join(form.suffixes)} | {form.media} |"
     drawings = ", ".join(f"`{name}`" for name in DRAWINGS)
+    yield (
+        "\nText in CSV that begins with =, +, - or @ and is not a mere figure such as -0,0667 or -2°30' has"
+        "\nan apostrophe before it, so that no spreadsheet runs it. Numbers are written as printed."
+    )
     yield f"\nOf drawings: {drawings}, 120 mm wide; suffixes alike."
 
 

@@ -140,8 +140,8 @@ _LOST = """() => [...document.querySelectorAll('.scroll')].flatMap(region => {
         const top = document.elementFromPoint((box.left + box.right) / 2, (box.top + box.bottom) / 2);
         return box.left < view.left - 1 || box.right > view.right + 1 || !element.contains(top);
     };
-    const seen = region.querySelectorAll('caption > span, .group span, .row, tbody tr > td:last-child');
-    return [...seen].filter(is_lost).map(element => `${element.textContent.trim()} is lost`);
+    const seen = 'caption > span, .group > th > span, .row, tbody tr > td:last-child';
+    return [...region.querySelectorAll(seen)].filter(is_lost).map(lost => `${lost.textContent} is lost`);
 })"""
 _SMALLEST_FONT = """() => {
     const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT), sizes = [];

@@ -6,6 +6,7 @@ import shlex
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 from kurbel.cli.asking import asked
 from kurbel.document import Chapter, Document, Item
@@ -58,8 +59,8 @@ def figure(name: str, form: str) -> bytes:
     return image(asked(shlex.split(FIGURES[name]), {}).made.figure, form)
 
 
-def document() -> Document:
-    """Return the handbook."""
+def document(**changes: Any) -> Document:
+    """Return the handbook; `changes` are other fields of it."""
     tables = {
         name: Item("table", name, number, table(name).lang, table(name).caption)
         for number, name in enumerate(TABLES, 1)
@@ -93,9 +94,23 @@ def document() -> Document:
         ),
         Chapter("Beispiele und Reihen", "beispiele", 3, (tables["harmonische"], tables["blau"])),
     )
-    return Document(
+    whole = Document(
         "Tafeln des Kurbeltriebs", "de", "comma", chapters, "für Handbücher und Vorlesungen", "A. Setzer"
     )
+    return whole._replace(**changes)
+
+
+def small() -> Document:
+    """Return a handbook of one chapter: a text, an English table and a figure."""
+    text = Item("text", blocks=parse_prose("Siehe [](#path), [](#stellung) und [](#kurz)."))
+    number = {"path": 1, "stellung": 1}
+    items = tuple(
+        item._replace(number=number[item.name])
+        for item in document().items("table", "figure")
+        if item.name in number
+    )
+    chapter = Chapter("Kurz, $x/R$", "kurz", 1, (text, *items))
+    return Document("Kleine Tafeln", "de", "comma", (chapter,))
 
 
 def fragments(format: str) -> dict[str, str]:

@@ -184,7 +184,7 @@ OUTPUTS = [
     (
         ("-o", "x.foo"),
         "the file name 'x.foo' names no format;"
-        " its suffix must be one of .txt, .md, .tex, .html, .htm, .csv, .json",
+        " its suffix must be one of .txt, .md, .tex, .html, .htm, .typ, .pdf, .csv, .json",
     ),
 ]
 
@@ -334,3 +334,10 @@ def test_label_with_signs_that_references_do_not_have_is_refused() -> None:
 def test_a_mass_is_no_offset_with_or_without_a_stroke() -> None:
     for words in ((), ("--stroke", "600mm")):
         assert "kilogram" in kurbel("table", "--offset", "3kg", *words).err
+
+
+def test_a_group_without_a_command_prints_its_help_in_lines() -> None:
+    result = kurbel("handbook")
+    assert (result.code, result.out) == (2, "")
+    assert result.err.startswith("Usage: kurbel handbook [OPTIONS] COMMAND")
+    assert "\n  build " in result.err

@@ -62,6 +62,15 @@ def test_commands_and_options_are_completed(shell: str) -> None:
     assert completed(shell, "table", "--lay") == ["--layout"]
 
 
+@pytest.mark.parametrize("shell", SHELLS)
+def test_commands_of_a_handbook_and_their_options_are_completed(shell: str) -> None:
+    assert set(completed(shell, "handbook", "")) == {"init", "build", "check", "list", "watch"}
+    assert completed(shell, "handbook", "bu") == ["build"]
+    assert completed(shell, "handbook", "build", "--pdf") == ["--pdf-engine"]
+    assert completed(shell, "handbook", "check", "--pdf-engine", "lua") == ["lualatex"]
+    assert completed(shell, "inject", "--ch") == ["--check"]
+
+
 def test_sources_and_numbers_of_examples_are_completed() -> None:
     assert completed("bash", "example", "") == ["blau", "uebung", "weisbach"]
     assert completed("bash", "example", "blau", "") == ["31", "32", "33", "34", "35"]

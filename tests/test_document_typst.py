@@ -9,6 +9,7 @@ import subprocess
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import handbook
 import pages
@@ -47,11 +48,11 @@ def made(folder: Path, *standards: Standard) -> bytes:
     return compile_typst(source, root=str(folder), standards=standards)
 
 
-def small(folder: Path, *items: Item, tables: dict[str, Table] | None = None, **changes: str) -> bytes:
+def small(folder: Path, *items: Item, tables: dict[str, Table] | None = None, **changes: Any) -> bytes:
     """Return the PDF of a handbook with one chapter."""
     document = Document("Titel", "de", "comma", (Chapter("Kapitel", "kapitel", 1, items),))
     fragments = {name: render(table, "typst") for name, table in (tables or {}).items()}
-    source = document_files(document._replace(**changes), "typst", fragments)["handbook.typ"]  # type: ignore[arg-type]
+    source = document_files(document._replace(**changes), "typst", fragments)["handbook.typ"]
     for name, text in fragments.items():
         (folder / "tables").mkdir(exist_ok=True)
         (folder / f"tables/{name}.typ").write_text(text, encoding="utf-8")
@@ -201,7 +202,7 @@ def test_a_table_too_wide_to_read_stands_on_a_page_turned_on_its_side(tmp_path: 
 
 
 def test_a_handbook_without_chapters_subtitle_and_author_compiles(tmp_path: Path) -> None:
-    assert "Titel Inhalt" in read(small(tmp_path, chapters=()))  # type: ignore[arg-type]
+    assert "Titel Inhalt" in read(small(tmp_path, chapters=()))
 
 
 def test_all_layouts_make_a_handbook(tmp_path: Path) -> None:
@@ -224,3 +225,16 @@ def test_headings_skip_no_level() -> None:
     assert [block.level for block in found if isinstance(block, Heading)] == [1, 1, 2, 2, 2, 3]
     inner = stepwise((Quote((Heading(6, words),)), Listing(None, True, ((Heading(5, words),),))), above)
     assert inner == (Quote((Heading(3, words),)), Listing(None, True, ((Heading(3, words),),)))
+
+
+def test_texts_and_chapters_have_their_own_language(tmp_path: Path) -> None:
+    weg = replace(kurbel.make_table("1:5", angles="0..180:30"), key="weg")
+    blocks = parse_prose("See [](#weg) and [](#paths), $R = 0.5$.")
+    chapters = (
+        Chapter("Wege", "wege", 1, (Item("text", lang="en", blocks=blocks), item("weg", weg))),
+        Chapter("Paths of $1.5$", "paths", 2, (Item("text", lang="de", blocks=blocks),), "en"),
+    )
+    text = read(small(tmp_path, tables={"weg": weg}, chapters=chapters, decimal=""))
+    assert "See Table 1 and Section 2, 𝑅 = 0.5." in text
+    assert "See Tabelle 1 and Abschnitt 2, 𝑅 = 0,5." in text
+    assert "2 Paths of 1.5" in text

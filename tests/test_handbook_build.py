@@ -65,7 +65,7 @@ def build(folder: Path, *words: str) -> Result:
 
 def files(folder: Path) -> dict[str, bytes]:
     """Return all that was built, without what is of use on this machine only."""
-    output = folder / "build"
+    output = folder / "pages"
     return {
         path.relative_to(output).as_posix(): path.read_bytes()
         for path in sorted(output.rglob("*"))
@@ -110,20 +110,20 @@ def test_what_a_table_says_is_what_its_command_prints(tmp_path: Path) -> None:
 
 def test_nothing_is_made_anew_where_nothing_changed(tmp_path: Path) -> None:
     build(book(tmp_path))
-    before = {path: path.stat().st_mtime_ns for path in (tmp_path / "build").rglob("*") if path.is_file()}
+    before = {path: path.stat().st_mtime_ns for path in (tmp_path / "pages").rglob("*") if path.is_file()}
     again = build(tmp_path)
     assert counts(again)[0] == 0
     after = {path: path.stat().st_mtime_ns for path in before}
-    lock = tmp_path / "build/.kurbel/lock"
+    lock = tmp_path / "pages/.kurbel/lock"
     assert {path for path in before if before[path] != after[path]} <= {lock}
 
 
 def made_anew(folder: Path) -> set[str]:
     """Return the files that the next build writes."""
-    before = {path: (folder / "build" / path).stat().st_mtime_ns for path in files(folder)}
+    before = {path: (folder / "pages" / path).stat().st_mtime_ns for path in files(folder)}
     assert build(folder).code == 0
     return {
-        path for path in files(folder) if before.get(path) != (folder / "build" / path).stat().st_mtime_ns
+        path for path in files(folder) if before.get(path) != (folder / "pages" / path).stat().st_mtime_ns
     }
 
 
@@ -159,7 +159,7 @@ def test_a_changed_text_makes_documents_anew_and_no_table(tmp_path: Path) -> Non
 def test_what_somebody_spoilt_is_made_anew(tmp_path: Path, path: str, content: bytes | None) -> None:
     build(book(tmp_path))
     before = files(tmp_path)
-    spoilt = tmp_path / "build" / path
+    spoilt = tmp_path / "pages" / path
     spoilt.unlink() if content is None else spoilt.write_bytes(content)
     assert build(tmp_path).code == 0
     assert files(tmp_path) == before
@@ -167,10 +167,10 @@ def test_what_somebody_spoilt_is_made_anew(tmp_path: Path, path: str, content: b
 
 def test_what_is_no_longer_in_the_manifest_is_removed_unless_it_was_changed(tmp_path: Path) -> None:
     build(book(tmp_path))
-    (tmp_path / "build/tables/schwung.csv").write_text("my own\n")
-    (tmp_path / "build/own.txt").write_text("my own\n")
+    (tmp_path / "pages/tables/schwung.csv").write_text("my own\n")
+    (tmp_path / "pages/own.txt").write_text("my own\n")
     # As after a fresh clone, where only what is committed is there.
-    shutil.rmtree(tmp_path / "build/.kurbel")
+    shutil.rmtree(tmp_path / "pages/.kurbel")
     book(
         tmp_path, MANIFEST[: MANIFEST.index('[[chapter]]\ntitle = "Engine"')].replace("und [](#schwung)", "")
     )
@@ -278,42 +278,42 @@ def test_check_passes_where_all_is_built_and_says_what_is_stale(tmp_path: Path) 
     before = files(tmp_path)
     passed = kurbel("handbook", "check", str(tmp_path), "--jobs", "1")
     assert (passed.code, passed.out) == (0, "")
-    assert "all 15 files are what the manifest says" in passed.err
-    (tmp_path / "build/tables/wege.md").unlink()
-    csv = tmp_path / "build/tables/wege.csv"
+    assert "all 18 files are what the manifest says" in passed.err
+    (tmp_path / "pages/tables/wege.md").unlink()
+    csv = tmp_path / "pages/tables/wege.csv"
     csv.write_text(csv.read_text().replace("1.0000", "1.0001"))
     failed = kurbel("handbook", "check", str(tmp_path), "--jobs", "1")
     assert failed.code == 1
     lines = failed.out.splitlines()
-    assert lines[0] == f"{tmp_path}/build/tables/wege.csv"
+    assert lines[0] == f"{tmp_path}/pages/tables/wege.csv"
     assert any(line.startswith("    -") and "1.0001" in line for line in lines)
-    assert lines[-2:] == [f"{tmp_path}/build/tables/wege.md", "    missing"]
+    assert lines[-2:] == [f"{tmp_path}/pages/tables/wege.md", "    missing"]
     assert f"2 files are stale; this mends them: kurbel handbook build {tmp_path}" in failed.err
-    assert not (tmp_path / "build/tables/wege.md").exists()
+    assert not (tmp_path / "pages/tables/wege.md").exists()
     build(tmp_path)
     assert files(tmp_path) == before
 
 
 def test_check_needs_no_state_and_finds_what_is_left_over(tmp_path: Path) -> None:
     build(book(tmp_path))
-    shutil.rmtree(tmp_path / "build/.kurbel")
+    shutil.rmtree(tmp_path / "pages/.kurbel")
     assert kurbel("handbook", "check", str(tmp_path), "--jobs", "1").code == 0
-    assert not (tmp_path / "build/.kurbel").exists()
+    assert not (tmp_path / "pages/.kurbel").exists()
     book(
         tmp_path, MANIFEST[: MANIFEST.index('[[chapter]]\ntitle = "Engine"')].replace("und [](#schwung)", "")
     )
     failed = kurbel("handbook", "check", str(tmp_path), "--jobs", "1")
     assert failed.code == 1
     assert (
-        f"{tmp_path}/build/tables/schwung.csv\n    left over: nothing in the manifest makes it" in failed.out
+        f"{tmp_path}/pages/tables/schwung.csv\n    left over: nothing in the manifest makes it" in failed.out
     )
 
 
 def test_check_before_any_build_says_that_all_is_missing(tmp_path: Path) -> None:
     failed = kurbel("handbook", "check", str(book(tmp_path)), "--jobs", "1")
     assert failed.code == 1
-    assert failed.out.count("    missing\n") == 15
-    assert not (tmp_path / "build").exists()
+    assert failed.out.count("    missing\n") == 18
+    assert not (tmp_path / "pages").exists()
 
 
 @pytest.mark.parametrize("lang", ["de", "en"])
@@ -343,7 +343,7 @@ def test_list_says_what_would_be_made(tmp_path: Path) -> None:
     book(tmp_path, MANIFEST.replace("--step 45", "--step 90").replace("schwung", "rad"))
     listed = kurbel("handbook", "list", str(tmp_path))
     assert listed.out.splitlines() == [
-        f"{tmp_path}/build: text, latex, markdown, html, csv, json",
+        f"{tmp_path}/pages: text, latex, markdown, html, csv, json",
         "",
         "1 Wege (wege)",
         "    wege  kurbel table --ratio 1:5 --step 90  changed",
@@ -361,32 +361,32 @@ def test_the_output_leads_nowhere_else(tmp_path: Path) -> None:
     outside = tmp_path / "outside"
     outside.mkdir()
     folder = book(tmp_path / "book")
-    (folder / "build").symlink_to(outside)
+    (folder / "pages").symlink_to(outside)
     assert "is a link, which may lead anywhere" in refusal("handbook", "build", str(folder), code=1)
-    (folder / "build").unlink()
-    (folder / "build").mkdir()
-    (folder / "build/tables").symlink_to(outside)
+    (folder / "pages").unlink()
+    (folder / "pages").mkdir()
+    (folder / "pages/tables").symlink_to(outside)
     result = build(folder)
     assert result.code == 1
     assert "is a link, which may lead anywhere" in result.err
-    (folder / "build/tables").unlink()
-    (folder / "build/handbook.html").symlink_to(outside / "victim")
+    (folder / "pages/tables").unlink()
+    (folder / "pages/handbook.html").symlink_to(outside / "victim")
     (outside / "victim").write_text("precious")
     assert "is a link, which may lead anywhere" in build(folder).err
     assert [path.name for path in outside.iterdir()] == ["victim"]
     assert (outside / "victim").read_text() == "precious"
     # A list of what was built may come from anybody.
-    (folder / "build/handbook.html").unlink()
+    (folder / "pages/handbook.html").unlink()
     digest = hashlib.sha256(b"precious").hexdigest()
     listed = {"files": {"../../outside/victim": digest, str(outside / "victim"): digest}}
-    (folder / "build/contents.json").write_text(json.dumps(listed))
+    (folder / "pages/contents.json").write_text(json.dumps(listed))
     assert build(folder).code == 0
     assert (outside / "victim").exists()
 
 
 def test_a_file_in_place_of_the_folder_is_answered_with_a_sentence(tmp_path: Path) -> None:
     folder = book(tmp_path)
-    (folder / "build").write_text("")
+    (folder / "pages").write_text("")
     assert "is a file; the handbook is built into a folder" in refusal(
         "handbook", "build", str(folder), code=1
     )

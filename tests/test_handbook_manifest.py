@@ -63,6 +63,8 @@ def test_a_part_inherits_what_the_handbook_and_its_chapter_say(tmp_path: Path) -
     assert (first.name, second.name) == ("groesse", "engine")
     text, table = first.parts
     assert text.text.startswith("[defaults]\n")
+    assert text.options["lang"] == first.lang == "de"
+    assert second.lang == "en"
     assert table.words == ("table", "--step", "15")
     assert table.name == "table-step-15"
     assert table.options == {"lang": "de", "ratio": "1:5", "digits": 4}

@@ -111,12 +111,18 @@ def test_only_its_start_knows_the_command_line() -> None:
 def test_only_drawings_know_matplotlib() -> None:
     drawing = {f"kurbel.{name}" for name in ("plotting", "plot_style", "plot_polar", "plot_mechanism")}
     drawing |= {f"kurbel.plot_{name}" for name in ("arc", "parallel", "sketch")}
-    assert importers("matplotlib") == drawing | {"kurbel.plot_drawings"}
+    assert importers("matplotlib") == drawing | {"kurbel.plot_drawings", "kurbel.plot_inline"}
     knowing = {name for name in MODULES if drawing & {name, *reached(name)}}
     plots = {
         f"kurbel.plot_{name}" for name in ("curves", "drawings", "engine", "linkage", "panels", "turning")
     }
-    assert knowing == drawing | plots | {"kurbel.cli.plot", "kurbel.cli.plot_kinds"}
+    documents = {
+        "kurbel.plot_inline",
+        "kurbel.cli.inject",
+        "kurbel.cli.handbook",
+        "kurbel.cli.handbook_parts",
+    }
+    assert knowing == drawing | plots | documents | {"kurbel.cli.plot", "kurbel.cli.plot_kinds"}
 
 
 def test_only_pdf_knows_its_compiler() -> None:

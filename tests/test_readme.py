@@ -7,6 +7,7 @@ import doctest
 import os
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -20,29 +21,39 @@ def commands(text: str) -> list[str]:
     return [command for block in BLOCK.findall(text) for command in COMMAND.findall(block)]
 
 
-def printed(command: str) -> str:
+def printed(command: str, folder: Path) -> str:
+    """What a terminal shows of the command, run in the folder."""
     program, *arguments = shlex.split(command)
     assert program == "kurbel"
     environment = {name: value for name, value in os.environ.items() if not name.startswith("KURBEL_")}
     run = subprocess.run(
         [sys.executable, "-m", "kurbel", *arguments],
-        check=True, capture_output=True, encoding="utf-8", env=environment | {"PYTHONUTF8": "1"},
+        check=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8", cwd=folder,
+        env=environment | {"PYTHONUTF8": "1"},
     )  # fmt: skip
     return run.stdout
 
 
-def true_block(block: str) -> str:
-    return "\n".join(f"$ {command}\n{printed(command)}" for command in COMMAND.findall(block))
+def true_block(block: str, folder: Path) -> str:
+    return "\n".join(f"$ {command}\n{printed(command, folder)}" for command in COMMAND.findall(block))
 
 
-def test_every_command_of_the_readme_prints_what_stands_there() -> None:
+def reader(folder: Path) -> Path:
+    """Return a folder with the examples and nothing else, in which the commands are typed in turn."""
+    shutil.copytree(README.parent / "examples", folder / "examples")
+    return folder
+
+
+def test_every_command_of_the_readme_prints_what_stands_there(tmp_path: Path) -> None:
     text = README.read_text(encoding="utf-8")
     if os.environ.get("KURBEL_PROMOTE") == "1":
-        text = BLOCK.sub(lambda block: true_block(block.group()), text)
+        promoted = reader(tmp_path / "promoted")
+        text = BLOCK.sub(lambda block: true_block(block.group(), promoted), text)
         README.write_text(text, encoding="utf-8")
     assert len(commands(text)) >= 5
+    folder = reader(tmp_path / "typed")
     for block in BLOCK.findall(text):
-        assert block == true_block(block)
+        assert block == true_block(block, folder)
 
 
 def test_the_machine_of_the_readme_is_the_example() -> None:

@@ -157,7 +157,7 @@ def markdown_tables(text: str) -> list[list[list[str]]]:
     return tables
 
 
-def model_cells(panel: Panel) -> Iterator[list[list[str]]]:
+def model_cells(panel: Panel, decimal: str = ",") -> Iterator[list[list[str]]]:
     """Yield the body of each group as text, worked out from the model alone."""
     above: dict[int, str] = {}
     for group in panel.groups:
@@ -168,9 +168,9 @@ def model_cells(panel: Panel) -> Iterator[list[list[str]]]:
                 if cell.value is DITTO:
                     text = above[place]
                 elif isinstance(cell.value, Number):
-                    text = number_text(cell.value, ",", "−")
+                    text = number_text(cell.value, decimal, "−")
                 else:
-                    text = plain(cell.value, ",") if isinstance(cell.value, str) else "–"
+                    text = plain(cell.value, decimal) if isinstance(cell.value, str) else "–"
                 above[place] = text
                 texts.append(text + "".join(map(mark_text, cell.notes)))
             rows.append(texts)

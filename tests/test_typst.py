@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 from everything import everything
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from test_latex import tall, wide
 from test_shipped_pages import all_pages, assert_rows_stand_in, text_of_pdf
@@ -63,6 +63,26 @@ def in_typst(pieces: list[str]) -> list[str]:
 
 
 @settings(max_examples=60, deadline=None)
+@example(
+    ["= a", "+ a", "- a", "/ a: b", "1. a", "12. a", "#a", "@a", "<a>", "*a*", "_a_", "`a`", "$a$", "[a]"]
+)
+@example(
+    [
+        "http://a",
+        "a // b",
+        "/* a */",
+        "a -- b",
+        "-1",
+        "a-1",
+        "a-?",
+        "a...b",
+        "'a'",
+        '"a"',
+        "a~b",
+        "\\",
+        "a \\",
+    ]
+)
 @given(st.lists(_PROSE, min_size=1, max_size=20))
 def test_no_prose_is_obeyed(texts: list[str]) -> None:
     prose = [re.sub(r"[ \u2028\u2029]+", " ", text).strip(" ") for text in texts]
@@ -104,6 +124,7 @@ def formula(source: str) -> Formula:
         ("x_m^2", "x_(m)^(2)"),
         ('2.5 "m/s"', '2","5 thin"m/s"'),
         ("sqrt(1 + λ^2)", "sqrt(1+λ^(2))"),
+        ("F·sqrt(5)", "F · sqrt(5)"),
         ("a - > b", "a− >b"),
         (r'"a\b"', r'"a\\b"'),
     ],
@@ -113,7 +134,9 @@ def test_formula_in_typst(source: str, typst: str) -> None:
     assert formula_typst(formula(source), ",") == f"#math.equation(alt: {alternative}, ${typst}$);"
 
 
-_PIECES = st.sampled_from([*"()[]/_^ -<>±:°'", "sin", "max", "xy", "x", "φ", "2", "4.5", '"#a$"', "sqrt(2)"])
+_PIECES = st.sampled_from(
+    [*"()[]/_^ -<>±·×:°'", "sin", "max", "xy", "x", "φ", "2", "4.5", '"#a$"', "sqrt(2)"]
+)
 
 
 @settings(max_examples=40, deadline=None)
@@ -193,6 +216,12 @@ def test_table_shorter_than_a_page_moves_to_the_next_with_its_caption(tmp_path: 
     above, below = compiled(f'{HEAD}Oben #v(20cm)\n#include "table.typ"', tmp_path)
     assert above.split() == ["Oben"]
     assert "Jeder Teil einer Tafel" in below
+
+
+def test_page_may_be_as_large_as_its_table(tmp_path: Path) -> None:
+    fragment = render(everything(), "typst")
+    (text,) = compiled(f"{HEAD}#set page(width: auto, height: auto)\n{fragment}", tmp_path)
+    assert_rows_stand_in(text.splitlines(), everything(), angles=False)
 
 
 def test_fragment_sets_nothing_outside_itself(tmp_path: Path) -> None:

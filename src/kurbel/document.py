@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Literal, NamedTuple
 
 from kurbel.choices import choose
-from kurbel.formats import DECIMALS, Format
+from kurbel.formats import DECIMAL_OF_LANGUAGE, DECIMALS, Format
 from kurbel.labels import plain, set_label
 from kurbel.table import Label
 
@@ -20,6 +20,7 @@ WORDS: Mapping[str, Mapping[str, str]] = {
     "de": {
         "table": "Tabelle",
         "figure": "Abbildung",
+        "section": "Abschnitt",
         "contents": "Inhalt",
         "tables": "Tabellenverzeichnis",
         "figures": "Abbildungsverzeichnis",
@@ -28,6 +29,7 @@ WORDS: Mapping[str, Mapping[str, str]] = {
     "en": {
         "table": "Table",
         "figure": "Figure",
+        "section": "Section",
         "contents": "Contents",
         "tables": "List of Tables",
         "figures": "List of Figures",
@@ -40,7 +42,7 @@ class Item(NamedTuple):
     """A text, a table or a figure of a chapter.
 
     `name` is what its files are called and, behind tab: or fig:, its label; `number` counts its kind through
-    the whole handbook from 1. A text has only its blocks.
+    the whole handbook from 1. A text has only its language and its blocks.
     """
 
     kind: Literal["text", "table", "figure"]
@@ -52,16 +54,17 @@ class Item(NamedTuple):
 
 
 class Chapter(NamedTuple):
-    """`name` is a slug, unique among the chapters; `number` counts from 1."""
+    """`name` is a slug, unique among the chapters; `number` counts from 1. No language is the document's."""
 
     title: Label
     name: str
     number: int
     items: tuple[Item, ...]
+    lang: str = ""
 
 
 class Document(NamedTuple):
-    """`decimal` is the decimal mark of numbers in texts and titles."""
+    """`decimal` is the decimal mark of numbers in texts and titles; by default that of their language."""
 
     title: Label
     lang: str
@@ -80,6 +83,10 @@ class Document(NamedTuple):
         """The document's own words, such as those over its lists."""
         return WORDS[self.lang]
 
+    def mark(self, lang: str = "") -> str:
+        """Return the decimal mark in what has a language, by default the document's."""
+        return DECIMALS[self.decimal or DECIMAL_OF_LANGUAGE[lang or self.lang]]
+
     def home(self, name: str) -> tuple[Chapter, Item | None]:
         """Return the chapter of that name, or the table or figure and its chapter.
 
@@ -94,22 +101,22 @@ class Document(NamedTuple):
         }
         return homes[choose(name, homes, "table, figure or chapter")]
 
-    def title_of(self, one: Chapter | Item) -> str:
-        """Return what a reference calls it: "Tabelle 3", or a chapter's title without formulas' notation."""
+    def title_of(self, one: Chapter | Item, lang: str = "") -> str:
+        """Return what a reference in a language calls it: "Tabelle 3", or a chapter's plain title."""
         if isinstance(one, Chapter):
-            return plain(one.title, DECIMALS[self.decimal])
-        return f"{self.words[one.kind]} {one.number}"
+            return plain(one.title, self.mark(one.lang))
+        return f"{WORDS[lang or self.lang][one.kind]} {one.number}"
 
-    def set(self, label: Label, form: Format) -> str:
-        """Return a title or a caption in a format."""
-        mark = DECIMALS[self.decimal]
+    def set(self, label: Label, form: Format, lang: str = "") -> str:
+        """Return a title or a caption of a language in a format."""
+        mark = self.mark(lang)
         return set_label(
             label, form.escape, lambda formula: form.formula(formula, mark, False), lambda note: ""
         )
 
-    def set_head(self, label: Label, form: Format) -> str:
+    def set_head(self, label: Label, form: Format, lang: str = "") -> str:
         """Return a title for a running head: one too long for it is cut, its formulas in one line."""
-        words = plain(label, DECIMALS[self.decimal])
+        words = plain(label, self.mark(lang))
         if len(words) <= HEAD:
-            return self.set(label, form)
+            return self.set(label, form, lang)
         return form.escape(f"{words[: HEAD - 1].rstrip()}…")

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 from kurbel.document import Document, Item
 from kurbel.formats import DECIMALS, by_name
 from kurbel.html_width import width_in_ems
 from kurbel.labels import plain
+from kurbel.prose import Block, Heading
 from kurbel.prose_print import set_prose
 from kurbel.references import finder, label_of, number_of
 from kurbel.render import render_document
@@ -49,6 +50,7 @@ class Section(NamedTuple):
     target: str
     title: str
     head: str
+    lang: str
     parts: tuple[Part, ...]
 
     @property
@@ -63,7 +65,7 @@ def files(document: Document, fragments: Mapping[str, str], templates: str | Non
     `fragments` has the HTML of each table and the SVG file of each figure by its name.
     """
     form = by_name("html")
-    mark = DECIMALS[document.decimal]
+    mark = document.mark()
     page = render_document(
         form.name,
         "handbook",
@@ -95,23 +97,29 @@ def _sections(document: Document, fragments: Mapping[str, str]) -> Iterator[Sect
         yield Section(
             chapter.number,
             label_of(chapter, "-"),
-            document.set(chapter.title, by_name("html")),
-            css_string(plain(chapter.title, DECIMALS[document.decimal])),
+            document.set(chapter.title, by_name("html"), chapter.lang),
+            css_string(plain(chapter.title, document.mark(chapter.lang))),
+            _other(document, chapter.lang),
             tuple(_part(document, item, fragments) for item in chapter.items),
         )
 
 
+def _other(document: Document, lang: str) -> str:
+    """Return a language where it is not the document's."""
+    return "" if lang == document.lang else lang
+
+
 def _part(document: Document, item: Item, fragments: Mapping[str, str]) -> Part:
-    lang = item.lang if item.lang != document.lang else ""
+    lang = _other(document, item.lang)
     if item.kind == "text":
         return Part("text", "", "", "", lang, _text(document, item))
     target, number = label_of(item, "-"), number_of(item)
-    caption = document.set(item.caption, by_name("html"))
+    caption = document.set(item.caption, by_name("html"), item.lang)
     fragment = fragments[item.name]
     if item.kind == "table":
         content = _numbered(_REMARK.sub("", fragment), target)
         return Part("table", target, number, caption, lang, content, width_in_ems(fragment))
-    title = f"{number}: {plain(item.caption, DECIMALS[document.decimal])}"
+    title = f"{number}: {plain(item.caption, document.mark(item.lang))}"
     return Part("figure", target, number, caption, lang, inline(fragment, target, title))
 
 
@@ -121,6 +129,20 @@ def _numbered(fragment: str, target: str) -> str:
 
 
 def _text(document: Document, item: Item) -> str:
-    find = finder(document, "-", lambda chapter: "#")
+    find = finder(document, "-", item.lang, lambda chapter: "#")
     # The page has one heading above the chapters.
-    return set_prose(item.blocks, by_name("html"), DECIMALS[document.decimal], find, 2)
+    return set_prose(tuple(levelled(item.blocks)), by_name("html"), document.mark(item.lang), find, 2)
+
+
+def levelled(blocks: Iterable[Block]) -> Iterator[Block]:
+    """Yield the blocks of a text, its headings without gaps between their levels, from the first one on.
+
+    Screen readers take a missing level for a missing heading, as for a text whose first heading is a ##.
+    """
+    above: list[int] = []
+    for block in blocks:
+        if isinstance(block, Heading):
+            above = [level for level in above if level < block.level] + [block.level]
+            yield Heading(len(above), block.content)
+        else:
+            yield block

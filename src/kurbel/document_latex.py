@@ -14,7 +14,7 @@ from kurbel.document import WORDS, Chapter, Document, Item
 from kurbel.formats import DECIMALS, Format, by_name
 from kurbel.labels import plain
 from kurbel.prose_print import set_prose
-from kurbel.references import finder, label_of
+from kurbel.references import finder, highest_heading, label_of
 from kurbel.render import render_document
 
 # What hyperref does not take from a string of letters as it stands.
@@ -77,6 +77,7 @@ def files(document: Document, fragments: Mapping[str, str], templates: str | Non
         "languages": _languages(document),
         "chapters": chapters,
         "long": any(part.long for chapter in chapters for part in chapter.parts),
+        "linked": any(document.items("text")),
     }
     return {
         f"{name}.tex": render_document("latex", name, values, templates) for name in ("appendix", "handbook")
@@ -85,34 +86,37 @@ def files(document: Document, fragments: Mapping[str, str], templates: str | Non
 
 def _chapter(document: Document, chapter: Chapter, form: Format, fragments: Mapping[str, str]) -> TexChapter:
     parts = tuple(_parts(document, chapter, form, fragments))
-    return TexChapter(_title(document, chapter.title, form), label_of(chapter, ":"), parts)
+    title = _title(document, chapter.title, form, chapter.lang)
+    return TexChapter(title, label_of(chapter, ":"), parts)
 
 
 def _parts(
     document: Document, chapter: Chapter, form: Format, fragments: Mapping[str, str]
 ) -> Iterator[TexPart]:
-    find = finder(document, ":")
     for item in chapter.items:
         if item.kind == "text":
-            # A chapter is a section.
-            text = set_prose(tuple(item.blocks), form, DECIMALS[document.decimal], find, level=2)
-            yield TexPart("text", "", "", text, "", False)
+            find = finder(document, ":", item.lang)
+            # A chapter is a section, and what stands below it a subsection.
+            text = set_prose(
+                tuple(item.blocks), form, document.mark(item.lang), find, 3 - highest_heading(document)
+            )
+            yield TexPart("text", "", "", text, _language(document, item), False)
         else:
             long = item.kind == "table" and r"\begin{longtable}" in fragments[item.name]
-            caption = document.set(item.caption, form)
+            caption = document.set(item.caption, form, item.lang)
             yield TexPart(item.kind, item.name, label_of(item, ":"), caption, _language(document, item), long)
 
 
 def _language(document: Document, item: Item) -> str:
-    return "" if item.lang == document.lang else WORDS[item.lang]["babel"]
+    return "" if item.lang in ("", document.lang) else WORDS[item.lang]["babel"]
 
 
 def _languages(document: Document) -> str:
     """Return the options of babel, the document's own language last."""
-    others = sorted({_language(document, item) for item in document.items("table", "figure")} - {""})
+    others = sorted({_language(document, item) for item in document.items("text", "table", "figure")} - {""})
     return ",".join([*others, f"main={document.words['babel']}"])
 
 
-def _title(document: Document, label: str, form: Format) -> TexTitle:
-    words = plain(label, DECIMALS[document.decimal])
-    return TexTitle(document.set(label, form), words.translate(_STRING), document.set_head(label, form))
+def _title(document: Document, label: str, form: Format, lang: str = "") -> TexTitle:
+    words = plain(label, document.mark(lang)).translate(_STRING)
+    return TexTitle(document.set(label, form, lang), words, document.set_head(label, form, lang))

@@ -10,7 +10,7 @@ from kurbel.document import Chapter, Document
 from kurbel.formats import DECIMALS, Format, by_name
 from kurbel.labels import plain
 from kurbel.prose_print import Find, set_prose
-from kurbel.references import finder, label_of, number_of
+from kurbel.references import finder, highest_heading, label_of, number_of
 from kurbel.render import render_document
 
 # A # at the end of a heading would be taken for its end.
@@ -42,14 +42,13 @@ class MarkdownChapter(NamedTuple):
 def files(document: Document, fragments: Mapping[str, str], templates: str | None = None) -> dict[str, str]:
     """Return markdown/index.md and a page for each chapter."""
     form = by_name("markdown")
-    find = finder(document, "-", lambda chapter: f"{_file(document, chapter)}#")
     chapters = [
         MarkdownChapter(
-            title := document.set(chapter.title, form),
+            title := document.set(chapter.title, form, chapter.lang),
             _heading(title),
             label_of(chapter, "-"),
             _file(document, chapter),
-            tuple(_parts(document, chapter, form, fragments, find)),
+            tuple(_parts(document, chapter, form, fragments)),
         )
         for chapter in document.chapters
     ]
@@ -83,12 +82,14 @@ def _heading(title: str) -> str:
 
 
 def _parts(
-    document: Document, chapter: Chapter, form: Format, fragments: Mapping[str, str], find: Find
+    document: Document, chapter: Chapter, form: Format, fragments: Mapping[str, str]
 ) -> Iterator[MarkdownPart]:
-    mark = DECIMALS[document.decimal]
     for item in chapter.items:
         if item.kind == "text":
-            text = set_prose(tuple(item.blocks), form, mark, find)
+            find = finder(document, "-", item.lang, lambda other: f"{_file(document, other)}#")
+            text = set_prose(
+                tuple(item.blocks), form, document.mark(item.lang), find, 2 - highest_heading(document)
+            )
             yield MarkdownPart("text", "", "", "", "", "", text)
         else:
             yield MarkdownPart(
@@ -96,7 +97,7 @@ def _parts(
                 item.name,
                 label_of(item, "-"),
                 number_of(item),
-                document.set(item.caption, form),
-                form.escape(plain(item.caption, mark)),
+                document.set(item.caption, form, item.lang),
+                form.escape(plain(item.caption, document.mark(item.lang))),
                 fragments[item.name] if item.kind == "table" else "",
             )

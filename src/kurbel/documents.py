@@ -25,9 +25,9 @@ def document_files(
 ) -> dict[str, str]:
     """Return the whole documents of a format as texts by their paths in the output folder.
 
-    `fragments` has each table by its name, rendered in the format, and for HTML each figure
-    as SVG; `templates` is a folder of the user's own
-    templates. Raises KurbelError for a reference to nothing and for a template that cannot be used.
+    `fragments` has each table by its name, rendered in the format, and for HTML each figure as SVG;
+    `templates` is a folder of the user's own templates. Raises KurbelError for a reference to nothing and
+    for a template that cannot be used.
     """
     module = import_module(MODULES[choose(format, MODULES, "format of documents")])
     return cast("dict[str, str]", module.files(document, fragments, templates))

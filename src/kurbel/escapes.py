@@ -64,19 +64,19 @@ _LATEX = str.maketrans(
         "°": r"\textdegree{}",
     }
 )
-# Two of these in a row are one sign in TeX fonts: --, ,, '' << >>.
+# Two of these in a row are one sign in TeX fonts: --, ,, '' << >>. Between braces LuaTeX still joins them.
 _LIGATURE = re.compile(r"([-,'<>])(?=\1)")
 
 
 def escape_latex(prose: str) -> str:
-    return _LIGATURE.sub(r"\1{}", prose.translate(_LATEX))
+    return _LIGATURE.sub(r"\1\\/", prose.translate(_LATEX))
 
 
 # Characters that Typst obeys anywhere.
 _TYPST = re.compile(r"[\\#$*_@<`~\[\]\"']")
-# Hyphens stay between letters only: with each other, ?, a digit or a space they make dashes, breaks, minus
-# signs and lists. Points make an ellipsis, strokes a comment or, after a colon, a link.
-_TYPST_PAIRS = re.compile(r"(?<![^\W\d_])-|-(?![^\W\d_])|\.(?=\.)|(?<=\.)\.|/(?=[/*])|(?<=/)/")
+# A hyphen stays before a letter only: with another one, ?, a digit or a space it makes a dash, a break, a
+# minus sign or a list. Points make an ellipsis, strokes a comment or, after a colon, a link.
+_TYPST_PAIRS = re.compile(r"-(?![^\W\d_])|\.(?=\.)|(?<=\.)\.|/(?=[/*])|(?<=/)/")
 # At the start of a line these make a heading, a list or a term.
 _TYPST_START = re.compile(r"^( *)([=+/])|^( *[0-9]+)(\.)")
 

@@ -302,7 +302,8 @@ def formula_typst(formula: Formula, mark: str = ".", display: bool = False) -> s
     content = _typst(formula.content, mark)
     alternative = string_typst(formula_plain(formula, mark))
     if display and _has_bar(formula.content):
-        return f"#box(inset: (y: .3em), math.equation(alt: {alternative}, $display({content})$));"
+        # The empty box is as high above the middle of the digits beside it as it is deep below.
+        content = f"display({content})#box(height: 2.9em, baseline: 1.12em)"
     return f"#math.equation(alt: {alternative}, ${content}$);"
 
 
@@ -322,7 +323,12 @@ def _would_join(before: str, after: str) -> bool:
     """Tell whether two characters would be read as one word or, as -> is, one sign."""
     if not before or not after or {before, after} & _TYPST_CLOSED:
         return False
-    return before.isalnum() == after.isalnum()
+    return _in_word(before) == _in_word(after)
+
+
+def _in_word(character: str) -> bool:
+    """Tell whether Typst reads a character behind a letter as part of the word; it does so with the dot of ·."""
+    return f"x{character}".isidentifier()
 
 
 def _typst_node(nodes: Nodes, place: int, mark: str) -> str:

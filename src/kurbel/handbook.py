@@ -10,9 +10,10 @@ from kurbel.formats import FORMATS
 from kurbel.handbook_manifest import Manifest, Part
 
 PDF = "pdf"
-KILLED = "its process was ended: what it asks for takes too much memory or, with templates of one's own, time"
+KILLED = "its process was ended, for want of memory or from outside"
 # Templates of one's own have so many seconds for a page, and so much memory.
-PATIENCE, GIGABYTES = 20.0, 4
+PATIENCE, GIGABYTES = 10.0, 4
+STOPPED = f"its templates were stopped after {PATIENCE:.0f} s, or at {GIGABYTES} gigabytes"
 # What a document is made of beside its own format: figures as these files.
 FIGURES = {"html": "svg", "markdown": "svg", "typst": "svg", "latex": "pdf"}
 

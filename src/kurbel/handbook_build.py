@@ -9,7 +9,7 @@ from typing import Any
 
 from kurbel.documents import MODULES as DOCUMENTS
 from kurbel.errors import KurbelError
-from kurbel.handbook import KILLED, PDF, Built, Failure, Made, Maker, formats_of, task_of
+from kurbel.handbook import KILLED, PDF, STOPPED, Built, Failure, Made, Maker, formats_of, task_of
 from kurbel.handbook_folder import Folder, digest
 from kurbel.handbook_manifest import Manifest, Part
 from kurbel.handbook_pages import (
@@ -66,7 +66,7 @@ class Build:
         self.built = Built()
         base = manifest.folder
         self.formats = formats_of(manifest)
-        self.templates = manifest.templates and os.path.abspath(os.path.join(base, manifest.templates))
+        self.templates = manifest.templates and os.path.join(base, manifest.templates)
         self.print = key_of(fingerprint(), self.templates and digest_of(self.templates))
 
     def part_key(self, part: Part) -> str:
@@ -94,11 +94,17 @@ class Build:
         for task, made in worked(self.make, tasks, self.jobs, apart=self.templates is not None):
             step()
             if isinstance(made, Killed):
-                self.fail(task.part.line, task.part.name, KILLED)
+                self.fail(task.part.line, task.part.name, self.why(made))
             elif isinstance(made, str):
                 self.fail(task.part.line, task.part.name, made)
             else:
                 self.take(task.part, made)
+
+    def why(self, killed: Killed) -> str:
+        """Return in a sentence why a piece of the work has no result."""
+        if not killed.tried:
+            return "not tried, for others like it were stopped"
+        return STOPPED if self.templates else KILLED
 
     def take(self, part: Part, made: Made) -> None:
         try:
@@ -203,7 +209,7 @@ class Build:
 
     def take_document(self, name: str, key: str, made: Mapping[str, bytes] | str | Killed) -> None:
         if isinstance(made, Killed):
-            made = KILLED
+            made = self.why(made)
         if isinstance(made, str):
             self.fail(0, name, made)
             return
@@ -239,7 +245,7 @@ def _named(name: str) -> str:
 
 def _raw(chapters: Sequence[PlannedChapter]) -> list[Any]:
     return [
-        (plan.title, plan.name, [(entry.part.name, entry.text, entry.about, entry.said) for entry in entries])
+        (plan._replace(parts=()), [(*entry[1:], entry.part.name, entry.part.options) for entry in entries])
         for plan, entries in chapters
     ]
 

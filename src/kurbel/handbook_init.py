@@ -37,7 +37,7 @@ title = "{title}"
 lang = "{lang}"                 # de or en
 # decimal = "point"         # comma or point; by default that of the language
 formats = ["html", "latex", "markdown", {pdf}"typst", "csv", "json"]
-output = "build"            # a folder beside this file
+output = "pages"            # a folder beside this file
 # machine = "engine.toml"   # a machine for all commands that take --machine
 # templates = "mine/"       # templates of your own, such as mine/base/html.jinja
 {pdf_hint}

@@ -32,7 +32,6 @@ from typing import Any, NamedTuple
 
 from kurbel.choices import choose
 from kurbel.errors import ChoiceError, HandbookError, LayoutError
-from kurbel.formats import DECIMAL_OF_LANGUAGE
 from kurbel.handbook_keys import ENGINES, KEYS, Key, default_options
 from kurbel.labels import Mark, parse
 from kurbel.layouts import LANGUAGES
@@ -65,6 +64,7 @@ class Part(NamedTuple):
 class ChapterPlan(NamedTuple):
     title: str
     name: str
+    lang: str
     parts: tuple[Part, ...]
 
 
@@ -149,9 +149,9 @@ class _Reader:
             subtitle=values.get("subtitle", ""),
             author=values.get("author", ""),
             lang=lang,
-            decimal=values.get("decimal", DECIMAL_OF_LANGUAGE[lang]),
+            decimal=values.get("decimal", ""),
             formats=tuple(dict.fromkeys(values.get("formats", FORMATS_OF_A_HANDBOOK))),
-            output=self.inside(("output",), values.get("output", "build")),
+            output=self.inside(("output",), values.get("output", "pages")),
             machine=self.inside(("machine",), values["machine"]) if "machine" in values else None,
             templates=self.inside(("templates",), values["templates"]) if "templates" in values else None,
             engine=pdf.get("engine", ENGINES[0]),
@@ -168,7 +168,8 @@ class _Reader:
             name = values.get("name") or slug(values["title"])
             self.check_name((*place, "name"), name, self.chapter_names)
             own = {**defaults, **_picked(values, "lang"), **values.get("defaults", {})}
-            yield ChapterPlan(values["title"], name, tuple(self.parts(place, values.get("part", ()), own)))
+            parts = tuple(self.parts(place, values.get("part", ()), own))
+            yield ChapterPlan(values["title"], name, own["lang"], parts)
 
     def parts(self, chapter: Place, given: Sequence[Any], defaults: Mapping[str, Any]) -> Iterator[Part]:
         for number, one in enumerate(given):
@@ -181,10 +182,13 @@ class _Reader:
             if contents == ["run"]:
                 yield self.table(place, values, {**defaults, **_picked(values, "lang")})
                 continue
-            for key in (key for key in values if key not in contents):
+            for key in (key for key in values if key not in (*contents, "lang")):
                 raise self.error((*place, key), f"{key} is for tables and figures, and this part is a text")
             file = self.inside((*place, "file"), values["file"]) if "file" in values else ""
-            yield Part(self.line((*place, contents[0])), text=values.get("text", ""), file=file)
+            options = {**defaults, **_picked(values, "lang")}
+            yield Part(
+                self.line((*place, contents[0])), text=values.get("text", ""), file=file, options=options
+            )
 
     def table(self, place: Place, values: Mapping[str, Any], options: Mapping[str, Any]) -> Part:
         place_of_run = (*place, "run")

@@ -80,18 +80,20 @@ def document_of(manifest: Manifest, chapters: Sequence[PlannedChapter]) -> Docum
     counts = {"table": 0, "figure": 0}
     made = []
     for number, (plan, entries) in enumerate(chapters, 1):
-        items = tuple(_item(entry, counts, manifest.lang) for entry in entries)
-        made.append(Chapter(plan.title, plan.name, number, items))
+        items = tuple(_item(entry, counts) for entry in entries)
+        made.append(Chapter(plan.title, plan.name, number, items, plan.lang))
     return Document(
         manifest.title, manifest.lang, manifest.decimal, tuple(made), manifest.subtitle, manifest.author
     )
 
 
-def _item(entry: Entry, counts: dict[str, int], lang: str) -> Item:
+def _item(entry: Entry, counts: dict[str, int]) -> Item:
     from kurbel.prose import parse_prose
 
     if not entry.about:
-        return Item("text", blocks=parse_prose(_missing(entry, lang) if entry.said else entry.text))
+        lang = str(entry.part.options["lang"])
+        blocks = parse_prose(_missing(entry, lang) if entry.said else entry.text)
+        return Item("text", lang=lang, blocks=blocks)
     kind, caption, own_lang = entry.about
     counts[kind] += 1
     return Item("table" if kind == "table" else "figure", entry.part.name, counts[kind], own_lang, caption)

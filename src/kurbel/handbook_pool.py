@@ -16,10 +16,14 @@ Result = TypeVar("Result")
 
 # Fewer pieces than these are done before another process has loaded the libraries.
 WORTH_A_PROCESS = 4
+# What ended the processes of so many pieces will end those of the rest.
+MOST_KILLED = 3
 
 
 class Killed(NamedTuple):
-    """What stands for the result of a piece whose process ended."""
+    """What stands for the result of a piece whose process ended, or that was not tried as others ended."""
+
+    tried: bool = True
 
 
 class Worked(NamedTuple, Generic[Task, Result]):
@@ -61,9 +65,14 @@ def _worked_apart(
             if not _was_killed(future):
                 yield Worked(left.pop(places[future]), future.result())
     # One process that ended has ended the others' pool as well: each of the rest has one of its own.
+    killed = 0
     for task in left.values():
+        if killed == MOST_KILLED:
+            yield Worked(task, Killed(tried=False))
+            continue
         with _pool(1) as pool:
             alone = pool.submit(work, task)
+            killed += _was_killed(alone)
             yield Worked(task, Killed() if _was_killed(alone) else alone.result())
 
 

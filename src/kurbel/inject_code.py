@@ -9,6 +9,8 @@ from typing import Protocol
 _RUN = re.compile(rb"`+")
 _FENCE = re.compile(rb"(`{3,})[^`]*\Z|(~{3,})", re.DOTALL)
 _ITEM = re.compile(rb"(?:[-*+]|[0-9]{1,9}[.)])(?: +|\Z)")
+# What ends a paragraph that otherwise goes on, however its lines are indented.
+_BEGINNING = re.compile(rb"[<>#]|```|~~~|" + _ITEM.pattern)
 _QUOTE = re.compile(rb"(?: {0,3}>)+ ?")
 _LITERAL = rb"verbatim|[BL]?Verbatim|lstlisting|minted|comment|alltt|filecontents"
 _BEGIN = re.compile(rb"\\begin[ \t]*\{((?:" + _LITERAL + rb")\*?)\}")
@@ -67,59 +69,81 @@ class MarkdownCode:
 
     def __init__(self) -> None:
         self.fence = b""
-        self.of_fence = (0, False)
+        self.of_fence = 0
         # Where the texts of the open items begin, outermost first.
         self.items: list[int] = []
+        self.quoted = False
+        # The items that a quotation is in.
+        self.outside: list[int] = []
         self.after_blank = True
+        # Whether the last line began an item and has nothing else.
+        self.bare = False
 
     def holds(self, line: bytes) -> bool:
-        if line[0] in b"\r\n":
-            self.after_blank = True
-            return bool(self.fence)
-        if not self.fence and not self.items and line[0] in _PLAIN:
+        if line[0] in b"\r\n" and not self.quoted:
+            return self._blank()
+        if line[0] in _PLAIN and not (self.fence or self.items or self.quoted):
             self.after_blank = False
             return False
         # In a fence that is not of a quotation > is a letter like others.
-        quote = None if self.fence and not self.of_fence[1] else _QUOTE.match(line)
+        quote = None if self.fence and not self.quoted else _QUOTE.match(line)
+        if bool(quote) != self.quoted:
+            self._quote(line)
         text = line[quote.end() if quote else 0 :].rstrip().expandtabs(4)
         if not text:
-            self.after_blank = True
-            return bool(self.fence)
+            return self._blank()
         stripped = text.lstrip(b" ")
         indent = len(text) - len(stripped)
-        if self.fence and self._in_fence(indent, bool(quote)):
-            self._close(stripped)
+        if self.fence and indent >= self.of_fence:
+            self._close(indent, stripped)
             return True
-        self.fence = b""
-        return self._block(indent, stripped, bool(quote))
+        if self.fence:
+            # Its item has ended, and no paragraph goes on.
+            self.fence, self.after_blank = b"", True
+        return self._block(indent, stripped)
 
-    def _in_fence(self, indent: int, quoted: bool) -> bool:
-        least, of_quote = self.of_fence
-        return indent >= least and quoted == of_quote
+    def _blank(self) -> bool:
+        if self.bare:
+            self.items.pop()
+        self.after_blank, self.bare = True, False
+        return bool(self.fence)
 
-    def _close(self, stripped: bytes) -> None:
+    def _quote(self, line: bytes) -> None:
+        """Begin or end a quotation, which has items of its own and ends with all that is in it."""
+        self.quoted = not self.quoted
+        if self.quoted:
+            lead = len(line) - len(line.lstrip(b" "))
+            self.outside, self.items = [item for item in self.items if item <= lead], []
+        else:
+            self.items, self.fence = self.outside, b""
+        self.bare = False
+
+    def _close(self, indent: int, stripped: bytes) -> None:
         # At least as many of the same sign, and nothing behind them.
-        if stripped.startswith(self.fence) and not stripped.strip(self.fence[:1]):
+        ends = stripped.startswith(self.fence) and not stripped.strip(self.fence[:1])
+        if ends and indent - self.of_fence < 4:
             self.fence = b""
             self.after_blank = True
 
-    def _block(self, indent: int, stripped: bytes, quoted: bool) -> bool:
-        if self.after_blank or _ITEM.match(stripped):
-            while self.items and indent < self.items[-1]:
-                self.items.pop()
-        if indent - self._base() >= 4:
+    def _block(self, indent: int, stripped: bytes) -> bool:
+        self.bare = False
+        home = [item for item in self.items if item <= indent]
+        if indent - (home[-1] if home else 0) >= 4:
             # Without a blank line before it, it goes on with a paragraph; no table can stand there.
             return True
+        if self.after_blank or _BEGINNING.match(stripped):
+            self.items = home
         while (item := _ITEM.match(stripped)) and indent - self._base() < 4:
             width = item.end() if stripped[item.end() :] else len(item[0].rstrip()) + 1
             if width - len(item[0].rstrip()) > 4:
                 width = len(item[0].rstrip()) + 1
             self.items.append(indent + width)
             indent, stripped = indent + item.end(), stripped[item.end() :]
+            self.bare = not stripped
         self.after_blank = False
         if fence := _FENCE.match(stripped):
             self.fence = fence[1] or fence[2]
-            self.of_fence = (self._base(), quoted)
+            self.of_fence = self._base()
         return bool(self.fence)
 
     def _base(self) -> int:

@@ -5,9 +5,21 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from difflib import SequenceMatcher
 
-from kurbel.inject import Place
+from kurbel.inject import Place, filled
 
-CONTEXT = 3
+# What happens to the lines from one number to another, and which new ones belong to them.
+Change = tuple[str, int, int, int, int]
+
+
+class _Known(SequenceMatcher[bytes]):
+    """A comparison whose result is known; only its lines of context are left to find."""
+
+    def __init__(self, changes: list[Change]) -> None:
+        super().__init__(None, (), ())
+        self.changes = changes
+
+    def get_opcodes(self) -> list[Change]:  # type: ignore[override]
+        return self.changes
 
 
 def difference(
@@ -15,20 +27,48 @@ def difference(
 ) -> Iterator[bytes]:
     """Yield the lines of the difference; nothing where nothing would change.
 
-    Places are compared one by one, so that a long document costs no more than its tables.
+    Places are compared one by one, so that a long document costs little more than its tables.
     """
-    shift = 0
-    heading = [f"{sign} {_shown(name)}\n".encode() for sign in ("---", "+++")]
+    old, new = _lines(document), _lines(filled(document, found, contents))
+    changes = _changes(document, found, contents, len(old))
+    if all(change[0] == "equal" for change in changes):
+        return
+    yield from (f"{sign} {_shown(name)}\n".encode() for sign in ("---", "+++"))
+    for group in _Known(changes).get_grouped_opcodes():
+        (_, first, _, first_new, _), (_, _, end, _, end_new) = group[0], group[-1]
+        yield f"@@ -{_range(first, end)} +{_range(first_new, end_new)} @@\n".encode()
+        for tag, from_old, to_old, from_new, to_new in group:
+            if tag == "equal":
+                yield from (b" " + line for line in old[from_old:to_old])
+            else:
+                yield from (b"-" + line for line in old[from_old:to_old])
+                yield from (b"+" + line for line in new[from_new:to_new])
+
+
+def _changes(document: bytes, found: Sequence[Place], contents: Sequence[bytes], length: int) -> list[Change]:
+    """Return the changes of the whole document; those that keep lines take turns with others."""
+    parts: list[Change] = []
+    shift = done = 0
     for place, content in zip(found, contents, strict=True):
-        # The markers stand around what changes.
-        around = document[place.opening : place.begin], document[place.end : place.closing]
-        old = _lines(document[place.opening : place.closing])
-        new = _lines(content.join(around))
-        if old != new:
-            yield from heading
-            heading = []
-            yield from _hunks(old, new, place.line, shift)
-        shift += len(new) - len(old)
+        # The number of the marker's line is the place of the line behind it, counted from 0.
+        begin, lines, new = place.line, _lines(document[place.begin : place.end]), _lines(content)
+        parts.append(("equal", done, begin, done + shift, begin + shift))
+        for tag, *ends in SequenceMatcher(None, lines, new, autojunk=False).get_opcodes():
+            one, other, this, that = ends
+            parts.append((tag, begin + one, begin + other, begin + shift + this, begin + shift + that))
+        done, shift = begin + len(lines), shift + len(new) - len(lines)
+    parts.append(("equal", done, length, done + shift, length + shift))
+    return _joined(parts)
+
+
+def _joined(parts: Sequence[Change]) -> list[Change]:
+    joined: list[Change] = []
+    for part in parts:
+        if joined and joined[-1][0] == part[0] == "equal":
+            before = joined.pop()
+            part = ("equal", before[1], part[2], before[3], part[4])
+        joined.append(part)
+    return joined
 
 
 def _lines(text: bytes) -> list[bytes]:
@@ -39,23 +79,9 @@ def _lines(text: bytes) -> list[bytes]:
     return lines
 
 
-def _hunks(old: Sequence[bytes], new: Sequence[bytes], first: int, shift: int) -> Iterator[bytes]:
-    for group in SequenceMatcher(None, old, new, autojunk=False).get_grouped_opcodes(CONTEXT):
-        begin_old, end_old, begin_new, end_new = group[0][1], group[-1][2], group[0][3], group[-1][4]
-        before = _range(first + begin_old, end_old - begin_old)
-        after = _range(first + shift + begin_new, end_new - begin_new)
-        yield f"@@ -{before} +{after} @@\n".encode()
-        for tag, from_old, to_old, from_new, to_new in group:
-            if tag == "equal":
-                yield from (b" " + line for line in old[from_old:to_old])
-                continue
-            yield from (b"-" + line for line in old[from_old:to_old])
-            yield from (b"+" + line for line in new[from_new:to_new])
-
-
-def _range(first: int, count: int) -> str:
-    # An empty range is named by the line before it.
-    return f"{first},{count}" if count else f"{first - 1},0"
+def _range(first: int, end: int) -> str:
+    # Lines are counted from 1; an empty range is named by the line before it.
+    return f"{first + 1},{end - first}" if end > first else f"{first},0"
 
 
 def _shown(name: str) -> str:

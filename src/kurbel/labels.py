@@ -89,16 +89,6 @@ def plain(label: str, mark: str = ".") -> str:
     return set_label(label, escape_text, lambda formula: formula_plain(formula, mark), mark_text)
 
 
-def piece_lengths(label: str) -> Iterator[int]:
-    """Yield the characters of each piece of a label that no line can break: its formulas and words."""
-    for part in parse(label):
-        match part:
-            case Prose(text):
-                yield from map(len, text.split())
-            case Formula():
-                yield len(formula_plain(part))
-
-
 def set_label(
     label: str,
     escape: Callable[[str], str],

@@ -12,7 +12,7 @@ from itertools import accumulate, groupby, islice, pairwise, zip_longest
 from typing import Literal, NamedTuple
 
 from kurbel.formats import Format
-from kurbel.labels import piece_lengths, plain, set_label
+from kurbel.labels import plain, set_label
 from kurbel.numerals import number_text
 from kurbel.table import DITTO, Cell, Column, Label, Number, Panel, Table
 
@@ -259,17 +259,11 @@ def alignment(cells: Iterable[Cell]) -> Literal["left", "right"]:
 
 
 # On a telephone anything longer would hide the figures that scroll behind it.
-_LONGEST_NAME = 20
+_LONGEST_NAME = 24
 
 
 def _are_short(names: Iterable[Cell]) -> bool:
-    """Tell whether no formula and no word in the cells is long."""
-    return all(
-        length <= _LONGEST_NAME
-        for cell in names
-        if isinstance(cell.value, str)
-        for length in piece_lengths(cell.value)
-    )
+    return all(len(plain(cell.value)) <= _LONGEST_NAME for cell in names if isinstance(cell.value, str))
 
 
 def head_rows(panel: Panel) -> tuple[tuple[HeadCell, ...], ...]:

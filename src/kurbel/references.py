@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import Literal
 
 from kurbel.document import WORDS, Chapter, Document, Item
+from kurbel.prose import Heading
 from kurbel.prose_print import Find, Reference
 
 PREFIXES = {"table": "tab", "figure": "fig", "chapter": "sec"}
@@ -16,16 +17,19 @@ def label_of(part: Chapter | Item, joint: str) -> str:
     return f"{PREFIXES[_kind(part)]}{joint}{part.name}"
 
 
-def finder(document: Document, joint: str, page: Callable[[Chapter], str] = lambda chapter: "") -> Find:
+def finder(
+    document: Document, joint: str, lang: str = "", page: Callable[[Chapter], str] = lambda chapter: ""
+) -> Find:
     """Return the function that finds what a name refers to; it raises ChoiceError for one that nothing has.
 
-    The target is the label behind what `page` returns for its chapter, such as "#" or "02-paths.md#".
+    The target is the label behind what `page` returns for its chapter, such as "#" or "02-paths.md#"; its name
+    is that of the text's language.
     """
 
     def find(name: str) -> Reference:
         chapter, item = document.home(name)
         part = item or chapter
-        return Reference(_kind(part), page(chapter) + label_of(part, joint), document.title_of(part))
+        return Reference(_kind(part), page(chapter) + label_of(part, joint), document.title_of(part, lang))
 
     return find
 
@@ -33,6 +37,12 @@ def finder(document: Document, joint: str, page: Callable[[Chapter], str] = lamb
 def number_of(item: Item) -> str:
     """Return what stands over a table or under a figure, in its own language: "Table 3"."""
     return f"{WORDS[item.lang][item.kind]} {item.number}"
+
+
+def highest_heading(document: Document) -> int:
+    """Return the level of the highest headings of texts: authors begin with # below a chapter, or with ##."""
+    blocks = (block for item in document.items("text") for block in item.blocks)
+    return min((block.level for block in blocks if isinstance(block, Heading)), default=1)
 
 
 def _kind(part: Chapter | Item) -> Literal["table", "figure", "chapter"]:

@@ -6,7 +6,7 @@ Beside `render` the only module that knows Jinja. It is loaded for a user's temp
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 from jinja2 import BaseLoader, TemplateNotFound, TemplateSyntaxError, nodes
@@ -84,12 +84,12 @@ class Folders(BaseLoader):
 
     def get_source(self, environment: Environment, template: str) -> tuple[str, str, Callable[[], bool]]:
         path = self._path(template)
-        stamp = _stamp(path)
+        found = path, _stamp(path)
         with open(path, encoding="utf-8") as file:
             text = file.read(LONGEST_FILE + 1)
         if len(text) > LONGEST_FILE:
             raise LayoutError(f"the template {path} is longer than {LONGEST_FILE} characters")
-        return text, path, lambda: (self._path(template), _stamp(path)) == (path, stamp)
+        return text, path, lambda: (now := self._path(template), _stamp(now)) == found
 
     def _path(self, template: str) -> str:
         """Return the file of a template; one outside the folders is refused, however it is reached."""
@@ -128,11 +128,14 @@ class Sandbox(ImmutableSandboxedEnvironment):
 
     def __init__(self, *args: Any, **options: Any) -> None:
         super().__init__(*args, **options)
-        self.concat = concatenated
         self.globals.pop("lipsum")
         for name in _BARRED_FILTERS:
             del self.filters[name]
         self.filters.update({name: _checked(name, each) for name, each in self.filters.items()})
+
+    @staticmethod
+    def concat(pieces: Iterable[Any]) -> str:
+        return concatenated(pieces)
 
     def call_binop(self, context: Context, operator: str, left: Any, right: Any) -> Any:
         return OPERATORS[operator](left, right)

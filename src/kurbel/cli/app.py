@@ -62,6 +62,9 @@ def run() -> tuple[int, str]:
         return error.exit_code, str(error)
     except click.Abort:
         return 128 + signal.SIGINT, ""
+    except click.exceptions.NoArgsIsHelpError as error:
+        error.show()
+        return error.exit_code, ""
     except click.ClickException as error:
         return error.exit_code, one_line(error)
 

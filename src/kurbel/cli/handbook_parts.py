@@ -39,7 +39,7 @@ def _table(task: Task, table: Any, decimal: str | None, inputs: tuple[str, ...])
     named = replace(
         table, key=part.name, layout=table.layout or table.key, caption=part.caption or table.caption
     )
-    templates = task.templates and os.path.abspath(os.path.join(task.folder, task.templates))
+    templates = task.templates and os.path.join(task.folder, task.templates)
     with deadline(PATIENCE, GIGABYTES, templates is not None):
         files = {
             f"tables/{part.name}{FORMATS[name].suffixes[0]}": _text(named, name, decimal, templates)

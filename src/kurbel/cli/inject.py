@@ -72,7 +72,7 @@ def inject(files: tuple[str, ...], check: bool) -> int:
     if stale:
         sys.stdout.flush()
         names = [document.name for document in stale]
-        say(f"{_and(names)} {'is' if len(names) == 1 else 'are'} stale; mend it with: {_command(names)}")
+        say(f"{_and(names)} {'is' if len(names) == 1 else 'are'} stale; mend with: {_command(names)}")
     return int(failed or bool(stale))
 
 
@@ -137,6 +137,8 @@ def _asked(place: Place, kind: Kind, name: str) -> Asked:
             one = asked(words, {}, format=kind.format)
     except KurbelError as error:
         raise MarkerError(f"{where}: {error}") from None
+    except OSError as error:
+        raise MarkerError(f"{where}: cannot go into {folder} and back: {error.strerror or error}") from None
     if one.code:
         raise MarkerError(
             f'{where}: "{place.words[:60]}" fails, as --strict asks it to where a printed value deviates'
@@ -199,6 +201,9 @@ def _refresh(document: Document) -> None:
         return
     from kurbel.output import whole_file
 
+    # Tables take their time, in which an author may save the document.
+    if _read(document.name) != document.old:
+        raise MarkerError(f"{document.name} was changed while its tables were made; refresh it again")
     with whole_file(document.name) as stream:
         stream.write(filled(document.old, document.found, document.contents))
     say(f"{len(stale)} {'place' if len(stale) == 1 else 'places'} in {document.name} refreshed")

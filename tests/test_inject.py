@@ -1,0 +1,332 @@
+"""Marked places are found where a reader of the document would see them, and nothing else is touched."""
+
+from __future__ import annotations
+
+import subprocess
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+from markdown_it import MarkdownIt
+from tools import require
+
+from kurbel.errors import MarkerError
+from kurbel.inject import KINDS, Kind, content, filled, places
+from kurbel.inject_difference import difference
+
+MARKDOWN, HTML, LATEX, TYPST = KINDS
+OF_KIND = {
+    "Markdown": ("<!-- kurbel: table -->", "<!-- /kurbel -->"),
+    "HTML": ("<!-- kurbel: table -->", "<!-- /kurbel -->"),
+    "LaTeX": ("% kurbel: table", "% /kurbel"),
+    "Typst": ("// kurbel: table", "// /kurbel"),
+}
+each_kind = pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.name)
+TABLE = "| a |\n\n| b |\n"
+
+
+def marked(kind: Kind, *, indent: str = "", newline: str = "\n", old: str = "") -> bytes:
+    opening, closing = OF_KIND[kind.name]
+    return f"{indent}{opening}{newline}{old}{indent}{closing}".encode()
+
+
+def refreshed(document: bytes, kind: Kind, text: str = TABLE) -> bytes:
+    found = places(document, kind, "notes")
+    return filled(document, found, [content(text, place, kind) for place in found])
+
+
+def words_of(text: str, kind: Kind = MARKDOWN) -> list[tuple[int, str]]:
+    return [(place.line, place.words) for place in places(text.encode(), kind, "notes")]
+
+
+def sentence(text: str | bytes, kind: Kind = MARKDOWN) -> str:
+    with pytest.raises(MarkerError) as raised:
+        places(text.encode() if isinstance(text, str) else text, kind, "notes")
+    return str(raised.value)
+
+
+# Bytes that could be taken for something: code, items, line ends, half markers, other encodings.
+PIECES = st.sampled_from(
+    [b"\n", b"\r\n", b"\r", b" ", b"\t", b"- ", b"1. ", b"> ", b"```", b"~~~~", b"`", b"<!--", b"-->", b"%",
+     b"\\", b"//", b"/*", b"*/", b"\\begin{verbatim}", b"\\end{verbatim}", b"\\verb|", b"\x00", b"\xff",
+     b"\xef\xbb\xbf", b"word", "Maß".encode(), b"\x0c", b"\x85"]
+)  # fmt: skip
+AROUND = st.lists(st.one_of(PIECES, st.binary(max_size=3)), max_size=12).map(b"".join)
+
+
+@each_kind
+@given(before=AROUND, after=AROUND, old=AROUND, newline=st.sampled_from(["\n", "\r\n", "\r"]))
+@settings(max_examples=150, deadline=None)
+def test_bytes_around_a_place_never_change(
+    kind: Kind, before: bytes, after: bytes, old: bytes, newline: str
+) -> None:
+    opening, closing = (marker.encode() for marker in OF_KIND[kind.name])
+    end = newline.encode()
+    # A line feed behind a carriage return makes one line end of the two.
+    assume(not (newline == "\r" and old.startswith(b"\n")))
+    document = before + end + opening + end + old + end + closing + end + after
+    try:
+        found = places(document, kind, "notes")
+    except MarkerError:
+        # The opening marker is in code that ends before the closing one.
+        assert not places(before + end + opening + end + closing, kind, "notes")
+        return
+    new = refreshed(document, kind)
+    if found:
+        table = content(TABLE, found[0], kind)
+        assert new == before + end + opening + end + table + closing + end + after
+        assert refreshed(new, kind) == new
+    else:
+        # Some of what comes before makes code of the markers.
+        assert new == document
+
+
+@each_kind
+@given(document=st.lists(st.one_of(PIECES, st.binary(max_size=4)), max_size=20).map(b"".join))
+@settings(max_examples=100, deadline=None)
+def test_a_document_without_markers_stays_as_it_is(kind: Kind, document: bytes) -> None:
+    assert refreshed(document, kind) == document
+
+
+@each_kind
+@pytest.mark.parametrize("newline", ["\n", "\r\n", "\r"])
+@pytest.mark.parametrize("indent", ["", "  ", "\t"])
+def test_a_place_takes_the_indentation_and_the_line_ends_of_its_marker(
+    kind: Kind, newline: str, indent: str
+) -> None:
+    # A tab or more makes code of Markdown but in an item of a list.
+    before = f"1.  item{newline}{newline}" if kind.name == "Markdown" and indent == "\t" else ""
+    document = before.encode() + marked(kind, indent=indent, newline=newline, old="old\n")
+    blank = newline if kind.apart else ""
+    table = f"{blank}{indent}| a |{newline}{newline}{indent}| b |{newline}{blank}"
+    expected = before.encode() + marked(kind, indent=indent, newline=newline, old=table)
+    assert refreshed(document, kind) == expected
+
+
+@each_kind
+def test_the_mark_of_byte_order_and_a_missing_last_line_end_are_kept(kind: Kind) -> None:
+    new = refreshed(b"\xef\xbb\xbf" + marked(kind), kind)
+    assert new.startswith(b"\xef\xbb\xbf" + OF_KIND[kind.name][0].encode())
+    assert new.endswith(OF_KIND[kind.name][1].encode())
+    assert b"| a |" in new
+
+
+@each_kind
+def test_every_place_of_a_document_is_found_in_its_order(kind: Kind) -> None:
+    one = marked(kind) + b"\n"
+    assert [place.line for place in places(one + b"text\n" + one + one, kind, "notes")] == [1, 4, 6]
+
+
+def test_the_words_are_those_between_the_colon_and_the_end_of_the_comment() -> None:
+    assert words_of("<!--kurbel:table  --ratio '1:5'-->\n<!--/kurbel-->\n") == [(1, "table  --ratio '1:5'")]
+    assert words_of("<!--\tkurbel:\ttable\t-->\t\n <!--  /kurbel  --> \n") == [(1, "table")]
+    assert words_of("%kurbel:table\n%/kurbel\n", LATEX) == [(1, "table")]
+    assert words_of("//kurbel:table\n//\t/kurbel\n", TYPST) == [(1, "table")]
+
+
+# Where a marker is only shown.
+
+
+FENCES = [
+    "```\n{}```\n",
+    "~~~ text\n{}~~~~~\n",
+    "````md\n```\n{}```\n````\n",
+    "   ```\n{}   ```\n",
+    "- item\n\n  ```\n  {}  ```\n",
+    "1. - item\n     ~~~\n     {}     ~~~\n",
+    "> ```\n> {}> ```\n",
+    "```\n> quoted\n{}```\n",
+    "text\n\n    {}\ntext\n",
+    "- item\n\n      {}\n",
+    "Write `{}`\n",
+    "Write ``` {} ``` or ` `` ` so\n",
+]
+
+
+@pytest.mark.parametrize("shape", FENCES)
+def test_markers_in_code_of_markdown_are_shown_only(shape: str) -> None:
+    marker = "<!-- kurbel: table -->"
+    text = shape.format(marker if "Write" in shape else f"{marker}\n")
+    # The library sees it so as well.
+    tokens = MarkdownIt().parse(text)
+    assert not [token for token in tokens if token.type == "html_block"]
+    whole = f"{text}\n\n{marker}\n<!-- /kurbel -->\n"
+    assert words_of(whole) == [(whole.count("\n") - 1, "table")]
+
+
+PROSE = [
+    "```\ncode\n```\n",
+    "````\n```\n````\n",
+    "- item\n\n  ```\n  code\n\nbehind the item\n\n",
+    "> ```\n> code\n\n",
+    "``` not a fence ` of code\n",
+    "`` ` ``\n",
+    "Text with ``` in it\n",
+    "- \n- * * *\n\ntext\n",
+    "    code\n\ntext\n",
+]
+
+
+@pytest.mark.parametrize("before", PROSE)
+def test_markers_behind_code_of_markdown_are_markers(before: str) -> None:
+    text = f"{before}<!-- kurbel: table -->\n"
+    assert [token for token in MarkdownIt().parse(text) if token.type == "html_block"]
+    assert words_of(f"{text}<!-- /kurbel -->\n") == [(text.count("\n"), "table")]
+
+
+LINES = st.sampled_from(
+    ["", "", "text", "- item", "  text", "    text", "1. one", "   text", "```", "  ```", "    ```", "~~~",
+     "> quote", "> ```", "      deep", "* a", "\ttab", "# head", "    - c", "`````"]
+)  # fmt: skip
+
+
+@given(lines=st.lists(LINES, max_size=8), indent=st.integers(0, 8))
+@settings(max_examples=400, deadline=None)
+def test_a_marker_is_code_where_a_library_of_commonmark_says_so(lines: list[str], indent: int) -> None:
+    marker = " " * indent + "<!-- kurbel: table -->"
+    text = "".join(f"{line}\n" for line in lines)
+    tokens = MarkdownIt().parse(f"{text}{marker}\n")
+    shown = any(token.type in ("fence", "code_block") and "kurbel" in token.content for token in tokens)
+    seen = any(token.type == "html_block" and "kurbel" in token.content for token in tokens)
+    # In the midst of a paragraph no table can stand, whichever way its marker is taken.
+    assume(shown or seen)
+    assert bool(words_of(f"{text}{marker}\n{marker.replace('kurbel: table', '/kurbel')}\n")) == seen
+
+
+@pytest.mark.parametrize("name", ["verbatim", "verbatim*", "Verbatim", "lstlisting", "minted", "comment"])
+def test_markers_in_verbatim_latex_are_shown_only(name: str) -> None:
+    text = f"\\begin{{{name}}}[opt]\n% kurbel: table\n\\end{{{name}}}\n% kurbel: table\n% /kurbel\n"
+    assert words_of(text, LATEX) == [(4, "table")]
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["% \\begin{verbatim}", "\\verb|\\begin{verbatim}|", "\\begin{verbatim}x\\end{verbatim}",
+     "50\\% kurbel: no", "\\verb!% kurbel: table! is one", "%% kurbel: table",
+     "% note % kurbel: table", "% kurbel is a program",
+     "\\lstinline|% /kurbel|"],
+)  # fmt: skip
+def test_what_looks_like_a_marker_or_code_of_latex_is_neither(line: str) -> None:
+    assert words_of(f"{line}\n% kurbel: table\n% /kurbel\n", LATEX) == [(2, "table")]
+
+
+@pytest.mark.parametrize(
+    "lines",
+    ["```\n// kurbel: table\n```", "````typ\n```\n// kurbel: table\n```\n````", "/*\n// kurbel: table\n*/",
+     "/* /* */\n// kurbel: table\n*/", "`// kurbel: table`", "https:// kurbel: no", "/// kurbel: table",
+     "// ``` /*", "`` `a` ``", "see https://typst.app /* a */ b"],
+)  # fmt: skip
+def test_what_looks_like_a_marker_or_code_of_typst_is_neither(lines: str) -> None:
+    text = f"{lines}\n// kurbel: table\n// /kurbel\n"
+    assert words_of(text, TYPST) == [(text.count("\n") - 1, "table")]
+
+
+def test_what_stands_in_a_place_is_no_code() -> None:
+    text = "<!-- kurbel: table -->\n```\n<!-- /kurbel -->\n<!-- kurbel: delta -->\n<!-- /kurbel -->\n"
+    assert words_of(text) == [(1, "table"), (4, "delta")]
+
+
+# Mistakes.
+
+
+@each_kind
+def test_an_unclosed_marker_is_named_with_its_line(kind: Kind) -> None:
+    opening, closing = OF_KIND[kind.name]
+    assert sentence(f"text\n{opening}\n", kind) == (
+        f"notes:2: the marker is unclosed; write {closing} on a line behind it"
+    )
+
+
+@each_kind
+def test_a_nested_marker_is_named_with_both_lines(kind: Kind) -> None:
+    opening, closing = OF_KIND[kind.name]
+    assert sentence(f"{opening}\n\n{opening}\n{closing}\n{closing}\n", kind) == (
+        f"notes:3: the marker is nested in the one of line 1, which is still open; write {closing} before it"
+    )
+
+
+@each_kind
+def test_a_closing_marker_alone_closes_nothing(kind: Kind) -> None:
+    opening, closing = OF_KIND[kind.name]
+    text = f"{opening}\n{closing}\n{closing}\n"
+    assert sentence(text, kind).startswith(f"notes:3: {closing} closes nothing; write ")
+
+
+@each_kind
+@pytest.mark.parametrize("shape", ["text {0}\n", "text {1}"])
+def test_a_marker_beside_other_text_is_refused(kind: Kind, shape: str) -> None:
+    assert sentence(shape.format(*OF_KIND[kind.name]), kind).startswith(
+        "notes:1: a marker stands alone on its line, whole, as "
+    )
+
+
+@pytest.mark.parametrize("text", ["<!-- kurbel: table\n --ratio 1:5 -->\n", "<!-- /kurbel: table -->\n",
+                                  "<!-- kurbel: table --><!-- /kurbel -->\n"])  # fmt: skip
+def test_a_marker_of_two_lines_and_two_on_one_line_are_refused(text: str) -> None:
+    assert sentence(text).startswith("notes:1: a marker stands alone on its line, whole, as ")
+
+
+def test_a_marker_without_words_or_with_unseen_ones_is_refused() -> None:
+    assert "has no command" in sentence("<!-- kurbel: -->\n<!-- /kurbel -->\n")
+    assert "cannot be seen" in sentence("<!-- kurbel: table\0 -->\n<!-- /kurbel -->\n")
+    assert "not in UTF-8" in sentence(b"<!-- kurbel: table \xff -->\n<!-- /kurbel -->\n")
+
+
+@pytest.mark.parametrize("encoding", ["utf-16", "utf-16-le", "utf-16-be"])
+def test_a_document_of_two_bytes_a_letter_is_refused(encoding: str) -> None:
+    assert "UTF-16" in sentence("\n<!-- kurbel: table -->\n<!-- /kurbel -->\n".encode(encoding))
+
+
+# The difference.
+
+
+@given(
+    olds=st.lists(st.lists(st.sampled_from("abcdef"), max_size=12), min_size=1, max_size=4),
+    new=st.lists(st.sampled_from("abcdef"), min_size=1, max_size=12),
+    ended=st.booleans(),
+)
+@settings(max_examples=25, deadline=None)
+def test_the_difference_is_what_patch_takes(
+    tmp_path_factory: pytest.TempPathFactory, olds: list[list[str]], new: list[str], ended: bool
+) -> None:
+    folder = tmp_path_factory.mktemp("patch")
+    parts = (marked(HTML, old="".join(f"{one}\n" for one in old)) for old in olds)
+    document = b"a\nb\n" + b"\nc\nd\ne\nf\n".join(parts) + (b"\n" if ended else b"")
+    found = places(document, HTML, "notes")
+    contents = [content("".join(f"{one}\n" for one in new), place, HTML) for place in found]
+    expected = filled(document, found, contents)
+    lines = b"".join(difference("notes.html", document, found, contents))
+    assert bool(lines) == (expected != document)
+    (folder / "notes.html").write_bytes(document)
+    if lines:
+        run = subprocess.run(
+            [require("patch"), "--fuzz=0", "-p0"], cwd=folder, input=lines, capture_output=True
+        )
+        assert run.returncode == 0, run.stdout
+        assert b"offset" not in run.stdout
+    assert (folder / "notes.html").read_bytes() == expected
+
+
+def test_the_difference_shows_only_places_that_change() -> None:
+    document = marked(HTML, old="same\n") + b"\nbetween\n" + marked(HTML, old="old\n") + b"\n"
+    found = places(document, HTML, "notes")
+    lines = list(difference("notes.html", document, found, [b"same\n", b"new\n"]))
+    assert lines == [
+        b"--- notes.html\n",
+        b"+++ notes.html\n",
+        b"@@ -3,5 +3,5 @@\n",
+        b" <!-- /kurbel -->\n",
+        b" between\n",
+        b" <!-- kurbel: table -->\n",
+        b"-old\n",
+        b"+new\n",
+        b" <!-- /kurbel -->\n",
+    ]
+
+
+def test_suffixes_belong_to_one_kind_each() -> None:
+    suffixes = sorted(suffix for kind in KINDS for suffix in kind.suffixes)
+    assert all(one != other for one, other in pairwise(suffixes))
+    assert Path("notes.md").suffix in suffixes

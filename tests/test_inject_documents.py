@@ -1,0 +1,410 @@
+"""`kurbel inject`: tables come into documents of every kind and stay true there; mistakes change nothing."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+import time
+from itertools import pairwise
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+from unittest import mock
+
+import pytest
+from cli import Result, kurbel, printed
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from markdown_it import MarkdownIt
+from test_latex import compiled, complaints
+from tools import require_library
+
+from kurbel.cli.asking import asked
+
+MARKERS = {
+    ".md": ("<!-- kurbel: {} -->", "<!-- /kurbel -->"),
+    ".html": ("<!-- kurbel: {} -->", "<!-- /kurbel -->"),
+    ".tex": ("% kurbel: {}", "% /kurbel"),
+    ".typ": ("// kurbel: {}", "// /kurbel"),
+}
+FORMATS = {".md": "markdown", ".html": "html", ".tex": "latex", ".typ": "typst"}
+TABLE = "table --ratio 1:4 --step 60 --lang en"
+OLD = "old\n"
+each_suffix = pytest.mark.parametrize("suffix", MARKERS)
+
+
+def place(suffix: str, words: str = TABLE, old: str = "") -> str:
+    opening, closing = MARKERS[suffix]
+    return f"{opening.format(words)}\n{old}{closing}\n"
+
+
+def written(folder: Path, text: str | bytes, name: str = "notes.md") -> Path:
+    path = folder / name
+    path.write_bytes(text.encode() if isinstance(text, str) else text)
+    return path
+
+
+def refused(path: Path) -> str:
+    """Return the sentence of a document that must stay as it is, by its name and without kurbel's."""
+    before, when = path.read_bytes(), path.stat().st_mtime_ns
+    for words in ((), ("--check",)):
+        result = kurbel("inject", *words, str(path))
+        assert (result.code, result.out) == (1, "")
+        assert (path.read_bytes(), path.stat().st_mtime_ns) == (before, when)
+    line = result.err.splitlines()[0]
+    assert line.startswith("kurbel: ")
+    assert line.isprintable()
+    return line.removeprefix("kurbel: ").replace(str(path), path.name)
+
+
+def refreshed(path: Path) -> bytes:
+    result = kurbel("inject", str(path))
+    assert (result.code, result.out) == (0, ""), result.err
+    assert result.err in (f"kurbel: {count} in {path} refreshed\n" for count in ("1 place", "2 places"))
+    return path.read_bytes()
+
+
+# What comes into a document.
+
+
+@each_suffix
+def test_a_table_is_that_of_the_command_in_the_format_of_the_document(suffix: str, tmp_path: Path) -> None:
+    path = written(tmp_path, f"before\n\n{place(suffix, old=OLD)}\nafter", f"notes{suffix}")
+    table = printed(*TABLE.split(), "-f", FORMATS[suffix]).out
+    blank = "\n" if suffix == ".md" else ""
+    expected = place(suffix, old=f"{blank}{table}{blank}")
+    assert refreshed(path).decode() == f"before\n\n{expected}\nafter"
+
+
+@each_suffix
+def test_a_second_time_nothing_is_written_or_said(suffix: str, tmp_path: Path) -> None:
+    path = written(tmp_path, place(suffix), f"notes{suffix}")
+    refreshed(path)
+    os.utime(path, ns=(1, 1))
+    assert printed("inject", str(path)).out == ""
+    assert printed("inject", "--check", str(path)).out == ""
+    assert path.stat().st_mtime_ns == 1
+
+
+@each_suffix
+def test_check_shows_what_inject_writes_and_how_to_mend_it(suffix: str, tmp_path: Path) -> None:
+    path = written(tmp_path, f"a\n{place(suffix, old=OLD)}b\n", f"my notes{suffix}")
+    before = path.read_bytes()
+    result = kurbel("inject", "--check", str(path))
+    assert result.code == 1
+    assert result.err == f"kurbel: {path} is stale; mend with: kurbel inject '{path}'\n"
+    assert path.read_bytes() == before
+    after = refreshed(path).decode().splitlines()
+    assert result.out.splitlines()[:2] == [f"--- {path}", f"+++ {path}"]
+    added = [line[1:] for line in result.out.splitlines()[2:] if line.startswith("+")]
+    assert added == after[2:-2]
+    assert "-old" in result.out
+
+
+def test_check_names_all_stale_documents(tmp_path: Path) -> None:
+    paths = [written(tmp_path, place(".md"), f"{name}.md") for name in "ab"]
+    result = kurbel("inject", "--check", *map(str, paths))
+    a, b = paths
+    assert result.err == f"kurbel: {a} and {b} are stale; mend with: kurbel inject {a} {b}\n"
+
+
+AROUND = st.binary(max_size=20).filter(lambda text: b"kurbel" not in text)
+
+
+@given(before=AROUND, after=AROUND, newline=st.sampled_from(["\n", "\r\n"]))
+@settings(max_examples=25, deadline=None)
+def test_check_agrees_with_inject_whatever_stands_around(
+    tmp_path_factory: pytest.TempPathFactory, before: bytes, after: bytes, newline: str
+) -> None:
+    path = tmp_path_factory.mktemp("around") / "notes.tex"
+    marked = place(".tex", "table --angle 60").replace("\n", newline).encode()
+    path.write_bytes(before + newline.encode() + marked + after)
+    checked, injected = kurbel("inject", "--check", str(path)), kurbel("inject", str(path))
+    new = path.read_bytes()
+    assert checked.code == 1
+    opening = marked.index(newline.encode()) + len(newline)
+    assert new.startswith(before + newline.encode() + marked[:opening])
+    assert new.endswith(marked[opening:] + after)
+    if injected.code:
+        # Such bytes are no UTF-8, and the table is.
+        assert (new, injected.err) == (before + newline.encode() + marked + after, checked.err)
+        assert "not in UTF-8" in injected.err
+        return
+    assert new.count(b"\\begin{tabular}") == 1
+    assert printed("inject", "--check", str(path)).out == ""
+    assert (printed("inject", str(path)).out, path.read_bytes()) == ("", new)
+
+
+def cells_of(text: str) -> list[list[str]]:
+    tokens = MarkdownIt("gfm-like", {"linkify": False}).parse(text)
+    rows: list[list[str]] = []
+    for before, token in pairwise(tokens):
+        if token.type == "tr_open":
+            rows.append([])
+        if before.type in ("th_open", "td_open"):
+            rows[-1].append(token.content)
+    return rows
+
+
+@pytest.mark.parametrize(
+    ("before", "indent"), [("Text\n", 0), ("- item\n\n  - deeper\n\n", 4), ("1.  item\n", 4), ("- item\n", 2)]
+)
+def test_a_table_in_markdown_is_one_for_a_library_of_it(before: str, indent: int, tmp_path: Path) -> None:
+    marked = "".join(f"{' ' * indent}{line}\n" for line in place(".md").splitlines())
+    text = refreshed(written(tmp_path, f"{before}{marked}\nText behind it\n")).decode()
+    rows = cells_of(text)
+    records = printed(*TABLE.split(), "-f", "csv").records()
+    for row, record in zip(rows[1:], records, strict=True):
+        assert row == [value.replace("-", "−") for key, value in record.items() if key != "ratio"]
+    html = MarkdownIt("gfm-like", {"linkify": False}).render(text)
+    assert html.count("<table>") == 1
+    assert "<pre>" not in html
+    assert "<strong>Piston path" in html
+
+
+def test_latex_with_several_places_compiles(tmp_path: Path) -> None:
+    body = (
+        place(".tex", f"{TABLE} --label one")
+        + "Text.\n"
+        + place(".tex", "table --ratio 1:4 --step 2 --longtable --label two --lang en")
+        + "See \\ref{tab:one} and \\ref{tab:two}.\n"
+    )
+    packages = "amsmath,array,booktabs,graphicx,longtable"
+    text = (
+        "\\documentclass[a4paper]{article}\n\\usepackage[T1]{fontenc}\n\\usepackage{lmodern}\n"
+        "\\usepackage[textwidth=16cm,textheight=24cm]{geometry}\n"
+        f"\\usepackage{{{packages}}}\n\\begin{{document}}\n{body}\\end{{document}}\n"
+    )
+    path = written(tmp_path, text, "notes.tex")
+    log = compiled("pdflatex", refreshed(path).decode(), tmp_path, runs=3)
+    assert complaints(log) == []
+    assert "Output written on page.pdf" in log
+
+
+def test_typst_with_a_table_compiles(tmp_path: Path) -> None:
+    require_library("typst")
+    import typst
+
+    path = written(tmp_path, f"{place('.typ')}\nSee @tab-kinematics.\n", "notes.typ")
+    refreshed(path)
+    assert typst.compile(str(path), ignore_system_fonts=True).startswith(b"%PDF")
+
+
+def test_a_table_of_latex_that_is_longer_than_a_page_is_pointed_out(tmp_path: Path) -> None:
+    path = written(tmp_path, f"\n{place('.tex', 'table --step 2')}", "notes.tex")
+    result = kurbel("inject", str(path))
+    assert result.err.splitlines()[0] == (
+        f"kurbel: {path}:2: the table is longer than a page; --longtable lets it break"
+    )
+    assert result.code == 0
+
+
+def test_drawings_of_html_share_no_ids_and_no_style(tmp_path: Path) -> None:
+    require_library("matplotlib")
+    text = place(".html", "plot --ratio 1:5 --columns p") * 2
+    html = refreshed(written(tmp_path, text, "notes.html")).decode()
+    ids = re.findall(r'\bid="([^"]+)"', html)
+    assert len(ids) == len(set(ids)) > 20
+    used = set(re.findall(r'href="#([^"]+)"', html)) | set(re.findall(r"url\(#([^)]+)\)", html))
+    assert used
+    assert used <= set(ids)
+    assert html.count('<svg role="img" aria-labelledby="kurbel-') == 2
+    assert '<title id="kurbel-1-title">Kolbenbeschleunigung für R:L = 1:5; genaue Formeln</title>' in html
+    assert "<style" not in html
+    assert "<metadata" not in html
+    assert "<?xml" not in html
+    assert not re.search(r"[ \t]$", html, re.MULTILINE)
+
+
+# Where files are, and what is not asked.
+
+
+def test_files_in_a_marker_are_those_beside_the_document(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = tmp_path / "lectures"
+    folder.mkdir()
+    (folder / "engine.toml").write_text('[crank]\nratio = "1:3"\n', encoding="utf-8")
+    path = written(folder, place(".md", "table --machine engine.toml --angle 60"))
+    monkeypatch.chdir(tmp_path)
+    assert "R:L = 1:3" in refreshed(path).decode()
+    (tmp_path / "link.md").symlink_to(path)
+    assert printed("inject", "--check", "link.md", os.path.relpath(path)).out == ""
+    assert Path.cwd() == tmp_path
+
+
+def test_variables_of_the_environment_change_nothing(tmp_path: Path) -> None:
+    path = written(tmp_path, place(".md", "table --angle 60"))
+    new = refreshed(path)
+    variables = {"KURBEL_LANG": "en", "KURBEL_TABLE_RATIO": "1:3", "KURBEL_FORMAT": "csv"}
+    assert printed("inject", "--check", str(path), **variables).out == ""
+    assert path.read_bytes() == new
+
+
+def test_a_link_stays_and_its_file_is_refreshed(tmp_path: Path) -> None:
+    path = written(tmp_path, place(".md"))
+    link = tmp_path / "link.md"
+    link.symlink_to(path)
+    result = kurbel("inject", str(link), str(path))
+    assert result == Result(0, "", f"kurbel: 1 place in {link} refreshed\n")
+    assert link.is_symlink()
+    assert "| 60 |" in re.sub(" +", " ", path.read_text(encoding="utf-8"))
+
+
+def test_each_document_is_done_or_not_by_itself(tmp_path: Path) -> None:
+    good, bad = written(tmp_path, place(".md"), "good.md"), written(tmp_path, "<!-- /kurbel -->", "bad.md")
+    result = kurbel("inject", str(bad), str(tmp_path / "missing.md"), str(good))
+    assert result.code == 1
+    assert [line.split(":")[1].strip() for line in result.err.splitlines()] == [
+        str(bad), f"cannot read {tmp_path / 'missing.md'}", f"1 place in {good} refreshed",
+    ]  # fmt: skip
+    assert "Piston path" in good.read_text(encoding="utf-8")
+
+
+# Mistakes. The document stays as it is.
+
+
+def test_a_command_that_fails_in_the_second_place_leaves_the_first_alone(tmp_path: Path) -> None:
+    path = written(tmp_path, place(".md") + place(".md", "table --ratio 2:1"))
+    assert refused(path).startswith("notes.md:3: crank ratio R:L is 2; ")
+    assert [one.name for one in tmp_path.iterdir()] == ["notes.md"]
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        ("tabel", 'there is no command "tabel" (did you mean table?); choose from table, '),
+        ("inject notes.md", 'there is no command "inject"'),
+        ("table --rato 1:5", 'there is no option "--rato" (did you mean --ratio?)'),
+        ("table --ratio", "Option '--ratio' requires an argument"),
+        ("table -o other.md", "--output is for single tables; "),
+        ("table -f csv", "--format is for single tables; "),
+        ("table --standalone", "--standalone is for single tables; "),
+        ("table --longtable", "--longtable is for latex; the format is markdown"),
+        ("table --help", "kurbel table was asked for its help; "),
+        ("table --angle 2°30'", "the marker has a quotation mark or a backslash without its second half; "),
+        ("table --machine missing.toml", "cannot read the machine missing.toml: "),
+        ("plot", "a drawing can stand in HTML only; "),
+        ("collate weisbach-150 --strict", '"collate weisbach-150 --strict" fails, '),
+    ],
+)
+def test_a_command_that_fails_is_named_with_its_line(words: str, sentence: str, tmp_path: Path) -> None:
+    if words == "plot":
+        require_library("matplotlib")
+    path = written(tmp_path, f"text\n{place('.md', words)}")
+    assert refused(path).startswith(f"notes.md:2: {sentence}")
+
+
+@pytest.mark.parametrize("suffix", [".html", ".tex", ".typ"])
+def test_a_label_that_comes_twice_is_named_with_both_lines(suffix: str, tmp_path: Path) -> None:
+    path = written(tmp_path, place(suffix) + place(suffix, "table --ratio 1:5"), f"notes{suffix}")
+    assert refused(path) == (
+        f'notes{suffix}:3: the label "kinematics" is that of the table of line 1 too; write --label NAME into'
+        " one of the two markers"
+    )
+    path = written(tmp_path, place(suffix) + place(suffix, f"{TABLE} --label other"), f"notes{suffix}")
+    refreshed(path)
+
+
+def test_markdown_has_no_labels_to_come_twice(tmp_path: Path) -> None:
+    assert refreshed(written(tmp_path, place(".md") * 2)).count(b"**Piston path") == 2
+
+
+def test_a_document_of_another_encoding_is_refused_where_the_table_is_no_ascii(tmp_path: Path) -> None:
+    latin = f"Maß\n{place('.tex', 'table --ratio 1:4 --step 60')}".encode("latin-1")
+    assert refused(written(tmp_path, latin, "notes.tex")) == (
+        "notes.tex is not in UTF-8, in which its tables would be written; save it in UTF-8"
+    )
+    assert "is in UTF-16" in refused(written(tmp_path, place(".md").encode("utf-16")))
+    english = written(tmp_path, f"Maß\n{place('.tex')}".encode("latin-1"), "english.tex")
+    assert refreshed(english).startswith("Maß\n".encode("latin-1"))
+    # What is not touched need not be read.
+    path = written(tmp_path, b"\x89PNG\r\n\x00\xff", "image.md")
+    assert printed("inject", str(path)).out == ""
+
+
+@pytest.mark.parametrize("name", ["notes.txt", "notes", "notes.md.bak"])
+def test_a_name_that_tells_no_kind_is_answered_with_those_that_do(name: str, tmp_path: Path) -> None:
+    sentence = refused(written(tmp_path, place(".md"), name))
+    assert sentence.endswith(
+        "tells no kind of document with markers; its suffix must be one of .md, .markdown, .qmd, .rmd, .html,"
+        " .htm, .xhtml, .tex, .ltx, .typ"
+    )
+
+
+def test_what_is_no_file_is_said_to_be_none(tmp_path: Path) -> None:
+    (tmp_path / "folder.md").mkdir()
+    os.mkfifo(tmp_path / "pipe.md")
+    for name, sentence in (
+        ("folder.md", "is a directory; name the documents in it"),
+        ("pipe.md", "is no file that could be written anew; name a document"),
+    ):
+        result = kurbel("inject", str(tmp_path / name))
+        assert result == Result(1, "", f"kurbel: {tmp_path / name} {sentence}\n")
+    assert kurbel("inject", "-").code == 1
+    assert kurbel("inject").code == 2
+
+
+def test_a_document_that_is_saved_meanwhile_keeps_what_was_saved(tmp_path: Path) -> None:
+    path = written(tmp_path, place(".md"))
+
+    def saved(*words: Any, **options: Any) -> Any:
+        path.write_text("saved", encoding="utf-8")
+        return asked(*words, **options)
+
+    with mock.patch("kurbel.cli.inject.asked", saved):
+        result = kurbel("inject", str(path))
+    sentence = f"kurbel: {path} was changed while its tables were made; refresh it again\n"
+    assert (result, path.read_text(encoding="utf-8")) == (Result(1, "", sentence), "saved")
+
+
+def test_a_document_without_markers_is_told_how_they_look_on_a_terminal_only(tmp_path: Path) -> None:
+    path = written(tmp_path, "<!-- kurbel table -->\n")
+    assert printed("inject", str(path)).err == ""
+    master, slave = os.openpty()
+    subprocess.run([sys.executable, "-m", "kurbel", "inject", str(path)], stderr=slave, check=True)
+    os.close(slave)
+    assert b"has no markers; they are <!-- kurbel: table --ratio 1:5 --> and " in os.read(master, 4096)
+    os.close(master)
+
+
+def test_a_folder_that_is_gone_is_one_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = written(tmp_path, place(".md"))
+    gone = tmp_path / "gone"
+    gone.mkdir()
+    monkeypatch.chdir(gone)
+    gone.rmdir()
+    sentence = f"kurbel: {path}:1: cannot go into {tmp_path} and back: No such file or directory\n"
+    assert kurbel("inject", str(path)) == Result(1, "", sentence)
+
+
+def test_an_empty_document_has_no_places(tmp_path: Path) -> None:
+    assert printed("inject", str(written(tmp_path, ""))).out == ""
+
+
+@pytest.mark.skipif(os.geteuid() != 0, reason="only root can turn into another user")
+def test_a_read_only_document_is_refused_only_where_it_is_stale() -> None:
+    with TemporaryDirectory() as name:
+        folder = Path(name)
+        folder.chmod(0o755)
+        path, fresh = (written(folder, place(".md"), one) for one in ("notes.md", "fresh.md"))
+        refreshed(fresh)
+        path.chmod(0o444)
+        fresh.chmod(0o444)
+        os.setresuid(65534, 65534, 0)
+        try:
+            assert kurbel("inject", str(path)).err == f"kurbel: cannot write {path}: the file is read-only\n"
+            assert printed("inject", str(fresh)).out == ""
+        finally:
+            os.setresuid(0, 0, 0)
+
+
+def test_fifty_megabytes_are_gone_through_in_seconds(tmp_path: Path) -> None:
+    line = b"A line of text such as a lecture has, with `code` and 1:5 in it, of eighty letters.\n"
+    path = written(tmp_path, line * 620_000 + b"\n" + place(".md").encode() + b"\n" + line)
+    begun = time.process_time()
+    refreshed(path)
+    assert time.process_time() - begun < 10
+    assert path.stat().st_size > 50_000_000

@@ -1,0 +1,77 @@
+"""Markdown pages of all layouts and examples, as a reader of GitHub's Markdown sees them."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from markdown_it import MarkdownIt
+from pages import default_page, each_layout
+from test_render import markdown_tables, model_cells
+
+import kurbel
+from kurbel.example_source import numbers_of, source_keys
+from kurbel.labels import plain
+from kurbel.layouts import LANGUAGES
+from kurbel.render import render
+from kurbel.table import Panel, Table
+
+EXAMPLES = [(key, number) for key in source_keys() for number in numbers_of(key)]
+MARKS = {"de": ",", "en": "."}
+
+
+def assert_read(table: Table) -> None:
+    """Check that a reader sees every cell and head of the model, and the prose around them."""
+    text = render(table, "markdown")
+    mark = MARKS[table.lang]
+    found = markdown_tables(text)
+    # This reader drops no-break spaces, which indent a line, from the ends of a cell.
+    assert [row for rows in found for row in rows[1:]] == [
+        [cell.strip() for cell in row]
+        for panel in table.panels
+        for rows in model_cells(panel, mark)
+        for row in rows
+    ]
+    for rows in found:
+        assert {len(row) for row in rows} == {len(rows[0])}
+    heads = [heads_of(panel, mark) for panel in table.panels]
+    assert [rows[0] for rows in found] == [
+        head
+        for panel, head in zip(table.panels, heads, strict=True)
+        for _ in range(len(panel.groups) if any(group.label for group in panel.groups) else 1)
+    ]
+    prose = prose_of(text)
+    for label in (table.caption, table.source, *(note.text for note in table.notes)):
+        assert plain(label, mark) in prose
+    for panel in table.panels:
+        for group in panel.groups:
+            assert plain(group.label, mark) in prose
+
+
+def heads_of(panel: Panel, mark: str) -> list[str]:
+    """Return the head of each column, from the outermost spanner down; two figures have a stroke between."""
+    heads = []
+    for column in panel.stub + panel.columns:
+        lines = [plain(line, mark) for line in column.heading if line]
+        figures = len(lines) > 1 and all(re.fullmatch(r"[0-9][0-9.,]*°?", line) for line in lines)
+        heading = (" / " if figures else " ").join(lines)
+        heads.append(" ".join([*(plain(spanner, mark) for spanner in column.spanners), heading]).strip())
+    return heads
+
+
+def prose_of(text: str) -> str:
+    """Return all that is not in a table, without marks of emphasis."""
+    tokens = MarkdownIt("gfm-like", {"linkify": False}).parse(text)
+    inline = [token for token in tokens if token.type == "inline"]
+    return "\n".join("".join(child.content for child in token.children or []) for token in inline)
+
+
+@each_layout
+def test_every_layout_is_read_cell_by_cell(name: str, lang: str) -> None:
+    assert_read(default_page(name, lang))
+
+
+@pytest.mark.parametrize("lang", LANGUAGES)
+@pytest.mark.parametrize(("source", "number"), EXAMPLES)
+def test_every_example_is_read_cell_by_cell(source: str, number: str, lang: str) -> None:
+    assert_read(kurbel.make_example_table(source, number, lang=lang))
