@@ -238,3 +238,8 @@ def test_texts_and_chapters_have_their_own_language(tmp_path: Path) -> None:
     assert "See Table 1 and Section 2, 𝑅 = 0.5." in text
     assert "See Tabelle 1 and Abschnitt 2, 𝑅 = 0,5." in text
     assert "2 Paths of 1.5" in text
+
+
+def test_texts_that_skip_levels_comply_with_the_standard_for_readers(tmp_path: Path) -> None:
+    blocks = parse_prose("### Tief\n\n> ###### Tiefer\n\n# Oben\n\n- #### Liste")
+    assert "1.1 Tief" in read(small(tmp_path, Item("text", blocks=blocks)))
