@@ -20,6 +20,7 @@ WORDS: Mapping[str, Mapping[str, str]] = {
     "de": {
         "table": "Tabelle",
         "figure": "Abbildung",
+        "section": "Abschnitt",
         "contents": "Inhalt",
         "tables": "Tabellenverzeichnis",
         "figures": "Abbildungsverzeichnis",
@@ -28,6 +29,7 @@ WORDS: Mapping[str, Mapping[str, str]] = {
     "en": {
         "table": "Table",
         "figure": "Figure",
+        "section": "Section",
         "contents": "Contents",
         "tables": "List of Tables",
         "figures": "List of Figures",

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
-from kurbel.document import Chapter, Document, Item
+from kurbel.document import WORDS, Chapter, Document, Item
 from kurbel.escapes import string_typst
-from kurbel.formats import DECIMALS, Format, by_name
+from kurbel.formats import Format, by_name
 from kurbel.labels import plain
+from kurbel.prose_levels import stepwise
 from kurbel.prose_print import set_prose
 from kurbel.references import finder, label_of
 from kurbel.render import render_document
@@ -25,8 +26,8 @@ class TypstTitle(NamedTuple):
 class TypstPart(NamedTuple):
     """A text, table or figure; `path`, `alt` and `label` are strings of code.
 
-    `lang` is the language of a table or figure where it is not the document's; `alt` is the caption for
-    readers that do not see the figure.
+    `lang` is the language where it is not the document's; `alt` is the caption for readers that do not see
+    the figure.
     """
 
     kind: str
@@ -40,6 +41,7 @@ class TypstPart(NamedTuple):
 class TypstChapter(NamedTuple):
     title: TypstTitle
     label: str
+    lang: str
     parts: tuple[TypstPart, ...]
 
 
@@ -52,6 +54,7 @@ def files(document: Document, fragments: Mapping[str, str], templates: str | Non
         "subtitle": _title(document, document.subtitle, form),
         "author": _title(document, document.author, form),
         "words": document.words,
+        "languages": WORDS,
         "chapters": [_chapter(document, chapter, form) for chapter in document.chapters],
         "kinds": {item.kind for item in document.items("table", "figure")},
     }
@@ -59,24 +62,30 @@ def files(document: Document, fragments: Mapping[str, str], templates: str | Non
 
 
 def _chapter(document: Document, chapter: Chapter, form: Format) -> TypstChapter:
-    parts = tuple(_parts(document, chapter, form))
-    return TypstChapter(_title(document, chapter.title, form), string_typst(label_of(chapter, "-")), parts)
+    return TypstChapter(
+        _title(document, chapter.title, form, chapter.lang),
+        string_typst(label_of(chapter, "-")),
+        _other(document, chapter.lang),
+        tuple(_parts(document, chapter, form)),
+    )
 
 
 def _parts(document: Document, chapter: Chapter, form: Format) -> Iterator[TypstPart]:
-    mark = DECIMALS[document.decimal]
-    find = finder(document, "-")
+    above: list[int] = []
     for item in chapter.items:
+        lang, mark = _other(document, item.lang), document.mark(item.lang)
         if item.kind == "text":
-            yield TypstPart("text", "", "", set_prose(item.blocks, form, mark, find), "", "")
+            find = finder(document, "-", item.lang)
+            text = set_prose(stepwise(tuple(item.blocks), above), form, mark, find)
+            yield TypstPart("text", "", "", text, "", lang)
         else:
             yield TypstPart(
                 item.kind,
                 string_typst(_path(item)),
                 string_typst(label_of(item, "-")),
-                document.set(item.caption, form),
+                document.set(item.caption, form, item.lang),
                 string_typst(plain(item.caption, mark)),
-                item.lang if item.lang != document.lang else "",
+                lang,
             )
 
 
@@ -84,6 +93,11 @@ def _path(item: Item) -> str:
     return f"tables/{item.name}.typ" if item.kind == "table" else f"figures/{item.name}.svg"
 
 
-def _title(document: Document, label: str, form: Format) -> TypstTitle:
-    words = plain(label, DECIMALS[document.decimal])
-    return TypstTitle(document.set(label, form), string_typst(words), document.set_head(label, form))
+def _other(document: Document, lang: str) -> str:
+    """Return a language where it is not the document's."""
+    return "" if lang == document.lang else lang
+
+
+def _title(document: Document, label: str, form: Format, lang: str = "") -> TypstTitle:
+    words = string_typst(plain(label, document.mark(lang)))
+    return TypstTitle(document.set(label, form, lang), words, document.set_head(label, form, lang))

@@ -10,10 +10,10 @@ from typing import Any, NamedTuple
 
 from kurbel.formats import DECIMALS, FORMATS
 from kurbel.layouts import LANGUAGES
+from kurbel.pdf import STANDARDS
 
 SCHEMA = "handbook.schema.json"
 ENGINES = ("typst", "lualatex", "latexmk")
-STANDARDS = ("a-1b", "a-2a", "a-2b", "a-2u", "a-3b", "a-4", "ua-1")
 
 
 class Key(NamedTuple):

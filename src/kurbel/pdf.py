@@ -68,6 +68,10 @@ def _check(source: str, standards: Sequence[Standard]) -> None:
     unknown = [name for name in standards if name not in STANDARDS]
     if unknown:
         raise ProblemError(f"PDF standard is {unknown[0]!r}; it must be one of {', '.join(STANDARDS)}")
+    if sum(name.startswith("a-") for name in standards) > 1:
+        raise ProblemError(
+            f"PDF standards are {', '.join(standards)}; only one of them may be a PDF/A (a-...)"
+        )
     if _PACKAGE.search(source):
         raise LayoutError(
             "a document imports a package (@...); packages come from the network and are not used"
