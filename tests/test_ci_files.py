@@ -106,10 +106,12 @@ def test_the_action_fails_for_a_stale_page_and_says_which(job: Path) -> None:
     spoil(job / "appendix" / "pages" / "tables" / "motion.csv")
     done = act(job, folder="appendix", files="the notes.md")
     assert done.returncode == 1
-    assert "appendix/pages/tables/motion.csv\n" in done.stdout
+    assert "appendix/pages/tables/motion.csv: differs\n" in done.stdout
     annotation = next(line for line in done.stdout.splitlines() if line.startswith("::error"))
     assert annotation.endswith("kurbel handbook build appendix")
-    assert "    appendix/pages/tables/motion.csv\n" in (job / "summary.md").read_text(encoding="utf-8")
+    assert "    appendix/pages/tables/motion.csv: differs\n" in (job / "summary.md").read_text(
+        encoding="utf-8"
+    )
 
 
 def test_the_action_fails_for_a_stale_document(job: Path) -> None:
