@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 READY := $(VENV)/ready
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test check bench docs golden tools clean
+.PHONY: help demo handbook test check bench docs golden tools clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -19,6 +19,9 @@ $(READY): pyproject.toml
 
 demo: $(READY) ## print the table for R:L = 1:5
 	@$(BIN)/kurbel table --ratio 1:5
+
+handbook: $(READY) ## build the example handbook, examples/appendix/pages/handbook.pdf and .html
+	$(BIN)/kurbel handbook build examples/appendix
 
 test: $(READY) check ## run linters, type checks and all tests
 	$(BIN)/python -m pytest -n 2
@@ -37,8 +40,9 @@ bench: $(READY) ## measure start-up, kernels, δ and CSV against their rivals
 	$(BIN)/python benchmarks/bench_delta.py
 	$(BIN)/python benchmarks/bench_handbook.py
 
-docs: $(READY) ## write docs/reference.md anew
+docs: $(READY) ## write docs/reference.md and the JSON Schemas anew
 	$(BIN)/python docs/reference.py
+	$(BIN)/python docs/schemas.py
 
 golden: $(READY) ## write the golden files anew; then read the difference
 	KURBEL_PROMOTE=1 $(BIN)/python -m pytest -q -n 2 tests

@@ -1,0 +1,27 @@
+"""Write the JSON Schemas of machines and handbooks, which lie in the package; tests fail when they are stale."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import kurbel
+from kurbel import handbook_keys, machine
+from kurbel.cli.asking import option_names
+
+PACKAGE = Path(kurbel.__file__).parent
+
+
+def main() -> None:
+    schemas: dict[str, dict[str, Any]] = {
+        "machine.schema.json": machine.schema(),
+        handbook_keys.SCHEMA: handbook_keys.schema(option_names()),
+    }
+    for name, schema in schemas.items():
+        text = json.dumps(schema, indent=2, ensure_ascii=False)
+        (PACKAGE / name).write_text(f"{text}\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
