@@ -1,4 +1,4 @@
-"""Write the JSON Schemas of machines and handbooks, which lie in the package; tests fail when they are stale."""
+"""Write the JSON Schemas of machines and handbooks, which lie in the package and which tests compare."""
 
 from __future__ import annotations
 

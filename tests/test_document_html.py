@@ -16,10 +16,10 @@ from tools import require
 
 import kurbel
 from kurbel.document import Chapter, Document, Item
-from kurbel.document_html import NAME, css_string, levelled
+from kurbel.document_html import NAME, css_string
 from kurbel.documents import document_files
 from kurbel.errors import ChoiceError
-from kurbel.prose import Heading, parse_prose
+from kurbel.prose import parse_prose
 from kurbel.render import render
 from kurbel.svg_inline import COLOURS
 
@@ -290,19 +290,6 @@ def test_the_running_head_is_a_string(viewer: Viewer) -> None:
     opened = viewer.open(f'<style>p::before {{ content: "{css_string(text)}"; }}</style><p></p>')
     found = opened.evaluate("getComputedStyle(document.querySelector('p'), '::before').content")
     assert re.sub(r"\\([\"\\])", r"\1", found[1:-1]).replace("\\a ", "\n") == text
-
-
-@pytest.mark.parametrize(
-    ("text", "levels"),
-    [
-        ("# A\n## B\n# C", [1, 2, 1]),
-        ("## A\n## B", [1, 1]),
-        ("### A\n# B\n### C\n## D\n### E", [1, 1, 2, 2, 3]),
-    ],
-)
-def test_no_level_of_headings_is_left_out(text: str, levels: list[int]) -> None:
-    found = [block.level for block in levelled(parse_prose(text)) if isinstance(block, Heading)]
-    assert found == levels
 
 
 def test_marks_of_neighbouring_rows_can_be_told_apart_by_a_finger(viewer: Viewer) -> None:

@@ -105,9 +105,8 @@ def test_a_reference_to_nothing_is_answered_with_the_nearest_name() -> None:
         document_files(Document("T", "de", "comma", (chapter,)), "markdown", {})
 
 
-@pytest.mark.parametrize("sign", ["#", "##", "###"])
-def test_headings_of_texts_stand_right_below_that_of_the_chapter(sign: str) -> None:
-    text = Item("text", blocks=parse_prose(f"{sign} Eins\n\n{sign}# Zwei"))
+def test_headings_of_texts_stand_right_below_that_of_the_chapter() -> None:
+    text = Item("text", blocks=parse_prose("# Eins\n\n## Zwei"))
     pages = Document("T", "de", "comma", (Chapter("Kapitel", "k", 1, (text,)),))
     page = document_files(pages, "markdown", {})["markdown/01-k.md"]
     assert re.findall(r"^#.*", page, re.MULTILINE) == ["# Kapitel", "## Eins", "### Zwei"]

@@ -241,5 +241,5 @@ def test_texts_and_chapters_have_their_own_language(tmp_path: Path) -> None:
 
 
 def test_texts_that_skip_levels_comply_with_the_standard_for_readers(tmp_path: Path) -> None:
-    blocks = parse_prose("### Tief\n\n> ###### Tiefer\n\n# Oben\n\n- #### Liste")
+    blocks = stepwise(parse_prose("### Tief\n\n> ###### Tiefer\n\n# Oben\n\n- #### Liste"), [])
     assert "1.1 Tief" in read(small(tmp_path, Item("text", blocks=blocks)))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+import pty
 import random
 import shutil
 import signal
@@ -213,6 +214,21 @@ def test_what_was_built_before_stays_where_its_part_fails(tmp_path: Path) -> Non
     assert files(tmp_path) == before
     # And it is tried again, though nothing changed.
     assert build(tmp_path).code == 1
+
+
+def test_headings_of_texts_follow_that_of_their_chapter_in_every_document(tmp_path: Path) -> None:
+    text = 'text = """\n### Eins\n\n##### Zwei\n"""\n[[chapter.part]]\ntext = \'# Drei\'\n'
+    assert (
+        build(book(tmp_path, MANIFEST.replace('text = "Siehe [](#wege) und [](#schwung)."\n', text))).code
+        == 0
+    )
+    made = files(tmp_path)
+    assert b"\n## Eins\n\n### Zwei\n" in made["markdown/01-wege.md"]
+    assert b"\n## Drei\n" in made["markdown/01-wege.md"]
+    assert b"\\subsection{Eins}" in made["appendix.tex"]
+    assert b"\\subsubsection{Zwei}" in made["appendix.tex"]
+    html = made["handbook.html"].decode()
+    assert [line for line in ("<h3>Eins</h3>", "<h4>Zwei</h4>", "<h3>Drei</h3>") if line not in html] == []
 
 
 def test_a_reference_to_nothing_fails_with_the_nearest_name(tmp_path: Path) -> None:
@@ -462,3 +478,83 @@ def test_ctrl_c_ends_a_build_and_its_processes(tmp_path: Path) -> None:
     assert process.returncode == 130
     assert time.monotonic() - started < 5
     assert not [path for path in files(tmp_path) if path.endswith(".part")]
+
+
+def test_saving_a_file_builds_again_while_one_watches(tmp_path: Path) -> None:
+    folder = book(tmp_path)
+    words = [sys.executable, "-m", "kurbel", "handbook", "watch", str(folder), "--jobs", "1"]
+    watching = subprocess.Popen(words, stderr=subprocess.PIPE, text=True)
+    assert watching.stderr
+    try:
+        assert "Ctrl-C" in watching.stderr.readline()
+        assert "18 written, 0 unchanged" in watching.stderr.readline()
+        (folder / "engine.toml").write_text(MACHINE.replace("1:100", "1:80"), encoding="utf-8")
+        assert "written" in watching.stderr.readline()
+        (folder / "handbook.toml").write_text("title = 3", encoding="utf-8")
+        assert "title is 3; it must be a text" in watching.stderr.readline()
+        book(tmp_path)
+        assert "written" in watching.stderr.readline()
+    finally:
+        watching.send_signal(signal.SIGINT)
+    assert watching.wait(timeout=10) == 130
+    watching.stderr.close()
+
+
+def test_a_bar_shows_on_a_terminal_how_far_it_is(tmp_path: Path) -> None:
+    folder = book(tmp_path)
+    ours, terminal = pty.openpty()
+    words = [sys.executable, "-m", "kurbel", "handbook", "build", str(folder), "--jobs", "1"]
+    with subprocess.Popen(words, stderr=terminal, close_fds=True) as process:
+        os.close(terminal)
+        said = b""
+        while True:
+            try:
+                said += os.read(ours, 1000)
+            except OSError:
+                break
+        assert process.wait() == 0
+    os.close(ours)
+    assert b"2 parts" in said
+    assert b"100%" in said
+
+
+@pytest.mark.parametrize(
+    ("template", "said"),
+    [
+        (
+            "{% for i in range(99999) %}{% for j in range(99999) %}{% endfor %}{% endfor %}",
+            "were stopped after",
+        ),
+        ("{{ ''.__class__ }}", "cannot be used"),
+        ("{{ pge }}", "'pge' is undefined"),
+        ("{% include '../../handbook.toml' %}", "there is no template"),
+    ],
+)
+def test_a_template_that_misbehaves_fails_its_tables_and_no_others(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, template: str, said: str
+) -> None:
+    text = MANIFEST.replace('title = "Tafeln"', 'title = "Tafeln"\ntemplates = "mine"')
+    folder = book(
+        tmp_path, text.replace('"text", "latex", "markdown", "html", "csv", "json"', '"markdown", "csv"')
+    )
+    (folder / "mine/kinematics").mkdir(parents=True)
+    (folder / "mine/kinematics/markdown.jinja").write_text(template)
+    result = build(folder)
+    assert result.code == 1
+    assert "line 11, wege: " in result.err
+    assert said in result.err
+    assert "tables/schwung.md" in files(folder)
+    assert "tables/wege.md" not in files(folder)
+
+
+def test_a_template_of_ones_own_sets_its_tables(tmp_path: Path) -> None:
+    text = MANIFEST.replace('title = "Tafeln"', 'title = "Tafeln"\ntemplates = "mine"')
+    folder = book(tmp_path, text)
+    (folder / "mine/base").mkdir(parents=True)
+    own = folder / "mine/base/markdown.jinja"
+    own.write_text("My own: {{ page.caption }}\n")
+    assert build(folder).code == 0
+    assert files(folder)["tables/wege.md"].startswith(b"My own: Kolbenweg")
+    own.write_text("My other: {{ page.caption }}\n")
+    assert build(folder).code == 0
+    assert files(folder)["tables/wege.md"].startswith(b"My other: Kolbenweg")

@@ -113,13 +113,12 @@ def test_only_its_start_knows_the_command_line() -> None:
 def test_only_drawings_know_matplotlib() -> None:
     drawing = {f"kurbel.{name}" for name in ("plotting", "plot_style", "plot_polar", "plot_mechanism")}
     drawing |= {f"kurbel.plot_{name}" for name in ("arc", "parallel", "sketch")}
-    assert importers("matplotlib") == drawing | {"kurbel.plot_drawings", "kurbel.plot_inline"}
+    assert importers("matplotlib") == drawing | {"kurbel.plot_drawings"}
     knowing = {name for name in MODULES if drawing & {name, *reached(name)}}
     plots = {
         f"kurbel.plot_{name}" for name in ("curves", "drawings", "engine", "linkage", "panels", "turning")
     }
     documents = {
-        "kurbel.plot_inline",
         "kurbel.cli.inject",
         "kurbel.cli.handbook",
         "kurbel.cli.handbook_parts",

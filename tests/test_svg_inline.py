@@ -32,14 +32,14 @@ def bare(svg: str) -> str:
 
 @pytest.mark.parametrize("name", handbook.FIGURES)
 def test_a_drawing_looks_as_in_its_file(viewer: Viewer, name: str) -> None:
-    found = picture(viewer, inline(drawing(name), "fig-a", "A"))
+    found = picture(viewer, inline(drawing(name), "fig-a", "A", own_page=True))
     assert found == picture(viewer, bare(drawing(name)))
     assert found != picture(viewer, "")
 
 
 def test_a_drawing_looks_the_same_beside_others(viewer: Viewer) -> None:
     """Ids of one drawing, such as that of a clipping path, occur in the next with another meaning."""
-    first, second = (inline(drawing(name), f"fig-{name}", name) for name in handbook.FIGURES)
+    first, second = (inline(drawing(name), f"fig-{name}", name, own_page=True) for name in handbook.FIGURES)
     for one, other in ((first, second), (second, first)):
         hidden = f'<div style="position: absolute; top: 200vh">{other}</div>'
         assert picture(viewer, hidden + one) == picture(viewer, one)
@@ -47,7 +47,7 @@ def test_a_drawing_looks_the_same_beside_others(viewer: Viewer) -> None:
 
 @pytest.mark.parametrize("name", handbook.FIGURES)
 def test_ids_are_the_drawings_own_and_all_are_used(name: str) -> None:
-    svg = inline(drawing(name), "fig-a", 'Title "<&>"')
+    svg = inline(drawing(name), "fig-a", 'Title "<&>"', own_page=True)
     ids = re.findall(r'\bid="([^"]*)"', svg)
     used = re.findall(r"url\(#([^)]*)\)", svg) + re.findall(r'href="#([^"]*)"', svg)
     assert len(ids) == len(set(ids)) > 10
@@ -56,7 +56,7 @@ def test_ids_are_the_drawings_own_and_all_are_used(name: str) -> None:
 
 
 def test_what_only_files_need_is_gone() -> None:
-    svg = inline(drawing("kurven"), "fig-a", 'Title "<&>"')
+    svg = inline(drawing("kurven"), "fig-a", 'Title "<&>"', own_page=True)
     assert svg.startswith("<svg ")
     assert re.findall("<style|metadata|xmlns|<!|<[?]|#[0-9a-f]{6}", svg) == []
     assert '<title id="fig-a-title">Title "&lt;&amp;&gt;"</title>' in svg

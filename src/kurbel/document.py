@@ -43,7 +43,7 @@ class Item(NamedTuple):
 
     `name` is what its files are called and, behind tab: or fig:, its label; `number` counts its kind through
     the whole handbook from 1. A text has only its language and its blocks; one with a name stands in for a
-    table or a figure that could not be made.
+    table or a figure that could not be made. Its highest headings have level 1, just below the chapter.
     """
 
     kind: Literal["text", "table", "figure"]

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from kurbel.document import Document, Item
 from kurbel.formats import by_name
 from kurbel.html_width import width_in_ems
 from kurbel.labels import plain
-from kurbel.prose import Block, Heading
 from kurbel.prose_print import set_prose
 from kurbel.references import finder, label_of, number_of
 from kurbel.render import render_document
@@ -120,7 +119,7 @@ def _part(document: Document, item: Item, fragments: Mapping[str, str]) -> Part:
         content = _numbered(_REMARK.sub("", fragment), target)
         return Part("table", target, number, caption, lang, content, width_in_ems(fragment))
     title = f"{number}: {plain(item.caption, document.mark(item.lang))}"
-    return Part("figure", target, number, caption, lang, inline(fragment, target, title))
+    return Part("figure", target, number, caption, lang, inline(fragment, target, title, own_page=True))
 
 
 def _numbered(fragment: str, target: str) -> str:
@@ -131,18 +130,4 @@ def _numbered(fragment: str, target: str) -> str:
 def _text(document: Document, item: Item) -> str:
     find = finder(document, "-", item.lang, lambda chapter: "#")
     # The page has one heading above the chapters.
-    return set_prose(tuple(levelled(item.blocks)), by_name("html"), document.mark(item.lang), find, 2)
-
-
-def levelled(blocks: Iterable[Block]) -> Iterator[Block]:
-    """Yield the blocks of a text, its headings without gaps between their levels, from the first one on.
-
-    Screen readers take a missing level for a missing heading, as for a text whose first heading is a ##.
-    """
-    above: list[int] = []
-    for block in blocks:
-        if isinstance(block, Heading):
-            above = [level for level in above if level < block.level] + [block.level]
-            yield Heading(len(above), block.content)
-        else:
-            yield block
+    return set_prose(tuple(item.blocks), by_name("html"), document.mark(item.lang), find, 2)

@@ -14,7 +14,7 @@ from kurbel.document import WORDS, Chapter, Document, Item
 from kurbel.formats import Format, by_name
 from kurbel.labels import plain
 from kurbel.prose_print import set_prose
-from kurbel.references import finder, highest_heading, label_of
+from kurbel.references import finder, label_of
 from kurbel.render import render_document
 
 # What hyperref does not take from a string of letters as it stands.
@@ -97,9 +97,7 @@ def _parts(
         if item.kind == "text":
             find = finder(document, ":", item.lang)
             # A chapter is a section, and what stands below it a subsection.
-            text = set_prose(
-                tuple(item.blocks), form, document.mark(item.lang), find, 3 - highest_heading(document)
-            )
+            text = set_prose(tuple(item.blocks), form, document.mark(item.lang), find, 2)
             yield TexPart("text", "", "", text, _language(document, item), False)
         else:
             long = item.kind == "table" and r"\begin{longtable}" in fragments[item.name]

@@ -10,7 +10,7 @@ from kurbel.document import Chapter, Document
 from kurbel.formats import Format, by_name
 from kurbel.labels import plain
 from kurbel.prose_print import set_prose
-from kurbel.references import finder, highest_heading, label_of, number_of
+from kurbel.references import finder, label_of, number_of
 from kurbel.render import render_document
 
 # A # at the end of a heading would be taken for its end.
@@ -87,9 +87,7 @@ def _parts(
     for item in chapter.items:
         if item.kind == "text":
             find = finder(document, "-", item.lang, lambda other: f"{_file(document, other)}#")
-            text = set_prose(
-                tuple(item.blocks), form, document.mark(item.lang), find, 2 - highest_heading(document)
-            )
+            text = set_prose(tuple(item.blocks), form, document.mark(item.lang), find, 1)
             yield MarkdownPart("text", "", "", "", "", "", text)
         else:
             yield MarkdownPart(

@@ -9,7 +9,6 @@ from kurbel.document import WORDS, Chapter, Document, Item
 from kurbel.escapes import string_typst
 from kurbel.formats import Format, by_name
 from kurbel.labels import plain
-from kurbel.prose_levels import stepwise
 from kurbel.prose_print import set_prose
 from kurbel.references import finder, label_of
 from kurbel.render import render_document
@@ -71,12 +70,11 @@ def _chapter(document: Document, chapter: Chapter, form: Format) -> TypstChapter
 
 
 def _parts(document: Document, chapter: Chapter, form: Format) -> Iterator[TypstPart]:
-    above: list[int] = []
     for item in chapter.items:
         lang, mark = _other(document, item.lang), document.mark(item.lang)
         if item.kind == "text":
             find = finder(document, "-", item.lang)
-            text = set_prose(stepwise(tuple(item.blocks), above), form, mark, find)
+            text = set_prose(tuple(item.blocks), form, mark, find)
             yield TypstPart("text", "", "", text, "", lang)
         else:
             yield TypstPart(

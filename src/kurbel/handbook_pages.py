@@ -80,19 +80,21 @@ def document_of(manifest: Manifest, chapters: Sequence[PlannedChapter]) -> Docum
     counts = {"table": 0, "figure": 0}
     made = []
     for number, (plan, entries) in enumerate(chapters, 1):
-        items = tuple(_item(entry, counts) for entry in entries)
+        above: list[int] = []
+        items = tuple(_item(entry, counts, above) for entry in entries)
         made.append(Chapter(plan.title, plan.name, number, items, plan.lang))
     return Document(
         manifest.title, manifest.lang, manifest.decimal, tuple(made), manifest.subtitle, manifest.author
     )
 
 
-def _item(entry: Entry, counts: dict[str, int]) -> Item:
+def _item(entry: Entry, counts: dict[str, int], above: list[int]) -> Item:
     from kurbel.prose import parse_prose
+    from kurbel.prose_levels import stepwise
 
     if not entry.about:
         lang = str(entry.part.options["lang"])
-        blocks = parse_prose(_missing(entry, lang) if entry.said else entry.text)
+        blocks = stepwise(parse_prose(_missing(entry, lang) if entry.said else entry.text), above)
         # With a name it is what should have been a table or a figure, and references lead to its chapter.
         return Item("text", entry.part.name, lang=lang, blocks=blocks)
     kind, caption, own_lang = entry.about

@@ -6,7 +6,6 @@ from collections.abc import Callable
 from typing import Literal
 
 from kurbel.document import WORDS, Chapter, Document, Item
-from kurbel.prose import Heading
 from kurbel.prose_print import Find, Reference
 
 PREFIXES = {"table": "tab", "figure": "fig", "chapter": "sec"}
@@ -37,12 +36,6 @@ def finder(
 def number_of(item: Item) -> str:
     """Return what stands over a table or under a figure, in its own language: "Table 3"."""
     return f"{WORDS[item.lang][item.kind]} {item.number}"
-
-
-def highest_heading(document: Document) -> int:
-    """Return the level of the highest headings of texts: authors begin with # below a chapter, or with ##."""
-    blocks = (block for item in document.items("text") for block in item.blocks)
-    return min((block.level for block in blocks if isinstance(block, Heading)), default=1)
 
 
 def _kind(part: Chapter | Item) -> Literal["table", "figure", "chapter"]:

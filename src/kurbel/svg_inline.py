@@ -29,24 +29,28 @@ _ALL = re.compile(r"\*\s*\{([^{}]*)\}")
 _SPACE = re.compile(r"\s+")
 
 
-def inline(svg: str, name: str, title: str) -> str:
-    """Return the drawing for the middle of a page.
+def inline(svg: str, name: str, title: str, own_page: bool) -> str:
+    """Return the drawing for the middle of a page, an element a line.
 
     Ids begin with `name`, those that nothing refers to are gone, and so are metadata; `title`, plain text, is
-    what a screen reader says. Raises xml.etree.ElementTree.ParseError for what is no SVG.
+    what a screen reader says. On a page of our own colours are those of its style sheet; on another's the
+    drawing keeps its colours and says itself that it is no wider than the page. Raises
+    xml.etree.ElementTree.ParseError for what is no SVG.
     """
     from xml.etree import ElementTree
 
     root = ElementTree.fromstring(svg)
     _prune(root)
-    _name(root, name)
+    _name(root, name, own_page)
     heading = ElementTree.Element("title", {"id": f"{name}-title"})
     heading.text = title
     root.insert(0, heading)
     size = {key: root.get(key, "") for key in ("viewBox", "width", "height")}
-    style = {"style": found} if (found := root.get("style")) else {}
+    said = [root.get("style", ""), "" if own_page else "max-width: 100%; height: auto"]
+    style = {"style": "; ".join(filter(None, said))} if any(said) else {}
     root.attrib.clear()
     root.attrib.update(size | style | {"role": "img", "aria-labelledby": f"{name}-title"})
+    ElementTree.indent(root, "")
     return ElementTree.tostring(root, encoding="unicode")
 
 
@@ -66,14 +70,15 @@ def _prune(root: Element) -> None:
         parent.attrib.update(attributes)
 
 
-def _name(root: Element, name: str) -> None:
-    """Give ids, and what refers to them, names of their own, and colours those of the page."""
+def _name(root: Element, name: str, own_page: bool) -> None:
+    """Give ids, and what refers to them, names of their own, and colours those of a page of ours."""
     targets = {found for one in root.iter() for found in _targets(one)}
     for one in root.iter():
         if one.get("id") not in targets:
             one.attrib.pop("id", None)
         for key, value in one.attrib.items():
-            one.attrib[key] = _of_the_page(key, value, name)
+            renamed = _SPACE.sub(" ", _renamed(key, value, name)).strip()
+            one.attrib[key] = _COLOUR.sub(_page_colour, renamed) if own_page else renamed
 
 
 def _targets(one: Element) -> Iterator[str]:
@@ -82,11 +87,13 @@ def _targets(one: Element) -> Iterator[str]:
         yield from (match[2] for match in _TARGET.finditer(value))
 
 
-def _of_the_page(key: str, value: str, name: str) -> str:
+def _renamed(key: str, value: str, name: str) -> str:
     if key == "id":
         return f"{name}-{value}"
     if key == "href":
         return f"#{name}-{value.removeprefix('#')}"
-    named = _TARGET.sub(rf"\g<1>{name}-\g<2>", value)
-    coloured = _COLOUR.sub(lambda match: f"var(--{COLOURS[match[0]]})", named)
-    return _SPACE.sub(" ", coloured).strip()
+    return _TARGET.sub(rf"\g<1>{name}-\g<2>", value)
+
+
+def _page_colour(match: re.Match[str]) -> str:
+    return f"var(--{COLOURS[match[0]]})"

@@ -176,17 +176,17 @@ def watch(**options: Any) -> None:
     from kurbel.handbook_watch import glance
 
     _say("each file that is saved is built; Ctrl-C ends this")
-    seen: object = None
+    seen: dict[str, tuple[int, int]] = {}
     while True:
-        now = glance(options["folder"])
-        if now != seen:
+        before = glance(options["folder"])
+        if before != seen:
             try:
                 _build(options)
             except KurbelError as error:
                 _say(str(error))
-            # The build itself has said which files there are.
-            now = glance(options["folder"])
-        seen = now
+            # Only the build finds out which files there are; one that was saved meanwhile is seen as it was.
+            after = glance(options["folder"])
+            seen = {path: before.get(path, status) for path, status in after.items()}
         time.sleep(GLANCE)
 
 

@@ -178,10 +178,12 @@ def _text(one: Asked, kind: Kind, identifier: str, where: str) -> str:
         )
     from kurbel.formats import DECIMALS
     from kurbel.labels import plain
-    from kurbel.plot_inline import inline_svg
+    from kurbel.plot_style import image
+    from kurbel.svg_inline import inline
 
     assert one.decimal
-    return inline_svg(one.made.figure, plain(one.made.title, DECIMALS[one.decimal]), identifier)
+    title = plain(one.made.title, DECIMALS[one.decimal])
+    return inline(image(one.made.figure, "svg").decode(), identifier, title, own_page=False)
 
 
 def _check_encoding(old: bytes, contents: Sequence[bytes], name: str) -> None:
