@@ -41,7 +41,8 @@ annotations() {
 # Print a section in Markdown: indented lines are code, which nothing in them can end.
 summary() {
     printf '### kurbel\n\n'
-    cat "$2" "$1" | head -n 300 | sed 's/^/    /'
+    # Not head, at whose end cat and with it the whole script would be ended.
+    cat "$2" "$1" | sed -n '1,300s/^/    /p'
     printf '\n'
 }
 

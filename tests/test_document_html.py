@@ -263,8 +263,8 @@ HOSTILE = (
 
 def test_what_a_manifest_says_is_text(viewer: Viewer) -> None:
     text = Item("text", blocks=parse_prose(HOSTILE))
-    table = handbook.document().home("weg")[1]
-    drawing = handbook.document().home("kurven")[1]
+    table = handbook.document().homes()["weg"][1]
+    drawing = handbook.document().homes()["kurven"][1]
     assert table
     assert drawing
     items = (text, table._replace(caption=HOSTILE), drawing._replace(caption=HOSTILE))

@@ -235,8 +235,8 @@ def test_texts_and_chapters_have_their_own_language(tmp_path: Path) -> None:
         Chapter("Paths of $1.5$", "paths", 2, (Item("text", lang="de", blocks=blocks),), "en"),
     )
     text = read(small(tmp_path, tables={"weg": weg}, chapters=chapters, decimal=""))
-    assert "See Table 1 and Section 2, 𝑅 = 0.5." in text
-    assert "See Tabelle 1 and Abschnitt 2, 𝑅 = 0,5." in text
+    assert "See Table 1 and § 2, 𝑅 = 0.5." in text
+    assert "See Tabelle 1 and § 2, 𝑅 = 0,5." in text
     assert "2 Paths of 1.5" in text
 
 

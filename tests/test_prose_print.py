@@ -88,7 +88,7 @@ def test_sample_is_printed_by_latex(engine: str, tmp_path: Path) -> None:
     page = characters(paper(tmp_path))
     for characters_of_line in _SHOWN:
         assert characters_of_line in page
-    assert "sieheTabelle2.1,dieSkizzeundKapitel2." in page
+    assert "sieheTabelle2.1,dieSkizzeund§2." in page
     assert "2.2λ\"q\"'x'`~^\\{}%a_bTabelle2.1" in page
 
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Literal, NamedTuple
 
-from kurbel.choices import choose
 from kurbel.formats import DECIMAL_OF_LANGUAGE, DECIMALS, Format
 from kurbel.labels import plain, set_label
 from kurbel.table import Label
@@ -20,7 +19,6 @@ WORDS: Mapping[str, Mapping[str, str]] = {
     "de": {
         "table": "Tabelle",
         "figure": "Abbildung",
-        "section": "Abschnitt",
         "contents": "Inhalt",
         "tables": "Tabellenverzeichnis",
         "figures": "Abbildungsverzeichnis",
@@ -29,7 +27,6 @@ WORDS: Mapping[str, Mapping[str, str]] = {
     "en": {
         "table": "Table",
         "figure": "Figure",
-        "section": "Section",
         "contents": "Contents",
         "tables": "List of Tables",
         "figures": "List of Figures",
@@ -88,25 +85,23 @@ class Document(NamedTuple):
         """Return the decimal mark in what has a language, by default the document's."""
         return DECIMALS[self.decimal or DECIMAL_OF_LANGUAGE[lang or self.lang]]
 
-    def home(self, name: str) -> tuple[Chapter, Item | None]:
-        """Return the chapter of that name, or the table or figure and its chapter.
+    def homes(self) -> dict[str, tuple[Chapter, Item | None]]:
+        """Return by its name each chapter, and each table and figure with its chapter.
 
-        Of what should be a table or a figure and could not be made it is the chapter alone. Raises
-        ChoiceError with the nearest name for one that nothing has.
+        What should be a table or a figure and could not be made is its chapter alone.
         """
         homes: dict[str, tuple[Chapter, Item | None]] = {one.name: (one, None) for one in self.chapters}
-        homes |= {
+        return homes | {
             item.name: (chapter, None if item.kind == "text" else item)
             for chapter in self.chapters
             for item in chapter.items
             if item.name
         }
-        return homes[choose(name, homes, "table, figure or chapter")]
 
     def title_of(self, one: Chapter | Item, lang: str = "") -> str:
-        """Return what a reference in a language calls it: "Tabelle 3", or a chapter's plain title."""
+        """Return what a reference in a language calls it: "Tabelle 3", "§ 2"."""
         if isinstance(one, Chapter):
-            return plain(one.title, self.mark(one.lang))
+            return f"§ {one.number}"
         return f"{WORDS[lang or self.lang][one.kind]} {one.number}"
 
     def set(self, label: Label, form: Format, lang: str = "") -> str:

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
 
 from kurbel.document import Document, Item
 from kurbel.formats import by_name
 from kurbel.html_width import width_in_ems
 from kurbel.labels import plain
-from kurbel.prose_print import set_prose
-from kurbel.references import finder, label_of, number_of
+from kurbel.references import label_of, number_of, text_setter
 from kurbel.render import render_document
 from kurbel.svg_inline import inline
 
@@ -92,6 +91,8 @@ def css_string(text: str) -> str:
 
 
 def _sections(document: Document, fragments: Mapping[str, str]) -> Iterator[Section]:
+    # The page has one heading above the chapters.
+    text = text_setter(document, by_name("html"), "-", 2, lambda chapter: "#")
     for chapter in document.chapters:
         yield Section(
             chapter.number,
@@ -99,7 +100,7 @@ def _sections(document: Document, fragments: Mapping[str, str]) -> Iterator[Sect
             document.set(chapter.title, by_name("html"), chapter.lang),
             css_string(plain(chapter.title, document.mark(chapter.lang))),
             _other(document, chapter.lang),
-            tuple(_part(document, item, fragments) for item in chapter.items),
+            tuple(_part(document, item, fragments, text) for item in chapter.items),
         )
 
 
@@ -108,10 +109,10 @@ def _other(document: Document, lang: str) -> str:
     return "" if lang == document.lang else lang
 
 
-def _part(document: Document, item: Item, fragments: Mapping[str, str]) -> Part:
+def _part(document: Document, item: Item, fragments: Mapping[str, str], text: Callable[[Item], str]) -> Part:
     lang = _other(document, item.lang)
     if item.kind == "text":
-        return Part("text", "", "", "", lang, _text(document, item))
+        return Part("text", "", "", "", lang, text(item))
     target, number = label_of(item, "-"), number_of(item)
     caption = document.set(item.caption, by_name("html"), item.lang)
     fragment = fragments[item.name]
@@ -125,9 +126,3 @@ def _part(document: Document, item: Item, fragments: Mapping[str, str]) -> Part:
 def _numbered(fragment: str, target: str) -> str:
     """Return a table whose regions are called by its number too, for captions may be alike."""
     return fragment.replace(f'labelledby="{target}-caption', f'labelledby="{target}-number {target}-caption')
-
-
-def _text(document: Document, item: Item) -> str:
-    find = finder(document, "-", item.lang, lambda chapter: "#")
-    # The page has one heading above the chapters.
-    return set_prose(tuple(item.blocks), by_name("html"), document.mark(item.lang), find, 2)

@@ -7,33 +7,15 @@ that inputs it, and its lists are made of references, so that they hold what is 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
 
 from kurbel.document import WORDS, Chapter, Document, Item
+from kurbel.escapes import string_latex
 from kurbel.formats import Format, by_name
 from kurbel.labels import plain
-from kurbel.prose_print import set_prose
-from kurbel.references import finder, label_of
+from kurbel.references import label_of, text_setter
 from kurbel.render import render_document
-
-# What hyperref does not take from a string of letters as it stands.
-_STRING = str.maketrans(
-    {character: f"\\{character}" for character in "#$%&_{}"}
-    | {
-        "\\": r"\textbackslash{}",
-        "~": r"\textasciitilde{}",
-        "^": r"\textasciicircum{}",
-        "`": r"\textasciigrave{}",
-        '"': r"\textquotedbl{}",
-        "'": r"\textquotesingle{}",
-        # Two of them would be one sign.
-        "-": "-{}",
-        ",": ",{}",
-        "<": "<{}",
-        ">": ">{}",
-    }
-)
 
 
 class TexTitle(NamedTuple):
@@ -67,7 +49,9 @@ class TexChapter(NamedTuple):
 def files(document: Document, fragments: Mapping[str, str], templates: str | None = None) -> dict[str, str]:
     """Return appendix.tex and handbook.tex; `fragments` are the tables that they input."""
     form = by_name("latex")
-    chapters = tuple(_chapter(document, chapter, form, fragments) for chapter in document.chapters)
+    # A chapter is a section, and what stands below it a subsection.
+    text = text_setter(document, form, ":", 2)
+    chapters = tuple(_chapter(document, chapter, fragments, text) for chapter in document.chapters)
     values = {
         "document": document,
         "title": _title(document, document.title, form),
@@ -84,25 +68,24 @@ def files(document: Document, fragments: Mapping[str, str], templates: str | Non
     }
 
 
-def _chapter(document: Document, chapter: Chapter, form: Format, fragments: Mapping[str, str]) -> TexChapter:
-    parts = tuple(_parts(document, chapter, form, fragments))
-    title = _title(document, chapter.title, form, chapter.lang)
-    return TexChapter(title, label_of(chapter, ":"), parts)
+def _chapter(
+    document: Document, chapter: Chapter, fragments: Mapping[str, str], text: Callable[[Item], str]
+) -> TexChapter:
+    title = _title(document, chapter.title, by_name("latex"), chapter.lang)
+    return TexChapter(title, label_of(chapter, ":"), tuple(_parts(document, chapter, fragments, text)))
 
 
 def _parts(
-    document: Document, chapter: Chapter, form: Format, fragments: Mapping[str, str]
+    document: Document, chapter: Chapter, fragments: Mapping[str, str], text: Callable[[Item], str]
 ) -> Iterator[TexPart]:
     for item in chapter.items:
+        language = _language(document, item)
         if item.kind == "text":
-            find = finder(document, ":", item.lang)
-            # A chapter is a section, and what stands below it a subsection.
-            text = set_prose(tuple(item.blocks), form, document.mark(item.lang), find, 2)
-            yield TexPart("text", "", "", text, _language(document, item), False)
+            yield TexPart("text", "", "", text(item), language, False)
         else:
             long = item.kind == "table" and r"\begin{longtable}" in fragments[item.name]
-            caption = document.set(item.caption, form, item.lang)
-            yield TexPart(item.kind, item.name, label_of(item, ":"), caption, _language(document, item), long)
+            caption = document.set(item.caption, by_name("latex"), item.lang)
+            yield TexPart(item.kind, item.name, label_of(item, ":"), caption, language, long)
 
 
 def _language(document: Document, item: Item) -> str:
@@ -116,5 +99,5 @@ def _languages(document: Document) -> str:
 
 
 def _title(document: Document, label: str, form: Format, lang: str = "") -> TexTitle:
-    words = plain(label, document.mark(lang)).translate(_STRING)
+    words = string_latex(plain(label, document.mark(lang)))
     return TexTitle(document.set(label, form, lang), words, document.set_head(label, form, lang))

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
 
-from kurbel.document import Chapter, Document
-from kurbel.formats import Format, by_name
+from kurbel.document import Chapter, Document, Item
+from kurbel.formats import by_name
 from kurbel.labels import plain
-from kurbel.prose_print import set_prose
-from kurbel.references import finder, label_of, number_of
+from kurbel.references import label_of, number_of, text_setter
 from kurbel.render import render_document
 
 # A # at the end of a heading would be taken for its end.
@@ -42,13 +41,14 @@ class MarkdownChapter(NamedTuple):
 def files(document: Document, fragments: Mapping[str, str], templates: str | None = None) -> dict[str, str]:
     """Return markdown/index.md and a page for each chapter."""
     form = by_name("markdown")
+    text = text_setter(document, form, "-", 1, lambda chapter: f"{_file(document, chapter)}#")
     chapters = [
         MarkdownChapter(
             title := document.set(chapter.title, form, chapter.lang),
             _heading(title),
             label_of(chapter, "-"),
             _file(document, chapter),
-            tuple(_parts(document, chapter, form, fragments)),
+            tuple(_parts(document, chapter, fragments, text)),
         )
         for chapter in document.chapters
     ]
@@ -82,13 +82,12 @@ def _heading(title: str) -> str:
 
 
 def _parts(
-    document: Document, chapter: Chapter, form: Format, fragments: Mapping[str, str]
+    document: Document, chapter: Chapter, fragments: Mapping[str, str], text: Callable[[Item], str]
 ) -> Iterator[MarkdownPart]:
+    form = by_name("markdown")
     for item in chapter.items:
         if item.kind == "text":
-            find = finder(document, "-", item.lang, lambda other: f"{_file(document, other)}#")
-            text = set_prose(tuple(item.blocks), form, document.mark(item.lang), find, 1)
-            yield MarkdownPart("text", "", "", "", "", "", text)
+            yield MarkdownPart("text", "", "", "", "", "", text(item))
         else:
             yield MarkdownPart(
                 item.kind,

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
 
 from kurbel.document import WORDS, Chapter, Document, Item
 from kurbel.escapes import string_typst
 from kurbel.formats import Format, by_name
 from kurbel.labels import plain
-from kurbel.prose_print import set_prose
-from kurbel.references import finder, label_of
+from kurbel.references import label_of, text_setter
 from kurbel.render import render_document
 
 
@@ -47,6 +46,7 @@ class TypstChapter(NamedTuple):
 def files(document: Document, fragments: Mapping[str, str], templates: str | None = None) -> dict[str, str]:
     """Return handbook.typ, which includes the fragments as files of the folder tables."""
     form = by_name("typst")
+    text = text_setter(document, form, "-", 1)
     values = {
         "document": document,
         "title": _title(document, document.title, form),
@@ -54,34 +54,32 @@ def files(document: Document, fragments: Mapping[str, str], templates: str | Non
         "author": _title(document, document.author, form),
         "words": document.words,
         "languages": WORDS,
-        "chapters": [_chapter(document, chapter, form) for chapter in document.chapters],
+        "chapters": [_chapter(document, chapter, text) for chapter in document.chapters],
         "kinds": {item.kind for item in document.items("table", "figure")},
     }
     return {"handbook.typ": render_document("typst", "handbook", values, templates)}
 
 
-def _chapter(document: Document, chapter: Chapter, form: Format) -> TypstChapter:
+def _chapter(document: Document, chapter: Chapter, text: Callable[[Item], str]) -> TypstChapter:
     return TypstChapter(
-        _title(document, chapter.title, form, chapter.lang),
+        _title(document, chapter.title, by_name("typst"), chapter.lang),
         string_typst(label_of(chapter, "-")),
         _other(document, chapter.lang),
-        tuple(_parts(document, chapter, form)),
+        tuple(_parts(document, chapter, text)),
     )
 
 
-def _parts(document: Document, chapter: Chapter, form: Format) -> Iterator[TypstPart]:
+def _parts(document: Document, chapter: Chapter, text: Callable[[Item], str]) -> Iterator[TypstPart]:
     for item in chapter.items:
         lang, mark = _other(document, item.lang), document.mark(item.lang)
         if item.kind == "text":
-            find = finder(document, "-", item.lang)
-            text = set_prose(tuple(item.blocks), form, mark, find)
-            yield TypstPart("text", "", "", text, "", lang)
+            yield TypstPart("text", "", "", text(item), "", lang)
         else:
             yield TypstPart(
                 item.kind,
                 string_typst(_path(item)),
                 string_typst(label_of(item, "-")),
-                document.set(item.caption, form, item.lang),
+                document.set(item.caption, by_name("typst"), item.lang),
                 string_typst(plain(item.caption, mark)),
                 lang,
             )

@@ -86,9 +86,35 @@ def escape_typst(prose: str) -> str:
     return _TYPST_START.sub(r"\1\3\\\2\4", escaped)
 
 
+_TYPST_STRING = str.maketrans({"\\": r"\\", '"': r"\"", "\n": r"\n"})
+
+
 def string_typst(text: str) -> str:
     """Return a text as a string of Typst's code, quotation marks included."""
-    return '"' + re.sub(r'[\\"]', r"\\\g<0>", text) + '"'
+    return f'"{text.translate(_TYPST_STRING)}"'
+
+
+_LATEX_STRING = str.maketrans(
+    {character: f"\\{character}" for character in "#$%&_{}"}
+    | {
+        "\\": r"\textbackslash{}",
+        "~": r"\textasciitilde{}",
+        "^": r"\textasciicircum{}",
+        "`": r"\textasciigrave{}",
+        '"': r"\textquotedbl{}",
+        "'": r"\textquotesingle{}",
+        # Two of them would be one sign.
+        "-": "-{}",
+        ",": ",{}",
+        "<": "<{}",
+        ">": ">{}",
+    }
+)
+
+
+def string_latex(text: str) -> str:
+    """Return a text as the strings of a PDF, its bookmarks, take it from LaTeX: nothing but characters."""
+    return text.translate(_LATEX_STRING)
 
 
 def mark_text(mark: str, target: str = "") -> str:

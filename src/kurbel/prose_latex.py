@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from kurbel.escapes import escape_latex
+from kurbel.escapes import escape_latex, string_latex
 from kurbel.formula import Formula
 from kurbel.formula_print import formula_plain
 from kurbel.prose import (
@@ -32,22 +32,13 @@ _COLUMNS = {None: "l", "left": "l", "center": "c", "right": "r"}
 _RAGGED = {None: r"\raggedright", "left": r"\raggedright", "center": r"\centering", "right": r"\raggedleft"}
 # Characters of a line, and of a column whose lines are not broken.
 _LINE, _SHORT = 75, 15
-_NAMES = {"table": r"\tablename", "figure": r"\figurename", "chapter": r"\chaptername"}
+_NAMES = {"table": r"\tablename", "figure": r"\figurename", "chapter": r"\S"}
 # A word of code that no line end may cut would run off a narrow line.
 _LONG_WORD = re.compile(r"[^ \u00a0]{20,}")
 _PARTED = re.compile(r"([-,'<>])\{\}(?=\1)")
 # No text has this character.
 _HERE = "\0"
 _PIECES = {_HERE: r"\penalty500 ", "'": r"\textquotesingle{}"}
-_BOOKMARK = str.maketrans(
-    {character: f"\\{character}" for character in "#$%&_{}"}
-    | {
-        "\\": r"\textbackslash{}",
-        "~": r"\textasciitilde{}",
-        "^": r"\textasciicircum{}",
-        '"': r"\textquotedbl{}",
-    }
-)
 _ADDRESS = str.maketrans(
     {"%": r"\%", "#": r"\#", "&": r"\&", "~": r"\%7E", "$": r"\%24", "_": r"\_", "^": r"\%5E", '"': r"\%22"}
     | {"{": r"\%7B", "}": r"\%7D", "\\": r"\%5C"}
@@ -61,7 +52,7 @@ class Printer(ProsePrinter):
         section = _SECTIONS[max(1, min(level, len(_SECTIONS))) - 1]
         title = self.inlines(content)
         # Bookmarks hold nothing but characters.
-        bookmark = self._plain(content).translate(_BOOKMARK)
+        bookmark = string_latex(self._plain(content))
         if bookmark != title:
             title = rf"\texorpdfstring{{{title}}}{{{bookmark}}}"
         return rf"\{section}{{{title}}}"

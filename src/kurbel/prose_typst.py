@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import re
 
+from kurbel.escapes import string_typst
 from kurbel.prose import Blocks, Grid, Inlines, Listing
 from kurbel.prose_print import ProsePrinter, Reference
 
 _ALIGNS = {None: "left", "left": "left", "center": "center", "right": "right"}
 _LONG_WORD = re.compile(r"\S{30}")
 _BREAK = r'show regex("\S{30,}"): it => it.text.clusters().join(box())'
-_STRING = str.maketrans({"\\": r"\\", '"': r"\"", "\n": r"\n"})
 
 
 class Printer(ProsePrinter):
@@ -58,7 +58,7 @@ class Printer(ProsePrinter):
         return f"#strong[{self.inlines(content)}];"
 
     def link(self, address: str, content: Inlines) -> str:
-        return f"#link({_string(address)})[{self.inlines(content)}];"
+        return f"#link({string_typst(address)})[{self.inlines(content)}];"
 
     def reference(self, reference: Reference, content: Inlines) -> str:
         """Return a reference; Typst itself names and counts what it points to."""
@@ -68,9 +68,5 @@ class Printer(ProsePrinter):
 
 def _raw(code: str, options: str = "") -> str:
     """Return code in which a word that is longer than a line may be broken at any character."""
-    call = f"raw({_string(code)}{options})"
+    call = f"raw({string_typst(code)}{options})"
     return f"#{{ {_BREAK}; {call} }};" if _LONG_WORD.search(code) else f"#{call};"
-
-
-def _string(text: str) -> str:
-    return f'"{text.translate(_STRING)}"'

@@ -1,12 +1,15 @@
-"""What a text of a handbook refers to by name: one finder for all formats, which differ in the target."""
+"""What a text of a handbook refers to by name: one way for all formats, which differ in the target."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import Literal
 
+from kurbel.choices import choose
 from kurbel.document import WORDS, Chapter, Document, Item
-from kurbel.prose_print import Find, Reference
+from kurbel.formats import Format
+from kurbel.prose_print import Reference, set_prose
 
 PREFIXES = {"table": "tab", "figure": "fig", "chapter": "sec"}
 
@@ -16,21 +19,27 @@ def label_of(part: Chapter | Item, joint: str) -> str:
     return f"{PREFIXES[_kind(part)]}{joint}{part.name}"
 
 
-def finder(
-    document: Document, joint: str, lang: str = "", page: Callable[[Chapter], str] = lambda chapter: ""
-) -> Find:
-    """Return the function that finds what a name refers to; it raises ChoiceError for one that nothing has.
+def text_setter(
+    document: Document, form: Format, joint: str, level: int, page: Callable[[Chapter], str] = lambda one: ""
+) -> Callable[[Item], str]:
+    """Return what sets the texts of the document in a format, with headings below those of so many levels.
 
-    The target is the label behind what `page` returns for its chapter, such as "#" or "02-paths.md#"; what it
-    is called is said in the language of the text.
+    What a text refers to is the label, with this joint, behind what `page` returns for its chapter, such as
+    "#" or "02-paths.md#", and is called as the text's language calls it. A name that nothing has is a
+    ChoiceError with the nearest.
     """
+    homes = document.homes()
 
-    def find(name: str) -> Reference:
-        chapter, item = document.home(name)
+    def find(lang: str, name: str) -> Reference:
+        chapter, item = homes[choose(name, homes, "table, figure or chapter")]
         part = item or chapter
         return Reference(_kind(part), page(chapter) + label_of(part, joint), document.title_of(part, lang))
 
-    return find
+    def text(item: Item) -> str:
+        blocks, mark = tuple(item.blocks), document.mark(item.lang)
+        return set_prose(blocks, form, mark, partial(find, item.lang), level)
+
+    return text
 
 
 def number_of(item: Item) -> str:
