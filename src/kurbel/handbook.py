@@ -19,7 +19,10 @@ FIGURES = {"html": "svg", "markdown": "svg", "typst": "svg", "latex": "pdf"}
 
 
 class Task(NamedTuple):
-    """A part that is to be made, with all that a process of its own needs to make it."""
+    """A part that is to be made, with all that a process of its own needs to make it.
+
+    Templates of one's own have `patience` in seconds.
+    """
 
     part: Part
     folder: str
@@ -27,6 +30,7 @@ class Task(NamedTuple):
     templates: str | None
     formats: tuple[str, ...]
     figures: tuple[str, ...]
+    patience: float
 
 
 class Made(NamedTuple):
@@ -73,4 +77,4 @@ def task_of(manifest: Manifest, part: Part) -> Task:
     """Return what makes the part."""
     formats = formats_of(manifest)
     figures = tuple(sorted({FIGURES[name] for name in formats if name in FIGURES}))
-    return Task(part, manifest.folder, manifest.machine, manifest.templates, formats, figures)
+    return Task(part, manifest.folder, manifest.machine, manifest.templates, formats, figures, PATIENCE)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from kurbel.errors import KurbelError
 from kurbel.formats import FORMATS
-from kurbel.handbook import GIGABYTES, PATIENCE, Made, Task
+from kurbel.handbook import GIGABYTES, Made, Task
 
 if TYPE_CHECKING:
     from kurbel.cli.asking import Asked
@@ -42,7 +42,7 @@ def _table(task: Task, answer: Asked) -> Made:
         table, key=part.name, layout=table.layout or table.key, caption=part.caption or table.caption
     )
     templates = task.templates and os.path.join(task.folder, task.templates)
-    with deadline(PATIENCE, GIGABYTES, templates is not None):
+    with deadline(task.patience, GIGABYTES, templates is not None):
         files = {
             f"tables/{part.name}{FORMATS[name].suffixes[0]}": _text(named, name, answer.decimal, templates)
             for name in task.formats
