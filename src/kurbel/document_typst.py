@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import re
 from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
 
@@ -11,6 +13,10 @@ from kurbel.formats import Format, by_name
 from kurbel.labels import plain
 from kurbel.references import label_of, text_setter
 from kurbel.render import render_document
+
+# The text is 42 em wide.
+NARROW = 42.0
+_WIDE = re.compile(r"let \(wide, high\) = \(([0-9.]+)em")
 
 
 class TypstTitle(NamedTuple):
@@ -25,7 +31,7 @@ class TypstPart(NamedTuple):
     """A text, table or figure; `path`, `alt` and `label` are strings of code.
 
     `lang` is the language where it is not the document's; `alt` is the caption for readers that do not see
-    the figure.
+    the figure; `narrow` is a table that surely is no wider than the text.
     """
 
     kind: str
@@ -34,6 +40,7 @@ class TypstPart(NamedTuple):
     text: str
     alt: str
     lang: str
+    narrow: bool = False
 
 
 class TypstChapter(NamedTuple):
@@ -54,22 +61,26 @@ def files(document: Document, fragments: Mapping[str, str], templates: str | Non
         "author": _title(document, document.author, form),
         "words": document.words,
         "languages": WORDS,
-        "chapters": [_chapter(document, chapter, text) for chapter in document.chapters],
+        "chapters": [_chapter(document, chapter, fragments, text) for chapter in document.chapters],
         "kinds": {item.kind for item in document.items("table", "figure")},
     }
     return {"handbook.typ": render_document("typst", "handbook", values, templates)}
 
 
-def _chapter(document: Document, chapter: Chapter, text: Callable[[Item], str]) -> TypstChapter:
+def _chapter(
+    document: Document, chapter: Chapter, fragments: Mapping[str, str], text: Callable[[Item], str]
+) -> TypstChapter:
     return TypstChapter(
         _title(document, chapter.title, by_name("typst"), chapter.lang),
         string_typst(label_of(chapter, "-")),
         _other(document, chapter.lang),
-        tuple(_parts(document, chapter, text)),
+        tuple(_parts(document, chapter, fragments, text)),
     )
 
 
-def _parts(document: Document, chapter: Chapter, text: Callable[[Item], str]) -> Iterator[TypstPart]:
+def _parts(
+    document: Document, chapter: Chapter, fragments: Mapping[str, str], text: Callable[[Item], str]
+) -> Iterator[TypstPart]:
     for item in chapter.items:
         lang, mark = _other(document, item.lang), document.mark(item.lang)
         if item.kind == "text":
@@ -82,7 +93,14 @@ def _parts(document: Document, chapter: Chapter, text: Callable[[Item], str]) ->
                 document.set(item.caption, by_name("typst"), item.lang),
                 string_typst(plain(item.caption, mark)),
                 lang,
+                item.kind == "table" and _width(fragments[item.name]) < NARROW,
             )
+
+
+def _width(fragment: str) -> float:
+    """Return how wide a table is at the most, in em, as its fragment says."""
+    found = _WIDE.search(fragment)
+    return float(found[1]) if found else math.inf
 
 
 def _path(item: Item) -> str:

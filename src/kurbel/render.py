@@ -83,7 +83,7 @@ def _page(
     if form.name == "typst":
         from kurbel.typstrows import typst_layout
 
-        values |= {"typst": typst_layout(page(table, by_name("text"), mark))}
+        values |= {"typst": typst_layout(page(table, by_name("text"), mark), ready)}
 
     def filled(name: str, more: dict[str, str]) -> str:
         template = _own_template(table, name, templates) or f"base/{name}.jinja"
