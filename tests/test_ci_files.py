@@ -206,13 +206,12 @@ def made(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
 def test_the_rules_for_make_build_once_and_check(job: Path) -> None:
     (job / "Makefile").write_text(snippet("Make", "make"), encoding="utf-8")
     assert "kurbel handbook build appendix" in made(job).stdout
-    assert "kurbel" not in made(job).stdout
+    assert ": 0 written" in made(job).stderr
     assert made(job, "check").returncode == 0
     spoil(job / "appendix" / "pages" / "tables" / "motion.csv")
     assert made(job, "check").returncode == 2
     # A build that fails is not taken for done.
     (job / "appendix" / "handbook.toml").write_text(MANIFEST.replace("1:5", "5:1"))
-    os.utime(job / "appendix" / "handbook.toml", (4_000_000_000, 4_000_000_000))
     assert made(job).returncode == 2
     assert made(job).returncode == 2
 

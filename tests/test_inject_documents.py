@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import os
 import re
-import subprocess
-import sys
 import time
 from itertools import pairwise
 from pathlib import Path
@@ -324,7 +322,8 @@ def test_a_document_of_another_encoding_is_refused_where_the_table_is_no_ascii(t
     assert refreshed(english).startswith("Maß\n".encode("latin-1"))
     # What is not touched need not be read.
     path = written(tmp_path, b"\x89PNG\r\n\x00\xff", "image.md")
-    assert printed("inject", str(path)).out == ""
+    assert kurbel("inject", str(path)).code == 0
+    assert path.read_bytes() == b"\x89PNG\r\n\x00\xff"
 
 
 @pytest.mark.parametrize("name", ["notes.txt", "notes", "notes.md.bak"])
@@ -362,14 +361,16 @@ def test_a_document_that_is_saved_meanwhile_keeps_what_was_saved(tmp_path: Path)
     assert (result, path.read_text(encoding="utf-8")) == (Result(1, "", sentence), "saved")
 
 
-def test_a_document_without_markers_is_told_how_they_look_on_a_terminal_only(tmp_path: Path) -> None:
-    path = written(tmp_path, "<!-- kurbel table -->\n")
-    assert printed("inject", str(path)).err == ""
-    master, slave = os.openpty()
-    subprocess.run([sys.executable, "-m", "kurbel", "inject", str(path)], stderr=slave, check=True)
-    os.close(slave)
-    assert b"has no markers; they are <!-- kurbel: table --ratio 1:5 --> and " in os.read(master, 4096)
-    os.close(master)
+@pytest.mark.parametrize(
+    "text", ["<!-- kurbl: table -->\n", "<!-- kurbel table -->\n", "% kurbel: table\n", ""]
+)
+def test_a_document_without_markers_is_told_how_they_look(tmp_path: Path, text: str) -> None:
+    path = written(tmp_path, text)
+    for words in (("inject",), ("inject", "--check")):
+        result = kurbel(*words, str(path))
+        assert (result.code, result.out) == (0, "")
+        assert "has no markers; they are <!-- kurbel: table --ratio 1:5 --> and " in result.err
+    assert path.read_text() == text
 
 
 def test_a_folder_that_is_gone_is_one_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -380,10 +381,6 @@ def test_a_folder_that_is_gone_is_one_sentence(tmp_path: Path, monkeypatch: pyte
     gone.rmdir()
     sentence = f"kurbel: {path}:1: cannot go into {tmp_path} and back: No such file or directory\n"
     assert kurbel("inject", str(path)) == Result(1, "", sentence)
-
-
-def test_an_empty_document_has_no_places(tmp_path: Path) -> None:
-    assert printed("inject", str(written(tmp_path, ""))).out == ""
 
 
 @pytest.mark.skipif(os.geteuid() != 0, reason="only root can turn into another user")

@@ -14,6 +14,8 @@ if TYPE_CHECKING:
 Task = TypeVar("Task")
 Result = TypeVar("Result")
 
+# Windows waits for no more processes at once.
+MOST_PROCESSES = 61
 # Fewer pieces than these are done before another process has loaded the libraries.
 WORTH_A_PROCESS = 4
 # What ended the processes of so many pieces will end those of the rest.
@@ -33,9 +35,8 @@ class Worked(NamedTuple, Generic[Task, Result]):
 
 def cores() -> int:
     """Return how many processes run at once."""
-    if hasattr(os, "sched_getaffinity"):
-        return len(os.sched_getaffinity(0))
-    return os.cpu_count() or 1
+    count = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    return min(count, MOST_PROCESSES)
 
 
 def worked(

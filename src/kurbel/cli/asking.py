@@ -82,6 +82,7 @@ def asked(
     for a document at once: its label, and for LaTeX that it may break over pages. Raises KurbelError, also
     for a mistake that click finds.
     """
+    words = words[1:] if words[:1] in (["kurbel"], ("kurbel",)) else words
     if not words:
         raise ChoiceError(f"there is no command; write one of {', '.join(printing_commands())}")
     command = command_of(words[0])

@@ -13,6 +13,7 @@ import click
 
 from kurbel.cli.options import Count, Name, in_order
 from kurbel.handbook_keys import ENGINES
+from kurbel.handbook_pool import MOST_PROCESSES
 from kurbel.layouts import LANGUAGES
 
 if TYPE_CHECKING:
@@ -21,7 +22,6 @@ if TYPE_CHECKING:
     from kurbel.handbook_folder import Folder
     from kurbel.handbook_manifest import Manifest, Part
 
-MOST_JOBS = 256
 # So many characters of a text tell which it is.
 MOST_SHOWN = 50
 # How often the files are looked at, in seconds.
@@ -56,7 +56,7 @@ def handbook() -> None:
 
 
 FOLDER = click.argument("folder", type=click.Path(), default=".")
-JOBS = click.option("-j", "--jobs", type=Count("jobs", 1, MOST_JOBS), metavar="N",
+JOBS = click.option("-j", "--jobs", type=Count("jobs", 1, MOST_PROCESSES), metavar="N",
                     help="Processes at once; default: one for each core.")  # fmt: skip
 ENGINE = click.option("--pdf-engine", type=Name("PDF engine", lambda: ENGINES), metavar="ENGINE",
                       help="typst (default), lualatex or latexmk; outdoes the manifest.")  # fmt: skip
@@ -151,11 +151,11 @@ def listed(folder: str) -> None:
     options = {"folder": folder, "jobs": 1, "pdf_engine": None}
     manifest, output, jobs = _opened(options)
     one = Build(manifest, output, lambda task: "", jobs)
-    stale = [*one.stale()]
+    stale = {part.name for part in one.stale()}
     click.echo(f"{output.path}: {', '.join(manifest.formats)}")
     for number, chapter in enumerate(manifest.chapters, 1):
         click.echo(f"\n{number} {chapter.title} ({chapter.name})")
-        rows = [_row(one, part, part in stale) for part in chapter.parts]
+        rows = [_row(one, part, part.name in stale) for part in chapter.parts]
         lines = tabulate(rows, tablefmt="plain", disable_numparse=True).splitlines() if rows else []
         for line in lines:
             click.echo(f"    {line.rstrip()}")
@@ -175,6 +175,8 @@ def watch(**options: Any) -> None:
     from kurbel.errors import KurbelError
     from kurbel.handbook_watch import glance
 
+    # One that is not there, or has a mistake, ends the command; later ones are waited out.
+    _opened(options)
     _say("each file that is saved is built; Ctrl-C ends this")
     seen: dict[str, tuple[int, int]] = {}
     while True:
