@@ -275,7 +275,7 @@ def contents_in(folder: Folder) -> dict[str, str]:
     try:
         files = json.loads(folder.read(CONTENTS) or b"{}").get("files", {})
         return {path: hashed for path, hashed in files.items() if isinstance(hashed, str) and _is_plain(path)}
-    except (ValueError, AttributeError):
+    except (ValueError, AttributeError, RecursionError):
         return {}
 
 
