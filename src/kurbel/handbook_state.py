@@ -10,10 +10,13 @@ import json
 import os
 import sys
 from collections.abc import Iterable, Iterator, Mapping
+from contextlib import suppress
 from typing import Any, NamedTuple
 
 from kurbel.handbook_folder import OWN, Folder, digest
 
+# The hash of no file, for one that changed while it was read.
+UNKNOWN = "?"
 STATE = f"{OWN}/state.json"
 
 
@@ -84,6 +87,14 @@ def digest_of(path: str) -> str:
             return hashlib.file_digest(file, "sha256").hexdigest()
     except (OSError, ValueError):
         return ""
+
+
+def latest_change(path: str) -> int:
+    """Return when a file, or the last of the files in a folder, was saved, in nanoseconds."""
+    names = [os.path.join(path, name) for name in files_below(path)]
+    with suppress(OSError, ValueError):
+        return max(os.stat(one).st_mtime_ns for one in (path, *names))
+    return 0
 
 
 def files_below(path: str) -> list[str]:
