@@ -5,10 +5,17 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+import subprocess
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
 from cli import Result, kurbel
+
+from kurbel import pdf_tex
+from kurbel.handbook import Made, Task
+from kurbel.handbook_pages import PdfTask, PlannedChapter, make_pdf
 
 MANIFEST = """\
 title = "Tafeln"
@@ -154,3 +161,98 @@ def test_a_command_with_a_control_character_fails_alone(tmp_path: Path) -> None:
     result = build(book(tmp_path, MANIFEST.replace("--step 45", "--step \\u0000")))
     assert "line 8, wege: " in result.err
     assert (tmp_path / "pages/tables/delta.csv").is_file()
+
+
+def test_documents_are_not_made_of_files_that_are_gone(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from kurbel import handbook_build
+
+    build(book(tmp_path / "whole"))
+    folder = book(tmp_path / "disturbed")
+    planned = handbook_build.Build.planned
+
+    def disturbed(one: handbook_build.Build) -> list[PlannedChapter]:
+        (folder / "pages/tables/wege.md").unlink()
+        return planned(one)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(handbook_build.Build, "planned", disturbed)
+        result = build(folder)
+    assert result.code == 1
+    assert "tables/wege.md was changed or removed while the handbook was built; build it again" in result.err
+    assert build(folder).code == 0
+    for path in ("markdown/01-wege.md", "contents.json"):
+        assert (folder / "pages" / path).read_bytes() == (tmp_path / "whole/pages" / path).read_bytes()
+
+
+def test_a_file_saved_during_the_build_is_read_again_by_the_next(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from kurbel.cli import handbook_parts
+
+    machine = '[crank]\nratio = "1:5"\nspeed = "120/min"\n[flywheel]\npower = "50kW"\ndelta = "1:100"\n'
+    folder = book(tmp_path, MANIFEST.replace("delta --eps 2..4", "flywheel --machine engine.toml"))
+    (folder / "engine.toml").write_text(machine)
+    make_part = handbook_parts.make_part
+
+    def saved(task: Task) -> Made | str:
+        made = make_part(task)
+        if task.part.name == "delta":
+            (folder / "engine.toml").write_text(machine.replace("1:100", "1:80"))
+        return made
+
+    with monkeypatch.context() as patch:
+        patch.setattr(handbook_parts, "make_part", saved)
+        assert build(folder).code == 0
+    table = folder / "pages/tables/delta.csv"
+    old = table.read_bytes()
+    assert build(folder).code == 0
+    assert table.read_bytes() != old
+    new = table.read_bytes()
+    assert build(folder).code == 0
+    assert table.read_bytes() == new
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ('templates = "."', "line 1: templates is the manifest's own folder; name one inside of it"),
+        ('templates = "pages/mine"', "templates pages/mine and output pages lie in one another; part them"),
+        ('subtitle = "a\\u001b[2Jb"', "line 1: subtitle has the character U+001B, which is a control"),
+    ],
+)
+def test_what_cannot_work_is_refused_with_its_line(tmp_path: Path, line: str, said: str) -> None:
+    result = build(book(tmp_path, f"{line}\n{MANIFEST}"))
+    assert result.code != 0
+    assert said in result.err
+    assert not (tmp_path / "pages").exists()
+
+
+def test_a_tex_that_nobody_waits_for_is_ended_by_the_system() -> None:
+    resource = pytest.importorskip("resource")
+    process = subprocess.Popen(["sleep", "60"])
+    try:
+        pdf_tex.limit_time(process.pid, 6.5)
+        assert resource.prlimit(process.pid, resource.RLIMIT_CPU) == (7, 7)
+    finally:
+        process.kill()
+        process.wait()
+
+
+def test_a_tex_of_ones_own_templates_is_ended_by_its_own_clock(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The clock of the templates ends this process at once, and what it has started would run on."""
+    counted: list[bool] = []
+
+    @contextmanager
+    def deadline(seconds: float, gigabytes: int, counts: bool) -> Iterator[None]:
+        counted.append(counts)
+        yield
+
+    monkeypatch.setattr("kurbel.handbook_pool.deadline", deadline)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    assert "there is no lualatex" in str(make_pdf(PdfTask(str(tmp_path), "lualatex", (), limited=True)))
+    assert "handbook.typ" in str(make_pdf(PdfTask(str(tmp_path), "typst", (), limited=True)))
+    assert counted == [False, True]

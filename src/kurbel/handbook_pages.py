@@ -147,7 +147,8 @@ def make_pdf(task: PdfTask) -> dict[str, bytes] | str:
     from kurbel.handbook_pool import deadline
 
     try:
-        with deadline(PATIENCE, GIGABYTES, task.limited):
+        # A TeX is a process of its own, with a time of its own: it would outlive this one.
+        with deadline(PATIENCE, GIGABYTES, task.limited and task.engine == "typst"):
             return {f"handbook.{PDF}": _set(task)}
     except KurbelError as error:
         return str(error)
