@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Any
+import time
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 from kurbel.documents import MODULES as DOCUMENTS
 from kurbel.errors import HandbookError, KurbelError
@@ -24,7 +25,20 @@ from kurbel.handbook_pages import (
     make_pdf,
 )
 from kurbel.handbook_pool import Killed, worked
-from kurbel.handbook_state import Done, digest_of, fingerprint, is_fresh, key_of, read_state, write_state
+from kurbel.handbook_state import (
+    UNKNOWN,
+    Done,
+    digest_of,
+    fingerprint,
+    is_fresh,
+    key_of,
+    latest_change,
+    read_state,
+    write_state,
+)
+
+if TYPE_CHECKING:
+    from kurbel.document import Document
 
 # All that was built, with hashes: it tells what an earlier build left behind, also on another machine.
 CONTENTS = "contents.json"
@@ -64,6 +78,7 @@ class Build:
         self.old = read_state(folder)
         self.new: dict[str, Done] = {}
         self.built = Built()
+        self.started = time.time_ns()
         base = manifest.folder
         self.formats = formats_of(manifest)
         self.templates = manifest.templates and os.path.join(base, manifest.templates)
@@ -114,9 +129,17 @@ class Build:
         except KurbelError as error:
             self.fail(part.line, part.name, str(error))
             return
-        inputs = {path: digest_of(os.path.join(self.manifest.folder, path)) for path in made.inputs}
+        inputs = {path: self.hash_of_input(path) for path in made.inputs}
         about = (made.kind, made.caption, made.lang)
         self.new[part.name] = Done(self.part_key(part), inputs, files, about)
+
+    def hash_of_input(self, path: str) -> str:
+        """Return the hash of a file that a part was made of, or nothing if it was saved since.
+
+        Then nobody knows which of the two the part was made of, and the next build makes it anew.
+        """
+        whole = os.path.join(self.manifest.folder, path)
+        return digest_of(whole) if latest_change(whole) < self.started else UNKNOWN
 
     def write(self, files: Mapping[str, bytes]) -> dict[str, str]:
         """Write the files and return their hashes."""
@@ -184,9 +207,7 @@ class Build:
         }
         if stale:
             document = document_of(self.manifest, chapters)
-            tasks = [
-                PageTask(name, document, self.fragments(chapters, name), self.templates) for name in stale
-            ]
+            tasks = [*self.page_tasks(document, chapters, stale)]
             for task, made in worked(make_document, tasks, 1, apart=self.templates is not None):
                 self.take_document(_named(task.format), stale[task.format], made)
         if PDF in self.manifest.formats:
@@ -208,10 +229,27 @@ class Build:
         """Return all files made so far with their hashes."""
         return {path: hashed for done in self.new.values() for path, hashed in done.files.items()}
 
-    def fragments(self, chapters: Sequence[PlannedChapter], name: str) -> dict[str, str]:
-        read = {stem: self.folder.read(path) for stem, path in fragment_paths(chapters, name).items()}
-        # Drawings in PDF are files beside the document and no text.
-        return {stem: (content or b"").decode("utf-8", "replace") for stem, content in read.items()}
+    def page_tasks(
+        self, document: Document, chapters: Sequence[PlannedChapter], names: Iterable[str]
+    ) -> Iterator[PageTask]:
+        """Yield the documents that can be made."""
+        for name in names:
+            paths = fragment_paths(chapters, name)
+            try:
+                read = {stem: self.read(path) for stem, path in paths.items()}
+            except KurbelError as error:
+                self.fail(0, _named(name), str(error))
+                continue
+            # Drawings in PDF are files beside the document and no text.
+            texts = {stem: content.decode("utf-8", "replace") for stem, content in read.items()}
+            yield PageTask(name, document, texts, self.templates)
+
+    def read(self, path: str) -> bytes:
+        """Return a file that was made; raise HandbookError if it is no longer what was made."""
+        content = self.folder.read(path)
+        if content is None or digest(content) != self.hashes()[path]:
+            raise HandbookError(f"{path} was changed or removed while the handbook was built; build it again")
+        return content
 
     def take_document(self, name: str, key: str, made: Mapping[str, bytes] | str | Killed) -> None:
         if isinstance(made, Killed):
@@ -239,6 +277,12 @@ class Build:
         done = self.old.get(_named(PDF))
         if done is not None and is_fresh(done, key, self.manifest.folder, self.folder):
             self.new[_named(PDF)] = done
+            return
+        try:
+            for path in used:
+                self.read(path)
+        except KurbelError as error:
+            self.fail(0, _named(PDF), str(error))
             return
         task = PdfTask(self.folder.path, engine, standards, self.templates is not None)
         for _, made in worked(make_pdf, [task], 1, apart=self.templates is not None):
@@ -275,7 +319,7 @@ def contents_in(folder: Folder) -> dict[str, str]:
     try:
         files = json.loads(folder.read(CONTENTS) or b"{}").get("files", {})
         return {path: hashed for path, hashed in files.items() if isinstance(hashed, str) and _is_plain(path)}
-    except (ValueError, AttributeError):
+    except (ValueError, AttributeError, RecursionError):
         return {}
 
 

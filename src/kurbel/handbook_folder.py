@@ -14,6 +14,8 @@ from kurbel.output import whole_file
 
 # What is only of use on this machine: the lock and what the last build knew.
 OWN = ".kurbel"
+# Bytes of a file; no page has so many.
+LARGEST = 1 << 28
 _LEFT_OVER = re.compile(r"\..*\.[0-9a-f]{12}\.part")
 
 
@@ -30,7 +32,6 @@ class Folder:
         self.path = os.path.normpath(os.path.join(base, *name.split("/")))
         self.base = base
         self.name = name
-        self._seen: set[str] = set()
         self._check("")
 
     def at(self, relative: str) -> str:
@@ -44,35 +45,40 @@ class Folder:
         way = self.base
         for part in parts:
             way = os.path.join(way, part)
-            if way in self._seen:
-                continue
             with suppress(FileNotFoundError):
                 mode = os.lstat(way).st_mode
                 if stat.S_ISLNK(mode):
                     raise HandbookError(f"{way} is a link, which may lead anywhere; name a folder")
                 if not stat.S_ISDIR(mode):
                     raise HandbookError(f"{way} is a file; the handbook is built into a folder")
-                self._seen.add(way)
 
     def read(self, relative: str) -> bytes | None:
-        """Return what a file has, or None if there is no such file."""
+        """Return what a file has, or None if there is no such file.
+
+        What a build cannot have written, such as a link, a pipe or a path that leads elsewhere, is none.
+        """
+        path = self.at(relative)
         try:
-            with open(self.at(relative), "rb") as file:
+            self._check(relative)
+            status = os.lstat(path)
+            if not stat.S_ISREG(status.st_mode) or status.st_size > LARGEST:
+                return None
+            with open(path, "rb") as file:
                 return file.read()
-        except (FileNotFoundError, NotADirectoryError):
+        except PermissionError as error:
+            raise OutputError(f"cannot read {path}: {error.strerror}") from error
+        except (HandbookError, OSError, ValueError):
+            # A path from a list that somebody wrote may be one that no file can have.
             return None
-        except OSError as error:
-            raise OutputError(f"cannot read {self.at(relative)}: {error.strerror}") from error
 
     def write(self, relative: str, content: bytes) -> bool:
         """Write a file whole or not at all; tell whether it was another one before.
 
-        Raises HandbookError for a link in its place, OutputError where the disk does not take it.
+        Raises HandbookError for anything but a file in its place, OutputError where the disk is full.
         """
         self._check(relative)
         path = self.at(relative)
-        if os.path.islink(path):
-            raise HandbookError(f"{path} is a link, which may lead anywhere; remove it")
+        _check_place(path)
         if self.read(relative) == content:
             return False
         try:
@@ -119,10 +125,23 @@ class Folder:
 
     def _remove_left_over(self) -> None:
         for part in ("", OWN, "tables", "figures", "markdown"):
-            with suppress(FileNotFoundError, NotADirectoryError):
-                for name in os.listdir(self.at(part)):
-                    if _LEFT_OVER.fullmatch(name):
+            # A link in place of a folder leads to files of others.
+            with suppress(OSError, HandbookError):
+                self._check(f"{part}/" if part else "")
+                for name in filter(_LEFT_OVER.fullmatch, os.listdir(self.at(part))):
+                    with suppress(OSError):
                         os.unlink(os.path.join(self.at(part), name))
+
+
+def _check_place(path: str) -> None:
+    """Raise HandbookError if there is anything but a file."""
+    with suppress(FileNotFoundError):
+        mode = os.lstat(path).st_mode
+        if stat.S_ISLNK(mode):
+            raise HandbookError(f"{path} is a link, which may lead anywhere; remove it")
+        if not stat.S_ISREG(mode):
+            what = "a folder" if stat.S_ISDIR(mode) else "a pipe or a device"
+            raise HandbookError(f"{path} is {what}, and a file is to be there; remove it")
 
 
 def _try_lock(handle: int) -> bool:

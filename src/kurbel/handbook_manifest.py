@@ -144,6 +144,14 @@ class _Reader:
             raise self.error((), "the handbook has no chapter; write [[chapter]] and below it its title")
         if sum(len(chapter.parts) for chapter in chapters) > MOST_PARTS:
             raise self.error((), f"the handbook has more than {MOST_PARTS} parts; make two of it")
+        output = self.inside(("output",), values.get("output", "pages"))
+        templates = self.inside(("templates",), values["templates"]) if "templates" in values else None
+        if templates and (
+            f"{output}/".startswith(f"{templates}/") or f"{templates}/".startswith(f"{output}/")
+        ):
+            raise self.error(
+                ("templates",), f"templates {templates} and output {output} lie in one another; part them"
+            )
         return Manifest(
             path=self.path,
             digest=hashlib.sha256(self.text.encode()).hexdigest(),
@@ -153,9 +161,9 @@ class _Reader:
             lang=lang,
             decimal=values.get("decimal", ""),
             formats=tuple(dict.fromkeys(values.get("formats", FORMATS_OF_A_HANDBOOK))),
-            output=self.inside(("output",), values.get("output", "pages")),
+            output=output,
             machine=self.inside(("machine",), values["machine"]) if "machine" in values else None,
-            templates=self.inside(("templates",), values["templates"]) if "templates" in values else None,
+            templates=templates,
             engine=pdf.get("engine", ENGINES[0]),
             standards=tuple(pdf.get("standards", ())),
             chapters=chapters,
@@ -231,8 +239,8 @@ class _Reader:
                 " without .. and without a root",
             )
         plain = "/".join(part for part in parts if part not in ("", "."))
-        if not plain and place[-1] == "output":
-            raise self.error(place, "output is the manifest's own folder; name one inside of it")
+        if not plain:
+            raise self.error(place, f"{place[-1]} is the manifest's own folder; name one inside of it")
         return plain
 
     def section(self, name: str, place: Place, given: Any) -> dict[str, Any]:
@@ -280,6 +288,11 @@ class _Reader:
             raise self.error(place, error) from None
 
     def check_label(self, place: Place, text: str) -> None:
+        if control := next((one for one in text if unicodedata.category(one) == "Cc"), ""):
+            raise self.error(
+                place,
+                f"{place[-1]} has the character U+{ord(control):04X}, which is a control and not printed",
+            )
         try:
             marks = [part.text for part in parse(text) if isinstance(part, Mark)]
         except LayoutError as error:

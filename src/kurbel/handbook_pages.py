@@ -10,6 +10,7 @@ from kurbel.document import Chapter, Document, Item
 from kurbel.errors import HandbookError, KurbelError
 from kurbel.formats import by_name
 from kurbel.handbook import FIGURES, GIGABYTES, PATIENCE, PDF
+from kurbel.handbook_folder import LARGEST
 from kurbel.handbook_manifest import ChapterPlan, Manifest, Part
 
 if TYPE_CHECKING:
@@ -56,23 +57,28 @@ class PdfTask(NamedTuple):
 
 def entry_of_text(manifest: Manifest, part: Part) -> Entry:
     """Return a text, of the manifest or of its own file, or what keeps it from being set."""
-    from kurbel.prose import parse_prose
+    from kurbel.prose import LONGEST, parse_prose
 
     try:
-        text = _text_of(os.path.join(manifest.folder, part.file)) if part.file else part.text
+        text = _text_of(os.path.join(manifest.folder, part.file), LONGEST) if part.file else part.text
         parse_prose(text)
     except KurbelError as error:
         return Entry(part, said=str(error))
     return Entry(part, text)
 
 
-def _text_of(path: str) -> str:
+def _text_of(path: str, longest: int) -> str:
+    if os.path.exists(path) and not os.path.isfile(path):
+        raise HandbookError(f"cannot read the text {path}: it is a directory or a device; name a file")
     try:
         with open(path, encoding="utf-8-sig") as file:
-            return file.read()
+            text = file.read(longest + 1)
     except (OSError, ValueError) as error:
         said = error.strerror if isinstance(error, OSError) else "it is not UTF-8"
         raise HandbookError(f"cannot read the text {path}: {said}") from None
+    if len(text) > longest:
+        raise HandbookError(f"the text {path} has more than {longest} characters; make several of it")
+    return text
 
 
 def document_of(manifest: Manifest, chapters: Sequence[PlannedChapter]) -> Document:
@@ -106,7 +112,13 @@ def _missing(entry: Entry, lang: str) -> str:
     """Return a text that nobody overlooks in place of what is not there."""
     escape = by_name("markdown").escape
     what = entry.part.shown if entry.part.words else entry.part.file or entry.part.text[:40]
-    return f"> **{WORDS[lang]}: {escape(' '.join(what.split()))}.** {escape(' '.join(entry.said.split()))}"
+    what, said = (escape(_printable(text)) for text in (what, entry.said))
+    return f"> **{WORDS[lang]}: {what}.** {said}"
+
+
+def _printable(text: str) -> str:
+    """Return a text as one line; what a command has that cannot be printed may be why it failed."""
+    return "".join(one if one.isprintable() else "\ufffd" for one in " ".join(text.split()))
 
 
 def fragment_paths(chapters: Sequence[PlannedChapter], name: str) -> dict[str, str]:
@@ -137,7 +149,8 @@ def make_pdf(task: PdfTask) -> dict[str, bytes] | str:
     from kurbel.handbook_pool import deadline
 
     try:
-        with deadline(PATIENCE, GIGABYTES, task.limited):
+        # A TeX is a process of its own, with a time of its own: it would outlive this one.
+        with deadline(PATIENCE, GIGABYTES, task.limited and task.engine == "typst"):
             return {f"handbook.{PDF}": _set(task)}
     except KurbelError as error:
         return str(error)
@@ -147,7 +160,7 @@ def _set(task: PdfTask) -> bytes:
     from kurbel.pdf import compile_typst, source_date_epoch
 
     if task.engine == "typst":
-        source = _text_of(os.path.join(task.folder, "handbook.typ"))
+        source = _text_of(os.path.join(task.folder, "handbook.typ"), LARGEST)
         return compile_typst(source, root=task.folder, standards=cast("Sequence[Standard]", task.standards))
     from kurbel.pdf_tex import compile_tex
 

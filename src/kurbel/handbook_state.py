@@ -5,14 +5,18 @@ The state is never believed alone: a file whose content is not the one that was 
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 import sys
 from collections.abc import Iterable, Iterator, Mapping
+from contextlib import suppress
 from typing import Any, NamedTuple
 
 from kurbel.handbook_folder import OWN, Folder, digest
 
+# The hash of no file, for one that changed while it was read.
+UNKNOWN = "?"
 STATE = f"{OWN}/state.json"
 
 
@@ -33,7 +37,7 @@ def read_state(folder: Folder) -> dict[str, Done]:
     try:
         given = json.loads(folder.read(STATE) or b"{}")
         return {name: _done(one) for name, one in given.items()}
-    except (ValueError, TypeError, AttributeError, KeyError):
+    except (ValueError, TypeError, AttributeError, KeyError, RecursionError):
         # Not ours, or of another version: all is made anew.
         return {}
 
@@ -42,7 +46,10 @@ def _done(one: Mapping[str, Any]) -> Done:
     files, inputs = dict(one["files"]), dict(one["inputs"])
     if not all(isinstance(path, str) for path in (*files, *files.values(), *inputs)):
         raise TypeError
-    return Done(str(one["key"]), inputs, files, tuple(map(str, one["about"])))
+    about = tuple(map(str, one["about"]))
+    if about and (len(about) != 3 or about[0] not in ("table", "figure")):
+        raise ValueError
+    return Done(str(one["key"]), inputs, files, about)
 
 
 def write_state(folder: Folder, state: Mapping[str, Done]) -> None:
@@ -73,10 +80,21 @@ def digest_of(path: str) -> str:
     if os.path.isdir(path):
         return key_of([(name, digest_of(os.path.join(path, name))) for name in files_below(path)])
     try:
+        # A pipe would be waited for, and a device may have no end.
+        if not os.path.isfile(path):
+            return ""
         with open(path, "rb") as file:
-            return digest(file.read())
-    except OSError:
+            return hashlib.file_digest(file, "sha256").hexdigest()
+    except (OSError, ValueError):
         return ""
+
+
+def latest_change(path: str) -> int:
+    """Return when a file, or the last of the files in a folder, was saved, in nanoseconds."""
+    names = [os.path.join(path, name) for name in files_below(path)]
+    with suppress(OSError, ValueError):
+        return max(os.stat(one).st_mtime_ns for one in (path, *names))
+    return 0
 
 
 def files_below(path: str) -> list[str]:

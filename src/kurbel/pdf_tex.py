@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import math
 import os
 import re
 import shutil
 import signal
 import subprocess
+from contextlib import suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from time import monotonic
 
 from kurbel.choices import choose
 from kurbel.errors import TexError
@@ -51,15 +54,16 @@ def compile_tex(folder: str, name: str, engine: str, epoch: int = 0, seconds: fl
 
 def _settle(command: tuple[str, ...], place: str, name: str, epoch: int, seconds: float, runs: int) -> None:
     before: list[bytes] = []
+    end = monotonic() + seconds
     for _ in range(runs):
-        _run(command, place, name, epoch, seconds)
-        after = [path.read_bytes() for end in _KEPT if (path := Path(place, name + end)).exists()]
+        _run(command, place, name, epoch, seconds, end)
+        after = [path.read_bytes() for suffix in _KEPT if (path := Path(place, name + suffix)).exists()]
         if after == before:
             return
         before = after
 
 
-def _run(command: tuple[str, ...], place: str, name: str, epoch: int, seconds: float) -> None:
+def _run(command: tuple[str, ...], place: str, name: str, epoch: int, seconds: float, end: float) -> None:
     process = subprocess.Popen(
         command,
         cwd=place,
@@ -69,8 +73,9 @@ def _run(command: tuple[str, ...], place: str, name: str, epoch: int, seconds: f
         stderr=subprocess.DEVNULL,
         start_new_session=True,
     )
+    limit_time(process.pid, seconds)
     try:
-        code = process.wait(seconds)
+        code = process.wait(max(0.0, end - monotonic()))
     except subprocess.TimeoutExpired:
         raise TexError(f"{command[0]} did not finish {name}.tex within {seconds:g} seconds") from None
     finally:
@@ -80,6 +85,15 @@ def _run(command: tuple[str, ...], place: str, name: str, epoch: int, seconds: f
             process.wait()
     if code or not Path(place, f"{name}.pdf").exists():
         raise TexError(f"{command[0]} cannot set {name}.tex: {_first_error(place, name)}")
+
+
+def limit_time(process: int, seconds: float) -> None:
+    """Have the system end it, should this process be killed and no longer wait for it."""
+    import resource
+
+    if hasattr(resource, "prlimit"):
+        with suppress(OSError):
+            resource.prlimit(process, resource.RLIMIT_CPU, (math.ceil(seconds),) * 2)
 
 
 def _environment(place: str, epoch: int) -> dict[str, str]:
