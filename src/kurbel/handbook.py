@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Literal, NamedTuple
 
 from kurbel.formats import FORMATS
+from kurbel.handbook_keys import ENGINES
 from kurbel.handbook_manifest import Manifest, Part
 
 PDF = "pdf"
@@ -14,6 +15,11 @@ KILLED = "its process was ended, for want of memory or from outside"
 # Templates of one's own have so many seconds for a page, and so much memory.
 PATIENCE, GIGABYTES = 10.0, 4
 STOPPED = f"its templates were stopped after {PATIENCE:.0f} s, or at {GIGABYTES} gigabytes"
+# A document that they wrote has so many to be set by Typst; a TeX is stopped by itself.
+PDF_PATIENCE = 300.0
+PDF_STOPPED = (
+    f"Typst was stopped after {PDF_PATIENCE:.0f} s, for the source is that of templates of one's own"
+)
 # What a document is made of beside its own format: figures as these files.
 FIGURES = {"html": "svg", "markdown": "svg", "typst": "svg", "latex": "pdf"}
 
@@ -69,7 +75,7 @@ def formats_of(manifest: Manifest) -> tuple[str, ...]:
     """Return the formats of the tables: a PDF brings along what it is set from."""
     wanted = manifest.formats
     if PDF in wanted:
-        wanted = (*wanted, "typst" if manifest.engine == "typst" else "latex")
+        wanted = (*wanted, ENGINES[manifest.engine].source)
     return tuple(name for name in FORMATS if name in wanted and name != PDF)
 
 

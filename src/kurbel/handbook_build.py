@@ -10,8 +10,20 @@ from typing import TYPE_CHECKING, Any
 
 from kurbel.documents import MODULES as DOCUMENTS
 from kurbel.errors import HandbookError, KurbelError
-from kurbel.handbook import KILLED, PDF, STOPPED, Built, Failure, Made, Maker, formats_of, task_of
+from kurbel.handbook import (
+    KILLED,
+    PDF,
+    PDF_STOPPED,
+    STOPPED,
+    Built,
+    Failure,
+    Made,
+    Maker,
+    formats_of,
+    task_of,
+)
 from kurbel.handbook_folder import Folder, digest
+from kurbel.handbook_keys import ENGINES
 from kurbel.handbook_manifest import Manifest, Part
 from kurbel.handbook_pages import (
     Entry,
@@ -88,7 +100,7 @@ class Build:
 
     def part_key(self, part: Part) -> str:
         task = task_of(self.manifest, part)
-        return key_of(self.print, part._replace(line=0), task._replace(part=None, folder=""))  # type: ignore[arg-type]
+        return key_of(self.print, part._replace(line=0), task.machine, task.formats, task.figures)
 
     def stale(self) -> Iterator[Part]:
         """Yield the parts that must be made; the others count as made."""
@@ -111,17 +123,17 @@ class Build:
         for task, made in worked(self.make, tasks, self.jobs, apart=self.templates is not None):
             step()
             if isinstance(made, Killed):
-                self.fail(task.part.line, task.part.name, self.why(made))
+                self.fail(task.part.line, task.part.name, self.why(made, STOPPED))
             elif isinstance(made, str):
                 self.fail(task.part.line, task.part.name, made)
             else:
                 self.take(task.part, made)
 
-    def why(self, killed: Killed) -> str:
+    def why(self, killed: Killed, stopped: str) -> str:
         """Return in a sentence why a piece of the work has no result."""
         if not killed.tried:
             return "not tried, for others like it were stopped"
-        return STOPPED if self.templates else KILLED
+        return stopped if self.templates else KILLED
 
     def take(self, part: Part, made: Made) -> None:
         try:
@@ -160,7 +172,7 @@ class Build:
 
     def finish(self) -> Built:
         """Remove what is no longer built, and keep what this build knows for the next."""
-        files = {path: hashed for done in self.new.values() for path, hashed in done.files.items()}
+        files = self.hashes()
         for path, hashed in self.left_behind().items():
             content = None if path in files else self.folder.read(path)
             # What somebody changed by hand is not ours to remove.
@@ -169,9 +181,8 @@ class Build:
                 self.built.removed.append(path)
         self.folder.write(CONTENTS, contents_of(files))
         write_state(self.folder, self.new)
-        for path in files:
-            if path not in self.built.written and path not in self.built.unchanged:
-                self.built.unchanged.append(path)
+        touched = {*self.built.written, *self.built.unchanged}
+        self.built.unchanged += [path for path in files if path not in touched]
         return self.built
 
     def left_behind(self) -> dict[str, str]:
@@ -183,16 +194,18 @@ class Build:
 
     def planned(self) -> list[PlannedChapter]:
         """Return the chapters with what their parts have become."""
+        names = [plan.name for plan in self.manifest.chapters]
+        names += [part.name for part in self.manifest.parts() if part.words]
         return [
-            PlannedChapter(plan, tuple(self.entry(part) for part in plan.parts))
+            PlannedChapter(plan, tuple(self.entry(part, names) for part in plan.parts))
             for plan in self.manifest.chapters
         ]
 
-    def entry(self, part: Part) -> Entry:
+    def entry(self, part: Part, names: Sequence[str]) -> Entry:
         if not part.words:
-            entry = entry_of_text(self.manifest, part)
+            entry = entry_of_text(self.manifest, part, names)
             if entry.said:
-                self.fail(part.line, part.file or "text", entry.said)
+                self.built.failures.append(Failure(part.line, part.file or "text", entry.said))
             return entry
         if part.name in self.new:
             return Entry(part, about=self.new[part.name].about)
@@ -202,28 +215,27 @@ class Build:
     def make_documents(self) -> None:
         """Make the documents whose contents changed, from the parts as they are now."""
         chapters = self.planned()
-        stale = {
-            name: key for name in DOCUMENTS if name in self.formats for key in self.stale_key(name, chapters)
-        }
+        keys = {name: self.stale_key(name, chapters) for name in DOCUMENTS if name in self.formats}
+        stale = {name: key for name, key in keys.items() if key is not None}
         if stale:
             document = document_of(self.manifest, chapters)
             tasks = [*self.page_tasks(document, chapters, stale)]
             for task, made in worked(make_document, tasks, 1, apart=self.templates is not None):
-                self.take_document(_named(task.format), stale[task.format], made)
+                self.take_document(_named(task.format), stale[task.format], made, STOPPED)
         if PDF in self.manifest.formats:
             self.make_pdf()
 
-    def stale_key(self, name: str, chapters: Sequence[PlannedChapter]) -> Iterator[str]:
-        """Yield the key of a document that must be made; one that need not be counts as made."""
+    def stale_key(self, name: str, chapters: Sequence[PlannedChapter]) -> str | None:
+        """Return the key of a document that must be made; one that need not be counts as made."""
         hashes = self.hashes()
         used = {path: hashes.get(path, "") for path in fragment_paths(chapters, name).values()}
-        head = self.manifest._replace(path="", digest="", chapters=())
+        head = self.manifest._replace(path="", chapters=())
         key = key_of(self.print, name, head, _raw(chapters), used)
         done = self.old.get(_named(name))
         if done is not None and is_fresh(done, key, self.manifest.folder, self.folder):
             self.new[_named(name)] = done
-        else:
-            yield key
+            return None
+        return key
 
     def hashes(self) -> dict[str, str]:
         """Return all files made so far with their hashes."""
@@ -233,10 +245,11 @@ class Build:
         self, document: Document, chapters: Sequence[PlannedChapter], names: Iterable[str]
     ) -> Iterator[PageTask]:
         """Yield the documents that can be made."""
+        hashes = self.hashes()
         for name in names:
             paths = fragment_paths(chapters, name)
             try:
-                read = {stem: self.read(path) for stem, path in paths.items()}
+                read = {stem: self.read(path, hashes[path]) for stem, path in paths.items()}
             except KurbelError as error:
                 self.fail(0, _named(name), str(error))
                 continue
@@ -244,16 +257,18 @@ class Build:
             texts = {stem: content.decode("utf-8", "replace") for stem, content in read.items()}
             yield PageTask(name, document, texts, self.templates)
 
-    def read(self, path: str) -> bytes:
+    def read(self, path: str, hashed: str) -> bytes:
         """Return a file that was made; raise HandbookError if it is no longer what was made."""
         content = self.folder.read(path)
-        if content is None or digest(content) != self.hashes()[path]:
+        if content is None or digest(content) != hashed:
             raise HandbookError(f"{path} was changed or removed while the handbook was built; build it again")
         return content
 
-    def take_document(self, name: str, key: str, made: Mapping[str, bytes] | str | Killed) -> None:
+    def take_document(
+        self, name: str, key: str, made: Mapping[str, bytes] | str | Killed, stopped: str
+    ) -> None:
         if isinstance(made, Killed):
-            made = self.why(made)
+            made = self.why(made, stopped)
         if isinstance(made, str):
             self.fail(0, name, made)
             return
@@ -265,12 +280,12 @@ class Build:
     def make_pdf(self) -> None:
         """Set the PDF if anything that it is made of changed."""
         engine, standards = self.manifest.engine, self.manifest.standards
-        source = _named("typst" if engine == "typst" else "latex")
+        source = _named(ENGINES[engine].source)
         if source not in self.new or any(failure.name == source for failure in self.built.failures):
             self.keep(_named(PDF))
             return
-        suffixes = (".typ", ".svg") if engine == "typst" else (".tex", ".pdf")
-        used = {path: hashed for path, hashed in self.hashes().items() if path.endswith(suffixes)}
+        hashes = self.hashes()
+        used = {path: hashes[path] for path in hashes if path.endswith(ENGINES[engine].suffixes)}
         key = key_of(
             self.print, engine, standards, os.environ.get("SOURCE_DATE_EPOCH"), _program(engine), used
         )
@@ -279,14 +294,15 @@ class Build:
             self.new[_named(PDF)] = done
             return
         try:
-            for path in used:
-                self.read(path)
+            for path, hashed in used.items():
+                self.read(path, hashed)
         except KurbelError as error:
             self.fail(0, _named(PDF), str(error))
             return
         task = PdfTask(self.folder.path, engine, standards, self.templates is not None)
-        for _, made in worked(make_pdf, [task], 1, apart=self.templates is not None):
-            self.take_document(_named(PDF), key, made)
+        # In a process of its own: to set many pages takes much memory.
+        for _, made in worked(make_pdf, [task], 1, apart=True):
+            self.take_document(_named(PDF), key, made, PDF_STOPPED)
 
 
 def _named(name: str) -> str:
@@ -302,10 +318,10 @@ def _raw(chapters: Sequence[PlannedChapter]) -> list[Any]:
 
 
 def _program(engine: str) -> list[Any]:
-    """Return what tells a TeX from another; of Typst the libraries' versions tell it."""
+    """Return what tells a TeX from another: its program, not its packages. The fingerprint tells a Typst."""
     import shutil
 
-    path = None if engine == "typst" else shutil.which(engine)
+    path = shutil.which(engine)
     return [] if path is None else [path, os.stat(path).st_mtime_ns]
 
 

@@ -19,6 +19,7 @@ from kurbel.handbook_state import files_below
 # formats, of documents none beside those of tables.
 READABLE = (".csv", ".txt", ".md", ".tex", ".typ", ".html", ".json")
 MOST_LINES, WIDEST = 40, 160
+OF_PARTS = ("tables/", "figures/")
 
 
 class Stale(NamedTuple):
@@ -39,14 +40,14 @@ def check(
     """Build all anew in a folder of its own, and return what failed and which files are stale.
 
     Nothing that an earlier build knew is believed, and nothing of the folder is changed. Where a part fails,
-    what an earlier build made of it does not count as left over.
+    only the files of the others count: documents without it are others anyway.
     """
     with TemporaryDirectory(prefix="kurbel-") as temporary:
         anew = Folder(temporary, "build")
         built = build(manifest, anew, make, jobs, start)
-        stale = [*_changed(folder, anew)]
-        if not built.failures:
-            stale += _left_over(folder, anew)
+        if built.failures:
+            return built, [one for one in _changed(folder, anew) if one.path.startswith(OF_PARTS)]
+        stale = [*_changed(folder, anew), *_left_over(folder, anew)]
         if not stale and folder.read(CONTENTS) != anew.read(CONTENTS):
             stale.append(Stale(CONTENTS, "differs"))
         return built, stale

@@ -13,7 +13,21 @@ from kurbel.layouts import LANGUAGES
 from kurbel.pdf import STANDARDS
 
 SCHEMA = "handbook.schema.json"
-ENGINES = ("typst", "lualatex", "latexmk")
+
+
+class Engine(NamedTuple):
+    """What sets a PDF: from the documents in which format, and from files with these suffixes."""
+
+    source: str
+    suffixes: tuple[str, ...]
+
+
+_TEX = Engine("latex", (".tex", ".pdf"))
+ENGINES: Mapping[str, Engine] = {
+    "typst": Engine("typst", (".typ", ".svg")),
+    "lualatex": _TEX,
+    "latexmk": _TEX,
+}
 
 
 class Key(NamedTuple):
@@ -43,7 +57,7 @@ KEYS: Mapping[str, Mapping[str, Key]] = {
         "chapter": Key("chapters", "chapters"),
     },
     "pdf": {
-        "engine": Key("what sets the PDF: typst, or lualatex or latexmk of a TeX", allowed=ENGINES),
+        "engine": Key("what sets the PDF: typst, or lualatex or latexmk of a TeX", allowed=tuple(ENGINES)),
         "standards": Key("standards that the PDF keeps; for typst", "texts", STANDARDS),
     },
     "chapter": {

@@ -69,10 +69,9 @@ class ChapterPlan(NamedTuple):
 
 
 class Manifest(NamedTuple):
-    """All that the file says. `digest` is that of its text; `path` is as it was given."""
+    """All that the file says; `path` is as it was given."""
 
     path: str
-    digest: str
     title: str
     subtitle: str
     author: str
@@ -93,6 +92,12 @@ class Manifest(NamedTuple):
     def parts(self) -> Iterator[Part]:
         for chapter in self.chapters:
             yield from chapter.parts
+
+
+def check_standards(engine: str, standards: Sequence[str]) -> None:
+    """Raise HandbookError if the engine cannot keep the standards."""
+    if standards and ENGINES[engine].source != "typst":
+        raise HandbookError(f"{engine} keeps no standards such as {standards[0]}; they are for typst")
 
 
 def manifest_path(given: str) -> str:
@@ -154,7 +159,6 @@ class _Reader:
             )
         return Manifest(
             path=self.path,
-            digest=hashlib.sha256(self.text.encode()).hexdigest(),
             title=values["title"],
             subtitle=values.get("subtitle", ""),
             author=values.get("author", ""),
@@ -164,10 +168,19 @@ class _Reader:
             output=output,
             machine=self.inside(("machine",), values["machine"]) if "machine" in values else None,
             templates=templates,
-            engine=pdf.get("engine", ENGINES[0]),
+            engine=self.engine(pdf),
             standards=tuple(pdf.get("standards", ())),
             chapters=chapters,
         )
+
+    def engine(self, pdf: Mapping[str, Any]) -> str:
+        """Return what sets the PDF; raise HandbookError for one that keeps no standards and is to."""
+        engine: str = pdf.get("engine", next(iter(ENGINES)))
+        try:
+            check_standards(engine, pdf.get("standards", ()))
+        except HandbookError as error:
+            raise self.error(("pdf", "standards"), error) from None
+        return engine
 
     def chapters(self, given: Sequence[Any], defaults: Mapping[str, Any]) -> Iterator[ChapterPlan]:
         for number, one in enumerate(given):
@@ -296,7 +309,7 @@ class _Reader:
         try:
             marks = [part.text for part in parse(text) if isinstance(part, Mark)]
         except LayoutError as error:
-            raise self.error(place, error) from None
+            raise self.error(place, str(error).replace("the label", f"the {place[-1]}", 1)) from None
         if marks:
             raise self.error(place, f"{place[-1]} has the mark [^{marks[0]}], for which there is no note")
 

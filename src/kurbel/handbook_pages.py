@@ -6,11 +6,13 @@ import os
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple, cast
 
+from kurbel.choices import did_you_mean
 from kurbel.document import Chapter, Document, Item
 from kurbel.errors import HandbookError, KurbelError
 from kurbel.formats import by_name
-from kurbel.handbook import FIGURES, GIGABYTES, PATIENCE, PDF
+from kurbel.handbook import FIGURES, GIGABYTES, PATIENCE, PDF, PDF_PATIENCE
 from kurbel.handbook_folder import LARGEST
+from kurbel.handbook_keys import ENGINES
 from kurbel.handbook_manifest import ChapterPlan, Manifest, Part
 
 if TYPE_CHECKING:
@@ -61,7 +63,12 @@ def entry_of_text(manifest: Manifest, part: Part) -> Entry:
 
     try:
         text = _text_of(os.path.join(manifest.folder, part.file), LONGEST) if part.file else part.text
-        parse_prose(text)
+        for name in references(parse_prose(text)):
+            if name not in names:
+                return Entry(
+                    part,
+                    said=f'it refers to "{name[:60]}"{did_you_mean(name, names)}, which nothing is named',
+                )
     except KurbelError as error:
         return Entry(part, said=str(error))
     return Entry(part, text)
@@ -150,7 +157,7 @@ def make_pdf(task: PdfTask) -> dict[str, bytes] | str:
 
     try:
         # A TeX is a process of its own, with a time of its own: it would outlive this one.
-        with deadline(PATIENCE, GIGABYTES, task.limited and task.engine == "typst"):
+        with deadline(PDF_PATIENCE, None, task.limited and ENGINES[task.engine].source == "typst"):
             return {f"handbook.{PDF}": _set(task)}
     except KurbelError as error:
         return str(error)
@@ -159,7 +166,7 @@ def make_pdf(task: PdfTask) -> dict[str, bytes] | str:
 def _set(task: PdfTask) -> bytes:
     from kurbel.pdf import compile_typst, source_date_epoch
 
-    if task.engine == "typst":
+    if ENGINES[task.engine].source == "typst":
         source = _text_of(os.path.join(task.folder, "handbook.typ"), LARGEST)
         return compile_typst(source, root=task.folder, standards=cast("Sequence[Standard]", task.standards))
     from kurbel.pdf_tex import compile_tex

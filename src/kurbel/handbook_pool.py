@@ -119,8 +119,8 @@ def _start() -> None:
 
 
 @contextmanager
-def deadline(seconds: float, gigabytes: int, counts: bool) -> Iterator[None]:
-    """If it `counts`, end this process where the block is not done in time, and limit its memory.
+def deadline(seconds: float, gigabytes: int | None, counts: bool) -> Iterator[None]:
+    """If it `counts`, end this process where the block is not done in time, and perhaps limit its memory.
 
     For the processes of `worked` only. Too much memory is a MemoryError. A watch in C ends even a process
     that is inside of one long operation.
@@ -130,7 +130,8 @@ def deadline(seconds: float, gigabytes: int, counts: bool) -> Iterator[None]:
         return
     import faulthandler
 
-    _limit_memory(gigabytes)
+    if gigabytes is not None:
+        _limit_memory(gigabytes)
     with open(os.devnull, "w") as nowhere:
         faulthandler.dump_traceback_later(seconds, exit=True, file=nowhere)
         try:

@@ -89,8 +89,10 @@ def _run(command: tuple[str, ...], place: str, name: str, epoch: int, seconds: f
 
 def limit_time(process: int, seconds: float) -> None:
     """Have the system end it, should this process be killed and no longer wait for it."""
-    import resource
-
+    try:
+        import resource
+    except ImportError:
+        return
     if hasattr(resource, "prlimit"):
         with suppress(OSError):
             resource.prlimit(process, resource.RLIMIT_CPU, (math.ceil(seconds),) * 2)

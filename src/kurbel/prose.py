@@ -122,6 +122,19 @@ class Grid:
 Block = Paragraph | Heading | CodeBlock | Quote | Listing | Rule | Grid
 Blocks = tuple[Block, ...]
 
+
+def references(content: object) -> Iterator[str]:
+    """Yield the names that a text, or any part of one, refers to."""
+    if isinstance(content, Refer):
+        yield content.name
+    if isinstance(content, tuple):
+        for one in content:
+            yield from references(one)
+    elif is_dataclass(content):
+        for field in fields(content):
+            yield from references(getattr(content, field.name))
+
+
 LONGEST = 200_000
 # LaTeX numbers lists four deep.
 DEEPEST = 4
