@@ -285,7 +285,9 @@ class Build:
             self.fail(0, _named(PDF), str(error))
             return
         task = PdfTask(self.folder.path, engine, standards, self.templates is not None)
-        for _, made in worked(make_pdf, [task], 1, apart=self.templates is not None):
+        # A TeX is apart by itself, and ended by whoever started it: the end of this build must reach it.
+        apart = task.limited and engine == "typst"
+        for _, made in worked(make_pdf, [task], 1, apart=apart):
             self.take_document(_named(PDF), key, made)
 
 
