@@ -6,6 +6,8 @@ import hashlib
 import json
 import os
 import subprocess
+import sys
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -256,3 +258,25 @@ def test_a_tex_of_ones_own_templates_is_ended_by_its_own_clock(
     assert "there is no lualatex" in str(make_pdf(PdfTask(str(tmp_path), "lualatex", (), limited=True)))
     assert "handbook.typ" in str(make_pdf(PdfTask(str(tmp_path), "typst", (), limited=True)))
     assert counted == [False, True]
+
+
+def test_a_build_that_is_ended_ends_its_tex(tmp_path: Path) -> None:
+    """In place of TeX a program that says its number and sleeps."""
+    manifest = MANIFEST.replace('"markdown", "csv"', '"pdf"')
+    folder = book(tmp_path / "book", f'templates = "mine"\n{manifest}\n[pdf]\nengine = "latexmk"\n')
+    (folder / "mine").mkdir()
+    program = tmp_path / "latexmk"
+    program.write_text(f"#!/bin/sh\necho $$ > {tmp_path}/number\nexec sleep 60\n")
+    program.chmod(0o755)
+    path = f"{tmp_path}{os.pathsep}{os.environ['PATH']}"
+    words = [sys.executable, "-m", "kurbel", "handbook", "build", str(folder)]
+    process = subprocess.Popen(words, env={**os.environ, "PATH": path}, stderr=subprocess.PIPE)
+    number = tmp_path / "number"
+    end = time.monotonic() + 30
+    while not (number.exists() and number.read_text()) and time.monotonic() < end:
+        time.sleep(0.05)
+    process.terminate()
+    process.communicate()
+    assert process.returncode == 143
+    with pytest.raises(ProcessLookupError):
+        os.kill(int(number.read_text()), 0)

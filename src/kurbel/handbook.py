@@ -17,9 +17,7 @@ PATIENCE, GIGABYTES = 10.0, 4
 STOPPED = f"its templates were stopped after {PATIENCE:.0f} s, or at {GIGABYTES} gigabytes"
 # A document that they wrote has so many to be set by Typst; a TeX is stopped by itself.
 PDF_PATIENCE = 300.0
-PDF_STOPPED = (
-    f"Typst was stopped after {PDF_PATIENCE:.0f} s, for the source is that of templates of one's own"
-)
+PDF_STOPPED = f"Typst was stopped after {PDF_PATIENCE:.0f} s"
 # What a document is made of beside its own format: figures as these files.
 FIGURES = {"html": "svg", "markdown": "svg", "typst": "svg", "latex": "pdf"}
 

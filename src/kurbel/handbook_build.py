@@ -300,8 +300,10 @@ class Build:
             self.fail(0, _named(PDF), str(error))
             return
         task = PdfTask(self.folder.path, engine, standards, self.templates is not None)
-        # In a process of its own: to set many pages takes much memory.
-        for _, made in worked(make_pdf, [task], 1, apart=True):
+        # Typst takes much memory to set many pages, in a process of its own. A TeX is one by itself, and is
+        # ended by whoever started it: the end of this build must reach it.
+        apart = ENGINES[engine].source == "typst"
+        for _, made in worked(make_pdf, [task], 1, apart=apart):
             self.take_document(_named(PDF), key, made, PDF_STOPPED)
 
 

@@ -57,18 +57,19 @@ class PdfTask(NamedTuple):
     limited: bool
 
 
-def entry_of_text(manifest: Manifest, part: Part) -> Entry:
-    """Return a text, of the manifest or of its own file, or what keeps it from being set."""
-    from kurbel.prose import LONGEST, parse_prose
+def entry_of_text(manifest: Manifest, part: Part, names: Sequence[str]) -> Entry:
+    """Return a text, of the manifest or of its own file, or what keeps it from being set.
+
+    It may refer to these names only.
+    """
+    from kurbel.prose import LONGEST, parse_prose, references
 
     try:
         text = _text_of(os.path.join(manifest.folder, part.file), LONGEST) if part.file else part.text
         for name in references(parse_prose(text)):
             if name not in names:
-                return Entry(
-                    part,
-                    said=f'it refers to "{name[:60]}"{did_you_mean(name, names)}, which nothing is named',
-                )
+                said = f'there is no table, figure or chapter "{name[:60]}"{did_you_mean(name, names)}'
+                return Entry(part, said=said)
     except KurbelError as error:
         return Entry(part, said=str(error))
     return Entry(part, text)

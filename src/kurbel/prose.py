@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, is_dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING, Literal
 from urllib.parse import unquote
@@ -130,7 +130,7 @@ def references(content: object) -> Iterator[str]:
     if isinstance(content, tuple):
         for one in content:
             yield from references(one)
-    elif is_dataclass(content):
+    elif is_dataclass(content) and not isinstance(content, type):
         for field in fields(content):
             yield from references(getattr(content, field.name))
 
