@@ -11,6 +11,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import threading
 import time
 from collections.abc import Mapping
 from pathlib import Path
@@ -496,17 +497,27 @@ def test_saving_a_file_builds_again_while_one_watches(tmp_path: Path) -> None:
     folder = book(tmp_path)
     words = [sys.executable, "-m", "kurbel", "handbook", "watch", str(folder), "--jobs", "1"]
     watching = subprocess.Popen(words, stderr=subprocess.PIPE, text=True)
+    # Whatever goes wrong, nobody waits for ever.
+    end = threading.Timer(60, watching.kill)
+    end.start()
     assert watching.stderr
+
+    def awaited(text: str) -> bool:
+        assert watching.stderr
+        return any(text in line for line in watching.stderr)
+
     try:
-        assert "Ctrl-C" in watching.stderr.readline()
-        assert "18 written, 0 unchanged" in watching.stderr.readline()
+        assert awaited("Ctrl-C")
+        assert awaited("18 written, 0 unchanged")
         (folder / "engine.toml").write_text(MACHINE.replace("1:100", "1:80"), encoding="utf-8")
-        assert "written" in watching.stderr.readline()
+        assert awaited(" unchanged")
+        assert b"0.0125" in (folder / "pages/tables/schwung.csv").read_bytes()
         (folder / "handbook.toml").write_text("title = 3", encoding="utf-8")
-        assert "title is 3; it must be a text" in watching.stderr.readline()
+        assert awaited("title is 3; it must be a text")
         book(tmp_path)
-        assert "written" in watching.stderr.readline()
+        assert awaited(" unchanged")
     finally:
+        end.cancel()
         watching.send_signal(signal.SIGINT)
     assert watching.wait(timeout=10) == 130
     watching.stderr.close()

@@ -9,8 +9,11 @@ from kurbel.handbook_folder import Folder
 from kurbel.handbook_manifest import manifest_path, read_manifest
 from kurbel.handbook_state import files_below, read_state
 
+# Times in nanoseconds, and sizes, by path.
+Seen = dict[str, tuple[int, int]]
 
-def glance(given: str) -> dict[str, tuple[int, int]]:
+
+def glance(given: str) -> Seen:
     """Return times and sizes of the manifest, of the files that its parts name, and of its templates.
 
     Of a manifest that cannot be read it is the manifest alone.
@@ -33,7 +36,17 @@ def glance(given: str) -> dict[str, tuple[int, int]]:
     return _looked_at(paths)
 
 
-def _looked_at(paths: list[str]) -> dict[str, tuple[int, int]]:
+def as_built(before: Seen, after: Seen, started: int) -> Seen:
+    """Return the files as the build found them that began at a time, in nanoseconds.
+
+    Which files there are only the build finds out; one that was saved meanwhile is as it was before.
+    """
+    return {
+        path: before.get(path, status if status[0] < started else (0, 0)) for path, status in after.items()
+    }
+
+
+def _looked_at(paths: list[str]) -> Seen:
     seen = {}
     for path in paths:
         try:

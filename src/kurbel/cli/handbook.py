@@ -173,22 +173,20 @@ def _row(one: Build, part: Part, stale: bool) -> tuple[str, ...]:
 def watch(**options: Any) -> None:
     """Build the handbook in FOLDER, and again each time a file of it is saved, until Ctrl-C."""
     from kurbel.errors import KurbelError
-    from kurbel.handbook_watch import glance
+    from kurbel.handbook_watch import Seen, as_built, glance
 
     # One that is not there, or has a mistake, ends the command; later ones are waited out.
     _opened(options)
     _say("each file that is saved is built; Ctrl-C ends this")
-    seen: dict[str, tuple[int, int]] = {}
+    seen: Seen = {}
     while True:
-        before = glance(options["folder"])
+        before, started = glance(options["folder"]), time.time_ns()
         if before != seen:
             try:
                 _build(options)
             except KurbelError as error:
                 _say(str(error))
-            # Only the build finds out which files there are; one that was saved meanwhile is seen as it was.
-            after = glance(options["folder"])
-            seen = {path: before.get(path, status) for path, status in after.items()}
+            seen = as_built(before, glance(options["folder"]), started)
         time.sleep(GLANCE)
 
 
