@@ -102,7 +102,7 @@ HEADS: Mapping[str, Mapping[str, Head]] = {
         "speed": head("Drehzahl $n$", "Speed $n$", '$"min"^(-1)$'),
         "omega": head("Winkelgeschwindigkeit $ω$", "Angular velocity $ω$", "rad/s"),
         "mean_torque": head("mittleres Drehmoment $P r$", "Mean torque $P r$", "N m"),
-        "swing_share": head("Arbeitsüberschuss $ΔW/(P r)$", "Energy swing $ΔW/(P r)$", ""),
+        "swing_share": head("Arbeitsüberschuss $(ΔW)/(P r)$", "Energy swing $(ΔW)/(P r)$", ""),
         "swing": head("Arbeitsüberschuss $ΔW$", "Energy swing $ΔW$", "J"),
         "inertia": head("Trägheitsmoment $J$", "Moment of inertia $J$", "kg m²"),
         "mass": head("Schwungmasse am Halbmesser $J/ρ^2$", "Mass at the radius $J/ρ^2$", "kg"),

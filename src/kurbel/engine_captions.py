@@ -77,9 +77,9 @@ WORDS: Mapping[str, Words] = {
         "en": "$W$ work of the excess since the inner dead centre of the first crank",
     },
     "flywheel": {
-        "de": "$ΔW/(P r)$ ist $δ$ in $(P r)/(m_1 v_1^2)$, $J = (ΔW)/(δ ω^2)$;"
+        "de": "$(ΔW)/(P r)$ ist $δ$ in $(P r)/(m_1 v_1^2)$, $J = (ΔW)/(δ ω^2)$;"
         " $P$ mittlere Umfangskraft am Kurbelhalbmesser $r$",
-        "en": "$ΔW/(P r)$ is $δ$ in $(P r)/(m_1 v_1^2)$, $J = (ΔW)/(δ ω^2)$;"
+        "en": "$(ΔW)/(P r)$ is $δ$ in $(P r)/(m_1 v_1^2)$, $J = (ΔW)/(δ ω^2)$;"
         " $P$ mean tangential force at the crank radius $r$",
     },
     "radius": {"de": '$ρ = {radius} "m"$', "en": '$ρ = {radius} "m"$'},

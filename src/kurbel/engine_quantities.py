@@ -199,7 +199,7 @@ _ROWS: tuple[tuple[Any, ...], ...] = (
     ("speed", "Drehzahl|Speed", "$n$", '$"min"^(-1)$', "flywheel", None, _turns_a_minute),
     ("omega", "Winkelgeschwindigkeit|Angular velocity", "$ω$", "rad/s", "flywheel", None, _speed),
     ("mean_torque", "mittleres Drehmoment|Mean torque", "$P r$", "N m", "flywheel", None, _mean_torque),
-    ("swing_share", "Arbeitsüberschuss|Energy swing", "$ΔW/(P r)$", "", "flywheel", 4,
+    ("swing_share", "Arbeitsüberschuss|Energy swing", "$(ΔW)/(P r)$", "", "flywheel", 4,
      lambda turn, where: turn.irregularity()),
     ("swing", "Arbeitsüberschuss|Energy swing", "$ΔW$", "J", "flywheel", None, _swing),
     ("inertia", "Trägheitsmoment|Moment of inertia", "$J$", "kg m²", "flywheel", None, _inertia),
