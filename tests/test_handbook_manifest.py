@@ -75,6 +75,13 @@ def test_a_part_inherits_what_the_handbook_and_its_chapter_say(tmp_path: Path) -
 
 
 WRONG = [
+    (
+        "[defaults]",
+        '[pdf]\nengine = "latexmk"\nstandards = ["ua-1"]\n[defaults]',
+        7,
+        "latexmk keeps no standards",
+    ),
+    ("[defaults]", 'templates = "mine"\n[pdf]\nengine = "lualatex"\n[defaults]', 8, "lualatex runs whatever"),
     ("title =", "titel =", 1, "(did you mean title?)"),
     ('formats = ["html", "csv"]', 'formats = ["html", "cvs"]', 3, 'no format "cvs" (did you mean csv?)'),
     ('formats = ["html", "csv"]', 'formats = "html"', 3, "must be a list of texts"),

@@ -94,10 +94,15 @@ class Manifest(NamedTuple):
             yield from chapter.parts
 
 
-def check_standards(engine: str, standards: Sequence[str]) -> None:
-    """Raise HandbookError if the engine cannot keep the standards."""
+def check_engine(engine: str, standards: Sequence[str], templates: str | None) -> None:
+    """Raise HandbookError if the engine cannot keep the standards, or would obey templates too well."""
     if standards and ENGINES[engine].source != "typst":
         raise HandbookError(f"{engine} keeps no standards such as {standards[0]}; they are for typst")
+    if templates and engine == "lualatex":
+        raise HandbookError(
+            "lualatex runs whatever programs in Lua templates of one's own write, also into other folders;"
+            " set their PDF with typst or latexmk"
+        )
 
 
 def manifest_path(given: str) -> str:
@@ -168,18 +173,18 @@ class _Reader:
             output=output,
             machine=self.inside(("machine",), values["machine"]) if "machine" in values else None,
             templates=templates,
-            engine=self.engine(pdf),
+            engine=self.engine(pdf, templates),
             standards=tuple(pdf.get("standards", ())),
             chapters=chapters,
         )
 
-    def engine(self, pdf: Mapping[str, Any]) -> str:
-        """Return what sets the PDF; raise HandbookError for one that keeps no standards and is to."""
+    def engine(self, pdf: Mapping[str, Any], templates: str | None) -> str:
+        """Return what sets the PDF; raise HandbookError for one that cannot do what it is to do."""
         engine: str = pdf.get("engine", next(iter(ENGINES)))
         try:
-            check_standards(engine, pdf.get("standards", ()))
+            check_engine(engine, pdf.get("standards", ()), templates)
         except HandbookError as error:
-            raise self.error(("pdf", "standards"), error) from None
+            raise self.error(("pdf", "engine"), error) from None
         return engine
 
     def chapters(self, given: Sequence[Any], defaults: Mapping[str, Any]) -> Iterator[ChapterPlan]:

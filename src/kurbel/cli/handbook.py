@@ -193,12 +193,12 @@ def watch(**options: Any) -> None:
 def _opened(options: dict[str, Any]) -> tuple[Manifest, Folder, int]:
     """Return the manifest, the output folder and how many processes may run."""
     from kurbel.handbook_folder import Folder
-    from kurbel.handbook_manifest import check_standards, manifest_path, read_manifest
+    from kurbel.handbook_manifest import check_engine, manifest_path, read_manifest
     from kurbel.handbook_pool import cores
 
     manifest = read_manifest(manifest_path(options["folder"]))
     if options["pdf_engine"]:
-        check_standards(options["pdf_engine"], manifest.standards)
+        check_engine(options["pdf_engine"], manifest.standards, manifest.templates)
         manifest = manifest._replace(engine=options["pdf_engine"])
     return manifest, Folder(manifest.folder, manifest.output), options["jobs"] or cores()
 
