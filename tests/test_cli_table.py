@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import subprocess
+import sys
 from fractions import Fraction
 
 import pytest
@@ -243,6 +245,15 @@ def test_help_and_version_are_answers_and_not_errors() -> None:
     assert printed("-h").out == printed("--help").out
     assert printed("table", "-h").out == printed("table", "--help").out
     assert printed("--help").out.startswith("Usage: kurbel ")
+
+
+def test_a_table_made_for_a_document_leaves_the_help_of_its_command() -> None:
+    code = (
+        "import sys; from kurbel.cli import main; from kurbel.cli.asking import asked; asked(['balance'], {});"
+        " sys.argv = ['kurbel', 'balance', '-h']; main()"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.startswith("Usage: kurbel balance ")
 
 
 def test_without_a_command_the_help_is_shown_as_an_error() -> None:

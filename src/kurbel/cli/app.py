@@ -13,6 +13,8 @@ from kurbel import __version__
 from kurbel.cli import COMMANDS, help_text
 from kurbel.errors import KurbelError
 
+HELP_OPTIONS = ["-h", "--help"]
+
 
 class LazyGroup(click.Group):
     """A group that imports a command's module only to run it or to print its own help."""
@@ -43,7 +45,7 @@ class LazyGroup(click.Group):
 
 @click.group(
     cls=LazyGroup,
-    context_settings={"help_option_names": ["-h", "--help"], "auto_envvar_prefix": "KURBEL"},
+    context_settings={"help_option_names": HELP_OPTIONS, "auto_envvar_prefix": "KURBEL"},
 )
 @click.version_option(__version__, "--version", message="kurbel %(version)s")
 def cli() -> None:

@@ -17,7 +17,7 @@ import click
 
 from kurbel.choices import choose
 from kurbel.cli import COMMANDS
-from kurbel.cli.app import one_line
+from kurbel.cli.app import HELP_OPTIONS, one_line
 from kurbel.cli.kept import Kept
 from kurbel.cli.machine import MACHINE, machine_defaults
 from kurbel.errors import ChoiceError, ProblemError
@@ -93,7 +93,14 @@ def asked(
     refused = SET_ELSEWHERE if format is None else ONLY_PRINTING
     try:
         with _without_environment(), redirect_stdout(StringIO()):
-            context = command.make_context(f"kurbel {words[0]}", [*words[1:]], obj=kept, default_map=given)
+            context = command.make_context(
+                f"kurbel {words[0]}",
+                [*words[1:]],
+                obj=kept,
+                default_map=given,
+                # A command remembers its first ones.
+                help_option_names=HELP_OPTIONS,
+            )
             with context:
                 _check(context, refused)
                 code = command.invoke(context)
