@@ -249,8 +249,8 @@ def test_help_and_version_are_answers_and_not_errors() -> None:
 
 def test_a_table_made_for_a_document_leaves_the_help_of_its_command() -> None:
     code = (
-        "import sys; from kurbel.cli import main; from kurbel.cli.asking import asked; asked(['balance'], {});"
-        " sys.argv = ['kurbel', 'balance', '-h']; main()"
+        "import sys; from kurbel.cli import main; from kurbel.cli.asking import asked;"
+        " asked(['balance'], {}); sys.argv = ['kurbel', 'balance', '-h']; main()"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.startswith("Usage: kurbel balance ")
