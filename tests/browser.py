@@ -107,7 +107,7 @@ class Viewer:
         self.page.screenshot(path=path, full_page=True)
 
 
-# axe takes formulas for nothing (its issue 3285) and a cell or heading with only a formula for empty.
+# axe-core sees no text in MathML (its bug 3285): a cell or heading with only a formula would count as empty.
 _AXE_RUN = """async options => {
     const seen = node => document.querySelector(node.target[0]).querySelector('math')?.textContent.trim();
     return (await axe.run(document, options)).violations.flatMap(rule => rule.nodes

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 from kurbel.errors import ChoiceError
 from kurbel.prose_print import Reference
 
@@ -48,7 +50,12 @@ Der Kolben eilt bei 2°30' *vor*, und zwar **um $x/R = 1/4.5 · cos^2 φ$**; sie
     der letzte
 """
 
-_PARTS = {"delta": ("table", "tab", 3), "drive": ("figure", "fig", 1), "start": ("chapter", "ch", 2)}
+_Kind = Literal["table", "figure", "chapter"]
+_PARTS: dict[str, tuple[_Kind, str, int]] = {
+    "delta": ("table", "tab", 3),
+    "drive": ("figure", "fig", 1),
+    "start": ("chapter", "ch", 2),
+}
 _TARGETS = {"latex": "{}:{}", "typst": "{}-{}", "html": "#{}-{}", "markdown": "02-x.md#{}-{}", "text": "{}{}"}
 _NAMES = {"table": "Tabelle", "figure": "Abbildung", "chapter": "Kapitel"}
 
@@ -64,4 +71,4 @@ class Parts:
             raise ChoiceError(f"no part has the name {name}")
         kind, prefix, number = _PARTS[name]
         target = _TARGETS[self.form].format(prefix, name)
-        return Reference(kind, target, f"{_NAMES[kind]} {number}")  # type: ignore[arg-type]
+        return Reference(kind, target, f"{_NAMES[kind]} {number}")

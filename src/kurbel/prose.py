@@ -13,7 +13,7 @@ import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, fields, is_dataclass
 from functools import lru_cache
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, cast
 from urllib.parse import unquote
 
 from kurbel.errors import ProseError
@@ -264,7 +264,7 @@ def _lines(code: str) -> tuple[str, ...]:
 
 def _align(cell: Token) -> Align | None:
     found = _ALIGN.match(str(cell.attrs.get("style", "")))
-    return found[1] if found else None  # type: ignore[return-value]
+    return cast("Align", found[1]) if found else None
 
 
 class _Line:

@@ -39,6 +39,7 @@ def filled(environment: Environment, template: str, values: Mapping[str, object]
             error.filename or error.name or template, error.lineno, error.message, folder
         ) from None
     except Exception as error:
+        # Whatever a template does with what it is given, such as 1/0 or "a".b(), is its own mistake.
         place = _place(error, folder) or (template, 0)
         raise _refused(*place, _reason(error), folder) from None
 
