@@ -40,7 +40,8 @@ def save_table(rows: str, path: str) -> None:
 
 
 def kurbel(columns: Columns) -> Writer:
-    from kurbel.columns import CHUNK, Scaled, csv_lines, nearest
+    from kurbel.exact.floats import nearest
+    from kurbel.formats.columns import CHUNK, Scaled, csv_lines
 
     def chunk(start: int) -> bytes:
         rounded = [nearest(column[start : start + CHUNK], DECIMALS, 1e-15)[0] for column in columns]

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 from tabulate import tabulate
 
-from kurbel.irregularity import delta
+from kurbel.engine.irregularity import delta
 
 SAMPLE = 500
 REPEATS = 7

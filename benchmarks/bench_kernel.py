@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from kurbel.bulk import evaluate
+from kurbel.exact.bulk import evaluate
 from kurbel.kernel import kinematics
 
 RATIO = 0.2345

@@ -9,27 +9,27 @@ from pathlib import Path
 
 import click
 
-from kurbel.balance_request import DECIMALS, balance_registry
-from kurbel.beam import registry as beam_registry
-from kurbel.beam_page import DEGREE_DECIMALS
-from kurbel.captions import quantity_name
+from kurbel.balance.harmonics import registry as harmonics_registry
+from kurbel.balance.harmonics_page import harmonic_name
+from kurbel.balance.request import DECIMALS, balance_registry
 from kurbel.cli import COMMANDS
-from kurbel.engine_quantities import COMMANDS_OF, engine_registry
-from kurbel.engine_request import ENGINE_METHODS
-from kurbel.example_source import example, numbers_of, source_keys
-from kurbel.formats import FORMATS
-from kurbel.harmonics import registry as harmonics_registry
-from kurbel.harmonics_page import harmonic_name
-from kurbel.inertia import inertia_registry
-from kurbel.inertia_page import AXIS_KEYS, error_columns, full_name
-from kurbel.labels import plain
-from kurbel.layouts import layout, layout_names
-from kurbel.linkage_quantities import arc_registry, parallel_registry
-from kurbel.notation import ratio_text, ratios
-from kurbel.plot_style import FORMATS as DRAWINGS
-from kurbel.quantities import METHODS, NEEDS, registry
-from kurbel.solve_page import own_columns
-from kurbel.where import ARC_NAMES, SLIDE_NAMES
+from kurbel.engine.quantities import COMMANDS_OF, engine_registry
+from kurbel.engine.request import ENGINE_METHODS
+from kurbel.examples.source import example, numbers_of, source_keys
+from kurbel.formats.registry import FORMATS
+from kurbel.linkage.beam import registry as beam_registry
+from kurbel.linkage.beam_page import DEGREE_DECIMALS
+from kurbel.linkage.quantities import arc_registry, parallel_registry
+from kurbel.motion.captions import quantity_name
+from kurbel.motion.inertia import inertia_registry
+from kurbel.motion.inertia_page import AXIS_KEYS, error_columns, full_name
+from kurbel.motion.quantities import METHODS, NEEDS, registry
+from kurbel.page.labels import plain
+from kurbel.page.layouts import layout, layout_names
+from kurbel.plot.style import FORMATS as DRAWINGS
+from kurbel.reading.notation import ratio_text, ratios
+from kurbel.reading.where import ARC_NAMES, SLIDE_NAMES
+from kurbel.solve.page import own_columns
 
 PAGE = Path(__file__).with_name("reference.md")
 

@@ -7,16 +7,17 @@ from pathlib import Path
 from typing import Any
 
 import kurbel
-from kurbel import handbook_keys, machine
 from kurbel.cli.asking import option_names
+from kurbel.drive import machine
+from kurbel.handbook import keys as handbook_keys
 
 PACKAGE = Path(kurbel.__file__).parent
 
 
 def main() -> None:
     schemas: dict[str, dict[str, Any]] = {
-        "machine.schema.json": machine.schema(),
-        handbook_keys.SCHEMA: handbook_keys.schema(option_names()),
+        "drive/machine.schema.json": machine.schema(),
+        f"handbook/{handbook_keys.SCHEMA}": handbook_keys.schema(option_names()),
     }
     for name, schema in schemas.items():
         text = json.dumps(schema, indent=2, ensure_ascii=False)

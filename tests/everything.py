@@ -2,19 +2,8 @@
 
 from __future__ import annotations
 
-from kurbel.table import (
-    DITTO,
-    Cell,
-    Column,
-    Field,
-    Group,
-    Note,
-    Number,
-    Panel,
-    Records,
-    Row,
-    Table,
-)
+from kurbel.exact.numerals import Number
+from kurbel.page.table import DITTO, Cell, Column, Field, Group, Note, Panel, Records, Row, Table
 
 AWKWARD = r"50 % & \$, a|b, #_{}~^\, <script>alert(1)</script>, [x] *y* `z` -- ,, " + '"q"'
 """Prose with the special characters of every format, as a label."""

@@ -9,11 +9,11 @@ from pathlib import Path
 from typing import Any
 
 from kurbel.cli.asking import asked
-from kurbel.document import Chapter, Document, Item
-from kurbel.plot_style import image
-from kurbel.prose import parse_prose
-from kurbel.render import is_taller_than_a_page, render
-from kurbel.table import Table
+from kurbel.documents.document import Chapter, Document, Item
+from kurbel.documents.prose import parse_prose
+from kurbel.formats.render import is_taller_than_a_page, render
+from kurbel.page.table import Table
+from kurbel.plot.style import image
 
 TABLES = {
     "weg": "table --ratio 1:5",

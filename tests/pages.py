@@ -7,9 +7,9 @@ from collections.abc import Iterator, Mapping
 import pytest
 
 import kurbel
-from kurbel.layouts import LANGUAGES, layout, layout_names
-from kurbel.numerals import number_text
-from kurbel.table import DITTO, Number, Panel, Table
+from kurbel.exact.numerals import Number, number_text
+from kurbel.page.layouts import LANGUAGES, layout, layout_names
+from kurbel.page.table import DITTO, Panel, Table
 
 Address = tuple[str, ...]
 

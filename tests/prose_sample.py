@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Literal
 
+from kurbel.documents.prose_print import Reference
 from kurbel.errors import ChoiceError
-from kurbel.prose_print import Reference
 
 SAMPLE = r"""# Kurbeltrieb mit $λ_1 = R/L$ & *mehr*
 

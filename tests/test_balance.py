@@ -15,8 +15,8 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 from numpy.typing import NDArray
 
-from kurbel import certify, harmonics
-from kurbel.balance import (
+from kurbel.balance import harmonics
+from kurbel.balance.arrangement import (
     LENGTHS,
     Arrangement,
     Cylinder,
@@ -32,11 +32,12 @@ from kurbel.balance import (
     usual,
     vee,
 )
+from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
+from kurbel.exact import certify
+from kurbel.exact.numerals import nearest, number_text
 from kurbel.kernel.balance import Star, counterweight_mass
 from kurbel.kernel.circle import circle
-from kurbel.numerals import nearest, number_text
-from kurbel.problem import Crank
 
 HALF = Fraction(1, 2)
 ONE_SECOND = 1.0

@@ -14,14 +14,15 @@ from numpy.typing import NDArray
 from pages import BALANCES, BEAMS, cells, shown
 
 import kurbel
-from kurbel.balance import usual
-from kurbel.balance_page import ENGINES
-from kurbel.balance_request import balance_registry
+from kurbel.balance.arrangement import usual
+from kurbel.balance.page import ENGINES
+from kurbel.balance.request import balance_registry
 from kurbel.errors import KurbelError
-from kurbel.labels import plain
-from kurbel.layouts import LANGUAGES
-from kurbel.quantities import METHODS
-from kurbel.table import Number, Table
+from kurbel.exact.numerals import Number
+from kurbel.motion.quantities import METHODS
+from kurbel.page.labels import plain
+from kurbel.page.layouts import LANGUAGES
+from kurbel.page.table import Table
 
 STEPS = 256
 TURN = 2 * np.pi * np.arange(STEPS) / STEPS

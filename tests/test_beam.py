@@ -13,11 +13,11 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from mpmath import mp
 
-from kurbel.beam import BeamEngine, certified, chord_square, registry
 from kurbel.errors import ProblemError
+from kurbel.exact.numerals import degrees_text, number_text
 from kurbel.kernel import beam
-from kurbel.labels import parse
-from kurbel.numerals import degrees_text, number_text
+from kurbel.linkage.beam import BeamEngine, certified, chord_square, registry
+from kurbel.page.labels import parse
 
 FIFTH = Fraction(1, 5)
 BOOK = BeamEngine(Fraction(3), FIFTH)

@@ -11,16 +11,15 @@ import pytest
 from cli import printed
 from mpmath import mp
 
-from kurbel.certify import NEVER_TIES, rounded
-from kurbel.closed_form import ClosedForm, closed_forms, form_text
-from kurbel.drives import SlideDrive
-from kurbel.notation import ratio
-from kurbel.numerals import number_text
-from kurbel.problem import Crank
-from kurbel.quantities import OUT
-from kurbel.solve import Root, solve, target_of
-from kurbel.table import Number
-from kurbel.where import read_condition
+from kurbel.drive.crank import Crank
+from kurbel.exact.certify import NEVER_TIES, rounded
+from kurbel.exact.closed_form import ClosedForm, closed_forms, form_text
+from kurbel.exact.numerals import Number, number_text
+from kurbel.motion.drives import SlideDrive
+from kurbel.motion.quantities import OUT
+from kurbel.reading.notation import ratio
+from kurbel.reading.where import read_condition
+from kurbel.solve.solve import Root, solve, target_of
 
 FILE = Path(__file__).parent / "sources" / "blau" / "solved.csv"
 # p over v²/R by the condition, from p = cos α + λ cos 2α, at the dead centre 1 + λ.

@@ -13,10 +13,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
-from kurbel import csv_lines, units
-from kurbel.card import Card
-from kurbel.card_file import position_unit, pressure_unit, read_card
+from kurbel.engine.card import Card
+from kurbel.engine.card_file import position_unit, pressure_unit, read_card
 from kurbel.errors import CardError, KurbelError, MissingExtraError, NotationError
+from kurbel.reading import csv_lines, units
 
 # Nine points that fall with the stroke, in bar; nothing about them repeats.
 SHARES = (0.0, 0.1, 0.22, 0.36, 0.5, 0.61, 0.74, 0.88, 1.0)
@@ -394,7 +394,7 @@ def test_a_long_name_is_cut_and_made_printable(tmp_path: Path) -> None:
 def test_without_pint_the_sentence_says_what_to_install(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from kurbel import card_file
+    from kurbel.engine import card_file
 
     units.registry.cache_clear()
     card_file._factor.cache_clear()

@@ -17,17 +17,17 @@ from typing import NamedTuple
 import pytest
 from cli import printed, refusal
 
-from kurbel.card import Card
-from kurbel.card_file import read_card
-from kurbel.engine import Diagram, Engine, Steam
-from kurbel.engine_digits import estimate, estimated
-from kurbel.engine_quantities import OUTSTROKE, RETURN_STROKE, WHOLE, Where
-from kurbel.engine_request import EngineColumn, EngineRequest
+from kurbel.drive.crank import Crank
+from kurbel.engine.card import Card
+from kurbel.engine.card_file import read_card
+from kurbel.engine.digits import estimate, estimated
+from kurbel.engine.engine import Diagram, Engine, Steam
+from kurbel.engine.quantities import OUTSTROKE, RETURN_STROKE, WHOLE, Where
+from kurbel.engine.request import EngineColumn, EngineRequest
+from kurbel.engine.turn import at_bits, turn_of
 from kurbel.errors import CardError
-from kurbel.layouts import layout
-from kurbel.problem import Crank
-from kurbel.table import Number
-from kurbel.turn import at_bits, turn_of
+from kurbel.exact.numerals import Number
+from kurbel.page.layouts import layout
 
 CARDS = Path(__file__).parent / "cards"
 HEAD = "position,p_forward [bar],p_return [bar]\n"

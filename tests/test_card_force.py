@@ -12,10 +12,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
-from kurbel.card import Card
-from kurbel.card_curve import Curve, curve
-from kurbel.card_file import read_card
-from kurbel.card_force import card_strokes
+from kurbel.engine.card import Card
+from kurbel.engine.card_curve import Curve, curve
+from kurbel.engine.card_file import read_card
+from kurbel.engine.card_force import card_strokes
 from kurbel.errors import ProblemError
 
 EXPANSIONS = (1.5, 2, 2.7, 3, 4, 6, 10)

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from textbook import Drive
 from timed import WITHOUT_UNITS, kurbel
 
-from kurbel.quantities import DIFFERENCE, METHODS, registry
+from kurbel.motion.quantities import DIFFERENCE, METHODS, registry
 
 MOST_DECIMALS = 50
 BITS = 640

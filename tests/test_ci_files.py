@@ -17,7 +17,7 @@ from cli import kurbel
 from pre_commit.clientlib import load_manifest
 from tools import require
 
-from kurbel.inject import KINDS
+from kurbel.documents.inject import KINDS
 
 ROOT = Path(__file__).parents[1]
 GUIDE = (ROOT / "docs" / "ci.md").read_text(encoding="utf-8")

@@ -23,8 +23,8 @@ from textbook import printed as digits
 from textbook import rounded
 
 from kurbel.cli import COMMANDS
-from kurbel.engine_quantities import engine_registry
-from kurbel.formats import FORMATS
+from kurbel.engine.quantities import engine_registry
+from kurbel.formats.registry import FORMATS
 
 BITS = 160
 FIFTH, QUARTER = Fraction(1, 5), Fraction(1, 4)

@@ -11,9 +11,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from pages import DRIVES, about
 
-from kurbel import units
-from kurbel.formats import FORMATS
-from kurbel.layouts import layout_names
+from kurbel.formats.registry import FORMATS
+from kurbel.page.layouts import layout_names
+from kurbel.reading import units
 
 TOO_SHORT = "it must be below 1, or the rod is too short to pass the dead centre"
 NO_NUMBER = "is not a number; write it as 4.5 or 4,5"

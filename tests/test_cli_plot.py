@@ -23,24 +23,25 @@ from numpy.typing import NDArray
 from tools import require_library
 
 import kurbel
-from kurbel.engine import Engine, Load, Steam
-from kurbel.engine_request import EngineRequest
-from kurbel.layouts import layout
-from kurbel.linkage import ArcCrank
-from kurbel.linkage_page import LinkageRequest
-from kurbel.moving import Moving
-from kurbel.plot_curves import axis_name, motion_keys, motion_panels, pin_force, pin_force_keys
-from kurbel.plot_engine import PIN_FORCE, engine_pin_force, force_panels
-from kurbel.plot_linkage import linkage_panels
-from kurbel.plot_panels import MOST_POINTS
-from kurbel.plot_style import FORMATS
-from kurbel.plot_turning import COLUMNS, turning_panels
-from kurbel.plotting import Curve, Panel
-from kurbel.problem import Crank, Speed
-from kurbel.quantities import registry
-from kurbel.request import Request
-from kurbel.rod import Rod
-from kurbel.turn import Turn
+from kurbel.drive.crank import Crank
+from kurbel.drive.moving import Moving
+from kurbel.drive.rod import Rod
+from kurbel.engine.engine import Engine, Load, Steam
+from kurbel.engine.request import EngineRequest
+from kurbel.engine.turn import Turn
+from kurbel.linkage.arc import ArcCrank
+from kurbel.linkage.page import LinkageRequest
+from kurbel.motion.quantities import registry
+from kurbel.motion.request import Request
+from kurbel.page.layouts import layout
+from kurbel.plot.curves import axis_name, motion_keys, motion_panels, pin_force, pin_force_keys
+from kurbel.plot.engine import PIN_FORCE, engine_pin_force, force_panels
+from kurbel.plot.linkage import linkage_panels
+from kurbel.plot.panels import MOST_POINTS
+from kurbel.plot.plotting import Curve, Panel
+from kurbel.plot.style import FORMATS
+from kurbel.plot.turning import COLUMNS, turning_panels
+from kurbel.reading.speed import Speed
 
 CARD = Path(__file__).parent / "cards" / "ideal-2.csv"
 ANGLES = tuple(Fraction(degree) for degree in range(0, 361, 3))

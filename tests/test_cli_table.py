@@ -15,15 +15,16 @@ from pages import command
 from textbook import Drive, evaluate, rounded
 from textbook import printed as digits
 
-from kurbel import beam, harmonics
-from kurbel.balance_request import balance_registry
-from kurbel.engine_quantities import engine_registry
-from kurbel.inertia import inertia_registry
-from kurbel.inertia_page import error_columns
-from kurbel.layouts import layout_names
-from kurbel.linkage_quantities import arc_registry, parallel_registry
-from kurbel.quantities import registry
-from kurbel.solve_page import own_columns
+from kurbel.balance import harmonics
+from kurbel.balance.request import balance_registry
+from kurbel.engine.quantities import engine_registry
+from kurbel.linkage import beam
+from kurbel.linkage.quantities import arc_registry, parallel_registry
+from kurbel.motion.inertia import inertia_registry
+from kurbel.motion.inertia_page import error_columns
+from kurbel.motion.quantities import registry
+from kurbel.page.layouts import layout_names
+from kurbel.solve.page import own_columns
 
 NINTHS = Fraction(2, 9)
 

@@ -18,12 +18,11 @@ from hypothesis import strategies as st
 from mpmath import mp
 
 import kurbel as library
-from kurbel.collation import BALLS, Collation
-from kurbel.errors import KurbelError, NotationError, SourceError
-from kurbel.expression import Expression
-from kurbel.printed_value import printed_value
-from kurbel.source import source_tables
-from kurbel.verdict import (
+from kurbel.books.collation import BALLS, Collation
+from kurbel.books.expression import Expression
+from kurbel.books.printed_value import printed_value
+from kurbel.books.source import source_tables
+from kurbel.books.verdict import (
     CARRIED,
     DIGIT,
     EXCHANGED,
@@ -38,6 +37,7 @@ from kurbel.verdict import (
     Evidence,
     verdict,
 )
+from kurbel.errors import KurbelError, NotationError, SourceError
 
 FOLDER = Path(__file__).parent / "sources"
 TABLES = source_tables()
@@ -244,7 +244,7 @@ def test_formulas_of_cells_have_the_value_that_mpmath_gives() -> None:
 
 def test_steps_of_the_worked_examples_and_tables_hold_the_same_characters() -> None:
     """They were transcribed twice."""
-    from kurbel.example_source import FOLDER as steps
+    from kurbel.examples.source import FOLDER as steps
 
     for key in ("blau", "weisbach"):
         with (Path(steps) / key / "steps.csv").open(encoding="utf-8") as lines:

@@ -10,7 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kurbel.columns import Field, Scaled, csv_lines, nearest
+from kurbel.exact.floats import nearest
+from kurbel.formats.columns import Field, Scaled, csv_lines
 
 LONGEST = 2**63 - 1
 # Numbers of every length, not only long ones.

@@ -14,12 +14,12 @@ from pages import BEAMS, DRIVES, about
 from tools import require
 
 from kurbel.cli import COMMANDS
-from kurbel.engine_quantities import engine_registry
-from kurbel.engine_request import ENGINE_METHODS
-from kurbel.formats import FORMATS
-from kurbel.layouts import LANGUAGES, layout
-from kurbel.linkage_quantities import arc_registry
-from kurbel.quantities import METHODS, registry
+from kurbel.engine.quantities import engine_registry
+from kurbel.engine.request import ENGINE_METHODS
+from kurbel.formats.registry import FORMATS
+from kurbel.linkage.quantities import arc_registry
+from kurbel.motion.quantities import METHODS, registry
+from kurbel.page.layouts import LANGUAGES, layout
 
 SHELLS = ("bash", "zsh", "fish")
 

@@ -15,13 +15,13 @@ from browser import DESKTOP, TELEPHONE, Viewer
 from tools import require
 
 import kurbel
-from kurbel.document import Chapter, Document, Item
-from kurbel.document_html import NAME, css_string
-from kurbel.documents import document_files
+from kurbel.documents.document import Chapter, Document, Item
+from kurbel.documents.html import NAME, css_string
+from kurbel.documents.prose import parse_prose
+from kurbel.documents.registry import document_files
 from kurbel.errors import ChoiceError
-from kurbel.prose import parse_prose
-from kurbel.render import render
-from kurbel.svg_inline import COLOURS
+from kurbel.formats.render import render
+from kurbel.formats.svg_inline import COLOURS
 
 # The names of the tables and figures that the page prints at A4, 170 mm of 210 mm wide, in points.
 MARGIN, PAPER = 20 / 25.4 * 72, 210 / 25.4 * 72

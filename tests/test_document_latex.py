@@ -13,13 +13,14 @@ from handbook import TABLES, document, fragments, small, table, write_folder
 from test_latex import compiled, complaints
 from tools import require
 
-from kurbel.document import Chapter, Document, Item
-from kurbel.documents import document_files
+from kurbel.documents.document import Chapter, Document, Item
+from kurbel.documents.prose import parse_prose
+from kurbel.documents.registry import document_files
 from kurbel.errors import TexError
-from kurbel.labels import plain
-from kurbel.pdf_tex import compile_tex
-from kurbel.prose import parse_prose
-from kurbel.table import Cell, Number
+from kurbel.exact.numerals import Number
+from kurbel.formats.pdf_tex import compile_tex
+from kurbel.page.labels import plain
+from kurbel.page.table import Cell
 
 NASTY = (
     r"\input{/etc/passwd} \$x",

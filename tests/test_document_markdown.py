@@ -12,13 +12,13 @@ from handbook import FIGURES, TABLES, document, fragments, table
 from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
-from kurbel.document import Chapter, Document, Item
-from kurbel.documents import document_files
+from kurbel.documents.document import Chapter, Document, Item
+from kurbel.documents.prose import parse_prose
+from kurbel.documents.registry import document_files
 from kurbel.errors import ChoiceError
-from kurbel.formats import by_name
-from kurbel.labels import plain
-from kurbel.page import page
-from kurbel.prose import parse_prose
+from kurbel.formats.page import page
+from kurbel.formats.registry import by_name
+from kurbel.page.labels import plain
 
 READER = MarkdownIt("gfm-like", {"linkify": False})
 

@@ -18,14 +18,14 @@ from everything import AWKWARD
 from tools import require, require_library
 
 import kurbel
-from kurbel.document import Chapter, Document, Item
-from kurbel.documents import document_files
-from kurbel.layouts import layout_names
-from kurbel.pdf import Standard, compile_typst
-from kurbel.prose import Heading, Listing, Paragraph, Quote, Text, parse_prose
-from kurbel.prose_levels import stepwise
-from kurbel.render import render
-from kurbel.table import Table
+from kurbel.documents.document import Chapter, Document, Item
+from kurbel.documents.prose import Heading, Listing, Paragraph, Quote, Text, parse_prose
+from kurbel.documents.prose_levels import stepwise
+from kurbel.documents.registry import document_files
+from kurbel.formats.pdf import Standard, compile_typst
+from kurbel.formats.render import render
+from kurbel.page.layouts import layout_names
+from kurbel.page.table import Table
 
 require_library("typst")
 

@@ -10,8 +10,8 @@ from flint import arb
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kurbel.certify import ball
-from kurbel.engine import (
+from kurbel.drive.crank import Crank
+from kurbel.engine.engine import (
     LARGEST_CLEARANCE,
     LARGEST_EXPANSION,
     LARGEST_EXPONENT,
@@ -19,9 +19,9 @@ from kurbel.engine import (
     Engine,
     Steam,
 )
+from kurbel.engine.turn import Turn
 from kurbel.errors import ProblemError
-from kurbel.problem import Crank
-from kurbel.turn import Turn
+from kurbel.exact.certify import ball
 
 TWO = Fraction(2)
 FIFTH = Fraction(1, 5)

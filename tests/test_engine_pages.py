@@ -14,13 +14,13 @@ import pytest
 from pages import BEAMS, ENGINES, Address, cells, default_page, shown
 
 import kurbel
-from kurbel.engine_quantities import engine_registry
-from kurbel.engine_request import ENGINE_AXES
+from kurbel.engine.quantities import engine_registry
+from kurbel.engine.request import ENGINE_AXES
 from kurbel.errors import KurbelError
-from kurbel.layouts import LANGUAGES, layout
-from kurbel.numerals import degrees_text
-from kurbel.render import render
-from kurbel.table import DITTO, Table
+from kurbel.exact.numerals import degrees_text
+from kurbel.formats.render import render
+from kurbel.page.layouts import LANGUAGES, layout
+from kurbel.page.table import DITTO, Table
 
 TASK = {"power": 50_000, "speed": 2, "irregularities": "1:50;1:100", "radius": "1.5"}
 LOAD = {"stroke": "0.6", "bore": "0.3", "pressure": 800_000}

@@ -18,9 +18,9 @@ from textbook import Drive, evaluate, real, rounded
 
 import kurbel
 from kurbel.errors import KurbelError, LayoutError
-from kurbel.example_figures import Figure, figure
-from kurbel.example_source import FOLDER, example, numbers_of, source_keys
-from kurbel.example_working import arc_text
+from kurbel.examples.figures import Figure, figure
+from kurbel.examples.source import FOLDER, example, numbers_of, source_keys
+from kurbel.examples.working import arc_text
 
 BOOKS = Path(__file__).parent / "sources" / "examples"
 EXAMPLES = [(key, number) for key in source_keys() for number in numbers_of(key)]

@@ -6,12 +6,12 @@ from pathlib import Path
 
 import pytest
 
+from kurbel.books.source import books
 from kurbel.cli.asking import asked
-from kurbel.example_source import numbers_of, source_keys
-from kurbel.handbook_manifest import Manifest, Part, read_manifest
-from kurbel.layouts import LANGUAGES, layout_names
-from kurbel.source import books
-from kurbel.table import Table
+from kurbel.examples.source import numbers_of, source_keys
+from kurbel.handbook.manifest import Manifest, Part, read_manifest
+from kurbel.page.layouts import LANGUAGES, layout_names
+from kurbel.page.table import Table
 
 FOLDER = Path(__file__).parent.parent / "examples" / "appendix"
 

@@ -15,10 +15,10 @@ from test_render import fragment
 from test_shipped_pages import PREAMBLE
 
 import kurbel
-from kurbel.example_source import numbers_of, source_keys
-from kurbel.layouts import LANGUAGES
-from kurbel.render import render
-from kurbel.table import Table
+from kurbel.examples.source import numbers_of, source_keys
+from kurbel.formats.render import render
+from kurbel.page.layouts import LANGUAGES
+from kurbel.page.table import Table
 
 EXAMPLES = [(key, number) for key in source_keys() for number in numbers_of(key)]
 TEXTS = {

@@ -15,11 +15,11 @@ from hypothesis import strategies as st
 from mpmath import mp
 from numpy.testing import assert_allclose
 
-from kurbel import certify
+from kurbel.drive.crank import Crank
+from kurbel.exact import certify
 from kurbel.kernel import forces
 from kurbel.kernel.circle import Circle, circle
-from kurbel.problem import Crank
-from kurbel.quantities import OUT, RETURN, Quantity, certified
+from kurbel.motion.quantities import OUT, RETURN, Quantity, certified
 
 # mpmath has no types.
 Real = Any

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from kurbel.errors import ChoiceError
-from kurbel.formats import FORMATS, by_name, for_suffix
-from kurbel.layouts import template_folder
+from kurbel.formats.registry import FORMATS, by_name, for_suffix
+from kurbel.page.layouts import template_folder
 
 
 def test_every_format_is_found_by_each_of_its_suffixes() -> None:
@@ -64,6 +64,6 @@ def test_decimal_mark_follows_the_language_on_pages_only(name: str, german: str)
 def test_registry_is_cheap_to_import() -> None:
     code = (
         "import sys, kurbel.formats;"
-        "print({'jinja2', 'numpy', 'json', 'csv', 'kurbel.formula'} & set(sys.modules))"
+        "print({'jinja2', 'numpy', 'json', 'csv', 'kurbel.page.formula'} & set(sys.modules))"
     )
     assert subprocess.check_output([sys.executable, "-c", code], text=True) == "set()\n"

@@ -15,9 +15,9 @@ from pathlib import Path
 import pytest
 from cli import Result, kurbel
 
-from kurbel import pdf_tex
-from kurbel.handbook import Made, Task
-from kurbel.handbook_pages import PdfTask, PlannedChapter, make_pdf
+from kurbel.formats import pdf_tex
+from kurbel.handbook.pages import PdfTask, PlannedChapter, make_pdf
+from kurbel.handbook.parts import Made, Task
 
 MANIFEST = """\
 title = "Tafeln"
@@ -168,7 +168,7 @@ def test_a_command_with_a_control_character_fails_alone(tmp_path: Path) -> None:
 def test_documents_are_not_made_of_files_that_are_gone(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from kurbel import handbook_build
+    from kurbel.handbook import build as handbook_build
 
     build(book(tmp_path / "whole"))
     folder = book(tmp_path / "disturbed")
@@ -253,7 +253,7 @@ def test_a_tex_of_ones_own_templates_is_ended_by_its_own_clock(
         counted.append(counts)
         yield
 
-    monkeypatch.setattr("kurbel.handbook_pool.deadline", deadline)
+    monkeypatch.setattr("kurbel.handbook.pool.deadline", deadline)
     monkeypatch.setenv("PATH", str(tmp_path))
     assert "there is no lualatex" in str(make_pdf(PdfTask(str(tmp_path), "lualatex", (), limited=True)))
     assert "handbook.typ" in str(make_pdf(PdfTask(str(tmp_path), "typst", (), limited=True)))

@@ -20,8 +20,8 @@ import pytest
 from cli import Result, kurbel, refusal
 from tools import require_library
 
-from kurbel.formats import FORMATS
-from kurbel.handbook_folder import Folder
+from kurbel.formats.registry import FORMATS
+from kurbel.handbook.folder import Folder
 
 MANIFEST = """\
 title = "Tafeln"
@@ -347,7 +347,7 @@ def test_the_manifest_of_init_builds_at_once(tmp_path: Path, lang: str) -> None:
 def test_init_leaves_out_what_needs_an_extra_that_is_missing(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("kurbel.handbook_init.find_spec", lambda name: None)
+    monkeypatch.setattr("kurbel.handbook.init.find_spec", lambda name: None)
     kurbel("handbook", "init", str(tmp_path))
     text = (tmp_path / "handbook.toml").read_text(encoding="utf-8")
     assert "pip install 'kurbel[pdf]'" in text
@@ -556,7 +556,7 @@ def test_a_bar_shows_on_a_terminal_how_far_it_is(tmp_path: Path) -> None:
 def test_a_template_that_misbehaves_fails_its_tables_and_no_others(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, template: str, said: str
 ) -> None:
-    monkeypatch.setattr("kurbel.handbook.PATIENCE", 1.5)
+    monkeypatch.setattr("kurbel.handbook.parts.PATIENCE", 1.5)
     text = MANIFEST.replace('title = "Tafeln"', 'title = "Tafeln"\ntemplates = "mine"')
     folder = book(
         tmp_path, text.replace('"text", "latex", "markdown", "html", "csv", "json"', '"markdown", "csv"')

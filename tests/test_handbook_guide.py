@@ -11,8 +11,8 @@ from cli import kurbel
 from click import Group
 
 from kurbel.cli.handbook import handbook
-from kurbel.handbook_keys import ENGINES, KEYS
-from kurbel.handbook_manifest import FORMATS_OF_A_HANDBOOK, read_manifest
+from kurbel.handbook.keys import ENGINES, KEYS
+from kurbel.handbook.manifest import FORMATS_OF_A_HANDBOOK, read_manifest
 
 ROOT = Path(__file__).parents[1]
 GUIDE = (ROOT / "docs" / "handbook.md").read_text(encoding="utf-8")

@@ -12,9 +12,9 @@ from hypothesis import strategies as st
 import kurbel
 from kurbel.cli.asking import option_names
 from kurbel.errors import HandbookError, KurbelError
-from kurbel.handbook_keys import KEYS, SCHEMA, schema
-from kurbel.handbook_manifest import LONGEST_NAME, Manifest, read_manifest, slug
-from kurbel.toml_file import key_lines
+from kurbel.handbook.keys import KEYS, SCHEMA, schema
+from kurbel.handbook.manifest import LONGEST_NAME, Manifest, read_manifest, slug
+from kurbel.reading.toml_file import key_lines
 
 GOOD = """\
 title = "Tafeln $x/R$"
@@ -167,7 +167,7 @@ def test_a_missing_manifest_or_a_folder_is_answered_with_a_sentence(tmp_path: Pa
 
 
 def test_the_schema_in_the_package_is_that_of_the_reader() -> None:
-    path = Path(kurbel.__file__).parent / SCHEMA
+    path = Path(kurbel.__file__).parent / "handbook" / SCHEMA
     assert json.loads(path.read_text(encoding="utf-8")) == schema(option_names())
 
 

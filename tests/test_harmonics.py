@@ -17,14 +17,14 @@ from mpmath import mp
 from numpy.testing import assert_allclose
 from textbook import Drive
 
-from kurbel import certify
+from kurbel.balance.harmonics import MOST_ORDERS, certified, rational, registry, series
+from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
-from kurbel.harmonics import MOST_ORDERS, certified, rational, registry, series
+from kurbel.exact import certify
 from kurbel.kernel import kinematics
 from kurbel.kernel.circle import circle
 from kurbel.kernel.harmonics import path_coefficient, path_series
-from kurbel.labels import parse
-from kurbel.problem import Crank
+from kurbel.page.labels import parse
 
 KEYS = ("x", "c", "p")
 BITS = 250

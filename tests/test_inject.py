@@ -12,9 +12,9 @@ from hypothesis import strategies as st
 from markdown_it import MarkdownIt
 from tools import require
 
+from kurbel.documents.inject import KINDS, Kind, content, filled, places
+from kurbel.documents.inject_difference import difference
 from kurbel.errors import MarkerError
-from kurbel.inject import KINDS, Kind, content, filled, places
-from kurbel.inject_difference import difference
 
 MARKDOWN, HTML, LATEX, TYPST = KINDS
 OF_KIND = {

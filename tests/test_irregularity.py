@@ -18,17 +18,17 @@ from hypothesis import strategies as st
 from mpmath import mp
 from numpy.typing import NDArray
 
-from kurbel import irregularity
-from kurbel.engine import Engine, Steam
-from kurbel.engine_request import ENGINE_METHODS
+from kurbel.drive.crank import Crank
+from kurbel.engine import irregularity
+from kurbel.engine.engine import Engine, Steam
+from kurbel.engine.irregularity import delta
+from kurbel.engine.request import ENGINE_METHODS
+from kurbel.engine.turn import turn_of
 from kurbel.errors import ChoiceError, KurbelError, NotationError, ProblemError
-from kurbel.irregularity import delta
 from kurbel.kernel import irregularity as kernel
 from kurbel.kernel import kinematics
 from kurbel.kernel.circle import circle
 from kurbel.kernel.irregularity import METHODS, ExactMotion, FirstOrderMotion, WeisbachRelation
-from kurbel.problem import Crank
-from kurbel.turn import turn_of
 
 # mpmath has no types.
 Real = Any
@@ -357,7 +357,7 @@ def test_the_arguments_are_left_as_they_are() -> None:
 
 
 def test_memory_is_bounded_by_the_result_and_a_block_a_core(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("kurbel.bulk.cores", lambda: 2)
+    monkeypatch.setattr("kurbel.exact.bulk.cores", lambda: 2)
     peaks = []
     for count in (200_000, 1_000_000):
         eps, ratio = np.linspace(1.1, 9, count), np.linspace(0, 0.5, count)

@@ -14,7 +14,7 @@ from flint import arb, fmpq
 from numpy.testing import assert_allclose
 from numpy.typing import NDArray
 
-from kurbel import bulk
+from kurbel.exact import bulk
 from kurbel.kernel import kinematics
 from kurbel.kernel.circle import Circle, circle, rod_angle
 

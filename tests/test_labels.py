@@ -6,11 +6,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kurbel import escapes, formula_print
 from kurbel.errors import LayoutError
-from kurbel.formats import FORMATS
-from kurbel.formula import Formula
-from kurbel.labels import Mark, Prose, parse, plain
+from kurbel.formats import escapes, formula_print
+from kurbel.formats.registry import FORMATS
+from kurbel.page import plain as page_plain
+from kurbel.page.formula import Formula
+from kurbel.page.labels import Mark, Prose, parse, plain
 
 
 def formula(source: str) -> Formula:
@@ -47,7 +48,7 @@ def formula(source: str) -> Formula:
     ],
 )
 def test_formula_in_one_line_of_text(source: str, text: str) -> None:
-    assert formula_print.formula_plain(formula(source), ",") == text
+    assert page_plain.formula_plain(formula(source), ",") == text
 
 
 @pytest.mark.parametrize(

@@ -10,8 +10,9 @@ import pytest
 from everything import everything
 from tools import require
 
-from kurbel.render import render
-from kurbel.table import Cell, Column, Group, Number, Panel, Records, Row, Table
+from kurbel.exact.numerals import Number
+from kurbel.formats.render import render
+from kurbel.page.table import Cell, Column, Group, Panel, Records, Row, Table
 
 ENGINES = ("pdflatex", "lualatex")
 _COMPLAINT = re.compile(r"^(?:!|.*\b(?:Warning|Overfull|Underfull|Missing character)\b).*", re.MULTILINE)

@@ -15,16 +15,17 @@ import textbook
 from mpmath import mp
 from pages import COLLATIONS, MOTION, Address, cells, default_page, each_layout, shown
 
-from kurbel import notation
-from kurbel.build import build
+from kurbel.drive.crank import Crank
 from kurbel.errors import ChoiceError, ProblemError
-from kurbel.layouts import LANGUAGES, layout, layout_names
-from kurbel.numerals import number_text
-from kurbel.problem import Crank, Speed
-from kurbel.quantities import DIFFERENCE, certified, registry
-from kurbel.request import Request, column_keys
-from kurbel.rows import RecordRows
-from kurbel.table import DITTO, Number, Table
+from kurbel.exact.numerals import Number, number_text
+from kurbel.motion.quantities import DIFFERENCE, certified, registry
+from kurbel.motion.request import Request, column_keys
+from kurbel.motion.rows import RecordRows
+from kurbel.page.build import build
+from kurbel.page.layouts import LANGUAGES, layout, layout_names
+from kurbel.page.table import DITTO, Table
+from kurbel.reading import notation
+from kurbel.reading.speed import Speed
 
 EIGHTEENTH = [str(angle) for angle in range(0, 181, 10)]
 

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 import kurbel
-import kurbel.library
+import kurbel.commands.motion
 
 
-@pytest.mark.parametrize(("module", "examples"), [(kurbel, 3), (kurbel.library, 5)])
+@pytest.mark.parametrize(("module", "examples"), [(kurbel, 3), (kurbel.commands.motion, 5)])
 def test_the_examples_of_the_docstrings_are_true(module: object, examples: int) -> None:
     result = doctest.testmod(module)  # type: ignore[arg-type]
     assert (result.failed, result.attempted) == (0, examples)

@@ -17,11 +17,12 @@ from mpmath import mp
 from numpy.testing import assert_allclose, assert_array_equal
 from numpy.typing import NDArray
 
+from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.kernel import kinematics
 from kurbel.kernel import linkage as kernel
 from kurbel.kernel.circle import Circle, arcsine, circle
-from kurbel.linkage import (
+from kurbel.linkage.arc import (
     CHANGE_POINTS,
     MOTIONS,
     ArcCrank,
@@ -38,8 +39,7 @@ from kurbel.linkage import (
     time_ratio,
     value,
 )
-from kurbel.problem import Crank
-from kurbel.quantities import OUT, RETURN
+from kurbel.motion.quantities import OUT, RETURN
 
 # mpmath has no types.
 Real = Any

@@ -15,16 +15,16 @@ from pages import Address, cells
 from test_linkage import DIGITS, Real, links
 
 import kurbel
-import kurbel.linkage_library
+import kurbel.commands.linkage
+from kurbel.drive.crank import Crank
 from kurbel.errors import KurbelError, ProblemError
-from kurbel.labels import plain
-from kurbel.layouts import LANGUAGES, layout
-from kurbel.linkage import ArcCrank
-from kurbel.linkage_page import linkage_column_keys
-from kurbel.numerals import number_text
-from kurbel.problem import Crank
-from kurbel.quantities import OUT, RETURN
-from kurbel.table import Number, Table
+from kurbel.exact.numerals import Number, number_text
+from kurbel.linkage.arc import ArcCrank
+from kurbel.linkage.page import linkage_column_keys
+from kurbel.motion.quantities import OUT, RETURN
+from kurbel.page.labels import plain
+from kurbel.page.layouts import LANGUAGES, layout
+from kurbel.page.table import Table
 
 ARC = ("table", "--mechanism", "arc")
 # Motion of the links, decimals, and heads in German and English.
@@ -386,7 +386,7 @@ def test_a_rocker_without_its_mechanism_is_refused() -> None:
 
 
 def test_the_examples_of_the_docstrings_are_true() -> None:
-    result = doctest.testmod(kurbel.linkage_library)
+    result = doctest.testmod(kurbel.commands.linkage)
     assert (result.failed, result.attempted) == (0, 4)
 
 

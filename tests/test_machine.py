@@ -12,8 +12,8 @@ from cli import printed, refusal
 
 import kurbel
 from kurbel.cli import COMMANDS
+from kurbel.drive.machine import SECTIONS, read_machine, schema
 from kurbel.errors import MachineError
-from kurbel.machine import SECTIONS, read_machine, schema
 
 MACHINE = """
 [crank]
@@ -255,7 +255,7 @@ def test_a_missing_file_is_answered_with_a_sentence() -> None:
 
 
 def test_the_schema_in_the_package_is_that_of_the_reader() -> None:
-    path = Path(kurbel.__file__).parent / "machine.schema.json"
+    path = Path(kurbel.__file__).parent / "drive" / "machine.schema.json"
     assert json.loads(path.read_text(encoding="utf-8")) == schema()
 
 

@@ -19,7 +19,7 @@ from cli import printed, refusal
 from mpmath import mp
 
 import kurbel
-from kurbel.crank_forces import CRANK_FORCES
+from kurbel.drive.crank_forces import CRANK_FORCES
 from kurbel.errors import ProblemError
 
 DIGITS = 9

@@ -10,11 +10,11 @@ from pages import default_page, each_layout
 from test_render import markdown_tables, model_cells
 
 import kurbel
-from kurbel.example_source import numbers_of, source_keys
-from kurbel.labels import plain
-from kurbel.layouts import LANGUAGES
-from kurbel.render import render
-from kurbel.table import Panel, Table
+from kurbel.examples.source import numbers_of, source_keys
+from kurbel.formats.render import render
+from kurbel.page.labels import plain
+from kurbel.page.layouts import LANGUAGES
+from kurbel.page.table import Panel, Table
 
 EXAMPLES = [(key, number) for key in source_keys() for number in numbers_of(key)]
 MARKS = {"de": ",", "en": "."}

@@ -13,16 +13,17 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
-from kurbel.certify import ball
-from kurbel.engine import Engine, Load, Steam
+from kurbel.drive.crank import Crank
+from kurbel.drive.moving import Moving
+from kurbel.drive.rod import Rod
+from kurbel.engine.engine import Engine, Load, Steam
+from kurbel.engine.turn import Turn, turn_of
 from kurbel.errors import ProblemError
+from kurbel.exact.certify import ball
 from kurbel.kernel import inertia, rod
 from kurbel.kernel.circle import circle
 from kurbel.kernel.rod import Masses
-from kurbel.moving import Moving
-from kurbel.problem import Crank, Speed
-from kurbel.rod import Rod
-from kurbel.turn import Turn, turn_of
+from kurbel.reading.speed import Speed
 
 GRID = 72_001
 # Mass of piston and crosshead, rod, its centre from the crosshead pin and radius of gyration in L.

@@ -6,9 +6,9 @@ import pytest
 from pages import MOTION, default_page
 
 from kurbel import make_table
-from kurbel.layouts import layout_names
-from kurbel.render import render
-from kurbel.table import Table
+from kurbel.formats.render import render
+from kurbel.page.layouts import layout_names
+from kurbel.page.table import Table
 
 MACHINE = {"radius": 1, "speed": 3}
 

@@ -10,10 +10,10 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from kurbel import notation
 from kurbel.errors import KurbelError, NotationError
-from kurbel.notation import Progression
-from kurbel.numerals import degrees_text
+from kurbel.exact.numerals import degrees_text
+from kurbel.reading import notation
+from kurbel.reading.notation import Progression
 
 RATIO_HELP = "write it as 1:5, 1:4,5, 1/4.5 or 0.2, and 1:∞ or 1:inf for an infinite rod"
 

@@ -9,8 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kurbel.numerals import degrees_text, finite_decimals, nearest, number_text
-from kurbel.table import Number
+from kurbel.exact.numerals import Number, degrees_text, finite_decimals, nearest, number_text
 
 EXACT = 200
 # Decimal's HALF_UP is half away from zero.

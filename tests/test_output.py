@@ -20,7 +20,7 @@ import pytest
 from cli import kurbel, printed, refusal
 
 from kurbel.errors import OutputError
-from kurbel.output import whole_file
+from kurbel.formats.output import whole_file
 
 NOBODY = 65534
 LONG = ("table", "-f", "csv", "--step", "0.0001")

@@ -18,20 +18,20 @@ import pytest
 from tools import require_library
 
 import kurbel
-from kurbel import plot_style
+from kurbel.drive.crank import Crank
 from kurbel.errors import ChoiceError, MissingExtraError, ProblemError
-from kurbel.formula import FUNCTIONS, GREEK, SIGNS, SYMBOLS
-from kurbel.linkage import ArcCrank
-from kurbel.plot_arc import arc_mechanism, arc_position
-from kurbel.plot_mechanism import LONGEST_ROD, mechanism, position
-from kurbel.plot_parallel import SHAFTS, parallel_mechanism
-from kurbel.plot_place import BESIDE, around, beside, densely, freest
-from kurbel.plot_polar import Vector, polar
-from kurbel.plot_sketch import Point
-from kurbel.plot_style import LINES, image, text_of
-from kurbel.plot_ticks import angle_ticks, axis_label, power_of_thousand, round_step, value_ticks
-from kurbel.plotting import Curve, Panel, curves
-from kurbel.problem import Crank
+from kurbel.linkage.arc import ArcCrank
+from kurbel.page.formula import FUNCTIONS, GREEK, SIGNS, SYMBOLS
+from kurbel.plot import style as plot_style
+from kurbel.plot.arc import arc_mechanism, arc_position
+from kurbel.plot.mechanism import LONGEST_ROD, mechanism, position
+from kurbel.plot.parallel import SHAFTS, parallel_mechanism
+from kurbel.plot.place import BESIDE, around, beside, densely, freest
+from kurbel.plot.plotting import Curve, Panel, curves
+from kurbel.plot.polar import Vector, polar
+from kurbel.plot.sketch import Point
+from kurbel.plot.style import LINES, image, text_of
+from kurbel.plot.ticks import angle_ticks, axis_label, power_of_thousand, round_step, value_ticks
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -679,7 +679,7 @@ def test_the_rod_angle_is_that_of_the_drawn_rod(ratio: float, offset: float) -> 
 
 @drawn
 def test_at_the_dead_centres_of_an_offset_drive_crank_and_rod_are_in_line() -> None:
-    from kurbel.plot_mechanism import _drive
+    from kurbel.plot.mechanism import _drive
 
     drive = _drive(0.3, 0.8)
     for dead in (drive.inner, drive.outer):
@@ -761,7 +761,7 @@ def test_the_rods_end_stays_on_its_side_of_pin_and_pivot(crank: ArcCrank) -> Non
 
 @pytest.mark.parametrize("crank", ARCS)
 def test_at_the_dead_centres_of_an_arc_crank_rod_and_crank_are_in_line(crank: ArcCrank) -> None:
-    from kurbel.plot_arc import _drive
+    from kurbel.plot.arc import _drive
 
     drive, rod = _drive(crank), 1 / float(crank.crank.ratio)
     assert math.hypot(*drive.inner.head) == pytest.approx(rod + 1)

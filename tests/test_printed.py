@@ -10,15 +10,14 @@ from pathlib import Path
 import pytest
 import textbook
 
-from kurbel.arrange import panels
-from kurbel.layouts import layout
-from kurbel.motion import motion_grid
-from kurbel.notation import angles, ratio
-from kurbel.numerals import number_text
-from kurbel.problem import Crank
-from kurbel.quantities import certified, registry
-from kurbel.request import Request, page_columns
-from kurbel.table import Number
+from kurbel.drive.crank import Crank
+from kurbel.exact.numerals import Number, number_text
+from kurbel.motion.grid import motion_grid
+from kurbel.motion.quantities import certified, registry
+from kurbel.motion.request import Request, page_columns
+from kurbel.page.arrange import panels
+from kurbel.page.layouts import layout
+from kurbel.reading.notation import angles, ratio
 
 FOLDER = Path(__file__).parent / "sources"
 FIFTY_DIGITS = 170

@@ -6,9 +6,10 @@ from fractions import Fraction
 
 import pytest
 
+from kurbel.drive.crank import Crank, check_angles
 from kurbel.errors import ProblemError
-from kurbel.notation import Progression
-from kurbel.problem import Crank, Speed, check_angles
+from kurbel.reading.notation import Progression
+from kurbel.reading.speed import Speed
 
 FIFTH = Fraction(1, 5)
 

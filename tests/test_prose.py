@@ -13,10 +13,7 @@ from hypothesis import strategies as st
 from markdown_it import MarkdownIt
 from prose_sample import SAMPLE, Parts
 
-from kurbel.errors import ChoiceError, ProseError
-from kurbel.formats import FORMATS
-from kurbel.formula import parse_formula
-from kurbel.prose import (
+from kurbel.documents.prose import (
     Blocks,
     Break,
     Code,
@@ -35,7 +32,10 @@ from kurbel.prose import (
     Text,
     parse_prose,
 )
-from kurbel.prose_print import set_prose
+from kurbel.documents.prose_print import set_prose
+from kurbel.errors import ChoiceError, ProseError
+from kurbel.formats.registry import FORMATS
+from kurbel.page.formula import parse_formula
 
 PAGES = [name for name, form in FORMATS.items() if form.kind == "page"]
 

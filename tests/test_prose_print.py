@@ -14,9 +14,9 @@ from test_latex import ENGINES, compiled, complaints
 from test_prose import parsed, shown
 from tools import require, require_library
 
-from kurbel.formats import FORMATS
-from kurbel.prose import parse_prose
-from kurbel.prose_print import set_prose
+from kurbel.documents.prose import parse_prose
+from kurbel.documents.prose_print import set_prose
+from kurbel.formats.registry import FORMATS
 
 _LATEX = r"""\documentclass[a4paper]{report}
 \usepackage{iftex}

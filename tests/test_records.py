@@ -18,13 +18,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pages import command
 
-from kurbel.example_source import numbers_of, source_keys
-from kurbel.labels import plain
-from kurbel.layouts import layout_names
-from kurbel.records import csv_rows, json_rows
-from kurbel.render import render
-from kurbel.source import source_tables
-from kurbel.table import Field, Number, Records, Table
+from kurbel.books.source import source_tables
+from kurbel.exact.numerals import Number
+from kurbel.examples.source import numbers_of, source_keys
+from kurbel.formats.records import csv_rows, json_rows
+from kurbel.formats.render import render
+from kurbel.page.labels import plain
+from kurbel.page.layouts import layout_names
+from kurbel.page.table import Field, Records, Table
 
 
 class Endless:

@@ -18,13 +18,13 @@ from everything import AWKWARD_TEXT, everything, n
 from golden import assert_golden
 from markdown_it import MarkdownIt
 
-from kurbel.escapes import mark_text
-from kurbel.formats import FORMATS, by_name
-from kurbel.labels import plain
-from kurbel.numerals import number_text
-from kurbel.page import page
-from kurbel.render import render
-from kurbel.table import DITTO, Cell, Column, Group, Note, Number, Panel, Records, Row, Table
+from kurbel.exact.numerals import Number, number_text
+from kurbel.formats.escapes import mark_text
+from kurbel.formats.page import page
+from kurbel.formats.registry import FORMATS, by_name
+from kurbel.formats.render import render
+from kurbel.page.labels import plain
+from kurbel.page.table import DITTO, Cell, Column, Group, Note, Panel, Records, Row, Table
 
 PAGES = [entry.name for entry in FORMATS.values() if entry.kind == "page"]
 
@@ -72,7 +72,7 @@ def test_layout_may_bring_a_template_of_its_own(tmp_path: Path, monkeypatch: pyt
         for form in ("text", "markdown"):
             (tmp_path / name / f"{form}.jinja").write_text(template)
     # The package offers the function under the name of the module.
-    module = import_module("kurbel.render")
+    module = import_module("kurbel.formats.render")
     monkeypatch.setattr(module, "template_folder", lambda: str(tmp_path))
     module._environment.cache_clear()
     try:

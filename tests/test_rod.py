@@ -18,23 +18,24 @@ from hypothesis import strategies as st
 from mpmath import mp
 from numpy.testing import assert_allclose
 
-from kurbel import certify, units
-from kurbel.csv_lines import shown
-from kurbel.errors import MissingExtraError, ProblemError, RodError
-from kurbel.kernel import forces
-from kurbel.kernel import rod as kernel
-from kurbel.kernel.circle import Circle, circle
-from kurbel.kernel.rod import Masses
-from kurbel.problem import Crank
-from kurbel.quantities import OUT, RETURN, Quantity, certified
-from kurbel.rod import (
+from kurbel.drive.crank import Crank
+from kurbel.drive.rod import (
     MODELS,
     Rod,
     Section,
     rod_of_points,
     rod_of_sections,
 )
-from kurbel.rod_file import read_rod
+from kurbel.drive.rod_file import read_rod
+from kurbel.errors import MissingExtraError, ProblemError, RodError
+from kurbel.exact import certify
+from kurbel.kernel import forces
+from kurbel.kernel import rod as kernel
+from kurbel.kernel.circle import Circle, circle
+from kurbel.kernel.rod import Masses
+from kurbel.motion.quantities import OUT, RETURN, Quantity, certified
+from kurbel.reading import units
+from kurbel.reading.csv_lines import shown
 
 # mpmath has no types.
 Real = Any

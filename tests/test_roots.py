@@ -13,8 +13,8 @@ from flint import arb
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kurbel.certify import ball
-from kurbel.roots import LEAST_WIDTH, Root, interval, isolate, refined
+from kurbel.exact.certify import ball
+from kurbel.exact.roots import LEAST_WIDTH, Root, interval, isolate, refined
 
 Ball = Any
 Pair = tuple[Callable[[Ball], Ball], Callable[[Ball], Ball]]

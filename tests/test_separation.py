@@ -12,11 +12,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from mpmath import mp
 
-from kurbel import certify
+from kurbel.drive.crank import Crank
+from kurbel.exact import certify
+from kurbel.exact.separation import Separation, circle_separation
 from kurbel.kernel.circle import Circle
-from kurbel.problem import Crank
-from kurbel.quantities import DIFFERENCE, Numbers, registry, value
-from kurbel.separation import Separation, circle_separation
+from kurbel.motion.quantities import DIFFERENCE, Numbers, registry, value
 
 WIDE = 4000
 """Bits at which values are compared with their bounds."""

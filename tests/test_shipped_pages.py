@@ -15,11 +15,11 @@ from test_render import fragment
 from tools import require, require_library
 
 from kurbel import make_engine_table, make_table, typeset_pdf
-from kurbel.labels import plain
-from kurbel.layouts import LANGUAGES, layout_names
-from kurbel.numerals import number_text
-from kurbel.render import render
-from kurbel.table import Number, Row, Table
+from kurbel.exact.numerals import Number, number_text
+from kurbel.formats.render import render
+from kurbel.page.labels import plain
+from kurbel.page.layouts import LANGUAGES, layout_names
+from kurbel.page.table import Row, Table
 
 PREAMBLE = r"""\documentclass{article}
 \usepackage{iftex}

@@ -16,17 +16,18 @@ from mpmath import mp
 from test_linkage import CRANKS, links
 from test_linkage import shown as links_shown
 
-from kurbel.arc_drive import ArcDrive
-from kurbel.certify import ball
-from kurbel.course import Course, Target
-from kurbel.drives import Drive, SlideDrive
+from kurbel.drive.crank import Crank
 from kurbel.errors import NoRootError, ProblemError
-from kurbel.linkage import ArcCrank
-from kurbel.place import SQUARE, exact_place
-from kurbel.problem import Crank, Speed
-from kurbel.quantities import OUT, RETURN
-from kurbel.solve import Root, solve, target_of
-from kurbel.where import ARC_NAMES, SLIDE_NAMES, VALUE, Condition, read_condition
+from kurbel.exact.certify import ball
+from kurbel.exact.course import Course, Target
+from kurbel.exact.place import SQUARE, exact_place
+from kurbel.linkage.arc import ArcCrank
+from kurbel.linkage.arc_drive import ArcDrive
+from kurbel.motion.drives import Drive, SlideDrive
+from kurbel.motion.quantities import OUT, RETURN
+from kurbel.reading.speed import Speed
+from kurbel.reading.where import ARC_NAMES, SLIDE_NAMES, VALUE, Condition, read_condition
+from kurbel.solve.solve import Root, solve, target_of
 
 # mpmath has no types.
 Real = Any
@@ -165,8 +166,8 @@ def _compare_with_floats(
     import numpy as np
     from test_linkage import FLOATS
 
-    from kurbel import linkage
     from kurbel.kernel.circle import circle
+    from kurbel.linkage import arc as linkage
 
     course = ArcDrive(crank).course(quantity, stroke)
     begin, end = (float((180 * place.half_turns()).mid()) for place in (course.begin, course.end))

@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 from mpmath import mp
 from numpy.testing import assert_allclose
 
-from kurbel.certify import ball
+from kurbel.exact.certify import ball
 from kurbel.kernel import steam, turning
 from kurbel.kernel.circle import circle
 from kurbel.kernel.kinds import larger, logarithm, smaller

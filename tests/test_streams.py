@@ -9,11 +9,15 @@ from fractions import Fraction
 import pytest
 from cli import printed
 
-from kurbel import axes, digits, notation, rows, streams
-from kurbel.build import build
-from kurbel.layouts import layout
-from kurbel.problem import Crank
-from kurbel.request import Request
+from kurbel.drive.crank import Crank
+from kurbel.formats import streams
+from kurbel.motion import digits, rows
+from kurbel.motion.request import Request
+from kurbel.page import angles as page_angles
+from kurbel.page import axes
+from kurbel.page.build import build
+from kurbel.page.layouts import layout
+from kurbel.reading import notation
 
 ANGLES = {
     "a run": notation.progression(Fraction(-7), Fraction(500), Fraction(1, 8)),
@@ -52,7 +56,7 @@ def test_all_angles_of_a_list_have_the_same_decimals(monkeypatch: pytest.MonkeyP
 
 def test_a_list_of_angles_is_looked_through_a_few_times_only(monkeypatch: pytest.MonkeyPatch) -> None:
     looks: list[int] = []
-    original = rows.angle_decimals
+    original = page_angles.angle_decimals
 
     def counted(angles: Sequence[Fraction]) -> int | None:
         looks.append(len(angles))

@@ -9,8 +9,8 @@ import handbook
 import pytest
 from browser import Viewer
 
-from kurbel import plot_style
-from kurbel.svg_inline import COLOURS, inline
+from kurbel.formats.svg_inline import COLOURS, inline
+from kurbel.plot import style as plot_style
 
 SIZE = "svg { display: block; width: 600px; height: auto; }"
 ITSELF = "".join(f"--{name}: {colour};" for colour, name in COLOURS.items())

@@ -14,8 +14,8 @@ from pages import cells
 
 import kurbel
 from kurbel.errors import KurbelError
-from kurbel.labels import plain
-from kurbel.table import Number
+from kurbel.exact.numerals import Number
+from kurbel.page.labels import plain
 
 
 def records(*words: str) -> list[dict[str, str]]:

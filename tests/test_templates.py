@@ -11,10 +11,10 @@ import pytest
 from everything import everything
 from handbook import document, fragments, table
 
-from kurbel.documents import document_files
+from kurbel.documents.registry import document_files
 from kurbel.errors import LayoutError
-from kurbel.formats import FORMATS
-from kurbel.render import render
+from kurbel.formats.registry import FORMATS
+from kurbel.formats.render import render
 
 NAMES = [name for name, form in FORMATS.items() if form.kind == "page"]
 
@@ -86,7 +86,7 @@ def test_a_changed_template_is_read_again(folder: Path) -> None:
     [
         ("a\n{{ pge }}", 2, "'pge' is undefined"),
         ("a\nb\n{% for %}", 3, "Expected an expression, got 'end of statement block'"),
-        ("{{ page.nothing }}", 1, "'kurbel.page.Page object' has no attribute 'nothing'"),
+        ("{{ page.nothing }}", 1, "'kurbel.formats.page.Page object' has no attribute 'nothing'"),
         ("\n\n\n{{ 1 / 0 }}", 4, "division by zero"),
         ("{{ page.key | shout }}", 1, "No filter named 'shout'."),
         ("{% include 'base/markdown.jinja' %}", 1, "it calls itself without end"),

@@ -18,10 +18,10 @@ from mpmath import mp
 from textbook import Drive
 from timed import WITHOUT_UNITS, kurbel
 
-from kurbel import certify
 from kurbel.errors import ProblemError
-from kurbel.formats import FORMATS
-from kurbel.quantities import DIFFERENCE, METHODS
+from kurbel.exact import certify
+from kurbel.formats.registry import FORMATS
+from kurbel.motion.quantities import DIFFERENCE, METHODS
 
 MOST_DECIMALS = 50
 BITS = 640

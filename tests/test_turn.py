@@ -15,10 +15,10 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from mpmath import mp
 
-from kurbel.engine import Engine, Steam
+from kurbel.drive.crank import Crank
+from kurbel.engine.engine import Engine, Steam
+from kurbel.engine.turn import Turn, at_bits, place, turn_of
 from kurbel.errors import ProblemError
-from kurbel.problem import Crank
-from kurbel.turn import Turn, at_bits, place, turn_of
 
 FIFTH = Fraction(1, 5)
 BITS = 200

@@ -17,11 +17,12 @@ from test_shipped_pages import all_pages, assert_rows_stand_in, text_of_pdf
 from tools import require_library
 
 from kurbel.errors import LayoutError
-from kurbel.escapes import escape_typst, mark_typst, string_typst
-from kurbel.formula import Formula
-from kurbel.formula_print import formula_plain, formula_typst
-from kurbel.labels import parse
-from kurbel.render import render
+from kurbel.formats.escapes import escape_typst, mark_typst, string_typst
+from kurbel.formats.formula_print import formula_typst
+from kurbel.formats.render import render
+from kurbel.page.formula import Formula
+from kurbel.page.labels import parse
+from kurbel.page.plain import formula_plain
 
 require_library("typst")
 

@@ -10,8 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kurbel import units
 from kurbel.errors import KurbelError, MissingExtraError, NotationError
+from kurbel.reading import units
 
 SPEED_HELP = "a speed of rotation such as 120/min, 120rpm or 12.5rad/s"
 

@@ -17,12 +17,12 @@ import textbook
 from energy_curve import Exact, Plant
 from mpmath import mp
 
-from kurbel import beam
-from kurbel.beam import BeamEngine
-from kurbel.engine import Engine, Steam
-from kurbel.numerals import degrees_text, number_text
-from kurbel.problem import Crank
-from kurbel.turn import Turn, at_bits, turn_of
+from kurbel.drive.crank import Crank
+from kurbel.engine.engine import Engine, Steam
+from kurbel.engine.turn import Turn, at_bits, turn_of
+from kurbel.exact.numerals import degrees_text, number_text
+from kurbel.linkage import beam
+from kurbel.linkage.beam import BeamEngine
 
 FOLDER = Path(__file__).parent / "sources" / "weisbach"
 METHODS = ("exact", "series", "weisbach")

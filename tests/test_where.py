@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kurbel.errors import KurbelError, NotationError
-from kurbel.where import (
+from kurbel.reading.where import (
     ACCELERATIONS,
     ANGLES,
     ARC_NAMES,

@@ -7,8 +7,9 @@ from time import process_time
 
 from textbook import Drive
 
-from kurbel.problem import Crank, Speed
-from kurbel.quantities import certified, registry
+from kurbel.drive.crank import Crank
+from kurbel.motion.quantities import certified, registry
+from kurbel.reading.speed import Speed
 
 ONE_SECOND = 1.0
 WITHOUT_UNITS = [key for key, quantity in registry().items() if not quantity.needs]

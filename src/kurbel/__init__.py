@@ -18,16 +18,16 @@ from typing import TYPE_CHECKING
 from kurbel.errors import KurbelError
 
 if TYPE_CHECKING:
-    from kurbel.balance_library import make_balance_table, make_harmonics_table
-    from kurbel.collate_library import make_collation_table
-    from kurbel.engine_library import make_dead_centres_table, make_engine_table
-    from kurbel.example_library import make_example_table
-    from kurbel.irregularity import delta
-    from kurbel.library import certified, compute, make_table, typeset
-    from kurbel.linkage_library import make_arc_table, make_parallel_table
-    from kurbel.pdf import typeset_pdf
-    from kurbel.rod_library import make_inertia_table, make_tangent_table
-    from kurbel.solve_library import make_solve_table
+    from kurbel.commands.balance import make_balance_table, make_harmonics_table
+    from kurbel.commands.collate import make_collation_table
+    from kurbel.commands.engine import make_dead_centres_table, make_engine_table
+    from kurbel.commands.example import make_example_table
+    from kurbel.commands.linkage import make_arc_table, make_parallel_table
+    from kurbel.commands.motion import certified, compute, make_table, typeset
+    from kurbel.commands.rod import make_inertia_table, make_tangent_table
+    from kurbel.commands.solve import make_solve_table
+    from kurbel.engine.irregularity import delta
+    from kurbel.formats.pdf import typeset_pdf
 
 __version__ = "0.1.0"
 __all__ = [
@@ -52,19 +52,19 @@ __all__ = [
     "typeset_pdf",
 ]
 _MODULES = {
-    "delta": "kurbel.irregularity",
-    "make_balance_table": "kurbel.balance_library",
-    "make_collation_table": "kurbel.collate_library",
-    "make_dead_centres_table": "kurbel.engine_library",
-    "make_engine_table": "kurbel.engine_library",
-    "make_example_table": "kurbel.example_library",
-    "make_harmonics_table": "kurbel.balance_library",
-    "make_arc_table": "kurbel.linkage_library",
-    "make_parallel_table": "kurbel.linkage_library",
-    "make_inertia_table": "kurbel.rod_library",
-    "make_tangent_table": "kurbel.rod_library",
-    "make_solve_table": "kurbel.solve_library",
-    "typeset_pdf": "kurbel.pdf",
+    "delta": "kurbel.engine.irregularity",
+    "make_balance_table": "kurbel.commands.balance",
+    "make_collation_table": "kurbel.commands.collate",
+    "make_dead_centres_table": "kurbel.commands.engine",
+    "make_engine_table": "kurbel.commands.engine",
+    "make_example_table": "kurbel.commands.example",
+    "make_harmonics_table": "kurbel.commands.balance",
+    "make_arc_table": "kurbel.commands.linkage",
+    "make_parallel_table": "kurbel.commands.linkage",
+    "make_inertia_table": "kurbel.commands.rod",
+    "make_tangent_table": "kurbel.commands.rod",
+    "make_solve_table": "kurbel.commands.solve",
+    "typeset_pdf": "kurbel.formats.pdf",
 }
 
 
@@ -73,7 +73,7 @@ def __getattr__(name: str) -> object:
         raise AttributeError(f"module 'kurbel' has no attribute {name!r}")
     from importlib import import_module
 
-    return getattr(import_module(_MODULES.get(name, "kurbel.library")), name)
+    return getattr(import_module(_MODULES.get(name, "kurbel.commands.motion")), name)
 
 
 def __dir__() -> list[str]:

@@ -15,12 +15,12 @@ from typing import Any, NamedTuple
 
 import click
 
-from kurbel.choices import choose
 from kurbel.cli import COMMANDS
 from kurbel.cli.app import HELP_OPTIONS, one_line
 from kurbel.cli.kept import Kept
 from kurbel.cli.machine import MACHINE, machine_defaults
 from kurbel.errors import ChoiceError, ProblemError
+from kurbel.reading.choices import choose
 
 # Those that print lists, or work on whole files.
 NO_TABLES = frozenset(("sources", "layouts", "quantities", "handbook", "inject"))

@@ -7,12 +7,12 @@ from typing import Any, TypeVar
 
 import click
 
-from kurbel import notation
-from kurbel.balance import usual
+from kurbel.balance.arrangement import usual
+from kurbel.balance.harmonics import MOST_ORDERS, registry
 from kurbel.cli.machine import machine_option
 from kurbel.cli.options import Columns, Count, Name, layout_option, output_options, sheet_of, without_outdone
-from kurbel.harmonics import MOST_ORDERS, registry
-from kurbel.quantities import METHODS
+from kurbel.motion.quantities import METHODS
+from kurbel.reading import notation
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 # What gives way, where it only comes from the environment, to what is typed.
@@ -54,9 +54,9 @@ def harmonics(**options: Any) -> None:
     kurbel harmonics --ratio 1:5
     kurbel harmonics --ratio '1:4;1:5' --quantity x --orders 10 --digits 12
     """  # fmt: skip
+    from kurbel.balance.harmonics_page import HarmonicsRequest
     from kurbel.cli.printing import Printing, print_table
-    from kurbel.harmonics_page import HarmonicsRequest
-    from kurbel.layouts import layout_of
+    from kurbel.page.layouts import layout_of
 
     printing = Printing.chosen(options)
     page = layout_of(options["layout"], ("harmonics",))
@@ -119,9 +119,9 @@ def balance(**options: Any) -> None:
     kurbel balance --engine v2-90 --share 0.5 --orders 6
     kurbel balance --cranks '0;0;90;90' --positions '0;0;1;1' --banks '-45;45;-45;45'
     """  # fmt: skip
-    from kurbel.balance_request import BalanceRequest, arranged
+    from kurbel.balance.request import BalanceRequest, arranged
     from kurbel.cli.printing import Printing, print_table
-    from kurbel.layouts import layout_of
+    from kurbel.page.layouts import layout_of
 
     options = without_outdone(options, RIVALS)
     printing = Printing.chosen(options)

@@ -6,8 +6,8 @@ from typing import Any
 
 import click
 
-from kurbel import notation
 from kurbel.cli.options import Columns, layout_option, output_options, sheet_of
+from kurbel.reading import notation
 
 
 @click.command()
@@ -39,9 +39,9 @@ def deadcentres(**options: Any) -> None:
     kurbel deadcentres --beam 3 --ratio 1:5
     kurbel deadcentres --beam 3 --ratio 1:5 --exact
     """  # fmt: skip
-    from kurbel.beam_page import BeamRequest
     from kurbel.cli.printing import Printing, print_table
-    from kurbel.layouts import layout_of
+    from kurbel.linkage.beam_page import BeamRequest
+    from kurbel.page.layouts import layout_of
 
     printing = Printing.chosen(options)
     page = layout_of(options["layout"], ("dead centres",))

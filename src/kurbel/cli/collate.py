@@ -6,11 +6,11 @@ from typing import Any
 
 import click
 
+from kurbel.books.verdict import ONLY
 from kurbel.cli.lists import lang_option
 from kurbel.cli.options import Columns, Name, layout_option, output_options, sheet_of
 from kurbel.errors import ProblemError
-from kurbel.numerals import ROUNDINGS
-from kurbel.verdict import ONLY
+from kurbel.exact.numerals import ROUNDINGS
 
 # Of what a source says about itself.
 WORDS = {
@@ -28,7 +28,7 @@ folder_option = click.option(
 @lang_option
 def sources(sources: str | None, lang: str) -> None:
     """List the books that kurbel knows, with their tables."""
-    from kurbel.source import books
+    from kurbel.books.source import books
 
     # All are read before any is listed.
     for book in tuple(books(sources)):
@@ -71,10 +71,10 @@ def collate(**options: Any) -> int:
     kurbel collate weisbach-150 --only deviations --lang en
     kurbel collate --csv scan.csv --quantity p --ratio 1:4 --method series --strict
     """  # fmt: skip
+    from kurbel.books.collate_page import CollateRequest
+    from kurbel.books.transcription import collated_table
     from kurbel.cli.printing import Printing, print_table
-    from kurbel.collate_page import CollateRequest
-    from kurbel.layouts import layout_of
-    from kurbel.transcription import collated_table
+    from kurbel.page.layouts import layout_of
 
     if options["csv"] is not None and options["table"] is not None:
         raise ProblemError("--csv is a table of your own, and one of a book is named too; leave one out")

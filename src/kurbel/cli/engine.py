@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
-from kurbel import notation
 from kurbel.cli.machine import machine_option
 from kurbel.cli.masses import is_heavy, load_of, mass_options, with_masses
 from kurbel.cli.options import (
@@ -22,10 +21,11 @@ from kurbel.cli.options import (
     without_outdone,
 )
 from kurbel.errors import ProblemError
+from kurbel.reading import notation
 
 if TYPE_CHECKING:
-    from kurbel.engine import Diagram, Steam
-    from kurbel.layouts import Layout
+    from kurbel.engine.engine import Diagram, Steam
+    from kurbel.page.layouts import Layout
 
 # What gives way, where it only comes from the environment, to what is typed.
 RIVALS = (
@@ -40,7 +40,7 @@ Command = TypeVar("Command", bound=Callable[..., Any])
 
 
 def _method_names() -> tuple[str, ...]:
-    from kurbel.engine_request import ENGINE_METHODS
+    from kurbel.engine.request import ENGINE_METHODS
 
     return tuple(ENGINE_METHODS)
 
@@ -159,7 +159,7 @@ def turning(**options: Any) -> None:
     kurbel turning --eps 4 --cranks '0;90' --step 15
     kurbel turning --eps 4 --step 0.5 -f csv -o drehkraft.csv
     """  # fmt: skip
-    from kurbel.layouts import layout_of
+    from kurbel.page.layouts import layout_of
 
     _check_masses(options, ("speed", *ONLY_MASSES))
     if options["angle"] and options["step"] is not None:
@@ -193,8 +193,8 @@ def flywheel(**options: Any) -> None:
     kurbel flywheel --power 50kW --speed 120/min --delta 1:100 --eps 4 --ratio 1:5
     kurbel flywheel --power 50kW --speed 120/min --delta '1:50;1:100' --eps 4 --radius 1.5m
     """  # fmt: skip
-    from kurbel.flywheel import Flywheel
-    from kurbel.units import length, speed
+    from kurbel.drive.flywheel import Flywheel
+    from kurbel.reading.units import length, speed
 
     _check_masses(options, ONLY_MASSES)
     watts, turns = _power(options), speed(options["speed"])
@@ -205,7 +205,7 @@ def flywheel(**options: Any) -> None:
 
 def _power(options: Mapping[str, Any]) -> Fraction | None:
     """Return the power in watts; with masses it follows from the steam, against which they are weighed."""
-    from kurbel.units import power
+    from kurbel.reading.units import power
 
     if is_heavy(options):
         if options["power"] is not None and typed("power"):
@@ -227,8 +227,8 @@ def _check_masses(options: Mapping[str, Any], names: tuple[str, ...]) -> None:
 
 def print_engine(options: dict[str, Any], name: str, subjects: tuple[str, ...], **rest: Any) -> None:
     from kurbel.cli.printing import Printing, print_table
-    from kurbel.engine_request import EngineRequest
-    from kurbel.layouts import layout_of
+    from kurbel.engine.request import EngineRequest
+    from kurbel.page.layouts import layout_of
 
     printing = Printing.chosen(options)
     page = layout_of(name, subjects)
@@ -261,9 +261,9 @@ def engines_of(page: Layout, options: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _diagrams(options: Mapping[str, Any]) -> list[Diagram]:
-    from kurbel.card_file import read_card
-    from kurbel.engine import Diagram
-    from kurbel.units import pressure
+    from kurbel.engine.card_file import read_card
+    from kurbel.engine.engine import Diagram
+    from kurbel.reading.units import pressure
 
     for name in ("eps", "back", "exponent", "clearance"):
         if options[name] not in (None, ()):
@@ -277,7 +277,7 @@ def _diagrams(options: Mapping[str, Any]) -> list[Diagram]:
 
 
 def _steams(page: Layout, options: Mapping[str, Any]) -> list[Steam]:
-    from kurbel.engine import Steam
+    from kurbel.engine.engine import Steam
 
     if options["other_side"] is not None:
         raise ProblemError("--other-side is for --card; of an ideal card --back is the pressure there")

@@ -9,9 +9,9 @@ from typing import Any
 import click
 from click.shell_completion import CompletionItem
 
-from kurbel import notation
 from kurbel.cli.options import page_options
 from kurbel.cli.table import RATIO
+from kurbel.reading import notation
 
 READERS: Mapping[str, Callable[[Any], Sequence[Fraction]]] = {
     "ratio": notation.ratios,
@@ -24,7 +24,7 @@ READERS: Mapping[str, Callable[[Any], Sequence[Fraction]]] = {
 
 
 def _newtons(text: str) -> Fraction:
-    from kurbel.units import force
+    from kurbel.reading.units import force
 
     return force(text)
 
@@ -38,7 +38,7 @@ class _Source(click.ParamType):  # type: ignore[type-arg]
     def shell_complete(
         self, ctx: click.Context, param: click.Parameter, incomplete: str
     ) -> list[CompletionItem]:
-        from kurbel.example_source import source_keys
+        from kurbel.examples.source import source_keys
 
         return [CompletionItem(key) for key in source_keys() if key.startswith(incomplete)]
 
@@ -51,7 +51,7 @@ class _Number(click.ParamType):  # type: ignore[type-arg]
     def shell_complete(
         self, ctx: click.Context, param: click.Parameter, incomplete: str
     ) -> list[CompletionItem]:
-        from kurbel.example_source import numbers_of, source_keys
+        from kurbel.examples.source import numbers_of, source_keys
 
         key = ctx.params.get("source")
         numbers = numbers_of(key) if key in source_keys() else ()
@@ -87,8 +87,8 @@ def example(**options: Any) -> None:
         _print_list(options["source"], options["lang"])
         return
     from kurbel.cli.printing import Printing, print_made
-    from kurbel.example_page import build_example
-    from kurbel.example_request import ExampleRequest
+    from kurbel.examples.page import build_example
+    from kurbel.examples.request import ExampleRequest
 
     printing = Printing.chosen(options)
     request = ExampleRequest(
@@ -105,7 +105,7 @@ def _print_list(key: str | None, lang: str) -> None:
     """Print the examples of a source, or of all, a line each."""
     from tabulate import tabulate
 
-    from kurbel.example_source import source, source_keys
+    from kurbel.examples.source import source, source_keys
 
     keys = source_keys() if key is None else [source(key).key]
     rows = [row for one in keys for row in _rows(one, lang)]
@@ -113,7 +113,7 @@ def _print_list(key: str | None, lang: str) -> None:
 
 
 def _rows(key: str, lang: str) -> Iterator[tuple[str, ...]]:
-    from kurbel.example_source import example, numbers_of
+    from kurbel.examples.source import example, numbers_of
 
     for number in numbers_of(key):
         one = example(key, number)

@@ -9,7 +9,6 @@ from typing import Any
 
 import click
 
-from kurbel import notation
 from kurbel.cli.engine import CRANKS, STEAM_NAMES, engine_conditions, print_engine, steam_options
 from kurbel.cli.machine import machine_option
 from kurbel.cli.masses import MASSES, MOVING, ROTATING, SIZE, is_heavy, with_masses
@@ -25,7 +24,8 @@ from kurbel.cli.options import (
 from kurbel.cli.printing import Printing, print_table
 from kurbel.cli.table import RIVALS, chosen_angles, cranks_of, motion_options, motion_request
 from kurbel.errors import ProblemError
-from kurbel.layouts import layout_of
+from kurbel.page.layouts import layout_of
+from kurbel.reading import notation
 
 OF_ENGINES = ("crank forces", "machine")
 POSITIONS = ("tangent",)
@@ -69,7 +69,7 @@ def forces(**options: Any) -> None:
 
 
 def _subject(options: Mapping[str, Any]) -> Callable[[dict[str, Any]], None]:
-    from kurbel.layouts import layout
+    from kurbel.page.layouts import layout
 
     about = layout(options["layout"]).subject if options["layout"] else ""
     if options["at"] is not None or about == "tangent":
@@ -108,7 +108,7 @@ def _print_engine(options: dict[str, Any]) -> None:
 
 
 def _print_tangent(options: dict[str, Any]) -> None:
-    from kurbel.tangent_page import TangentRequest
+    from kurbel.motion.tangent_page import TangentRequest
 
     options = without_outdone(options, RIVALS)
     page = layout_of(options["layout"] or "forces-tangent", ("tangent",))
@@ -132,6 +132,6 @@ def _refuse(options: Mapping[str, Any], names: tuple[str, ...], why: str) -> Non
 
 
 def _newtons(options: Mapping[str, Any]) -> Fraction | None:
-    from kurbel.units import force
+    from kurbel.reading.units import force
 
     return None if options["force"] is None else force(options["force"])

@@ -12,15 +12,15 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from kurbel.cli.options import Count, Name, in_order
-from kurbel.handbook_keys import ENGINES
-from kurbel.handbook_pool import MOST_PROCESSES
-from kurbel.layouts import LANGUAGES
+from kurbel.handbook.keys import ENGINES
+from kurbel.handbook.pool import MOST_PROCESSES
+from kurbel.page.layouts import LANGUAGES
 
 if TYPE_CHECKING:
-    from kurbel.handbook import Built
-    from kurbel.handbook_build import Build
-    from kurbel.handbook_folder import Folder
-    from kurbel.handbook_manifest import Manifest, Part
+    from kurbel.handbook.build import Build
+    from kurbel.handbook.folder import Folder
+    from kurbel.handbook.manifest import Manifest, Part
+    from kurbel.handbook.parts import Built
 
 # So many characters of a text tell which it is.
 MOST_SHOWN = 50
@@ -37,7 +37,7 @@ class _Group(click.Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        from kurbel.choices import choose
+        from kurbel.reading.choices import choose
 
         if not args[0].startswith("-") and not ctx.resilient_parsing:
             choose(args[0], self.commands, "command of kurbel handbook")
@@ -76,9 +76,9 @@ building = in_order((FOLDER, JOBS, ENGINE))
 def init(folder: str, lang: str) -> None:
     """Write a manifest with comments, which builds at once, into FOLDER."""
     from kurbel.errors import HandbookError, OutputError
-    from kurbel.handbook_init import first_manifest
-    from kurbel.handbook_manifest import NAME
-    from kurbel.output import whole_file
+    from kurbel.formats.output import whole_file
+    from kurbel.handbook.init import first_manifest
+    from kurbel.handbook.manifest import NAME
 
     path = os.path.join(folder, NAME)
     if os.path.lexists(path):
@@ -101,7 +101,7 @@ def build(**options: Any) -> int:
 
 def _build(options: dict[str, Any]) -> int:
     from kurbel.cli.handbook_parts import make_part
-    from kurbel.handbook_build import build as built
+    from kurbel.handbook.build import build as built
 
     manifest, folder, jobs = _opened(options)
     with _bar() as start:
@@ -121,7 +121,7 @@ def check(**options: Any) -> int:
     All is built anew, elsewhere. The differences go to standard output.
     """
     from kurbel.cli.handbook_parts import make_part
-    from kurbel.handbook_check import check as checked
+    from kurbel.handbook.check import check as checked
 
     manifest, folder, jobs = _opened(options)
     with _bar() as start:
@@ -146,7 +146,7 @@ def listed(folder: str) -> None:
     """List the chapters and parts of the handbook in FOLDER, and what a build would make anew."""
     from tabulate import tabulate
 
-    from kurbel.handbook_build import Build
+    from kurbel.handbook.build import Build
 
     options = {"folder": folder, "jobs": 1, "pdf_engine": None}
     manifest, output, jobs = _opened(options)
@@ -173,7 +173,7 @@ def _row(one: Build, part: Part, stale: bool) -> tuple[str, ...]:
 def watch(**options: Any) -> None:
     """Build the handbook in FOLDER, and again each time a file of it is saved, until Ctrl-C."""
     from kurbel.errors import KurbelError
-    from kurbel.handbook_watch import Seen, as_built, glance
+    from kurbel.handbook.watch import Seen, as_built, glance
 
     # One that is not there, or has a mistake, ends the command; later ones are waited out.
     _opened(options)
@@ -192,9 +192,9 @@ def watch(**options: Any) -> None:
 
 def _opened(options: dict[str, Any]) -> tuple[Manifest, Folder, int]:
     """Return the manifest, the output folder and how many processes may run."""
-    from kurbel.handbook_folder import Folder
-    from kurbel.handbook_manifest import check_engine, manifest_path, read_manifest
-    from kurbel.handbook_pool import cores
+    from kurbel.handbook.folder import Folder
+    from kurbel.handbook.manifest import check_engine, manifest_path, read_manifest
+    from kurbel.handbook.pool import cores
 
     manifest = read_manifest(manifest_path(options["folder"]))
     if options["pdf_engine"]:

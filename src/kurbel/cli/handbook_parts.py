@@ -8,8 +8,8 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from kurbel.errors import KurbelError
-from kurbel.formats import FORMATS
-from kurbel.handbook import GIGABYTES, Made, Task
+from kurbel.formats.registry import FORMATS
+from kurbel.handbook.parts import GIGABYTES, Made, Task
 
 if TYPE_CHECKING:
     from kurbel.cli.asking import Asked
@@ -21,7 +21,7 @@ def make_part(task: Task) -> Made | str:
     It is made in the manifest's folder, beside which the files lie that its command names.
     """
     from kurbel.cli.asking import asked
-    from kurbel.table import Table
+    from kurbel.page.table import Table
 
     part = task.part
     try:
@@ -35,7 +35,7 @@ def make_part(task: Task) -> Made | str:
 
 
 def _table(task: Task, answer: Asked) -> Made:
-    from kurbel.handbook_pool import deadline
+    from kurbel.handbook.pool import deadline
 
     part, table = task.part, answer.made
     named = replace(
@@ -51,7 +51,7 @@ def _table(task: Task, answer: Asked) -> Made:
 
 
 def _text(table: Any, name: str, decimal: str | None, templates: str | None) -> bytes:
-    from kurbel.render import is_taller_than_a_page, render
+    from kurbel.formats.render import is_taller_than_a_page, render
 
     if FORMATS[name].kind == "records":
         # Data keep the point, so that programs need not know the language of the page.
@@ -61,9 +61,9 @@ def _text(table: Any, name: str, decimal: str | None, templates: str | None) -> 
 
 
 def _figure(task: Task, answer: Asked) -> Made:
-    from kurbel.formats import DECIMAL_OF_LANGUAGE, DECIMALS
-    from kurbel.labels import plain
-    from kurbel.plot_style import image
+    from kurbel.formats.registry import DECIMAL_OF_LANGUAGE, DECIMALS
+    from kurbel.page.labels import plain
+    from kurbel.plot.style import image
 
     part, drawing = task.part, answer.made
     mark = DECIMALS[answer.decimal or DECIMAL_OF_LANGUAGE[answer.lang]]

@@ -11,12 +11,12 @@ from kurbel.cli.machine import machine_option
 from kurbel.cli.masses import rod_of, rod_options
 from kurbel.cli.options import layout_option, output_options, sheet_of, without_outdone
 from kurbel.cli.table import RIVALS, cranks_of, motion_options, motion_request
+from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
-from kurbel.layouts import Layout, layout_of
-from kurbel.problem import Crank
+from kurbel.page.layouts import Layout, layout_of
 
 if TYPE_CHECKING:
-    from kurbel.inertia_page import ErrorsRequest
+    from kurbel.motion.inertia_page import ErrorsRequest
 
 SUBJECTS = ("inertia", "inertia errors")
 
@@ -52,7 +52,7 @@ def inertia(**options: Any) -> None:
 
 
 def _errors(page: Layout, cranks: tuple[Crank, ...], options: dict[str, Any]) -> ErrorsRequest:
-    from kurbel.inertia_page import ErrorsRequest
+    from kurbel.motion.inertia_page import ErrorsRequest
 
     for name in ("angle", "from", "to", "step"):
         if options[name]:

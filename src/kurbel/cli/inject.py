@@ -13,8 +13,8 @@ import click
 
 from kurbel.cli import say
 from kurbel.cli.asking import Asked, asked
+from kurbel.documents.inject import Kind, Place, content, filled, kind_of, places
 from kurbel.errors import KurbelError, MarkerError
-from kurbel.inject import Kind, Place, content, filled, kind_of, places
 
 
 class Document(NamedTuple):
@@ -148,7 +148,7 @@ def _asked(place: Place, kind: Kind, name: str) -> Asked:
 
 
 def _check_labels(found: Sequence[Place], made: Sequence[Asked], name: str) -> None:
-    from kurbel.table import Table
+    from kurbel.page.table import Table
 
     lines: dict[str, int] = {}
     for place, one in zip(found, made, strict=True):
@@ -164,10 +164,10 @@ def _check_labels(found: Sequence[Place], made: Sequence[Asked], name: str) -> N
 
 def _text(one: Asked, kind: Kind, identifier: str, where: str) -> str:
     """Return a table as a fragment of the document, a drawing for HTML as SVG."""
-    from kurbel.table import Table
+    from kurbel.page.table import Table
 
     if isinstance(one.made, Table):
-        from kurbel.render import is_taller_than_a_page, render
+        from kurbel.formats.render import is_taller_than_a_page, render
 
         if kind.format == "latex" and not one.longtable and is_taller_than_a_page(one.made):
             say(f"{where}: the table is longer than a page; --longtable lets it break")
@@ -177,10 +177,10 @@ def _text(one: Asked, kind: Kind, identifier: str, where: str) -> str:
             f"{where}: a drawing can stand in HTML only; write it into a file with kurbel plot -o, and"
             f" include that in {kind.name}"
         )
-    from kurbel.formats import DECIMALS
-    from kurbel.labels import plain
-    from kurbel.plot_style import image
-    from kurbel.svg_inline import inline
+    from kurbel.formats.registry import DECIMALS
+    from kurbel.formats.svg_inline import inline
+    from kurbel.page.labels import plain
+    from kurbel.plot.style import image
 
     assert one.decimal
     title = plain(one.made.title, DECIMALS[one.decimal])
@@ -202,7 +202,7 @@ def _refresh(document: Document) -> None:
     stale = document.stale
     if not stale:
         return
-    from kurbel.output import whole_file
+    from kurbel.formats.output import whole_file
 
     # Tables take their time, in which an author may save the document.
     if _read(document.name) != document.old:
@@ -213,7 +213,7 @@ def _refresh(document: Document) -> None:
 
 
 def _show(document: Document) -> None:
-    from kurbel.inject_difference import difference
+    from kurbel.documents.inject_difference import difference
 
     for line in difference(document.name, document.old, document.found, document.contents):
         sys.stdout.buffer.write(line)

@@ -8,9 +8,9 @@ from typing import Any
 import click
 from click.core import ParameterSource
 
-from kurbel import notation
 from kurbel.cli.options import nothing, typed
 from kurbel.errors import ProblemError
+from kurbel.reading import notation
 
 LENGTHS = ("ratio", "stroke", "rod")
 
@@ -45,7 +45,7 @@ def _outdone(options: Mapping[str, Any]) -> str:
 
 
 def _check_agreement(options: Mapping[str, Any]) -> None:
-    from kurbel.units import length
+    from kurbel.reading.units import length
 
     share = length(options["stroke"], "stroke") / 2 / length(options["rod"], "rod")
     if set(notation.ratios(options["ratio"])) != {share}:

@@ -6,21 +6,21 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
-from kurbel import notation
 from kurbel.cli.mechanism import MECHANISMS
 from kurbel.cli.options import sheet_of, without_outdone
 from kurbel.cli.table import RIVALS, chosen_angles
+from kurbel.drive.crank import Crank
 from kurbel.errors import NotationError, ProblemError
-from kurbel.layouts import Layout
-from kurbel.linkage import ArcCrank
-from kurbel.problem import Crank
+from kurbel.linkage.arc import ArcCrank
+from kurbel.page.layouts import Layout
+from kurbel.reading import notation
 
 
 def print_linkage(name: str, options: dict[str, Any]) -> None:
     """Print a page of the arc crank or the parallel crank that the options describe."""
     from kurbel.cli.printing import Printing, print_table
-    from kurbel.layouts import layout_of
-    from kurbel.linkage_page import LinkageRequest
+    from kurbel.linkage.page import LinkageRequest
+    from kurbel.page.layouts import layout_of
 
     options = without_outdone(options, RIVALS)
     page = layout_of(options["layout"], [MECHANISMS[name].subject])
@@ -65,7 +65,7 @@ def _pivot(text: str | None) -> tuple[Fraction, Fraction] | tuple[()]:
 
 def _radii(text: str, what: str) -> Fraction:
     """A length in units of R: 6, 6R."""
-    from kurbel.units import is_measure
+    from kurbel.reading.units import is_measure
 
     share = text.strip().removesuffix("R")
     if is_measure(share):

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import click
 
 from kurbel.cli.options import Name
-from kurbel.layouts import LANGUAGES
+from kurbel.page.layouts import LANGUAGES
 
 lang_option = click.option(
     "--lang", type=Name("language", lambda: LANGUAGES), default="de", show_default=True, envvar="KURBEL_LANG",
@@ -19,7 +19,7 @@ lang_option = click.option(
 @lang_option
 def layouts(lang: str) -> None:
     """List the page layouts."""
-    from kurbel.layouts import layout, layout_names
+    from kurbel.page.layouts import layout, layout_names
 
     _print([(name, layout(name).title[lang]) for name in layout_names()])
 
@@ -28,18 +28,18 @@ def layouts(lang: str) -> None:
 @lang_option
 def quantities(lang: str) -> None:
     """List the quantities that columns can show, with their units and the commands that print them."""
-    from kurbel.balance_request import balance_registry
-    from kurbel.beam import registry as beam_registry
-    from kurbel.captions import WORDS, quantity_name
-    from kurbel.engine_quantities import COMMANDS_OF, engine_registry
-    from kurbel.harmonics import registry as harmonics_registry
-    from kurbel.harmonics_page import harmonic_name
-    from kurbel.inertia import inertia_registry
-    from kurbel.inertia_page import error_columns, full_name
-    from kurbel.labels import plain
-    from kurbel.linkage_quantities import arc_registry, parallel_registry
-    from kurbel.quantities import NEEDS, registry
-    from kurbel.solve_page import own_columns
+    from kurbel.balance.harmonics import registry as harmonics_registry
+    from kurbel.balance.harmonics_page import harmonic_name
+    from kurbel.balance.request import balance_registry
+    from kurbel.engine.quantities import COMMANDS_OF, engine_registry
+    from kurbel.linkage.beam import registry as beam_registry
+    from kurbel.linkage.quantities import arc_registry, parallel_registry
+    from kurbel.motion.captions import WORDS, quantity_name
+    from kurbel.motion.inertia import inertia_registry
+    from kurbel.motion.inertia_page import error_columns, full_name
+    from kurbel.motion.quantities import NEEDS, registry
+    from kurbel.page.labels import plain
+    from kurbel.solve.page import own_columns
 
     rows = [("ratio", WORDS["ratio"][lang], "", "table"), ("phi", WORDS["phi"][lang], "°", "table")]
     for key, quantity in registry().items():

@@ -10,7 +10,7 @@ import click
 from kurbel.errors import MachineError
 
 # Where a context keeps the name of the file.
-MACHINE = "kurbel.machine"
+MACHINE = "kurbel.drive.machine"
 Command = TypeVar("Command", bound=Callable[..., Any])
 
 
@@ -30,7 +30,7 @@ def _load(context: click.Context, parameter: click.Parameter, path: str | None) 
 
 def machine_defaults(command: click.Command, path: str) -> dict[str, Any]:
     """Return what the file says of the options of the command, by their names."""
-    from kurbel.machine import read_machine, with_ratio
+    from kurbel.drive.machine import read_machine, with_ratio
 
     names = {one.name for one in command.params}
     machine = read_machine(path)

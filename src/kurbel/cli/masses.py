@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from kurbel import notation
 from kurbel.cli.options import in_order, without_outdone
 from kurbel.errors import NotationError, ProblemError
+from kurbel.reading import notation
 
 if TYPE_CHECKING:
-    from kurbel.engine import Load
-    from kurbel.problem import Crank
-    from kurbel.rod import Rod
+    from kurbel.drive.crank import Crank
+    from kurbel.drive.rod import Rod
+    from kurbel.engine.engine import Load
 
 ROD_NAMES = ("rod_mass", "centre", "gyration", "rod_file")
 MASSES = ("reciprocating", *ROD_NAMES, "rotating")
@@ -69,8 +69,8 @@ def load_of(options: Mapping[str, Any]) -> Load | None:
     missing = [f"--{name}" for name in needed if options[name] is None]
     if missing:
         raise ProblemError(f"newtons need the bore and the steam pressure; add {missing[0]}")
-    from kurbel.engine import Load
-    from kurbel.units import length, pressure
+    from kurbel.engine.engine import Load
+    from kurbel.reading.units import length, pressure
 
     steam = options["pressure"]
     return Load(length(options["bore"], "bore"), None if steam is None else pressure(steam, "pressure"))
@@ -94,8 +94,8 @@ def with_masses(cranks: Sequence[Crank], options: Mapping[str, Any], beside: tup
         missing.insert(0, "--stroke")
     if missing:
         raise ProblemError(f"--{first.replace('_', '-')} needs {', '.join(missing)} to become a force")
-    from kurbel.moving import Moving
-    from kurbel.units import mass, signed_mass, speed
+    from kurbel.drive.moving import Moving
+    from kurbel.reading.units import mass, signed_mass, speed
 
     reciprocating, rotating = options["reciprocating"], options.get("rotating")
     # One rod for all ratios has a length of its own only if there is one ratio.
@@ -110,8 +110,8 @@ def with_masses(cranks: Sequence[Crank], options: Mapping[str, Any], beside: tup
 
 def rod_of(options: Mapping[str, Any], length: Fraction | None) -> Rod:
     """Return the rod of rod_options, between pins so far apart, in metres, if that is known."""
-    from kurbel.rod_given import given_rod
-    from kurbel.units import mass
+    from kurbel.drive.rod_given import given_rod
+    from kurbel.reading.units import mass
 
     options = without_outdone(dict(options), ROD_RIVALS)
     weight = options["rod_mass"]
@@ -127,7 +127,7 @@ def rod_of(options: Mapping[str, Any], length: Fraction | None) -> Rod:
 def _in_rod_lengths(text: str | None, what: str, length: Fraction | None) -> Fraction | None:
     if text is None:
         return None
-    from kurbel import units
+    from kurbel.reading import units
 
     if not units.is_measure(text):
         return notation.share(text, what)

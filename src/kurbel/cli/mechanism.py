@@ -67,7 +67,7 @@ def chosen_mechanism(options: dict[str, Any]) -> tuple[str, dict[str, Any]]:
 
 
 def _by_layout(layout: str | None) -> str | None:
-    from kurbel.layouts import layout_of
+    from kurbel.page.layouts import layout_of
 
     if layout is None:
         return None

@@ -10,12 +10,12 @@ import click
 from click.core import ParameterSource
 from click.shell_completion import CompletionItem
 
-from kurbel import notation
-from kurbel.choices import choose
 from kurbel.errors import NotationError, ProblemError
-from kurbel.formats import DECIMALS, FORMATS, Format
-from kurbel.layouts import LANGUAGES, layout_names
-from kurbel.numerals import MOST_DIGITS, ROUNDINGS
+from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS
+from kurbel.formats.registry import DECIMALS, FORMATS, Format
+from kurbel.page.layouts import LANGUAGES, layout_names
+from kurbel.reading import notation
+from kurbel.reading.choices import choose
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
@@ -94,46 +94,46 @@ class Columns(click.ParamType):  # type: ignore[type-arg]
 
 
 def _column_keys(name: str) -> tuple[str, ...]:
-    from kurbel.layouts import layout
+    from kurbel.page.layouts import layout
 
     page = layout(name)
     if page.subject in ("motion", "inertia"):
-        from kurbel.request import column_keys
+        from kurbel.motion.request import column_keys
 
         return column_keys(page)
     if page.subject == "dead centres":
-        from kurbel.beam_page import beam_column_keys
+        from kurbel.linkage.beam_page import beam_column_keys
 
         return beam_column_keys()
     if page.subject == "harmonics":
-        from kurbel.harmonics_page import KEYS
+        from kurbel.balance.harmonics_page import KEYS
 
         return KEYS
     if page.subject == "balance":
-        from kurbel.balance_request import balance_column_keys
+        from kurbel.balance.request import balance_column_keys
 
         return balance_column_keys()
     if page.subject == "collation":
-        from kurbel.collate_page import KEYS as COLLATION_KEYS
+        from kurbel.books.collate_page import KEYS as COLLATION_KEYS
 
         return COLLATION_KEYS
     if page.subject in ("arc crank", "parallel crank"):
-        from kurbel.linkage_page import linkage_column_keys
+        from kurbel.linkage.page import linkage_column_keys
 
         return linkage_column_keys(page)
     if page.subject == "inertia errors":
-        from kurbel.inertia_page import error_column_keys
+        from kurbel.motion.inertia_page import error_column_keys
 
         return error_column_keys()
     if page.subject == "tangent":
-        from kurbel.tangent_page import tangent_column_keys
+        from kurbel.motion.tangent_page import tangent_column_keys
 
         return tangent_column_keys()
     if page.subject == "roots":
-        from kurbel.solve_page import solve_column_keys
+        from kurbel.solve.page import solve_column_keys
 
         return solve_column_keys()
-    from kurbel.engine_request import engine_column_keys
+    from kurbel.engine.request import engine_column_keys
 
     return engine_column_keys(page)
 
@@ -149,7 +149,7 @@ class LayoutName(Name):
         return value if value in layout_names() else choose(value, self._fitting(), self.name)
 
     def _fitting(self) -> list[str]:
-        from kurbel.layouts import layout
+        from kurbel.page.layouts import layout
 
         return [name for name in layout_names() if layout(name).subject in self.subjects]
 
@@ -228,7 +228,7 @@ def in_order(options: Sequence[Callable[[Any], Any]]) -> Callable[[Command], Com
 
 def chosen_format(format_name: str | None, output: str, standalone: bool, longtable: bool) -> Format:
     """Return the format named by -f, or by the file's suffix, or by the environment, or text."""
-    from kurbel.formats import for_suffix
+    from kurbel.formats.registry import for_suffix
 
     if not output:
         raise click.UsageError("--output names no file; - is standard output.")

@@ -18,12 +18,12 @@ from kurbel.cli.options import Columns, Name, in_order, typed, without_outdone
 from kurbel.cli.plot_kinds import ENGINE_LAYOUT, LAYOUT, STEPS, WIDEST, kind_of, of_kind
 from kurbel.cli.table import LENGTHS, METHOD, RATIO
 from kurbel.errors import ChoiceError
-from kurbel.formats import DECIMAL_OF_LANGUAGE, DECIMALS
-from kurbel.layouts import LANGUAGES
+from kurbel.formats.registry import DECIMAL_OF_LANGUAGE, DECIMALS
+from kurbel.page.layouts import LANGUAGES
 
 
 def _formats() -> Sequence[str]:
-    from kurbel.plot_style import FORMATS
+    from kurbel.plot.style import FORMATS
 
     return tuple(FORMATS)
 
@@ -97,9 +97,9 @@ def plot(**options: Any) -> None:
     kurbel plot --forces --machine engine.toml -o kraefte.svg
     kurbel plot --turning --eps 4 --ratio 1:5 -o drehkraft.pdf
     """  # fmt: skip
-    from kurbel.labels import plain
-    from kurbel.output import whole_file
-    from kurbel.plot_style import image
+    from kurbel.formats.output import whole_file
+    from kurbel.page.labels import plain
+    from kurbel.plot.style import image
 
     kept_drawing = keeper()
     name = "" if kept_drawing else _format(options["format"], options["output"])

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import click
 from click.core import ParameterSource
 
-from kurbel import notation
 from kurbel.cli.engine import engine_conditions, engines_of
 from kurbel.cli.linkage import arc_cranks
 from kurbel.cli.masses import MASSES, is_heavy, load_of
@@ -17,14 +16,15 @@ from kurbel.cli.mechanism import MECHANISMS, chosen_mechanism
 from kurbel.cli.options import typed
 from kurbel.cli.table import cranks_of, ends_of_run
 from kurbel.errors import ProblemError
+from kurbel.reading import notation
 
 if TYPE_CHECKING:
-    from kurbel.engine_request import EngineRequest
-    from kurbel.layouts import Layout
-    from kurbel.linkage_page import LinkageRequest
-    from kurbel.plot_drawings import Drawing
-    from kurbel.problem import Crank
-    from kurbel.request import Request
+    from kurbel.drive.crank import Crank
+    from kurbel.engine.request import EngineRequest
+    from kurbel.linkage.page import LinkageRequest
+    from kurbel.motion.request import Request
+    from kurbel.page.layouts import Layout
+    from kurbel.plot.drawings import Drawing
 
 # The page whose quantities can be drawn, and those of an engine's forces without masses and with them.
 LAYOUT = "kinematics"
@@ -78,8 +78,8 @@ def _refusal(name: str, kind: Kind, flag: str) -> str:
 
 
 def _motion(options: Mapping[str, Any], mark: str) -> Drawing:
-    from kurbel.plot_curves import motion_keys
-    from kurbel.plot_drawings import linkage_drawing, motion_drawing
+    from kurbel.plot.curves import motion_keys
+    from kurbel.plot.drawings import linkage_drawing, motion_drawing
 
     name, options = _mechanism(options)
     if name in LINKAGES:
@@ -88,16 +88,16 @@ def _motion(options: Mapping[str, Any], mark: str) -> Drawing:
 
 
 def _forces(options: Mapping[str, Any], mark: str) -> Drawing:
-    from kurbel.plot_curves import force_keys
-    from kurbel.plot_drawings import motion_drawing
+    from kurbel.plot.curves import force_keys
+    from kurbel.plot.drawings import motion_drawing
 
     options = _sliding(options)
     return motion_drawing(_request(options, _cranks(options), force_keys), mark)
 
 
 def _polar(options: Mapping[str, Any], mark: str) -> Drawing:
-    from kurbel.plot_curves import pin_force_keys
-    from kurbel.plot_drawings import polar_drawing
+    from kurbel.plot.curves import pin_force_keys
+    from kurbel.plot.drawings import polar_drawing
 
     options = _sliding(options)
     crank = _only(_cranks(options), "polar", "ratios")
@@ -105,8 +105,8 @@ def _polar(options: Mapping[str, Any], mark: str) -> Drawing:
 
 
 def _positions(options: Mapping[str, Any], mark: str) -> Drawing:
-    from kurbel.layouts import layout
-    from kurbel.plot_drawings import arc_drawing, mechanism_drawing, parallel_drawing
+    from kurbel.page.layouts import layout
+    from kurbel.plot.drawings import arc_drawing, mechanism_drawing, parallel_drawing
 
     name, options = _mechanism(options)
     angles, lang = notation.angles(options["positions"]), options["lang"]
@@ -138,9 +138,9 @@ def _sliding(options: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _linkage_request(name: str, options: Mapping[str, Any]) -> LinkageRequest:
-    from kurbel.layouts import layout
-    from kurbel.linkage_page import LinkageRequest
-    from kurbel.plot_linkage import ARC_MOTION
+    from kurbel.linkage.page import LinkageRequest
+    from kurbel.page.layouts import layout
+    from kurbel.plot.linkage import ARC_MOTION
 
     page = layout(options["layout"])
     columns = notation.names(options["columns"], "columns", "path,velocity")
@@ -154,15 +154,15 @@ def _linkage_request(name: str, options: Mapping[str, Any]) -> LinkageRequest:
 
 
 def _engine_forces(options: Mapping[str, Any], mark: str) -> Drawing:
-    from kurbel.plot_drawings import engine_forces_drawing
-    from kurbel.plot_engine import FORCES
+    from kurbel.plot.drawings import engine_forces_drawing
+    from kurbel.plot.engine import FORCES
 
     return engine_forces_drawing(_force_request(options, FORCES), mark)
 
 
 def _engine_polar(options: Mapping[str, Any], mark: str) -> Drawing:
-    from kurbel.plot_drawings import engine_polar_drawing
-    from kurbel.plot_engine import PIN_FORCE
+    from kurbel.plot.drawings import engine_polar_drawing
+    from kurbel.plot.engine import PIN_FORCE
 
     request = _force_request(options, PIN_FORCE)
     _only(request.steams, "polar", "cards" if request.carded else "expansion ratios")
@@ -171,8 +171,8 @@ def _engine_polar(options: Mapping[str, Any], mark: str) -> Drawing:
 
 
 def _turning(options: Mapping[str, Any], mark: str) -> Drawing:
-    from kurbel.plot_drawings import turning_drawing
-    from kurbel.plot_turning import COLUMNS
+    from kurbel.plot.drawings import turning_drawing
+    from kurbel.plot.turning import COLUMNS
 
     return turning_drawing(_engine_request(options, "turning", COLUMNS), mark)
 
@@ -181,7 +181,7 @@ def _request(
     options: Mapping[str, Any], cranks: tuple[Crank, ...], keys: Callable[[Crank], tuple[str, ...]]
 ) -> Request:
     """Return the request for the columns named, or for those that a crank has by itself."""
-    from kurbel.request import Request
+    from kurbel.motion.request import Request
 
     return Request(
         layout=_page(),
@@ -195,7 +195,7 @@ def _request(
 
 def _force_request(options: Mapping[str, Any], keys: tuple[str, ...]) -> EngineRequest:
     """Return the request for the forces named, or for these, in newtons where the load is known."""
-    from kurbel.plot_engine import known_forces
+    from kurbel.plot.engine import known_forces
 
     named = notation.names(options["columns"], "columns", "piston_force,tangential_force")
     columns = named or known_forces(keys, newtons=load_of(options) is not None)
@@ -203,8 +203,8 @@ def _force_request(options: Mapping[str, Any], keys: tuple[str, ...]) -> EngineR
 
 
 def _engine_request(options: Mapping[str, Any], name: str, columns: tuple[str, ...]) -> EngineRequest:
-    from kurbel.engine_request import EngineRequest
-    from kurbel.layouts import layout
+    from kurbel.engine.request import EngineRequest
+    from kurbel.page.layouts import layout
 
     if options["method"] == "infinite":
         raise ProblemError("--method infinite is for the motion alone; of engines write --ratio 1:∞")
@@ -232,7 +232,7 @@ def _offset_of_machine() -> str | None:
 
 
 def _page() -> Layout:
-    from kurbel.layouts import layout_of
+    from kurbel.page.layouts import layout_of
 
     return layout_of(LAYOUT, ("motion",))
 
@@ -240,7 +240,7 @@ def _page() -> Layout:
 def _cranks(options: Mapping[str, Any]) -> tuple[Crank, ...]:
     if options["force"] is None:
         return cranks_of(_page(), options)
-    from kurbel.units import force
+    from kurbel.reading.units import force
 
     return cranks_of(_page(), options, force(options["force"]))
 

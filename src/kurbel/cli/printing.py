@@ -12,12 +12,12 @@ import click
 
 from kurbel.cli.kept import keeper
 from kurbel.cli.options import chosen_format
-from kurbel.formats import Format
-from kurbel.output import whole_file
+from kurbel.formats.output import whole_file
+from kurbel.formats.registry import Format
 
 if TYPE_CHECKING:
-    from kurbel.build import Asked
-    from kurbel.table import Table
+    from kurbel.page.build import Asked
+    from kurbel.page.table import Table
 
 # Shorter tables are done before a bar could be read.
 BAR_ROWS = 200_000
@@ -44,11 +44,11 @@ def print_table(request: Asked, printing: Printing) -> None:
     """Write the table in the format to the file, whole or not at all."""
     chosen = printing.format
     if chosen.kind != "records" or keeper():
-        from kurbel.build import build
+        from kurbel.page.build import build
 
         print_made(build(request), printing)
         return
-    from kurbel.streams import record_chunks
+    from kurbel.formats.streams import record_chunks
 
     pieces = record_chunks(request, chosen.name, chosen.decimal_name(request.lang, printing.decimal))
     _write(pieces, printing.output, len(request))
@@ -75,7 +75,7 @@ def _write(pieces: Iterator[bytes], output: str, rows: int) -> None:
 
 
 def _rendered(table: Table, printing: Printing) -> Iterator[bytes]:
-    from kurbel.render import is_taller_than_a_page, render
+    from kurbel.formats.render import is_taller_than_a_page, render
 
     form, output, decimal, standalone, longtable = printing
     name = form.name
@@ -87,7 +87,7 @@ def _rendered(table: Table, printing: Printing) -> Iterator[bytes]:
 
 
 def _compiled(table: Table, printing: Printing) -> Iterator[bytes]:
-    from kurbel.pdf import typeset_pdf
+    from kurbel.formats.pdf import typeset_pdf
 
     yield typeset_pdf(table, decimal=printing.decimal)
 
@@ -99,7 +99,7 @@ class _NoBar:
 
 def _bar(rows: int) -> AbstractContextManager[Any]:
     """A bar on the terminal for long tables, counted in chunks of rows."""
-    from kurbel.rows import CHUNK
+    from kurbel.motion.rows import CHUNK
 
     if rows < BAR_ROWS or not sys.stderr.isatty():
         return nullcontext(_NoBar())

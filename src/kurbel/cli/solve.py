@@ -11,7 +11,7 @@ from kurbel.cli.mechanism import chosen_mechanism, mechanism_options
 from kurbel.cli.options import Columns, in_order, layout_option, output_options, sheet_of
 from kurbel.cli.table import LENGTHS, METHOD, RATIO
 from kurbel.errors import ProblemError
-from kurbel.layouts import Layout
+from kurbel.page.layouts import Layout
 
 
 @click.command()
@@ -50,9 +50,9 @@ def solve(**options: Any) -> None:
     kurbel solve --ratio 1:5 --mechanism arc --rocker 6 --where acceleration=0
     """  # fmt: skip
     from kurbel.cli.printing import Printing, print_table
-    from kurbel.layouts import layout_of
-    from kurbel.solve_page import SolveRequest
-    from kurbel.where import read_condition
+    from kurbel.page.layouts import layout_of
+    from kurbel.reading.where import read_condition
+    from kurbel.solve.page import SolveRequest
 
     page = layout_of(options["layout"], ("roots",))
     name, options = chosen_mechanism({**options, "layout": None})
@@ -72,13 +72,13 @@ def solve(**options: Any) -> None:
 
 def _slide_drives(page: Layout, options: dict[str, Any]) -> Any:
     from kurbel.cli.table import cranks_of
-    from kurbel.drives import slide_drives
+    from kurbel.motion.drives import slide_drives
 
     return slide_drives(cranks_of(page, options), options["method"] or "exact")
 
 
 def _arc_drives(page: Layout, options: dict[str, Any]) -> Any:
-    from kurbel.arc_drive import ArcDrive
     from kurbel.cli.linkage import arc_cranks
+    from kurbel.linkage.arc_drive import ArcDrive
 
     return tuple(ArcDrive(crank) for crank in arc_cranks(page, options))

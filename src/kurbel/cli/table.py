@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
-from kurbel import notation
 from kurbel.cli.lengths import settled_lengths
 from kurbel.cli.machine import machine_option
 from kurbel.cli.mechanism import MECHANISMS, chosen_mechanism, mechanism_options
@@ -21,13 +20,15 @@ from kurbel.cli.options import (
     sheet_of,
     without_outdone,
 )
+from kurbel.drive.crank import Crank
 from kurbel.errors import NotationError, ProblemError
-from kurbel.layouts import Layout
-from kurbel.problem import Crank, Speed
-from kurbel.quantities import METHODS
+from kurbel.motion.quantities import METHODS
+from kurbel.page.layouts import Layout
+from kurbel.reading import notation
+from kurbel.reading.speed import Speed
 
 if TYPE_CHECKING:
-    from kurbel.request import Request
+    from kurbel.motion.request import Request
 
 # What gives way, where it only comes from the environment, to what is typed.
 RIVALS = (
@@ -106,7 +107,7 @@ def table(**options: Any) -> None:
 def print_motion(options: dict[str, Any], force: Fraction | None = None) -> None:
     """Print a page of the crank that the options describe, under a piston force in newtons if there is."""
     from kurbel.cli.printing import Printing, print_table
-    from kurbel.layouts import layout_of
+    from kurbel.page.layouts import layout_of
 
     options = without_outdone(options, RIVALS)
     page = layout_of(options["layout"], ["motion"])
@@ -116,7 +117,7 @@ def print_motion(options: dict[str, Any], force: Fraction | None = None) -> None
 
 def motion_request(page: Layout, cranks: tuple[Crank, ...], options: Mapping[str, Any]) -> Request:
     """Return what the options ask for of these cranks."""
-    from kurbel.request import Request
+    from kurbel.motion.request import Request
 
     return Request(
         layout=page,
@@ -175,7 +176,7 @@ def cranks_of(page: Layout, options: Mapping[str, Any], force: Fraction | None =
 def _length(text: str | None, what: str) -> Fraction | None:
     if text is None:
         return None
-    from kurbel.units import length
+    from kurbel.reading.units import length
 
     return length(text, what)
 
@@ -183,7 +184,7 @@ def _length(text: str | None, what: str) -> Fraction | None:
 def _speed(text: str | None) -> Speed | None:
     if text is None:
         return None
-    from kurbel.units import speed
+    from kurbel.reading.units import speed
 
     return speed(text)
 
@@ -192,7 +193,7 @@ def _offset(text: str | None, radius: Fraction | None) -> Fraction:
     """e/R from a share of R or a length, which may be negative."""
     if text is None:
         return Fraction(0)
-    from kurbel import units
+    from kurbel.reading import units
 
     share = text.strip().removesuffix("R")
     if not units.is_measure(share):

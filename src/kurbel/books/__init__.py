@@ -1,0 +1,1 @@
+"""Printed values of the books against recomputed ones, with verdicts."""

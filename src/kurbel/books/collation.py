@@ -1,0 +1,351 @@
+"""Printed values against recomputed ones: the true value of each cell, other methods' values, the verdict.
+
+A true value is rounded once to the last place that is printed, half away from zero; every digit is certified.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from functools import cache
+from math import inf
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from kurbel.books.expression import Expression, Kind
+from kurbel.books.printed_value import Printed, quotient_text
+from kurbel.books.source import SourceCell, SourceTable
+from kurbel.books.verdict import RIGHT, Evidence, Verdict, quotient_verdict, verdict
+from kurbel.errors import KurbelError, NotationError, SourceError
+from kurbel.exact.certify import NEVER_TIES, TieBits, ball, ball_circle, ball_degrees, rounded, vanishes
+from kurbel.exact.separation import Separation, circle_separation
+from kurbel.kernel.circle import Circle
+from kurbel.reading.choices import choose
+from kurbel.reading.notation import angle, number, ratio
+
+if TYPE_CHECKING:
+    from flint import arb
+
+BALLS = Kind(ball, ball_circle, lambda value: value.log(), lambda value: 90 - ball_degrees(value))
+FRACTIONS = Kind(lambda value: value, lambda degrees: None)
+BOUNDS = Kind(Separation.rational, lambda degrees: Circle(*circle_separation(degrees)))
+
+
+class Truth(NamedTuple):
+    """What a cell is: its ball at the precision in force, its separation bound, None without one.
+
+    `rational` is the value itself where the cell has nothing but the four operations.
+    """
+
+    value: Callable[[], arb]
+    bound: Callable[[], Separation] | None = None
+    rational: Fraction | None = None
+
+    def in_units(self, printed: Printed) -> int:
+        """Return how many units of the printed value's last place it is, rounded."""
+        unit = printed.unit
+
+        def tie_bits(boundary: Fraction) -> float:
+            assert self.bound is not None
+            return float((self.bound() - Separation.rational(boundary * unit)).bits())
+
+        ties: TieBits | None = NEVER_TIES if self.bound is None else tie_bits
+        return rounded(lambda: self.value() / ball(unit), 0, "half-away", ties)
+
+    def equals(self, value: Fraction) -> bool:
+        """Return whether it is this number itself."""
+        bits = inf if self.bound is None else (self.bound() - Separation.rational(value)).bits()
+        return vanishes(lambda: self.value() - ball(value), float(bits))
+
+
+class Collated(NamedTuple):
+    """A printed value with what it should be, by how many units of the last place it is off, and why.
+
+    `off` is None for a quotient that is not right, which has no last place.
+    """
+
+    cell: SourceCell
+    printed: Printed
+    recomputed: str
+    off: int | None
+    verdict: Verdict
+
+
+class Collation:
+    """A table of a book with its values recomputed, each once."""
+
+    def __init__(self, table: SourceTable) -> None:
+        self.table = table
+        self._by_place = {cell.place: cell for cell in table.cells}
+        self._done: dict[str, Collated] = {}
+        self._truths: dict[str, Truth] = {}
+
+    def __iter__(self) -> Iterator[Collated]:
+        for cell in self.table.cells:
+            if cell.printed is not None:
+                yield self.collated(cell.place)
+
+    def collated(self, name: str) -> Collated:
+        """Return the cell of this place with its verdict."""
+        if name not in self._done:
+            self._done[name] = self._collate(self._by_place[name])
+        return self._done[name]
+
+    def _collate(self, cell: SourceCell) -> Collated:
+        printed = cell.printed
+        assert printed is not None
+        try:
+            truth, others, way = self.truth(cell), others_of(cell), self._way(cell)
+            return collate(cell, printed, truth, others, *way)
+        except KurbelError as error:
+            if isinstance(error, SourceError):
+                raise
+            raise SourceError(f"{self.table.at(cell)}: {cell.place}: {error}") from None
+
+    def truth(self, cell: SourceCell) -> Truth:
+        """Return what the cell is, by the book's method."""
+        if cell.place not in self._truths:
+            self._truths[cell.place] = _kept(self._truth(cell))
+        return self._truths[cell.place]
+
+    def _truth(self, cell: SourceCell) -> Truth:
+        if cell.quantity:
+            return quantity_truth(cell, cell.method)
+        assert cell.formula is not None
+        return self._of(cell.formula, lambda name: self.truth(self._by_place[name]))
+
+    def _of(self, formula: Expression, cells: Callable[[str], Truth]) -> Truth:
+        named = [cells(name) for name in formula.names]
+
+        def bound(name: str) -> Separation:
+            found = cells(name).bound
+            assert found is not None
+            return found()
+
+        algebraic = not formula.transcendental and all(one.bound is not None for one in named)
+        rational = formula.rational and all(one.rational is not None for one in named)
+        return Truth(
+            lambda: formula.value(BALLS, lambda name: cells(name).value()),
+            (lambda: formula.value(BOUNDS, bound)) if algebraic else None,
+            _quotient(formula, lambda name: cells(name).rational) if rational else None,
+        )
+
+    def _way(self, cell: SourceCell) -> tuple[Truth | None, tuple[str, ...]]:
+        """Return the value from what was printed before, and which of that is not right itself."""
+        way = cell.way or cell.formula
+        if way is None or not way.names:
+            return None, ()
+        before = {name: self._by_place[name].printed for name in way.names}
+        if any(one is None for one in before.values()):
+            return None, ()
+        found = self._of(way, lambda name: _constant(before[name]))
+        slips = tuple(name for name in sorted(way.names) if self.collated(name).verdict.kind != RIGHT)
+        return found, slips
+
+
+def collate(
+    cell: SourceCell,
+    printed: Printed,
+    truth: Truth,
+    others: Mapping[str, Callable[[], Truth | None]],
+    way: Truth | None = None,
+    slips: tuple[str, ...] = (),
+) -> Collated:
+    """Return a printed value with its verdict, from its true value, those by other methods and of its way."""
+    if not printed.exact:
+        found = None if way is None else way.in_units(printed)
+        return collated_units(cell, printed, truth.in_units(printed), others, found, slips)
+    return Collated(cell, printed, *_collated_quotient(printed, truth, others, way, slips))
+
+
+def collated_units(
+    cell: SourceCell,
+    printed: Printed,
+    right: int,
+    others: Mapping[str, Callable[[], Truth | None]],
+    on_the_way: int | None = None,
+    slips: tuple[str, ...] = (),
+) -> Collated:
+    """Return a value with a last place, which is so many units of it by rights, with its verdict."""
+
+    def in_units(other: Callable[[], Truth | None]) -> Callable[[], int | None]:
+        def units() -> int | None:
+            found = other()
+            return None if found is None else found.in_units(printed)
+
+        return units
+
+    by_others = {method: in_units(other) for method, other in others.items()}
+    found = verdict(Evidence(printed, right, by_others, on_the_way, slips))
+    return Collated(cell, printed, printed.standing_for(right), printed.scaled - right, found)
+
+
+def _collated_quotient(
+    printed: Printed,
+    truth: Truth,
+    others: Mapping[str, Callable[[], Truth | None]],
+    way: Truth | None,
+    slips: tuple[str, ...],
+) -> tuple[str, int | None, Verdict]:
+    """Return what a quotient should be, 0 where it is right, and the verdict.
+
+    It has no last place, and is right only as the value itself.
+    """
+    value = printed.value
+    if truth.equals(value):
+        return printed.text, 0, Verdict(RIGHT)
+    if truth.rational is not None:
+        standing = quotient_text(truth.rational)
+    else:
+        decimals = Printed("", 0, Fraction(1, 10**6), ",")
+        standing = decimals.standing_for(truth.in_units(decimals))
+    found = quotient_verdict(
+        printed.text,
+        standing if truth.rational is not None else "",
+        truth.equals(-value),
+        [name for name, other in others.items() if (by := other()) is not None and by.equals(value)],
+        way is not None and way.equals(value),
+        slips,
+    )
+    return standing, None, found
+
+
+def _quotient(formula: Expression, cell: Callable[[str], Fraction | None]) -> Fraction:
+    try:
+        found: Fraction = formula.value(FRACTIONS, cell)
+    except ZeroDivisionError:
+        raise NotationError(f'"{formula.text[:60]}" divides by zero') from None
+    return found
+
+
+def _kept(truth: Truth) -> Truth:
+    """Return the same, computed once for each precision."""
+    from flint import ctx
+
+    at = cache(lambda precision: truth.value())
+    return Truth(lambda: at(ctx.prec), truth.bound and cache(truth.bound), truth.rational)
+
+
+def _constant(printed: Printed | None) -> Truth:
+    assert printed is not None
+    value = printed.value
+    return Truth(lambda: ball(value), lambda: Separation.rational(value), value)
+
+
+# Quantities -----------------------------------------------------------------------------------------------
+
+
+def others_of(cell: SourceCell) -> Mapping[str, Callable[[], Truth | None]]:
+    """Return what the cell is by the other methods, None where one has no formula for it."""
+    if not cell.quantity:
+        return {}
+
+    def other(method: str) -> Callable[[], Truth | None]:
+        def truth() -> Truth | None:
+            try:
+                return quantity_truth(cell, method)
+            except KurbelError:
+                return None
+
+        return truth
+
+    return {method: other(method) for method in methods_of(cell.quantity) if method != cell.method}
+
+
+def methods_of(quantity: str) -> tuple[str, ...]:
+    """Return the methods by which a quantity can be recomputed."""
+    from kurbel.engine.quantities import engine_registry
+    from kurbel.linkage.beam import registry as beam_registry
+    from kurbel.motion.quantities import METHODS
+
+    if quantity in beam_registry():
+        return ("exact", "approximate")
+    return ("exact", "series", "weisbach") if quantity in engine_registry() else tuple(METHODS)
+
+
+def quantity_truth(cell: SourceCell, method: str) -> Truth:
+    """Return a quantity of the motion, of an engine or of a beam engine at the place of the cell."""
+    from kurbel.engine.quantities import engine_registry
+    from kurbel.linkage.beam import registry as beam_registry
+    from kurbel.motion.quantities import registry
+
+    axes = cell.axes
+    if "epsilon" in axes:
+        choose(cell.quantity, engine_registry(), "quantity")
+        _check_axes(cell, ("ratio", "epsilon"), ("stroke",))
+        return _engine_truth(cell, method)
+    if "arm" in axes:
+        choose(cell.quantity, beam_registry(), "quantity")
+        _check_axes(cell, ("ratio", "arm"))
+        return _beam_truth(cell, method)
+    choose(cell.quantity, registry(), "quantity")
+    _check_axes(cell, ("ratio", "phi"))
+    return motion_truth(cell.quantity, method, ratio(axes["ratio"]), angle(axes["phi"], "angle"))
+
+
+def _check_axes(cell: SourceCell, needed: Sequence[str], free: Sequence[str] = ()) -> None:
+    for axis in needed:
+        if axis not in cell.axes:
+            raise NotationError(f"there is no {axis}, which the quantity {cell.quantity} needs")
+    for axis in cell.axes:
+        if axis not in (*needed, *free):
+            raise NotationError(f"the quantity {cell.quantity} has no {axis}; leave it out")
+
+
+def motion_truth(key: str, method: str, crank_ratio: Fraction, degrees: Fraction) -> Truth:
+    """Return a quantity of the piston's motion at a crank angle."""
+    from kurbel.drive.crank import Crank
+    from kurbel.motion.quantities import METHODS, Numbers, numbers_of_balls, registry, value
+
+    quantity, crank = registry()[key], Crank(crank_ratio)
+    choose(method, METHODS, "method")
+    if not quantity.available(crank):
+        raise NotationError(f"the quantity {key} has a unit, and no lengths are known; choose one without")
+
+    def run(circle: Any, numbers: Numbers) -> Any:
+        return value(quantity, method, crank, circle, numbers)
+
+    # A method without a formula is told here, before anything is computed.
+    quantity.formula(method, crank, numbers_of_balls())
+    bound = None
+    if not quantity.transcendental(crank):
+        circle = Circle(*circle_separation(degrees))
+        bound = cache(lambda: run(circle, Numbers(Separation.rational)))
+    return Truth(lambda: run(ball_circle(degrees), numbers_of_balls()), bound)
+
+
+def _engine_truth(cell: SourceCell, method: str) -> Truth:
+    from kurbel.engine.quantities import SPANS, Where, engine_registry
+
+    quantity, spans = engine_registry()[cell.quantity], {name: span for span, (name, _) in SPANS.items()}
+    stroke = spans[choose(cell.axes.get("stroke", "turn"), spans, "stroke")]
+    turn = _turn(cell.axes["epsilon"], cell.axes.get("ratio", ""), method)
+    where = Where(stroke)
+    if not quantity.applies(where):
+        raise NotationError(f"{cell.quantity} is no quantity of {cell.axes.get('stroke', 'turn')}")
+
+    def value() -> Any:
+        found = quantity.value(turn, where)
+        return ball(found) if isinstance(found, Fraction) else found
+
+    return Truth(value)
+
+
+@cache
+def _turn(epsilon: str, crank_ratio: str, method: str) -> Any:
+    from kurbel.drive.crank import Crank
+    from kurbel.engine.engine import Engine, Steam
+    from kurbel.engine.request import ENGINE_METHODS
+    from kurbel.engine.turn import turn_of
+
+    choose(method, ENGINE_METHODS, "method")
+    return turn_of(Engine(Crank(ratio(crank_ratio)), Steam(number(epsilon, "expansion ratio"))), method)
+
+
+def _beam_truth(cell: SourceCell, method: str) -> Truth:
+    from kurbel.linkage.beam import MINUTES, BeamEngine, registry
+
+    quantity = registry()[cell.quantity]
+    choose(method, ("exact", "approximate"), "method")
+    engine = BeamEngine(number(cell.axes["arm"], "beam arm"), ratio(cell.axes.get("ratio", "")))
+    share = Fraction(1, 60) if quantity.unit == MINUTES else Fraction(1)
+    return Truth(lambda: quantity.value(engine, method == "exact") * ball(share))

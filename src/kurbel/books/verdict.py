@@ -1,0 +1,127 @@
+"""What a printed value is found to be, from evidence alone and in a fixed order.
+
+A verdict says how the characters relate to the recomputed value. Whether compositor, author or transcriber
+set them so, no value tells.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import NamedTuple
+
+from kurbel.books.printed_value import Printed
+
+RIGHT, LAST_PLACE, ON_THE_WAY, OTHER_FORMULA = "right", "last_place", "rounded_on_the_way", "other_formula"
+SIGN, DIGIT, EXCHANGED, CARRIED, UNEXPLAINED = "sign", "digit", "exchanged", "carried_over", "unexplained"
+# Which of the values a page shows.
+ALL, DEVIATIONS = "all", "deviations"
+ONLY = (ALL, DEVIATIONS)
+# Of a last place that the printed intermediates give.
+FOLLOWS = "follows"
+# In the order in which they are tried.
+VERDICTS: Mapping[str, Mapping[str, str]] = {
+    RIGHT: {"de": "richtig", "en": "right"},
+    LAST_PLACE: {"de": "letzte Stelle", "en": "last place"},
+    ON_THE_WAY: {"de": "unterwegs gerundet", "en": "rounded on the way"},
+    OTHER_FORMULA: {"de": "andere Formel", "en": "another formula"},
+    SIGN: {"de": "Vorzeichen", "en": "sign"},
+    DIGIT: {"de": "eine Ziffer", "en": "one digit"},
+    EXCHANGED: {"de": "zwei Ziffern vertauscht", "en": "two digits exchanged"},
+    CARRIED: {"de": "Fehler übernommen", "en": "slip carried over"},
+    UNEXPLAINED: {"de": "ungeklärt", "en": "unexplained"},
+}
+
+
+class Verdict(NamedTuple):
+    """A verdict, and what it is about: the other method, the digit, the cell that the slip is in."""
+
+    kind: str
+    detail: str = ""
+
+
+class Evidence(NamedTuple):
+    """What is known of a printed value: recomputed in its unit, the same by other methods, and in what cells.
+
+    `on_the_way` is the value from the intermediates as printed, None without any; `slips` are those of them
+    that are not right themselves.
+    """
+
+    printed: Printed
+    right: int
+    others: Mapping[str, Callable[[], int | None]]
+    on_the_way: int | None = None
+    slips: tuple[str, ...] = ()
+
+
+def verdict(evidence: Evidence) -> Verdict:
+    """Return the first verdict that the evidence bears out."""
+    printed, right = evidence.printed, evidence.right
+    if printed.scaled == right:
+        return Verdict(RIGHT)
+    reproduced = evidence.on_the_way is not None and evidence.on_the_way == printed.scaled
+    if abs(printed.scaled - right) == 1:
+        return Verdict(LAST_PLACE, FOLLOWS if reproduced and not evidence.slips else "")
+    if reproduced and not evidence.slips:
+        return Verdict(ON_THE_WAY)
+    for method, value in evidence.others.items():
+        if value() == printed.scaled:
+            return Verdict(OTHER_FORMULA, method)
+    if printed.scaled == -right:
+        return Verdict(SIGN)
+    if digit := _one_digit(printed.text, printed.standing_for(right)):
+        return Verdict(DIGIT, digit)
+    if _exchanged(printed.text, printed.standing_for(right)):
+        return Verdict(EXCHANGED)
+    if reproduced:
+        return Verdict(CARRIED, ", ".join(evidence.slips))
+    return Verdict(UNEXPLAINED)
+
+
+def quotient_verdict(
+    printed: str, right: str, opposite: bool, methods: Sequence[str], reproduced: bool, slips: tuple[str, ...]
+) -> Verdict:
+    """Return the verdict on a quotient that is not right; `right` is empty where no quotient is.
+
+    `opposite` is whether its negative is right, `methods` are those that give it, `reproduced` tells that
+    the printed intermediates do.
+    """
+    if reproduced and not slips:
+        return Verdict(ON_THE_WAY)
+    if methods:
+        return Verdict(OTHER_FORMULA, methods[0])
+    if opposite:
+        return Verdict(SIGN)
+    if right and (digit := _one_digit(printed, right)):
+        return Verdict(DIGIT, digit)
+    if right and _exchanged(printed, right):
+        return Verdict(EXCHANGED)
+    return Verdict(CARRIED, ", ".join(slips)) if reproduced else Verdict(UNEXPLAINED)
+
+
+def _one_digit(printed: str, right: str) -> str:
+    """Return "8 for 9" where one digit differs, "1 too many" or "1 missing", nothing otherwise."""
+    printed, right = printed.replace("−", "-"), right.replace("−", "-")
+    if len(printed) == len(right):
+        pairs = [(one, other) for one, other in zip(printed, right, strict=True) if one != other]
+        if len(pairs) == 1 and all(char.isdigit() for char in pairs[0]):
+            return f"{pairs[0][0]}:{pairs[0][1]}"
+        return ""
+    longer, shorter = sorted((printed, right), key=len, reverse=True)
+    if len(longer) - len(shorter) == 1:
+        for place, char in enumerate(longer):
+            if char.isdigit() and longer[:place] + longer[place + 1 :] == shorter:
+                return f"{char}+" if longer == printed else f"{char}-"
+    return ""
+
+
+def _exchanged(printed: str, right: str) -> bool:
+    printed, right = printed.replace("−", "-"), right.replace("−", "-")
+    if len(printed) != len(right):
+        return False
+    places = [index for index, (one, other) in enumerate(zip(printed, right, strict=True)) if one != other]
+    if len(places) != 2:
+        return False
+    first, second = places
+    between = printed[first + 1 : second]
+    neighbours = not any(char.isdigit() for char in between)
+    return neighbours and (printed[first], printed[second]) == (right[second], right[first])

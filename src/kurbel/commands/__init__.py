@@ -1,0 +1,1 @@
+"""What is asked for, for Python: one function a page."""

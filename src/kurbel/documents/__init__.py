@@ -1,0 +1,1 @@
+"""Prose, whole documents, and marked places in one's own documents."""

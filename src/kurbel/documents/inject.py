@@ -1,0 +1,208 @@
+"""Marked places of an author's document: found in its bytes, and filled anew.
+
+Nothing outside of them is read as text, so whatever stands there, in whatever encoding, stays as it is.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from kurbel.documents.inject_code import CODE
+from kurbel.errors import ChoiceError, MarkerError
+from kurbel.formats.registry import FORMATS
+
+EXAMPLE = "table --ratio 1:5"
+BOM = b"\xef\xbb\xbf"
+# The encodings of two bytes a letter, whichever comes first.
+_WIDE = "kurbel".encode("utf-16-le")[:-1]
+
+
+class Kind(NamedTuple):
+    """A kind of document: how its comments begin and end, and what its tables are written in.
+
+    `comment` finds a marker in a line, with other text or without. `apart` tells that blank lines part a
+    table from its markers, `labelled` that its tables have labels, which no two of a document may share.
+    """
+
+    name: str
+    suffixes: tuple[str, ...]
+    format: str
+    left: str
+    right: str
+    comment: re.Pattern[bytes]
+    apart: bool = False
+    labelled: bool = True
+
+    @property
+    def opening(self) -> str:
+        """An opening marker, as an example."""
+        return " ".join(filter(None, (self.left, f"kurbel: {EXAMPLE}", self.right)))
+
+    @property
+    def closing(self) -> str:
+        return " ".join(filter(None, (self.left, "/kurbel", self.right)))
+
+
+_MARKUP = re.compile(rb"<!--[ \t]*(?:kurbel:|/kurbel\b)")
+KINDS = (
+    Kind("Markdown", (".md", ".markdown", ".qmd", ".rmd"), "markdown", "<!--", "-->", _MARKUP, True, False),
+    Kind("HTML", (".html", ".htm", ".xhtml"), "html", "<!--", "-->", _MARKUP),
+    # The first percent sign that no backslash makes a sign begins the comment.
+    Kind("LaTeX", (".tex", ".ltx"), "latex", "%", "",
+         re.compile(rb"\A(?:[^\\%]|\\.)*%[ \t]*(?:kurbel:|/kurbel\b)", re.DOTALL)),
+    # Two slashes behind a colon are those of an address.
+    Kind("Typst", (".typ",), "typst", "//", "",
+         re.compile(rb"\A(?:(?!(?<!:)//).)*(?<!:)//[ \t]*(?:kurbel:|/kurbel\b)", re.DOTALL)),
+)  # fmt: skip
+
+
+class Place(NamedTuple):
+    """A marked place: the words of its marker, and where between the markers its content begins and ends.
+
+    `line` is the number of the opening marker's line, from 1; `opening` is where that line begins and
+    `closing` where the line of the closing marker ends.
+    """
+
+    words: str
+    line: int
+    opening: int
+    begin: int
+    end: int
+    closing: int
+    indent: bytes
+    newline: bytes
+
+
+def kind_of(path: str) -> Kind:
+    """Return the kind of a document by the suffix of its name; raise ChoiceError for another one."""
+    kinds = [kind for kind in KINDS if kind.format in FORMATS]
+    suffix = os.path.splitext(path)[1].lower()
+    for kind in kinds:
+        if suffix in kind.suffixes:
+            return kind
+    known = ", ".join(suffix for kind in kinds for suffix in kind.suffixes)
+    raise ChoiceError(
+        f'the name "{path[-60:]}" tells no kind of document with markers; its suffix must be one of {known}'
+    )
+
+
+def places(document: bytes, kind: Kind, name: str) -> tuple[Place, ...]:
+    """Return the marked places in their order.
+
+    Raises MarkerError, naming the document and the line, for a marker beside other text, and for one that is
+    unclosed, nested or closes nothing.
+    """
+    if _WIDE in document:
+        raise MarkerError(f"{name} is in UTF-16; save it in UTF-8, in which its tables are written")
+    return tuple(_places(document, kind, name)) if b"kurbel" in document else ()
+
+
+class _Line(NamedTuple):
+    number: int
+    text: bytes
+    begin: int
+    end: int
+
+
+def _places(document: bytes, kind: Kind, name: str) -> Iterator[Place]:
+    code = CODE[kind.name]()
+    opened: tuple[_Line, str] | None = None
+    end = len(BOM) if document.startswith(BOM) else 0
+    # A document may have millions of lines: nothing is made of those that cannot have a marker.
+    for number, text in enumerate(document[end : _last_end(document)].splitlines(keepends=True), 1):
+        begin, end = end, end + len(text)
+        # What stands in a marked place is no code of the author's.
+        if (opened is None and code.holds(text)) or b"kurbel" not in text:
+            continue
+        line = _Line(number, text, begin, end)
+        words = _marker(line, kind, name, code.without_inline(text))
+        if words is None:
+            continue
+        where = f"{name}:{line.number}"
+        if words and opened:
+            raise MarkerError(
+                f"{where}: the marker is nested in the one of line {opened[0].number}, which is still open;"
+                f" write {kind.closing} before it"
+            )
+        if words:
+            opened = line, words
+        elif opened:
+            yield _place(*opened, line)
+            opened = None
+        else:
+            raise MarkerError(f"{where}: {kind.closing} closes nothing; write {kind.opening} before it")
+    if opened:
+        raise MarkerError(
+            f"{name}:{opened[0].number}: the marker is unclosed; write {kind.closing} on a line behind it"
+        )
+
+
+def _last_end(document: bytes) -> int:
+    """Return an end of a line behind the last that can have a marker."""
+    last = document.find(b"\n", document.rfind(b"kurbel"))
+    return len(document) if last < 0 else last + 1
+
+
+def _marker(line: _Line, kind: Kind, name: str, bare: bytes) -> str | None:
+    """Return the words of an opening marker, "" for a closing one, None for a line that is none."""
+    inner = _comment(line.text.strip(b" \t\r\n\f"), kind)
+    if inner == b"/kurbel":
+        return ""
+    if inner is not None and inner.startswith(b"kurbel:"):
+        return _words(inner.removeprefix(b"kurbel:"), kind, f"{name}:{line.number}")
+    if kind.comment.search(bare):
+        raise MarkerError(
+            f"{name}:{line.number}: a marker stands alone on its line, whole, as {kind.opening}"
+            f" or {kind.closing}"
+        )
+    return None
+
+
+def _comment(text: bytes, kind: Kind) -> bytes | None:
+    """Return what a line says that is one comment and nothing else."""
+    left, right = kind.left.encode(), kind.right.encode()
+    if not (text.startswith(left) and text.endswith(right) and len(text) >= len(left) + len(right)):
+        return None
+    inner = text.removeprefix(left).removesuffix(right)
+    return None if right and right in inner else inner.strip(b" \t")
+
+
+def _words(text: bytes, kind: Kind, where: str) -> str:
+    try:
+        words = text.decode().strip()
+    except UnicodeDecodeError:
+        raise MarkerError(f"{where}: the marker is not in UTF-8; save the document in UTF-8") from None
+    if not words:
+        raise MarkerError(f"{where}: the marker has no command; write one such as {kind.opening}")
+    if not words.replace("\t", " ").isprintable():
+        raise MarkerError(f"{where}: the marker has characters that cannot be seen; write it anew")
+    return words
+
+
+def _place(opening: _Line, words: str, closing: _Line) -> Place:
+    text = opening.text
+    indent = text[: len(text) - len(text.lstrip(b" \t"))]
+    newline = text[len(text.rstrip(b"\r\n")) :]
+    ends = opening.begin, opening.end, closing.begin, closing.end
+    return Place(words, opening.number, *ends, indent, newline)
+
+
+def content(text: str, place: Place, kind: Kind) -> bytes:
+    """Return a table as it stands in a place: indented as the marker is, with the ends of its lines."""
+    lines = [line.encode() for line in text.rstrip("\n").split("\n")]
+    if kind.apart:
+        lines = [b"", *lines, b""]
+    return b"".join((place.indent + line if line else b"") + place.newline for line in lines)
+
+
+def filled(document: bytes, found: Sequence[Place], contents: Sequence[bytes]) -> bytes:
+    """Return the document with new contents of its places; all else is kept by the byte."""
+    pieces = []
+    done = 0
+    for place, new in zip(found, contents, strict=True):
+        pieces += [document[done : place.begin], new]
+        done = place.end
+    return b"".join((*pieces, document[done:]))

@@ -1,0 +1,86 @@
+"""Free text in HTML."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from kurbel.documents.prose import Align, Blocks, Grid, Inlines, Listing, Paragraph
+from kurbel.documents.prose_print import ProsePrinter, Reference
+from kurbel.formats.escapes import escape_html
+
+
+class Printer(ProsePrinter):
+    def paragraph(self, content: Inlines) -> str:
+        return f"<p>{self.inlines(content)}</p>"
+
+    def blocks(self, blocks: Blocks, between: str = "\n") -> str:
+        return super().blocks(blocks, between)
+
+    def heading(self, level: int, content: Inlines) -> str:
+        level = min(level, 6)
+        return f"<h{level}>{self.inlines(content)}</h{level}>"
+
+    def code_block(self, lines: tuple[str, ...]) -> str:
+        # A long line scrolls, also by the keyboard.
+        code = escape_html("".join(f"{line}\n" for line in lines))
+        return f'<pre tabindex="0"><code>{code}</code></pre>'
+
+    def quote(self, content: Blocks) -> str:
+        return f"<blockquote>\n{self.blocks(content)}\n</blockquote>"
+
+    def listing(self, listing: Listing) -> str:
+        tag = "ul" if listing.start is None else "ol"
+        start = "" if listing.start in (None, 1) else f' start="{listing.start}"'
+        items = "\n".join(self._item(item, listing.tight) for item in listing.items)
+        return f"<{tag}{start}>\n{items}\n</{tag}>"
+
+    def _item(self, item: Blocks, tight: bool) -> str:
+        """Return an item; in a tight list its paragraphs stand bare."""
+        blocks = (
+            self.inlines(block.content) if tight and isinstance(block, Paragraph) else self.block(block)
+            for block in item
+        )
+        content = "\n".join(blocks)
+        return f"<li>{content}</li>"
+
+    def rule(self) -> str:
+        return "<hr>"
+
+    def grid(self, grid: Grid) -> str:
+        head = self._row(grid.head, grid.aligns, "th", ' scope="col"')
+        rows = "\n".join(self._row(row, grid.aligns, "td") for row in grid.rows)
+        body = f"<tbody>\n{rows}\n</tbody>\n" if rows else ""
+        table = f"<table>\n<thead>\n{head}\n</thead>\n{body}</table>"
+        return f'<div class="scroll" tabindex="0">\n{table}\n</div>'
+
+    def _row(
+        self, cells: Iterable[Inlines], aligns: Iterable[Align | None], tag: str, scope: str = ""
+    ) -> str:
+        tags = (
+            f"<{tag}{scope}{_style(align)}>{self.inlines(cell)}</{tag}>"
+            for cell, align in zip(cells, aligns, strict=True)
+        )
+        return f"<tr>{''.join(tags)}</tr>"
+
+    def code(self, text: str) -> str:
+        return f"<code>{escape_html(text)}</code>"
+
+    def line_break(self) -> str:
+        return "<br>\n"
+
+    def emphasis(self, content: Inlines) -> str:
+        return f"<em>{self.inlines(content)}</em>"
+
+    def strong(self, content: Inlines) -> str:
+        return f"<strong>{self.inlines(content)}</strong>"
+
+    def link(self, address: str, content: Inlines) -> str:
+        return f'<a href="{escape_html(address)}">{self.inlines(content)}</a>'
+
+    def reference(self, reference: Reference, content: Inlines) -> str:
+        text = self.inlines(content) or escape_html(reference.text)
+        return f'<a href="{escape_html(reference.target)}">{text}</a>'
+
+
+def _style(align: Align | None) -> str:
+    return f' style="text-align: {align}"' if align else ""

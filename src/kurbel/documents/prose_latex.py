@@ -1,0 +1,200 @@
+r"""Free text in LaTeX. Needs amsmath for formulas, array and booktabs for tables, hyperref for links."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from kurbel.documents.prose import (
+    Blocks,
+    Break,
+    Code,
+    CodeBlock,
+    Emphasis,
+    Grid,
+    Inlines,
+    Link,
+    Listing,
+    Paragraph,
+    Quote,
+    Refer,
+    Strong,
+    Text,
+)
+from kurbel.documents.prose_print import ProsePrinter, Reference, is_own
+from kurbel.formats.escapes import escape_latex, string_latex
+from kurbel.page.formula import Formula
+from kurbel.page.plain import formula_plain
+
+_SECTIONS = ("chapter", "section", "subsection", "subsubsection", "paragraph")
+_COUNTERS = ("enumi", "enumii", "enumiii", "enumiv")
+_COLUMNS = {None: "l", "left": "l", "center": "c", "right": "r"}
+_RAGGED = {None: r"\raggedright", "left": r"\raggedright", "center": r"\centering", "right": r"\raggedleft"}
+# Characters of a line, and of a column whose lines are not broken.
+_LINE, _SHORT = 75, 15
+_NAMES = {"table": r"\tablename", "figure": r"\figurename", "chapter": r"\S"}
+# A word of code that no line end may cut would run off a narrow line.
+_LONG_WORD = re.compile(r"[^ \u00a0]{20,}")
+_PARTED = re.compile(r"([-,'<>])\{\}(?=\1)")
+# No text has this character.
+_HERE = "\0"
+_PIECES = {_HERE: r"\penalty500 ", "'": r"\textquotesingle{}"}
+_ADDRESS = str.maketrans(
+    {"%": r"\%", "#": r"\#", "&": r"\&", "~": r"\%7E", "$": r"\%24", "_": r"\_", "^": r"\%5E", '"': r"\%22"}
+    | {"{": r"\%7B", "}": r"\%7D", "\\": r"\%5C"}
+)
+
+
+class Printer(ProsePrinter):
+    numbered = 0
+
+    def heading(self, level: int, content: Inlines) -> str:
+        section = _SECTIONS[max(1, min(level, len(_SECTIONS))) - 1]
+        title = self.inlines(content)
+        # Bookmarks hold nothing but characters.
+        bookmark = string_latex(self._plain(content))
+        if bookmark != title:
+            title = rf"\texorpdfstring{{{title}}}{{{bookmark}}}"
+        return rf"\{section}{{{title}}}"
+
+    def _plain(self, content: Inlines) -> str:
+        """Return the characters of a heading."""
+        pieces = []
+        for inline in content:
+            match inline:
+                case Text(text) | Code(text):
+                    pieces.append(text)
+                case Formula():
+                    pieces.append(formula_plain(inline, self.mark))
+                case Emphasis(inner) | Strong(inner) | Link(_, inner):
+                    pieces.append(self._plain(inner))
+                case Refer(name, inner):
+                    pieces.append(self._plain(inner) or self.refer(name).text)
+                case _:
+                    pieces.append(" ")
+        return "".join(pieces)
+
+    def code_block(self, lines: tuple[str, ...]) -> str:
+        return f"\\begin{{quote}}\n{_lines(lines)}\n\\end{{quote}}"
+
+    def quote(self, content: Blocks) -> str:
+        return f"\\begin{{quote}}\n{self.blocks(content)}\n\\end{{quote}}"
+
+    def listing(self, listing: Listing) -> str:
+        if listing.start is None:
+            return f"\\begin{{itemize}}\n{self._items(listing)}\n\\end{{itemize}}"
+        counter = _COUNTERS[self.numbered]
+        start = "" if listing.start == 1 else f"\\setcounter{{{counter}}}{{{listing.start - 1}}}\n"
+        self.numbered += 1
+        items = self._items(listing)
+        self.numbered -= 1
+        return f"\\begin{{enumerate}}\n{start}{items}\n\\end{{enumerate}}"
+
+    def _items(self, listing: Listing) -> str:
+        close = "\\setlength{\\itemsep}{0pt}\\setlength{\\parsep}{0pt}\n" if listing.tight else ""
+        return close + "\n".join(rf"\item {self._item(item)}" for item in listing.items)
+
+    def _item(self, item: Blocks) -> str:
+        """Return an item so that its mark stands on its first line."""
+        match item:
+            case (CodeBlock(lines), *rest):
+                return f"{{{_lines(lines)}\\par}}\n\n{self.blocks(tuple(rest))}"
+            case (Paragraph() | Listing() | Quote(), *_) | ():
+                return self.blocks(item)
+        return rf"\mbox{{}}{self.blocks(item)}"
+
+    def rule(self) -> str:
+        return r"\par\noindent\rule{\linewidth}{0.4pt}\par"
+
+    def grid(self, grid: Grid) -> str:
+        columns = "".join(self._columns(grid))
+        rows = "".join(f"{self._row(row)}\n" for row in grid.rows)
+        return (
+            f"\\begin{{center}}\n\\begin{{tabular}}{{{columns}}}\n\\toprule\n"
+            f"{self._row(grid.head)}\n\\midrule\n{rows}\\bottomrule\n\\end{{tabular}}\n\\end{{center}}"
+        )
+
+    def _columns(self, grid: Grid) -> Iterator[str]:
+        """Yield the columns; where the rows are longer than a line, those of sentences break their lines."""
+        rows = (grid.head, *grid.rows)
+        widths = [max(len(self._plain(cell)) for cell in cells) for cells in zip(*rows, strict=True)]
+        fits = sum(widths) + 2 * len(widths) <= _LINE
+        long = sum(width for width in widths if width > _SHORT)
+        room = _LINE - sum(width + 2 for width in widths if width <= _SHORT)
+        for align, width in zip(grid.aligns, widths, strict=True):
+            if fits or width <= _SHORT:
+                yield _COLUMNS[align]
+            else:
+                share = max(0.05, 0.9 * width / long * room / _LINE)
+                yield rf">{{{_RAGGED[align]}\arraybackslash}}p{{{share:.3f}\linewidth}}"
+
+    def _row(self, cells: tuple[Inlines, ...]) -> str:
+        return " & ".join(self.inlines(cell) for cell in cells) + r" \\"
+
+    def paragraph(self, content: Inlines) -> str:
+        # Above the first line there is none to end.
+        return r"\leavevmode" * _breaks_first(content) + self.inlines(content)
+
+    def text(self, text: str) -> str:
+        return _escaped(text)
+
+    def code(self, text: str) -> str:
+        return rf"\texttt{{{_code(text)}}}"
+
+    def line_break(self) -> str:
+        return "\\newline\n"
+
+    def emphasis(self, content: Inlines) -> str:
+        return rf"\emph{{{self.inlines(content)}}}"
+
+    def strong(self, content: Inlines) -> str:
+        return rf"\textbf{{{self.inlines(content)}}}"
+
+    def link(self, address: str, content: Inlines) -> str:
+        return rf"\href{{{address.translate(_ADDRESS)}}}{{{self._shown(address, content)}}}"
+
+    def _shown(self, address: str, content: Inlines) -> str:
+        """Return the words of a link; an address may be broken at any character."""
+        return _breakable(self._plain(content)) if is_own(address, content) else self.inlines(content)
+
+    def reference(self, reference: Reference, content: Inlines) -> str:
+        label = reference.target
+        text = self.inlines(content) or rf"{_NAMES[reference.kind]}~\ref*{{{label}}}"
+        return rf"\hyperref[{label}]{{{text}}}"
+
+
+def _breaks_first(content: Inlines) -> bool:
+    """Tell whether the first thing printed is the end of a line."""
+    match content:
+        case (Break(), *_):
+            return True
+        case (Emphasis(inner) | Strong(inner) | Link(_, inner) | Refer(_, inner), *_):
+            return _breaks_first(inner)
+    return False
+
+
+def _escaped(text: str) -> str:
+    """Return text whose characters stay what they are in LuaLaTeX too.
+
+    There an empty group does not part --, and any straight quotation mark but that of \\textquotedbl is bent.
+    """
+    escaped = escape_latex(text).replace(r"\char34{}", r"\textquotedbl{}")
+    return _PARTED.sub(r"\1{\\kern0pt}", escaped)
+
+
+def _lines(lines: tuple[str, ...]) -> str:
+    """Return lines of code. verbatim would neither break a long one nor stand in an argument."""
+    code = "\\\\\n".join(rf"\mbox{{}}{_code(line)}" for line in lines) or r"\mbox{}"
+    return f"\\ttfamily\\raggedright\n{code}"
+
+
+def _code(text: str) -> str:
+    """Return code whose spaces are kept and whose quotation marks are straight."""
+    pieces = (piece for piece in re.split("( )", text) if piece)
+    return "".join(r"\ " if piece == " " else _breakable(piece) for piece in pieces)
+
+
+def _breakable(text: str) -> str:
+    """Return code or an address in which a long word may be broken, if need be, at any character."""
+    marked = _LONG_WORD.sub(lambda word: _HERE.join(word.group()), text)
+    return "".join(_PIECES.get(piece) or _escaped(piece) for piece in re.split(f"({_HERE}|')", marked))

@@ -1,0 +1,162 @@
+"""Free text in Markdown that readers of CommonMark, and of GitHub's tables, show as they show the source."""
+
+from __future__ import annotations
+
+import re
+import string
+
+from kurbel.documents.prose import (
+    Block,
+    Blocks,
+    Emphasis,
+    Grid,
+    Inline,
+    Inlines,
+    Listing,
+    Quote,
+    Strong,
+    Text,
+)
+from kurbel.documents.prose_print import ProsePrinter, Reference, indented
+
+# What would begin a list, a heading, a rule, or underline the line before as a heading or a table.
+_START = re.compile(r"^(?:[-+=#:]|[0-9]{1,9}(?=[.)]))", re.MULTILINE)
+_BACKTICKS = re.compile("`+")
+_ENTITY = re.compile(r"&(?=[#A-Za-z])")
+_LAST_HASH = re.compile(r"(?<!\\)#$")
+_BESIDE = f" {string.punctuation}"
+_LARGEST = 999_999_999
+_DASHES = {None: "---", "left": ":---", "center": ":---:", "right": "---:"}
+
+
+class Printer(ProsePrinter):
+    # Two lists in a row, or a list that begins another, need different marks: "- - -" is a rule.
+    depth = 0
+    break_mark = "\\\n"
+    bar = "|"
+
+    def paragraph(self, content: Inlines) -> str:
+        lines = (line.strip(" ") for line in self.inlines(content).split("\n"))
+        return _START.sub(_escaped, "\n".join(lines))
+
+    def blocks(self, blocks: Blocks, between: str = "\n\n") -> str:
+        pieces: list[str] = []
+        lists = 0
+        for before, block in zip((None, *blocks), blocks, strict=False):
+            lists = lists + 1 if isinstance(before, Listing) and isinstance(block, Listing) else 0
+            piece = self._listed(block, lists) if isinstance(block, Listing) else self.block(block)
+            if between == "\n" and _merge(before, block):
+                piece = f"<!-- -->\n{piece}"
+            pieces.append(piece)
+        return between.join(pieces)
+
+    def heading(self, level: int, content: Inlines) -> str:
+        return f"{'#' * max(1, min(level, 6))} {_LAST_HASH.sub(_escaped, self._line(content))}"
+
+    def _line(self, content: Inlines) -> str:
+        """Return inlines where no line may end."""
+        self.break_mark = "<br>"
+        text = self.inlines(content)
+        self.break_mark = Printer.break_mark
+        return text.strip(" ")
+
+    def code_block(self, lines: tuple[str, ...]) -> str:
+        fence = "`" * max(3, _longest("\n".join(lines)) + 1)
+        return "\n".join([fence, *lines, fence])
+
+    def quote(self, content: Blocks) -> str:
+        return indented(self.blocks(content), "> ", "> ")
+
+    def listing(self, listing: Listing) -> str:
+        return self._listed(listing, 0)
+
+    def _listed(self, listing: Listing, lists: int) -> str:
+        """Return a list that follows so many others."""
+        odd = (lists + self.depth) % 2
+        self.depth += 1
+        between = "\n" if listing.tight else "\n\n"
+        items = []
+        for place, item in enumerate(listing.items):
+            number = min((listing.start or 0) + place, _LARGEST)
+            mark = "-+"[odd] if listing.start is None else f"{number}{'.)'[odd]}"
+            items.append(indented(self.blocks(item, between), f"{mark} ", " " * (len(mark) + 1)))
+        self.depth -= 1
+        return between.join(items)
+
+    def rule(self) -> str:
+        return "___"
+
+    def grid(self, grid: Grid) -> str:
+        dashes = " | ".join(_DASHES[align] for align in grid.aligns)
+        self.bar = r"\|"
+        head, *rows = [self._row(row) for row in (grid.head, *grid.rows)]
+        self.bar = Printer.bar
+        return "\n".join([head, f"| {dashes} |", *rows])
+
+    def _row(self, cells: tuple[Inlines, ...]) -> str:
+        return f"| {' | '.join(map(self._line, cells))} |"
+
+    def inlines(self, content: Inlines) -> str:
+        pieces = []
+        for place, inline in enumerate(content):
+            before = content[place - 1] if place else None
+            after = content[place + 1] if place + 1 < len(content) else None
+            pieces.append(self._marked(inline) if _is_free(inline, before, after) else self.inline(inline))
+        return "".join(pieces)
+
+    def _marked(self, inline: Inline) -> str:
+        """Return emphasis with asterisks, which only open and close where words and spaces meet."""
+        assert isinstance(inline, Emphasis | Strong)
+        stars = "*" if isinstance(inline, Emphasis) else "**"
+        return f"{stars}{self.inlines(inline.content)}{stars}"
+
+    def code(self, text: str) -> str:
+        text = text.replace("|", self.bar)
+        ticks = "`" * (_longest(text) + 1)
+        padded = text[:1] == "`" or text[-1:] == "`" or (text[:1] == text[-1:] == " " and text.strip(" "))
+        return f"{ticks} {text} {ticks}" if padded else f"{ticks}{text}{ticks}"
+
+    def line_break(self) -> str:
+        return self.break_mark
+
+    def emphasis(self, content: Inlines) -> str:
+        return f"<em>{self.inlines(content)}</em>"
+
+    def strong(self, content: Inlines) -> str:
+        return f"<strong>{self.inlines(content)}</strong>"
+
+    def link(self, address: str, content: Inlines) -> str:
+        return f"[{self.inlines(content)}](<{_ENTITY.sub('&amp;', address)}>)"
+
+    def reference(self, reference: Reference, content: Inlines) -> str:
+        return self.link(reference.target, content or (Text(reference.text),))
+
+
+def _is_free(inline: Inline, before: Inline | None, after: Inline | None) -> bool:
+    """Tell whether asterisks around an inline can mean nothing but its emphasis."""
+    if not isinstance(inline, Emphasis | Strong) or not inline.content:
+        return False
+    first, last = inline.content[0], inline.content[-1]
+    return (
+        (before is None or (isinstance(before, Text) and before.text[-1] in _BESIDE))
+        and (after is None or (isinstance(after, Text) and after.text[0] in _BESIDE))
+        and isinstance(first, Text)
+        and isinstance(last, Text)
+        and first.text[0].isalnum()
+        and last.text[-1].isalnum()
+    )
+
+
+def _merge(before: Block | None, block: Block) -> bool:
+    """Tell whether two blocks would be one without an empty line between them."""
+    return isinstance(before, Quote) and isinstance(block, Quote)
+
+
+def _longest(text: str) -> int:
+    """Return the length of the longest run of backticks."""
+    return max((len(run) for run in _BACKTICKS.findall(text)), default=0)
+
+
+def _escaped(match: re.Match[str]) -> str:
+    found = match.group()
+    return f"{found}\\" if found.isdigit() else f"\\{found}"

@@ -1,0 +1,193 @@
+"""Free text in print: what the writers of all formats share.
+
+A new format adds a module prose_<format> with a `Printer`, which `set_prose` finds by this name.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable
+from importlib import import_module
+from typing import Literal, NamedTuple
+from urllib.parse import unquote
+
+from kurbel.documents.prose import (
+    Block,
+    Blocks,
+    Break,
+    Code,
+    CodeBlock,
+    Emphasis,
+    Grid,
+    Heading,
+    Inline,
+    Inlines,
+    Link,
+    Listing,
+    Paragraph,
+    Quote,
+    Refer,
+    Rule,
+    Strong,
+    Text,
+)
+from kurbel.formats.registry import Format
+from kurbel.page.formula import Formula
+
+
+class Reference(NamedTuple):
+    """A part of the handbook that a text names.
+
+    `target` is what the format jumps to: tab:delta in LaTeX, tab-delta in Typst, #tab-delta in HTML.
+    `text` is its name and number, "Tabelle 3", not escaped, for formats that count nothing by themselves.
+    """
+
+    kind: Literal["table", "figure", "chapter"]
+    target: str
+    text: str
+
+
+Find = Callable[[str], Reference]
+
+
+def set_prose(blocks: Blocks, form: Format, mark: str, refer: Find, level: int = 1) -> str:
+    """Return a text in a format, its last line ended.
+
+    `mark` is the decimal mark of numbers in formulas; `refer` returns what a name refers to, or raises;
+    `level` is how many levels of headings stand above the text: at 1 its # is a section below a chapter.
+    """
+    printer: type[ProsePrinter] = import_module(f"kurbel.documents.prose_{form.name}").Printer
+    return printer(form, mark, refer, level).document(blocks)
+
+
+class ProsePrinter(ABC):
+    """Sets blocks and inlines; each format says how."""
+
+    def __init__(self, form: Format, mark: str, refer: Find, level: int) -> None:
+        self.form = form
+        self.mark = mark
+        self.refer = refer
+        self.level = level
+
+    def document(self, blocks: Blocks) -> str:
+        """Return the whole text."""
+        return self.blocks(blocks) + "\n" if blocks else ""
+
+    def blocks(self, blocks: Blocks, between: str = "\n\n") -> str:
+        """Return blocks below each other."""
+        return between.join(self.block(block) for block in blocks)
+
+    def block(self, block: Block) -> str:
+        """Return one block, without the end of its last line."""
+        match block:
+            case Paragraph(content):
+                return self.paragraph(content)
+            case Heading(level, content):
+                return self.heading(level + self.level, content)
+            case CodeBlock(lines):
+                return self.code_block(lines)
+            case Quote(content):
+                return self.quote(content)
+            case Listing():
+                return self.listing(block)
+            case Rule():
+                return self.rule()
+            case Grid():
+                return self.grid(block)
+
+    def inlines(self, content: Inlines) -> str:
+        """Return inlines beside each other."""
+        return "".join(self.inline(inline) for inline in content)
+
+    def inline(self, inline: Inline) -> str:
+        """Return one inline."""
+        match inline:
+            case Text(text):
+                return self.text(text)
+            case Formula():
+                return self.form.formula(inline, self.mark, False)
+            case Code(text):
+                return self.code(text)
+            case Break():
+                return self.line_break()
+            case Emphasis(content):
+                return self.emphasis(content)
+            case Strong(content):
+                return self.strong(content)
+            case Link(address, content):
+                return self.link(address, content)
+            case Refer(name, content):
+                return self.reference(self.refer(name), content)
+
+    def text(self, text: str) -> str:
+        """Return words."""
+        return self.form.escape(text)
+
+    def paragraph(self, content: Inlines) -> str:
+        """Return a paragraph."""
+        return self.inlines(content)
+
+    @abstractmethod
+    def heading(self, level: int, content: Inlines) -> str:
+        """Return a heading; level 1 is that of a title or chapter."""
+
+    @abstractmethod
+    def code_block(self, lines: tuple[str, ...]) -> str:
+        """Return lines of code."""
+
+    @abstractmethod
+    def quote(self, content: Blocks) -> str:
+        """Return a quotation."""
+
+    @abstractmethod
+    def listing(self, listing: Listing) -> str:
+        """Return a list."""
+
+    @abstractmethod
+    def rule(self) -> str:
+        """Return a line across the page."""
+
+    @abstractmethod
+    def grid(self, grid: Grid) -> str:
+        """Return a table."""
+
+    @abstractmethod
+    def code(self, text: str) -> str:
+        """Return characters of code."""
+
+    @abstractmethod
+    def line_break(self) -> str:
+        """Return the end of a line."""
+
+    @abstractmethod
+    def emphasis(self, content: Inlines) -> str:
+        """Return emphasised words."""
+
+    @abstractmethod
+    def strong(self, content: Inlines) -> str:
+        """Return words of strong emphasis."""
+
+    @abstractmethod
+    def link(self, address: str, content: Inlines) -> str:
+        """Return a link to another site."""
+
+    @abstractmethod
+    def reference(self, reference: Reference, content: Inlines) -> str:
+        """Return a reference to a part of the handbook."""
+
+
+def is_own(address: str, content: Inlines) -> bool:
+    """Tell whether the words of a link are nothing but its address."""
+    match content:
+        case (Text(text),):
+            return unquote(text) in (unquote(address), unquote(address.removeprefix("mailto:")))
+    return False
+
+
+def indented(text: str, first: str, rest: str) -> str:
+    """Return lines with what stands before the first and before the others, nothing at their ends."""
+    lines = text.split("\n")
+    prefixes = [first] + [rest] * (len(lines) - 1)
+    return "\n".join(
+        f"{prefix}{line}" if line else prefix.rstrip() for prefix, line in zip(prefixes, lines, strict=True)
+    )

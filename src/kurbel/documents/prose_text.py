@@ -1,0 +1,97 @@
+"""Free text in plain text: marks of emphasis fall away, addresses of links stand in angle brackets."""
+
+from __future__ import annotations
+
+from textwrap import fill
+
+from kurbel.documents.prose import Blocks, Grid, Inlines, Listing
+from kurbel.documents.prose_print import ProsePrinter, Reference, indented, is_own
+
+_WIDTH = 78
+# A list in a list in a quotation keeps some room.
+_NARROWEST = 40
+
+
+class Printer(ProsePrinter):
+    room = _WIDTH
+
+    def document(self, blocks: Blocks) -> str:
+        # The spaces of a formula are no-break spaces until its line is found.
+        return super().document(blocks).replace("\u00a0", " ")
+
+    def paragraph(self, content: Inlines) -> str:
+        return self._filled(self.inlines(content))
+
+    def _filled(self, text: str) -> str:
+        lines = (
+            fill(line, self.room, break_on_hyphens=False, break_long_words=False) for line in text.split("\n")
+        )
+        return "\n".join(lines)
+
+    def heading(self, level: int, content: Inlines) -> str:
+        text = self._filled(self.inlines(content).replace("\n", " "))
+        longest = max(len(line) for line in text.splitlines() or [""])
+        return f"{text}\n{('━' if level <= 2 else '─') * longest}"
+
+    def code_block(self, lines: tuple[str, ...]) -> str:
+        return indented("\n".join(lines), "    ", "    ")
+
+    def quote(self, content: Blocks) -> str:
+        return self._within(content, "  │ ", "  │ ")
+
+    def listing(self, listing: Listing) -> str:
+        marks = [
+            "•" if listing.start is None else f"{listing.start + place}."
+            for place in range(len(listing.items))
+        ]
+        width = max(map(len, marks)) + 1
+        items = (
+            self._within(item, f"{mark:>{width}} ", " " * (width + 1), listing.tight)
+            for mark, item in zip(marks, listing.items, strict=True)
+        )
+        return ("\n" if listing.tight else "\n\n").join(items)
+
+    def _within(self, content: Blocks, first: str, rest: str, tight: bool = False) -> str:
+        outside = self.room
+        self.room = max(outside - len(first), _NARROWEST)
+        inner = self.blocks(content, "\n" if tight else "\n\n")
+        self.room = outside
+        return indented(inner, first, rest)
+
+    def rule(self) -> str:
+        return "─" * self.room
+
+    def grid(self, grid: Grid) -> str:
+        from tabulate import tabulate
+
+        def texts(cells: tuple[Inlines, ...]) -> list[str]:
+            return [self.inlines(cell) for cell in cells]
+
+        return tabulate(
+            [texts(row) for row in grid.rows],
+            texts(grid.head),
+            tablefmt="simple",
+            disable_numparse=True,
+            colalign=[align or "left" for align in grid.aligns] if grid.rows else None,
+        )
+
+    def code(self, text: str) -> str:
+        return text.replace(" ", "\u00a0")
+
+    def line_break(self) -> str:
+        return "\n"
+
+    def emphasis(self, content: Inlines) -> str:
+        return self.inlines(content)
+
+    def strong(self, content: Inlines) -> str:
+        return self.inlines(content)
+
+    def link(self, address: str, content: Inlines) -> str:
+        text = self.inlines(content)
+        return text if is_own(address, content) else f"{text} <{address}>"
+
+    def reference(self, reference: Reference, content: Inlines) -> str:
+        text = self.inlines(content)
+        name = reference.text.replace(" ", "\u00a0")
+        return f"{text} ({name})" if text else name

@@ -1,0 +1,72 @@
+"""Free text in Typst, as calls of functions, so that no character of the text stands where it is markup."""
+
+from __future__ import annotations
+
+import re
+
+from kurbel.documents.prose import Blocks, Grid, Inlines, Listing
+from kurbel.documents.prose_print import ProsePrinter, Reference
+from kurbel.formats.escapes import string_typst
+
+_ALIGNS = {None: "left", "left": "left", "center": "center", "right": "right"}
+_LONG_WORD = re.compile(r"\S{30}")
+_BREAK = r'show regex("\S{30,}"): it => it.text.clusters().join(box())'
+
+
+class Printer(ProsePrinter):
+    # A semicolon ends each call: an opening parenthesis or a full stop after it would belong to it.
+    def heading(self, level: int, content: Inlines) -> str:
+        return f"#heading(level: {max(level, 1)})[{self.inlines(content)}];"
+
+    def code_block(self, lines: tuple[str, ...]) -> str:
+        return _raw("\n".join(lines), ", block: true")
+
+    def quote(self, content: Blocks) -> str:
+        return f"#quote(block: true)[\n{self.blocks(content)}\n];"
+
+    def listing(self, listing: Listing) -> str:
+        tight = str(listing.tight).lower()
+        kind = "list(" if listing.start is None else f"enum(start: {listing.start}, "
+        items = ",\n".join(f"[{self.blocks(item)}]" for item in listing.items)
+        return f"#{kind}tight: {tight},\n{items},\n);"
+
+    def rule(self) -> str:
+        return "#line(length: 100%);"
+
+    def grid(self, grid: Grid) -> str:
+        aligns = "".join(f"{_ALIGNS[align]}, " for align in grid.aligns)
+        rows = "".join(f"{self._row(row)},\n" for row in grid.rows)
+        return (
+            f"#align(center, table(columns: {len(grid.aligns)}, align: ({aligns}), stroke: none,\n"
+            f"table.hline(stroke: .08em), table.header({self._row(grid.head)}), table.hline(stroke: .05em),\n"
+            f"{rows}table.hline(stroke: .08em)));"
+        )
+
+    def _row(self, cells: tuple[Inlines, ...]) -> str:
+        return ", ".join(f"[{self.inlines(cell)}]" for cell in cells)
+
+    def code(self, text: str) -> str:
+        return _raw(text)
+
+    def line_break(self) -> str:
+        return "#linebreak();\n"
+
+    def emphasis(self, content: Inlines) -> str:
+        return f"#emph[{self.inlines(content)}];"
+
+    def strong(self, content: Inlines) -> str:
+        return f"#strong[{self.inlines(content)}];"
+
+    def link(self, address: str, content: Inlines) -> str:
+        return f"#link({string_typst(address)})[{self.inlines(content)}];"
+
+    def reference(self, reference: Reference, content: Inlines) -> str:
+        """Return a reference; Typst itself names and counts what it points to."""
+        label = f"<{reference.target}>"
+        return f"#link({label})[{self.inlines(content)}];" if content else f"#ref({label});"
+
+
+def _raw(code: str, options: str = "") -> str:
+    """Return code in which a word that is longer than a line may be broken at any character."""
+    call = f"raw({string_typst(code)}{options})"
+    return f"#{{ {_BREAK}; {call} }};" if _LONG_WORD.search(code) else f"#{call};"

@@ -1,0 +1,1 @@
+"""What is described, checked once: crank, rod, masses, flywheel, machine file."""

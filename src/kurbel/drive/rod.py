@@ -1,0 +1,144 @@
+"""The connecting rod that a table is about, checked once: by its centre of mass, or made of sections."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+from kurbel.errors import ProblemError
+from kurbel.kernel.rod import Masses, rod_masses, two_masses
+from kurbel.reading.notation import about
+
+# Sections end within half a rod's length of its pins.
+REACH = Fraction(1, 2)
+LARGEST_MASS = 10**9
+# The share of the rod that railway engineers count as reciprocating.
+RAILWAY_CROSSHEAD = Fraction(4, 10)
+
+
+@dataclass(frozen=True, slots=True)
+class Rod:
+    """A rod by its centre of mass, a/L from the crank pin, its k²/L² about it, and its mass in kg if known.
+
+    k² and not k is kept, for of fractions it is a fraction. The centre lies on the line between the pins,
+    0 <= a <= L. k² above a (L - a) is for rods that reach beyond their pins or far to the side; valid up to
+    that of two masses half a length beyond the pins.
+    """
+
+    centre: Fraction
+    gyration_square: Fraction
+    mass: Fraction | None = None
+
+    def __post_init__(self) -> None:
+        if not 0 <= self.centre <= 1:
+            raise ProblemError(
+                f"the rod's centre of mass is {about(self.centre)} L from the crank pin; it must lie within"
+                " 0..1, between the pins, for no rod has most of its mass beyond one"
+            )
+        if self.gyration_square <= 0:
+            raise ProblemError(
+                f"the rod's k² is {about(self.gyration_square)} L²; it must be above 0,"
+                " for no rod has all its mass in one point"
+            )
+        if self.gyration_square > self._greatest_square():
+            raise ProblemError(
+                f"the rod's k² is {about(self.gyration_square)} L²; with the centre of mass"
+                f" {about(self.centre)} L from the crank pin it must be at most"
+                f" {about(self._greatest_square())} L², for no rod reaches half its length beyond both pins"
+            )
+        if self.mass is not None and not 0 < self.mass <= LARGEST_MASS:
+            raise ProblemError(
+                f"the rod's mass is {about(self.mass)} kg; it must be above 0 and at most 10^9 kg"
+            )
+
+    @classmethod
+    def of_gyration(cls, centre: Fraction, gyration: Fraction, mass: Fraction | None = None) -> Rod:
+        """Return the rod with this a/L and k/L."""
+        if gyration <= 0:
+            raise ProblemError(
+                f"the rod's radius of gyration k is {about(gyration)} L; it must be above 0,"
+                " for no rod has all its mass in one point"
+            )
+        return cls(centre, gyration * gyration, mass)
+
+    @classmethod
+    def from_crosshead(cls, centre: Fraction, gyration: Fraction, mass: Fraction | None = None) -> Rod:
+        """Return the rod with this a/L and k/L, a counted from the crosshead pin as Ensslin does."""
+        if not 0 <= centre <= 1:
+            raise ProblemError(
+                f"the rod's centre of mass is {about(centre)} L from the crosshead pin; it must lie within"
+                " 0..1, between the pins, for no rod has most of its mass beyond one"
+            )
+        return cls.of_gyration(1 - centre, gyration, mass)
+
+    @property
+    def couple(self) -> Fraction:
+        """(k² - a b)/L²: 0 if two masses replace the rod exactly, below 0 for rods between their pins."""
+        return self.gyration_square - self.centre * (1 - self.centre)
+
+    def masses(self, model: str, of: Callable[[Fraction], Any]) -> Masses[Any]:
+        """Return the masses that a model puts for a rod of mass 1, on the kind of number that `of` makes."""
+        return Masses(*(of(Fraction(part)) for part in MODELS[model](self)))
+
+    def _greatest_square(self) -> Fraction:
+        return (self.centre + REACH) * (1 - self.centre + REACH)
+
+
+# The rod itself, and the two masses that stand in for it.
+MODELS: Mapping[str, Callable[[Rod], Masses[Fraction]]] = {
+    "exact": lambda rod: rod_masses(rod.centre, rod.gyration_square),
+    "two-mass": lambda rod: two_masses(rod.centre),
+    "railway": lambda rod: two_masses(RAILWAY_CROSSHEAD),
+}
+
+
+class Section(NamedTuple):
+    """A mass spread evenly from `start` to `end`, both in L from the crank pin; a point if they agree."""
+
+    start: Fraction
+    end: Fraction
+    mass: Fraction
+
+
+def rod_of_points(points: Iterable[tuple[Fraction, Fraction]], kilograms: bool = False) -> Rod:
+    """Return the rod made of masses at positions, (position, mass) each."""
+    return rod_of_sections([Section(position, position, mass) for position, mass in points], kilograms)
+
+
+def rod_of_sections(sections: Sequence[Section], kilograms: bool = False) -> Rod:
+    """Return the rod made of sections; the masses are in kg or else shares, of which it has no mass."""
+    for section in sections:
+        check_section(section)
+    places = len({end for section in sections for end in section[:2]})
+    if places < 2:
+        raise ProblemError(
+            f"masses are given at {places} of the rod's places; at least 2 are needed, from pin to pin"
+        )
+    mass, first, second = (sum(moments) for moments in zip(*map(_moments, sections), strict=True))
+    centre = first / mass
+    return Rod(centre, second / mass - centre * centre, mass if kilograms else None)
+
+
+def _moments(section: Section) -> tuple[Fraction, Fraction, Fraction]:
+    """Return the mass, its first and its second moment about the crank pin."""
+    middle, span = (section.start + section.end) / 2, section.end - section.start
+    return section.mass, section.mass * middle, section.mass * (middle * middle + span * span / 12)
+
+
+def check_section(section: Section) -> None:
+    """Raise ProblemError for a section that no rod has."""
+    for position in section[:2]:
+        if not -REACH <= position <= 1 + REACH:
+            raise ProblemError(
+                f"position {about(position)} L is outside -0.5..1.5; positions count from the crank pin,"
+                " and no rod reaches farther than half its length beyond a pin"
+            )
+    if section.end < section.start:
+        raise ProblemError(
+            f"the section runs from {about(section.start)} L to {about(section.end)} L;"
+            " its end must not lie before its start"
+        )
+    if section.mass <= 0:
+        raise ProblemError(f"mass {about(section.mass)} must be above 0, for no part of a rod weighs nothing")

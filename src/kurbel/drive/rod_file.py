@@ -1,0 +1,155 @@
+"""The connecting rod from a CSV file of its masses.
+
+    # comment
+    from [mm];to [mm];mass [kg]
+    -60;70;8,4
+    70;520;6,1
+    520;600;3,3
+
+Each line is a section over which its mass is spread evenly; where `from` is `to` it is a point. A file with
+the heads `position` and `mass` holds points alone. Positions count from the crank pin along the rod, those
+beyond it are negative; they are shares of the rod's length, percent (%) or lengths with a unit. Masses have a
+unit, or else are shares. A unit stands in the head, as `mass [kg]`, or behind each value, as `8,4 kg`; units
+need pint (extra `units`). The extent of the masses across the rod is left out of k: where it
+matters, as it does for k from the time of swing, give a and k themselves.
+
+Columns are in any order, more of them are ignored. Semicolons, tabs or commas part them; a decimal comma is
+read where commas do not part. Empty lines, comments (#), quotes, BOM and CRLF are allowed.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+
+from kurbel.drive.rod import Rod, Section, check_section, rod_of_sections
+from kurbel.errors import NotationError, ProblemError, RodError
+from kurbel.reading.csv_columns import (
+    Column,
+    Head,
+    check_once,
+    clipped,
+    decimal_marks,
+    digits_and_unit,
+    read_head,
+    read_row,
+)
+from kurbel.reading.csv_lines import Kind, place, said_lines, shown
+from kurbel.reading.notation import number
+
+KIND = Kind("rod", "section", RodError)
+
+_POINTS, _SECTIONS = ("position", "mass"), ("from", "to", "mass")
+_NAMES = ("position", "from", "to", "mass")
+_UNIT = re.compile(r"[A-Za-zµ]{1,20}")
+_SHARES = {"": Fraction(1), "1": Fraction(1), "-": Fraction(1), "%": Fraction(1, 100)}
+_LENGTHS = _SHARES | {"L": Fraction(1)}
+
+
+def read_rod(path: str | os.PathLike[str], length: Fraction | None = None) -> Rod:
+    """Return the rod in a CSV file; the text above says how it is written.
+
+    length is the rod's in metres, between the pins; positions with units need it. Raises RodError for a file
+    that is none, with its name and line, and MissingExtraError without pint.
+    """
+    name = shown(path)
+    sections, measured = [], set()
+    for line, section, in_kilograms in _read_sections(path, length):
+        measured.add(in_kilograms)
+        if len(measured) > 1:
+            raise RodError(f"{place(name, line)}: some masses have a unit and some have none; give all one")
+        sections.append(section)
+    try:
+        return rod_of_sections(sections, measured == {True})
+    except ProblemError as error:
+        raise RodError(f"{name}: {error}") from None
+
+
+def _read_sections(
+    path: str | os.PathLike[str], length: Fraction | None
+) -> Iterator[tuple[int, Section, bool]]:
+    """Yield the number of each line, its section, and whether its mass is in kg."""
+    name, head, marks = shown(path), None, ""
+    for line_number, line in said_lines(path, KIND):
+        try:
+            if head is None:
+                head = _head(line)
+                continue
+            texts = read_row(line, head)
+            marks = decimal_marks(texts, marks)
+            section, in_kilograms = _section(texts, head, length)
+            check_section(section)
+        except (NotationError, ProblemError) as error:
+            raise RodError(f"{place(name, line_number)}: {error}") from None
+        yield line_number, section, in_kilograms
+    if head is None:
+        raise RodError(f"{name} is empty; a rod starts with its heads, from, to, mass or position, mass")
+
+
+def _section(texts: Sequence[str], head: Head, length: Fraction | None) -> tuple[Section, bool]:
+    *places, mass = (
+        _value(text, column, head.delimiter) for text, column in zip(texts, head.columns, strict=True)
+    )
+    ends = [value * _position_unit(unit, length) for value, unit in places]
+    return Section(ends[0], ends[-1], mass[0] * _mass_unit(mass[1])), mass[1] not in _SHARES
+
+
+def _value(text: str, column: Column, delimiter: str) -> tuple[Fraction, str]:
+    """Return the value and its unit, "" if there is none."""
+    digits, unit = digits_and_unit(text, column, delimiter, "8.4")
+    return number(digits, column.name), unit
+
+
+def _position_unit(unit: str, length: Fraction | None) -> Fraction:
+    """Return the share of the rod's length that the unit is."""
+    if unit in _LENGTHS:
+        return _LENGTHS[unit]
+    metres = _factor(unit, "m", "[length]")
+    if metres is None:
+        raise NotationError(
+            f'the position has the unit "{clipped(unit)}", which is no length; write mm, cm, m, inch or %'
+        )
+    if length is None:
+        raise NotationError(
+            f"the position is in {clipped(unit)} and the rod's length is not known; give the length,"
+            " or positions as shares of it"
+        )
+    return metres / length
+
+
+def _mass_unit(unit: str) -> Fraction:
+    if unit in _SHARES:
+        return _SHARES[unit]
+    kilograms = _factor(unit, "kg", "[mass]")
+    if kilograms is None:
+        raise NotationError(
+            f'the mass has the unit "{clipped(unit)}", which is no mass; write kg, g, t, lb or %'
+        )
+    return kilograms
+
+
+def _factor(unit: str, base: str, dimension: str) -> Fraction | None:
+    """Return the unit in the base unit, None if pint does not know it or it is of another dimension."""
+    if not _UNIT.fullmatch(unit):
+        return None
+    from kurbel.reading.units import registry
+
+    try:
+        quantity = registry().Quantity(Fraction(1), unit)
+    except (AttributeError, ValueError, TypeError, AssertionError):
+        # pint answers an unknown unit with an AttributeError of its own.
+        return None
+    return Fraction(quantity.to(base).magnitude) if quantity.check(dimension) else None
+
+
+def _head(line: str) -> Head:
+    head, fields = read_head(line, _NAMES)
+    check_once(head, KIND.noun)
+    if {column.name for column in head.columns} not in (set(_POINTS), set(_SECTIONS)):
+        heads = clipped(", ".join(fields), 60)
+        raise NotationError(
+            f"the heads are {heads}; a rod has either position and mass, or from, to and mass"
+        )
+    return head

@@ -1,0 +1,190 @@
+"""The indicator card of a steam engine from a CSV file.
+
+    # comment
+    position [%];p_forward [bar];p_return [bar]
+    0;8,1;1,2
+    0,5;8,1;1,15
+    ...
+    100;2,4;1,1
+
+`position` is the share of the stroke from the dead centre of this end, 0 to 1 or 0 % to 100 %, rising.
+`p_forward` is the pressure while the piston goes away from that dead centre, `p_return` while it comes back.
+Both are measured from one zero, vacuum or atmosphere.
+
+The pressures have a unit that pint knows (extra `units`), such as bar, kPa, MPa, psi, atm, at, kp/cm², N/mm²:
+in the head, as `p_forward [bar]`, `p_forward (bar)`, `p_forward/bar`, `p_forward in bar` or `p_forward bar`,
+or behind each value, as `8,1 bar`. `position` may have %. Columns are in any order, more of them are ignored.
+Semicolons, tabs or commas part them; a decimal comma is read where commas do not part. Empty lines, comments
+(#), quotes, BOM and CRLF are allowed.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import re
+from collections.abc import Callable, Iterator
+from functools import lru_cache
+from typing import NamedTuple
+
+from kurbel.engine.card import LEAST_STEP, Card
+from kurbel.errors import CardError, NotationError
+from kurbel.reading.choices import did_you_mean
+from kurbel.reading.csv_columns import (
+    Column,
+    Head,
+    check_once,
+    clipped,
+    decimal_marks,
+    digits_and_unit,
+    name_and_unit,
+    read_head,
+    read_row,
+)
+from kurbel.reading.csv_lines import Kind, place, said_lines, shown
+
+KIND = Kind("card", "point", CardError)
+LEAST_POINTS = 8
+
+_NAMES = ("position", "p_forward", "p_return")
+_WORD = r"([A-Za-zµ]+)(?:\^|\*\*)?([2²]?)"
+_UNIT = re.compile(rf"{_WORD}(?:\s*[/·*]\s*{_WORD})*")
+# As engineers wrote it, the kg of a pressure is a force; pint's is a mass, and it knows no kp.
+_FORCES = {"kp": "kgf", "kg": "kgf", "lb": "lbf", "lbs": "lbf"}
+_PRESSURES = ("bar", "mbar", "Pa", "hPa", "kPa", "MPa", "psi", "atm", "at")
+_EXAMPLES = "bar, kPa, MPa, psi, atm, at or kp/cm²"
+_SHARES = {"": 1.0, "1": 1.0, "-": 1.0, "%": 0.01}
+
+
+class _Point(NamedTuple):
+    line: int
+    position: float
+    forward: float
+    back: float
+    step: float
+
+
+def read_card(path: str | os.PathLike[str]) -> Card:
+    """Return the card in a CSV file; the text above says how it is written.
+
+    Raises CardError for a file that is none, with its name and line, and MissingExtraError without pint.
+    """
+    points = list(_points(path))
+    name = shown(path)
+    if len(points) < LEAST_POINTS:
+        raise CardError(f"{name} has {len(points)} points; a card has at least {LEAST_POINTS}")
+    lines, positions, forward, back, steps = zip(*points, strict=True)
+    # Trailing zeros are often left out: the finest step is that of all.
+    return Card(positions, forward, back, name, lines, min(steps))
+
+
+def _points(path: str | os.PathLike[str]) -> Iterator[_Point]:
+    name, head, marks = shown(path), None, ""
+    for number, line in said_lines(path, KIND):
+        try:
+            if head is None:
+                head = _head(line)
+                continue
+            texts = read_row(line, head)
+            marks = decimal_marks(texts, marks)
+            position, forward, back = (
+                _value(text, column, head.delimiter) for text, column in zip(texts, head.columns, strict=True)
+            )
+        except NotationError as error:
+            raise CardError(f"{place(name, number)}: {error}") from None
+        pressures = zip(texts[1:], head.columns[1:], strict=True)
+        step = min(_step(text, column, head.delimiter) for text, column in pressures)
+        yield _Point(number, _whole_ends(position), forward, back, step)
+    if head is None:
+        raise CardError(f"{name} is empty; a card starts with the heads position, p_forward and p_return")
+
+
+def _whole_ends(position: float) -> float:
+    # Steps added up end at 1.0000000000000002.
+    return next((end for end in (0.0, 1.0) if abs(position - end) < LEAST_STEP), position)
+
+
+def _head(line: str) -> Head:
+    head, fields = read_head(line, _NAMES)
+    check_once(head, KIND.noun)
+    names = [column.name for column in head.columns]
+    missing = [name for name in _NAMES if name not in names]
+    if missing:
+        found = [clipped(field) for field in fields]
+        near = did_you_mean(missing[0], [field for field in found if name_and_unit(field)[0] not in names])
+        raise NotationError(
+            f"there is no column {' and no '.join(missing)}{near}; the heads are"
+            f" {clipped(', '.join(found), 60)}, and a card needs position, p_forward [bar], p_return [bar]"
+        )
+    for column in head.columns:
+        if column.unit:
+            _factor(column.name, column.unit)
+    return head
+
+
+def _value(text: str, column: Column, delimiter: str) -> float:
+    digits, unit = digits_and_unit(text, column, delimiter, "8.1")
+    value = float(digits.replace(",", ".").replace("−", "-")) * _factor(column.name, unit)
+    if not math.isfinite(value):
+        raise NotationError(f'{column.name} "{clipped(text)}" is too large')
+    return value
+
+
+def _step(text: str, column: Column, delimiter: str) -> float:
+    """Return the unit of the last place of a pressure as written, in Pa."""
+    digits, unit = digits_and_unit(text, column, delimiter, "8.1")
+    mantissa, _, exponent = digits.lower().replace(",", ".").partition("e")
+    decimals = len(mantissa.partition(".")[2]) - int(exponent or 0)
+    return float(10.0**-decimals * _factor(column.name, unit))
+
+
+@lru_cache(maxsize=64)
+def _factor(name: str, unit: str) -> float:
+    try:
+        return _FACTORS[name](unit)
+    except NotationError as error:
+        raise NotationError(f"{name} {error}") from None
+
+
+def position_unit(text: str) -> float:
+    """Return the share of the stroke that the unit is: 1 for "", "1" or "-", and 0.01 for "%"."""
+    if text not in _SHARES:
+        raise NotationError(
+            f'has the unit "{clipped(text)}"; it is a share of the stroke, 0..1, or 0..100 with the unit %'
+        )
+    return _SHARES[text]
+
+
+def pressure_unit(text: str) -> float:
+    """Return the pressure in Pa that the unit is: "bar", "kPa", "psi", "at", "kp/cm²", "N/mm^2"."""
+    if not text:
+        raise NotationError("has no unit; write it in the head, as in p_forward [bar], or behind each value")
+    pascals = _pascals(text) if len(text) <= 40 and _UNIT.fullmatch(text) else None
+    if pascals is None:
+        near = did_you_mean(text, _PRESSURES)
+        raise NotationError(f'has the unit "{clipped(text)}", which is no pressure{near}; write {_EXAMPLES}')
+    return pascals
+
+
+def _pascals(unit: str) -> float | None:
+    """Return the unit in Pa, None if pint does not know it or it is no pressure."""
+    from kurbel.reading.units import registry
+
+    units = registry()
+    try:
+        quantity = units.Quantity(1, re.sub(_WORD, _pint_word, unit))
+    except (AttributeError, ValueError, TypeError, AssertionError):
+        return None
+    return float(quantity.to("Pa").magnitude) if quantity.check("[pressure]") else None
+
+
+def _pint_word(word: re.Match[str]) -> str:
+    name, power = word.groups()
+    return _FORCES.get(name, name) + ("**2" if power else "")
+
+
+_FACTORS: dict[str, Callable[[str], float]] = {
+    "position": position_unit,
+    "p_forward": pressure_unit,
+    "p_return": pressure_unit,
+}

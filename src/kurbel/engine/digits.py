@@ -1,0 +1,151 @@
+"""Certified digits of a turn: settled in balls, or as many as an indicator card supports."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from math import ceil, floor, log10
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from kurbel.drive.crank_forces import CRANK_FORCES
+from kurbel.engine.quantities import AT_ANGLE, SCALES, EngineQuantity, Where
+from kurbel.engine.request import EngineColumn
+from kurbel.engine.ties import TIES
+from kurbel.engine.turn import Turn, at_bits
+from kurbel.exact.certify import NEVER_TIES, TieBits, rounded
+from kurbel.exact.numerals import Number, finite_decimals, nearest
+
+if TYPE_CHECKING:
+    from kurbel.engine.card_turn import CardTurn
+
+# A quantity with no decimals of its own is printed to so many figures.
+FIGURES = 5
+ESTIMATE_BITS = 80
+FLOAT_ERROR = 1e-12
+# A gain from which on the points are on a curve, not in a cloud.
+CLEAN = 8
+# What follows from δ, in proportion to it.
+SWINGS = ("swing_share", "swing", "inertia", "mass")
+
+
+def settled(
+    column: EngineColumn, turns: tuple[Turn, ...], where: Where, rounding: str, unit: int = 1
+) -> Number:
+    """Return the column's value times `unit` at a place, rounded correctly; of two turns the difference."""
+
+    def value() -> Any:
+        first, *others = (column.quantity.value(turn, where) for turn in turns)
+        return unit * (first - others[0] if others else first)
+
+    decimals = column.decimals
+    if column.quantity.decimals is None:
+        near = at_bits(ESTIMATE_BITS, value)
+        if isinstance(near, Fraction):
+            return _given(near, decimals, rounding)
+        decimals = _decimals(float(near)) if decimals is None else decimals
+    assert decimals is not None
+    return Number(rounded(value, decimals, rounding, _ties(column, turns, where, unit)), decimals)
+
+
+def _ties(column: EngineColumn, turns: tuple[Turn, ...], where: Where, unit: int) -> TieBits | None:
+    ties = TIES.get(column.quantity.key)
+    if ties is None or len(turns) > 1:
+        return NEVER_TIES
+    assert unit == 1
+    return ties(turns[0], where.half_turns)
+
+
+class Estimate(NamedTuple):
+    """A value from a card and how far it may be off."""
+
+    value: Any
+    error: float
+
+
+def estimate(column: EngineColumn, turns: Sequence[CardTurn], where: Where, unit: int = 1) -> Estimate:
+    """Return the column's value times `unit` from an indicator card; a fraction is exact."""
+
+    def value(versions: Sequence[CardTurn]) -> Any:
+        first, *others = (column.quantity.value(turn, where) for turn in versions)
+        return unit * (first - others[0] if others else first)
+
+    best = value(turns)
+    if isinstance(best, Fraction):
+        return Estimate(best, 0.0)
+    quantity = column.quantity
+    if quantity.arc:
+        errors = (turn.place_error(bool(quantity.greatest), where.stroke) for turn in turns)
+        return Estimate(best, unit * 180 * sum(errors))
+    if quantity.scope == "crank":
+        key = quantity.key.removesuffix("_n")
+        of_force = sum(turn.crank_force_error(CRANK_FORCES[key], where.half_turns) for turn in turns)
+        return Estimate(best, unit * _newtons(quantity, turns[0]) * of_force + FLOAT_ERROR * (abs(best) + 1))
+    coarser = [value(versions) for versions in zip(*(turn.coarser for turn in turns), strict=True)]
+    # A difference may vanish by chance: what the work allows and what it shows, whichever is more.
+    shown = max(abs(best - other) for other in coarser)
+    allowed = unit * sum(_sensitivity(quantity, turn, best) * turn.work_apart for turn in turns)
+    # What twice the points do not bring nearer to the truth is noise, half of which both have in common.
+    noisy = 2 if turns[0].gain < CLEAN else 1
+    written = unit * sum(_sensitivity(quantity, turn, best) * turn.step / 2 for turn in turns)
+    error = noisy * max(shown, allowed) / turns[0].gain + written + FLOAT_ERROR * (abs(best) + 1)
+    return Estimate(best, error)
+
+
+def estimated(
+    column: EngineColumn, turns: tuple[CardTurn, ...], where: Where, rounding: str, unit: int = 1
+) -> Number | None:
+    """Return the same to as many decimals as the card supports, None if not one figure."""
+    best, error = estimate(column, turns, where, unit)
+    if isinstance(best, Fraction):
+        return _given(best, column.decimals, rounding)
+    wanted = _decimals(best) if column.decimals is None else column.decimals
+    supported = min(wanted, floor(-log10(2 * error)))
+    lost = column.quantity.scope not in AT_ANGLE and error > abs(best)
+    if lost or (column.quantity.arc and supported < 0):
+        return None
+    return _to_place(Fraction(best), supported, rounding)
+
+
+def error_number(error: float) -> Number:
+    """Return an error to two figures, rounded up."""
+    if not error:
+        return Number(0, 0)
+    decimals = max(0, 1 - floor(log10(error)))
+    return Number(ceil(error * 10**decimals), decimals)
+
+
+def _sensitivity(quantity: EngineQuantity, turn: CardTurn, value: float) -> float:
+    """How far the quantity is off where the work of a stroke is off by 1."""
+    work = 2 * len(turn.engine.cranks)
+    # An extreme energy 2 A - P α errs by the work twice; δ is the difference of two of them over P.
+    irregularity = (4 + 0.64 * turn.irregularity()) * work / 2 / turn.mean_force()
+    if quantity.scope == "flywheel":
+        return irregularity / turn.irregularity() * value if quantity.key in SWINGS else 0.0
+    return {"delta": irregularity, "mean_force": work}.get(quantity.key, 2 * work * _newtons(quantity, turn))
+
+
+def _newtons(quantity: EngineQuantity, turn: CardTurn) -> float:
+    return float(SCALES[str(quantity.unit)](turn)) if quantity.needs in ("load", "torque") else 1.0
+
+
+def _to_place(value: Fraction, decimals: int, rounding: str) -> Number | None:
+    """Round to so many decimals, below 0 to tens or hundreds; None if no figure of the value is left."""
+    if decimals >= 0:
+        return nearest(value, decimals, rounding)
+    tens = nearest(value / 10**-decimals, 0, rounding).scaled * 10**-decimals
+    return Number(tens, 0) if tens else None
+
+
+def _given(value: Fraction, decimals: int | None, rounding: str) -> Number:
+    """Return a rational value, as it was given where it is short: 50000, 120."""
+    if decimals is None:
+        exact, decimals = finite_decimals(value), _decimals(float(value))
+        decimals = decimals if exact is None else min(exact, decimals)
+    return nearest(value, decimals, rounding)
+
+
+def _decimals(value: float) -> int:
+    # 9.99996 is 10.000 to five figures.
+    rounded_off = float(f"{value:.{FIGURES - 1}e}")
+    before_point = floor(log10(abs(rounded_off))) + 1 if value else 1
+    return max(0, FIGURES - before_point)

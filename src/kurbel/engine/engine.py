@@ -1,0 +1,205 @@
+"""The steam engine that a table is about, checked once: cut-off, expansion, back pressure, cranks."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from math import floor
+from typing import TYPE_CHECKING, Any
+
+from kurbel.drive.crank import Crank
+from kurbel.drive.crank_forces import Weights
+from kurbel.errors import ProblemError
+from kurbel.kernel.steam import Expansion, best_back, net_work
+from kurbel.reading.notation import about, plain
+
+if TYPE_CHECKING:
+    from kurbel.engine.card import Card
+
+LARGEST_EXPANSION = 10**6
+LARGEST_EXPONENT = 10
+LARGEST_CLEARANCE = 10
+# The work of the expansion is a quotient by n - 1.
+LEAST_CURVE = Fraction(1, 10**6)
+# Nearer to 1 the piston of the exact motion stands still but for an instant.
+LARGEST_RATIO = 1 - Fraction(1, 10**12)
+MOST_CRANKS = 24
+HIGHEST = 10**12
+# Below this share of Q no mean force drives anything, and δ, counted in it, grows beyond all bounds.
+LEAST_WORK = 1e-9
+
+
+@dataclass(frozen=True, slots=True)
+class Steam:
+    """Expansion ratio ε (cut-off after the share 1/ε of the stroke), back pressure b = R/Q, exponent n of
+    p V^n = const, clearance as a share of the stroke.
+
+    `back` None is the best back pressure, that of the steam at the end of the stroke: 1/ε for n = 1 without
+    clearance. Valid for ε >= 1, 0 <= b <= 1, n > 0, κ >= 0, as long as work is left.
+    """
+
+    expansion: Fraction
+    back: Fraction | None = None
+    exponent: Fraction = Fraction(1)
+    clearance: Fraction = Fraction(0)
+
+    def __post_init__(self) -> None:
+        if self.expansion < 1:
+            raise ProblemError(
+                f"expansion ratio ε is {about(self.expansion)}; it must be 1 (no expansion) or more,"
+                " for the cut-off comes after the share 1/ε of the stroke"
+            )
+        if self.expansion > LARGEST_EXPANSION:
+            raise ProblemError(
+                f"expansion ratio ε is {about(self.expansion)}; at most {LARGEST_EXPANSION} is allowed"
+            )
+        if self.back is not None and not 0 <= self.back <= 1:
+            raise ProblemError(
+                f"back pressure b is {about(self.back)}; it must lie within 0..1,"
+                " for it is a share of the steam pressure before cut-off"
+            )
+        if not 0 < self.exponent <= LARGEST_EXPONENT:
+            raise ProblemError(
+                f"exponent n is {about(self.exponent)}; it must be above 0 and at most {LARGEST_EXPONENT},"
+                " for the pressure falls as the steam expands"
+            )
+        if 0 < abs(self.exponent - 1) < LEAST_CURVE:
+            raise ProblemError(
+                f"exponent n is {about(self.exponent)}, nearer to 1 than 10^-6; write 1, Mariotte's law,"
+                " whose results have the same six figures"
+            )
+        if not 0 <= self.clearance <= LARGEST_CLEARANCE:
+            raise ProblemError(
+                f"clearance is {about(self.clearance)}; it must lie within 0..{LARGEST_CLEARANCE},"
+                " for it is a share of the volume swept in a stroke"
+            )
+        self._check_work()
+
+    def numbers(
+        self, of: Callable[[Fraction], Any], exponent_of: Callable[[Fraction], Any] | None = None
+    ) -> Expansion[Any]:
+        """Return the same in a kind of number, which may want its exponents in another."""
+        cut_off, clearance = of(1 / self.expansion), of(self.clearance)
+        exponent = (exponent_of or of)(self.exponent)
+        back = best_back(cut_off, exponent, clearance) if self.back is None else of(self.back)
+        return Expansion(cut_off, back, exponent, clearance)
+
+    def _check_work(self) -> None:
+        if net_work(1.0, self.numbers(float)) > LEAST_WORK:
+            return
+        ratio = plain(self.expansion)
+        if self.back is None:
+            raise ProblemError(
+                f"expansion ratio ε = {ratio} at its best back pressure, that of the steam at the end of the"
+                " stroke, leaves no work; give a lower one, for example --back 0"
+            )
+        raise ProblemError(
+            f"back pressure b = {about(self.back)} leaves no work at ε = {ratio}; b must be below"
+            f" {floor(1e6 * self._greatest_back()) / 1e6:g}, or the mean force P would not be above 0"
+        )
+
+    def _greatest_back(self) -> float:
+        return float(net_work(1.0, self.numbers(float)._replace(back=0.0)))
+
+
+@dataclass(frozen=True, slots=True)
+class Diagram:
+    """An indicator card in place of the ideal one, and the pressure in Pa on a single-acting piston's other
+    face."""
+
+    card: Card
+    other_side: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Load:
+    """What makes newtons of Q: the bore in metres and the steam pressure before cut-off in pascals. An
+    indicator card has its pressures itself.
+    """
+
+    bore: Fraction
+    pressure: Fraction | None = None
+
+    def __post_init__(self) -> None:
+        if self.bore <= 0:
+            raise ProblemError(f"the bore is {about(self.bore)} m; it must be above 0")
+        if self.pressure is not None and not 0 < self.pressure <= HIGHEST:
+            raise ProblemError(
+                f"the pressure is {about(self.pressure)} Pa; it must be above 0 and at most 10^12 Pa"
+            )
+
+
+@dataclass(frozen=True, slots=True)
+class Engine:
+    """A straight crank drive whose piston is driven by steam, double-acting or not, on one crank or several.
+
+    `cranks` are the angles in degrees by which each crank follows the first; all have cylinders alike. A
+    double-acting cylinder works on both strokes, another on the outstroke and idles on the return.
+    """
+
+    crank: Crank
+    steam: Steam | Diagram
+    double: bool = True
+    cranks: tuple[Fraction, ...] = (Fraction(0),)
+    load: Load | None = None
+
+    def __post_init__(self) -> None:
+        self._check_load()
+        if self.crank.offset:
+            raise ProblemError("the irregularity of an offset crank is not computed; leave the offset out")
+        if self.crank.ratio > LARGEST_RATIO:
+            raise ProblemError("crank ratio R:L is nearer to 1 than 10^-12; no engine is built so")
+        if not 1 <= len(self.cranks) <= MOST_CRANKS:
+            raise ProblemError(f"the engine has {len(self.cranks)} cranks; 1 to {MOST_CRANKS} are allowed")
+        if self.cranks[0] != 0:
+            raise ProblemError(
+                f"the first crank is at {about(self.cranks[0])}°; angles count from the first crank,"
+                " write them as 0;90"
+            )
+
+    def positions(self, half_turns: Fraction) -> Iterator[tuple[int, Fraction]]:
+        """Yield for each crank the stroke that it is in, 0 or 1, and the half turns since that began."""
+        for start in self.cranks:
+            since = (half_turns - start / 180) % 2
+            stroke = int(since >= 1)
+            yield stroke, since - stroke
+
+    def weights(self, of: Callable[[Fraction], Any], pi: Any, pressure: Fraction) -> Weights | None:
+        """Return the masses in units of Q/(R ω²), in a kind of number, where Q is of this pressure in Pa."""
+        crank = self.crank
+        if crank.moving is None:
+            return None
+        assert self.load is not None
+        assert crank.radius is not None
+        assert crank.speed is not None
+        # Q = π/4 d² p; ω has the factor 2π where it counts turns.
+        scale = 4 * crank.radius * crank.speed.value**2 / (self.load.bore**2 * pressure)
+        return crank.moving.weights(of, of(4 * scale) * pi if crank.speed.turns else of(scale) / pi)
+
+    def _check_load(self) -> None:
+        if self.load is None:
+            if self.crank.moving is not None:
+                raise ProblemError(
+                    "masses need the bore to be weighed against the steam; add it, for example --bore 300mm"
+                )
+        elif self.carded and self.load.pressure is not None:
+            raise ProblemError("the indicator card has its own pressures; leave the steam pressure out")
+        elif not self.carded and self.load.pressure is None:
+            raise ProblemError("the bore makes newtons of the steam only with its pressure; add that")
+
+    @property
+    def carded(self) -> bool:
+        """Whether the piston force comes from an indicator card."""
+        return isinstance(self.steam, Diagram)
+
+    @property
+    def ideal(self) -> Steam:
+        """The steam of an engine that has no indicator card."""
+        assert isinstance(self.steam, Steam)
+        return self.steam
+
+    @property
+    def plain(self) -> bool:
+        """Whether it is the book's: one crank, double-acting."""
+        return self.double and len(self.cranks) == 1

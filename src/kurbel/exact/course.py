@@ -1,0 +1,207 @@
+"""The course of a quantity over a stroke: where it is greatest, and all places where it has a given value.
+
+Between two neighbouring places of zero slope a quantity rises or falls, and has a value once or not at all:
+the signs at both ends prove which. The zeros of the slope are all among those of a polynomial (`Surd.norm`),
+and whether a quantity has a rational value exactly at such a place is settled by algebra, not by digits.
+Angles are half turns in the frame of the stroke.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import flint
+
+from kurbel.exact.certify import ball, pi
+from kurbel.exact.place import (
+    FIRST_BITS,
+    PRECISIONS,
+    Centre,
+    Place,
+    fraction,
+    is_after,
+    recognised,
+    unsettled,
+)
+from kurbel.exact.roots import Function, Root, interval, refined
+from kurbel.exact.surd import Surd
+
+if TYPE_CHECKING:
+    from flint import arb, fmpz_poly
+
+# A middle at which no round angle lies.
+CUT = Fraction(5, 11)
+# Equal values at both dead centres are 0 or 1.
+ROUND = 1000
+
+
+class Target(NamedTuple):
+    """A value to be had: a ball at the precision in force; `exact` None if it is irrational.
+
+    `at_begin` if it is that of the place where the stroke begins.
+    """
+
+    ball: Callable[[], arb]
+    exact: Fraction | None = None
+    at_begin: bool = False
+
+    @classmethod
+    def rational(cls, value: Fraction) -> Target:
+        return cls(lambda: ball(value), value)
+
+
+@dataclass(frozen=True, eq=False)
+class Course:
+    """A quantity over a stroke from `begin` to `end`, as a function of half turns with its slope.
+
+    `formula` is the same as a function of t, with its slope; None for quantities that only rise or only fall
+    between the dead centres. `ends` are their exact values there, where they are known to be rational, and
+    `is_exactly` tells whether at so many half turns they have a rational value.
+    """
+
+    value: Function
+    slope: Function
+    begin: Place
+    end: Place
+    formula: Surd | None = None
+    formula_slope: Surd | None = None
+    ends: tuple[Fraction | None, Fraction | None] = (None, None)
+    is_exactly: Callable[[Fraction, Fraction], bool] | None = None
+
+    @property
+    def is_constant(self) -> bool:
+        return self.formula_slope is not None and self.formula_slope.is_zero
+
+    @cached_property
+    def places(self) -> tuple[Place, ...]:
+        """Both ends, and between them all places where the slope is zero.
+
+        A few others among them, where the norm is zero and the slope is not, do no harm.
+        """
+        inner = () if self.formula_slope is None else _zeros(self.formula_slope, self.begin, self.end)
+        return (self.begin, *inner, self.end)
+
+    def roots(self, target: Target) -> list[Place]:
+        """Return all places where the quantity has the value, in order, each once."""
+        signs = [self._sign(place, target) for place in self.places]
+        found = [self.places[0]] if signs[0] == 0 else []
+        for (low, before), (high, after) in pairwise(zip(self.places, signs, strict=True)):
+            if before * after < 0:
+                found.append(self._between(low, high, after > 0, target))
+            if after == 0:
+                found.append(high)
+        return found
+
+    def greatest(self, sign: int = 1) -> list[Place]:
+        """Return where the quantity is greatest or, with sign -1, least."""
+        for bits in PRECISIONS:
+            with flint.ctx.workprec(bits):
+                values = {place: sign * self.value(place.half_turns()) for place in self.places}
+                least = max(value.lower() for value in values.values())
+                found = [place for place, value in values.items() if not value.upper() < least]
+                if len(found) == 1 or self._are_level(found):
+                    return found
+        raise unsettled("where the quantity is greatest or least")
+
+    def _are_level(self, places: Sequence[Place]) -> bool:
+        value = fraction(self.value(places[0].half_turns()).mid()).limit_denominator(ROUND)
+        return all(self._equals(place, value) for place in places)
+
+    def _sign(self, place: Place, target: Target) -> int:
+        """Return whether the quantity is above the target, 1, below, -1, or has its value, 0."""
+        if target.at_begin and place is self.begin:
+            return 0
+        for bits in PRECISIONS:
+            with flint.ctx.workprec(bits):
+                above = self.value(place.half_turns()) - target.ball()
+                if not above.contains(0):
+                    return 1 if above > 0 else -1
+            if bits == FIRST_BITS and target.exact is not None and self._equals(place, target.exact):
+                return 0
+        raise unsettled("whether a value is just reached")
+
+    def _equals(self, place: Place, value: Fraction) -> bool:
+        if self.formula is not None and place.polynomial is not None:
+            return place.vanishes(self.formula - value)
+        return value == self.ends[0 if place is self.begin else 1]
+
+    def _between(self, low: Place, high: Place, rising: bool, target: Target) -> Place:
+        """Return the one place between two others where the quantity has the value."""
+        polynomial = None
+        if self.formula is not None and target.exact is not None:
+            polynomial = (self.formula - target.exact).norm()
+
+        def function(half_turns: arb) -> arb:
+            return self.value(half_turns) - target.ball()
+
+        root = _bracket(function, self.slope, low, high, rising)
+        place = Place(lambda: refined(function, self.slope, root), low.centre, polynomial)
+        return recognised(place, self._confirmation(target))
+
+    def _confirmation(self, target: Target) -> Callable[[Fraction], bool] | None:
+        is_exactly, wanted = self.is_exactly, target.exact
+        if is_exactly is None or wanted is None:
+            return None
+        return lambda half_turns: is_exactly(half_turns, wanted)
+
+
+def _bracket(function: Function, slope: Function, low: Place, high: Place, rising: bool) -> Root:
+    """Return an interval with the zero, over which the slope is not zero."""
+    side = 1 if rising else -1
+    for bits in PRECISIONS:
+        with flint.ctx.workprec(bits):
+            start, end = fraction(low.half_turns().upper()), fraction(high.half_turns().lower())
+            least = Fraction(1, 2**bits)
+            while end - start > least:
+                if not slope(interval(start, end)).contains(0) and _is_crossed(function, start, end, side):
+                    return Root(start, end, rising)
+                value, cut = _cut(function, start, end)
+                if value.contains(0):
+                    break
+                start, end = (cut, end) if side * value < 0 else (start, cut)
+    raise unsettled("where a value is had")
+
+
+def _cut(function: Function, start: Fraction, end: Fraction) -> tuple[arb, Fraction]:
+    """Return the value at a cut; if the zero seems to lie there, at another one."""
+    width = end - start
+    cut = start + width * CUT
+    value = function(ball(cut))
+    if not value.contains(0):
+        return value, cut
+    return function(ball(end - width * CUT)), end - width * CUT
+
+
+def _is_crossed(function: Function, start: Fraction, end: Fraction, side: int) -> bool:
+    return bool(side * function(ball(start)) < 0 and side * function(ball(end)) > 0)
+
+
+def _zeros(slope: Surd, begin: Place, end: Place) -> Iterator[Place]:
+    """Yield, in order, the places between both ends where a formula is zero with either sign of its root."""
+    if slope.is_zero:
+        return
+    polynomial = slope.norm()
+    with flint.ctx.workprec(FIRST_BITS):
+        pairs: Any = polynomial.complex_roots()
+        found = [root.real for root, _ in pairs if root.imag == 0]
+    for root in sorted(found, key=lambda root: fraction(root.mid())):
+        place = _root_place(polynomial, root, begin.centre)
+        if is_after(place, begin) and is_after(end, place):
+            yield recognised(place)
+
+
+def _root_place(polynomial: fmpz_poly, found: arb, centre: Centre) -> Place:
+    derivative = polynomial.derivative()
+    low, high = fraction(found.lower()), fraction(found.upper())
+    rising = polynomial(flint.fmpq(high.numerator, high.denominator)) > 0
+
+    def half_turns() -> arb:
+        t = ball(low) if low == high else refined(polynomial, derivative, Root(low, high, rising))
+        return centre.half_turns() + 2 * t.atan() / pi()
+
+    return Place(half_turns, centre, polynomial)

@@ -1,0 +1,70 @@
+"""Printed numbers and labels: from exact values and scaled integers to text."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import NamedTuple
+
+ROUNDINGS = ("half-away", "half-even")
+MOST_DIGITS = 50
+
+# Prose with formulas between dollar signs, in the notation of page/labels.py.
+Label = str
+
+
+class Number(NamedTuple):
+    """A printed number: scaled / 10**decimals, already rounded; every digit is meant."""
+
+    scaled: int
+    decimals: int
+
+
+def nearest(value: Fraction, decimals: int, rounding: str = "half-away") -> Number:
+    """Return the exact value rounded to so many decimals.
+
+    Half away from zero, as compositors did, or half to the even digit.
+    """
+    scaled = value * 10**decimals
+    doubled = abs(2 * scaled)
+    whole = (doubled.numerator // doubled.denominator + 1) // 2
+    if rounding == "half-even" and doubled == 2 * whole - 1 and whole % 2:
+        whole -= 1
+    return Number(whole if scaled >= 0 else -whole, decimals)
+
+
+def finite_decimals(value: Fraction) -> int | None:
+    """Return how many decimals write the value exactly, or None if no number of them does."""
+    denominator, count = value.denominator, 0
+    for prime in (2, 5):
+        power = 0
+        while denominator % prime == 0:
+            denominator //= prime
+            power += 1
+        count = max(count, power)
+    return count if denominator == 1 else None
+
+
+def number_text(number: Number, mark: str = ".", minus: str = "-") -> str:
+    """Return the digits of a number: "-0.025", "1250", with the mark and the minus of the format.
+
+    A zero has no sign, whatever it was before rounding.
+    """
+    sign = minus if number.scaled < 0 else ""
+    digits = str(abs(number.scaled)).rjust(number.decimals + 1, "0")
+    if not number.decimals:
+        return sign + digits
+    return f"{sign}{digits[: -number.decimals]}{mark}{digits[-number.decimals :]}"
+
+
+def degrees_text(angle: Fraction, mark: str = ".", minus: str = "-") -> str:
+    """Return an angle in degrees, minutes and, where they are needed, seconds: 2°30', 0°0'20".
+
+    The angle is exact: seconds that are no finite decimal are rounded to three places. Rounding happens
+    once, on the smallest unit, so that 5.9999999° is 6°0' and never 5°60'.
+    """
+    seconds = abs(angle) * 3600
+    decimals = min(finite_decimals(seconds) or 0, 3) if finite_decimals(seconds) is not None else 3
+    scaled = nearest(seconds, decimals).scaled
+    minutes, rest = divmod(scaled, 60 * 10**decimals)
+    tail = f'{number_text(Number(rest, decimals), mark)}"' if rest else ""
+    return f"{minus if angle < 0 and scaled else ''}{minutes // 60}°{minutes % 60}'{tail}"

@@ -1,0 +1,1 @@
+"""The worked examples of the books, as printed and recomputed."""

@@ -1,0 +1,150 @@
+"""A worked example becomes a table: a line of the working a row, its figures beside it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from fractions import Fraction
+
+from kurbel.exact.numerals import Label, Number
+from kurbel.examples.figures import Figure
+from kurbel.examples.lines import exact_text
+from kurbel.examples.request import ExampleRequest
+from kurbel.examples.source import Example, Part
+from kurbel.examples.words import WORDS
+from kurbel.examples.working import Entry, Working, angle_text
+from kurbel.page.table import DITTO, Cell, Column, Field, Group, Note, Panel, Records, Row, Table, Value
+from kurbel.reading.notation import plain, ratio_text
+
+# Of the records.
+KEYS = ("part", "line", "step", "symbol", "printed", "recomputed", "difference")
+MARKS = "abcdefghijklmnoprstuvwxyz"
+SYMBOLS = {"angle": "α", "beam": "a:r", "force": "F", "eps": "ε", "back": "R:Q"}
+GIVEN_TEXTS: Mapping[str, Callable[[Fraction], str]] = {
+    "ratio": ratio_text,
+    "angle": angle_text,
+    "beam": exact_text,
+    "force": lambda value: f'{plain(value)} "N"',
+    "eps": exact_text,
+    "back": exact_text,
+}
+# What a page shows: the book's figures, those of other numbers, or letters alone.
+PRINTED, OWN, LETTERS = "printed", "own", "letters"
+# The columns of each, and the words over them.
+COLUMNS: Mapping[str, tuple[tuple[str, str], ...]] = {
+    PRINTED: (("symbol", "symbol"), ("printed", "printed"), ("recomputed", "recomputed")),
+    OWN: (("symbol", "symbol"), ("recomputed", "computed")),
+    LETTERS: (),
+}
+
+
+def build_example(request: ExampleRequest) -> Table:
+    """Return the table of the example that was asked for."""
+    lang, example = request.lang, request.example
+    worked = [tuple(Working(example, part, lang).entries()) for part in request.parts]
+    remarks = dict.fromkeys(entry.remark for part in worked for entry in part if entry.remark)
+    marks = {remark: MARKS[place] for place, remark in enumerate(remarks)}
+    kind = _kind(request, worked)
+    columns = _columns(kind, lang)
+    groups = tuple(
+        Group(tuple(_row(entry, columns, marks) for entry in entries), _part_label(request, part))
+        for part, entries in zip(request.parts, worked, strict=True)
+    )
+    return Table(
+        key=request.label or f"{request.source}-{request.number}",
+        lang=lang,
+        caption=_caption(request),
+        panels=(Panel((Column("line", (WORDS["line"][lang],)),), columns, groups),),
+        records=_records(request, worked),
+        notes=tuple(_notes(request, marks, kind)),
+        source=_source(request, kind),
+    )
+
+
+def _kind(request: ExampleRequest, worked: Sequence[Sequence[Entry]]) -> str:
+    if any(part.printed for part in request.parts):
+        return PRINTED
+    return OWN if any(entry.step for part in worked for entry in part) else LETTERS
+
+
+def _columns(kind: str, lang: str) -> tuple[Column, ...]:
+    # "neu berechnet" is wider than its figures.
+    return tuple(Column(key, tuple(WORDS[word][lang].split())) for key, word in COLUMNS[kind])
+
+
+def _row(entry: Entry, columns: Sequence[Column], marks: Mapping[Label, str]) -> Row:
+    notes = (marks[entry.remark],) if entry.remark else ()
+    cells = {
+        "symbol": Cell(entry.symbol),
+        "printed": _cell(entry, entry.printed),
+        "recomputed": _cell(entry, entry.recomputed, notes),
+    }
+    stub = Cell(entry.line if entry.begins else DITTO)
+    return Row((stub,), tuple(cells[column.key] for column in columns))
+
+
+def _cell(entry: Entry, figure: Figure | None, notes: tuple[str, ...] = ()) -> Cell:
+    """Return the cell of a figure: blank in a line without a new one, missing where it is not printed."""
+    if not entry.step:
+        return Cell("")
+    return Cell(None if figure is None else figure.cell(), notes)
+
+
+def _varied(request: ExampleRequest) -> list[str]:
+    """Return the options whose numbers differ between the parts."""
+    numbers = {name: {part.given.get(name) for part in request.parts} for name in request.example.takes}
+    return [name for name, values in numbers.items() if len(values) > 1]
+
+
+def _given_text(example: Example, part: Part, names: Sequence[str]) -> Label:
+    symbols = {**SYMBOLS, "ratio": example.source.ratio}
+    return ", ".join(f"${symbols[name]} = {GIVEN_TEXTS[name](part.given[name])}$" for name in names)
+
+
+def _part_label(request: ExampleRequest, part: Part) -> Label:
+    title = part.title[request.lang] if part.title else ""
+    text = ", ".join(filter(None, (title, _given_text(request.example, part, _varied(request)))))
+    return f"{part.letter}) {text}".rstrip() if part.letter else text
+
+
+def _caption(request: ExampleRequest) -> Label:
+    example, lang = request.example, request.lang
+    part, varied = request.parts[0], _varied(request)
+    common = _given_text(example, part, [name for name in part.given if name not in varied])
+    head = f"{example.source.name}, {example.source.example[lang]} {example.number}: {example.title[lang]}"
+    return f"{head}; {common}" if common else head
+
+
+def _notes(request: ExampleRequest, marks: Mapping[Label, str], kind: str) -> Iterator[Note]:
+    lang = request.lang
+    for remark, mark in marks.items():
+        yield Note(remark, mark)
+    for note in request.example.notes:
+        yield Note(note[lang])
+    if kind == PRINTED:
+        yield Note(WORDS["rounded_printed"][lang])
+    if kind != LETTERS and not all(part.printed for part in request.parts):
+        yield Note(WORDS["rounded_own"][lang])
+    if any(line.added for part in request.parts for line in part.lines):
+        yield Note(WORDS["added"][lang])
+
+
+def _source(request: ExampleRequest, kind: str) -> Label:
+    example, lang = request.example, request.lang
+    place = f"{example.source.citation[lang]}, {example.source.example[lang]}\u00a0{example.number}"
+    return f"{place}; {WORDS[kind + '_source'][lang]}."
+
+
+def _records(request: ExampleRequest, worked: Sequence[Sequence[Entry]]) -> Records:
+    lang = request.lang
+    rows = [
+        _record(part.letter or _part_label(request, part), entry)
+        for part, entries in zip(request.parts, worked, strict=True)
+        for entry in entries
+    ]
+    return Records(tuple(Field(key, WORDS[key][lang]) for key in KEYS), rows)
+
+
+def _record(part: Label, entry: Entry) -> tuple[Value, ...]:
+    printed, recomputed = (None if one is None else one.cell() for one in (entry.printed, entry.recomputed))
+    difference = None if entry.difference is None else Number(entry.difference, 0)
+    return part, entry.line.strip(), entry.step, entry.symbol, printed, recomputed, difference

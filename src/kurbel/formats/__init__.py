@@ -1,0 +1,1 @@
+"""From a table to the text or the bytes of a format."""

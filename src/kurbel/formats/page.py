@@ -1,0 +1,293 @@
+"""A table made ready for a page: every part as finished text, every span and alignment worked out.
+
+Templates read these objects and only arrange them. What a template does not need to know, such as the
+notation of labels or the decimal mark, ends here.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence, Set
+from itertools import accumulate, groupby, islice, pairwise, zip_longest
+from typing import Literal, NamedTuple
+
+from kurbel.exact.numerals import Label, Number, number_text
+from kurbel.formats.registry import Format
+from kurbel.page.labels import plain, set_label
+from kurbel.page.table import DITTO, Cell, Column, Panel, Table
+
+WORDS = {
+    "de": {"source": "Quelle", "continued": "Fortsetzung", "missing": "kein Wert", "babel": "ngerman"},
+    "en": {"source": "Source", "continued": "continued", "missing": "no value", "babel": "english"},
+}
+
+
+class PageCell(NamedTuple):
+    """A cell as text, its note marks apart so that they can hang beside an aligned number.
+
+    `tail` is what a number lacks to the longest fraction of its column, such as "00" or ",000".
+    `down` counts the rows a stub cell covers: 0 for one that belongs to the cell above, whose text it
+    repeats.
+    """
+
+    text: str
+    marks: str
+    kind: Literal["number", "label", "missing"]
+    tail: str = ""
+    down: int = 1
+
+
+class PageColumn(NamedTuple):
+    heading: tuple[str, ...]
+    align: Literal["left", "right"]
+
+
+class HeadCell(NamedTuple):
+    """A cell of the head. `level` counts the spanners above it: 0 for the outermost one."""
+
+    lines: tuple[str, ...]
+    kind: Literal["stub", "spanner", "heading"]
+    first: int
+    across: int = 1
+    down: int = 1
+    level: int = 0
+
+    @property
+    def last(self) -> int:
+        return self.first + self.across - 1
+
+
+class PageGroup(NamedTuple):
+    label: str
+    rows: tuple[tuple[PageCell, ...], ...]
+
+
+class PagePanel(NamedTuple):
+    """`head` holds one row a spanner level and, last, the row of the headings; a heading under fewer
+    spanners than its neighbours starts in a higher row and reaches down.
+
+    `names` is the column of the stub whose cells are short enough to stand beside their rows wherever a
+    reader has scrolled to: the last, or None.
+    """
+
+    columns: tuple[PageColumn, ...]
+    stubs: int
+    names: int | None
+    head: tuple[tuple[HeadCell, ...], ...]
+    groups: tuple[PageGroup, ...]
+
+    @property
+    def spanners(self) -> tuple[tuple[HeadCell, ...], ...]:
+        """The spanners of each level, without the headings that reach down beside them."""
+        return tuple(tuple(cell for cell in row if cell.kind == "spanner") for row in self.head[:-1])
+
+    @property
+    def column_groups(self) -> tuple[range, ...]:
+        """The columns that belong together: those of the stub, then those below each outermost spanner."""
+        outermost = self.spanners[0] if self.spanners else ()
+        ends = {edge for cell in outermost for edge in (cell.first, cell.last + 1)}
+        edges = sorted({0, self.stubs, len(self.columns)} | ends)
+        return tuple(range(start, end) for start, end in pairwise(edges))
+
+    @property
+    def heading_lines(self) -> tuple[tuple[str, ...], ...]:
+        """The lines of all headings side by side; short headings stand at the bottom."""
+        deepest = max(len(column.heading) for column in self.columns)
+        padded = [("",) * (deepest - len(column.heading)) + column.heading for column in self.columns]
+        return tuple(zip(*padded, strict=True))
+
+
+class PageNote(NamedTuple):
+    text: str
+    mark: str
+    target: str
+
+
+class Page(NamedTuple):
+    """`widths` are the characters of the longest figure in each column of any panel, so that the columns of
+    several panels can stand in line; 0 for a column of words."""
+
+    key: str
+    lang: str
+    caption: str
+    panels: tuple[PagePanel, ...]
+    widths: tuple[int, ...]
+    notes: tuple[PageNote, ...]
+    source: str
+    words: dict[str, str]
+
+
+def page(table: Table, form: Format, mark: str) -> Page:
+    """Return the table as text in one format, with the given decimal mark."""
+    setter = Setter(table, form, mark)
+    panels = tuple(setter.panel(panel) for panel in table.panels)
+    return Page(
+        key=form.escape(table.key),
+        lang=form.escape(table.lang),
+        caption=setter.label(table.caption),
+        panels=panels,
+        widths=tuple(map(max, zip_longest(*map(_figure_widths, panels), fillvalue=0))),
+        notes=tuple(setter.notes()),
+        source=setter.label(table.source),
+        words=words(table.lang),
+    )
+
+
+def _figure_widths(panel: PagePanel) -> Iterator[int]:
+    rows = [row for group in panel.groups for row in group.rows]
+    for place, column in enumerate(panel.columns):
+        texts = [row[place].text + row[place].tail for row in rows if row[place].kind == "number"]
+        yield max(map(len, texts), default=0) if column.align == "right" else 0
+
+
+def words(lang: str) -> dict[str, str]:
+    """Return the words that no layout gives; English stands in for a language we do not speak."""
+    return WORDS.get(lang, WORDS["en"])
+
+
+class Setter:
+    """Sets the parts of one table in one format."""
+
+    def __init__(self, table: Table, form: Format, mark: str) -> None:
+        self.table = table
+        self.form = form
+        self.mark = mark
+        # Notes are numbered, since a mark such as * cannot be part of every kind of link.
+        self.targets = {note.mark: f"{table.key}-note-{place}" for place, note in enumerate(table.notes, 1)}
+
+    def label(self, label: Label, display: bool = False) -> str:
+        form = self.form
+        return form.finish(
+            set_label(
+                label, form.escape, lambda formula: form.formula(formula, self.mark, display), self.note_mark
+            )
+        )
+
+    def labels(self, labels: Iterable[Label]) -> tuple[str, ...]:
+        return tuple(self.label(label) for label in labels)
+
+    def note_mark(self, mark: str) -> str:
+        return self.form.note_mark(mark, self.targets.get(mark, ""))
+
+    def notes(self) -> Iterator[PageNote]:
+        for place, note in enumerate(self.table.notes, 1):
+            mark = self.form.note_mark(note.mark, "") if note.mark else ""
+            # Readers calculate with the formulas below a table: small fractions are no help.
+            text = self.label(note.text, display=True)
+            yield PageNote(text, mark, self.form.escape(f"{self.table.key}-note-{place}"))
+
+    def panel(self, panel: Panel) -> PagePanel:
+        model = panel.stub + panel.columns
+        rows = tuple(panel.rows())
+        by_column = [[(row.stub + row.cells)[place] for row in rows] for place in range(len(model))]
+        starts = set(accumulate((len(group.rows) for group in panel.groups), initial=0))
+        body = [self.cells(cells, starts) for cells in by_column]
+        lines = iter(zip(*body, strict=True))
+        return PagePanel(
+            columns=tuple(
+                PageColumn(self.labels(column.heading), alignment(cells))
+                for column, cells in zip(model, by_column, strict=True)
+            ),
+            stubs=len(panel.stub),
+            names=len(panel.stub) - 1 if panel.stub and _are_short(row.stub[-1] for row in rows) else None,
+            head=tuple(tuple(self.head_cell(cell) for cell in row) for row in head_rows(panel)),
+            groups=tuple(
+                PageGroup(self.label(group.label), tuple(islice(lines, len(group.rows))))
+                for group in panel.groups
+            ),
+        )
+
+    def head_cell(self, cell: HeadCell) -> HeadCell:
+        return cell._replace(lines=self.labels(cell.lines))
+
+    def cells(self, cells: Sequence[Cell], starts: Set[int]) -> list[PageCell]:
+        """Return the cells of one column; `starts` are the rows that begin a group."""
+        decimals = most_decimals(cells)
+        done: list[PageCell] = []
+        owner = 0
+        for place, cell in enumerate(cells):
+            if cell.value is not DITTO or not done:
+                done.append(self.cell(cell, decimals))
+                owner = place
+            elif place in starts:
+                # A cell cannot reach over the rule between two groups: it begins anew.
+                done.append(done[owner]._replace(down=1))
+                owner = place
+            else:
+                done.append(done[owner]._replace(down=0))
+                done[owner] = done[owner]._replace(down=done[owner].down + 1)
+        return done
+
+    def cell(self, cell: Cell, decimals: int) -> PageCell:
+        marks = "".join(self.note_mark(mark) for mark in cell.notes)
+        match cell.value:
+            case Number() as number:
+                text = number_text(number, self.mark, self.form.minus)
+                return PageCell(text, marks, "number", self.tail(number, decimals))
+            case str() as label:
+                return PageCell(self.label(label, display=True), marks, "label")
+            case None:
+                return PageCell(self.form.missing, marks, "missing")
+            case _:
+                return PageCell("", marks, "label")
+
+    def tail(self, number: Number, decimals: int) -> str:
+        lacking = "0" * (decimals - number.decimals)
+        return f"{self.mark}{lacking}" if lacking and not number.decimals else lacking
+
+
+_BLANKS = str.maketrans({"0": "\u2007", ",": "\u2008", ".": "\u2008"})
+
+
+def blank(tail: str) -> str:
+    """Return the spaces of typography that are as wide as the digits and the mark of a tail."""
+    return tail.translate(_BLANKS)
+
+
+def most_decimals(cells: Iterable[Cell]) -> int:
+    return max((cell.value.decimals for cell in cells if isinstance(cell.value, Number)), default=0)
+
+
+# Angles and the like, which a compositor sets as he sets numbers: 2°30', 32°51½', 5/4, 15 %; and nothing.
+_FIGURES = re.compile(r"(?:[-+−]?[0-9][0-9.,°'′″½/ ]*%?)?")
+
+
+def alignment(cells: Iterable[Cell]) -> Literal["left", "right"]:
+    """Return "right" for a column of figures, "left" for one with any words or formulas."""
+    words = [plain(cell.value) for cell in cells if isinstance(cell.value, str)]
+    return "right" if all(_FIGURES.fullmatch(word) for word in words) else "left"
+
+
+# On a telephone anything longer would hide the figures that scroll behind it.
+_LONGEST_NAME = 24
+
+
+def _are_short(names: Iterable[Cell]) -> bool:
+    return all(len(plain(cell.value)) <= _LONGEST_NAME for cell in names if isinstance(cell.value, str))
+
+
+def head_rows(panel: Panel) -> tuple[tuple[HeadCell, ...], ...]:
+    """Return the rows of the head, spanners merged where neighbours share them and all above them."""
+    columns = panel.stub + panel.columns
+    levels = max(len(column.spanners) for column in columns)
+    rows = []
+    for level in range(levels + 1):
+        cells = [*_spanners(columns, level), *_headings(columns, level, levels, len(panel.stub))]
+        rows.append(tuple(sorted(cells, key=lambda cell: cell.first)))
+    return tuple(rows)
+
+
+def _spanners(columns: Sequence[Column], level: int) -> Iterator[HeadCell]:
+    first = 0
+    for path, members in groupby(columns, key=lambda column: column.spanners[: level + 1]):
+        across = len(list(members))
+        if len(path) > level:
+            yield HeadCell((path[level],), "spanner", first, across, 1, level)
+        first += across
+
+
+def _headings(columns: Sequence[Column], level: int, levels: int, stubs: int) -> Iterator[HeadCell]:
+    for place, column in enumerate(columns):
+        if len(column.spanners) == level:
+            kind: Literal["stub", "heading"] = "stub" if place < stubs else "heading"
+            yield HeadCell(column.heading, kind, place, 1, levels - level + 1, level)

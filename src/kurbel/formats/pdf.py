@@ -1,0 +1,129 @@
+"""PDF by Typst, a compiler that comes as a Python package. Needs the extra `pdf`.
+
+The same source is the same bytes on every day, in every time zone, locale and folder, given one version of
+the package: only the fonts that it brings along are used, and no clock is read.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from typing import Literal, get_args
+
+from kurbel.errors import LayoutError, MissingExtraError, NotationError, OutputError, ProblemError
+from kurbel.page.table import Table
+
+EPOCH = "SOURCE_DATE_EPOCH"
+# The last second of the year 9999, with which dates in a PDF end.
+LAST = 253402300799
+Standard = Literal["a-2a", "a-2b", "a-2u", "a-3a", "a-3b", "a-3u", "a-4", "ua-1"]
+STANDARDS: tuple[Standard, ...] = get_args(Standard)
+# Fetched from the network, another time perhaps another one.
+_PACKAGE = re.compile(r'\b(?:import|include)\s*\(?\s*"@')
+_UNDATED = "#set document(date: none)\n"
+_PLACE = re.compile(r"┌─ (.+):([0-9]+):[0-9]+$", re.MULTILINE)
+# What the compiler calls a document that is no file.
+_MAIN = "__typst_py_bytes__.typ"
+
+
+def typeset_pdf(page: Table, *, decimal: str | None = None, standards: Sequence[Standard] = ()) -> bytes:
+    """Return the page as a PDF document; needs the extra `pdf`.
+
+    `decimal` is "comma" or "point", by default the mark of the page's language; `standards` are what the
+    file is to comply with: "a-2b" for archives, "ua-1" for readers who do not see it. The date of the file is
+    SOURCE_DATE_EPOCH; without that variable it has none, or 1970-01-01 where PDF/A demands one. Raises
+    KurbelError.
+    """
+    from kurbel.formats.render import render
+
+    if not isinstance(page, Table):
+        raise ProblemError(f"a {type(page).__name__} cannot be set; make a page with make_table")
+    return compile_typst(render(page, "typst", decimal=decimal, standalone=True), standards=standards)
+
+
+def compile_typst(source: str, *, root: str | None = None, standards: Sequence[Standard] = ()) -> bytes:
+    """Return the PDF of a document for Typst.
+
+    `root` is the folder of the files that it includes; without one it can read none. `standards` are what
+    the file is to comply with, such as "a-2b" for archives and "ua-1" for readers that do not see it.
+    The file's date is SOURCE_DATE_EPOCH. Without that variable the file has none, unless the source sets
+    one; PDF/A demands a date, which then is 1970-01-01. Raises LayoutError for a source with mistakes.
+    """
+    _check(source, standards)
+    epoch = source_date_epoch()
+    undated = epoch is None and not any(name.startswith("a-") for name in standards)
+    with _folder(root) as folder, _mistakes_as_sentences(folder, undated):
+        from typst import Compiler
+
+        document = (_UNDATED * undated + source).encode()
+        compiler = Compiler(document, root=folder, ignore_system_fonts=True)
+        made = compiler.compile(format="pdf", pdf_standards=list(standards), timestamp=epoch or 0)
+    assert isinstance(made, bytes)
+    return made
+
+
+def _check(source: str, standards: Sequence[Standard]) -> None:
+    unknown = [name for name in standards if name not in STANDARDS]
+    if unknown:
+        raise ProblemError(f"PDF standard is {unknown[0]!r}; it must be one of {', '.join(STANDARDS)}")
+    if sum(name.startswith("a-") for name in standards) > 1:
+        raise ProblemError(
+            f"PDF standards are {', '.join(standards)}; only one of them may be a PDF/A (a-...)"
+        )
+    if _PACKAGE.search(source):
+        raise LayoutError(
+            "a document imports a package (@...); packages come from the network and are not used"
+        )
+
+
+def source_date_epoch() -> int | None:
+    """Return the date that the environment sets for what is made, in seconds since 1970, if it does."""
+    text = os.environ.get(EPOCH, "")
+    if not text:
+        return None
+    if not (text.isascii() and text.isdigit() and int(text[:20]) <= LAST):
+        raise NotationError(
+            f'{EPOCH} is "{text[:40]}"; it must be a number of seconds from 1970 up to the year 9999'
+        )
+    return int(text)
+
+
+@contextmanager
+def _folder(root: str | None) -> Iterator[str]:
+    """Give the folder whose files a document may read, an empty one if none is named."""
+    if root is not None:
+        if not os.path.isdir(root):
+            raise OutputError(f"the folder {root} does not exist")
+        yield root
+        return
+    from tempfile import TemporaryDirectory
+
+    with TemporaryDirectory() as folder:
+        yield folder
+
+
+@contextmanager
+def _mistakes_as_sentences(folder: str, lines_before: int) -> Iterator[None]:
+    try:
+        from typst import TypstError
+    except ImportError:
+        raise MissingExtraError("PDF needs typst; install it with: pip install 'kurbel[pdf]'") from None
+    try:
+        yield
+    except TypstError as error:
+        mistake = " ".join(error.message.split())
+        where = _place(error.diagnostic, folder, lines_before)
+        raise LayoutError(f"Typst cannot set the document{where}: {mistake}") from None
+
+
+def _place(diagnostic: str, folder: str, lines_before: int) -> str:
+    """Return the file, unless it is the document itself, and the line that a mistake is in."""
+    found = _PLACE.search(diagnostic)
+    if not found:
+        return ""
+    path, line = found[1], int(found[2])
+    if os.path.basename(path) == _MAIN:
+        return f", line {line - lines_before}"
+    return f", {os.path.relpath(path, folder)}, line {line}"

@@ -1,0 +1,62 @@
+"""Pipe tables: what Markdown, as GitHub reads it, can show of a page.
+
+It knows one heading row and no spans. So spanners are written before the headings under them, stub cells
+are repeated, and every labelled group is a table of its own under its label: a label row among the figures
+would sit in the first column, which is narrow, and an extra column would repeat it on every line.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from kurbel.formats.page import PageCell, PagePanel
+
+_FIGURES = re.compile(r"[0-9][0-9.,]*°?")
+
+
+class PipeTable(NamedTuple):
+    label: str
+    lines: tuple[str, ...]
+
+
+def pipe_tables(panel: PagePanel) -> Iterator[PipeTable]:
+    """Yield a table for each group, or one for all of them if none has a label."""
+    if any(group.label for group in panel.groups):
+        parts = [(group.label, group.rows) for group in panel.groups]
+    else:
+        parts = [("", tuple(row for group in panel.groups for row in group.rows))]
+    for label, rows in parts:
+        yield PipeTable(label, tuple(_lines(panel, rows)))
+
+
+def _lines(panel: PagePanel, rows: Sequence[Sequence[PageCell]]) -> Iterator[str]:
+    right = [column.align == "right" for column in panel.columns]
+    texts = [_headings(panel), *([cell.text + cell.marks for cell in row] for row in rows)]
+    widths = [max(3, *map(len, column)) for column in zip(*texts, strict=True)]
+    rule = ["-" * (width - 1) + ":" if end else "-" * width for width, end in zip(widths, right, strict=True)]
+    for line in (texts[0], rule, *texts[1:]):
+        padded = (
+            text.rjust(width) if end else text.ljust(width)
+            for text, width, end in zip(line, widths, right, strict=True)
+        )
+        yield f"| {' | '.join(padded)} |"
+
+
+def _headings(panel: PagePanel) -> list[str]:
+    spanners: list[list[str]] = [[] for _ in panel.columns]
+    for row in panel.spanners:
+        for cell in row:
+            for place in range(cell.first, cell.last + 1):
+                spanners[place].append(cell.lines[0])
+    return [
+        " ".join(text for text in (*above, _one_line(column.heading)) if text)
+        for above, column in zip(spanners, panel.columns, strict=True)
+    ]
+
+
+def _one_line(lines: Sequence[str]) -> str:
+    """Join the lines of a heading; two figures, as in 10 / 350, would run into one number."""
+    figures = len(lines) > 1 and all(_FIGURES.fullmatch(line) for line in lines)
+    return (" / " if figures else " ").join(line for line in lines if line)

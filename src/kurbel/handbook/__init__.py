@@ -1,0 +1,1 @@
+"""What CI runs: the manifest of a handbook, its build, check and watch."""

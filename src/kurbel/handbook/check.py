@@ -1,0 +1,97 @@
+"""Whether the files of a handbook are those that a build would write now, and how they differ."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator
+from difflib import unified_diff
+from itertools import islice
+from tempfile import TemporaryDirectory
+from typing import NamedTuple
+
+from kurbel.handbook.build import CONTENTS, build, contents_in
+from kurbel.handbook.folder import OWN, Folder
+from kurbel.handbook.manifest import Manifest
+from kurbel.handbook.parts import Built, Maker
+from kurbel.handbook.state import files_below
+
+# A reader wants to see what changed, not all that did: of each table one difference, in the first of these
+# formats, of documents none beside those of tables.
+READABLE = (".csv", ".txt", ".md", ".tex", ".typ", ".html", ".json")
+MOST_LINES, WIDEST = 40, 160
+OF_PARTS = ("tables/", "figures/")
+
+
+class Stale(NamedTuple):
+    """A file that a build would write or remove, in a word why, and perhaps the difference."""
+
+    path: str
+    why: str
+    difference: tuple[str, ...] = ()
+
+
+def check(
+    manifest: Manifest,
+    folder: Folder,
+    make: Maker,
+    jobs: int,
+    start: Callable[[int], Callable[[], None]] = lambda count: lambda: None,
+) -> tuple[Built, list[Stale]]:
+    """Build all anew in a folder of its own, and return what failed and which files are stale.
+
+    Nothing that an earlier build knew is believed, and nothing of the folder is changed. Where a part fails,
+    only the files of the others count: documents without it are others anyway.
+    """
+    with TemporaryDirectory(prefix="kurbel-") as temporary:
+        anew = Folder(temporary, "build")
+        built = build(manifest, anew, make, jobs, start)
+        if built.failures:
+            return built, [one for one in _changed(folder, anew) if one.path.startswith(OF_PARTS)]
+        stale = [*_changed(folder, anew), *_left_over(folder, anew)]
+        if not stale and folder.read(CONTENTS) != anew.read(CONTENTS):
+            stale.append(Stale(CONTENTS, "differs"))
+        return built, stale
+
+
+def _made(anew: Folder) -> list[str]:
+    paths = files_below(anew.path)
+    return [path for path in paths if not path.startswith(f"{OWN}/") and path != CONTENTS]
+
+
+def _left_over(folder: Folder, anew: Folder) -> Iterator[Stale]:
+    for path in sorted(set(contents_in(folder)) - set(_made(anew))):
+        if folder.read(path) is not None:
+            yield Stale(path, "left over: nothing in the manifest makes it")
+
+
+def _changed(folder: Folder, anew: Folder) -> Iterator[Stale]:
+    differing = []
+    for path in _made(anew):
+        old = folder.read(path)
+        if old is None:
+            yield Stale(path, "missing")
+        elif old != anew.read(path):
+            differing.append(path)
+    shown = set(_worth_showing(differing))
+    for path in differing:
+        difference = _difference(path, folder, anew) if path in shown else ()
+        yield Stale(path, "differs", tuple(difference))
+
+
+def _worth_showing(paths: list[str]) -> Iterator[str]:
+    tables = [path for path in paths if path.startswith("tables/")]
+    by_name: dict[str, list[str]] = {}
+    for path in tables or [path for path in paths if path.endswith(READABLE)]:
+        by_name.setdefault(os.path.splitext(path)[0], []).append(path)
+    for same in by_name.values():
+        yield min(same, key=lambda path: READABLE.index(os.path.splitext(path)[1]))
+
+
+def _difference(path: str, folder: Folder, anew: Folder) -> Iterator[str]:
+    old, new = folder.read(path) or b"", anew.read(path) or b""
+    before, after = (content.decode("utf-8", "replace").splitlines() for content in (old, new))
+    lines = unified_diff(before, after, f"{path} (here)", f"{path} (anew)", n=1, lineterm="")
+    shown = [line if len(line) <= WIDEST else f"{line[:WIDEST]}…" for line in islice(lines, MOST_LINES)]
+    yield from shown or ["only its line ends differ"]
+    if left := sum(1 for _ in lines):
+        yield f"… and {left} lines more"

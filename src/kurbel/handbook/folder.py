@@ -1,0 +1,168 @@
+"""The folder that a handbook is built into: nothing else is touched, and one build at a time writes."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import re
+import stat
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+
+from kurbel.errors import HandbookError, OutputError
+from kurbel.formats.output import whole_file
+
+# What is only of use on this machine: the lock and what the last build knew.
+OWN = ".kurbel"
+# Bytes of a file; no page has so many.
+LARGEST = 1 << 28
+_LEFT_OVER = re.compile(r"\..*\.[0-9a-f]{12}\.part")
+
+
+def digest(content: bytes) -> str:
+    """Return what tells this content from any other."""
+    return hashlib.sha256(content).hexdigest()
+
+
+class Folder:
+    """An output folder below a base folder. Paths in it are relative, parted by /."""
+
+    def __init__(self, base: str, name: str) -> None:
+        """Raise HandbookError if the way from the base to the folder leads over a link or a file."""
+        self.path = os.path.normpath(os.path.join(base, *name.split("/")))
+        self.base = base
+        self.name = name
+        self._check("")
+
+    def at(self, relative: str) -> str:
+        return os.path.join(self.path, *relative.split("/")) if relative else self.path
+
+    def _check(self, relative: str) -> None:
+        """Raise HandbookError if a folder on the way to the path is a link or no folder."""
+        parts = [*self.name.split("/"), *(relative.split("/")[:-1] if relative else [])]
+        if ".." in parts or os.path.isabs(relative):
+            raise HandbookError(f"{relative[:60]} lies outside of the output folder {self.name}")
+        way = self.base
+        for part in parts:
+            way = os.path.join(way, part)
+            with suppress(FileNotFoundError):
+                mode = os.lstat(way).st_mode
+                if stat.S_ISLNK(mode):
+                    raise HandbookError(f"{way} is a link, which may lead anywhere; name a folder")
+                if not stat.S_ISDIR(mode):
+                    raise HandbookError(f"{way} is a file; the handbook is built into a folder")
+
+    def read(self, relative: str) -> bytes | None:
+        """Return what a file has, or None if there is no such file.
+
+        What a build cannot have written, such as a link, a pipe or a path that leads elsewhere, is none.
+        """
+        path = self.at(relative)
+        try:
+            self._check(relative)
+            status = os.lstat(path)
+            if not stat.S_ISREG(status.st_mode) or status.st_size > LARGEST:
+                return None
+            with open(path, "rb") as file:
+                return file.read()
+        except PermissionError as error:
+            raise OutputError(f"cannot read {path}: {error.strerror}") from error
+        except (HandbookError, OSError, ValueError):
+            # A path from a list that somebody wrote may be one that no file can have.
+            return None
+
+    def write(self, relative: str, content: bytes) -> bool:
+        """Write a file whole or not at all; tell whether it was another one before.
+
+        Raises HandbookError for anything but a file in its place, OutputError where the disk is full.
+        """
+        self._check(relative)
+        path = self.at(relative)
+        _check_place(path)
+        if self.read(relative) == content:
+            return False
+        try:
+            os.makedirs(os.path.dirname(path), exist_ok=True)
+        except OSError as error:
+            raise OutputError(f"cannot make {os.path.dirname(path)}: {error.strerror}") from error
+        with whole_file(path) as stream:
+            stream.write(content)
+        return True
+
+    def remove(self, relative: str) -> None:
+        """Remove a file, and its folder if nothing else is in it."""
+        self._check(relative)
+        try:
+            os.unlink(self.at(relative))
+        except OSError as error:
+            raise OutputError(f"cannot remove {self.at(relative)}: {error.strerror}") from error
+        if "/" in relative:
+            with suppress(OSError):
+                os.rmdir(os.path.dirname(self.at(relative)))
+
+    @contextmanager
+    def locked(self, waiting: Callable[[], None]) -> Iterator[None]:
+        """Hold the folder against other builds; `waiting` is called if one is under way.
+
+        The lock ends with the process, however that ends. What a killed build left half written is removed.
+        """
+        lock = f"{OWN}/lock"
+        self._check(lock)
+        try:
+            os.makedirs(self.at(OWN), exist_ok=True)
+            handle = os.open(self.at(lock), os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0), 0o644)
+        except OSError as error:
+            raise OutputError(f"cannot write into {self.path}: {error.strerror}") from error
+        try:
+            if not _try_lock(handle):
+                waiting()
+                _wait_for_lock(handle)
+            self._remove_left_over()
+            self.write(f"{OWN}/.gitignore", b"*\n")
+            yield
+        finally:
+            os.close(handle)
+
+    def _remove_left_over(self) -> None:
+        for part in ("", OWN, "tables", "figures", "markdown"):
+            # A link in place of a folder leads to files of others.
+            with suppress(OSError, HandbookError):
+                self._check(f"{part}/" if part else "")
+                for name in filter(_LEFT_OVER.fullmatch, os.listdir(self.at(part))):
+                    with suppress(OSError):
+                        os.unlink(os.path.join(self.at(part), name))
+
+
+def _check_place(path: str) -> None:
+    """Raise HandbookError if there is anything but a file."""
+    with suppress(FileNotFoundError):
+        mode = os.lstat(path).st_mode
+        if stat.S_ISLNK(mode):
+            raise HandbookError(f"{path} is a link, which may lead anywhere; remove it")
+        if not stat.S_ISREG(mode):
+            what = "a folder" if stat.S_ISDIR(mode) else "a pipe or a device"
+            raise HandbookError(f"{path} is {what}, and a file is to be there; remove it")
+
+
+def _try_lock(handle: int) -> bool:
+    try:
+        _lock(handle, wait=False)
+    except OSError:
+        return False
+    return True
+
+
+def _wait_for_lock(handle: int) -> None:
+    _lock(handle, wait=True)
+
+
+def _lock(handle: int, wait: bool) -> None:
+    try:
+        import fcntl
+    except ImportError:
+        import msvcrt
+
+        # It tries for ten seconds and then gives up with an OSError.
+        msvcrt.locking(handle, msvcrt.LK_LOCK if wait else msvcrt.LK_NBLCK, 1)  # type: ignore[attr-defined]
+    else:
+        fcntl.flock(handle, fcntl.LOCK_EX | (0 if wait else fcntl.LOCK_NB))

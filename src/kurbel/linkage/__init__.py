@@ -1,0 +1,1 @@
+"""The other crank drives: the arc crank, the parallel crank, the beam engine."""

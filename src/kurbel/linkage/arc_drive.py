@@ -1,0 +1,144 @@
+"""The arc crank as courses of its quantities over both strokes, with certified digits at any place."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from functools import cache, cached_property
+from math import pi, tan
+from typing import TYPE_CHECKING, Any
+
+from kurbel.exact.certify import NEVER_TIES, ball, ball_circle, rounded
+from kurbel.exact.certify import pi as ball_pi
+from kurbel.exact.course import Course
+from kurbel.exact.jet import Jet, ball_jets, jets
+from kurbel.exact.place import SQUARE, Centre, Place
+from kurbel.exact.surd import Field
+from kurbel.kernel.circle import Circle
+from kurbel.linkage import arc as linkage
+from kurbel.linkage.arc import MOTIONS, ArcCrank, Kind
+from kurbel.linkage.quantities import arc_registry
+from kurbel.motion.drives import Shown, circle, constant, ties_at
+from kurbel.motion.quantities import OUT, STROKES, registry
+from kurbel.reading.where import ARC_NAMES, SHARE
+
+if TYPE_CHECKING:
+    from flint import arb
+
+PATH_SHARE = "path_stroke"
+# What needs no root for the dead centre.
+FREE = tuple(
+    key for key, motion in MOTIONS.items() if not motion.arc and key not in ("chord", "slide_path", "rise")
+)
+# Half turns about the middle of the stroke within which t = tan ½(φ - 90°) stays far from infinity.
+HALF_REACH = 0.45
+
+
+class ArcDrive:
+    """The arc crank."""
+
+    names = ARC_NAMES
+    method = "exact"
+
+    def __init__(self, crank: ArcCrank) -> None:
+        self.crank = crank
+        self.ratio = crank.crank.ratio
+        self.course = cache(self._course)
+
+    @cached_property
+    def columns(self) -> Mapping[str, Shown]:
+        found = {}
+        for key, one in arc_registry().items():
+            if one.stroke == OUT:
+                heading, unit = (dict.fromkeys(("de", "en"), text) for text in (one.heading, one.unit))
+                found[key] = Shown(key, one.name, one.symbol, heading, unit, one.decimals)
+                if key == "path":
+                    share = registry()["x_stroke"]
+                    found[PATH_SHARE] = found[key]._replace(
+                        key=PATH_SHARE, heading=share.heading, unit=share.unit
+                    )
+        return found
+
+    def column_of(self, quantity: str) -> str:
+        return PATH_SHARE if quantity == SHARE else quantity
+
+    def digits(self, column: str, stroke: int, place: Place, decimals: int, rounding: str) -> int:
+        if column != PATH_SHARE and place.degrees is not None:
+            return linkage.certified(column, self.crank, stroke, place.degrees, decimals, rounding)
+        ties = NEVER_TIES
+        if column in FREE:
+            ties = ties_at(place, self._jet(column, stroke).value)
+        return rounded(
+            lambda: self._value(column, stroke, circle(place.half_turns())), decimals, rounding, ties
+        )
+
+    @cached_property
+    def centre(self) -> Centre:
+        """An angle about the middle of both strokes."""
+        ends = [float(place().mid()) for stroke in STROKES for place in self._dead_centres(stroke)]
+        if min(ends) > -HALF_REACH and max(ends) < 1 + HALF_REACH:
+            return SQUARE
+        middle = (min(ends) + max(ends)) / 2
+        turns = round(middle / 2)
+        return Centre(Fraction(tan(pi * (middle / 2 - turns))).limit_denominator(10), turns)
+
+    def _value(self, column: str, stroke: int, at: Circle[Any]) -> Any:
+        kind = linkage.balls()
+        if column != PATH_SHARE:
+            return linkage.value(column, self.crank, stroke, at, kind)
+        path = linkage.value("path", self.crank, stroke, at, kind)
+        return path / linkage.arc_stroke(self.crank, kind)
+
+    def _jet(self, column: str, stroke: int) -> Jet:
+        field = Field()
+        kind = Kind(lambda number: constant(field, number), ball_circle)
+        at = jets(*field.circle(self.centre.tangent)[:3])
+        found = linkage.direct_motion(column, self.crank, stroke, at, kind)
+        assert isinstance(found, Jet)
+        return found
+
+    def _dead_centres(self, stroke: int) -> tuple[Callable[[], arb], Callable[[], arb]]:
+        def begin() -> arb:
+            found: arb = linkage.dead_angle(self.crank, stroke, linkage.balls()) / 180
+            return found
+
+        def end() -> arb:
+            found: arb = begin() + 1 + stroke * linkage.lead(self.crank, linkage.balls()) / 180
+            return found
+
+        return begin, end
+
+    def _course(self, quantity: str, stroke: int) -> Course:
+        column = self.column_of(quantity)
+        velocity = self._jet("velocity", stroke).value.norm()
+        begin, end = (Place(one, self.centre, velocity) for one in self._dead_centres(stroke))
+
+        def at(half_turns: arb) -> arb:
+            found: arb = self._value(column, stroke, circle(half_turns))
+            return found
+
+        if column in FREE:
+
+            def slope(half_turns: arb) -> arb:
+                jet = linkage.value(column, self.crank, stroke, ball_jets(half_turns), linkage.balls())
+                found: arb = jet.slope * ball_pi()
+                return found
+
+            jet = self._jet(column, stroke)
+            return Course(at, slope, begin, end, jet.value, jet.slope)
+
+        def rise(half_turns: arb) -> arb:
+            found: arb = self._value("velocity", stroke, circle(half_turns)) * self._gauge(column, stroke)
+            return found
+
+        ends = {"path": (Fraction(0), None), PATH_SHARE: (Fraction(0), Fraction(1))}
+        return Course(at, rise, begin, end, ends=ends.get(column, (None, None)))
+
+    def _gauge(self, column: str, stroke: int) -> arb:
+        """Return by how much the path, its share or the rocker's angle grows in half a turn at v = 1."""
+        if column == "path":
+            return ball_pi()
+        if column == PATH_SHARE:
+            share: arb = ball_pi() / linkage.arc_stroke(self.crank, linkage.balls())
+            return share
+        return ball(-180 * stroke * self.crank.curvature)

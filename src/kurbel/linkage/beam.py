@@ -1,0 +1,198 @@
+"""The beam engine, checked once, and its dead centres with certified digits.
+
+Each quantity by the book's approximation or from the true geometry (`exact`); see kernel/beam.py.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from kurbel.drive.crank import Crank
+from kurbel.errors import ProblemError
+from kurbel.exact.numerals import Label, Number
+from kurbel.kernel import beam
+from kurbel.reading.notation import about, ratio_text
+
+if TYPE_CHECKING:
+    from flint import arb
+
+MINUTES, RADII = "'", "r"
+UPPER, LOWER = 1, -1
+# The least arm in a message is a multiple of this, rounded up.
+_ARM_STEP = Fraction(1, 10**6)
+_LONGEST_RATIO = 40
+
+
+@dataclass(frozen=True, slots=True)
+class BeamEngine:
+    """A beam engine: arm a/r of the beam and ratio λ = r/l of crank and rod; λ = 0 is the infinite rod.
+
+    An infinite rod stays vertical: then μ = ν = 0 and the dead centres lie opposite each other. Valid for
+    0 <= λ < 1 and an arm with which the crank turns (`turning_margin`), always above r.
+    """
+
+    arm: Fraction
+    ratio: Fraction
+
+    def __post_init__(self) -> None:
+        Crank(self.ratio)  # refuses what no crank may have
+        if self.arm <= 1:
+            raise ProblemError(
+                f"beam arm a is {about(self.arm)} r; it must be longer than the crank radius r,"
+                " for the beam's end rises and falls by r at least"
+            )
+        if beam.turning_margin(self.arm, self.ratio) <= 0:
+            raise ProblemError(
+                f"beam arm a = {about(self.arm)} r is too short for r:l = {_shown(self.ratio)};"
+                f" the crank turns with an arm of {about(_least_arm(self.ratio))} r or a longer rod,"
+                " otherwise beam, pivot and shaft come into line"
+            )
+
+
+def _shown(ratio: Fraction) -> str:
+    text = ratio_text(ratio)
+    return text if len(text) <= _LONGEST_RATIO else about(ratio)
+
+
+def _least_arm(ratio: Fraction) -> Fraction:
+    """Return an arm a/r with which the crank turns, at most a step above the shortest."""
+    short, long = 10**6, 2 * 10**6
+    while beam.turning_margin(long * _ARM_STEP, ratio) <= 0:
+        short, long = long, 2 * long
+    while long - short > 1:
+        middle = (short + long) // 2
+        if beam.turning_margin(middle * _ARM_STEP, ratio) > 0:
+            long = middle
+        else:
+            short = middle
+    return long * _ARM_STEP
+
+
+def chord_square(engine: BeamEngine) -> arb:
+    """Return q²/r² of the half chord in the true geometry, a ball at the precision in force.
+
+    The ball holds it for certain: `closure` is concave and rises up to the root, so that a tangent below the
+    root meets zero before it and a rising chord across the root after it (Dandelin); both are balls.
+    """
+    from kurbel.exact.certify import ball
+
+    if not engine.ratio:
+        return ball(1)
+    highest = min(1 / engine.ratio, beam.highest_square(engine.arm, engine.ratio))
+    arm, ratio = ball(engine.arm), ball(engine.ratio)
+    below, above = ball(1), ball(highest).upper()
+    while (nearer := _nearer(below, above, arm, ratio)) != (below, above):
+        below, above = nearer
+    return below.union(above)
+
+
+def _nearer(below: arb, above: arb, arm: arb, ratio: arb) -> tuple[arb, arb]:
+    """Return bounds of the root of `closure` that are no farther from it than these."""
+    value = beam.closure(below, arm, ratio)
+    tangent = (below - value / beam.closure_slope(below, arm, ratio)).lower()
+    rise = beam.closure(above, arm, ratio) - value
+    chord = (below - value * (above - below) / rise).upper()
+    # Where too few bits are left to divide, or to know that the chord rises, the bounds stay.
+    return (tangent if tangent > below else below), (chord if rise > 0 and chord < above else above)
+
+
+def _lean(engine: BeamEngine, exact: bool, side: int) -> arb:
+    """Return μ (UPPER) or ν (LOWER) in minutes."""
+    from kurbel.exact.certify import ball, ball_degrees, pi
+
+    arm, ratio = ball(engine.arm), ball(side * engine.ratio)
+    if exact:
+        return 60 * ball_degrees(beam.lean_sine(chord_square(engine), arm, ratio))
+    radians: arb = beam.approximate_lean(arm, ratio)
+    return radians * 10800 / pi()
+
+
+def _path(engine: BeamEngine, exact: bool, side: int) -> arb:
+    """Return the beam's path between a dead centre and the vertical crank."""
+    from kurbel.exact.certify import ball
+
+    arm, ratio = ball(engine.arm), ball(side * engine.ratio)
+    if exact:
+        tangent: arb = beam.swing_tangent(chord_square(engine), arm, ratio)
+        return 2 * arm * tangent.atan()
+    radians: arb = beam.approximate_lean(arm, ratio)
+    versine: arb = beam.approximate_path((radians / 2).sin())
+    return versine
+
+
+def _distance(engine: BeamEngine, exact: bool, side: int) -> arb:
+    """Return 180° ± (ν - μ) in minutes."""
+    return 10800 + side * (_lean(engine, exact, LOWER) - _lean(engine, exact, UPPER))
+
+
+class BeamQuantity(NamedTuple):
+    """An entry of the registry: `formula` returns a ball, in minutes of arc or in units of r.
+
+    `side` is the dead centre, UPPER (crank and rod stretched) or LOWER (folded); of the two distances UPPER
+    is the angle on the pivot's side of the shaft.
+    """
+
+    key: str
+    symbol: Label
+    name: Mapping[str, str]
+    unit: str
+    decimals: int
+    formula: Callable[[BeamEngine, bool, int], arb]
+    side: int
+
+    @property
+    def shown_unit(self) -> str:
+        """The unit in records and lists, in which angles are degrees."""
+        return "°" if self.unit == MINUTES else self.unit
+
+    def value(self, engine: BeamEngine, exact: bool) -> arb:
+        """Return the quantity in its unit, at the precision in force."""
+        return self.formula(engine, exact, self.side)
+
+
+_DISTANCE = "Abstand der Totpunkte|Distance of the dead centres"
+
+
+@cache
+def registry() -> Mapping[str, BeamQuantity]:
+    """Return every quantity by its key, in the order of the book."""
+    angle = {"unit": MINUTES, "decimals": 0}
+    path = {"unit": RADII, "decimals": 5, "formula": _path}
+    slant, turn = angle | {"formula": _lean}, angle | {"formula": _distance}
+    rows: tuple[tuple[str, Label, str, int, dict[str, Any]], ...] = (
+        ("mu", "$μ$", "Stangenneigung, Strecklage|Angle of the rod, stretched", UPPER, slant),
+        ("nu", "$ν$", "Stangenneigung, Decklage|Angle of the rod, folded", LOWER, slant),
+        ("distance_1", "$180° + (ν - μ)$", _DISTANCE, UPPER, turn),
+        ("distance_2", "$180° - (ν - μ)$", _DISTANCE, LOWER, turn),
+        ("path_1", "$σ_1$", "Weg des Balanciers, Strecklage|Path of the beam, stretched", UPPER, path),
+        ("path_2", "$σ_2$", "Weg des Balanciers, Decklage|Path of the beam, folded", LOWER, path),
+    )
+    return {
+        key: BeamQuantity(
+            key, symbol, dict(zip(("de", "en"), name.split("|"), strict=True)), side=side, **rest
+        )
+        for key, symbol, name, side, rest in rows
+    }
+
+
+def certified(
+    quantity: BeamQuantity, engine: BeamEngine, exact: bool, decimals: int, rounding: str = "half-away"
+) -> Number:
+    """Return the quantity in its unit, correctly rounded to so many decimals.
+
+    No value lies on a rounding boundary, other than the whole ones of an infinite rod. By the book's
+    formulas an angle is a rational number over π and a path, 1 - cos of a rational number, transcendental
+    (Lindemann). In the true geometry tan ½δ is algebraic, hence δ transcendental (Lindemann). The sagitta
+    has at most degree 4 over the rationals, so has sin μ, and sin(ν - μ) has at most 16. A boundary, an odd
+    multiple of ½ · 10^-d minutes, is a k/n of a turn with n a multiple of 64, its sine of degree φ(n)/2: 16
+    for n = 64, else more. Nor can it be 16, for that field is cyclic and its only subfield of degree 8 would
+    hold both cos μ and cos ν, hence sin(ν - μ).
+    """
+    from kurbel.exact import certify
+
+    scaled = certify.rounded(lambda: quantity.value(engine, exact), decimals, rounding, certify.NEVER_TIES)
+    return Number(scaled, decimals)

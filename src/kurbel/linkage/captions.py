@@ -1,0 +1,184 @@
+"""What a page of the arc crank or the parallel crank says of itself, in both languages."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+from kurbel.exact.numerals import Label, Number, finite_decimals, number_text
+from kurbel.linkage import arc as linkage
+from kurbel.linkage.arc import CHANGE_POINTS, ArcCrank, Kind
+from kurbel.motion.captions import WORDS as MOTION_WORDS
+from kurbel.motion.captions import enumerated
+from kurbel.motion.quantities import OUT, RETURN
+from kurbel.reading.notation import plain, ratio_text
+
+if TYPE_CHECKING:
+    from kurbel.linkage.page import LinkageRequest
+
+# {±} belongs to the stroke, {β±} to the stroke and the side of the pivot, {β+} and {β-} to that side alone.
+FORMULAS: Mapping[str, Label] = {
+    "velocity": "$c/v = (sin(ζ + τ))/(cos τ)$",
+    "acceleration": "$(p R)/v^2 = cos ζ {±} λ (cos^2 ζ)/(cos^3 τ) - (sin ζ {β±} β c^2/v^2) tan τ$",
+}
+PATHS: Mapping[tuple[int, int], Label] = {
+    (1, OUT): "$x = B (θ_i - θ)$",
+    (1, RETURN): "$x = B (θ - θ_o)$",
+    (-1, OUT): "$x = B (θ - θ_i)$",
+    (-1, RETURN): "$x = B (θ_o - θ)$",
+}
+# What the formulas leave to be said.
+SYMBOLS: Mapping[str, tuple[Label, ...]] = {
+    "velocity": ("$ζ = φ - θ$", "$τ = ψ + θ$"),
+    "acceleration": ("$ζ = φ - θ$", "$τ = ψ + θ$", "$λ = R/L$", "$β = R/B$"),
+    "slant": ("$τ = ψ + θ$",),
+}
+CLOSURE = "${lead}R cos φ + L cos ψ = D {β+} B sin θ$, ${lead}R sin φ - L sin ψ = H {β-} B cos θ$"
+SIGNS = {("", 1): "+", ("", -1): "-", ("both", 1): "±", ("both", -1): "∓"}
+COUPLER = (
+    "$x/R = 1 - cos φ$, $c_x/v = sin φ$, $(p_x R)/v^2 = cos φ$,"
+    " $y/R = sin φ$, $c_y/v = cos φ$, $(p_y R)/v^2 = -sin φ$"
+)
+WORDS: Mapping[str, Mapping[str, str]] = {
+    "for": {"de": " für {drive}", "en": " for {drive}"},
+    "closure": {
+        "de": "{closure}; Schwinge $B$, ihr Drehpunkt von der Welle $D$ längs und $H$ quer zur Schubrichtung",
+        "en": "{closure}; rocker $B$, its pivot $D$ along and $H$ across the slide direction from the shaft",
+    },
+    "angles": {
+        "de": "$θ$ im Drehsinn der Kurbel von der Lage der Schwinge quer zur Schubrichtung, $ψ$ im"
+        " entgegengesetzten von der Schubrichtung; in $x$ im Bogenmaß",
+        "en": "$θ$ in the crank's sense from the rocker's position square to the slide direction, $ψ$ in the"
+        " opposite one from the slide direction; in $x$ in radians",
+    },
+    "dead_centres": {
+        "de": "{drive}: Totlagen $φ_i = {inner}°$ und $φ_o = {outer}°$, Schwingungswinkel ${swing}°$,"
+        " Hub auf dem Bogen ${stroke} R$, Zeitverhältnis Hingang zu Rückgang ${times}:1$, kleinster"
+        " Übertragungswinkel ${least}°$",
+        "en": "{drive}: dead centres at $φ_i = {inner}°$ and $φ_o = {outer}°$, swing ${swing}°$, stroke along"
+        " the arc ${stroke} R$, times of outstroke and return ${times}:1$, least transmission angle"
+        " ${least}°$",
+    },
+    "coupler": {
+        "de": "Jeder Punkt der Koppel läuft auf einem Kreis vom Halbmesser $R$; $y$ ist zur Seite des"
+        " Kurbelzapfens beim Hingang gerechnet",
+        "en": "Every point of the coupling rod moves on a circle of radius $R$; $y$ counts to the side of the"
+        " crank pin during the outstroke",
+    },
+    "change_points": {
+        "de": "Bei {points} liegen alle Glieder in einer Linie; dort kann die zweite Kurbel umschlagen"
+        " (Antiparallelkurbel)",
+        "en": "At {points} all links lie in line; there the second crank may turn back (antiparallel crank)",
+    },
+}
+
+
+def caption(request: LinkageRequest) -> Label:
+    """Return the layout's caption with its quantities and the lengths that all drives have in common."""
+    lang = request.lang
+    parts = {
+        "{quantities}": enumerated((one.name[lang] for one in request.quantities), lang),
+        "{for_drive}": WORDS["for"][lang].format(drive=_common(request)) if request.cranks else "",
+    }
+    text = request.layout.caption[lang]
+    for place, part in parts.items():
+        text = text.replace(place, part)
+    return text
+
+
+def _common(request: LinkageRequest) -> Label:
+    crank = request.cranks[0]
+    ratio = [f"$R:L = {ratio_text(crank.crank.ratio)}$"] if len(request.cranks) == 1 else []
+    return ", ".join([*ratio, f"$B = {_length(crank.rocker)} R$"])
+
+
+def notes(request: LinkageRequest) -> list[Label]:
+    """Return the lines below the table: the formulas, and what each drive does between its dead centres."""
+    if not request.cranks:
+        return list(_coupler_notes(request.lang))
+    return [*_formula_lines(request), *(_dead_centres(crank, request.lang) for crank in request.cranks)]
+
+
+def _coupler_notes(lang: str) -> Iterator[Label]:
+    points = MOTION_WORDS["and"][lang].join(f"${plain(angle)}°$" for angle in CHANGE_POINTS)
+    yield COUPLER
+    yield WORDS["coupler"][lang]
+    yield WORDS["change_points"][lang].format(points=points)
+
+
+def _formula_lines(request: LinkageRequest) -> Iterator[Label]:
+    lang, strokes = request.lang, {one.stroke for one in request.quantities}
+    shown = [one.motion for one in request.quantities]
+    side = 1 if request.cranks[0].curvature > 0 else -1
+    paths = [
+        f"{one.part[lang]} {PATHS[side, one.stroke]}" for one in request.quantities if one.motion == "path"
+    ]
+    formulas = [FORMULAS[motion] for motion in dict.fromkeys(shown) if motion in FORMULAS]
+    symbols = [symbol for motion in shown for symbol in SYMBOLS.get(motion, ())]
+    if line := ", ".join(dict.fromkeys((*paths, *formulas, *symbols))):
+        yield _signed(line, strokes, side)
+    if any(crank.crank.ratio for crank in request.cranks):
+        yield WORDS["closure"][lang].format(closure=_signed(CLOSURE, strokes, side))
+    yield WORDS["angles"][lang]
+    if RETURN in strokes:
+        yield MOTION_WORDS["offset_return"][lang].replace("{angle}", request.layout.angle_symbol)
+    if len(strokes) > 1:
+        yield MOTION_WORDS["signs"][lang]
+
+
+def _signed(line: Label, strokes: set[int], side: int) -> Label:
+    stroke, many = min(strokes), "both" if len(strokes) > 1 else ""
+    upper = 1 if many else stroke
+    parts = {
+        "{±}": SIGNS[many, upper],
+        "{lead}": "" if (many, upper) == ("", OUT) else f"{SIGNS[many, upper]} ",
+        "{β±}": SIGNS[many, upper * side],
+        "{β+}": SIGNS["", side],
+        "{β-}": SIGNS["", -side],
+    }
+    for place, part in parts.items():
+        line = line.replace(place, part)
+    return line
+
+
+def _dead_centres(crank: ArcCrank, lang: str) -> Label:
+    angle, share = 3, 4
+    return WORDS["dead_centres"][lang].format(
+        drive=", ".join(_links(crank)),
+        inner=_printed(lambda kind: linkage.dead_angle(crank, OUT, kind), angle),
+        outer=_printed(lambda kind: linkage.dead_angle(crank, RETURN, kind) + 180, angle),
+        swing=_printed(lambda kind: linkage.swing(crank, kind), angle),
+        stroke=_printed(lambda kind: linkage.arc_stroke(crank, kind), share),
+        times=_printed(lambda kind: linkage.time_ratio(crank, kind), share),
+        least=_printed(lambda kind: linkage.least_transmission(crank, kind), angle),
+    )
+
+
+def _links(crank: ArcCrank) -> Sequence[Label]:
+    ratio = crank.crank.ratio
+    distance = crank.distance or (1 / ratio if ratio else None)
+    lengths = {"B": crank.rocker, "D": distance, "H": crank.pivot_height}
+    known = (f"${letter} = {_length(length)} R$" for letter, length in lengths.items() if length is not None)
+    return [f"$R:L = {ratio_text(ratio)}$", *known]
+
+
+def _length(length: Fraction) -> str:
+    return (
+        plain(length) if finite_decimals(length) is not None else f"{length.numerator}/{length.denominator}"
+    )
+
+
+def _printed(value: Callable[[Kind], Any], decimals: int) -> str:
+    """The digits of an angle in degrees to 3 decimals, or of the stroke or the time ratio to 4.
+
+    No value lies on a rounding boundary. Sine and cosine of the angles have at most degree 4 over the
+    rationals, those of a boundary, a k/n of a turn with n a multiple of 128, at least 32. The stroke is
+    transcendental (Lindemann). The time ratio (180° + Δ)/(180° - Δ) is transcendental (Gelfond-Schneider)
+    or, where Δ is m/n of a turn, (n + 2 m)/(n - 2 m) with φ(n) <= 8, hence n <= 30: no denominator of a
+    reduced one is a multiple of 32.
+    """
+    from kurbel.exact import certify
+
+    scaled = certify.rounded(lambda: value(linkage.balls()), decimals, "half-away", certify.NEVER_TIES)
+    return number_text(Number(scaled, decimals))

@@ -1,0 +1,1 @@
+"""The piston's motion and the forces of the drive: quantities, certified digits, pages."""

@@ -1,0 +1,190 @@
+"""Forces of the moving connecting rod, each by the rod itself and by the masses that stand in for it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from functools import cache
+from typing import Any, NamedTuple
+
+from kurbel.drive.crank import Crank
+from kurbel.exact.numerals import Label
+from kurbel.kernel import rod
+from kurbel.kernel.rod import Masses
+from kurbel.motion.quantities import OUT, ROD_MODELS, Numbers, Quantity, Scale, pin_acceleration
+
+RodFormula = Callable[..., Any]
+Coefficients = Callable[[Masses[Fraction], bool], Sequence[Fraction | int]]
+
+
+class RodForce(NamedTuple):
+    """A force of the rod, or its torque. `formula` takes (circle, λ, masses, e/R or None).
+
+    `smooth` is greatest where the force's magnitude is, or least, and has slopes throughout: the force
+    itself or its square. Of given masses and a rod that is infinite or not, the force is zero throughout if
+    its `coefficients` are, and only then: each multiplies a function of the angle that no sum of the others
+    makes up. It has one magnitude throughout if its `changes` are zero.
+    """
+
+    key: str
+    letter: Label
+    name: Mapping[str, str]
+    formula: RodFormula
+    smooth: RodFormula
+    coefficients: Coefficients
+    changes: Coefficients
+    is_torque: bool = False
+
+    @property
+    def unit(self) -> Label:
+        return "M R^2 ω^2" if self.is_torque else "M R ω^2"
+
+    @property
+    def plain_unit(self) -> str:
+        return "M R² ω²" if self.is_torque else "M R ω²"
+
+    @property
+    def newtons(self) -> str:
+        return "N m" if self.is_torque else "N"
+
+    def scale(self, crank: Crank, numbers: Numbers) -> Any:
+        """M R ω² in newtons, or M R² ω² in newton metres."""
+        assert crank.rod is not None
+        assert crank.rod.mass is not None
+        assert crank.radius is not None
+        arm = crank.radius if self.is_torque else Fraction(1)
+        return numbers.of(crank.rod.mass * arm) * pin_acceleration(crank, numbers)
+
+
+def _pin_square(circle: Any, ratio: Any, masses: Masses[Any], offset: Any = None) -> Any:
+    along = rod.pin_force_along(circle, ratio, masses, offset)
+    across = rod.pin_force_across(circle, ratio, masses, offset)
+    return along * along + across * across
+
+
+def _along(masses: Masses[Fraction], infinite: bool) -> Sequence[Fraction | int]:
+    pin, crosshead, _ = masses
+    return (pin + crosshead,) if infinite else (pin, crosshead)
+
+
+def _across(masses: Masses[Fraction], infinite: bool) -> Sequence[Fraction | int]:
+    pin, crosshead, couple = masses
+    return (pin + couple,) if infinite else (pin, crosshead, couple)
+
+
+def _guide(masses: Masses[Fraction], infinite: bool) -> Sequence[Fraction | int]:
+    return (masses.couple,) if infinite else (masses.crosshead, masses.couple)
+
+
+def _torque(masses: Masses[Fraction], infinite: bool) -> Sequence[Fraction | int]:
+    _, crosshead, couple = masses
+    return (crosshead - couple,) if infinite else (crosshead, couple)
+
+
+def _both(masses: Masses[Fraction], infinite: bool) -> Sequence[Fraction | int]:
+    return (*_along(masses, infinite), *_across(masses, infinite))
+
+
+def _magnitude_changes(masses: Masses[Fraction], infinite: bool) -> Sequence[Fraction | int]:
+    """A mass that only rotates presses alike everywhere, and so do equal amplitudes of sine and cosine."""
+    pin, crosshead, couple = masses
+    if infinite:
+        return ((pin + crosshead) ** 2 - (pin + couple) ** 2,)
+    return crosshead, couple
+
+
+def _named(german: str, english: str) -> Mapping[str, str]:
+    return {"de": german, "en": english}
+
+
+ROD_FORCES: Mapping[str, RodForce] = {
+    force.key: force
+    for force in (
+        RodForce(
+            "guide", "N", _named("Führungsdruck", "Guide force"),
+            rod.guide_force, rod.guide_force, _guide, _guide,
+        ),
+        RodForce(
+            "pin_x", "X", _named("Zapfenkraft längs", "Pin force along"),
+            rod.pin_force_along, rod.pin_force_along, _along, _along,
+        ),
+        RodForce(
+            "pin_y", "Y", _named("Zapfenkraft quer", "Pin force across"),
+            rod.pin_force_across, rod.pin_force_across, _across, _across,
+        ),
+        RodForce(
+            "pin", "P", _named("Zapfenkraft", "Pin force"),
+            rod.pin_force, _pin_square, _both, _magnitude_changes,
+        ),
+        RodForce(
+            "torque", "M_d", _named("Drehmoment", "Torque"),
+            rod.torque, rod.torque, _torque, _torque, is_torque=True,
+        ),
+    )
+}  # fmt: skip
+
+
+# Ensslin's parts of the acceleration of the crank-pin end: key, letter, name.
+_PARTS: tuple[tuple[str, str, Mapping[str, str]], ...] = (
+    ("common_acceleration", "p_2", _named("gemeinsame Beschleunigung", "Common acceleration")),
+    ("turning_acceleration", "p_4", _named("Drehbeschleunigung", "Turning acceleration")),
+    ("stretching_acceleration", "p_5", _named("Dehnungsbeschleunigung", "Stretching acceleration")),
+)
+
+
+@cache
+def inertia_registry() -> Mapping[str, Quantity]:
+    """Return every force by every model: inertia_guide, inertia_guide_two_mass, inertia_guide_railway_n; and
+    the parts of the acceleration, of which they come."""
+    forces = {entry.key: entry for force in ROD_FORCES.values() for entry in _entries(force)}
+    return forces | {key: _part(key, letter, name) for key, letter, name in _PARTS}
+
+
+def _entries(force: RodForce) -> Iterator[Quantity]:
+    for model in ROD_MODELS:
+        key = f"inertia_{force.key}" + ("" if model == "exact" else f"_{model.replace('-', '_')}")
+        yield _entry(
+            key, force, model, f"${force.letter}/({force.unit})$", force.plain_unit, 4, _one, needs="rod"
+        )
+        yield _entry(
+            f"{key}_{force.newtons.replace(' ', '').lower()}", force, model,
+            f"${force.letter}$ in {force.newtons}", force.newtons, 1, force.scale, needs="inertia",
+        )  # fmt: skip
+
+
+def _entry(
+    key: str, force: RodForce, model: str, heading: str, unit: str, decimals: int, scale: Scale, needs: str
+) -> Quantity:
+    return Quantity(
+        key=key,
+        name=force.name,
+        symbol=f"${force.letter}$",
+        heading=_named(heading, heading),
+        unit=_named(unit, unit),
+        stroke=OUT,
+        # The exact formulas hold for the infinite rod too.
+        formulas={"exact": force.formula, "infinite": force.formula},
+        decimals=decimals,
+        scale=scale,
+        needs=needs,
+        model=model,
+    )
+
+
+def _part(key: str, letter: str, name: Mapping[str, str]) -> Quantity:
+    """A part of the acceleration, which the masses do not change."""
+    part = key.removesuffix("_acceleration")
+
+    def formula(circle: Any, ratio: Any, masses: Any, offset: Any = None) -> Any:
+        return getattr(rod.parts(circle, ratio, offset), part)
+
+    heading = _named(f"${letter}/(R ω^2)$", f"${letter}/(R ω^2)$")
+    unit = _named("R ω²", "R ω²")
+    formulas = {"exact": formula, "infinite": formula}
+    return Quantity(
+        key, name, f"${letter}$", heading, unit, OUT, formulas, 4, _one, needs="rod", model="exact"
+    )
+
+
+def _one(crank: Crank, numbers: Numbers) -> Any:
+    return numbers.of(Fraction(1))

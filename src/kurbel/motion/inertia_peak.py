@@ -1,0 +1,227 @@
+"""The greatest magnitude of a rod's force over the turn, enclosed with proof.
+
+The force is greatest at a zero of a slope, and all zeros are enclosed (`roots.isolate`), so that none is
+missed. The quarters of the turn, where many of them lie, are settled exactly: there values are algebraic
+numbers of known degree and can be proved to lie on a rounding boundary.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from functools import cached_property, reduce
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import flint
+
+from kurbel.drive.crank import Crank
+from kurbel.errors import ProblemError
+from kurbel.exact.certify import GUARD_BITS, MOST_BITS, MOST_TIE_BITS, ball, ball_circle, pi
+from kurbel.exact.jet import Jet, ball_jets, jets
+from kurbel.exact.roots import ISOLATING_BITS, Root, interval, isolate, refined
+from kurbel.exact.separation import Separation, circle_separation
+from kurbel.kernel.circle import Circle
+from kurbel.kernel.rod import Masses
+from kurbel.motion.inertia import RodForce
+
+if TYPE_CHECKING:
+    from flint import arb
+
+# Halving from here reaches neither a quarter nor an eighth of a turn, where zeros would lie on the cut.
+CUT = Fraction(5, 11)
+# Nearer to a triple zero the slope has none of the bits of `isolate`.
+HALVINGS = 20
+CONTENDING_BITS = 256
+
+
+class Place(NamedTuple):
+    """Where a force may be greatest: an interval of half turns with a zero of the slope, or exactly there.
+
+    `rising` as in `Root`; None also of an exact place.
+    """
+
+    low: Fraction
+    high: Fraction
+    rising: bool | None = None
+
+    @property
+    def is_exact(self) -> bool:
+        return self.low == self.high
+
+
+class Peak:
+    """The greatest magnitude of one force of the crank's rod, for the rod's masses or others in its place.
+
+    Of the straight crank half a turn is searched, of which the other half is a mirror image.
+    """
+
+    def __init__(self, force: RodForce, crank: Crank, masses: Masses[Fraction]) -> None:
+        self.force = force
+        self.crank = crank
+        self.masses = masses
+
+    @cached_property
+    def vanishes(self) -> bool:
+        """Whether the force is zero throughout."""
+        return not any(self.force.coefficients(self.masses, not self.crank.ratio))
+
+    @cached_property
+    def is_level(self) -> bool:
+        """Whether the magnitude is the same throughout, so that no place is that of the greatest."""
+        return not any(self.force.changes(self.masses, not self.crank.ratio))
+
+    @cached_property
+    def places(self) -> tuple[Place, ...]:
+        """Where it is greatest, exact places first: several only if they differ by nothing measurable."""
+        if self.is_level:
+            return (Place(Fraction(0), Fraction(0)),)
+        with flint.ctx.workprec(CONTENDING_BITS):
+            found = list(self._candidates())
+            values = [self._value_at(place) for place in found]
+        least = max(value.abs_lower() for value in values)
+        contenders = {place for place, value in zip(found, values, strict=True) if not value < least}
+        return tuple(sorted(contenders, key=lambda place: (not place.is_exact, place)))
+
+    def value(self) -> arb:
+        """Return the magnitude in units of M R ω², a ball at the precision in force."""
+        if self.vanishes:
+            return ball(0)
+        first, *others = (self._value_at(place) for place in self.places)
+        for other in others:
+            first = first.max(other)
+        return first
+
+    @property
+    def exact_degrees(self) -> Fraction | None:
+        """Where it is greatest if that is at a quarter of the turn."""
+        return 180 * self.places[0].low if self.places[0].is_exact else None
+
+    def degrees(self) -> arb:
+        """Return where it is greatest, from 0° to 180° or, of an offset crank, 360°; the first such place."""
+        return 180 * self._half_turns(self.places[0])
+
+    def share_of(self, whole: Peak) -> Fraction | None:
+        """Return how many times the other's magnitude this is, throughout, if they are in proportion."""
+        infinite = not self.crank.ratio
+        own = [Fraction(one) for one in self.force.coefficients(self.masses, infinite)]
+        others = [Fraction(one) for one in self.force.coefficients(whole.masses, infinite)]
+        share = next((one / other for one, other in zip(own, others, strict=True) if other), None)
+        if share is None or any(one != share * other for one, other in zip(own, others, strict=True)):
+            return None
+        return abs(share)
+
+    def separation(self) -> Separation | None:
+        """Return the bound of the magnitude where it is an algebraic number of known degree, else None."""
+        if self.vanishes:
+            return Separation.rational(0)
+        if not all(place.is_exact for place in self.places):
+            return None
+        bounds = [self._bound(180 * place.low) for place in self.places]
+        return reduce(Separation.union, bounds)
+
+    def _bound(self, degrees: Fraction) -> Separation:
+        circle = Circle(*circle_separation(degrees))
+        bound = self._run(self.force.formula, circle, Separation.rational)
+        assert isinstance(bound, Separation)
+        return bound
+
+    def _run(self, formula: Any, circle: Circle[Any], of: Any) -> Any:
+        offset = of(self.crank.offset) if self.crank.offset else None
+        return formula(circle, of(self.crank.ratio), Masses(*map(of, map(Fraction, self.masses))), offset)
+
+    def _jet(self, formula: Any, half_turns: arb) -> Jet:
+        jet = self._run(formula, ball_jets(half_turns), ball)
+        assert isinstance(jet, Jet)
+        return jet
+
+    def _slope(self, half_turns: arb) -> arb:
+        slope: arb = self._jet(self.force.smooth, half_turns).slope
+        return slope
+
+    def _bend(self, half_turns: arb) -> arb:
+        bend: arb = self._jet(self.force.smooth, half_turns).bend
+        return bend * pi()
+
+    def _candidates(self) -> Iterator[Place]:
+        """Yield the quarters of the turn and all zeros of the slope between them.
+
+        With an infinite rod the torque is greatest at the eighths, where values are algebraic too.
+        """
+        turn, parts = (2 if self.crank.offset else 1), (2 if self.crank.ratio else 4)
+        quarters = [Fraction(quarter, parts) for quarter in range(parts * turn + 1)]
+        for quarter in quarters:
+            yield Place(quarter, quarter)
+        for low, high in pairwise(quarters):
+            first, last = self._cleared(low, high), self._cleared(high, low)
+            for edge, end in ((low, first), (last, high)):
+                if edge != end and not self._is_single(edge, end):
+                    yield Place(edge, end)
+            cut = first + (last - first) * CUT
+            for start, end in ((first, cut), (cut, last)):
+                for root in isolate(self._slope, self._bend, start, end):
+                    yield Place(*root)
+
+    def _cleared(self, quarter: Fraction, other: Fraction) -> Fraction:
+        """Return up to where no zero of the slope follows that of the quarter, if it has one.
+
+        Or so close that it matters for very many decimals only, if that cannot be told.
+        """
+        if not self._is_level(quarter):
+            return quarter
+        end = other
+        for _ in range(HALVINGS):
+            end = quarter + (end - quarter) / 2
+            if self._is_single(quarter, end):
+                break
+        return end
+
+    def _is_level(self, quarter: Fraction) -> bool:
+        """Whether the slope at a quarter of the turn is zero, proved by its separation bound."""
+        circle = jets(*circle_separation(180 * quarter))
+        bits = self._run(self.force.smooth, circle, _constant).slope.bits()
+        if bits > MOST_TIE_BITS:
+            return False
+        with flint.ctx.workprec(int(bits) + GUARD_BITS):
+            slope = self._slope(ball(quarter))
+            return bool(slope.contains(0) and slope.rad() < ball(2) ** -int(bits + 1))
+
+    def _is_single(self, start: Fraction, end: Fraction) -> bool:
+        """Whether the slope is zero once at most."""
+        with flint.ctx.workprec(ISOLATING_BITS):
+            return not self._bend(interval(start, end)).contains(0)
+
+    def _half_turns(self, place: Place) -> arb:
+        if place.is_exact:
+            return ball(place.low)
+        return refined(self._slope, self._bend, Root(*place))
+
+    def _value_at(self, place: Place) -> arb:
+        at = self._half_turns(place)
+        circle = ball_circle(180 * place.low) if place.is_exact else _balls(at)
+        value: arb = abs(self._run(self.force.formula, circle, ball))
+        if place.is_exact or place.rising is not None:
+            return value
+        nearer = abs(self._around(at))
+        # A magnitude has no slope where it is zero.
+        return nearer if nearer.is_finite() else value
+
+    def _around(self, at: arb) -> arb:
+        """Return all values within an interval that precision does not narrow, by mean-value forms."""
+        if flint.ctx.prec > MOST_BITS:
+            raise ProblemError(
+                f"the place of the greatest {self.force.name['en'].lower()} is not settled by"
+                f" {MOST_BITS - GUARD_BITS} bits; ask for fewer digits"
+            )
+        middle, wide = self._jet(self.force.formula, at.mid()), self._jet(self.force.formula, at)
+        away = (at - at.mid()) * pi()
+        value: arb = middle.value + away * (middle.slope + away * wide.bend)
+        return value
+
+
+def _balls(half_turns: arb) -> Circle[Any]:
+    return Circle(*(jet.value for jet in ball_jets(half_turns)[:3]))
+
+
+def _constant(value: Fraction) -> Jet:
+    return Jet(Separation.rational(value), 0, 0)

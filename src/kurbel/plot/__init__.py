@@ -1,0 +1,1 @@
+"""Drawings of the motion, the mechanisms, the forces and the turning effort."""

@@ -1,0 +1,161 @@
+"""What drawings show of the forces in a steam engine: curves over the turn, the force on the crank pin."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from itertools import product
+from math import ceil, floor
+from typing import TYPE_CHECKING, NamedTuple
+
+from kurbel.engine.axes import expansion_label
+from kurbel.engine.quantities import AnyTurn, EngineQuantity, Where
+from kurbel.engine.request import EngineRequest
+from kurbel.engine.turn import Turn, turn_of
+from kurbel.exact.numerals import Label
+from kurbel.plot.panels import Trace, check_drawn, degrees, panels_of
+from kurbel.plot.plotting import Panel
+from kurbel.plot.polar import Vector
+from kurbel.reading.notation import ratio_text
+
+if TYPE_CHECKING:
+    from kurbel.engine.card_turn import CardTurn
+
+# What is drawn unless columns are named: as many as have their letters beside them, and without the rod's
+# force, which is nearly the piston's.
+FORCES = ("piston_force", "guide_force", "tangential_force", "radial_force")
+# Across and up in the polar diagram.
+PIN_FORCE = ("tangential_force", "radial_force")
+# Half turns before a dead centre at which a force still has the value from which it jumps there.
+BEFORE = Fraction(1, 10**12)
+# A jump of so small a share of the greatest value is none.
+NO_JUMP = 1e-9
+
+
+class Course(NamedTuple):
+    """Values of quantities at rising angles in degrees; an angle comes twice where one of them jumps."""
+
+    angles: list[float]
+    values: list[list[float]]
+
+
+def known_forces(keys: Sequence[str], newtons: bool) -> tuple[str, ...]:
+    """Return the keys of forces, in newtons where they are known."""
+    return tuple(f"{key}_n" if newtons else key for key in keys)
+
+
+def force_panels(request: EngineRequest) -> list[Panel]:
+    """Return a panel for each force, with all engines in it; of one engine, a panel for each unit.
+
+    The curves have the dead centres and the points of cut-off besides the angles of the request. Raises
+    ProblemError for one angle, or more than can be drawn.
+    """
+    engines = list(product(range(len(request.steams)), range(len(request.drives))))
+    check_drawn(request.angles, len(engines))
+    turns = [(engine_label(request, *place), _turn(request, *place)) for place in engines]
+    traces = (
+        _trace(column.quantity, label, turn, request)
+        for column in request.page_columns
+        for label, turn in turns
+    )
+    return panels_of(traces, request.lang, apart=len(engines) > 1)
+
+
+def engine_pin_force(request: EngineRequest) -> tuple[Vector, tuple[Label, Label], Label]:
+    """Return the force on the crank pin in the crank's frame, the names of its components, and their unit.
+
+    The request has one engine and the columns of `PIN_FORCE`.
+    """
+    check_drawn(request.angles, 1)
+    across, up = (column.quantity for column in request.page_columns)
+    course = course_of((across, up), _turn(request, 0, 0), request.angles)
+    names = [f"{one.name[request.lang]} {_heading(one)}" for one in (across, up)]
+    return Vector(course.angles, *course.values), (names[0], names[1]), _axis_unit(across)
+
+
+def engine_label(request: EngineRequest, steam: int, drive: int) -> Label:
+    """Return what tells an engine from the others."""
+    parts = []
+    if len(request.steams) > 1:
+        label = expansion_label(request, steam)
+        parts.append(label if request.carded else f"$ε = {label.strip('$')}$")
+    if len(request.drives) > 1:
+        parts.append(f"${request.layout.ratio_symbol} = {ratio_text(request.ratios[drive])}$")
+    return ", ".join(parts)
+
+
+def course_of(
+    quantities: Sequence[EngineQuantity], turn: Turn | CardTurn, angles: Sequence[Fraction]
+) -> Course:
+    """Return quantities at the angles, and at the dead centres and the points of cut-off between them.
+
+    At a dead centre the steam changes sides: there the first values are those before, the second those after.
+    """
+    first, last = angles[0], angles[-1]
+    dead = set(_dead_centres(turn, first, last))
+    # A cut-off comes from floats: where one is at 60°, it and the angle 60 are one place.
+    near = {round(float(place), 9): place for place in (*_cut_offs(turn, first, last), *angles, *dead)}
+    places = [near[place] for place in sorted(near)]
+    after = {place: _values(quantities, turn, place / 180) for place in places}
+    most = [max(map(abs, column)) for column in zip(*after.values(), strict=True)]
+    rows: list[tuple[Fraction, list[float]]] = []
+    for place in places:
+        before = _values(quantities, turn, place / 180 - BEFORE) if place in dead else after[place]
+        jumps = _jumps(before, after[place], most)
+        if jumps and place > first:
+            rows.append((place, before))
+        if not jumps or place < last:
+            rows.append((place, after[place]))
+    values = zip(*(row for _, row in rows), strict=True)
+    return Course(degrees([angle for angle, _ in rows]), [list(column) for column in values])
+
+
+def _jumps(before: Sequence[float], after: Sequence[float], most: Sequence[float]) -> bool:
+    parts = zip(before, after, most, strict=True)
+    return any(abs(later - earlier) > NO_JUMP * greatest for earlier, later, greatest in parts)
+
+
+def _turn(request: EngineRequest, steam: int, drive: int) -> Turn | CardTurn:
+    return turn_of(request.engine(steam, drive), (request.methods or ("exact",))[0])
+
+
+def _trace(quantity: EngineQuantity, label: Label, turn: Turn | CardTurn, request: EngineRequest) -> Trace:
+    course, name = course_of((quantity,), turn, request.angles), quantity.name[request.lang]
+    heading, unit = _heading(quantity), quantity.unit
+    return Trace(name, heading, unit, _axis_unit(quantity), (label,), course.angles, course.values[0])
+
+
+def _heading(quantity: EngineQuantity) -> Label:
+    """Return $F$ of a force in N, $F/Q$ of one in Q."""
+    if not quantity.unit.startswith("$"):
+        return quantity.symbol
+    letter, unit = (f"({one})" if " " in one else one for one in (quantity.symbol[1:-1], quantity.unit[1:-1]))
+    return f"${letter}/{unit}$"
+
+
+def _axis_unit(quantity: EngineQuantity) -> Label:
+    return "" if quantity.unit.startswith("$") else quantity.unit
+
+
+def _values(quantities: Sequence[EngineQuantity], turn: AnyTurn, half_turns: Fraction) -> list[float]:
+    return [float(quantity.value(turn, Where(half_turns=half_turns))) for quantity in quantities]
+
+
+def _dead_centres(turn: Turn | CardTurn, first: Fraction, last: Fraction) -> Iterator[Fraction]:
+    """Yield the dead centres of all cranks between two angles."""
+    for start in turn.engine.cranks:
+        yield from _every(180, start, first, last)
+
+
+def _cut_offs(turn: Turn | CardTurn, first: Fraction, last: Fraction) -> Iterator[Fraction]:
+    """Yield the angles of cut-off between two: a curve that leaves them out has no sharp tips."""
+    if isinstance(turn, Turn):
+        for start, stroke in product(turn.engine.cranks, (0, 1)):
+            corner = start + 180 * (stroke + Fraction(float(turn.cut_off(stroke))))
+            yield from _every(360, corner, first, last)
+
+
+def _every(step: int, start: Fraction, first: Fraction, last: Fraction) -> Iterator[Fraction]:
+    """Yield the angles between two that are whole steps from a start."""
+    for number in range(ceil((first - start) / step), floor((last - start) / step) + 1):
+        yield start + step * number

@@ -1,0 +1,240 @@
+"""The crank drive true to scale: crank, rod and crosshead at given crank angles."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from kurbel.errors import ProblemError
+from kurbel.kernel.circle import circle
+from kurbel.kernel.kinematics import dead_centre_sine, rod_sine
+from kurbel.plot.sketch import (
+    CHAIN,
+    DEAD_CENTRES,
+    LEAST_DIMENSION,
+    Point,
+    arc,
+    bearing,
+    beside_link,
+    beside_points,
+    crank_angle,
+    crank_circle,
+    dead_tick,
+    dimension,
+    joint,
+    light_links,
+    line,
+    polar_point,
+    write,
+)
+from kurbel.plot.style import BLACK, GREY, MEDIUM, PALE, SMALL_TEXT, WIDTH, page, size_of, style, text_of
+from kurbel.plot.ticks import degrees
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+# In mm. A short rod leaves the crank more room than it needs.
+LARGEST_RADIUS = 24.0
+LONGEST_ROD = 12
+LEFT, OFFSET_LEFT, RIGHT, OUTSIDE, DIMENSIONS = 8.0, 3.0, 9.0, 7.0, 17.0
+HEAD_LENGTH, HEAD_HEIGHT, OVERRUN = 8.0, 6.5, 3.0
+PSI = text_of("$ψ$", ".")
+
+
+class Position(NamedTuple):
+    """The crank drive at one angle: shaft, crank pin and crosshead pin in units of R."""
+
+    angle: float
+    pin: Point
+    head: Point
+    rod_angle: float
+
+
+class _Drive(NamedTuple):
+    """What does not move: λ, η = e/R, the two dead centres, and R in mm."""
+
+    ratio: float
+    offset: float
+    inner: Position
+    outer: Position
+    radius: float
+
+
+class _Sketch(NamedTuple):
+    """A drawing in units of R: what a millimetre is in them, and the side of the dimensions, 1 above."""
+
+    figure: Figure
+    axes: Axes
+    drive: _Drive
+    mm: float
+    side: int
+
+
+def mechanism(
+    ratio: float, offset: float, angles: Sequence[float | Fraction], lang: str, mark: str
+) -> Figure:
+    """Return a drawing of the crank drive, true to scale and 120 mm wide: λ = R/L, the offset e/R, angles.
+
+    The shaft is at the left, the slide to the right of it and, by the offset, above; the crank turns
+    counter-clockwise from φ = 0, where it points along the slide. The first angle is drawn strong, with its
+    dimensions, the others light. Raises ProblemError for a rod too long to be drawn.
+    """
+    drive = _drive(ratio, offset)
+    positions = [position(ratio, offset, float(angle)) for angle in angles]
+    with style():
+        sketch = _laid_out(drive, positions[0])
+        _lines_and_circle(sketch)
+        _guides(sketch)
+        for one in positions[1:]:
+            light_links(sketch, (0, 0), one.pin, one.head)
+        _dimensions_of_drive(sketch, lang)
+        _dimensions_of_position(sketch, positions[0])
+        _strong(sketch, positions[0])
+        if len(angles) > 1:
+            texts = [degrees(angle, mark) for angle in angles]
+            beside_points(
+                sketch, [(one.pin, one.pin, text) for one, text in zip(positions, texts, strict=True)]
+            )
+    return sketch.figure
+
+
+def position(ratio: float, offset: float, angle: float) -> Position:
+    """Return crank pin and crosshead pin in units of R, from the shaft; the rod's angle ψ in degrees."""
+    point = circle(angle)
+    sine = rod_sine(point, ratio, offset)
+    along = point.cosine + math.sqrt((1 - sine) * (1 + sine)) / ratio
+    return Position(angle, (point.cosine, point.sine), (along, offset), math.degrees(math.asin(sine)))
+
+
+def _drive(ratio: float, offset: float) -> _Drive:
+    if ratio * LONGEST_ROD < 1:
+        rod = f"{1 / ratio:.4g} R" if ratio > 0 else "infinite"
+        raise ProblemError(
+            f"the length of the rod is {rod}; drawn to scale it may be at most {LONGEST_ROD} R, or the crank"
+            " is too small to be seen"
+        )
+    inner = position(ratio, offset, math.degrees(math.asin(dead_centre_sine(ratio, offset))))
+    outer = position(ratio, offset, 180 + math.degrees(math.asin(dead_centre_sine(-ratio, -offset))))
+    beside = LEFT + (OFFSET_LEFT if offset else 0)
+    room = WIDTH - beside - HEAD_LENGTH / 2 - OVERRUN - RIGHT
+    return _Drive(ratio, offset, inner, outer, min(LARGEST_RADIUS, room / (1 + inner.head[0])))
+
+
+def _laid_out(drive: _Drive, first: Position) -> _Sketch:
+    # The dimensions stand on that side of the slide where the rod is not.
+    side = -1 if first.pin[1] >= drive.offset else 1
+    mm = 1 / drive.radius
+    beside = LEFT + (OFFSET_LEFT if drive.offset else 0)
+    edge = drive.offset + side * (HEAD_HEIGHT / 2 + DIMENSIONS) * mm
+    bottom = min(-1 - OUTSIDE * mm, edge, drive.offset - HEAD_HEIGHT * mm)
+    top = max(1 + OUTSIDE * mm, edge, drive.offset + HEAD_HEIGHT * mm)
+    left, right = -1 - beside * mm, drive.inner.head[0] + (HEAD_LENGTH / 2 + OVERRUN + RIGHT) * mm
+    figure = page((top - bottom) / mm, (right - left) / mm)
+    axes = figure.add_axes((0, 0, 1, 1), label="mechanism", xlim=(left, right), ylim=(bottom, top))
+    axes.set_axis_off()
+    return _Sketch(figure, axes, drive, mm, side)
+
+
+def _lines_and_circle(sketch: _Sketch) -> None:
+    drive, mm = sketch.drive, sketch.mm
+    beyond = 1 + 3.5 * mm
+    end = drive.inner.head[0] + (HEAD_LENGTH / 2 + OVERRUN + 2) * mm
+    line(sketch, (0, -beyond), (0, beyond), linestyle=CHAIN)
+    line(sketch, (-beyond, 0), (beyond if drive.offset else end, 0), linestyle=CHAIN)
+    if drive.offset:
+        line(sketch, (-beyond, drive.offset), (end, drive.offset), linestyle=CHAIN)
+    crank_circle(sketch)
+    for dead in (drive.inner, drive.outer):
+        dead_tick(sketch, dead.pin)
+
+
+def _guides(sketch: _Sketch) -> None:
+    """Draw both guides of the crosshead, hatched on the side of the frame."""
+    drive, mm = sketch.drive, sketch.mm
+    start = drive.outer.head[0] - (HEAD_LENGTH / 2 + OVERRUN) * mm
+    end = drive.inner.head[0] + (HEAD_LENGTH / 2 + OVERRUN) * mm
+    count = int((end - start) / (1.5 * mm))
+    for side in (-1, 1):
+        y = drive.offset + side * HEAD_HEIGHT / 2 * mm
+        line(sketch, (start, y), (end, y), linewidth=MEDIUM, zorder=2)
+        for number in range(count):
+            x = start + (number + 0.9) * (end - start) / count
+            across = (x - 1.1 * mm, y + 1.1 * mm) if side > 0 else (x - 1.1 * mm, y - 1.1 * mm)
+            line(sketch, (x, y), across, color=GREY, zorder=1)
+
+
+def _strong(sketch: _Sketch, one: Position) -> None:
+    mm = sketch.mm
+    corner = (one.head[0] - HEAD_LENGTH / 2 * mm, one.head[1] - HEAD_HEIGHT / 2 * mm)
+    from matplotlib.patches import Rectangle
+
+    box = Rectangle(corner, HEAD_LENGTH * mm, HEAD_HEIGHT * mm, zorder=5)
+    box.set(facecolor=PALE, edgecolor=BLACK, linewidth=MEDIUM)
+    sketch.axes.add_patch(box)
+    line(sketch, (0, 0), one.pin, linewidth=2.4, zorder=6).set_gid("crank")
+    line(sketch, one.pin, one.head, linewidth=1.6, zorder=6).set_gid("rod")
+    bearing(sketch, (0, 0))
+    for centre in (one.pin, one.head):
+        joint(sketch, centre, 1.1, BLACK, MEDIUM)
+
+
+def _dimensions_of_drive(sketch: _Sketch, lang: str) -> None:
+    """Draw the stroke between the dead centres, with their names, and the offset."""
+    drive, mm, side = sketch.drive, sketch.mm, sketch.side
+    level = _level(sketch, 2)
+    inner, outer = drive.inner.head[0], drive.outer.head[0]
+    dimension(sketch, (outer, level), (inner, level), "$S$")
+    names = [
+        (inner, DEAD_CENTRES["inner"][lang], "left", 1),
+        (outer, DEAD_CENTRES["outer"][lang], "right", -1),
+    ]
+    widest = max(size_of(name, SMALL_TEXT)[0] for _, name, _, _ in names) + 2
+    for x, name, towards, way in names:
+        line(sketch, (x, drive.offset - side * 1.2 * mm), (x, level + side * 1 * mm), zorder=4)
+        look: dict[str, Any] = {}
+        if inner - outer < widest * mm:
+            x, look = (inner + outer) / 2 + way * mm, {"ha": towards}
+        write(sketch, (x, level + side * 3.2 * mm), name, fontsize=SMALL_TEXT, **look)
+    if drive.offset:
+        x = -1 - 6 * mm
+        for y in (0.0, drive.offset):
+            line(sketch, (x - 1 * mm, y), (-1 - 3 * mm, y))
+        dimension(sketch, (x, 0), (x, drive.offset), "$e$")
+
+
+def _dimensions_of_position(sketch: _Sketch, one: Position) -> None:
+    """Draw φ, ψ, R, L and the piston path x."""
+    mm = sketch.mm
+    if turn := one.angle % 360:
+        crank_angle(sketch, one.pin, turn, sketch.drive.radius)
+    # The rod is at the right of the crank, its label at the left.
+    beside_link(sketch, (0, 0), one.pin, "$R$", 0.68, 1 if one.pin[1] >= 0 else -1)
+    beside_link(sketch, one.pin, one.head, "$L$", 0.4, 1 if sketch.side < 0 else -1)
+    _rod_angle(sketch, one)
+    level, start = _level(sketch, 1), sketch.drive.inner.head[0]
+    if (start - one.head[0]) / mm > LEAST_DIMENSION:
+        line(sketch, one.head, (one.head[0], level + sketch.side * mm), zorder=4)
+        dimension(sketch, (start, level), (one.head[0], level), "$x$")
+
+
+def _level(sketch: _Sketch, row: int) -> float:
+    """Return where the dimension lines of a row are, counted from the guides."""
+    return sketch.drive.offset + sketch.side * (HEAD_HEIGHT / 2 + 5.5 * row) * sketch.mm
+
+
+def _rod_angle(sketch: _Sketch, one: Position) -> None:
+    mm, turn = sketch.mm, one.rod_angle
+    # The guides leave room for the arc at their end, unless the rod is too short.
+    start = sketch.drive.outer.head[0] - (HEAD_LENGTH / 2 + OVERRUN + 2.5) * mm
+    radius = min(max(one.head[0] - start, 16 * mm), 0.7 / sketch.drive.ratio)
+    if abs(math.radians(turn)) * radius < 1.2 * mm:
+        return
+    arc(sketch, one.head, radius, 180 - max(turn, 0), 180 - min(turn, 0), arrow=False)
+    place = polar_point(one.head, radius + 2.3 * mm, 180 - turn / 2)
+    if abs(math.radians(turn)) * (radius + 2.3 * mm) < 3.6 * mm:
+        place = (one.head[0] - radius, one.head[1] + sketch.side * 2.6 * mm)
+    # The rod passes over the background of the letter, which would cut it.
+    write(sketch, place, PSI, zorder=5)

@@ -1,0 +1,70 @@
+"""Which curves share a panel, and what tells them from each other there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from typing import NamedTuple
+
+from kurbel.errors import ProblemError
+from kurbel.exact.numerals import Label
+from kurbel.motion.captions import enumerated
+from kurbel.plot.plotting import Curve, Panel, check_count
+from kurbel.reading.notation import about
+
+# Four points to each dot of a printer with 1200 dpi, over the width of a panel.
+MOST_POINTS = 20_000
+
+
+class Trace(NamedTuple):
+    """A curve before it has a panel and a label.
+
+    `name` and `heading` are those of its quantity at an axis, Kolbenweg and $x/R$; `unit` is that of its
+    values and `axis_unit` the same, unless the heading has it. `telling` are the drive and the like, which
+    tell it from the other curves of its quantity.
+    """
+
+    name: str
+    heading: Label
+    unit: Label
+    axis_unit: Label
+    telling: tuple[Label, ...]
+    angles: Sequence[float]
+    values: Sequence[float]
+
+
+def panels_of(traces: Iterable[Trace], lang: str, apart: bool) -> list[Panel]:
+    """Return a panel for each unit, if the quantities are to stand apart one for each of them."""
+    groups: dict[tuple[str, ...], list[Trace]] = {}
+    for one in traces:
+        groups.setdefault((one.unit, *([one.name] if apart else [])), []).append(one)
+    return [_panel(group, lang) for group in groups.values()]
+
+
+def _panel(traces: Sequence[Trace], lang: str) -> Panel:
+    first = traces[0]
+    alike = len({(one.name, one.heading) for one in traces}) == 1
+    label = f"{first.name} {first.heading}" if alike else enumerated((one.name for one in traces), lang)
+    parts = [(one.heading, *one.telling) for one in traces]
+    # Only what is not the same of all tells one from the others.
+    differing = [len(set(column)) > 1 for column in zip(*parts, strict=True)]
+    labels = (", ".join(part for part, tells in zip(one, differing, strict=True) if tells) for one in parts)
+    curves = [Curve(text, one.angles, one.values) for text, one in zip(labels, traces, strict=True)]
+    return Panel(curves, label, first.axis_unit)
+
+
+def check_drawn(angles: Sequence[Fraction], count: int) -> None:
+    """Raise ProblemError unless so many curves can be drawn over the angles, before they are computed."""
+    check_count(count)
+    if len(angles) > MOST_POINTS:
+        raise ProblemError(
+            f"curves of {len(angles)} points were asked for; at most {MOST_POINTS} can be drawn,"
+            " so make the step larger"
+        )
+    if len(angles) < 2:
+        raise ProblemError(f"the only crank angle is {about(angles[0])}°; a curve needs two")
+
+
+def degrees(angles: Sequence[Fraction]) -> list[float]:
+    """Return exact angles as floats."""
+    return [float(angle) for angle in angles]

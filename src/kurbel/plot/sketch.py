@@ -1,0 +1,174 @@
+"""What drawings of mechanisms are made of: links, joints, dimensions, and texts where there is room.
+
+Lengths are in units of the crank radius R.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, Protocol
+
+from kurbel.plot.place import AROUND, Points, around, box_points, densely, freest
+from kurbel.plot.style import BLACK, GREY, MEDIUM, SMALL_TEXT, THIN, WHITE, arrowhead, size_of, text_of
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.lines import Line2D
+
+Point = tuple[float, float]
+
+# What drawings call the ends of the stroke.
+DEAD_CENTRES = {
+    "inner": {"de": "innerer Totpunkt", "en": "inner dead centre"},
+    "outer": {"de": "äußerer Totpunkt", "en": "outer dead centre"},
+}
+# In mm.
+LEAST_DIMENSION, SMALL_CRANK = 5.0, 9.5
+PHI = text_of("$φ$", ".")
+# Chains of long and short strokes, for centre lines.
+CHAIN = (0, (14, 3, 2, 3))
+BACKGROUND = {"facecolor": WHITE, "edgecolor": "none", "pad": 0.6}
+
+
+class Sketch(Protocol):
+    """A drawing in units of R, and what a millimetre is in them."""
+
+    @property
+    def axes(self) -> Axes: ...
+    @property
+    def mm(self) -> float: ...
+
+
+def line(sketch: Sketch, *points: Point, **look: Any) -> Line2D:
+    own: dict[str, Any] = {"color": BLACK, "linewidth": THIN, "solid_capstyle": "butt"}
+    return sketch.axes.plot(*zip(*points, strict=True), **(own | look))[0]
+
+
+def joint(
+    sketch: Sketch, centre: Point, radius: float, colour: str, width: float, filling: str = WHITE
+) -> None:
+    from matplotlib.patches import Circle
+
+    disc = Circle(centre, radius * sketch.mm, zorder=7 if colour == BLACK else 4)
+    disc.set(facecolor=filling, edgecolor=colour, linewidth=width)
+    sketch.axes.add_patch(disc)
+
+
+def light_links(sketch: Sketch, *joints: Point) -> None:
+    """Draw links from joint to joint as of a further position; pin and head come after the shaft."""
+    line(sketch, *joints, color=GREY, linewidth=MEDIUM, zorder=3)
+    for centre in joints[1:3]:
+        joint(sketch, centre, 0.7, GREY, MEDIUM)
+
+
+def write(sketch: Sketch, place: Point, text: str, **look: Any) -> None:
+    own: dict[str, Any] = {"ha": "center", "va": "center", "zorder": 8, "bbox": BACKGROUND}
+    sketch.axes.text(*place, text, **(own | look))
+
+
+def arc(sketch: Sketch, centre: Point, radius: float, start: float, end: float, arrow: bool) -> None:
+    steps = max(2, int((end - start) / 2) + 1)
+    turns = [start + (end - start) * step / steps for step in range(steps + 1)]
+    points = [polar_point(centre, radius, turn) for turn in turns]
+    line(sketch, *points, linewidth=MEDIUM, zorder=4)
+    if arrow:
+        # The head is straight: turned by half its own length it follows the arc.
+        lean = math.radians(end) - 0.95 * sketch.mm / radius
+        arrowhead(sketch.axes, points[-1], (-math.sin(lean), math.cos(lean)), sketch.mm)
+
+
+def crank_angle(sketch: Sketch, pin: Point, turn: float, radius: float) -> None:
+    """Draw φ within the crank circle or, of a crank too small in mm for that, around it."""
+    mm, at, share = sketch.mm, 0.42, 0.5
+    if radius < SMALL_CRANK:
+        # Outside, the rod passes above the middle of the arc.
+        at, share, end = 1 + 2.4 * mm, 0.3, 1 + 4 * mm
+        line(sketch, pin, (pin[0] * end, pin[1] * end), zorder=4)
+    arc(sketch, (0, 0), at, 0, turn, arrow=True)
+    write(sketch, polar_point((0, 0), at + 2.5 * mm, turn * share), PHI, zorder=5)
+
+
+def dimension(sketch: Sketch, start: Point, end: Point, text: str) -> None:
+    """Draw a dimension line; where it is too short for two arrows they point at it from outside."""
+    mm, length = sketch.mm, math.dist(start, end)
+    way = ((end[0] - start[0]) / length, (end[1] - start[1]) / length)
+    inside = length > LEAST_DIMENSION * mm
+    reach = 0 if inside else 4 * mm
+    line(sketch, moved(start, way, -reach), moved(end, way, reach), zorder=4)
+    outward = 1 if inside else -1
+    arrowhead(sketch.axes, start, (-outward * way[0], -outward * way[1]), mm)
+    arrowhead(sketch.axes, end, (outward * way[0], outward * way[1]), mm)
+    beside = 0 if inside else 2.2 * mm
+    middle = moved(start, way, length / 2)
+    write(sketch, (middle[0] - beside * abs(way[1]), middle[1] + beside * abs(way[0])), text)
+
+
+def beside_link(sketch: Sketch, start: Point, end: Point, text: str, share: float, side: int) -> None:
+    """Write a text beside a link, on its left (1) or right (-1), at a share of its length."""
+    x, y = (begin + share * (stop - begin) for begin, stop in zip(start, end, strict=True))
+    length = math.dist(start, end)
+    distance = side * 2.6 * sketch.mm / length
+    write(sketch, (x - (end[1] - start[1]) * distance, y + (end[0] - start[0]) * distance), text)
+
+
+def crank_circle(sketch: Sketch, centre: Point = (0, 0)) -> None:
+    from matplotlib.patches import Circle
+
+    sketch.axes.add_patch(Circle(centre, 1, fill=False, edgecolor=GREY, linewidth=MEDIUM, zorder=2))
+
+
+def dead_tick(sketch: Sketch, pin: Point) -> None:
+    """Mark a dead centre on the crank circle about the origin."""
+    inside, outside = 1 - 1.6 * sketch.mm, 1 + 1.6 * sketch.mm
+    ends = [(pin[0] * share, pin[1] * share) for share in (inside, outside)]
+    line(sketch, *ends, linewidth=MEDIUM, zorder=3)
+
+
+def bearing(sketch: Sketch, centre: Point) -> None:
+    """Draw the end of a shaft, which is fixed in the frame."""
+    joint(sketch, centre, 1.7, BLACK, MEDIUM)
+    joint(sketch, centre, 0.35, BLACK, MEDIUM, BLACK)
+
+
+def beside_points(sketch: Sketch, places: Sequence[tuple[Point, Point, str]]) -> None:
+    """Write texts beside points, each at best in a direction of its own, as far as there is room."""
+    import numpy as np
+
+    (left, right), (bottom, top) = sketch.axes.get_xlim(), sketch.axes.get_ylim()
+    corner, mm = np.asarray((left, bottom)), sketch.mm
+    frame = (0, 0, (right - left) / mm, (top - bottom) / mm)
+    taken = (_taken(sketch) - corner) / mm
+    for point, outward, text in places:
+        size = size_of(text, SMALL_TEXT)
+        near = around((np.asarray(point) - corner) / mm, size, np.asarray(outward))
+        place = freest(near, size, np.empty((0, 2)), taken, frame, AROUND)
+        if place is not None:
+            taken = np.concatenate((taken, box_points(place, size)))
+            x, y = corner + place * mm
+            write(sketch, (float(x), float(y)), text, fontsize=SMALL_TEXT, bbox=None)
+
+
+def _taken(sketch: Sketch) -> Points:
+    """Return points of all crank circles, lines and texts so far."""
+    import numpy as np
+    from matplotlib.patches import Circle
+
+    apart = 0.5 * sketch.mm
+    centres = [one.center for one in sketch.axes.patches if isinstance(one, Circle) and one.radius == 1]
+    circles = [[polar_point(one, 1, turn) for turn in range(0, 361, 5)] for one in centres]
+    lines = [*map(np.asarray, circles), *(np.asarray(line.get_xydata()) for line in sketch.axes.lines)]
+    boxes = [text.get_window_extent() for text in sketch.axes.texts]
+    to_radii = sketch.axes.transData.inverted()
+    corners = [to_radii.transform(((box.x0, box.y0), (box.x1, box.y1))) for box in boxes]
+    written = [box_points(low / 2 + high / 2, tuple(high - low), apart) for low, high in corners]
+    return np.concatenate([*(densely(line, apart) for line in lines), *written])
+
+
+def polar_point(centre: Point, radius: float, turn: float) -> Point:
+    angle = math.radians(turn)
+    return centre[0] + radius * math.cos(angle), centre[1] + radius * math.sin(angle)
+
+
+def moved(point: Point, way: Point, distance: float) -> Point:
+    return point[0] + distance * way[0], point[1] + distance * way[1]

@@ -1,0 +1,190 @@
+"""What all drawings share: type, lines, sizes in millimetres, and files of identical bytes.
+
+Needs the extra `plot`. Drawings never touch pyplot, which keeps global state and may open windows.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from io import BytesIO
+from threading import RLock
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from kurbel.errors import MissingExtraError
+from kurbel.exact.numerals import Label
+from kurbel.formats.escapes import escape_latex, mark_text
+from kurbel.formats.formula_print import formula_latex
+from kurbel.page.formula import GREEK, SIGNS, SYMBOLS, Formula
+from kurbel.page.labels import set_label
+from kurbel.reading.choices import choose
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+# The type area of a book of octavo or A5 size; a drawing is included at its own size.
+WIDTH = 120.0
+MM_PER_INCH = 25.4
+# A millimetre in points, matplotlib's unit of type and lines.
+MM = 72 / MM_PER_INCH
+DOTS_PER_INCH = 300
+DOTS_PER_MM = DOTS_PER_INCH / MM_PER_INCH
+
+TEXT_SIZE = 9.0
+SMALL_TEXT = 8.0
+THIN, MEDIUM, STRONG = 0.4, 0.7, 1.2
+BLACK, GREY, PALE, WHITE = "#000000", "#8c8c8c", "#d9d9d9", "#ffffff"
+
+STYLE: Mapping[Any, Any] = {
+    # matplotlib brings these fonts along: text and formulas match, and look the same on every machine.
+    "font.family": ["STIXGeneral"],
+    "mathtext.fontset": "stix",
+    "font.size": TEXT_SIZE,
+    "figure.dpi": DOTS_PER_INCH,
+    "savefig.dpi": DOTS_PER_INCH,
+    "axes.linewidth": THIN,
+    # Every given point is drawn, in every format.
+    "path.simplify": False,
+    # Ids in SVG are hashes with a salt, by default a random one.
+    "svg.hashsalt": "kurbel",
+    # Outlines instead of letters: a page without the STIX fonts, which is nearly every one, would set other
+    # letters of other widths.
+    "svg.fonttype": "path",
+    # TrueType, which printers' checks accept and readers can search; by default it is Type 3.
+    "pdf.fonttype": 42,
+}
+# Settings of the process, not of a drawing: a change would have effects outside.
+_PROCESS = frozenset(("backend", "backend_fallback", "interactive", "toolbar", "timezone", "date.epoch"))
+
+FORMATS: Mapping[str, Mapping[str, str | None]] = {
+    # No date and no version: the same drawing is the same file.
+    "svg": {"Date": None, "Creator": None},
+    "png": {"Software": None},
+    "pdf": {"CreationDate": None, "Creator": "kurbel", "Producer": None},
+}
+_LOCK = RLock()
+
+
+class Line(NamedTuple):
+    """A colour, a pattern in units of the line's width, and a width in points."""
+
+    colour: str
+    dashes: tuple[float, ...]
+    width: float
+
+
+# Okabe and Ito's colours, which colour-blind eyes tell apart, without those too pale for thin lines. The
+# pattern alone tells the first six lines apart, pattern and width twelve.
+_COLOURS = (BLACK, "#0072b2", "#d55e00", "#009e73", "#a8508c", "#7a5c00")
+_PATTERNS: tuple[tuple[float, ...], ...] = (
+    (),
+    (6, 2),
+    (7, 2, 1.2, 2),
+    (1.2, 1.6),
+    (12, 2.5),
+    (7, 2, 1.2, 2, 1.2, 2),
+)
+LINES = tuple(
+    Line(colour, dashes, width)
+    for width in (STRONG, 0.55)
+    for colour, dashes in zip(_COLOURS, _PATTERNS, strict=True)
+)
+
+
+@contextmanager
+def style() -> Iterator[None]:
+    """Draw in kurbel's style, whatever a matplotlibrc says; raise MissingExtraError without matplotlib.
+
+    matplotlib's settings belong to the whole process: they are set for the time of the block, in one thread
+    after the other.
+    """
+    try:
+        import matplotlib
+    except ImportError:
+        raise MissingExtraError(
+            "drawings need matplotlib; install it with: pip install 'kurbel[plot]'"
+        ) from None
+    with _LOCK, matplotlib.rc_context():
+        defaults = matplotlib.rcParamsDefault
+        matplotlib.rcParams.update({name: defaults[name] for name in defaults if name not in _PROCESS})
+        matplotlib.rcParams.update(STYLE)
+        yield
+
+
+def page(height: float, width: float = WIDTH) -> Figure:
+    """Return an empty figure of a size in mm. Only inside `style`."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(width / MM_PER_INCH, height / MM_PER_INCH))
+    FigureCanvasAgg(figure)
+    return figure
+
+
+def arrowhead(axes: Axes, tip: Any, direction: Any, mm: float, size: float = 1.9, slim: float = 0.17) -> None:
+    """Draw a filled arrowhead of a length in mm; mm is a millimetre in units of the axes."""
+    import numpy as np
+
+    along = np.asarray(direction) / np.hypot(*direction) * size * mm
+    side = np.asarray((-along[1], along[0])) * slim
+    base = np.asarray(tip) - along
+    corners = np.stack((np.asarray(tip), base + side, base - side))
+    axes.fill(*corners.T, color=BLACK, linewidth=0, zorder=6, clip_on=False)
+
+
+def image(figure: Figure, name: str, title: str = "") -> bytes:
+    """Return a figure as a file of the format svg, png or pdf.
+
+    The same figure is the same bytes in every process, time zone, locale and folder, given one version of
+    matplotlib and its libraries: the file has no date, hence none that SOURCE_DATE_EPOCH would have to fix.
+    The title, plain text, is for readers that do not see the drawing.
+    """
+    metadata = dict(FORMATS[choose(name, FORMATS, "drawing format")])
+    if title:
+        metadata["Title"] = title
+    stream = BytesIO()
+    with style():
+        figure.savefig(stream, format=name, metadata=metadata)
+    return stream.getvalue()
+
+
+# What escape_latex makes of the signs in upright text, which mathtext takes as they are.
+_ESCAPED = {
+    escaped: sign
+    for sign in "".join((*GREEK, *SIGNS, *SYMBOLS, "[]*~^`"))
+    if (escaped := escape_latex(sign)) not in (sign, f"\\{sign}")
+}
+# mathtext sets a colon as a relation, with wide spaces, even in braces.
+_COLON = r"\text{:}"
+_SHORT = re.compile(r"\\(le|ge)(?![A-Za-z])")
+
+
+def text_of(label: Label, mark: str) -> str:
+    """Return a label in matplotlib's notation: prose as it is, formulas in mathtext."""
+    return set_label(label, _prose, lambda formula: _mathtext(formula, mark), mark_text)
+
+
+def _prose(text: str) -> str:
+    # The ² and ³ of the fonts are far bolder than their letters.
+    return text.replace("$", r"\$").replace("²", "$^2$").replace("³", "$^3$")
+
+
+def _mathtext(formula: Formula, mark: str) -> str:
+    """Return a formula in mathtext, which is LaTeX but for a few commands."""
+    latex = formula_latex(formula, mark)[1:-1]
+    for escaped, sign in _ESCAPED.items():
+        latex = latex.replace(escaped, sign)
+    return f"${_SHORT.sub(_long_name, latex.replace('{:}', _COLON))}$"
+
+
+def _long_name(match: re.Match[str]) -> str:
+    return f"{match[0]}q"
+
+
+def size_of(text: str, points: float = TEXT_SIZE) -> tuple[float, float]:
+    """Return width and height in mm of a text in matplotlib's notation. Only inside `style`."""
+    figure = page(1)
+    box = figure.text(0, 0, text, fontsize=points).get_window_extent()
+    return box.width / DOTS_PER_MM, box.height / DOTS_PER_MM

@@ -1,0 +1,1 @@
+"""How people write: numbers, ratios, angles, units, conditions, choices, TOML, CSV."""

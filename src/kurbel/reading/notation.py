@@ -1,0 +1,341 @@
+"""Text to exact numbers, and back, as engineers write them: 1:4,5  2..6:0.5  2°30'  0..180:10.
+
+Whether a crank with such a ratio can turn is decided in problem.py.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from decimal import Context, Decimal
+from fractions import Fraction
+from typing import overload
+
+from kurbel.errors import NotationError
+from kurbel.exact.numerals import finite_decimals, nearest, number_text
+
+LONGEST_NUMBER = 60
+# A range is three numbers; a longer text would keep the patterns of ranges busy for minutes.
+LONGEST_RANGE = 4 * LONGEST_NUMBER
+LONGEST_LIST = 10_000
+LONGEST_ANGLE_LIST = 10**6
+MOST_ROWS = 10**9
+
+# Pages print U+2212 for minus, and what is copied from them is read back.
+_MINUS = ("-", "−")
+_NUMBER = re.compile(r"([+−-]?)(\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE]([+-]?\d{1,3}))?", re.ASCII)
+_ANGLE = re.compile(
+    r"([+−-]?)(?:(?P<deg>\d+(?:[.,]\d+)?)\s*(?:°|deg))?\s*"
+    r"(?:(?P<min>\d+(?:[.,]\d+)?)\s*['′’])?\s*(?:(?P<sec>\d+(?:[.,]\d+)?)\s*(?:\"|″|''))?",
+    re.ASCII,
+)
+_WHOLE = re.compile(r"[+-]?\d+", re.ASCII)
+_INFINITE = {"∞", "inf", "oo"}
+
+
+@dataclass(frozen=True, slots=True)
+class Progression(Sequence[Fraction]):
+    """Equally spaced exact numbers: start, start + step, ...; a sequence that is never written out."""
+
+    start: Fraction
+    step: Fraction
+    size: int
+
+    def __len__(self) -> int:
+        return self.size
+
+    @overload
+    def __getitem__(self, index: int) -> Fraction: ...
+    @overload
+    def __getitem__(self, index: slice) -> Progression: ...
+
+    def __getitem__(self, index: int | slice) -> Fraction | Progression:
+        if isinstance(index, slice):
+            rows = range(self.size)[index]
+            return Progression(self.start + rows.start * self.step, self.step * rows.step, len(rows))
+        if not -self.size <= index < self.size:
+            raise IndexError(index)
+        return self.start + (index % self.size) * self.step
+
+
+def number(text: str, what: str = "number") -> Fraction:
+    """Return the exact value of a decimal: "4,5", "4.5", "-2e-3"."""
+    stripped = text.strip()
+    if len(stripped) > LONGEST_NUMBER:
+        raise NotationError(
+            f"{what} {_shown(text)} has {len(stripped)} characters; at most {LONGEST_NUMBER} are read"
+        )
+    match = _NUMBER.fullmatch(stripped)
+    if match is None:
+        raise NotationError(f"{what} {_shown(text)} is not a number; write it as 4.5 or 4,5")
+    sign, digits, exponent = match.groups()
+    value = Fraction(digits.replace(",", ".")) * Fraction(10) ** int(exponent or 0)
+    return -value if sign in _MINUS else value
+
+
+def ratio(text: str) -> Fraction:
+    """Return λ = R/L from "1:5", "1:4,5", "1/4.5", "2:9", "0.2"; "1:∞" is the infinite rod, 0."""
+    parts = re.split(r"[:/∶]", text.strip())
+    try:
+        if len(parts) == 1:
+            return number(parts[0])
+        crank, rod = parts
+        if rod.strip().lower() in _INFINITE:
+            number(crank)
+            return Fraction(0)
+        length = number(rod)
+        if not length:
+            raise NotationError("the rod has no length")
+        value = number(crank) / length
+        # Two negative lengths are no ratio either; the sign lets problem.py say so.
+        return -abs(value) if length < 0 else value
+    except (NotationError, ValueError):
+        raise NotationError(
+            f"crank ratio {_shown(text)} is not a ratio R:L; write it as 1:5, 1:4,5, 1/4.5 or 0.2,"
+            " and 1:∞ or 1:inf for an infinite rod"
+        ) from None
+
+
+def angle(text: str, what: str = "angle") -> Fraction:
+    """Return degrees from "45", "22.5", "2°30'", "79°20'15\"", with signs."""
+    stripped = text.strip()
+    match = _ANGLE.fullmatch(stripped) if len(stripped) <= LONGEST_NUMBER else None
+    if match is None or not any(match.group("deg", "min", "sec")):
+        try:
+            return number(text)
+        except NotationError:
+            raise NotationError(
+                f"{what} {_shown(text)} is not an angle in degrees; write it as 22.5 or 22°30'"
+            ) from None
+    degrees, minutes, seconds = (number(part or "0") for part in match.group("deg", "min", "sec"))
+    if minutes >= 60 or seconds >= 60:
+        raise NotationError(f"{what} {_shown(text)} has 60 or more minutes or seconds; carry them over")
+    value = degrees + minutes / 60 + seconds / 3600
+    return -value if match.group(1) in _MINUS else value
+
+
+def ratios(texts: Iterable[str]) -> tuple[Fraction, ...]:
+    """Return the ratios of lists and ranges: "1:5", "1:4;1:4,5", "1:3..6", "1:3..6:0.5", "0.2..0.3:0.05"."""
+    found: list[Fraction] = []
+    for text in texts:
+        for part in _items(text, ratio, "crank ratio"):
+            found.extend(_ratio_range(part) if ".." in part else [ratio(part)])
+            _check_length(len(found), LONGEST_LIST, "crank ratios")
+    return tuple(dict.fromkeys(found))
+
+
+def angles(texts: Iterable[str]) -> Sequence[Fraction]:
+    """Return the angles of lists and ranges: "0;30;60", "0..180:10", "2°30'..10°:2°30'"."""
+    parts = [part for text in texts for part in _items(text, angle, "angle")]
+    if len(parts) == 1 and ".." in parts[0]:
+        return _angle_range(parts[0])
+    found: list[Fraction] = []
+    for part in parts:
+        values = _angle_range(part) if ".." in part else [angle(part)]
+        _check_length(len(found) + len(values), LONGEST_ANGLE_LIST, "angles in a list")
+        found.extend(values)
+    return tuple(dict.fromkeys(found))
+
+
+def numbers(texts: Iterable[str], what: str) -> tuple[Fraction, ...]:
+    """Return the numbers of lists and ranges, each once: "4", "2;3;4", "2..6", "2..6:0.5"."""
+    return tuple(dict.fromkeys(each_number(texts, what)))
+
+
+def each_number(texts: Iterable[str], what: str) -> tuple[Fraction, ...]:
+    """Return the numbers of lists and ranges, equal ones too: "0;0;1;1"."""
+
+    def one(text: str) -> Fraction:
+        return number(text, what)
+
+    found: list[Fraction] = []
+    for text in texts:
+        for part in _items(text, one, what):
+            values = _number_range(part, what) if ".." in part else [one(part)]
+            _check_length(len(found) + len(values), LONGEST_LIST, f"{what}s")
+            found.extend(values)
+    return tuple(found)
+
+
+def irregularities(texts: Iterable[str]) -> tuple[Fraction, ...]:
+    """Return the degrees of irregularity of lists: "1:100", "0.01;1/150"."""
+    what = "degree of irregularity"
+    # None is 0, so that 0,01 can only be a decimal.
+    decimals = (re.sub(r"\b0,(?=\d)", "0.", text) for text in texts)
+    parts = [part for text in decimals for part in _items(text, _irregularity, what)]
+    _check_length(len(parts), LONGEST_LIST, "degrees of irregularity")
+    return tuple(dict.fromkeys(map(_irregularity, parts)))
+
+
+def crank_angles(text: str) -> Sequence[Fraction]:
+    """Return the angles of a list or a range, also of two cranks at one angle: "0;90", "0;120;240"."""
+    parts = _items(text, angle, "angle")
+    if len(parts) == 1 and ".." in parts[0]:
+        return _angle_range(parts[0])
+    return tuple(each for part in parts for each in (_angle_range(part) if ".." in part else [angle(part)]))
+
+
+def share(text: str, what: str) -> Fraction:
+    """Return a share: "0.05", "0,05", "5%"."""
+    stripped = text.strip()
+    if not stripped.endswith("%"):
+        return number(stripped, what)
+    try:
+        return number(stripped[:-1], what) / 100
+    except NotationError:
+        raise NotationError(f"{what} {_shown(text)} is not a share; write it as 0.05 or 5%") from None
+
+
+def names(texts: Iterable[str], what: str, example: str) -> tuple[str, ...]:
+    """Return the names of lists such as "phi,x,c,p", each once."""
+    found: dict[str, None] = {}
+    for text in texts:
+        parts = [part.strip() for part in text.replace(";", ",").split(",")]
+        if not all(parts):
+            raise NotationError(f"{what} {_shown(text)} has an empty place; write it as {example}")
+        found |= dict.fromkeys(parts)
+    return tuple(found)
+
+
+def progression(start: Fraction, stop: Fraction, step: Fraction, what: str = "angle") -> Progression:
+    """Return start, start + step, ... up to and including stop."""
+    if stop < start:
+        raise NotationError(
+            f"the {what}s run from {about(start)} to {about(stop)}; the end must not lie before the start"
+        )
+    if step <= 0:
+        raise NotationError(f"step {about(step)} leads nowhere; it must be above 0")
+    if step > stop - start and stop > start:
+        raise NotationError(
+            f"step {about(step)} is larger than the range {about(start)}..{about(stop)};"
+            f" at most {about(stop - start)} fits"
+        )
+    count = (stop - start) // step + 1
+    if count > MOST_ROWS:
+        raise NotationError(
+            f"step {about(step)} makes a table of {about(Fraction(count))} rows; at most 10^9 are allowed"
+        )
+    return Progression(start, step, count)
+
+
+def ratio_text(value: Fraction, mark: str = ".") -> str:
+    """Return the ratio as books print it: 1:5, 1:4.5, 3:7, 1:∞."""
+    if not value:
+        return "1:∞"
+    if finite_decimals(1 / value) is not None:
+        return f"1:{plain(1 / value, mark)}"
+    return f"{value.numerator}:{value.denominator}"
+
+
+def plain(value: Fraction, mark: str = ".", minus: str = "-") -> str:
+    """Return the shortest exact decimal, or the value to 15 places where none is exact."""
+    decimals = finite_decimals(value)
+    if decimals is not None and decimals <= LONGEST_NUMBER:
+        return number_text(nearest(value, decimals), mark, minus)
+    return number_text(nearest(value, 15), mark, minus)
+
+
+def about(value: Fraction) -> str:
+    """Return the value for a message: exact where that is short, else "1e-300" or 0.333333333333333."""
+    exact = plain(value)
+    if finite_decimals(value) is not None and len(exact) <= 20 and bool(value) == (exact.strip("-0.") != ""):
+        return exact
+    shortened = Decimal(value.numerator) / value.denominator
+    return f"{shortened.normalize(Context(prec=15)):g}"
+
+
+def _items(text: str, read: Callable[[str], Fraction], what: str) -> list[str]:
+    _check_commas(text, read, what)
+    parts = [part.strip() for part in text.split(";")]
+    if len(parts) > 1 and not all(parts):
+        raise NotationError(f"{what} {_shown(text)} has an empty place; write a list as 2;3;4")
+    longest = max(parts, key=len)
+    if len(longest) > LONGEST_RANGE:
+        raise NotationError(
+            f"{what} {_shown(longest)} has {len(longest)} characters; at most {LONGEST_RANGE} are read"
+        )
+    return parts
+
+
+def _check_commas(text: str, read: Callable[[str], Fraction], what: str) -> None:
+    """Raise NotationError if commas could part a list: 2,3 or 1:4,1:5; in 1:4,5 they cannot."""
+    parts = [part.strip() for part in text.split(",")]
+    if len(parts) == 1 or not all(_is_read(part, read) for part in parts):
+        return
+    listed = _clipped(";".join(parts))
+    if not _is_read(text, read):
+        raise NotationError(
+            f"{what} {_shown(text)} has commas between its values; write the list as {listed}"
+        )
+    if all(_WHOLE.fullmatch(part) for part in parts):
+        decimal = ".".join(parts)
+        raise NotationError(
+            f"{what} {_shown(text)} can be read as the number {decimal} or the list {listed};"
+            f" write {decimal} or {listed}"
+        )
+
+
+def _is_read(text: str, read: Callable[[str], Fraction]) -> bool:
+    try:
+        read(text)
+    except NotationError:
+        return False
+    return True
+
+
+def _ratio_range(text: str) -> Sequence[Fraction]:
+    """1:3..6:0.5 and 1:3..1:6 step the rod length L/R; 0.2..0.3:0.05 steps the ratio itself."""
+    match = re.fullmatch(r"(?:(1)\s*[:/])?([^:/]+)\.\.(?:1\s*[:/](?=.))?([^:/]+)(?::([^:/]+))?", text)
+    if match is None:
+        raise NotationError(
+            f"crank ratio {_shown(text)} is not a range; write it as 1:3..6, 1:3..6:0.5 or 0.2..0.3:0.05"
+        )
+    by_length, first, last, step = match.groups()
+    if by_length is None and step is None:
+        raise NotationError(
+            f"crank ratio {_shown(text)} needs a step; write 0.2..0.3:0.05, or 1:3..6 to step the rod length"
+        )
+    values = progression(number(first), number(last), number(step or "1"), "ratio")
+    _check_length(len(values), LONGEST_LIST, "crank ratios")
+    if by_length and not all(values):
+        raise NotationError(f"crank ratio {_shown(text)} contains 1:0; the rod must have a length")
+    return [1 / value for value in values] if by_length else values
+
+
+def _irregularity(text: str) -> Fraction:
+    try:
+        return share(text, "") if text.strip().endswith("%") else ratio(text)
+    except NotationError:
+        raise NotationError(
+            f"degree of irregularity {_shown(text)} cannot be read; write it as 1:100, 0.01 or 1%"
+        ) from None
+
+
+def _number_range(text: str, what: str) -> Sequence[Fraction]:
+    match = re.fullmatch(r"([^:]+?)\.\.([^:]+)(?::([^:]+))?", text)
+    if match is None:
+        raise NotationError(f"{what} {_shown(text)} is not a range; write it as 2..6 or 2..6:0.5")
+    first, last, step = match.groups()
+    return progression(number(first, what), number(last, what), number(step or "1", "step"), what)
+
+
+def _angle_range(text: str) -> Progression:
+    match = re.fullmatch(r"(.+?)\.\.(.+?)(?::(.+))?", text)
+    if match is None:
+        raise NotationError(f"angle {_shown(text)} is not a range; write it as 0..180:10")
+    first, last, step = match.groups()
+    return progression(angle(first), angle(last), angle(step or "1"))
+
+
+def _check_length(count: int, most: int, what: str) -> None:
+    if count > most:
+        raise NotationError(f"{count} {what} were given; at most {most} are allowed")
+
+
+def _shown(text: str) -> str:
+    return f'"{_clipped(text)}"'
+
+
+def _clipped(text: str) -> str:
+    return text if len(text) <= LONGEST_NUMBER else f"{text[:20]}..."

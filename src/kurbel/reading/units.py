@@ -1,0 +1,156 @@
+"""Lengths, speeds and powers with their units, exact: 600mm, 23.5 inch, 120/min, 12.5 rad/s, 50kW.
+
+Needs the extra `units`.
+"""
+
+from __future__ import annotations
+
+import re
+from fractions import Fraction
+from functools import cache
+from typing import Any
+
+from kurbel.errors import MissingExtraError, NotationError
+from kurbel.reading.notation import number
+from kurbel.reading.speed import Speed
+
+# The number is read by kurbel, for pint would evaluate 9**9**9; the unit may not compute either.
+_MEASURE = re.compile(
+    r"\s*([+-]?[\d.,]+(?:[eE][+-]?\d+)?)\s*"
+    r"(/?\s*[A-Za-zµ_]+(?:\s*[/*·]\s*[A-Za-zµ]+)*|1\s*/\s*[A-Za-z]+)?\s*"
+)
+_LONGEST = 80
+_LARGEST = 10**9
+# Umdrehungen and Pferdestärken, as German data sheets write them; pint's U is the unit of enzymes, and its
+# PS are petasiemens.
+_GERMAN = {
+    "U/min": "rpm", "Upm": "rpm", "U/s": "turn/s", "min⁻¹": "/min", "PS": "metric_horsepower",
+}  # fmt: skip
+_SQUARES = ("s²", "s^2", "s**2")
+
+
+def length(text: str, what: str) -> Fraction:
+    """Return a length in metres, above 0: "600mm", "0,6 m", "23.5 inch"."""
+    return _checked(displacement(text, what), text, what, "m")
+
+
+def displacement(text: str, what: str) -> Fraction:
+    """Return a length in metres that may be 0 or negative: "-20mm"."""
+    return Fraction(_quantity(text, what, "a length such as 600mm", "[length]").to("m").magnitude)
+
+
+def speed(text: str) -> Speed:
+    """Return a speed of rotation: "120/min", "2 Hz", "720 deg/s" in turns, "12.5 rad/s" in radians."""
+    example = "a speed of rotation such as 120/min, 120rpm or 12.5rad/s"
+    quantity = _quantity(text, "speed", example, "1/[time]")
+    name, root = _name(quantity, text), _name(quantity.to_root_units(), text)
+    if root not in ("1 / second", "radian / second"):
+        # Becquerel and baud count other things than turns.
+        raise NotationError(f'speed "{text[:40]}" is in {name}; it must be {example}')
+    if "radian" in name:
+        return Speed(_checked(quantity.to("rad/s").magnitude, text, "speed", "rad/s"), turns=False)
+    # Degrees and revolutions are a rational part of pint's turn, though its π is not exact.
+    per_second = "1/s" if root == "1 / second" else "turn/s"
+    return Speed(_checked(quantity.to(per_second).magnitude, text, "speed", "turns a second"))
+
+
+def velocity(text: str, what: str) -> Fraction:
+    """Return a velocity in m/s: "3 m/s", "500 ft/min"."""
+    found = _quantity(text, what, "a velocity such as 3 m/s", "[length]/[time]")
+    return Fraction(found.to("m/s").magnitude)
+
+
+def acceleration(text: str, what: str) -> Fraction:
+    """Return an acceleration in m/s²: "50 m/s²", "50 m/s^2"."""
+    found = _quantity(text, what, "an acceleration such as 50 m/s²", "[length]/[time]**2")
+    return Fraction(found.to("m/s**2").magnitude)
+
+
+def power(text: str) -> Fraction:
+    """Return a power in watts, above 0: "50kW", "68 PS"."""
+    watts = _quantity(text, "power", "a power such as 50kW or 68PS", "[power]").to("W").magnitude
+    return _checked(Fraction(watts), text, "power", "W", 10**12)
+
+
+def mass(text: str, what: str) -> Fraction:
+    """Return a mass in kilograms, above 0: "200kg", "0.3 t"."""
+    kilograms = _quantity(text, what, "a mass such as 200kg", "[mass]").to("kg").magnitude
+    return _checked(Fraction(kilograms), text, what, "kg")
+
+
+def signed_mass(text: str, what: str) -> Fraction:
+    """Return a mass in kilograms, which is negative where a counterweight outweighs it: "-40kg"."""
+    return Fraction(_quantity(text, what, "a mass such as -40kg", "[mass]").to("kg").magnitude)
+
+
+def force(text: str) -> Fraction:
+    """Return a force in newtons, above 0: "10kN", "1000 kgf"."""
+    newtons = _quantity(text, "force", "a force such as 10kN", "[force]").to("N").magnitude
+    return _checked(Fraction(newtons), text, "force", "N", 10**12)
+
+
+def pressure(text: str, what: str) -> Fraction:
+    """Return a pressure in pascals, which may be below 0 where it counts from the atmosphere: "1.013bar"."""
+    return Fraction(_quantity(text, what, "a pressure such as 1bar", "[pressure]").to("Pa").magnitude)
+
+
+def is_measure(text: str) -> bool:
+    """Whether the text has a unit."""
+    match = _MEASURE.fullmatch(text) if len(text) <= _LONGEST else None
+    return match is not None and match.group(2) is not None
+
+
+def _quantity(text: str, what: str, example: str, dimension: str) -> Any:
+    match = _MEASURE.fullmatch(_translated(text)) if len(text) <= _LONGEST else None
+    if match is None:
+        raise NotationError(f'{what} "{text[:40]}" is not {example}')
+    digits, unit = match.groups()
+    if unit is None:
+        raise NotationError(f'{what} "{text[:40]}" has no unit; write {example}')
+    try:
+        quantity = registry().Quantity(number(digits, what), "1" + unit if unit.startswith("/") else unit)
+    except (AttributeError, ValueError, TypeError, AssertionError):
+        # pint answers an unknown unit with an AttributeError of its own.
+        raise NotationError(f'{what} "{text[:40]}" has the unknown unit {unit}; write {example}') from None
+    if not quantity.check(dimension):
+        raise NotationError(f'{what} "{text[:40]}" is in {_name(quantity, unit)}; it must be {example}')
+    return quantity
+
+
+def _name(quantity: Any, written: str) -> str:
+    """Return pint's name of the unit, or the one written: before Python 3.12 pint cannot name squares."""
+    try:
+        return str(quantity.units)
+    except TypeError:
+        return written
+
+
+def _translated(text: str) -> str:
+    for square in _SQUARES:
+        if text.rstrip().endswith(square):
+            return text.rstrip().removesuffix(square) + "s/s"
+    for written, read in _GERMAN.items():
+        if text.rstrip().endswith(written):
+            return text.rstrip().removesuffix(written) + read
+    return text
+
+
+def _checked(value: Fraction, text: str, what: str, unit: str, most: int = _LARGEST) -> Fraction:
+    if not 0 < value <= most:
+        power = len(str(most)) - 1
+        raise NotationError(
+            f'{what} "{text[:40]}" is out of range; it must be above 0 and at most 10^{power} {unit}'
+        )
+    return value
+
+
+@cache
+def registry() -> Any:
+    """Return pint's units, which count in fractions."""
+    try:
+        import pint
+    except ImportError:
+        raise MissingExtraError(
+            "quantities with units need pint; install it with: pip install 'kurbel[units]'"
+        ) from None
+    return pint.UnitRegistry(non_int_type=Fraction)

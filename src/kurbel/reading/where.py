@@ -1,0 +1,136 @@
+"""Conditions on the motion as text: p = 0, s = 25%, c = max, p = 1/6 of dead centre, x = 200 mm."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+
+from kurbel.errors import NotationError
+from kurbel.exact.numerals import degrees_text, finite_decimals
+from kurbel.reading import notation
+from kurbel.reading.choices import choose
+from kurbel.reading.notation import LONGEST_NUMBER, plain
+
+GRAMMAR = 'write it as p=0, s=25%, x=1.1, "x = 200 mm", c=max, p=min or "p = 1/6 of dead centre"'
+# What a condition can ask beside a number.
+VALUE, MAX, MIN, DEAD_CENTRE = "value", "max", "min", "dead centre"
+SHARE = "s"
+# Quantities that are angles, and those of which a share of the value at the dead centre makes sense.
+ANGLES = ("psi", "rocker")
+ACCELERATIONS = ("p", "acceleration")
+# Quantities that may have a unit: mm, m/s, m/s².
+MEASURED = ("x", "c", "p")
+# By mechanism: the names that may be written, and the quantity each stands for.
+SLIDE_NAMES: Mapping[str, str] = {
+    **{key: key for key in ("x", SHARE, "c", "p", "psi")},
+    **{key: key for key in ("rod_force", "guide_force", "tangential_force", "radial_force", "torque")},
+    "ψ": "psi",
+}
+ARC_NAMES: Mapping[str, str] = {
+    **{key: key for key in ("path", SHARE, "velocity", "acceleration", "rocker")},
+    **{"x": "path", "c": "velocity", "p": "acceleration", "θ": "rocker"},
+}
+SMALLEST, LARGEST = Fraction(1, 10**30), Fraction(10**30)
+
+_CONDITION = re.compile(r"\s*([^\s=<>]+)\s*=\s*([^=]*?)\s*")
+_OF_DEAD_CENTRE = re.compile(r"(.*?)\s*\bof\s+(?:the\s+)?dead\s+cent(?:re|er)")
+_FRACTION = re.compile(r"([^/]+)/([^/]+)")
+_MEASURE = re.compile(r"[+−-]?[\d.,]+(?:[eE][+-]?\d+)?\s*((?![eE][+-]?\d)[A-Za-zµ].*)")
+
+
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """That a quantity has a value, a share of its value at the dead centre, or is greatest or least.
+
+    An angle is in degrees, a path, velocity or acceleration with a `unit` in that unit, else in units of R,
+    v and v²/R. Written out it can be read again.
+    """
+
+    quantity: str
+    kind: str = VALUE
+    value: Fraction = Fraction(0)
+    unit: str = ""
+
+    def __str__(self) -> str:
+        return f"{self.quantity} = {self.right_side()}"
+
+    def right_side(self, mark: str = ".") -> str:
+        """Return what stands behind the equals sign."""
+        if self.kind in (MAX, MIN):
+            return self.kind
+        if self.kind == DEAD_CENTRE:
+            return f"{exact_text(self.value, mark)} of dead centre"
+        if self.unit:
+            return f"{exact_text(self.value, mark)} {self.unit}"
+        if self.quantity == SHARE and finite_decimals(self.value) is not None:
+            return f"{exact_text(100 * self.value, mark)}%"
+        if self.quantity in ANGLES and finite_decimals(self.value) is None:
+            return degrees_text(self.value, mark)
+        return exact_text(self.value, mark)
+
+
+def exact_text(value: Fraction, mark: str = ".") -> str:
+    """Return the shortest exact decimal, or the fraction where none is exact: 0.25, 1/6."""
+    if finite_decimals(value) is not None and len(plain(value)) <= LONGEST_NUMBER:
+        return plain(value, mark)
+    return f"{value.numerator}/{value.denominator}"
+
+
+def read_condition(text: str, names: Mapping[str, str] = SLIDE_NAMES) -> Condition:
+    """Return the condition that is written, of a quantity among the names."""
+    shown = f'condition "{text[:LONGEST_NUMBER]}"'
+    match = _CONDITION.fullmatch(text) if len(text) <= 3 * LONGEST_NUMBER else None
+    if match is None or not match.group(2):
+        raise NotationError(f"{shown} cannot be read; {GRAMMAR}")
+    name, right = match.groups()
+    quantity = names[choose(name, names, "quantity")]
+    if right in (MAX, MIN):
+        return Condition(quantity, right)
+    if share := _OF_DEAD_CENTRE.fullmatch(right):
+        return _of_dead_centre(quantity, share.group(1), shown)
+    if quantity in ANGLES:
+        return Condition(quantity, VALUE, notation.angle(right, f"{shown}:"))
+    if measure := _MEASURE.fullmatch(right):
+        unit = measure.group(1)
+        if quantity not in MEASURED:
+            raise NotationError(
+                f"{shown} has a unit, which only x, c and p of the straight or offset crank can have;"
+                f" {GRAMMAR}"
+            )
+        return Condition(quantity, VALUE, _number(right.removesuffix(unit).strip(), shown), unit)
+    if right.endswith("%") and quantity != SHARE:
+        raise NotationError(
+            f"{shown} has a percentage, which is for s, the share of the stroke, and of the dead centre;"
+            f" write it as s={right.replace(' ', '')}"
+        )
+    return Condition(quantity, VALUE, _number(right, shown))
+
+
+def _of_dead_centre(quantity: str, share: str, shown: str) -> Condition:
+    if quantity not in ACCELERATIONS:
+        raise NotationError(
+            f"{shown} has no value at the dead centre to be a share of; only the acceleration p has one"
+        )
+    return Condition(quantity, DEAD_CENTRE, _number(share or "1", shown))
+
+
+def _number(text: str, shown: str) -> Fraction:
+    """Return a number, a percentage or a fraction of two numbers: 0.25, 25%, -1/6."""
+    try:
+        value = _exact(text)
+    except (NotationError, ZeroDivisionError):
+        raise NotationError(f"{shown} cannot be read; {GRAMMAR}") from None
+    if value and not SMALLEST <= abs(value) <= LARGEST:
+        raise NotationError(f"{shown} is out of range; a value is 0 or within 10^-30 and 10^30")
+    return value
+
+
+def _exact(text: str) -> Fraction:
+    if text.endswith("%"):
+        return notation.share(text, "share")
+    if match := _FRACTION.fullmatch(text):
+        above, below = (notation.number(part) for part in match.groups())
+        return above / below
+    return notation.number(text)

@@ -1,0 +1,1 @@
+"""Conditions on any drive: all crank angles at which they hold."""

@@ -1,0 +1,185 @@
+"""What a page of solved conditions says of itself: conditions, angles, closed forms, in both languages."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from itertools import groupby
+from typing import TYPE_CHECKING
+
+from kurbel.exact.closed_form import ClosedForm, closed_forms, form_text, is_at
+from kurbel.exact.course import Target
+from kurbel.exact.numerals import Label, degrees_text, finite_decimals
+from kurbel.linkage import captions as linkage_captions
+from kurbel.linkage.arc_drive import ArcDrive
+from kurbel.linkage.page import LinkageRequest
+from kurbel.linkage.quantities import arc_registry
+from kurbel.motion import captions
+from kurbel.motion.captions import WORDS as MOTION_WORDS
+from kurbel.motion.digits import Digits
+from kurbel.motion.drives import Drive, SlideDrive
+from kurbel.motion.quantities import METHODS, RETURN, STROKES, registry
+from kurbel.page.layouts import layout
+from kurbel.reading.notation import ratio_text
+from kurbel.reading.where import ANGLES, DEAD_CENTRE, MAX, MIN, SHARE, Condition, exact_text
+from kurbel.solve.solve import Root, target_of
+
+if TYPE_CHECKING:
+    from kurbel.solve.page import SolveRequest
+
+# Of m/s².
+_SQUARE = re.compile(r'(?:²|\^2|\*\*2)"$')
+WORDS: Mapping[str, Mapping[str, str]] = {
+    "for": {"de": " für ", "en": " for "},
+    MAX: {"de": "${symbol}$ am größten", "en": "${symbol}$ greatest"},
+    MIN: {"de": "${symbol}$ am kleinsten", "en": "${symbol}$ least"},
+    DEAD_CENTRE: {
+        "de": "${symbol} = {value}$ des Wertes im Totpunkt",
+        "en": "${symbol} = {value}$ of the value at the dead centre",
+    },
+    "straight": {
+        "de": "$φ$ vom Totpunkt des Hubes, in der Umdrehung vom inneren Totpunkt; $S = 2 R$",
+        "en": "$φ$ from the dead centre of the stroke, over the turn from the inner one; $S = 2 R$",
+    },
+    "oblique": {
+        "de": "$φ$ von der Schubrichtung an; $S$ Hub",
+        "en": "$φ$ from the slide direction; $S$ stroke",
+    },
+    "extremes": {
+        "de": "größte und kleinste Werte: eines jeden Hubes",
+        "en": "greatest and least values: of each stroke",
+    },
+    "form": {"de": "$cos φ = {form}$, also {values}", "en": "$cos φ = {form}$, hence {values}"},
+    "unusable": {"de": "{values} unbrauchbar, jenseits $±1$", "en": "{values} unusable, beyond $±1$"},
+    "condition": {"de": "Bedingung", "en": "Condition"},
+    "stroke": {"de": "Hub", "en": "Stroke"},
+    "path_stroke": {"de": "Weg auf dem Bogen in Teilen des Hubes", "en": "Path along the arc in strokes"},
+    "phi_turn": {"de": "Kurbelwinkel in der Umdrehung", "en": "Crank angle over the turn"},
+}
+
+
+def caption(request: SolveRequest) -> Label:
+    """Return the layout's caption with the ratio and the condition, if there is only one, and the method."""
+    lang, drives, conditions = request.lang, request.drives, request.conditions
+    common = []
+    if len(drives) == 1 and request.method != "infinite":
+        common.append(f"${request.layout.ratio_symbol} = {ratio_text(drives[0].ratio)}$")
+    if len(conditions) == 1:
+        common.append(condition_label(conditions[0], drives[0], lang))
+    text = request.layout.caption[lang]
+    text = text.replace("{common}", WORDS["for"][lang] + ", ".join(common) if common else "")
+    return text.replace("{method}", METHODS[request.method].caption[lang])
+
+
+def condition_label(condition: Condition, drive: Drive, lang: str) -> Label:
+    """Return the condition in letters: x/R = 1.1; p = 1/6 of the value at the dead centre."""
+    shown = drive.columns[drive.column_of(condition.quantity)]
+    symbol = shown.symbol.strip("$")
+    if condition.kind in WORDS:
+        return WORDS[condition.kind][lang].format(symbol=symbol, value=exact_text(condition.value))
+    if condition.quantity == SHARE:
+        whole = finite_decimals(condition.value) is not None
+        value = f"{exact_text(100 * condition.value)} %" if whole else exact_text(condition.value)
+        return f"$x/S = {value}$"
+    if condition.quantity in ANGLES:
+        plain = finite_decimals(condition.value) is not None
+        return f"${symbol} = {exact_text(condition.value) + '°' if plain else degrees_text(condition.value)}$"
+    if condition.unit:
+        unit = _SQUARE.sub('"^2', f'"{condition.unit}"')
+        return f"${symbol} = {exact_text(condition.value)} {unit}$"
+    if condition.value:
+        symbol = shown.heading[lang].strip("$")
+    return f"${symbol} = {exact_text(condition.value)}$"
+
+
+def notes(request: SolveRequest) -> Iterator[Label]:
+    """Yield the lines below the table: angles, formulas, closed forms, lengths."""
+    lang = request.lang
+    straight = all(isinstance(one, SlideDrive) and one.is_straight for one in request.drives)
+    yield WORDS["straight" if straight else "oblique"][lang]
+    if any(condition.kind in (MAX, MIN) for condition in request.conditions):
+        yield WORDS["extremes"][lang]
+    if request.cranks:
+        yield from captions.formula_lines(request, list(_digits(request)))
+    yield from _forms(request)
+    yield from captions.drive_notes(request.cranks, lang)
+    yield from _arc_notes(request)
+
+
+def _arc_notes(request: SolveRequest) -> Iterator[Label]:
+    """Yield what pages of the arc crank say of it, on both strokes."""
+    arcs = tuple(drive.crank for drive in request.drives if isinstance(drive, ArcDrive))
+    if not arcs:
+        return
+    keys = [key for key in request.shown if key in arc_registry()]
+    both = tuple(each for key in keys or ["path"] for each in (key, f"{key}_return"))
+    page = LinkageRequest(
+        layout=layout("arc"), angles=(Fraction(0),), cranks=arcs, columns=both, lang=request.lang
+    )
+    yield from linkage_captions.notes(page)
+
+
+def _digits(request: SolveRequest) -> Iterator[Digits]:
+    """Yield what is shown and asked for, on both strokes."""
+    drive = request.drives[0]
+    asked = [drive.column_of(condition.quantity) for condition in request.conditions]
+    for key in dict.fromkeys((*request.shown, *asked)):
+        if key in registry():
+            for quantity in (registry()[key], registry()[key]._replace(stroke=RETURN)):
+                yield Digits(quantity, request.method, quantity.decimals)
+
+
+def _forms(request: SolveRequest) -> Iterator[Label]:
+    """Yield the closed forms of each ratio, condition and stroke that has some."""
+    for (ratio, condition, stroke), roots in request.found.items():
+        said = "; ".join(_said(roots, request.lang))
+        if said:
+            drive, asked = request.drives[ratio], request.conditions[condition]
+            heads = [STROKES[stroke][request.lang]]
+            if len(request.conditions) > 1:
+                heads.insert(0, condition_label(asked, drive, request.lang))
+            if len(request.drives) > 1:
+                heads.insert(0, f"${request.layout.ratio_symbol} = {ratio_text(drive.ratio)}$")
+            yield f"{', '.join(heads)}: {said}"
+
+
+def _said(roots: Sequence[Root], lang: str) -> Iterator[Label]:
+    drive, condition, stroke = roots[0].drive, roots[0].condition, roots[0].stroke
+    if not (isinstance(drive, SlideDrive) and drive.is_straight):
+        return
+    course = drive.course(condition.quantity, stroke)
+    extreme = condition.kind in (MAX, MIN)
+    formula = course.formula_slope if extreme else course.formula
+    if formula is None:
+        return
+    target = Target.rational(Fraction(0)) if extreme else target_of(drive, condition, stroke)
+    forms = closed_forms(formula, target)
+    usable = [form for form in forms if any(is_at(form, root.place) for root in roots)]
+    forms = [form for form in forms if form in usable or (formula.is_rational and not form.is_usable)]
+    if extreme:
+        forms = [form for form in forms if form in usable or form.twin in usable]
+    # Of a dead centre alone a closed form says nothing.
+    if any(form.outside or abs(form.plain) != form.below for form in forms):
+        yield from _lines(forms, usable, lang)
+
+
+def _lines(forms: Sequence[ClosedForm], usable: Sequence[ClosedForm], lang: str) -> Iterator[Label]:
+    """Yield cos φ as it is solved, then the values that no angle has."""
+    for text, of_text in groupby(usable, key=lambda form: _text(form, forms)):
+        values = MOTION_WORDS["and"][lang].join(f"${form_text(form)}$" for form in of_text)
+        rational = text == values.strip("$")
+        yield f"$cos φ = {text}$" if rational else WORDS["form"][lang].format(form=text, values=values)
+    if others := [f"${form_text(form)}$" for form in forms if not form.is_usable]:
+        yield WORDS["unusable"][lang].format(values=MOTION_WORDS["and"][lang].join(others))
+
+
+def _text(form: ClosedForm, forms: Sequence[ClosedForm]) -> str:
+    """(-5 ± sqrt(33))/4, with one sign where the twin is not among the forms."""
+    if not form.outside:
+        return form_text(form)
+    sign = "±" if form.twin in forms else "+" if form.outside > 0 else "-"
+    times = f"{abs(form.outside)} " if abs(form.outside) > 1 else ""
+    plain = f"{form.plain} {sign} " if form.plain else sign if sign != "+" else ""
+    above = f"{plain}{times}sqrt({form.radicand})"
+    return above if form.below == 1 else f"({above})/{form.below}"

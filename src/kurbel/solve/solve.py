@@ -1,0 +1,229 @@
+"""Conditions on a crank drive: all crank angles of the turn at which they hold."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TYPE_CHECKING, NamedTuple
+
+from kurbel.drive.crank import Crank
+from kurbel.errors import NoRootError, ProblemError
+from kurbel.exact.certify import NEVER_TIES, ball, ball_circle, pi, rounded
+from kurbel.exact.closed_form import closed_forms, form_text
+from kurbel.exact.course import Course, Target
+from kurbel.exact.numerals import MOST_DIGITS, Number, nearest, number_text
+from kurbel.exact.place import Place
+from kurbel.motion.drives import Drive, SlideDrive
+from kurbel.motion.quantities import OUT, RETURN
+from kurbel.reading import units
+from kurbel.reading.notation import plain, ratio_text
+from kurbel.reading.where import DEAD_CENTRE, MAX, MIN, SHARE, VALUE, Condition
+
+if TYPE_CHECKING:
+    from flint import arb
+
+STROKES = (OUT, RETURN)
+RIGHT = Fraction(90)
+# ψ of so many degrees has a rational sine (Niven).
+RATIONAL_SINES = {Fraction(0): Fraction(0), Fraction(30): Fraction(1, 2), Fraction(-30): Fraction(-1, 2)}
+OF_STROKE = {OUT: "the outstroke", RETURN: "the return stroke"}
+
+
+@dataclass(frozen=True, eq=False)
+class Root:
+    """A place at which a condition holds, on the stroke on which it was found.
+
+    `known` has the columns that the condition itself settles.
+    """
+
+    drive: Drive
+    condition: Condition
+    stroke: int
+    place: Place
+    known: Mapping[str, Fraction]
+
+    def number(self, column: str, decimals: int, rounding: str) -> Number:
+        """Return what a column shows of the place."""
+        if column in self.known:
+            return nearest(self.known[column], decimals, rounding)
+        scaled = self.drive.digits(column, self.stroke, self.place, decimals, rounding)
+        return Number(scaled, decimals)
+
+    def angle(self, over_turn: bool, share: int, decimals: int, rounding: str) -> Number:
+        """Return φ of the stroke, or that of the whole turn from 0 to 360°, in parts of a degree."""
+        turned = self._turned() if over_turn else 0
+        degrees = self.place.degrees
+        if degrees is not None:
+            return nearest(share * (degrees + turned), decimals, rounding)
+
+        def parts() -> arb:
+            return share * (180 * self.place.half_turns() + turned)
+
+        return Number(rounded(parts, decimals, rounding, NEVER_TIES), decimals)
+
+    def _turned(self) -> int:
+        """Return what leads from φ of the stroke to the turn's."""
+        turned = 180 if self.stroke == RETURN else 0
+        degrees = 180 * float(self.place.half_turns().mid()) + turned
+        return turned + (360 if degrees < 0 else -360 if degrees > 360 else 0)
+
+
+def solve(drive: Drive, condition: Condition) -> tuple[Root, ...]:
+    """Return where the condition holds, in the order of the turn: proved to be all places.
+
+    A dead centre belongs to the stroke that begins there, if the condition holds on both. Raises NoRootError
+    where it holds nowhere, and ProblemError where it holds throughout.
+    """
+    course = drive.course(condition.quantity, OUT)
+    if course.is_constant:
+        raise ProblemError(
+            f"{condition.quantity} is the same at every crank angle for R:L = {ratio_text(drive.ratio)};"
+            " ask for another quantity"
+        )
+    found = [root for stroke in STROKES for root in _on_stroke(drive, condition, stroke)]
+    begun = {root.stroke for root in found if root.place is _course(root).begin}
+    kept = [root for root in found if root.place is not _course(root).end or -root.stroke not in begun]
+    if not kept:
+        raise NoRootError(_no_root(drive, condition))
+    return tuple(kept)
+
+
+def _course(root: Root) -> Course:
+    return root.drive.course(root.condition.quantity, root.stroke)
+
+
+def _on_stroke(drive: Drive, condition: Condition, stroke: int) -> Iterator[Root]:
+    course = drive.course(condition.quantity, stroke)
+    if condition.kind in (MAX, MIN):
+        places = course.greatest(1 if condition.kind == MAX else -1)
+    else:
+        places = course.roots(target_of(drive, condition, stroke))
+    for place in places:
+        yield Root(drive, condition, stroke, place, _known(drive, condition))
+
+
+def target_of(drive: Drive, condition: Condition, stroke: int) -> Target:
+    """Return the value that a condition asks for on a stroke, in units of the drive's course."""
+    value = condition.value
+    if condition.kind == DEAD_CENTRE:
+        return _share_at_dead_centre(drive, condition, stroke)
+    if condition.quantity == "psi":
+        return _sine(value)
+    if condition.unit:
+        assert isinstance(drive, SlideDrive)
+        return MEASURES[condition.quantity].target(drive.crank, condition)
+    return Target.rational(value)
+
+
+def _share_at_dead_centre(drive: Drive, condition: Condition, stroke: int) -> Target:
+    share, course = condition.value, drive.course(condition.quantity, stroke)
+    if not share:
+        return Target.rational(share)
+    if isinstance(drive, SlideDrive) and drive.is_straight:
+        # p = 1 ± λ by every formula.
+        return Target.rational(share * (1 + stroke * drive.ratio))
+    return Target(lambda: ball(share) * course.value(course.begin.half_turns()), None, share == 1)
+
+
+def _sine(degrees: Fraction) -> Target:
+    if abs(degrees) >= RIGHT:
+        # No rod stands so steep.
+        return Target.rational(Fraction(2 if degrees > 0 else -2))
+    return Target(lambda: ball_circle(degrees).sine, RATIONAL_SINES.get(degrees))
+
+
+class Measure(NamedTuple):
+    """A quantity that may be asked for in mm, m/s or m/s²: R and ω to these powers make it one in R, v, v²/R.
+
+    `column` shows it, in so many parts of a metre.
+    """
+
+    column: str
+    parts: int
+    read: Callable[[str, str], Fraction]
+    speed: int
+
+    def metres(self, condition: Condition) -> Fraction:
+        """Return the value of the condition in metres and seconds."""
+        return self.read(f"{plain(condition.value)} {condition.unit}", condition.quantity)
+
+    def target(self, crank: Crank, condition: Condition) -> Target:
+        assert crank.radius is not None
+        value = self.metres(condition) / crank.radius
+        if not self.speed:
+            return Target.rational(value)
+        assert crank.speed is not None
+        value /= crank.speed.value**self.speed
+        if not crank.speed.turns or not value:
+            return Target.rational(value)
+        return Target(lambda: ball(value) / (2 * pi()) ** self.speed)
+
+
+MEASURES = {
+    "x": Measure("x_mm", 1000, units.displacement, 0),
+    "c": Measure("c_mps", 1, units.velocity, 1),
+    "p": Measure("p_mps2", 1, units.acceleration, 2),
+}
+
+
+def _known(drive: Drive, condition: Condition) -> Mapping[str, Fraction]:
+    """Return what the condition says of the columns."""
+    value, quantity = condition.value, condition.quantity
+    if condition.kind != VALUE:
+        return {}
+    if condition.unit:
+        measure = MEASURES[quantity]
+        return {measure.column: measure.parts * measure.metres(condition)}
+    column = drive.column_of(quantity)
+    return {column: value, "x_percent": 100 * value} if column == "x_stroke" else {column: value}
+
+
+def _no_root(drive: Drive, condition: Condition) -> str:
+    ranges = {stroke: _range(drive, condition, stroke) for stroke in STROKES}
+    if len(set(ranges.values())) == 1:
+        where = f"{ranges[OUT]} on both strokes"
+    else:
+        where = " and ".join(f"{found} on {OF_STROKE[stroke]}" for stroke, found in ranges.items())
+    return (
+        f"{condition} is reached nowhere for R:L = {ratio_text(drive.ratio)};"
+        f" {condition.quantity} lies {where}{_unusable(drive, condition)}"
+    )
+
+
+def _unusable(drive: Drive, condition: Condition) -> str:
+    """Return the cosines beyond ±1 to which a condition without a root of its own leads, if any."""
+    said = []
+    for stroke in STROKES:
+        formula = drive.course(condition.quantity, stroke).formula
+        if not isinstance(drive, SlideDrive) or formula is None or not formula.is_rational:
+            return ""
+        forms = closed_forms(formula, target_of(drive, condition, stroke))
+        if forms:
+            values = " and ".join(map(form_text, forms))
+            said.append(f"cos φ = {values} on {OF_STROKE[stroke]}")
+    return f"; unusable, beyond ±1: {', '.join(said)}" if said else ""
+
+
+def _range(drive: Drive, condition: Condition, stroke: int) -> str:
+    """Return what a quantity covers on a stroke: between -0.8000 and 1.2000 v²/R."""
+    if condition.quantity == SHARE:
+        return "between 0% and 100%"
+    column = drive.columns[column_of(drive, condition)]
+    course, unit = drive.course(condition.quantity, stroke), column.unit["en"]
+    value = _known(drive, condition).get(column.key)
+    for decimals in range(column.decimals, MOST_DIGITS + 1):
+        ends = [
+            drive.digits(column.key, stroke, course.greatest(side)[0], decimals, "half-away")
+            for side in (-1, 1)
+        ]
+        # A value that is not reached must not lie between the ends as they are rounded.
+        if value is None or not ends[0] <= value * 10**decimals <= ends[1]:
+            break
+    least, most = (number_text(Number(one, decimals)) for one in ends)
+    return f"between {least}° and {most}°" if unit == "°" else f"between {least} and {most} {unit}"
+
+
+def column_of(drive: Drive, condition: Condition) -> str:
+    """Return the column that shows what a condition is about, in its unit."""
+    return MEASURES[condition.quantity].column if condition.unit else drive.column_of(condition.quantity)
