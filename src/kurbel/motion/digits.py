@@ -65,7 +65,7 @@ def largest(angles: Sequence[Fraction]) -> Fraction:
 def float_bound(column: Digits, crank: Crank, largest_angle: float) -> float:
     """Return how far a float of this column can lie from the true value at the exact angle.
 
-    The kernel's own error is a few units in the last place (tests/test_kinematics.py); rounding λ and the
+    The kernel's own error is a few units in the last place (tests/kernel); rounding λ and the
     angle to floats adds their share times the slope. Powers of 1/(1 - sin² ψ) cover the growth of all of them
     up to the slope of the acceleration as λ nears 1.
     """

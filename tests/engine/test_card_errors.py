@@ -1,0 +1,270 @@
+"""The digits and errors of indicator cards: what is printed is true to its last place, or nearly so.
+
+The cards are those of ideal engines, measured at random places to a few figures or with noise; what they
+ought to show is the closed form, which test_turn.py compares with the quadrature.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from fractions import Fraction
+from functools import cache, partial
+from pathlib import Path
+from random import Random
+from typing import NamedTuple
+
+import pytest
+from cli import printed, refusal
+from places import CARDS
+
+from kurbel.drive.crank import Crank
+from kurbel.engine.card import Card
+from kurbel.engine.card_file import read_card
+from kurbel.engine.digits import estimate, estimated
+from kurbel.engine.engine import Diagram, Engine, Steam
+from kurbel.engine.quantities import OUTSTROKE, RETURN_STROKE, WHOLE, Where
+from kurbel.engine.request import EngineColumn, EngineRequest
+from kurbel.engine.turn import at_bits, turn_of
+from kurbel.errors import CardError
+from kurbel.exact.numerals import Number
+from kurbel.page.layouts import layout
+
+HEAD = "position,p_forward [bar],p_return [bar]\n"
+BAR = 1e5
+ROUNDED, NOISY = "written to 0.1 or 0.01 bar", "with noise"
+
+
+class Measured(NamedTuple):
+    """A number from a card and its error beside the truth; `number` is None where it is not printed."""
+
+    value: float
+    error: float
+    number: Number | None
+    truth: float
+
+    @property
+    def covered(self) -> bool:
+        return abs(self.value - self.truth) <= self.error
+
+    @property
+    def places_off(self) -> float:
+        """How many units of its last place the printed number is away from the truth."""
+        assert self.number is not None
+        return abs(self.number.scaled - self.truth * 10.0**self.number.decimals)
+
+
+class Drawn(NamedTuple):
+    """An ideal engine with its admission pressure in bar, and its card as it was measured."""
+
+    steam: Steam
+    admission: float
+    crank: Crank
+    card: Card
+
+
+def drawn(seed: int, kind: str, folder: Path) -> Drawn:
+    random = Random(seed)
+    steam = Steam(
+        Fraction(random.randint(120, 800), 100),
+        Fraction(random.randint(2, 12), 100),
+        random.choice([Fraction(1), Fraction(random.choice([*range(90, 100), *range(101, 141)]), 100)]),
+        Fraction(random.randint(0, 12), 100),
+    )
+    admission, decimals, noise = random.uniform(3, 12), 5, 10 ** random.uniform(-4, -2)
+    if kind == ROUNDED:
+        decimals, noise = random.choice([1, 2]), 0.0
+
+    def line(share: float) -> str:
+        texts = (
+            f"{admission * (pressure + random.gauss(0, noise)):.{decimals}f}"
+            for pressure in (pressure_at(steam, share), float(steam.back or 0))
+        )
+        return ",".join([f"{share:.6f}", *texts])
+
+    path = folder / f"card-{seed}.csv"
+    path.write_text(HEAD + "\n".join(map(line, shares(random))))
+    return Drawn(steam, admission, Crank(Fraction(1, random.randint(3, 8))), read_card(path))
+
+
+def shares(random: Random) -> list[float]:
+    """Return 12 to 200 shares of the stroke, evenly or unevenly apart."""
+    count, apart = random.randint(12, 200), random.choice([0, 0.4])
+    inner = [(place + apart * random.uniform(-1, 1)) / (count - 1) for place in range(1, count - 1)]
+    return [0.0, *inner, 1.0]
+
+
+def pressure_at(steam: Steam, share: float) -> float:
+    cut_off, clearance = 1 / float(steam.expansion), float(steam.clearance)
+    volume = max(share, cut_off) + clearance
+    return float(((cut_off + clearance) / volume) ** float(steam.exponent))
+
+
+def measured(seed: int, kind: str, folder: Path) -> Iterator[tuple[EngineColumn, Measured]]:
+    """Yield all numbers of the card's page."""
+    steam, admission, crank, card = drawn(seed, kind, folder)
+    request = EngineRequest(layout=layout("delta-detail"), steams=[Diagram(card)], drives=[crank])
+    turn, ideal = turn_of(request.first, "exact"), turn_of(Engine(crank, steam), "exact")
+    for column in request.page_columns:
+        # Q is the greatest pressure of the card, noise and all; δ and angles do not depend on it.
+        free = column.quantity.arc or column.key == "delta"
+        unit = 1.0 if free else admission * BAR / card.admission
+        for stroke in (WHOLE, OUTSTROKE, RETURN_STROKE):
+            where = Where(stroke)
+            if column.quantity.applies(where):
+                true = at_bits(80, partial(column.quantity.value, ideal, where))
+                value, error = estimate(column, [turn], where)  # type: ignore[list-item]
+                number = estimated(column, (turn,), where, "half-away")  # type: ignore[arg-type]
+                yield column, Measured(float(value), error, number, float(true) * unit)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("cards")
+
+
+@cache
+def numbers(kind: str, folder: Path) -> list[Measured]:
+    """Return all numbers of fifteen cards."""
+    return [one for seed in range(15) for _, one in measured(seed, kind, folder)]
+
+
+each_kind = pytest.mark.parametrize("kind", [ROUNDED, NOISY])
+
+
+@each_kind
+def test_printed_numbers_of_random_cards_are_true_to_their_last_place(kind: str, folder: Path) -> None:
+    shown = [one for one in numbers(kind, folder) if one.number is not None]
+    assert len(shown) > len(numbers(kind, folder)) / 2
+    off = [one.places_off for one in shown]
+    assert max(off) <= 3
+    assert sum(places > 1 for places in off) <= 0.05 * len(shown)
+
+
+@each_kind
+def test_stated_errors_of_random_cards_cover_the_true_ones(kind: str, folder: Path) -> None:
+    found = numbers(kind, folder)
+    assert sum(one.covered for one in found) >= 0.95 * len(found)
+
+
+@each_kind
+def test_stated_errors_of_random_cards_are_not_much_too_large(kind: str, folder: Path) -> None:
+    # An error so large that it covers everything would tell nothing.
+    shares_of_error = sorted(abs(one.value - one.truth) / one.error for one in numbers(kind, folder))
+    assert shares_of_error[len(shares_of_error) * 3 // 4] > 0.05
+
+
+def test_pressures_written_to_fewer_places_have_greater_errors(folder: Path) -> None:
+    steam = Steam(Fraction(5, 2), Fraction(1, 10))
+    errors = []
+    for decimals in (5, 3, 2, 1):
+        path = folder / f"written-{decimals}.csv"
+        places = [place / 60 for place in range(61)]
+        lines = (f"{at:.6f},{7.3 * pressure_at(steam, at):.{decimals}f},{0.73:.{decimals}f}" for at in places)
+        path.write_text(HEAD + "\n".join(lines))
+        (record,) = printed("delta", "--card", str(path), "--columns", "mean_force", "-f", "csv").records()[
+            2:
+        ]
+        errors.append(float(record["mean_force_error"]))
+        # Half a unit of the last place, in the greatest pressure, is an error of each pressure.
+        assert errors[-1] > 0.5 * 10**-decimals / 7.3 / 3
+    assert errors == sorted(errors)
+
+
+# What pages and records say of them.
+
+
+def test_each_value_of_a_card_is_followed_by_its_error() -> None:
+    words = ("delta", "--detail", "--card", str(CARDS / "condenser.csv"))
+    heads = printed(*words, "-f", "csv").out.splitlines()[0].split(",")
+    assert heads == [
+        "card", "ratio", "stroke", "mean_force", "mean_force_error", "alpha_min", "alpha_min_error",
+        "v_min", "v_min_error", "alpha_max", "alpha_max_error", "v_max", "v_max_error", "delta",
+        "delta_error",
+    ]  # fmt: skip
+    table = json.loads(printed(*words, "-f", "json", "--lang", "en").out)
+    assert [column["key"] for column in table["columns"]] == heads
+    assert all(list(row) == heads for row in table["rows"])
+    fields = {column["key"]: column for column in table["columns"]}
+    for key in heads[3::2]:
+        own, error = fields[key], fields[f"{key}_error"]
+        assert error["name"] == f"estimated error: {own['name']}"
+        assert (error["unit"], error["decimals"]) == (own["unit"], None)
+    whole = table["rows"][2]
+    for key in ("mean_force", "v_min", "v_max", "delta"):
+        assert 0 < whole[f"{key}_error"] < abs(whole[key])
+    assert [(row["delta"], row["delta_error"]) for row in table["rows"][:2]] == [(None, None)] * 2
+
+
+def test_errors_stand_beside_the_columns_that_were_picked() -> None:
+    words = ("--card", str(CARDS / "condenser.csv"), "-f", "csv")
+    picked = printed("delta", *words, "--columns", "delta,card,mean_force").records()
+    assert list(picked[2]) == ["delta", "delta_error", "card", "mean_force", "mean_force_error"]
+    assert list(printed("turning", *words, "--columns", "phi,energy").records()[0]) == [
+        "phi", "energy", "energy_error",
+    ]  # fmt: skip
+    wheel = ("flywheel", "--power", "50kW", "--speed", "120/min", "--delta", "1%")
+    (record,) = printed(*wheel, *words, "--columns", "target,power,inertia").records()
+    assert list(record) == ["target", "power", "power_error", "inertia", "inertia_error"]
+    assert (record["target"], record["power"], record["power_error"]) == ("0.01", "50000", "0")
+    assert 0 < float(record["inertia_error"]) < float(record["inertia"]) / 20
+
+
+def test_an_ideal_engine_has_no_errors() -> None:
+    for words in (("delta", "--detail"), ("turning",)):
+        assert "error" not in printed(*words, "-f", "csv").out
+        assert "Fehler" not in printed(*words).out
+
+
+def test_the_page_names_the_card_without_its_folder_and_states_the_errors() -> None:
+    words = ("delta", "--card", str(CARDS / "condenser.csv"), "--ratio", "1:4;1:5")
+    page = " ".join(printed(*words, "--lang", "en").out.split())
+    assert "condenser.csv" in page
+    assert str(CARDS) not in page
+    records = printed(*words, "--detail", "-f", "csv").records()[2::3]
+    for record in records:
+        note = (
+            f"estimated error for r:l = {record['ratio']}: P {record['mean_force_error']} Q,"
+            f" v_min/v₁ − 1 {record['v_min_error']} Q r/(m₁ v₁²),"
+        )
+        assert note.replace("v_min", "vₘᵢₙ") in page
+    german = " ".join(printed(*words).out.split())
+    assert "geschätzter Fehler für r:l = 1:4: P 0," in german
+
+
+# Cards that tell nothing.
+
+SHARES = [place / 10 for place in range(11)]
+
+
+def written(path: Path, forward: list[float], back: list[float]) -> str:
+    rows = zip(SHARES, forward, back, strict=True)
+    path.write_text(HEAD + "\n".join(f"{share},{there:.2f},{behind:.2f}" for share, there, behind in rows))
+    return str(path)
+
+
+@pytest.mark.parametrize("command", ["delta", "turning"])
+def test_a_card_that_does_no_work_is_refused(command: str, folder: Path) -> None:
+    path = written(folder / "nothing.csv", [2.0 - share for share in SHARES], [3.0] * 11)
+    # From 2 to 1 bar against 3: 1.5 bar is lost over the stroke of 2 R, and π R are run through.
+    assert refusal(command, "--card", path, code=1) == (
+        f"{read_card(path).name} does no work: the mean tangential force is -0.477 Q, and it must be above 0;"
+        " p_forward drives the piston, p_return resists it"
+    )
+
+
+@pytest.mark.parametrize("command", ["delta", "turning"])
+def test_a_card_that_scatters_too_much_for_one_figure_is_refused(command: str, folder: Path) -> None:
+    path = written(folder / "scatter.csv", [8.0, 0.5] * 5 + [8.0], [4.0, 3.0] * 5 + [4.0])
+    assert refusal(command, "--card", path, code=1) == (
+        f"{read_card(path).name}: the points are too few or scatter too much for one figure of the mean"
+        " force; give a smoother card, or look for a mistyped pressure"
+    )
+
+
+def test_half_a_card_may_do_no_work_where_the_whole_does(folder: Path) -> None:
+    # Every second point lies below the back pressure; the card is refused for its scatter, not for its half.
+    path = written(folder / "half.csv", [2.9, 8.0] * 5 + [2.9], [3.0] * 11)
+    with pytest.raises(CardError, match="does no work"):
+        turn_of(Engine(Crank(Fraction(1, 5)), Diagram(read_card(path).halves()[0])), "exact")
+    assert "scatter too much" in refusal("delta", "--card", path, code=1)

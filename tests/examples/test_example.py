@@ -1,0 +1,487 @@
+"""Worked examples: every printed figure is the book's, every recomputed one that of the formula."""
+
+from __future__ import annotations
+
+import csv
+import re
+from collections.abc import Callable, Iterator, Mapping
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import pytest
+from cli import printed, refusal
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from mpmath import mp
+from places import SOURCES
+from textbook import Drive, evaluate, real, rounded
+
+import kurbel
+from kurbel.errors import KurbelError, LayoutError
+from kurbel.examples.figures import Figure, figure
+from kurbel.examples.source import FOLDER, example, numbers_of, source_keys
+from kurbel.examples.working import arc_text
+
+BOOKS = SOURCES / "examples"
+EXAMPLES = [(key, number) for key in source_keys() for number in numbers_of(key)]
+FIFTH = Fraction(1, 5)
+Real = Any
+Given = Mapping[str, Fraction]
+
+
+@pytest.fixture(autouse=True)
+def bits() -> Iterator[None]:
+    with mp.workprec(640):
+        yield
+
+
+# What each step is, worked out with no root of a quadratic: cos α is where the acceleration is the target.
+
+
+def drive(given: Given) -> Drive:
+    return Drive(given["ratio"])
+
+
+def at(angle: Callable[[Given], Real]) -> dict[str, Callable[[Given], Real]]:
+    """Return the values of the motion at an angle in radians."""
+
+    def path(given: Given) -> Real:
+        here = angle(given)
+        return 1 - mp.cos(here) + real(given["ratio"]) / 2 * mp.sin(here) ** 2
+
+    return {
+        "cosine": lambda given: mp.cos(angle(given)),
+        "cosine_again": lambda given: mp.cos(angle(given)),
+        "turned": lambda given: -mp.cos(angle(given)),
+        "versine": lambda given: 1 - mp.cos(angle(given)),
+        "sine": lambda given: mp.sin(angle(given)),
+        "square": lambda given: (1 - mp.cos(2 * angle(given))) / 2,
+        "share": lambda given: path(given) - 1 + mp.cos(angle(given)),
+        "sum": lambda given: path(given) + mp.cos(angle(given)),
+        "path": path,
+        "stroke": lambda given: path(given) / 2,
+        "alpha": lambda given: mp.degrees(angle(given)),
+        "half_rod": lambda given: 1 / (2 * real(given["ratio"])),
+    }
+
+
+def cosines(target: Callable[[Given], Real]) -> Callable[[Given], list[Real]]:
+    """Return the roots of cos α + λ cos 2α = target, searched on both sides of the vertex."""
+
+    def found(given: Given) -> list[Real]:
+        ratio = real(given["ratio"])
+
+        def excess(cosine: Real) -> Real:
+            return cosine + ratio * (2 * cosine**2 - 1) - target(given)
+
+        vertex = -1 / (4 * ratio)
+        return [
+            mp.findroot(excess, (vertex, vertex + reach), "anderson") for reach in (9 / ratio, -9 / ratio)
+        ]
+
+    return found
+
+
+def position(target: Callable[[Given], Real]) -> dict[str, Callable[[Given], Real]]:
+    roots = cosines(target)
+    return at(lambda given: mp.acos(roots(given)[0])) | {
+        "other": lambda given: roots(given)[1],
+        "other_alpha": lambda given: mp.degrees(mp.re(mp.acos(roots(given)[1]))),
+        "root": lambda given: 2 * (roots(given)[0] - roots(given)[1]),
+        "quarter_root": lambda given: (roots(given)[0] - roots(given)[1]) / 2,
+        "numerator": lambda given: 4 * roots(given)[0],
+    }
+
+
+def start(given: Given) -> Real:
+    """One sixth of the acceleration at the dead centre, by eq. (26)."""
+    return evaluate("p", "series", drive(given), Fraction(0)) / 6
+
+
+def lean(given: Given, side: int) -> Real:
+    rod = 1 / real(given["ratio"])
+    return 1 / (4 * real(given["beam"]) * (rod + side))
+
+
+def force(given: Given) -> Real:
+    return real(given.get("force", Fraction(1)))
+
+
+SQUARE = {
+    "alpha": lambda given: mp.degrees(mp.atan(real(given["ratio"]))),
+    "rod": lambda given: 1 / mp.cos(mp.atan(real(given["ratio"]))),
+    "rod_n": lambda given: force(given) / mp.cos(mp.atan(real(given["ratio"]))),
+    "guide": lambda given: real(given["ratio"]),
+    "guide_n": lambda given: force(given) * mp.tan(mp.atan(real(given["ratio"]))),
+    "torque": lambda given: 1 / mp.cos(mp.atan(real(given["ratio"]))),
+    "torque_n": lambda given: force(given) / mp.cos(mp.atan(real(given["ratio"]))),
+}
+BEAM = {
+    "mu_radians": lambda given: lean(given, 1),
+    "nu_radians": lambda given: lean(given, -1),
+    "mu": lambda given: mp.degrees(lean(given, 1)),
+    "nu": lambda given: mp.degrees(lean(given, -1)),
+    "distance_1": lambda given: 180 + mp.degrees(lean(given, -1) - lean(given, 1)),
+    "distance_2": lambda given: 180 - mp.degrees(lean(given, -1) - lean(given, 1)),
+    "path_1": lambda given: 1 - mp.cos(lean(given, 1)),
+    "path_2": lambda given: 1 - mp.cos(lean(given, -1)),
+}
+
+
+# Weisbach's upper sign is the return stroke; both angles by his relations with any back pressure.
+UPPER, LOWER = 1, -1
+
+
+class Steam:
+    """§ 150 in mpmath: stroke by stroke, from the book's first equations for L, v and the angles."""
+
+    def __init__(self, given: Given) -> None:
+        self.half = real(given["ratio"]) / 2
+        self.eps = real(given["eps"])
+        self.back = real(given["back"]) if "back" in given else 1 / self.eps
+        self.mean = 2 / mp.pi * ((1 + mp.log(self.eps)) / self.eps - self.back)
+
+    def path(self, angle: Real, sign: int) -> Real:
+        return 1 - mp.cos(angle) - sign * self.half * mp.sin(angle) ** 2
+
+    def energy(self, angle: Real, sign: int) -> Real:
+        path = self.path(angle, sign)
+        cut_off = 2 / self.eps
+        work = path if path < cut_off else cut_off * (1 + mp.log(path / cut_off))
+        return work - self.back * path - self.mean * angle
+
+    def least(self, sign: int) -> Real:
+        def excess(angle: Real) -> Real:
+            slope = mp.sin(angle) - sign * self.half * mp.sin(2 * angle)
+            return (1 - self.back) * slope - self.mean
+
+        return mp.findroot(excess, (mp.radians(8), mp.radians(40)), "anderson")
+
+    def greatest(self, sign: int) -> Real:
+        ratio, loss = 2 * self.half, self.eps * self.back
+        gain = 1 + mp.log(self.eps) - loss
+
+        def relation(angle: Real) -> Real:
+            square = mp.sin(angle / 2) ** 2
+            bracket = 1 + sign * ratio * square - loss * square * (1 - sign * ratio * mp.cos(angle))
+            return mp.pi * bracket - gain * mp.tan(angle / 2)
+
+        return mp.findroot(relation, (mp.radians(80), mp.radians(125)), "anderson")
+
+    def swing(self) -> Real:
+        highest = max(self.energy(self.greatest(sign), sign) for sign in (UPPER, LOWER))
+        return highest - min(self.energy(self.least(sign), sign) for sign in (UPPER, LOWER))
+
+
+STEAM = {
+    "alpha_min_return": lambda given: mp.degrees(Steam(given).least(UPPER)),
+    "alpha_min": lambda given: mp.degrees(Steam(given).least(LOWER)),
+    "alpha_max_return": lambda given: mp.degrees(Steam(given).greatest(UPPER)),
+    "alpha_max": lambda given: mp.degrees(Steam(given).greatest(LOWER)),
+    "v_min_return": lambda given: Steam(given).energy(Steam(given).least(UPPER), UPPER),
+    "v_min": lambda given: Steam(given).energy(Steam(given).least(LOWER), LOWER),
+    "v_max_return": lambda given: Steam(given).energy(Steam(given).greatest(UPPER), UPPER),
+    "v_max": lambda given: Steam(given).energy(Steam(given).greatest(LOWER), LOWER),
+    "least": lambda given: Steam(given).energy(Steam(given).least(UPPER), UPPER),
+    "greatest": lambda given: Steam(given).energy(Steam(given).greatest(LOWER), LOWER),
+    "sum": lambda given: Steam(given).swing(),
+    "mean_force": lambda given: Steam(given).mean,
+    "divisor": lambda given: Steam(given).mean,
+    "delta": lambda given: Steam(given).swing() / Steam(given).mean,
+}
+VALUES: Mapping[tuple[str, str], Mapping[str, Callable[[Given], Real]]] = {
+    ("blau", "31"): at(lambda given: mp.radians(real(given["angle"]))),
+    ("blau", "32"): at(lambda given: mp.radians(real(given["angle"]))),
+    ("blau", "33"): position(lambda given: mp.mpf(0)),
+    ("blau", "34"): position(start),
+    ("blau", "35"): position(lambda given: -start(given)),
+    ("uebung", "12"): SQUARE,
+    ("weisbach", "149"): BEAM,
+    ("weisbach", "150"): STEAM,
+}
+
+
+def records(*words: str) -> list[dict[str, str]]:
+    return printed("example", *words, "-f", "csv").records()
+
+
+def as_printed(value: Real, like: str) -> str:
+    """Return the value written as the figure `like` is, rounded half away from zero."""
+    if "/" in like:
+        return like if abs(value - real(Fraction(like.replace("−", "-")))) < mp.mpf(2) ** -500 else "no"
+    sign = "-" if value < 0 else ""
+    if "°" not in like:
+        decimals = len(like.partition(".")[2])
+        digits = str(to_nearest(abs(value) * 10**decimals)).rjust(decimals + 1, "0")
+        text = f"{digits[:-decimals]}.{digits[-decimals:]}" if decimals else digits
+        return sign * any(one in text for one in "123456789") + text
+    if "′" not in like:
+        return f"{to_nearest(value)}°"
+    halves = to_nearest(value * (120 if "½" in like else 60)) * (1 if "½" in like else 2)
+    minutes, half = divmod(halves, 2)
+    return f"{minutes // 60}°{minutes % 60}{'½' * half}′"
+
+
+def to_nearest(value: Real) -> int:
+    """Round half up; a value that is a tie within 600 bits is one."""
+    scaled = rounded(value, 0)
+    return int(mp.floor(value + mp.mpf("0.5") + mp.mpf(2) ** -400)) if scaled is None else scaled
+
+
+def assert_true(key: tuple[str, str], given: Given, rows: list[dict[str, str]]) -> None:
+    steps = [row for row in rows if row["step"]]
+    assert steps
+    for row in steps:
+        value = VALUES[key][row["step"]](given)
+        assert row["recomputed"] == as_printed(value, row["recomputed"]), (key, given, row)
+
+
+@pytest.mark.parametrize(("key", "number"), EXAMPLES)
+def test_recomputed_figures_are_those_of_the_formulas(key: str, number: str) -> None:
+    parts = example(key, number).parts
+    rows = records(key, number)
+    for part in parts:
+        if part.given:
+            own = [row for row in rows if row["part"] == part.letter]
+            assert_true((key, number), part.given, own)
+            for row in own:
+                if row["printed"] and "/" not in row["printed"]:
+                    places = ["½" in row[name] for name in ("printed", "recomputed")]
+                    assert places[0] >= places[1]
+                    assert len(row["printed"].partition(".")[2]) == len(row["recomputed"].partition(".")[2])
+
+
+OWN = [
+    *(("blau", number, {"ratio": ratio}) for number in ("33", "34", "35") for ratio in
+      ("1:4.5", "2:7", "1:2", "3:10", "1:12", "5:6", "0.21", "99:100")),
+    *(("blau", number, {"ratio": "1:4.5", "angle": angle}) for number in ("31", "32")
+      for angle in ("0", "60", "22.5", "101.3", "180", "270")),
+    ("uebung", "12", {"ratio": "2:9", "force": "10000"}),
+    ("uebung", "12", {"ratio": "3:4", "force": "1234.5"}),
+    ("weisbach", "149", {"ratio": "1:4", "beam": "3"}),
+    ("weisbach", "149", {"ratio": "1:5", "beam": "2.5"}),
+    ("weisbach", "150", {"ratio": "1:5", "eps": "3"}),
+    ("weisbach", "150", {"ratio": "1:4", "eps": "2.5", "back": "0.2"}),
+    ("weisbach", "150", {"ratio": "1:5", "eps": "4", "back": "0.1"}),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("key", "number", "own"), OWN, ids=str)
+def test_other_numbers_are_worked_in_the_same_steps(key: str, number: str, own: dict[str, str]) -> None:
+    words = [f"--{name}={value + 'N' * (name == 'force')}" for name, value in own.items()]
+    rows = records(key, number, *words)
+    given = {
+        name: Fraction(*map(Fraction, value.split(":"))) if ":" in value else Fraction(value)
+        for name, value in own.items()
+    }
+    assert_true((key, number), given, rows)
+    assert not any(row["printed"] for row in rows)
+
+
+RATIOS = st.fractions(Fraction(1, 60), Fraction(59, 60), max_denominator=83)
+
+
+@settings(max_examples=25, deadline=None)
+@given(RATIOS, st.sampled_from(["33", "34", "35"]))
+def test_any_ratio_is_worked(ratio: Fraction, number: str) -> None:
+    table = kurbel.make_example_table("blau", number, ratios=ratio)
+    text = kurbel.typeset(table, "csv")
+    rows = [row for row in csv.DictReader(text.splitlines())]
+    with mp.workprec(640):
+        assert_true(("blau", number), {"ratio": ratio}, rows)
+
+
+# Which figures differ from print: recomputed less printed, in units of the last place.
+DIFFERENT = {
+    ("blau", "31", "c", "stroke"): "1",
+    ("blau", "32", "a", "path"): "-1",
+    ("blau", "33", "a", "half_rod"): "",
+    ("blau", "33", "a", "alpha"): "-4",
+    ("blau", "33", "a", "path"): "-1",
+    ("blau", "33", "a", "stroke"): "-1",
+    ("blau", "33", "b", "path"): "-1",
+    ("blau", "33", "b", "stroke"): "-1",
+    ("blau", "34", "", "alpha"): "-2",
+    ("blau", "34", "", "sine"): "-1",
+    ("weisbach", "150", "", "alpha_min_return"): "-92",
+    ("weisbach", "150", "", "alpha_min"): "1",
+    ("weisbach", "150", "", "v_min"): "254",
+    ("weisbach", "150", "", "sum"): "-54",
+    ("weisbach", "150", "", "mean_force"): "1",
+    ("weisbach", "150", "", "delta"): "-24",
+}
+
+
+def test_the_figures_that_differ_are_known() -> None:
+    found = {
+        (key, number, row["part"], row["step"]): row["difference"]
+        for key, number in EXAMPLES
+        for row in records(key, number)
+        if row["printed"] and row["printed"] != row["recomputed"]
+    }
+    assert found == DIFFERENT
+
+
+# The lines of the book as transcribed, in LaTeX; of the page every figure, powers and indices included.
+FIGURE = re.compile(r"[0-9]+(?:,[0-9]+)?")
+SMALL = str.maketrans({small: f" {digit} " for digit, small in enumerate("₀₁₂₃₄₅₆₇₈₉")} | {"²": " 2 "})
+
+
+def book_lines(key: str) -> dict[tuple[str, str], str]:
+    """Return the book's working of each part."""
+    text = (BOOKS / f"{key}.tex").read_text(encoding="utf-8")
+    parts: dict[tuple[str, str], str] = {}
+    for block in text.split("% ")[1:]:
+        head, lines = block.split("\n", 1)
+        number, _, letter = head.partition(" ")
+        parts[number, letter] = lines
+    return parts
+
+
+def figures_of_book(lines: str) -> list[str]:
+    # In § 149 a raised 0 is the sign of degrees, which the page has.
+    return FIGURE.findall(lines.replace("^0", " ").replace(r"m v_1", "m_1 v_1"))
+
+
+@pytest.mark.parametrize(("key", "number"), EXAMPLES)
+def test_the_figures_of_the_working_are_those_of_the_book(key: str, number: str) -> None:
+    rows = printed("example", key, number, "-f", "csv", "--decimal", "comma").records(";")
+    for part in example(key, number).parts:
+        lines = [row["line"] for row in _firsts(rows, part.letter)]
+        page = " ".join(line for line in lines if not line.startswith("["))
+        page = page.replace("½", " 1 2").translate(SMALL)
+        assert FIGURE.findall(page) == figures_of_book(book_lines(key)[number, part.letter])
+
+
+def _firsts(rows: list[dict[str, str]], letter: str) -> Iterator[dict[str, str]]:
+    """Yield one record for each line."""
+    before = None
+    for row in rows:
+        if row["part"] == letter and row["line"] != before:
+            yield row
+        before = row["line"]
+
+
+def test_every_printed_value_stands_in_its_example() -> None:
+    counted = 0
+    for key in source_keys():
+        with (Path(FOLDER) / key / "steps.csv").open(encoding="utf-8", newline="") as lines:
+            rows = list(csv.DictReader(lines, delimiter=";"))
+        for row in rows:
+            text = figure(row["printed"]).text().replace(".", ",")
+            assert text.replace("′", "'") == row["printed"]
+            (shown,) = {
+                one["printed"] for one in records(key, row["example"])
+                if (one["part"], one["step"]) == (row["part"], row["step"])
+            }  # fmt: skip
+            assert shown.replace("−", "-").replace("′", "'").replace(".", ",") == row["printed"]
+            counted += 1
+    assert counted == 80
+
+
+def test_printed_values_of_both_registers_agree() -> None:
+    with (SOURCES / "weisbach" / "150.csv").open(encoding="utf-8") as lines:
+        register = {row["place"].split("/2/")[-1]: row for row in csv.DictReader(lines, delimiter=";")}
+    for row in records("weisbach", "150"):
+        if row["step"]:
+            cell = register[row["step"]]
+            assert row["printed"].replace(".", ",").replace("′", "'") == cell["printed"]
+            assert row["recomputed"].replace(".", ",").replace("′", "'") == cell["weisbach"]
+
+
+def test_the_unusable_root_is_named_and_a_second_usable_one_worked() -> None:
+    rows = records("blau", "35", "--ratio=1:4,5", "--lang=en")
+    assert [row["line"] for row in rows if row["step"] == "other"] == ["cos α = −2.2684, unusable"]
+    assert not [row for row in rows if row["step"] == "other_alpha"]
+    both = records("blau", "35", "--ratio=5:6", "--lang=en")
+    assert [row["line"] for row in both if row["step"].startswith("other")] == [
+        "cos α = −0.9377",
+        "α = 159°40′",
+    ]
+    edge = records("blau", "35", "--ratio=5:7")
+    assert [row["recomputed"] for row in edge if row["step"] == "other_alpha"] == ["180°0′"]
+
+
+def test_numbers_of_the_book_bring_its_printed_figures() -> None:
+    rows = records("blau", "33", "--ratio=1:4;1:6")
+    assert {row["part"] for row in rows} == {"b", "R:L = 1:6"}
+    assert all(bool(row["printed"]) == (row["part"] == "b") for row in rows if row["step"] == "alpha")
+
+
+def test_a_difference_of_half_a_minute_is_named() -> None:
+    assert arc_text(Figure(Fraction(93), figure("32°51½'").form)) == "46½′"
+    assert arc_text(Figure(Fraction(4), figure("79°20'").form)) == "$4'$"
+    assert arc_text(Figure(Fraction(64), figure("79°20'").form)) == "$1°4'$"
+
+
+def test_ties_are_rounded_away_from_zero() -> None:
+    # 1 + 1/8 · 1/2 = 1.0625 and 1.125/2 = 0.5625, as the book has them too.
+    rows = {(row["part"], row["step"]): row["recomputed"] for row in records("blau", "32")}
+    assert rows["a", "sum"] == "1.063"
+    assert rows["b", "stroke"] == "0.563"
+
+
+def test_printed_figures_are_read_whole() -> None:
+    for text in ("0,343", "-0,0613", "79°20'", "77°", "5/4", "-5/2", "0"):
+        assert figure(text).text().replace(".", ",") == text
+    assert figure("32°51½'").value == 32 * 120 + 103
+    assert figure("1,10").form.decimals == 2
+    for text in ("", "x", "1/", "79°20", "1,"):
+        with pytest.raises(LayoutError):
+            figure(text)
+
+
+ERRORS = [
+    (("blu", "33"), 'there is no source "blu" (did you mean blau?); choose from blau, uebung, weisbach'),
+    (("blau", "3"), 'there is no example of blau "3" (did you mean 35?); choose from 31, 32, 33, 34, 35'),
+    (("blau", "33", "--angle=30"), "example blau 33 takes no angle of your own; it takes ratio"),
+    (("weisbach", "149", "--eps=2"), "example weisbach 149 takes no eps of your own; it takes ratio, beam"),
+    (("blau", "33", "--ratio=1:∞"), "the worked examples are of a finite rod; give a ratio such as 1:5"),
+    (("uebung", "12", "--force=1kN"), "a force becomes newtons with a ratio only; add one, such as 1:5"),
+    (("blau", "31", "--angle=0..180:1"), "that makes 181 examples; at most 100 are printed at once"),
+    (
+        ("weisbach", "150", "--eps=1"),
+        "the way of § 150 is for expanding steam; give an expansion ratio above 1",
+    ),
+    (
+        ("weisbach", "150", "--eps=1.1", "--back=0"),
+        "at ε = 1.1 the speed is greatest before the cut-off, where the equation of § 150 for α₂ does not",
+    ),
+    (
+        ("blau", "33", "--ratio=1:1"),
+        "crank ratio R:L is 1; it must be below 1, or the rod is too short to pass the dead centre",
+    ),
+    (
+        ("blau", "31", "--angle=2e6"),
+        "an angle is beyond 1000000°; give it within one turn, 0..360",
+    ),
+    (("blau", "33", "--ratio=1:4", "--ratio=x"), 'crank ratio "x" is not a ratio R:L; write it as 1:5,'),
+    (("weisbach", "149", "--beam=1"), "beam arm a is 1 r; it must be longer than the crank radius r,"),
+    (("weisbach", "150", "--eps=4", "--back=0.9"), "back pressure b = 0.9 leaves no work at ε = 4;"),
+]
+
+
+@pytest.mark.parametrize(("words", "sentence"), ERRORS, ids=[" ".join(words) for words, _ in ERRORS])
+def test_bad_input_is_answered_with_a_sentence(words: tuple[str, ...], sentence: str) -> None:
+    assert refusal("example", *words).startswith(sentence)
+
+
+def test_from_python_it_is_the_same_page() -> None:
+    table = kurbel.make_example_table("blau", 33, ratios="1:4,5", lang="en")
+    assert kurbel.typeset(table, "text") == printed("example", "blau", "33", "--ratio=1:4,5", "--lang=en").out
+    steam = kurbel.make_example_table("weisbach", 150, expansions=4, back="10%")
+    assert kurbel.typeset(steam, "text") == printed("example", "weisbach", "150", "--eps=4", "--back=10%").out
+    forces = kurbel.make_example_table("uebung", 12, ratios="1:4", force=5000)
+    assert kurbel.typeset(forces, "text") == printed("example", "uebung", "12", "-r1:4", "--force=5kN").out
+    with pytest.raises(KurbelError, match="no source"):
+        kurbel.make_example_table("x", 1)
+
+
+def test_without_a_number_the_examples_are_listed() -> None:
+    lines = printed("example").out.splitlines()
+    assert [tuple(line.split()[:2]) for line in lines] == EXAMPLES
+    assert printed("example", "weisbach", "--lang=en").out.splitlines() == [
+        "weisbach  149  Dead centres of the beam engine                 --ratio --beam",
+        "weisbach  150  Degree of irregularity of the expansion engine  --eps --ratio --back",
+    ]

@@ -1,0 +1,121 @@
+"""The pages of the worked examples, read by eye: golden in both languages, and in every format."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+from cli import printed
+from golden import assert_golden
+from places import GOLDEN
+from test_latex import ENGINES, compiled, complaints
+from test_render import fragment
+from test_shipped_pages import PREAMBLE
+
+import kurbel
+from kurbel.examples.source import numbers_of, source_keys
+from kurbel.formats.render import render
+from kurbel.page.layouts import LANGUAGES
+from kurbel.page.table import Table
+
+EXAMPLES = [(key, number) for key in source_keys() for number in numbers_of(key)]
+TEXTS = {
+    **{f"{key}-{number}": (key, number) for key, number in EXAMPLES},
+    "blau-31-own": ("blau", "31", "--ratio=1:4,5", "--angle=30;120"),
+    "blau-33-own": ("blau", "33", "--ratio=1:4,5"),
+    "blau-34-own": ("blau", "34", "--ratio=1:4,5"),
+    "blau-35-own": ("blau", "35", "--ratio=1:4,5;5:6"),
+    "uebung-12-own": ("uebung", "12", "--ratio=1:5", "--force=10kN"),
+    "weisbach-149-own": ("weisbach", "149", "--ratio=1:4"),
+    "weisbach-150-own": ("weisbach", "150", "--eps=4", "--back=0,1"),
+}
+PAGES = {
+    **{
+        f"{name}.{lang}.txt": (*words, f"--lang={lang}")
+        for name, words in TEXTS.items()
+        for lang in LANGUAGES
+    },
+    **{
+        f"blau-34{suffix}": ("blau", "34", "-f", form)
+        for suffix, form in (
+            (".md", "markdown"),
+            (".tex", "latex"),
+            (".html", "html"),
+            (".typ", "typst"),
+            (".csv", "csv"),
+        )
+    },
+}
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_page_is_golden(name: str) -> None:
+    assert_golden(f"examples/{name}", printed("example", *PAGES[name]).out)
+
+
+def test_no_golden_page_is_left_behind() -> None:
+    assert {path.name for path in (GOLDEN / "examples").iterdir()} == set(PAGES)
+
+
+@pytest.mark.parametrize("name", TEXTS)
+@pytest.mark.parametrize("lang", LANGUAGES)
+def test_a_page_fits_a_terminal_of_80_columns(name: str, lang: str) -> None:
+    lines = printed("example", *TEXTS[name], f"--lang={lang}").out.splitlines()
+    assert max(map(len, lines)) <= 80
+
+
+def pages() -> list[Table]:
+    return [
+        *(
+            kurbel.make_example_table(key, number, lang=lang, label=f"{key}-{number}-{lang}")
+            for key, number in EXAMPLES
+            for lang in LANGUAGES
+        ),
+        kurbel.make_example_table("blau", 33, ratios="1:4,5", label="own"),
+        kurbel.make_example_table("blau", 35, ratios="5:6", label="roots"),
+        kurbel.make_example_table("uebung", 12, ratios="2:9", force=10000, label="forces"),
+        kurbel.make_example_table("weisbach", 150, expansions=4, back="0.1", label="steam"),
+    ]
+
+
+@pytest.mark.parametrize("longtable", [False, True], ids=["table", "longtable"])
+@pytest.mark.parametrize("engine", ENGINES)
+def test_examples_compile_in_one_document(engine: str, longtable: bool, tmp_path: Path) -> None:
+    inputs = ""
+    for page in pages():
+        # Of both parts with their fractions a float is taller than a page.
+        is_long = longtable or page.key.startswith("blau-33")
+        text = render(page, "latex", longtable=is_long)
+        (tmp_path / f"{page.key}.tex").write_text(text, encoding="utf-8")
+        babel = {"de": "ngerman", "en": "english"}[page.lang]
+        inputs += f"\\selectlanguage{{{babel}}}\n\\input{{{page.key}}}\n\\clearpage\n"
+    log = compiled(engine, f"{PREAMBLE}{inputs}\\end{{document}}\n", tmp_path, runs=4)
+    assert complaints(log) == []
+
+
+def test_a_page_that_is_too_tall_for_a_float_breaks() -> None:
+    alone = printed("example", "blau", "33", "-f", "latex", "--standalone").out
+    assert r"\begin{longtable}" in alone
+    assert r"\begin{longtable}" not in printed("example", "blau", "35", "-f", "latex", "--standalone").out
+
+
+def test_html_is_well_formed_and_has_a_row_for_each_step() -> None:
+    for page in pages():
+        tree = fragment(page)
+        rows = sum(len(list(panel.rows())) for panel in page.panels)
+        body = [row for row in tree.iter("tr") if row.get("class") != "group" and row.find("td") is not None]
+        assert len(body) == rows or not page.panels[0].columns
+        for fraction in tree.iter("mfrac"):
+            assert len(fraction) == 2, ElementTree.tostring(fraction)
+
+
+def test_markdown_and_json_hold_the_figures() -> None:
+    for page in pages():
+        data = json.loads(render(page, "json"))
+        assert [row["line"] for row in data["rows"]]
+        text = render(page, "markdown")
+        widths = {len(re.split(r"(?<!\\)\|", line)) for line in text.splitlines() if line.startswith("|")}
+        assert len(widths) == 1

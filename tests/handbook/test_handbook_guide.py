@@ -1,0 +1,88 @@
+"""docs/handbook.md: its example builds, and every key of the manifest is described."""
+
+from __future__ import annotations
+
+import re
+import shutil
+from pathlib import Path
+
+import pytest
+from cli import kurbel
+from click import Group
+from places import ROOT
+
+from kurbel.cli.handbook import handbook
+from kurbel.handbook.keys import ENGINES, KEYS
+from kurbel.handbook.manifest import FORMATS_OF_A_HANDBOOK, read_manifest
+
+GUIDE = (ROOT / "docs" / "handbook.md").read_text(encoding="utf-8")
+HEADINGS = {"handbook": "At the top"}
+
+
+def example() -> str:
+    found = re.search(r"```toml\n(.*?)```", GUIDE, re.DOTALL)
+    assert found
+    return found[1]
+
+
+def described(section: str) -> str:
+    """Return the section of the guide on these keys."""
+    heading = f"\n### {HEADINGS.get(section, section)}\n"
+    assert heading in GUIDE
+    return re.split(r"\n##+ ", GUIDE.split(heading)[1])[0]
+
+
+@pytest.mark.parametrize("section", KEYS)
+def test_every_key_is_described_and_no_other(section: str) -> None:
+    names = set()
+    for line in re.findall(r"^\| (`.+?`) \|", described(section), re.MULTILINE):
+        names |= {name.strip("[]`").split(".")[-1] for name in line.split(", ")}
+    assert names == set(KEYS[section])
+
+
+def test_values_that_a_key_may_have_are_named() -> None:
+    for section in KEYS:
+        text = described(section)
+        for name, key in KEYS[section].items():
+            if name != "standards":
+                missing = [one for one in key.allowed if f"`{one}`" not in text and name != "lang"]
+                assert not missing, name
+    assert ", ".join(f"`{name}`" for name in FORMATS_OF_A_HANDBOOK) in described("handbook")
+    assert all(f"`{engine}`" in described("pdf") for engine in ENGINES)
+
+
+def test_every_command_is_described() -> None:
+    assert isinstance(handbook, Group)
+    for name in handbook.commands:
+        assert f"kurbel handbook {name} " in GUIDE
+
+
+def test_the_example_has_every_key_but_few_and_builds(tmp_path: Path) -> None:
+    folder = tmp_path / "appendix"
+    folder.mkdir()
+    (folder / "handbook.toml").write_text(example(), encoding="utf-8")
+    (folder / "motion.md").write_text("See [](#paths) and [](#acceleration).\n", encoding="utf-8")
+    shutil.copy(ROOT / "examples" / "engine.toml", folder)
+    unused = {name for keys in KEYS.values() for name in keys if not re.search(rf"\b{name}\b", example())}
+    assert unused == {"templates", "pdf", "standards"}
+    manifest = read_manifest(str(folder / "handbook.toml"))
+    done = kurbel("handbook", "build", str(folder), "--jobs", "1")
+    assert (done.code, done.out) == (0, "")
+    assert "failed" not in done.err
+    named = {"tables/paths.tex", "figures/acceleration.svg", "handbook.html", "appendix.tex"}
+    for name in named | {"handbook.tex", "markdown/index.md", "markdown/01-motion.md", "contents.json"}:
+        assert (folder / manifest.output / name).is_file(), name
+    appendix = (folder / manifest.output / "appendix.tex").read_text(encoding="utf-8")
+    for label in re.findall(r"cref\{(.+?)\}", GUIDE):
+        if label.startswith("tab"):
+            table = (folder / manifest.output / f"tables/{label[4:]}.tex").read_text(encoding="utf-8")
+            assert f"\\label{{{label}}}" in table
+        else:
+            assert f"\\label{{{label}}}" in appendix
+
+
+def test_guides_link_to_files_that_there_are() -> None:
+    for page in ("handbook.md", "ci.md"):
+        text = (ROOT / "docs" / page).read_text(encoding="utf-8")
+        for target in re.findall(r"\]\((?!http)([^)#]+)\)", text):
+            assert (ROOT / "docs" / target).is_file(), target

@@ -1,0 +1,111 @@
+"""The README's commands are run and their output compared; KURBEL_PROMOTE=1 writes the output anew."""
+
+from __future__ import annotations
+
+import csv
+import doctest
+import os
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+from places import ROOT, SOURCES
+
+README = ROOT / "README.md"
+BLOCK = re.compile(r"(?<=```console\n).*?(?=```)", re.DOTALL)
+COMMAND = re.compile(r"^\$ (.+)\n", re.MULTILINE)
+
+
+def commands(text: str) -> list[str]:
+    return [command for block in BLOCK.findall(text) for command in COMMAND.findall(block)]
+
+
+def printed(command: str, folder: Path) -> str:
+    """What a terminal shows of the command, run in the folder."""
+    program, *arguments = shlex.split(command)
+    assert program == "kurbel"
+    environment = {name: value for name, value in os.environ.items() if not name.startswith("KURBEL_")}
+    run = subprocess.run(
+        [sys.executable, "-m", "kurbel", *arguments],
+        check=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8", cwd=folder,
+        env=environment | {"PYTHONUTF8": "1"},
+    )  # fmt: skip
+    return run.stdout
+
+
+def true_block(block: str, folder: Path) -> str:
+    return "\n".join(f"$ {command}\n{printed(command, folder)}" for command in COMMAND.findall(block))
+
+
+def reader(folder: Path) -> Path:
+    """Return a folder with the examples and nothing else, in which the commands are typed in turn."""
+    shutil.copytree(README.parent / "examples", folder / "examples")
+    return folder
+
+
+def test_every_command_of_the_readme_prints_what_stands_there(tmp_path: Path) -> None:
+    text = README.read_text(encoding="utf-8")
+    if os.environ.get("KURBEL_PROMOTE") == "1":
+        promoted = reader(tmp_path / "promoted")
+        text = BLOCK.sub(lambda block: true_block(block.group(), promoted), text)
+        README.write_text(text, encoding="utf-8")
+    assert len(commands(text)) >= 5
+    folder = reader(tmp_path / "typed")
+    for block in BLOCK.findall(text):
+        assert block == true_block(block, folder)
+
+
+def test_the_machine_of_the_readme_is_the_example() -> None:
+    example = README.parent / "examples" / "engine.toml"
+    assert f"```toml\n{example.read_text(encoding='utf-8')}```" in README.read_text(encoding="utf-8")
+
+
+def test_the_first_command_prints_a_table() -> None:
+    text = README.read_text(encoding="utf-8")
+    assert commands(text)[0] == "kurbel table --ratio 1:5"
+    assert re.search(r"^ +90 +1,1010 +0,8990 ", text.split("```")[1], re.MULTILINE)
+
+
+def test_the_python_session_of_the_readme_is_true() -> None:
+    tests = doctest.DocTestParser().get_doctest(
+        "".join(re.findall(r"```pycon\n(.*?)```", README.read_text(encoding="utf-8"), re.DOTALL)),
+        {}, "README", str(README), 0,
+    )  # fmt: skip
+    assert len(tests.examples) >= 4
+    assert doctest.DocTestRunner().run(tests).failed == 0
+
+
+def test_the_tables_of_printed_values_are_those_of_the_sources() -> None:
+    with (SOURCES / "weisbach" / "150.csv").open(encoding="utf-8") as lines:
+        cells = {row["place"].split("/", 2)[2]: row for row in csv.DictReader(lines, delimiter=";")}
+    readme = README.read_text(encoding="utf-8")
+    for expansion in range(2, 7):
+        cell = cells[f"{expansion}/delta_table"]
+        methods = (f"{cell[one]} ({apart(cell[one], cell['printed'])})" for one in METHODS)
+        assert f"| {expansion} | {cell['printed']} | {' | '.join(methods)} |" in readme
+    for name, key in READABLE.items():
+        cell = cells[f"2/{key}"]
+        values = " | ".join(cell[one] for one in ("printed", *METHODS)).replace("-", "−")
+        assert f"| {name} | {values} |" in readme
+
+
+METHODS = ("exact", "series", "weisbach")
+READABLE = {
+    "α₁, return stroke": "alpha_min_return",
+    "α₁, outstroke": "alpha_min",
+    "least speed, return stroke": "v_min_return",
+    "least speed, outstroke": "v_min",
+    "α₂, return stroke": "alpha_max_return",
+    "α₂, outstroke": "alpha_max",
+    "greatest speed, return stroke": "v_max_return",
+    "greatest speed, outstroke": "v_max",
+    "P/Q": "mean_force",
+}
+
+
+def apart(computed: str, printed: str) -> str:
+    units = int(computed.replace(",", "")) - int(printed.replace(",", ""))
+    return f"{units:+d}".replace("-", "−") if units else "0"

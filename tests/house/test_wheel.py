@@ -1,0 +1,60 @@
+"""The wheel holds all that is needed: installed into an empty environment it prints a table anywhere."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import pytest
+from places import ROOT
+
+
+@pytest.fixture(scope="module")
+def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("wheel")
+    subprocess.run(
+        [sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", str(folder), str(ROOT)],
+        check=True, capture_output=True,
+    )  # fmt: skip
+    (built,) = folder.glob("*.whl")
+    return built
+
+
+def test_the_wheel_holds_templates_sources_and_types(wheel: Path) -> None:
+    names = zipfile.ZipFile(wheel).namelist()
+    assert "kurbel/py.typed" in names
+    for template in (ROOT / "templates").rglob("*.*"):
+        assert f"kurbel/templates/{template.relative_to(ROOT / 'templates').as_posix()}" in names
+    for printed in (ROOT / "src" / "kurbel" / "books" / "sources").rglob("*.*"):
+        assert printed.relative_to(ROOT / "src").as_posix() in names
+
+
+def test_an_installed_wheel_prints_a_table_from_another_directory(wheel: Path, tmp_path: Path) -> None:
+    environment = tmp_path / "environment"
+    subprocess.run([sys.executable, "-m", "venv", str(environment)], check=True)
+    python = environment / "bin" / "python"
+    subprocess.run(
+        [str(python), "-m", "pip", "install", "--quiet", str(wheel)], check=True, capture_output=True
+    )
+    elsewhere = tmp_path / "elsewhere"
+    elsewhere.mkdir()
+    run = subprocess.run(
+        [str(environment / "bin" / "kurbel"), "table", "--ratio", "1:5", "-f", "csv", "--angle", "90"],
+        check=True, capture_output=True, text=True, cwd=elsewhere, env={},
+    )  # fmt: skip
+    assert run.stdout.splitlines() == [
+        "ratio,phi,x,x_return,c,c_return,p,p_return",
+        "1:5,90,1.1010,0.8990,1.0000,1.0000,-0.2041,0.2041",
+    ]
+    page = subprocess.run(
+        [str(python), "-m", "kurbel", "table", "--layout", "roetscher-112", "-f", "latex"],
+        check=True, capture_output=True, text=True, cwd=elsewhere, env={"PYTHONUTF8": "1"},
+    )  # fmt: skip
+    assert r"\toprule" in page.stdout
+    worked = subprocess.run(
+        [str(python), "-m", "kurbel", "example", "blau", "35", "-f", "csv"],
+        check=True, capture_output=True, text=True, cwd=elsewhere, env={"PYTHONUTF8": "1"},
+    )  # fmt: skip
+    assert worked.stdout.splitlines()[-1].endswith("other,cos α,−5/2,−5/2,")
