@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 from handbook import TABLES, document, fragments, small, table, write_folder
-from test_latex import compiled, complaints
+from tex import compiled, complaints
 from tools import require
 
 from kurbel.documents.document import Chapter, Document, Item

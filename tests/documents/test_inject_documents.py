@@ -16,7 +16,7 @@ from cli import Result, kurbel, printed
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from markdown_it import MarkdownIt
-from test_latex import compiled, complaints
+from tex import compiled, complaints
 from tools import require_library
 
 from kurbel.cli.asking import asked

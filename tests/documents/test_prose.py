@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import re
 import time
-from html.parser import HTMLParser
 
 import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from markdown_it import MarkdownIt
 from places import ROOT
-from prose_sample import SAMPLE, Parts
+from prose_sample import SAMPLE, Parts, parsed, shown
 
 from kurbel.documents.prose import (
     Blocks,
@@ -185,24 +184,6 @@ def test_numbers_in_formulas_have_the_decimal_mark(form: str) -> None:
     assert "4.5" not in printed("$x = 4.5$", form)
 
 
-class Characters(HTMLParser):
-    """What a page of HTML shows, without white space."""
-
-    def __init__(self, page: str) -> None:
-        super().__init__()
-        self.found = ""
-        self.feed(page)
-        self.close()
-
-    def handle_data(self, data: str) -> None:
-        """Gather the characters between tags."""
-        self.found += "".join(data.split())
-
-
-def shown(page: str) -> str:
-    return Characters(page).found
-
-
 _MARKS = [*"*_`~<>[]()|#+-=.:!&\\/'\"^%{}@, \n", "a", "b1", "ä", "\u00a0", "&amp;", "&#42;", "&#32;", "<b>"]
 _BLOCKS = [
     "    ",
@@ -223,14 +204,6 @@ _PIECES = st.sampled_from(_MARKS + _BLOCKS + _WORDS)
 TEXTS = st.one_of(st.text(max_size=40), st.lists(_PIECES, max_size=25).map("".join))
 _PLAIN = MarkdownIt("commonmark", {"html": False}).enable("table")
 _PLAIN.validateLink = lambda url: True  # type: ignore[method-assign]
-
-
-def parsed(text: str) -> Blocks:
-    """Return the blocks of a text, or none if it is refused."""
-    try:
-        return parse_prose(text)
-    except ProseError:
-        return ()
 
 
 @given(TEXTS)

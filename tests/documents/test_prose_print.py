@@ -9,9 +9,8 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from prose_sample import SAMPLE, Parts
-from test_latex import ENGINES, compiled, complaints
-from test_prose import parsed, shown
+from prose_sample import SAMPLE, Parts, parsed, shown
+from tex import ENGINES, compiled, complaints
 from tools import require, require_library
 
 from kurbel.documents.prose import parse_prose

@@ -11,9 +11,8 @@ import pytest
 from cli import printed
 from golden import assert_golden
 from places import GOLDEN
-from test_latex import ENGINES, compiled, complaints
-from test_render import fragment
-from test_shipped_pages import PREAMBLE
+from readers import fragment
+from tex import ENGINES, PREAMBLE, compiled, complaints
 
 import kurbel
 from kurbel.examples.source import numbers_of, source_keys

@@ -9,7 +9,7 @@ import pytest
 from browser import TELEPHONE, Viewer, assert_readable, assert_readable_in_the_dark
 from everything import everything
 from pages import default_page, each_layout
-from test_shipped_pages import assert_rows_stand_in
+from rows import assert_rows_stand_in
 from tools import require
 
 import kurbel

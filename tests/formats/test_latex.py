@@ -2,61 +2,15 @@
 
 from __future__ import annotations
 
-import re
 import subprocess
 from pathlib import Path
 
 import pytest
-from everything import everything
+from everything import everything, tall, wide
+from tex import ENGINES, compiled, complaints
 from tools import require
 
-from kurbel.exact.numerals import Number
 from kurbel.formats.render import render
-from kurbel.page.table import Cell, Column, Group, Panel, Records, Row, Table
-
-ENGINES = ("pdflatex", "lualatex")
-_COMPLAINT = re.compile(r"^(?:!|.*\b(?:Warning|Overfull|Underfull|Missing character)\b).*", re.MULTILINE)
-
-
-def compiled(engine: str, text: str, folder: Path, runs: int = 1) -> str:
-    """Return the log of the last run."""
-    program = require(engine)
-    (folder / "page.tex").write_text(text, encoding="utf-8")
-    for _ in range(runs):
-        subprocess.run(
-            [program, "-interaction=nonstopmode", "-halt-on-error", "page.tex"],
-            cwd=folder,
-            capture_output=True,
-            timeout=120,
-            check=False,
-        )
-    return (folder / "page.log").read_text(encoding="utf-8", errors="replace")
-
-
-def complaints(log: str) -> list[str]:
-    return [found.group() for found in _COMPLAINT.finditer(log) if "Package: infwarerr" not in found.group()]
-
-
-def wide(decimals: int) -> Table:
-    """Twelve columns of figures, each of them with its sign."""
-    columns = tuple(
-        Column(str(place), ("Kopf", f"$x_{place % 10}$"), (f"Gruppe {place // 4}",)) for place in range(12)
-    )
-    rows = tuple(
-        Row(
-            (Cell(Number(10 * line, 0)),),
-            tuple(Cell(Number(-(10**decimals) - 7 * line - place, decimals)) for place in range(12)),
-        )
-        for line in range(4)
-    )
-    panel = Panel((Column("phi", ("$φ$",)),), columns, (Group(rows),))
-    return Table("wide", "de", "Breit", (panel,), Records((), ()))
-
-
-def tall(rows: int = 90) -> Table:
-    body = tuple(Row((Cell(Number(line, 0)),), (Cell(Number(line, 3)),)) for line in range(rows))
-    panel = Panel((Column("phi", ("$φ$",)),), (Column("x", ("$x/R$",)),), (Group(body, "Gruppe"),))
-    return Table("tall", "en", "Tall", (panel, panel), Records((), ()), source="Nowhere")
 
 
 @pytest.mark.parametrize("engine", ENGINES)

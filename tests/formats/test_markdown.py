@@ -7,7 +7,7 @@ import re
 import pytest
 from markdown_it import MarkdownIt
 from pages import default_page, each_layout
-from test_render import markdown_tables, model_cells
+from readers import markdown_tables, model_cells
 
 import kurbel
 from kurbel.examples.source import numbers_of, source_keys

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import re
 import subprocess
 import sys
-from collections.abc import Iterator
 from dataclasses import replace
 from html.parser import HTMLParser
 from importlib import import_module
-from itertools import pairwise
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -18,13 +15,12 @@ from everything import AWKWARD_TEXT, everything, n
 from golden import assert_golden
 from markdown_it import MarkdownIt
 from places import SUPPORT
+from readers import fragment, markdown_tables, model_cells
 
-from kurbel.exact.numerals import Number, number_text
-from kurbel.formats.escapes import mark_text
+from kurbel.exact.numerals import Number
 from kurbel.formats.page import page
 from kurbel.formats.registry import FORMATS, by_name
 from kurbel.formats.render import render
-from kurbel.page.labels import plain
 from kurbel.page.table import DITTO, Cell, Column, Group, Note, Panel, Records, Row, Table
 
 PAGES = [entry.name for entry in FORMATS.values() if entry.kind == "page"]
@@ -145,41 +141,6 @@ def test_panels_of_text_stand_in_line() -> None:
 # Markdown
 
 
-def markdown_tables(text: str) -> list[list[list[str]]]:
-    """Return the cells of all tables, as a reader of GitHub's Markdown sees them."""
-    tables: list[list[list[str]]] = []
-    tokens = MarkdownIt("gfm-like", {"linkify": False}).parse(text)
-    for before, token in pairwise(tokens):
-        if before.type == "table_open":
-            tables.append([])
-        if token.type == "tr_open":
-            tables[-1].append([])
-        if before.type in ("th_open", "td_open"):
-            children = token.children or []
-            tables[-1][-1].append("".join(child.content for child in children))
-    return tables
-
-
-def model_cells(panel: Panel, decimal: str = ",") -> Iterator[list[list[str]]]:
-    """Yield the body of each group as text, worked out from the model alone."""
-    above: dict[int, str] = {}
-    for group in panel.groups:
-        rows = []
-        for row in group.rows:
-            texts = []
-            for place, cell in enumerate(row.stub + row.cells):
-                if cell.value is DITTO:
-                    text = above[place]
-                elif isinstance(cell.value, Number):
-                    text = number_text(cell.value, decimal, "−")
-                else:
-                    text = plain(cell.value, decimal) if isinstance(cell.value, str) else "–"
-                above[place] = text
-                texts.append(text + "".join(map(mark_text, cell.notes)))
-            rows.append(texts)
-        yield rows
-
-
 def test_markdown_readers_see_every_cell_of_the_model() -> None:
     table = everything()
     expected = [rows for panel in table.panels for rows in model_cells(panel)]
@@ -209,12 +170,6 @@ def test_markdown_text_is_padded_to_a_grid() -> None:
 
 
 # HTML
-
-
-def fragment(table: Table) -> ElementTree.Element:
-    """Return the fragment as a tree; ElementTree refuses what is not well formed."""
-    text = render(table, "html")
-    return ElementTree.fromstring(re.sub(r"<(br|col)( [^>]*)?>", r"<\1\2/>", text[text.index("<figure") :]))
 
 
 def text_of(element: ElementTree.Element) -> str:

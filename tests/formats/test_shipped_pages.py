@@ -5,43 +5,19 @@ from __future__ import annotations
 import csv
 import io
 import re
-import subprocess
 from pathlib import Path
 
 import pytest
-from pages import default_page
-from test_latex import ENGINES, compiled, complaints
-from test_render import fragment
-from tools import require, require_library
+from pages import all_pages
+from readers import fragment
+from rows import assert_rows_stand_in, text_of_pdf
+from tex import ENGINES, PREAMBLE, compiled, complaints
+from tools import require_library
 
-from kurbel import make_engine_table, make_table, typeset_pdf
-from kurbel.exact.numerals import Number, number_text
+from kurbel import make_table, typeset_pdf
 from kurbel.formats.render import render
-from kurbel.page.labels import plain
-from kurbel.page.layouts import LANGUAGES, layout_names
-from kurbel.page.table import Row, Table
-
-PREAMBLE = r"""\documentclass{article}
-\usepackage{iftex}
-\iftutex\usepackage{fontspec}\else\usepackage[T1]{fontenc}\usepackage[utf8]{inputenc}\fi
-\usepackage{lmodern}
-\usepackage[a4paper,textwidth=16cm,textheight=25cm]{geometry}
-\usepackage[english,ngerman]{babel}
-\usepackage{amsmath,array,booktabs,graphicx,longtable}
-\begin{document}
-"""
-
-
-def all_pages() -> list[Table]:
-    return [
-        *(default_page(name, lang, f"{name}-{lang}") for name in layout_names() for lang in LANGUAGES),
-        make_table(radius="0.3", speed=2, label="machine"),
-        make_table(offset="0.1", lang="en", label="offset"),
-        make_engine_table(methods="weisbach", label="weisbach"),
-        make_engine_table(layout="delta-detail", ratios="1:4;1:5", cranks="0;90", label="cranks"),
-        make_engine_table(layout="turning", expansions="2;4", angles="0..360:30", label="engines"),
-        make_engine_table(back="0.1", exponent="1.13", clearance="0.05", double_acting=False, label="steam"),
-    ]
+from kurbel.page.layouts import LANGUAGES
+from kurbel.page.table import Table
 
 
 @pytest.mark.parametrize("longtable", [False, True], ids=["table", "longtable"])
@@ -84,11 +60,6 @@ def by_typst(page: Table, folder: Path) -> list[str]:
     return text_of_pdf(folder).splitlines()
 
 
-def text_of_pdf(folder: Path) -> str:
-    subprocess.run([require("pdftotext"), "-layout", "page.pdf", "page.txt"], cwd=folder, check=True)
-    return (folder / "page.txt").read_text(encoding="utf-8")
-
-
 def in_html(page: Table) -> list[str]:
     return [" ".join("".join(cell.itertext()) for cell in row) for row in fragment(page).iter("tr")]
 
@@ -111,32 +82,3 @@ def test_every_page_has_its_rows_in_every_format(form: str) -> None:
     for page in all_pages():
         lines = in_html(page) if form == "html" else render(page, form).splitlines()
         assert_rows_stand_in(lines, page)
-
-
-def assert_rows_stand_in(lines: list[str], page: Table, angles: bool = True) -> None:
-    """Check that the figures of every row of the page stand in a line, from left to right and going down."""
-    below = iter(lines)
-    rows = [row_of_figures(row, page.lang, angles) for panel in page.panels for row in panel.rows()]
-    assert any(rows)
-    for row in rows:
-        pattern = re.compile(".*?".join(rf"(?<![\d.,]){re.escape(figure)}(?!\d|[.,]\d)" for figure in row))
-        assert any(pattern.search(written(line)) for line in below), f"{page.key} has no row {row}"
-
-
-def row_of_figures(row: Row, lang: str, angles: bool) -> list[str]:
-    """Return the numbers and angles of a row in the notation of the language."""
-    mark = {"de": ",", "en": "."}[lang]
-    return [
-        number_text(cell.value, mark) if isinstance(cell.value, Number) else written(plain(cell.value))
-        for cell in row.stub + row.cells
-        if isinstance(cell.value, Number)
-        or (angles and isinstance(cell.value, str) and ANGLE.fullmatch(cell.value))
-    ]
-
-
-ANGLE = re.compile(r"\$\d+°\d+'\$")
-
-
-def written(line: str) -> str:
-    """Return the line with one minus sign and one prime for all."""
-    return line.replace("−", "-").replace("′", "'")

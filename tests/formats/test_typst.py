@@ -9,11 +9,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from everything import everything
+from everything import everything, tall, wide
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
-from test_latex import tall, wide
-from test_shipped_pages import all_pages, assert_rows_stand_in, text_of_pdf
+from pages import all_pages
+from rows import assert_rows_stand_in, text_of_pdf
 from tools import require_library
 
 from kurbel.errors import LayoutError

@@ -5,7 +5,6 @@ from __future__ import annotations
 import cmath
 import math
 from fractions import Fraction
-from functools import cache
 from typing import Any
 
 import flint
@@ -13,20 +12,19 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from links import CRANKS, DIGITS, FLOATS, arc_crank, links, shown
 from mpmath import mp
 from numpy.testing import assert_allclose, assert_array_equal
-from numpy.typing import NDArray
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.kernel import kinematics
 from kurbel.kernel import linkage as kernel
-from kurbel.kernel.circle import Circle, arcsine, circle
+from kurbel.kernel.circle import Circle, circle
 from kurbel.linkage.arc import (
     CHANGE_POINTS,
     MOTIONS,
     ArcCrank,
-    Kind,
     arc_stroke,
     balls,
     certified,
@@ -40,143 +38,6 @@ from kurbel.linkage.arc import (
     value,
 )
 from kurbel.motion.quantities import OUT, RETURN
-
-# mpmath has no types.
-Real = Any
-Floats = NDArray[np.float64]
-FLOATS = Kind(float, lambda degrees: circle(float(degrees)), arcsine, math.pi)
-DIGITS = 50
-
-
-def arc_crank(
-    rod: str, rocker: str, pivot: tuple[str, str] | None = None, circuit: int = 1, offset: str = "0"
-) -> ArcCrank:
-    distance, height = (None, None) if pivot is None else map(Fraction, pivot)
-    return ArcCrank(Crank(1 / Fraction(rod), Fraction(offset)), Fraction(rocker), distance, height, circuit)
-
-
-# A rocker in place of a slide, with an offset, on either side; shaft and pivot in a line with φ = 0, in both
-# circuits; a rocker shorter than the rod and a rod shorter than the rocker, each swinging far; a pivot
-# below, assembled both ways; links nearly in line.
-CRANKS = [
-    arc_crank("5", "6"),
-    arc_crank("4.5", "7", offset="0.7"),
-    arc_crank("3.5", "9", ("3.7", "-9.2")),
-    arc_crank("3", "2.5", ("4", "0")),
-    arc_crank("3", "2.5", ("4", "0"), -1),
-    arc_crank("6.1", "1.3", ("6.2", "0.3")),
-    arc_crank("1.4", "5.2", ("2.1", "4.9"), -1),
-    arc_crank("2.3", "3.1", ("0.6", "-2.7")),
-    arc_crank("2.3", "3.1", ("0.6", "-2.7"), -1),
-    arc_crank("4", "3", ("0.1", "5.99")),
-]
-
-
-def shown(crank: ArcCrank) -> str:
-    rod = 1 / float(crank.crank.ratio)
-    distance = rod if crank.distance is None else float(crank.distance)
-    lengths = rod, float(crank.rocker), distance, float(crank.pivot_height), crank.circuit
-    return ",".join(f"{length:g}" for length in lengths)
-
-
-class Links:
-    """Shaft at 0, pivot, rod and rocker as lengths; every position is closed by Newton's method."""
-
-    def __init__(self, crank: ArcCrank) -> None:
-        self.rod = 1 / real(crank.crank.ratio)
-        self.rocker = real(crank.rocker)
-        distance = self.rod if crank.distance is None else real(crank.distance)
-        self.pivot = mp.mpc(distance, real(crank.pivot_height))
-        # Seen from the crank pin, the rod's end lies to the right of the pivot, or to the left.
-        self.right = crank.circuit if self.pivot.imag >= 0 else -crank.circuit
-        self.inner, self.outer = self._dead(1), self._dead(-1)
-
-    def guess(self, cranks: Floats) -> NDArray[np.complex128]:
-        """Where two circles meet, in floats."""
-        rod, rocker, pivot = float(self.rod), float(self.rocker), complex(self.pivot)
-        pins = np.exp(1j * cranks)
-        apart = pivot - pins
-        along = (rod**2 - rocker**2 + np.abs(apart) ** 2) / (2 * np.abs(apart))
-        across = np.sqrt(rod**2 - along**2)
-        return np.asarray(pins + apart / np.abs(apart) * (along - 1j * self.right * across))
-
-    def angles(self, phi: Real) -> tuple[Real, Real]:
-        """Rod and rocker, from the slide direction, so that crank and rod end where the rocker ends."""
-        end = self.guess(np.array([float(phi)]))[0]
-        start = cmath.phase(end - cmath.exp(1j * float(phi))), cmath.phase(end - complex(self.pivot))
-        rod, rocker = mp.findroot(lambda *angles: self._open(phi, *angles), start)
-        return rod, rocker
-
-    def _open(self, phi: Real, rod: Real, rocker: Real) -> list[Real]:
-        gap = pointer(phi) + self.rod * pointer(rod) - self.pivot - self.rocker * pointer(rocker)
-        return [gap.real, gap.imag]
-
-    def _dead(self, side: int) -> tuple[Real, Real]:
-        """Crank angle and rocker where crank and rod are in line, stretched or folded."""
-        cranks = np.linspace(0, 2 * np.pi, 3601)
-        ends = self.guess(cranks)
-        row = (side * np.abs(ends)).argmax()
-
-        def misses(phi: Real, rocker: Real) -> list[Real]:
-            end = self.pivot + self.rocker * pointer(rocker)
-            gap = end - (self.rod + side) * side * pointer(phi)
-            return [gap.real, gap.imag]
-
-        start = cranks[row], cmath.phase(ends[row] - complex(self.pivot))
-        phi, rocker = mp.findroot(misses, start)
-        return phi, rocker
-
-    def end(self, rocker: Real) -> Real:
-        return self.pivot + self.rocker * pointer(rocker)
-
-    def value(self, key: str, stroke: int, degrees: Fraction) -> Real:
-        phi = mp.radians(real(degrees)) + (0 if stroke == OUT else mp.pi)
-        dead = (self.inner if stroke == OUT else self.outer)[1]
-        rod, rocker = self.angles(phi)
-        # The rocker's turn on the outstroke, made positive by the circuit.
-        turned = -stroke * self.right * wrapped(rocker - dead)
-        moved = (self.end(dead) - self.end(rocker)) * stroke
-        inward = stroke * self.right
-        slope = {
-            "turn": lambda angle: -inward * self.angles(angle)[1],
-            "rod": lambda angle: -self.angles(angle)[0],
-        }
-        square = mp.pi / 2 if self.right < 0 else -mp.pi / 2
-        tangent = -1j * self.right * pointer(rocker)
-        return {
-            "path": lambda: self.rocker * turned,
-            "chord": lambda: abs(moved),
-            "slide_path": lambda: moved.real,
-            "rise": lambda: -moved.imag,
-            "velocity": lambda: self.rocker * mp.diff(slope["turn"], phi),
-            "acceleration": lambda: self.rocker * mp.diff(slope["turn"], phi, 2),
-            "turn": lambda: mp.degrees(turned),
-            "turn_velocity": lambda: mp.diff(slope["turn"], phi),
-            "turn_acceleration": lambda: mp.diff(slope["turn"], phi, 2),
-            "rocker": lambda: mp.degrees(wrapped(rocker - square)),
-            "rod": lambda: mp.degrees(wrapped(-rod)),
-            "rod_velocity": lambda: mp.diff(slope["rod"], phi),
-            "rod_acceleration": lambda: mp.diff(slope["rod"], phi, 2),
-            "slant": lambda: -mp.degrees(mp.arg(-pointer(rod) / tangent)),
-        }[key]()
-
-
-def pointer(angle: Real) -> Real:
-    return mp.mpc(mp.cos(angle), mp.sin(angle))
-
-
-def real(number: Fraction) -> Real:
-    return mp.mpf(number.numerator) / number.denominator
-
-
-def wrapped(angle: Real) -> Real:
-    return angle - 2 * mp.pi * mp.nint(angle / (2 * mp.pi))
-
-
-@cache
-def links(crank: ArcCrank) -> Links:
-    with mp.workdps(DIGITS):
-        return Links(crank)
 
 
 @pytest.mark.parametrize("crank", CRANKS, ids=shown)

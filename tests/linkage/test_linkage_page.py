@@ -10,9 +10,9 @@ from typing import Any
 
 import pytest
 from cli import printed, refusal
+from links import DIGITS, Real, links
 from mpmath import mp
 from pages import Address, cells
-from test_linkage import DIGITS, Real, links
 
 import kurbel
 import kurbel.commands.linkage

@@ -10,12 +10,12 @@ from typing import Any
 import flint
 import numpy as np
 import pytest
+from bodies import Body, Drive, Mass, Real, few, reactions, spread
 from cli import printed, refusal
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from mpmath import mp
 from pages import shown
-from test_rod import Body, Drive, Mass, Real, few, reactions, spread
 
 import kurbel
 from kurbel.drive.crank import Crank

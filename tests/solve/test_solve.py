@@ -12,9 +12,9 @@ import pytest
 import textbook
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
+from links import CRANKS, FLOATS, links
+from links import shown as links_shown
 from mpmath import mp
-from test_linkage import CRANKS, links
-from test_linkage import shown as links_shown
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import NoRootError, ProblemError
@@ -164,7 +164,6 @@ def _compare_with_floats(
     crank: ArcCrank, quantity: str, stroke: int, value: float, found: Sequence[Root]
 ) -> None:
     import numpy as np
-    from test_linkage import FLOATS
 
     from kurbel.kernel.circle import circle
     from kurbel.linkage import arc as linkage

@@ -77,3 +77,25 @@ def everything(key: str = "everything", lang: str = "de", caption: str = "") -> 
         ),
         "F. Rötscher, Die Maschinenelemente, § 14",
     )
+
+
+def wide(decimals: int) -> Table:
+    """Twelve columns of figures, each of them with its sign."""
+    columns = tuple(
+        Column(str(place), ("Kopf", f"$x_{place % 10}$"), (f"Gruppe {place // 4}",)) for place in range(12)
+    )
+    rows = tuple(
+        Row(
+            (Cell(Number(10 * line, 0)),),
+            tuple(Cell(Number(-(10**decimals) - 7 * line - place, decimals)) for place in range(12)),
+        )
+        for line in range(4)
+    )
+    panel = Panel((Column("phi", ("$φ$",)),), columns, (Group(rows),))
+    return Table("wide", "de", "Breit", (panel,), Records((), ()))
+
+
+def tall(rows: int = 90) -> Table:
+    body = tuple(Row((Cell(Number(line, 0)),), (Cell(Number(line, 3)),)) for line in range(rows))
+    panel = Panel((Column("phi", ("$φ$",)),), (Column("x", ("$x/R$",)),), (Group(body, "Gruppe"),))
+    return Table("tall", "en", "Tall", (panel, panel), Records((), ()), source="Nowhere")

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 import pytest
 
 import kurbel
+from kurbel import make_engine_table, make_table
 from kurbel.exact.numerals import Number, number_text
 from kurbel.page.layouts import LANGUAGES, layout, layout_names
 from kurbel.page.table import DITTO, Panel, Table
@@ -137,3 +138,15 @@ def addressed(panel: Panel) -> Iterator[tuple[Address, str]]:
             for column, cell in zip(panel.columns, row.cells, strict=True):
                 if column.key != "unit":
                     yield (group.label, *stub, *column.spanners, *column.heading, *units), shown(cell.value)
+
+
+def all_pages() -> list[Table]:
+    return [
+        *(default_page(name, lang, f"{name}-{lang}") for name in layout_names() for lang in LANGUAGES),
+        make_table(radius="0.3", speed=2, label="machine"),
+        make_table(offset="0.1", lang="en", label="offset"),
+        make_engine_table(methods="weisbach", label="weisbach"),
+        make_engine_table(layout="delta-detail", ratios="1:4;1:5", cranks="0;90", label="cranks"),
+        make_engine_table(layout="turning", expansions="2;4", angles="0..360:30", label="engines"),
+        make_engine_table(back="0.1", exponent="1.13", clearance="0.05", double_acting=False, label="steam"),
+    ]

@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+from html.parser import HTMLParser
 from typing import Literal
 
+from kurbel.documents.prose import (
+    Blocks,
+    parse_prose,
+)
 from kurbel.documents.prose_print import Reference
-from kurbel.errors import ChoiceError
+from kurbel.errors import ChoiceError, ProseError
 
 SAMPLE = r"""# Kurbeltrieb mit $λ_1 = R/L$ & *mehr*
 
@@ -72,3 +77,29 @@ class Parts:
         kind, prefix, number = _PARTS[name]
         target = _TARGETS[self.form].format(prefix, name)
         return Reference(kind, target, f"{_NAMES[kind]} {number}")
+
+
+class Characters(HTMLParser):
+    """What a page of HTML shows, without white space."""
+
+    def __init__(self, page: str) -> None:
+        super().__init__()
+        self.found = ""
+        self.feed(page)
+        self.close()
+
+    def handle_data(self, data: str) -> None:
+        """Gather the characters between tags."""
+        self.found += "".join(data.split())
+
+
+def shown(page: str) -> str:
+    return Characters(page).found
+
+
+def parsed(text: str) -> Blocks:
+    """Return the blocks of a text, or none if it is refused."""
+    try:
+        return parse_prose(text)
+    except ProseError:
+        return ()
