@@ -6,7 +6,6 @@ import ast
 import csv
 import math
 import re
-from collections import Counter
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -19,10 +18,11 @@ from mpmath import mp
 from places import ROOT, SOURCES
 
 import kurbel as library
-from kurbel.books.collation import BALLS, Collation
+from kurbel.books.collation import Collation
 from kurbel.books.expression import Expression
 from kurbel.books.printed_value import printed_value
 from kurbel.books.source import source_tables
+from kurbel.books.truth import BALLS
 from kurbel.books.verdict import (
     CARRIED,
     DIGIT,
@@ -241,22 +241,6 @@ def test_formulas_of_cells_have_the_value_that_mpmath_gives() -> None:
                 right = int(mp.floor(value / unit + mp.mpf("0.5")))
                 assert one.off is not None and one.printed.scaled - one.off == right, one.cell.place
     assert count == 50
-
-
-def test_steps_of_the_worked_examples_and_tables_hold_the_same_characters() -> None:
-    """They were transcribed twice."""
-    from kurbel.examples.source import FOLDER as steps
-
-    for key in ("blau", "weisbach"):
-        with (Path(steps) / key / "steps.csv").open(encoding="utf-8") as lines:
-            rows = list(csv.DictReader(lines, delimiter=";"))
-        for number in dict.fromkeys(row["example"] for row in rows):
-            worked = Counter(row["printed"] for row in rows if row["example"] == number)
-            cells = TABLES[f"{key}-{number}"].cells
-            held = Counter(cell.printed.text for cell in cells if cell.printed)
-            # The table of δ at the end of § 150 is none of the example's steps.
-            beside = Counter(cell.printed.text for cell in cells if cell.printed and "table" in cell.place)
-            assert worked == held - beside, (key, number)
 
 
 def test_every_book_says_what_it_states_and_what_was_inferred() -> None:

@@ -5,56 +5,25 @@ A true value is rounded once to the last place that is printed, half away from z
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
-from functools import cache
-from math import inf
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import NamedTuple
 
-from kurbel.books.expression import Expression, Kind
-from kurbel.books.printed_value import Printed, quotient_text
+from kurbel.books.printed_value import Printed
 from kurbel.books.source import SourceCell, SourceTable
+from kurbel.books.truth import Truth, constant, formula_truth, kept, methods_of, quantity_truth
 from kurbel.books.verdict import RIGHT, Evidence, Verdict, quotient_verdict, verdict
-from kurbel.errors import KurbelError, NotationError, SourceError
-from kurbel.exact.certify import NEVER_TIES, TieBits, ball, ball_circle, ball_degrees, rounded, vanishes
-from kurbel.exact.separation import Separation, circle_separation
-from kurbel.kernel.circle import Circle
-from kurbel.reading.choices import choose
+from kurbel.errors import KurbelError, SourceError
 from kurbel.reading.notation import angle, number, ratio
 
-if TYPE_CHECKING:
-    from flint import arb
-
-BALLS = Kind(ball, ball_circle, lambda value: value.log(), lambda value: 90 - ball_degrees(value))
-FRACTIONS = Kind(lambda value: value, lambda degrees: None)
-BOUNDS = Kind(Separation.rational, lambda degrees: Circle(*circle_separation(degrees)))
-
-
-class Truth(NamedTuple):
-    """What a cell is: its ball at the precision in force, its separation bound, None without one.
-
-    `rational` is the value itself where the cell has nothing but the four operations.
-    """
-
-    value: Callable[[], arb]
-    bound: Callable[[], Separation] | None = None
-    rational: Fraction | None = None
-
-    def in_units(self, printed: Printed) -> int:
-        """Return how many units of the printed value's last place it is, rounded."""
-        unit = printed.unit
-
-        def tie_bits(boundary: Fraction) -> float:
-            assert self.bound is not None
-            return float((self.bound() - Separation.rational(boundary * unit)).bits())
-
-        ties: TieBits | None = NEVER_TIES if self.bound is None else tie_bits
-        return rounded(lambda: self.value() / ball(unit), 0, "half-away", ties)
-
-    def equals(self, value: Fraction) -> bool:
-        """Return whether it is this number itself."""
-        bits = inf if self.bound is None else (self.bound() - Separation.rational(value)).bits()
-        return vanishes(lambda: self.value() - ball(value), float(bits))
+# How the axes of a cell are read.
+READERS: Mapping[str, Callable[[str], Fraction | str]] = {
+    "ratio": ratio,
+    "phi": lambda text: angle(text, "angle"),
+    "epsilon": lambda text: number(text, "expansion ratio"),
+    "arm": lambda text: number(text, "beam arm"),
+    "stroke": str,
+}
 
 
 class Collated(NamedTuple):
@@ -104,40 +73,25 @@ class Collation:
     def truth(self, cell: SourceCell) -> Truth:
         """Return what the cell is, by the book's method."""
         if cell.place not in self._truths:
-            self._truths[cell.place] = _kept(self._truth(cell))
+            self._truths[cell.place] = kept(self._truth(cell))
         return self._truths[cell.place]
 
     def _truth(self, cell: SourceCell) -> Truth:
         if cell.quantity:
-            return quantity_truth(cell, cell.method)
+            return cell_truth(cell, cell.method)
         assert cell.formula is not None
-        return self._of(cell.formula, lambda name: self.truth(self._by_place[name]))
-
-    def _of(self, formula: Expression, cells: Callable[[str], Truth]) -> Truth:
-        named = [cells(name) for name in formula.names]
-
-        def bound(name: str) -> Separation:
-            found = cells(name).bound
-            assert found is not None
-            return found()
-
-        algebraic = not formula.transcendental and all(one.bound is not None for one in named)
-        rational = formula.rational and all(one.rational is not None for one in named)
-        return Truth(
-            lambda: formula.value(BALLS, lambda name: cells(name).value()),
-            (lambda: formula.value(BOUNDS, bound)) if algebraic else None,
-            _quotient(formula, lambda name: cells(name).rational) if rational else None,
-        )
+        return formula_truth(cell.formula, lambda name: self.truth(self._by_place[name]))
 
     def _way(self, cell: SourceCell) -> tuple[Truth | None, tuple[str, ...]]:
         """Return the value from what was printed before, and which of that is not right itself."""
         way = cell.way or cell.formula
         if way is None or not way.names:
             return None, ()
-        before = {name: self._by_place[name].printed for name in way.names}
-        if any(one is None for one in before.values()):
+        printed = {name: self._by_place[name].printed for name in way.names}
+        before = {name: one.value for name, one in printed.items() if one is not None}
+        if len(before) < len(printed):
             return None, ()
-        found = self._of(way, lambda name: _constant(before[name]))
+        found = formula_truth(way, lambda name: constant(before[name]))
         slips = tuple(name for name in sorted(way.names) if self.collated(name).verdict.kind != RIGHT)
         return found, slips
 
@@ -194,7 +148,7 @@ def _collated_quotient(
     if truth.equals(value):
         return printed.text, 0, Verdict(RIGHT)
     if truth.rational is not None:
-        standing = quotient_text(truth.rational)
+        standing = str(truth.rational)
     else:
         decimals = Printed("", 0, Fraction(1, 10**6), ",")
         standing = decimals.standing_for(truth.in_units(decimals))
@@ -209,31 +163,6 @@ def _collated_quotient(
     return standing, None, found
 
 
-def _quotient(formula: Expression, cell: Callable[[str], Fraction | None]) -> Fraction:
-    try:
-        found: Fraction = formula.value(FRACTIONS, cell)
-    except ZeroDivisionError:
-        raise NotationError(f'"{formula.text[:60]}" divides by zero') from None
-    return found
-
-
-def _kept(truth: Truth) -> Truth:
-    """Return the same, computed once for each precision."""
-    from flint import ctx
-
-    at = cache(lambda precision: truth.value())
-    return Truth(lambda: at(ctx.prec), truth.bound and cache(truth.bound), truth.rational)
-
-
-def _constant(printed: Printed | None) -> Truth:
-    assert printed is not None
-    value = printed.value
-    return Truth(lambda: ball(value), lambda: Separation.rational(value), value)
-
-
-# Quantities -----------------------------------------------------------------------------------------------
-
-
 def others_of(cell: SourceCell) -> Mapping[str, Callable[[], Truth | None]]:
     """Return what the cell is by the other methods, None where one has no formula for it."""
     if not cell.quantity:
@@ -242,7 +171,7 @@ def others_of(cell: SourceCell) -> Mapping[str, Callable[[], Truth | None]]:
     def other(method: str) -> Callable[[], Truth | None]:
         def truth() -> Truth | None:
             try:
-                return quantity_truth(cell, method)
+                return cell_truth(cell, method)
             except KurbelError:
                 return None
 
@@ -251,101 +180,8 @@ def others_of(cell: SourceCell) -> Mapping[str, Callable[[], Truth | None]]:
     return {method: other(method) for method in methods_of(cell.quantity) if method != cell.method}
 
 
-def methods_of(quantity: str) -> tuple[str, ...]:
-    """Return the methods by which a quantity can be recomputed."""
-    from kurbel.engine.quantities import engine_registry
-    from kurbel.linkage.beam import registry as beam_registry
-    from kurbel.motion.quantities import METHODS
-
-    if quantity in beam_registry():
-        return ("exact", "approximate")
-    return ("exact", "series", "weisbach") if quantity in engine_registry() else tuple(METHODS)
-
-
-def quantity_truth(cell: SourceCell, method: str) -> Truth:
-    """Return a quantity of the motion, of an engine or of a beam engine at the place of the cell."""
-    from kurbel.engine.quantities import engine_registry
-    from kurbel.linkage.beam import registry as beam_registry
-    from kurbel.motion.quantities import registry
-
-    axes = cell.axes
-    if "epsilon" in axes:
-        choose(cell.quantity, engine_registry(), "quantity")
-        _check_axes(cell, ("ratio", "epsilon"), ("stroke",))
-        return _engine_truth(cell, method)
-    if "arm" in axes:
-        choose(cell.quantity, beam_registry(), "quantity")
-        _check_axes(cell, ("ratio", "arm"))
-        return _beam_truth(cell, method)
-    choose(cell.quantity, registry(), "quantity")
-    _check_axes(cell, ("ratio", "phi"))
-    return motion_truth(cell.quantity, method, ratio(axes["ratio"]), angle(axes["phi"], "angle"))
-
-
-def _check_axes(cell: SourceCell, needed: Sequence[str], free: Sequence[str] = ()) -> None:
-    for axis in needed:
-        if axis not in cell.axes:
-            raise NotationError(f"there is no {axis}, which the quantity {cell.quantity} needs")
-    for axis in cell.axes:
-        if axis not in (*needed, *free):
-            raise NotationError(f"the quantity {cell.quantity} has no {axis}; leave it out")
-
-
-def motion_truth(key: str, method: str, crank_ratio: Fraction, degrees: Fraction) -> Truth:
-    """Return a quantity of the piston's motion at a crank angle."""
-    from kurbel.drive.crank import Crank
-    from kurbel.motion.quantities import METHODS, Numbers, numbers_of_balls, registry, value
-
-    quantity, crank = registry()[key], Crank(crank_ratio)
-    choose(method, METHODS, "method")
-    if not quantity.available(crank):
-        raise NotationError(f"the quantity {key} has a unit, and no lengths are known; choose one without")
-
-    def run(circle: Any, numbers: Numbers) -> Any:
-        return value(quantity, method, crank, circle, numbers)
-
-    # A method without a formula is told here, before anything is computed.
-    quantity.formula(method, crank, numbers_of_balls())
-    bound = None
-    if not quantity.transcendental(crank):
-        circle = Circle(*circle_separation(degrees))
-        bound = cache(lambda: run(circle, Numbers(Separation.rational)))
-    return Truth(lambda: run(ball_circle(degrees), numbers_of_balls()), bound)
-
-
-def _engine_truth(cell: SourceCell, method: str) -> Truth:
-    from kurbel.engine.quantities import SPANS, Where, engine_registry
-
-    quantity, spans = engine_registry()[cell.quantity], {name: span for span, (name, _) in SPANS.items()}
-    stroke = spans[choose(cell.axes.get("stroke", "turn"), spans, "stroke")]
-    turn = _turn(cell.axes["epsilon"], cell.axes.get("ratio", ""), method)
-    where = Where(stroke)
-    if not quantity.applies(where):
-        raise NotationError(f"{cell.quantity} is no quantity of {cell.axes.get('stroke', 'turn')}")
-
-    def value() -> Any:
-        found = quantity.value(turn, where)
-        return ball(found) if isinstance(found, Fraction) else found
-
-    return Truth(value)
-
-
-@cache
-def _turn(epsilon: str, crank_ratio: str, method: str) -> Any:
-    from kurbel.drive.crank import Crank
-    from kurbel.engine.engine import Engine, Steam
-    from kurbel.engine.request import ENGINE_METHODS
-    from kurbel.engine.turn import turn_of
-
-    choose(method, ENGINE_METHODS, "method")
-    return turn_of(Engine(Crank(ratio(crank_ratio)), Steam(number(epsilon, "expansion ratio"))), method)
-
-
-def _beam_truth(cell: SourceCell, method: str) -> Truth:
-    from kurbel.linkage.beam import MINUTES, BeamEngine, registry
-
-    quantity = registry()[cell.quantity]
-    choose(method, ("exact", "approximate"), "method")
-    engine = BeamEngine(number(cell.axes["arm"], "beam arm"), ratio(cell.axes.get("ratio", "")))
-    share = Fraction(1, 60) if quantity.unit == MINUTES else Fraction(1)
-    return Truth(lambda: quantity.value(engine, method == "exact") * ball(share))
+def cell_truth(cell: SourceCell, method: str) -> Truth:
+    """Return what the quantity of a cell is by a method."""
+    return quantity_truth(
+        cell.quantity, method, {axis: READERS[axis](text) for axis, text in cell.axes.items()}
+    )

@@ -12,6 +12,7 @@ import operator
 import re
 from collections.abc import Callable, Mapping
 from fractions import Fraction
+from math import isqrt
 from typing import Any, NamedTuple
 
 from kurbel.errors import NotationError
@@ -28,20 +29,39 @@ _NUMBER = re.compile(r"[0-9]+(\.[0-9]+)?")
 
 
 class Kind(NamedTuple):
-    """A kind of number: of a fraction, sine and cosine of exact degrees, logarithm and arc if it has them."""
+    """A kind of number: of a fraction, sine and cosine of exact degrees, logarithm, arc and root."""
 
     of: Callable[[Fraction], Any]
     circle: Callable[[Fraction], Any]
-    ln: Callable[[Any], Any] | None = None
-    arccos: Callable[[Any], Any] | None = None
+    ln: Callable[[Any], Any]
+    arccos: Callable[[Any], Any]
+    root: Callable[[Any], Any] = lambda value: value**0.5
+
+
+class IrrationalError(ArithmeticError):
+    """A value is not of the kind, or not known to be."""
+
+
+def irrational(value: Any) -> Any:
+    """Raise IrrationalError: what stands for a function whose values are not of the kind."""
+    raise IrrationalError
+
+
+def fraction_root(square: Fraction) -> Fraction:
+    """Return the square root; raise IrrationalError if it is no fraction."""
+    root = Fraction(isqrt(max(square.numerator, 0)), isqrt(square.denominator))
+    return root if root * root == square else irrational(square)
 
 
 class Expression:
-    """An expression that was read once; `names` are the other cells in it."""
+    """An expression that was read once; `names` are the other cells in it.
 
-    def __init__(self, text: str) -> None:
+    `numbers` stand in place of their names, also in sines and cosines.
+    """
+
+    def __init__(self, text: str, numbers: Mapping[str, Fraction] | None = None) -> None:
         self.text = text
-        self._tree = _parsed(text)
+        self._tree = _parsed(text, numbers or {})
         self.names = frozenset(node.id for node in ast.walk(self._tree) if isinstance(node, ast.Name)) - {
             *FUNCTIONS
         }
@@ -52,17 +72,12 @@ class Expression:
         names = (node.id for node in ast.walk(self._tree) if isinstance(node, ast.Name))
         return bool({"ln", "arccos"} & {*names})
 
-    @property
-    def rational(self) -> bool:
-        """Whether it has no functions, so that its value is rational where those of the cells are."""
-        return not any(isinstance(node, ast.Call) for node in ast.walk(self._tree))
-
     def value(self, kind: Kind, cell: Callable[[str], Any]) -> Any:
         """Return the value on a kind of number, with those of the cells that it names."""
         return _value(self._tree, kind, cell)
 
 
-def _parsed(text: str) -> ast.expr:
+def _parsed(text: str, numbers: Mapping[str, Fraction]) -> ast.expr:
     if len(text) > LONGEST:
         raise NotationError(f"an expression of {len(text)} characters is too long; {LONGEST} are allowed")
     written = text.replace("^", "**")
@@ -70,7 +85,7 @@ def _parsed(text: str) -> ast.expr:
         tree = ast.parse(written, mode="eval")
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         raise NotationError(f'"{text[:60]}" is no expression; write one such as 1 - cos(45)') from None
-    read: ast.expr = _Numbers(written).visit(tree).body
+    read: ast.expr = _Numbers(written, numbers).visit(tree).body
     _check(read, text)
     return read
 
@@ -78,16 +93,25 @@ def _parsed(text: str) -> ast.expr:
 class _Numbers(ast.NodeTransformer):
     """Takes the numbers from the characters, for a decimal fraction is no float."""
 
-    def __init__(self, written: str) -> None:
+    def __init__(self, written: str, numbers: Mapping[str, Fraction]) -> None:
         self.written = written
+        self.numbers = numbers
+
+    def visit_Name(self, node: ast.Name) -> ast.expr:
+        """Put its number for a name that has one."""
+        return _constant(self.numbers[node.id], node) if node.id in self.numbers else node
 
     def visit_Constant(self, node: ast.Constant) -> ast.Constant:
         """Put a Fraction for the number as it is written."""
         said = ast.get_source_segment(self.written, node) or ""
         if not _NUMBER.fullmatch(said):
             raise NotationError(f'"{said[:40]}" is no number of an expression; write digits, such as 0.125')
-        # The tree is never compiled, so that a constant may be what Python's own are not.
-        return ast.copy_location(ast.Constant(Fraction(said)), node)  # type: ignore[arg-type]
+        return _constant(Fraction(said), node)
+
+
+def _constant(value: Fraction, place: ast.expr) -> ast.Constant:
+    # The tree is never compiled, so that a constant may be what Python's own are not.
+    return ast.copy_location(ast.Constant(value), place)  # type: ignore[arg-type]
 
 
 def _check(tree: ast.expr, text: str) -> None:
@@ -149,9 +173,5 @@ def _called(name: str, inner: ast.expr, kind: Kind, cell: Callable[[str], Any]) 
     if name in ("sin", "cos"):
         circle = kind.circle(_rational(inner, ""))
         return circle.sine if name == "sin" else circle.cosine
-    value = _value(inner, kind, cell)
-    if name in ("ln", "arccos"):
-        function = kind.ln if name == "ln" else kind.arccos
-        assert function is not None
-        return function(value)
-    return value**0.5
+    functions = {"ln": kind.ln, "arccos": kind.arccos, "sqrt": kind.root}
+    return functions[name](_value(inner, kind, cell))

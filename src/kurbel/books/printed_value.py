@@ -7,6 +7,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from kurbel.errors import NotationError
+from kurbel.exact.numerals import Label, Number
 
 LONGEST = 100
 _DECIMAL = re.compile(r"([-−]?)([0-9]+)(?:([.,])([0-9]+))?")
@@ -50,15 +51,27 @@ class Printed(NamedTuple):
         minutes, half = divmod(rest, halves)
         return f"{sign}{degrees}°{minutes}{'½' if half else ''}'"
 
+    def with_units(self, scaled: int) -> Printed:
+        """Return the value of so many units, printed in its place."""
+        return self._replace(text=self.standing_for(scaled), scaled=scaled)
+
+    def in_formula(self) -> str:
+        """Return the value for a formula, with a decimal point: 0.343, 79°20', 5/4; for prose 32°51½′."""
+        text = self.text if self.exact else self.standing_for(self.scaled)
+        # The notation of formulas has no ½, nor has that of prose a prime after it.
+        return text.replace(",", ".").replace("½'", "½′")
+
+    def cell(self) -> Number | Label:
+        """Return the value for a table."""
+        if self.form in (",", "."):
+            return Number(self.scaled, self.decimals)
+        text = self.in_formula()
+        return text if "½" in text else f"${text}$"
+
     @property
     def decimals(self) -> int:
         """How many decimals are printed."""
         return len(str(self.unit.denominator)) - 1 if self.form in (",", ".") else 0
-
-
-def quotient_text(value: Fraction) -> str:
-    """Return a rational value as a quotient is printed: 1/72, and a whole number as itself."""
-    return str(value)
 
 
 def printed_value(text: str) -> Printed:

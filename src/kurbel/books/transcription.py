@@ -18,16 +18,10 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from kurbel.books.collation import (
-    Collated,
-    collate,
-    collated_units,
-    methods_of,
-    others_of,
-    quantity_truth,
-)
+from kurbel.books.collation import Collated, cell_truth, collate, collated_units, others_of
 from kurbel.books.printed_value import Printed, printed_value
 from kurbel.books.source import SourceCell
+from kurbel.books.truth import methods_of
 from kurbel.drive.crank import Crank
 from kurbel.errors import KurbelError, NotationError, ProblemError, SourceError
 from kurbel.motion.digits import Digits, columns_in_balls, columns_in_floats, is_long
@@ -170,7 +164,7 @@ def _collated(
                 wrong = rights[index] != point.printed.scaled
                 yield collated_units(cell, point.printed, rights[index], others_of(cell) if wrong else {})
             else:
-                yield collate(cell, point.printed, quantity_truth(cell, method), others_of(cell))
+                yield collate(cell, point.printed, cell_truth(cell, method), others_of(cell))
         except KurbelError as error:
             raise SourceError(f"{place(shown(path), point.line)}: {error}") from None
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 
+from kurbel.books.printed_value import Printed
 from kurbel.exact.numerals import Label, Number
-from kurbel.examples.figures import Figure
 from kurbel.examples.lines import exact_text
 from kurbel.examples.request import ExampleRequest
 from kurbel.examples.source import Example, Part
@@ -82,7 +82,7 @@ def _row(entry: Entry, columns: Sequence[Column], marks: Mapping[Label, str]) ->
     return Row((stub,), tuple(cells[column.key] for column in columns))
 
 
-def _cell(entry: Entry, figure: Figure | None, notes: tuple[str, ...] = ()) -> Cell:
+def _cell(entry: Entry, figure: Printed | None, notes: tuple[str, ...] = ()) -> Cell:
     """Return the cell of a figure: blank in a line without a new one, missing where it is not printed."""
     if not entry.step:
         return Cell("")

@@ -9,14 +9,15 @@ from functools import cached_property
 from itertools import product
 from math import prod
 
+from kurbel.books.truth import engine_turn
 from kurbel.drive.crank import Crank, check_angles
 from kurbel.errors import ProblemError
 from kurbel.examples.source import Example, Part, example
-from kurbel.examples.steam import check_steam
 from kurbel.linkage.beam import BeamEngine
 from kurbel.page.layouts import LANGUAGES
 from kurbel.page.sheet import check_label
 from kurbel.reading.choices import choose
+from kurbel.reading.notation import about
 
 MOST = 100
 
@@ -91,8 +92,20 @@ def _check(given: Mapping[str, Fraction]) -> None:
     if "beam" in given:
         BeamEngine(given["beam"], given["ratio"])
     if "eps" in given:
-        check_steam(given)
+        _check_steam(given)
     if "force" in given:
         if "ratio" not in given:
             raise ProblemError("a force becomes newtons with a ratio only; add one, such as 1:5")
         Crank(given["ratio"], force=given["force"])
+
+
+def _check_steam(given: Mapping[str, Fraction]) -> None:
+    """Raise ProblemError where the equation of § 150 for α₂ does not hold."""
+    if given["eps"] <= 1:
+        raise ProblemError("the way of § 150 is for expanding steam; give an expansion ratio above 1")
+    turn = engine_turn(given["ratio"], given["eps"], given.get("back"), "weisbach")
+    if not turn.expands_first:
+        raise ProblemError(
+            f"at ε = {about(given['eps'])} the speed is greatest before the cut-off, where the equation of"
+            " § 150 for α₂ does not hold; give a larger expansion ratio"
+        )

@@ -1,18 +1,24 @@
-"""The worked examples of the books: sources/<key>/ holds their lines in TOML and printed values in CSV."""
+"""The worked examples of the books: sources/<book>/<number>.toml has their lines and the steps in them.
+
+A step is a formula of given numbers and other steps, or a quantity of kurbel's by the method of the book. Its
+printed value stands in the table of the same number, sources/<book>/<number>.csv: at the place that the
+part's `printed` names, else at that of the step's own name.
+"""
 
 from __future__ import annotations
 
-import csv
 import os
 import tomllib
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from functools import cache
+from pathlib import Path
 from typing import Any, NamedTuple
 
+from kurbel.books.printed_value import Printed, printed_value
+from kurbel.books.source import Book, SourceTable
 from kurbel.errors import LayoutError
 from kurbel.exact.numerals import Label
-from kurbel.examples.figures import Figure, figure
 from kurbel.page.layouts import LANGUAGES
 from kurbel.reading.choices import choose
 from kurbel.reading.notation import number, ratio
@@ -24,7 +30,8 @@ Localised = Mapping[str, str]
 class Line(NamedTuple):
     """A line of the working, with places {step} for its figures.
 
-    `added` tells that the book does not have it, `when` names the condition under which it is needed.
+    `added` tells that the book does not have it, `when` is the condition under which it is needed, such as
+    "ratio >= 5/7". A line with what the given numbers do not settle is left out.
     """
 
     text: Label
@@ -33,10 +40,16 @@ class Line(NamedTuple):
 
 
 class Step(NamedTuple):
-    """A number of the working: its symbol, and how it is written where no printed value says so."""
+    """A number of the working: its symbol, a formula or a quantity, perhaps that of a stroke.
+
+    `form` is how it is written where no printed value says so.
+    """
 
     symbol: Label
-    figure: Figure
+    form: Printed
+    formula: str = ""
+    quantity: str = ""
+    stroke: str = ""
 
 
 class Part(NamedTuple):
@@ -48,7 +61,7 @@ class Part(NamedTuple):
     letter: str
     given: Mapping[str, Fraction]
     lines: tuple[Line, ...]
-    printed: Mapping[str, Figure]
+    printed: Mapping[str, Printed]
     remarks: Mapping[str, Localised]
     title: Localised | None = None
 
@@ -64,15 +77,19 @@ class Source(NamedTuple):
 
 
 class Example(NamedTuple):
-    """A worked example. `takes` names the options that replace its numbers, `own` the lines for these;
-    without lines the book's serve."""
+    """A worked example: its lines, its steps, and the exact numbers that follow from given ones.
+
+    `method` is that of its quantities. `takes` names the options that replace its numbers, `own` the lines
+    for these; without lines the book's serve.
+    """
 
     source: Source
     number: str
     title: Localised
-    formulas: str
+    method: str
     takes: tuple[str, ...]
     notes: tuple[Localised, ...]
+    numbers: Mapping[str, str]
     steps: Mapping[str, Step]
     parts: tuple[Part, ...]
     own: tuple[Line, ...]
@@ -80,7 +97,7 @@ class Example(NamedTuple):
 
 @cache
 def source_keys() -> tuple[str, ...]:
-    return tuple(sorted(name for name in os.listdir(FOLDER) if os.path.exists(_path(name, "steps", "csv"))))
+    return tuple(sorted(key for key in os.listdir(FOLDER) if numbers_of(key)))
 
 
 @cache
@@ -104,53 +121,48 @@ def example(key: str, number: str) -> Example:
     book = source(key)
     page = _read(key, choose(number, numbers_of(key), f"example of {key}"))
     notes = page.get("notes", {language: [] for language in LANGUAGES})
-    printed = _printed(key, number)
+    table = next((one for one in Book(Path(FOLDER, key)).tables if one.name == number), None)
     return Example(
         source=book,
         number=number,
         title=_localised(page["title"]),
-        formulas=page["formulas"],
+        method=table.method if table else "",
         takes=tuple(page["takes"]),
         notes=tuple({"de": de, "en": en} for de, en in zip(notes["de"], notes["en"], strict=True)),
-        steps={name: Step(symbol, figure(form)) for name, (symbol, form) in page.get("steps", {}).items()},
-        parts=tuple(_part(printed, page["takes"], **part) for part in page["part"]),
+        numbers=page.get("numbers", {}),
+        steps={name: _step(**step) for name, step in page.get("steps", {}).items()},
+        parts=tuple(_part(table, page["takes"], **part) for part in page["part"]),
         own=_lines(page.get("own", {"lines": []})["lines"]),
     )
 
 
-def _path(key: str, name: str, suffix: str = "toml") -> str:
-    return os.path.join(FOLDER, key, f"{name}.{suffix}")
-
-
 def _read(key: str, name: str) -> dict[str, Any]:
     try:
-        with open(_path(key, name), "rb") as file:
+        with open(os.path.join(FOLDER, key, f"{name}.toml"), "rb") as file:
             return tomllib.load(file)
     except tomllib.TOMLDecodeError as error:
         raise LayoutError(f"{key}/{name}.toml cannot be used: {error}") from error
 
 
-def _printed(key: str, number: str) -> Mapping[str, Mapping[str, Figure]]:
-    """Return the printed values of an example by part and step."""
-    found: dict[str, dict[str, Figure]] = {}
-    with open(_path(key, "steps", "csv"), encoding="utf-8", newline="") as file:
-        for row in csv.DictReader(file, delimiter=";"):
-            if row["example"] == number:
-                found.setdefault(row["part"], {})[row["step"]] = figure(row["printed"])
-    return found
+def _step(form: str, **step: str) -> Step:
+    return Step(form=printed_value(form), **step)
 
 
 def _part(
-    printed: Mapping[str, Mapping[str, Figure]],
+    table: SourceTable | None,
     takes: Sequence[str],
     lines: Sequence[Any],
     letter: str = "",
+    printed: Mapping[str, str] | None = None,
     remarks: Mapping[str, Localised] | None = None,
     title: Localised | None = None,
     **given: str,
 ) -> Part:
     numbers = {name: READERS[name](given[name]) for name in takes if name in given}
-    return Part(letter, numbers, _lines(lines), printed.get(letter, {}), remarks or {}, title)
+    found = {cell.place: cell.printed for cell in table.cells if cell.printed} if table else {}
+    if printed is not None:
+        found = {step: found[place] for step, place in printed.items()}
+    return Part(letter, numbers, _lines(lines), found, remarks or {}, title)
 
 
 READERS = {"ratio": ratio, "angle": number, "beam": number, "eps": number}

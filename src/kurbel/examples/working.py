@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import operator
+import re
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from typing import NamedTuple
 
+from kurbel.books.expression import Expression
+from kurbel.books.printed_value import Printed
+from kurbel.books.truth import FRACTIONS, Truth, formula_truth, kept, quantity_truth
 from kurbel.exact.numerals import Label, degrees_text, finite_decimals
-from kurbel.examples.figures import Figure
-from kurbel.examples.formulas import FORMULAS, Formulas
-from kurbel.examples.kinds import certified
 from kurbel.examples.lines import exact_text, filled, names_in
 from kurbel.examples.source import Example, Line, Part
 from kurbel.examples.words import WORDS
@@ -26,16 +28,25 @@ class Entry(NamedTuple):
     begins: bool
     step: str = ""
     symbol: Label = ""
-    printed: Figure | None = None
-    recomputed: Figure | None = None
+    printed: Printed | None = None
+    recomputed: Printed | None = None
     remark: Label = ""
 
     @property
     def difference(self) -> int | None:
         """Recomputed less printed in units of the last place; None without one."""
-        if self.printed is None or self.recomputed is None or self.printed.form.fraction:
+        if self.printed is None or self.recomputed is None or self.printed.exact:
             return None
-        return int(self.recomputed.value - self.printed.value)
+        return self.recomputed.scaled - self.printed.scaled
+
+
+# The axes of kurbel's quantities, by the options that give them.
+AXES = {"ratio": "ratio", "eps": "epsilon", "back": "back", "beam": "arm"}
+_CONDITION = re.compile(r"(?P<left>.+?) (?P<sign><=|>=|!=|<|>|=) (?P<right>.+)")
+_SIGNS: Mapping[str, Callable[[Fraction, Fraction], bool]] = {
+    "<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge, "=": operator.eq,
+    "!=": operator.ne,
+}  # fmt: skip
 
 
 class Working:
@@ -45,35 +56,65 @@ class Working:
         self.example = example
         self.part = part
         self.lang = lang
-        self.formulas: Formulas = FORMULAS[example.formulas]
-        self.values: dict[str, Figure] = {}
+        self.numbers = dict(part.given)
+        for name, text in example.numbers.items():
+            if not (one := self._formula(text)).names:
+                self.numbers.setdefault(name, one.value(FRACTIONS, str))
+        steps = example.steps.items()
+        self.formulas = {name: self._formula(step.formula) for name, step in steps if step.formula}
+        self.truths: dict[str, Truth] = {}
+
+    def _formula(self, text: str) -> Expression:
+        return Expression(text, self.numbers)
 
     def entries(self) -> Iterator[Entry]:
         shown: set[str] = set()
         for line in self.part.lines:
-            if line.when and not self.formulas.conditions[line.when](self.part.given):
+            names = [*names_in(line.text)]
+            if not all(map(self._is_settled, names)) or (line.when and not self._holds(line.when)):
                 continue
-            names = [name for name in names_in(line.text) if name in self.example.steps]
-            new = [name for name in names if name not in shown]
+            new = [name for name in names if name in self.example.steps and name not in shown]
             shown.update(new)
             text = self._line(line)
             yield self._entry(text, new[0]) if new else Entry(text, True)
             for name in new[1:]:
                 yield self._entry(text, name)._replace(begins=False)
 
+    def _is_settled(self, name: str) -> bool:
+        """Whether the given numbers settle what a place in a line names."""
+        if name in self.formulas:
+            return all(map(self._is_settled, self.formulas[name].names))
+        return name in self.example.steps or name in self.numbers or name in WORDS
+
+    def _holds(self, condition: str) -> bool:
+        match = _CONDITION.fullmatch(condition)
+        assert match is not None
+        left, right = (self._formula(match[side]).value(FRACTIONS, str) for side in ("left", "right"))
+        return _SIGNS[match["sign"]](left, right)
+
     def _entry(self, text: Label, name: str) -> Entry:
         symbol = f"${filled(self.example.steps[name].symbol, self._figure)}$"
         value, printed = self._value(name), self.part.printed.get(name)
-        remark = "" if printed in (None, value) else self._remark(name, printed, value)
-        return Entry(text, True, name, symbol, printed, value, remark)
+        same = printed is None or printed.value == value.value
+        return Entry(
+            text, True, name, symbol, printed, value, "" if same else self._remark(name, printed, value)
+        )
 
-    def _value(self, name: str) -> Figure:
+    def _value(self, name: str) -> Printed:
         """Return the true value of a step in the form in which it is printed."""
-        if name not in self.values:
-            form = self.part.printed.get(name, self.example.steps[name].figure).form
-            transcendental = name in self.formulas.transcendental
-            self.values[name] = certified(self.formulas.steps[name], self.part.given, form, transcendental)
-        return self.values[name]
+        return self._truth(name).written_as(self.part.printed.get(name, self.example.steps[name].form))
+
+    def _truth(self, name: str) -> Truth:
+        if name not in self.truths:
+            step = self.example.steps[name]
+            if step.formula:
+                truth = formula_truth(self.formulas[name], self._truth)
+            else:
+                at = {AXES[one]: value for one, value in self.part.given.items()}
+                stroke = {"stroke": step.stroke} if step.stroke else {}
+                truth = quantity_truth(step.quantity, self.example.method, at | stroke)
+            self.truths[name] = kept(truth)
+        return self.truths[name]
 
     def _line(self, line: Line) -> Label:
         text = filled(line.text, self._figure)
@@ -82,27 +123,25 @@ class Working:
 
     def _figure(self, name: str) -> str:
         if name in self.example.steps:
-            return self.part.printed.get(name, self._value(name)).text()
+            return (self.part.printed.get(name) or self._value(name)).in_formula()
         if name == "angle":
             return angle_text(self.part.given[name])
         if name in WORDS:
             return WORDS[name][self.lang]
-        return exact_text(self.formulas.exact[name](self.part.given))
+        return exact_text(self.numbers[name])
 
-    def _remark(self, name: str, printed: Figure | None, value: Figure) -> Label:
-        assert printed is not None
+    def _remark(self, name: str, printed: Printed, value: Printed) -> Label:
         if name in self.part.remarks:
             return self.part.remarks[name][self.lang]
-        form = printed.form
-        if form.fraction:
+        if printed.exact:
             return WORDS["differs"][self.lang]
-        units = abs(value.value - printed.value)
-        if form.parts:
-            return WORDS["arc"][self.lang].format(arc=arc_text(Figure(units, form)))
-        return WORDS["unit" if units == 1 else "units"][self.lang].format(units=units)
+        apart = abs(value.scaled - printed.scaled)
+        if printed.form not in (",", "."):
+            return WORDS["arc"][self.lang].format(arc=arc_text(printed.with_units(apart)))
+        return WORDS["unit" if apart == 1 else "units"][self.lang].format(units=apart)
 
 
-def arc_text(arc: Figure) -> Label:
+def arc_text(arc: Printed) -> Label:
     """Return a small angle without its degrees of zero: 4'."""
     return str(arc.cell()).replace("$0°", "$").removeprefix("0°")
 
