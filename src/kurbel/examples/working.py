@@ -95,10 +95,8 @@ class Working:
     def _entry(self, text: Label, name: str) -> Entry:
         symbol = f"${filled(self.example.steps[name].symbol, self._figure)}$"
         value, printed = self._value(name), self.part.printed.get(name)
-        same = printed is None or printed.value == value.value
-        return Entry(
-            text, True, name, symbol, printed, value, "" if same else self._remark(name, printed, value)
-        )
+        remark = "" if printed is None or printed.value == value.value else self._remark(name, printed, value)
+        return Entry(text, True, name, symbol, printed, value, remark)
 
     def _value(self, name: str) -> Printed:
         """Return the true value of a step in the form in which it is printed."""
