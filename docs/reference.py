@@ -20,10 +20,10 @@ from kurbel.formats.registry import FORMATS
 from kurbel.linkage.beam import registry as beam_registry
 from kurbel.linkage.beam_page import DEGREE_DECIMALS
 from kurbel.linkage.quantities import arc_registry, parallel_registry
-from kurbel.motion.captions import quantity_name
+from kurbel.motion.evaluation import METHODS, NEEDS
 from kurbel.motion.inertia import inertia_registry
 from kurbel.motion.inertia_page import AXIS_KEYS, error_columns, full_name
-from kurbel.motion.quantities import METHODS, NEEDS, registry
+from kurbel.motion.quantities import registry
 from kurbel.page.labels import plain
 from kurbel.page.layouts import layout, layout_names
 from kurbel.plot.style import FORMATS as DRAWINGS
@@ -63,7 +63,7 @@ def _quantities() -> Iterator[str]:
     yield "| `ratio` | Crank ratio R:L | | | |"
     yield "| `phi` | Crank angle from the dead centre of the stroke | ° | | |"
     for key, quantity in registry().items():
-        name, unit = quantity_name(quantity, "en"), quantity.unit["en"]
+        name, unit = quantity.full_name("en"), quantity.plain_unit("en")
         options = " ".join(f"`{option}`" for option in NEEDS[quantity.needs])
         yield f"| `{key}` | {name} | {unit} | {quantity.decimals} | {options} |"
     yield from _engine_quantities()
@@ -115,8 +115,8 @@ def _rod_quantities() -> Iterator[str]:
     yield "| key | quantity | unit | decimals | needs |\n| --- | --- | --- | ---: | --- |"
     for key, quantity in inertia_registry().items():
         options = " ".join(f"`{option}`" for option in NEEDS[quantity.needs])
-        name = quantity_name(quantity, "en")
-        yield f"| `{key}` | {name} | {quantity.unit['en']} | {quantity.decimals} | {options} |"
+        name = quantity.full_name("en")
+        yield f"| `{key}` | {name} | {quantity.plain_unit('en')} | {quantity.decimals} | {options} |"
     axes = ", ".join(f"`{key}`" for key in AXIS_KEYS)
     yield f"\nOf the layout `inertia-errors`, beside {axes}:\n"
     yield "| key | quantity | unit | decimals | needs |\n| --- | --- | --- | ---: | --- |"

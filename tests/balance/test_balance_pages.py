@@ -19,7 +19,7 @@ from kurbel.balance.page import ENGINES
 from kurbel.balance.request import balance_registry
 from kurbel.errors import KurbelError
 from kurbel.exact.numerals import Number
-from kurbel.motion.quantities import METHODS
+from kurbel.motion.evaluation import METHODS
 from kurbel.page.labels import plain
 from kurbel.page.layouts import LANGUAGES
 from kurbel.page.table import Table

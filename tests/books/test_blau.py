@@ -16,7 +16,7 @@ from kurbel.exact.certify import NEVER_TIES, rounded
 from kurbel.exact.closed_form import ClosedForm, closed_forms, form_text
 from kurbel.exact.numerals import Number, number_text
 from kurbel.motion.drives import SlideDrive
-from kurbel.motion.quantities import OUT
+from kurbel.motion.evaluation import OUT
 from kurbel.reading.notation import ratio
 from kurbel.reading.where import read_condition
 from kurbel.solve.solve import Root, solve, target_of

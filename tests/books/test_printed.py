@@ -12,10 +12,10 @@ from places import SOURCES
 
 from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Number, number_text
-from kurbel.motion.grid import motion_grid
-from kurbel.motion.quantities import certified, registry
-from kurbel.motion.request import Request, page_columns
-from kurbel.page.arrange import panels
+from kurbel.motion.evaluation import certified
+from kurbel.motion.quantities import registry
+from kurbel.motion.question import Request
+from kurbel.page.build import build
 from kurbel.page.layouts import layout
 from kurbel.reading.notation import angles, ratio
 
@@ -117,8 +117,8 @@ def test_every_value_of_the_sources_is_there() -> None:
 
 def test_the_page_of_roetscher_112_holds_the_computed_values() -> None:
     page = layout("roetscher-112")
-    request = Request(page, tuple(Crank(ratio(text)) for text in page.ratios), angles(page.angles))
-    block = panels(page, motion_grid(request, page_columns(request)))[0]
+    cranks = tuple(Crank(ratio(text)) for text in page.ratios)
+    block = build(Request(layout=page, cranks=cranks, angles=angles(page.angles))).panels[0]
     values = [cell.value for row in block.rows() for cell in row.cells]
     shown = [number_text(value, ",") for value in values if isinstance(value, Number)]
     computed = [cell.computed for cell in CELLS if cell.place.startswith("roetscher-112/")]

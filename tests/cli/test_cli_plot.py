@@ -33,7 +33,7 @@ from kurbel.engine.turn import Turn
 from kurbel.linkage.arc import ArcCrank
 from kurbel.linkage.page import LinkageRequest
 from kurbel.motion.quantities import registry
-from kurbel.motion.request import Request
+from kurbel.motion.question import Request
 from kurbel.page.layouts import layout
 from kurbel.plot.curves import axis_name, motion_keys, motion_panels, pin_force, pin_force_keys
 from kurbel.plot.engine import PIN_FORCE, engine_pin_force, force_panels
@@ -162,7 +162,7 @@ def test_every_quantity_has_an_axis_that_names_it_with_its_unit_once(lang: str) 
     for key, (name, unit) in names.items():
         assert name.startswith(registry()[key].name[lang])
         assert (" in " in name) <= (not unit), key
-        assert bool(unit) == (bool(registry()[key].needs) or registry()[key].arc), key
+        assert bool(unit) == (bool(registry()[key].needs) or registry()[key].is_arc), key
 
 
 def test_the_pin_force_is_the_rod_force_turned_by_the_crank() -> None:

@@ -18,7 +18,8 @@ from kurbel.engine.quantities import engine_registry
 from kurbel.engine.request import ENGINE_METHODS
 from kurbel.formats.registry import FORMATS
 from kurbel.linkage.quantities import arc_registry
-from kurbel.motion.quantities import METHODS, registry
+from kurbel.motion.evaluation import METHODS
+from kurbel.motion.quantities import registry
 from kurbel.page.layouts import LANGUAGES, layout
 
 SHELLS = ("bash", "zsh", "fish")

@@ -14,7 +14,8 @@ from hypothesis import strategies as st
 from textbook import Drive
 from timed import WITHOUT_UNITS, kurbel
 
-from kurbel.motion.quantities import DIFFERENCE, METHODS, registry
+from kurbel.motion.evaluation import DIFFERENCE, METHODS
+from kurbel.motion.quantities import registry
 
 MOST_DECIMALS = 50
 BITS = 640

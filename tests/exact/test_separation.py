@@ -16,7 +16,8 @@ from kurbel.drive.crank import Crank
 from kurbel.exact import certify
 from kurbel.exact.separation import Separation, circle_separation
 from kurbel.kernel.circle import Circle
-from kurbel.motion.quantities import DIFFERENCE, Numbers, registry, value
+from kurbel.motion.evaluation import DIFFERENCE, Numbers, value
+from kurbel.motion.quantities import registry
 
 WIDE = 4000
 """Bits at which values are compared with their bounds."""

@@ -21,7 +21,7 @@ from timed import WITHOUT_UNITS, kurbel
 from kurbel.errors import ProblemError
 from kurbel.exact import certify
 from kurbel.formats.registry import FORMATS
-from kurbel.motion.quantities import DIFFERENCE, METHODS
+from kurbel.motion.evaluation import DIFFERENCE, METHODS
 
 MOST_DECIMALS = 50
 BITS = 640

@@ -12,7 +12,7 @@ from cli import printed
 from kurbel.drive.crank import Crank
 from kurbel.formats import streams
 from kurbel.motion import digits, rows
-from kurbel.motion.request import Request
+from kurbel.motion.question import Request
 from kurbel.page import angles as page_angles
 from kurbel.page import axes
 from kurbel.page.build import build
@@ -31,7 +31,7 @@ def streamed(request: Request, format_name: str, decimal: str = "point") -> byte
 
 def asked(angles: Sequence[Fraction], digits: int | None = None) -> Request:
     cranks = (Crank(Fraction(2, 9)), Crank(Fraction(1, 4), Fraction(1, 10)))
-    return Request(layout("kinematics"), cranks, angles, digits=digits)
+    return Request(layout=layout("kinematics"), cranks=cranks, angles=angles, digits=digits)
 
 
 @pytest.mark.parametrize("angles", ANGLES.values(), ids=[*ANGLES])

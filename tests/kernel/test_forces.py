@@ -19,7 +19,8 @@ from kurbel.drive.crank import Crank
 from kurbel.exact import certify
 from kurbel.kernel import forces
 from kurbel.kernel.circle import Circle, circle
-from kurbel.motion.quantities import OUT, RETURN, Quantity, certified
+from kurbel.motion.evaluation import OUT, RETURN, At, certified
+from kurbel.page.quantity import Formula, Quantity
 
 # mpmath has no types.
 Real = Any
@@ -226,17 +227,10 @@ def test_an_infinite_rod_hands_on_the_piston_force() -> None:
 
 
 def quantity(name: str, stroke: int) -> Quantity:
-    return Quantity(
-        name,
-        {},
-        "",
-        {},
-        {},
-        stroke,
-        {"exact": FORMULAS[name]},
-        1,
-        lambda crank, numbers: numbers.of(Fraction(1)),
-    )
+    def kernel(at: At) -> Any:
+        return FORMULAS[name](at.circle, at.ratio, at.offset)
+
+    return Quantity(name, {}, "", {}, 1, {"exact": Formula(kernel)}, {}, stroke=stroke)
 
 
 # At 90° and λ = 3/5 cos ψ is 4/5 and tan ψ is 3/4; with the offset 1/5 and λ = 3/4 likewise.

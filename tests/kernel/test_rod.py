@@ -34,7 +34,8 @@ from kurbel.kernel import forces
 from kurbel.kernel import rod as kernel
 from kurbel.kernel.circle import circle
 from kurbel.kernel.rod import Masses
-from kurbel.motion.quantities import OUT, RETURN, Quantity, certified
+from kurbel.motion.evaluation import OUT, RETURN, At, certified
+from kurbel.page.quantity import Formula, Quantity
 from kurbel.reading import units
 from kurbel.reading.csv_lines import shown
 
@@ -351,14 +352,10 @@ def test_magnitude_of_balls_that_hold_zero_is_a_ball_about_zero() -> None:
 
 
 def quantity(name: str, stroke: int, masses: tuple[Fraction, Fraction, Fraction]) -> Quantity:
-    def formula(point: Any, ratio: Any, offset: Any) -> Any:
-        # The kind of number is that of the ratio.
-        of = certify.ball if isinstance(ratio, flint.arb) else type(ratio).rational
-        return FORCES[name](point, ratio, Masses(*map(of, masses)), offset)
+    def kernel(at: At) -> Any:
+        return FORCES[name](at.circle, at.ratio, Masses(*map(at.numbers.of, masses)), at.offset)
 
-    return Quantity(
-        name, {}, "", {}, {}, stroke, {"exact": formula}, 2, lambda crank, numbers: numbers.of(Fraction(1))
-    )
+    return Quantity(name, {}, "", {}, 2, {"exact": Formula(kernel)}, {}, stroke=stroke)
 
 
 TENTHS = Fraction(3, 5), Fraction(2, 5), Fraction(-1, 10)

@@ -37,7 +37,7 @@ from kurbel.linkage.arc import (
     time_ratio,
     value,
 )
-from kurbel.motion.quantities import OUT, RETURN
+from kurbel.motion.evaluation import OUT, RETURN
 
 
 @pytest.mark.parametrize("crank", CRANKS, ids=shown)

@@ -21,7 +21,7 @@ from kurbel.errors import KurbelError, ProblemError
 from kurbel.exact.numerals import Number, number_text
 from kurbel.linkage.arc import ArcCrank
 from kurbel.linkage.page import linkage_column_keys
-from kurbel.motion.quantities import OUT, RETURN
+from kurbel.motion.evaluation import OUT, RETURN
 from kurbel.page.labels import plain
 from kurbel.page.layouts import LANGUAGES, layout
 from kurbel.page.table import Table

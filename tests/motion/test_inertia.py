@@ -23,10 +23,11 @@ from kurbel.drive.rod import Rod
 from kurbel.errors import KurbelError, ProblemError
 from kurbel.exact.jet import Jet, ball_jets
 from kurbel.kernel.rod import Masses
-from kurbel.motion.digits import Digits, columns_in_balls, columns_in_floats
+from kurbel.motion.digits import columns_in_balls, columns_in_floats
+from kurbel.motion.evaluation import certified
 from kurbel.motion.inertia import ROD_FORCES, inertia_registry
 from kurbel.motion.inertia_peak import Peak
-from kurbel.motion.quantities import certified
+from kurbel.page.quantity import bare
 from kurbel.reading import notation
 from kurbel.reading.notation import Progression
 from kurbel.reading.speed import Speed
@@ -206,7 +207,7 @@ def test_long_columns_have_the_digits_of_balls(ratio: str, offset: str) -> None:
     rod = Rod.from_crosshead(Fraction(65, 100), Fraction(35, 100), Fraction(100))
     crank = Crank(lam, eta, Fraction(3, 10), Speed(Fraction(2)), rod=rod)
     angles = Progression(Fraction(1, 7), Fraction(73, 10), 50)
-    columns = [Digits(quantity, "exact", 9) for quantity in inertia_registry().values()]
+    columns = [bare(quantity, "exact", 9) for quantity in inertia_registry().values()]
     floats = columns_in_floats(columns, crank, angles, "half-away")
     balls = columns_in_balls(columns, crank, angles, "half-away")
     for column, one, other in zip(columns, floats, balls, strict=True):

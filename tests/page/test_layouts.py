@@ -18,8 +18,10 @@ from pages import COLLATIONS, MOTION, Address, cells, default_page, each_layout,
 from kurbel.drive.crank import Crank
 from kurbel.errors import ChoiceError, ProblemError
 from kurbel.exact.numerals import Number, number_text
-from kurbel.motion.quantities import DIFFERENCE, certified, registry
-from kurbel.motion.request import Request, column_keys
+from kurbel.motion import page as motion_page
+from kurbel.motion.evaluation import DIFFERENCE, certified
+from kurbel.motion.quantities import registry
+from kurbel.motion.question import Request
 from kurbel.motion.rows import RecordRows
 from kurbel.page.build import build
 from kurbel.page.layouts import LANGUAGES, layout, layout_names
@@ -38,7 +40,13 @@ def page(
     crank = choices.pop("crank", {})
     cranks = tuple(Crank(ratio, **crank) for ratio in notation.ratios(ratios or chosen.ratios))
     return build(
-        Request(chosen, cranks, notation.angles((angles,) if angles else chosen.angles), lang=lang, **choices)
+        Request(
+            layout=chosen,
+            cranks=cranks,
+            angles=notation.angles((angles,) if angles else chosen.angles),
+            lang=lang,
+            **choices,
+        )
     )
 
 
@@ -269,6 +277,7 @@ def test_kinematics_with_units_has_them_beside_the_ratios() -> None:
     for angle in ("35", "250"):
         for key, spanners in heads.items():
             decimals = registry()[key].decimals
+            assert decimals is not None
             assert found["", angle, *spanners] == digits(key, "exact", "1:5", angle, decimals, **MACHINE)
 
 
@@ -446,12 +455,12 @@ def test_records_have_the_ratio_the_angle_and_the_columns(name: str, lang: str) 
 
 
 def test_columns_that_a_layout_adds_have_keys_of_their_own() -> None:
-    assert column_keys(layout("verfahren"))[2:] == tuple(
+    assert motion_page.MOTION.column_keys(layout("verfahren"))[2:] == tuple(
         f"{key}_{method}" for key in "xcp" for method in ("exact", "series", "difference")
     )
-    assert "p_bracket" in column_keys(layout("lueger-kolbenbewegung"))
-    assert column_keys(layout("kinematics"))[:2] == ("ratio", "phi")
-    assert set(registry()) < set(column_keys(layout("kinematics")))
+    assert "p_bracket" in motion_page.MOTION.column_keys(layout("lueger-kolbenbewegung"))
+    assert motion_page.MOTION.column_keys(layout("kinematics"))[:2] == ("ratio", "phi")
+    assert set(registry()) < set(motion_page.MOTION.column_keys(layout("kinematics")))
 
 
 def test_angles_are_printed_as_they_are() -> None:
@@ -473,7 +482,9 @@ def test_digits_go_for_every_column() -> None:
 def test_a_page_that_nobody_could_print_is_refused_but_its_records_are_not() -> None:
     own = layout("kinematics")
     angles = notation.progression(Fraction(0), Fraction(360), Fraction(360, 100_000))
-    request = Request(own, (Crank(Fraction(1, 5)),), angles, columns=("phi", "x", "c", "p"))
+    request = Request(
+        layout=own, cranks=(Crank(Fraction(1, 5)),), angles=angles, columns=("phi", "x", "c", "p")
+    )
     with pytest.raises(ProblemError) as caught:
         build(request)
     sentence = "a page of 300003 numbers is too long; at most 300000 are set, use -f csv or -f json"
@@ -523,5 +534,7 @@ def test_ratios_of_an_infinite_rod_are_one() -> None:
 
 def test_label_names_the_table_and_keeps_the_templates_of_its_layout() -> None:
     own = layout("kinematics")
-    request = Request(own, (Crank(Fraction(1, 5)),), notation.angles(["90"]), label="eins")
+    request = Request(
+        layout=own, cranks=(Crank(Fraction(1, 5)),), angles=notation.angles(["90"]), label="eins"
+    )
     assert (build(request).key, build(request).layout) == ("eins", "kinematics")

@@ -24,7 +24,7 @@ from kurbel.exact.place import SQUARE, exact_place
 from kurbel.linkage.arc import ArcCrank
 from kurbel.linkage.arc_drive import ArcDrive
 from kurbel.motion.drives import Drive, SlideDrive
-from kurbel.motion.quantities import OUT, RETURN
+from kurbel.motion.evaluation import OUT, RETURN
 from kurbel.reading.speed import Speed
 from kurbel.reading.where import ARC_NAMES, SLIDE_NAMES, VALUE, Condition, read_condition
 from kurbel.solve.solve import Root, solve, target_of

@@ -18,7 +18,7 @@ from kurbel.linkage.arc import (
     ArcCrank,
     Kind,
 )
-from kurbel.motion.quantities import OUT
+from kurbel.motion.evaluation import OUT
 
 # mpmath has no types.
 Real = Any

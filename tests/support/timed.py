@@ -8,7 +8,8 @@ from time import process_time
 from textbook import Drive
 
 from kurbel.drive.crank import Crank
-from kurbel.motion.quantities import certified, registry
+from kurbel.motion.evaluation import certified
+from kurbel.motion.quantities import registry
 from kurbel.reading.speed import Speed
 
 ONE_SECOND = 1.0

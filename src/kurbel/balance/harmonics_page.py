@@ -12,11 +12,12 @@ from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel.harmonics import Term
-from kurbel.motion.captions import WORDS as MOTION_WORDS
-from kurbel.motion.quantities import METHODS
+from kurbel.motion.evaluation import METHODS
+from kurbel.page import axes as page_axes
+from kurbel.page import words as page_words
 from kurbel.page.arrange import Axis, Grid, Place, check_size
-from kurbel.page.axes import RatioAxis
 from kurbel.page.layouts import Layout
+from kurbel.page.old_axes import RatioAxis
 from kurbel.page.sheet import Sheet, records_of, table_of
 from kurbel.page.table import Cell, Field, Table, Value
 from kurbel.reading.choices import choose
@@ -105,7 +106,7 @@ def build_harmonics(request: HarmonicsRequest, pages: bool = True) -> Table:
 
 def caption(layout: Layout, lang: str, ratios: Sequence[Fraction], method: str) -> Label:
     """Return the layout's caption with the ratio, if there is only one, and the method."""
-    ratio = MOTION_WORDS["for_ratio"][lang].format(symbol=layout.ratio_symbol, ratio=ratio_text(ratios[0]))
+    ratio = page_words.for_ratio(ratios[0], lang, layout.ratio_symbol)
     shown = ratio if len(ratios) == 1 and method != "infinite" else ""
     text = layout.caption[lang].replace("{method}", METHODS[method].caption[lang])
     return text.replace("{for_ratio}", shown)
@@ -155,7 +156,7 @@ def order_field(lang: str) -> Field:
 
 
 def ratio_field(layout: Layout, lang: str) -> Field:
-    return Field("ratio", MOTION_WORDS["ratio"][lang], f"${layout.ratio_symbol}$")
+    return Field("ratio", page_axes.RATIO[lang], f"${layout.ratio_symbol}$")
 
 
 def _number(request: HarmonicsRequest, order: int, ratio: Fraction) -> Number:

@@ -22,7 +22,7 @@ from kurbel.balance.request import RESIDUALS, BalanceColumn, BalanceRequest
 from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Label, Number, degrees_text, finite_decimals
 from kurbel.page.arrange import Axis, Grid, Place, check_size
-from kurbel.page.axes import ColumnAxis, RatioAxis
+from kurbel.page.old_axes import ColumnAxis, RatioAxis
 from kurbel.page.sheet import Heads, records_of, table_of
 from kurbel.page.table import Cell, Field, Table, Value
 from kurbel.reading.notation import plain, ratio_text

@@ -24,9 +24,10 @@ from kurbel.books.verdict import (
 from kurbel.drive.crank import Crank
 from kurbel.errors import ChoiceError, SourceError
 from kurbel.exact.numerals import Label, Number
+from kurbel.page import axes as page_axes
 from kurbel.page.arrange import Axis, Grid, Place, check_size, panels
-from kurbel.page.axes import ColumnAxis
 from kurbel.page.layouts import layout_of
+from kurbel.page.old_axes import ColumnAxis
 from kurbel.page.sheet import Heads, Sheet, records_of, table_of
 from kurbel.page.table import Cell, Field, Note, Panel, Table, Value
 from kurbel.reading.choices import choose
@@ -135,8 +136,7 @@ def _letters(number: int) -> str:
 
 def _printed_page(request: CollateRequest, marks: Mapping[str, str]) -> tuple[Panel, ...]:
     """The page in the book's layout, with the characters of the book."""
-    from kurbel.motion.grid import motion_grid
-    from kurbel.motion.request import Request, page_columns
+    from kurbel.motion.question import Request
 
     table = request.table
     try:
@@ -155,18 +155,19 @@ def _printed_page(request: CollateRequest, marks: Mapping[str, str]) -> tuple[Pa
         by_place[where] = one
     ratios = dict.fromkeys(place[1] for place in by_place)
     angles = list(dict.fromkeys(place[2] for place in by_place))
-    asked = Request(page, tuple(Crank(each) for each in ratios), angles, lang=request.lang)
-    columns = page_columns(asked)
+    cranks = tuple(Crank(each) for each in ratios)
+    asked = Request(layout=page, cranks=cranks, angles=angles, lang=request.lang)
+    columns = asked.page_columns
 
     def cell(place: Place) -> Cell:
-        quantity = columns[place["column"]].digits.quantity.key
+        quantity = columns[place["column"]].quantity.key
         found = by_place.get((quantity, [*ratios][place["ratio"]], angles[place["angle"]]))
         if found is None:
             return Cell(None)
         mark = marks.get(found.cell.place)
         return Cell(_printed(found), (mark,) if mark else ())
 
-    return panels(page, Grid(motion_grid(asked, columns).axes, cell))
+    return panels(page, Grid(asked.axes, cell))
 
 
 def _where(cell: SourceCell) -> tuple[str, Fraction, Fraction] | None:
@@ -309,10 +310,9 @@ def _notes(request: CollateRequest, marks: Mapping[str, str]) -> Iterator[Note]:
 
 
 def _fields(lang: str) -> Mapping[str, Field]:
-    from kurbel.motion.captions import WORDS as MOTION_WORDS
 
     names = {key: words[lang] for key, words in WORDS.items()}
-    names |= {"ratio": MOTION_WORDS["ratio"][lang], "phi": MOTION_WORDS["phi"][lang]}
+    names |= {"ratio": page_axes.RATIO[lang], "phi": page_axes.PHI[lang]}
     return {key: Field(key, names.get(key, key)) for key in KEYS}
 
 

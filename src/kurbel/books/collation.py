@@ -180,8 +180,118 @@ def others_of(cell: SourceCell) -> Mapping[str, Callable[[], Truth | None]]:
     return {method: other(method) for method in methods_of(cell.quantity) if method != cell.method}
 
 
+<<<<<<< HEAD
 def cell_truth(cell: SourceCell, method: str) -> Truth:
     """Return what the quantity of a cell is by a method."""
     return quantity_truth(
         cell.quantity, method, {axis: READERS[axis](text) for axis, text in cell.axes.items()}
     )
+=======
+def methods_of(quantity: str) -> tuple[str, ...]:
+    """Return the methods by which a quantity can be recomputed."""
+    from kurbel.engine.quantities import engine_registry
+    from kurbel.linkage.beam import registry as beam_registry
+    from kurbel.motion.evaluation import METHODS
+
+    if quantity in beam_registry():
+        return ("exact", "approximate")
+    return ("exact", "series", "weisbach") if quantity in engine_registry() else tuple(METHODS)
+
+
+def quantity_truth(cell: SourceCell, method: str) -> Truth:
+    """Return a quantity of the motion, of an engine or of a beam engine at the place of the cell."""
+    from kurbel.engine.quantities import engine_registry
+    from kurbel.linkage.beam import registry as beam_registry
+    from kurbel.motion.quantities import registry
+
+    axes = cell.axes
+    if "epsilon" in axes:
+        choose(cell.quantity, engine_registry(), "quantity")
+        _check_axes(cell, ("ratio", "epsilon"), ("stroke",))
+        return _engine_truth(cell, method)
+    if "arm" in axes:
+        choose(cell.quantity, beam_registry(), "quantity")
+        _check_axes(cell, ("ratio", "arm"))
+        return _beam_truth(cell, method)
+    choose(cell.quantity, registry(), "quantity")
+    _check_axes(cell, ("ratio", "phi"))
+    return motion_truth(cell.quantity, method, ratio(axes["ratio"]), angle(axes["phi"], "angle"))
+
+
+def _check_axes(cell: SourceCell, needed: Sequence[str], free: Sequence[str] = ()) -> None:
+    for axis in needed:
+        if axis not in cell.axes:
+            raise NotationError(f"there is no {axis}, which the quantity {cell.quantity} needs")
+    for axis in cell.axes:
+        if axis not in (*needed, *free):
+            raise NotationError(f"the quantity {cell.quantity} has no {axis}; leave it out")
+
+
+def motion_truth(key: str, method: str, crank_ratio: Fraction, degrees: Fraction) -> Truth:
+    """Return a quantity of the piston's motion at a crank angle."""
+    from kurbel.drive.crank import Crank
+    from kurbel.motion.evaluation import (
+        METHODS,
+        Numbers,
+        is_known,
+        is_transcendental,
+        kernel_of,
+        numbers_of_balls,
+        value,
+    )
+    from kurbel.motion.quantities import registry
+
+    quantity, crank = registry()[key], Crank(crank_ratio)
+    choose(method, METHODS, "method")
+    if not is_known(quantity, crank):
+        raise NotationError(f"the quantity {key} has a unit, and no lengths are known; choose one without")
+
+    def run(circle: Any, numbers: Numbers) -> Any:
+        return value(quantity, method, crank, circle, numbers)
+
+    # A method without a formula is told here, before anything is computed.
+    kernel_of(quantity, method, crank)
+    bound = None
+    if not is_transcendental(quantity, crank):
+        circle = Circle(*circle_separation(degrees))
+        bound = cache(lambda: run(circle, Numbers(Separation.rational)))
+    return Truth(lambda: run(ball_circle(degrees), numbers_of_balls()), bound)
+
+
+def _engine_truth(cell: SourceCell, method: str) -> Truth:
+    from kurbel.engine.quantities import SPANS, Where, engine_registry
+
+    quantity, spans = engine_registry()[cell.quantity], {name: span for span, (name, _) in SPANS.items()}
+    stroke = spans[choose(cell.axes.get("stroke", "turn"), spans, "stroke")]
+    turn = _turn(cell.axes["epsilon"], cell.axes.get("ratio", ""), method)
+    where = Where(stroke)
+    if not quantity.applies(where):
+        raise NotationError(f"{cell.quantity} is no quantity of {cell.axes.get('stroke', 'turn')}")
+
+    def value() -> Any:
+        found = quantity.value(turn, where)
+        return ball(found) if isinstance(found, Fraction) else found
+
+    return Truth(value)
+
+
+@cache
+def _turn(epsilon: str, crank_ratio: str, method: str) -> Any:
+    from kurbel.drive.crank import Crank
+    from kurbel.engine.engine import Engine, Steam
+    from kurbel.engine.request import ENGINE_METHODS
+    from kurbel.engine.turn import turn_of
+
+    choose(method, ENGINE_METHODS, "method")
+    return turn_of(Engine(Crank(ratio(crank_ratio)), Steam(number(epsilon, "expansion ratio"))), method)
+
+
+def _beam_truth(cell: SourceCell, method: str) -> Truth:
+    from kurbel.linkage.beam import MINUTES, BeamEngine, registry
+
+    quantity = registry()[cell.quantity]
+    choose(method, ("exact", "approximate"), "method")
+    engine = BeamEngine(number(cell.axes["arm"], "beam arm"), ratio(cell.axes.get("ratio", "")))
+    share = Fraction(1, 60) if quantity.unit == MINUTES else Fraction(1)
+    return Truth(lambda: quantity.value(engine, method == "exact") * ball(share))
+>>>>>>> c2a9b64 (A subject is data: Subject, Question, one kind of Quantity, axes that own their fields; motion moves in)

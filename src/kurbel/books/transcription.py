@@ -24,8 +24,10 @@ from kurbel.books.source import SourceCell
 from kurbel.books.truth import methods_of
 from kurbel.drive.crank import Crank
 from kurbel.errors import KurbelError, NotationError, ProblemError, SourceError
-from kurbel.motion.digits import Digits, columns_in_balls, columns_in_floats, is_long
-from kurbel.motion.quantities import METHODS, registry
+from kurbel.motion.digits import columns_in_balls, columns_in_floats, is_long
+from kurbel.motion.evaluation import METHODS, is_known
+from kurbel.motion.quantities import registry
+from kurbel.page.quantity import bare
 from kurbel.reading.choices import choose
 from kurbel.reading.csv_columns import decimal_marks, read_row, whole_head
 from kurbel.reading.csv_lines import Kind, place, said_lines, shown
@@ -67,7 +69,7 @@ class _Axis(NamedTuple):
 
 
 def _of_motion() -> Collection[str]:
-    return [name for name, one in registry().items() if one.available(Crank(Fraction(1, 5)))]
+    return [name for name, one in registry().items() if is_known(one, Crank(Fraction(1, 5)))]
 
 
 def _of_engines() -> Collection[str]:
@@ -178,7 +180,7 @@ def _rights(column: _Column, points: Sequence[_Point], method: str) -> dict[int,
         if point.printed.form in (",", "."):
             by_decimals.setdefault(point.printed.decimals, []).append(index)
     for decimals, indices in by_decimals.items():
-        digits, angles = [Digits(quantity, method, decimals)], [points[index].at for index in indices]
+        digits, angles = [bare(quantity, method, decimals)], [points[index].at for index in indices]
         compute = columns_in_floats if is_long(digits, [crank], angles) else columns_in_balls
         (values,) = compute(digits, crank, angles, "half-away")
         found |= dict(zip(indices, map(int, values), strict=True))
@@ -221,7 +223,7 @@ def _read(
 
 def known_quantity(key: str) -> str:
     """Return the key of a quantity that its axis and the ratio settle."""
-    if key in registry() and not registry()[key].available(Crank(Fraction(1, 5))):
+    if key in registry() and not is_known(registry()[key], Crank(Fraction(1, 5))):
         raise ProblemError(f"the quantity {key} has a unit, and no lengths are known; choose one without")
     return choose(key, [name for axis in _AXES for name in axis.quantities()], "quantity")
 

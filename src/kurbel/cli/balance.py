@@ -11,7 +11,7 @@ from kurbel.balance.arrangement import usual
 from kurbel.balance.harmonics import MOST_ORDERS, registry
 from kurbel.cli.machine import machine_option
 from kurbel.cli.options import Columns, Count, Name, layout_option, output_options, sheet_of, without_outdone
-from kurbel.motion.quantities import METHODS
+from kurbel.motion.evaluation import METHODS
 from kurbel.reading import notation
 
 Command = TypeVar("Command", bound=Callable[..., Any])

@@ -34,17 +34,18 @@ def quantities(lang: str) -> None:
     from kurbel.engine.quantities import COMMANDS_OF, engine_registry
     from kurbel.linkage.beam import registry as beam_registry
     from kurbel.linkage.quantities import arc_registry, parallel_registry
-    from kurbel.motion.captions import WORDS, quantity_name
+    from kurbel.motion.evaluation import NEEDS
     from kurbel.motion.inertia import inertia_registry
     from kurbel.motion.inertia_page import error_columns, full_name
-    from kurbel.motion.quantities import NEEDS, registry
+    from kurbel.motion.quantities import registry
+    from kurbel.page.axes import PHI, RATIO
     from kurbel.page.labels import plain
     from kurbel.solve.page import own_columns
 
-    rows = [("ratio", WORDS["ratio"][lang], "", "table"), ("phi", WORDS["phi"][lang], "°", "table")]
+    rows = [("ratio", RATIO[lang], "", "table"), ("phi", PHI[lang], "°", "table")]
     for key, quantity in registry().items():
         options = " ".join(("table", *NEEDS[quantity.needs]))
-        rows.append((key, quantity_name(quantity, lang), quantity.unit[lang], options))
+        rows.append((key, quantity.full_name(lang), quantity.plain_unit(lang), options))
     for key, one in engine_registry().items():
         name = f"{one.name[lang]} {plain(one.symbol)}"
         rows.append((key, name, plain(one.unit), COMMANDS_OF[one.scope]))
@@ -59,7 +60,7 @@ def quantities(lang: str) -> None:
             rows.append((key, motion.full_name(lang), motion.unit, f"table --mechanism {mechanism}"))
     for key, force in inertia_registry().items():
         options = " ".join(("inertia", *NEEDS[force.needs]))
-        rows.append((key, quantity_name(force, lang), force.unit[lang], options))
+        rows.append((key, force.full_name(lang), force.unit[lang], options))
     for key, error in error_columns().items():
         rows.append((key, full_name(error, lang), error.unit, "inertia --layout inertia-errors"))
     for key, names in own_columns().items():

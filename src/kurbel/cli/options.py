@@ -97,10 +97,10 @@ def _column_keys(name: str) -> tuple[str, ...]:
     from kurbel.page.layouts import layout
 
     page = layout(name)
-    if page.subject in ("motion", "inertia"):
-        from kurbel.motion.request import column_keys
+    from kurbel.page.subject import SUBJECTS, subject
 
-        return column_keys(page)
+    if page.subject in SUBJECTS:
+        return subject(page.subject).column_keys(page)
     if page.subject == "dead centres":
         from kurbel.linkage.beam_page import beam_column_keys
 

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from kurbel.drive.crank import Crank
     from kurbel.engine.request import EngineRequest
     from kurbel.linkage.page import LinkageRequest
-    from kurbel.motion.request import Request
+    from kurbel.motion.question import Request
     from kurbel.page.layouts import Layout
     from kurbel.plot.drawings import Drawing
 
@@ -181,7 +181,7 @@ def _request(
     options: Mapping[str, Any], cranks: tuple[Crank, ...], keys: Callable[[Crank], tuple[str, ...]]
 ) -> Request:
     """Return the request for the columns named, or for those that a crank has by itself."""
-    from kurbel.motion.request import Request
+    from kurbel.motion.question import Request
 
     return Request(
         layout=_page(),

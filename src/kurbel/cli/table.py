@@ -22,13 +22,13 @@ from kurbel.cli.options import (
 )
 from kurbel.drive.crank import Crank
 from kurbel.errors import NotationError, ProblemError
-from kurbel.motion.quantities import METHODS
+from kurbel.motion.evaluation import METHODS
 from kurbel.page.layouts import Layout
 from kurbel.reading import notation
 from kurbel.reading.speed import Speed
 
 if TYPE_CHECKING:
-    from kurbel.motion.request import Request
+    from kurbel.motion.question import Request
 
 # What gives way, where it only comes from the environment, to what is typed.
 RIVALS = (
@@ -117,7 +117,7 @@ def print_motion(options: dict[str, Any], force: Fraction | None = None) -> None
 
 def motion_request(page: Layout, cranks: tuple[Crank, ...], options: Mapping[str, Any]) -> Request:
     """Return what the options ask for of these cranks."""
-    from kurbel.motion.request import Request
+    from kurbel.motion.question import Request
 
     return Request(
         layout=page,

@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING
 
 from kurbel.drive.crank import LARGEST_ANGLE, Crank, check_angles
 from kurbel.errors import NotationError, ProblemError
-from kurbel.motion.quantities import METHODS, Quantity, registry
-from kurbel.page.sheet import check_rounding
+from kurbel.motion.evaluation import METHODS
+from kurbel.motion.quantities import registry
+from kurbel.page.quantity import Quantity, bare
+from kurbel.page.question import check_rounding
 from kurbel.page.table import Table
 from kurbel.reading import notation
 from kurbel.reading.choices import choose
@@ -40,11 +42,11 @@ def certified(
     >>> certified("c", "1:4,5", "22°30'", digits=6)
     Decimal('0.461536')
     """
-    from kurbel.motion.quantities import certified as scaled
+    from kurbel.motion.evaluation import certified as scaled
 
     chosen = _quantity(quantity)
     check_rounding(digits, rounding)
-    decimals = chosen.decimals if digits is None else digits
+    decimals = bare(chosen, method, chosen.decimals).places if digits is None else digits
     crank, at = Crank(as_ratio(ratio), as_fraction(offset)), as_angle(angle)
     check_angles((at,))
     number = scaled(chosen, choose(method, METHODS, "method"), crank, at, decimals, rounding)
@@ -69,13 +71,14 @@ def compute(
     [1.2, -0.20412414523193154, -0.8]
     """
     from kurbel.exact.bulk import evaluate
-    from kurbel.motion.digits import Digits, on_floats
+    from kurbel.motion.digits import on_floats
+    from kurbel.page.quantity import bare
 
     crank = Crank(as_ratio(ratio), as_fraction(offset))
     degrees = _degrees(angles)
     choose(method, METHODS, "method")
     columns = as_names(columns)
-    chosen = [Digits(_quantity(key), method, 0) for key in columns]
+    chosen = [bare(_quantity(key), method, 0) for key in columns]
     rows = evaluate([on_floats(column, crank) for column in chosen], degrees.ravel())
     return {key: row.reshape(degrees.shape) for key, row in zip(columns, rows, strict=True)}
 
@@ -108,7 +111,7 @@ def make_table(
     45,0.3431,0.8081
     90,1.1010,1.0000
     """
-    from kurbel.motion.request import Request
+    from kurbel.motion.question import Request
     from kurbel.page.build import build
     from kurbel.page.layouts import LANGUAGES, layout_of
 

@@ -51,7 +51,7 @@ def make_inertia_table(
     0.0067
     """
     from kurbel.motion.inertia_page import ErrorsRequest
-    from kurbel.motion.request import Request
+    from kurbel.motion.question import Request
     from kurbel.page.build import build
 
     page = layout_of(layout, INERTIA_SUBJECTS)
@@ -81,7 +81,18 @@ def make_inertia_table(
             )
         )
     at = read_values(page.angles if angles is None else angles, notation.angles, as_angle)
-    return build(Request(page, cranks, at, None, digits, rounding, lang, as_names(columns), label))
+    return build(
+        Request(
+            layout=page,
+            cranks=cranks,
+            angles=at,
+            digits=digits,
+            rounding=rounding,
+            lang=lang,
+            columns=as_names(columns),
+            label=label,
+        )
+    )
 
 
 def make_tangent_table(

@@ -10,7 +10,7 @@ from kurbel.errors import NotationError, ProblemError
 from kurbel.linkage.arc import ArcCrank
 from kurbel.linkage.arc_drive import ArcDrive
 from kurbel.motion.drives import Drive, slide_drives
-from kurbel.motion.quantities import METHODS
+from kurbel.motion.evaluation import METHODS
 from kurbel.page.layouts import LANGUAGES, layout_of
 from kurbel.page.table import Table
 from kurbel.reading import notation

@@ -10,10 +10,11 @@ from kurbel.engine.engine import Engine, Load, Steam
 from kurbel.engine.quantities import EngineQuantity, engine_registry
 from kurbel.engine.request import ENGINE_METHODS, OVER_ANGLE, EngineColumn, EngineRequest
 from kurbel.exact.numerals import Label, Number, number_text
-from kurbel.motion.captions import WORDS as MOTION_WORDS
-from kurbel.motion.captions import enumerated_letters, moving_notes
+from kurbel.motion.drive_notes import moving_notes
+from kurbel.page import axes as page_axes
 from kurbel.page.labels import plain as plain_label
 from kurbel.page.table import Field
+from kurbel.page.words import enumerated_letters
 from kurbel.reading.notation import plain, ratio_text
 
 Words = Mapping[str, str]
@@ -311,11 +312,9 @@ def axis_fields(request: EngineRequest) -> dict[str, Field]:
     fields = {
         "epsilon": Field("epsilon", WORDS["epsilon"][lang], "$ε$", "", request.expansion_decimals),
         "card": Field("card", CARD[lang]),
-        "ratio": Field("ratio", MOTION_WORDS["ratio"][lang], f"${layout.ratio_symbol}$"),
+        "ratio": Field("ratio", page_axes.RATIO[lang], f"${layout.ratio_symbol}$"),
         "stroke": Field("stroke", WORDS["stroke"][lang]),
-        "phi": Field(
-            "phi", MOTION_WORDS["phi"][lang], f"${layout.angle_symbol}$", "°", request.angle_decimals
-        ),
+        "phi": Field("phi", page_axes.PHI[lang], f"${layout.angle_symbol}$", "°", request.angle_decimals),
     }
     if layout.subject == "flywheel":
         fields["target"] = Field("target", WORDS["target"][lang], "$δ$")

@@ -22,7 +22,7 @@ from kurbel.engine.quantities import Peak
 from kurbel.errors import CardError, ProblemError
 from kurbel.kernel import inertia, rod, turning
 from kurbel.kernel.circle import circle
-from kurbel.motion.quantities import OUT, RETURN
+from kurbel.motion.evaluation import OUT, RETURN
 
 if TYPE_CHECKING:
     from kurbel.kernel.turning import Motion

@@ -19,8 +19,8 @@ from kurbel.errors import CardError
 from kurbel.exact.numerals import Label, Number, degrees_text
 from kurbel.page.angles import angle_number
 from kurbel.page.arrange import Grid, Place, check_size
-from kurbel.page.axes import AngleAxis, ColumnAxis, RatioAxis
 from kurbel.page.layouts import SUBJECTS
+from kurbel.page.old_axes import AngleAxis, ColumnAxis, RatioAxis
 from kurbel.page.sheet import table_of
 from kurbel.page.table import Cell, Field, Note, Records, Table, Value
 from kurbel.reading.notation import ratio_text

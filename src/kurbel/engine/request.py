@@ -14,7 +14,7 @@ from kurbel.engine.engine import MOST_CRANKS, Diagram, Engine, Load, Steam
 from kurbel.engine.quantities import OUTSTROKE, RETURN_STROKE, WHOLE, EngineQuantity, engine_registry
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
-from kurbel.motion.quantities import Method
+from kurbel.motion.evaluation import Method
 from kurbel.page.angles import angle_decimals
 from kurbel.page.layouts import Layout, LayoutColumn
 from kurbel.page.sheet import Sheet

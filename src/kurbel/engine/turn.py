@@ -25,7 +25,7 @@ from kurbel.kernel import inertia, rod, steam, turning
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.kinds import Number, larger, smaller
 from kurbel.kernel.turning import Motion, Stroke
-from kurbel.motion.quantities import OUT, RETURN
+from kurbel.motion.evaluation import OUT, RETURN
 
 if TYPE_CHECKING:
     from kurbel.engine.card_turn import CardTurn

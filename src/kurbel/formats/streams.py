@@ -25,7 +25,7 @@ def record_chunks(request: Asked, format_name: str, decimal: str) -> Iterator[by
 
     table = build(request, pages=False)
     rows = table.records.rows
-    if isinstance(rows, RecordRows) and rows.bulk() and _fits(rows.request.angles):
+    if isinstance(rows, RecordRows) and rows.question.bulk and _fits(rows.question.angles):
         yield from _bulk_csv(rows, decimal) if format_name == "csv" else _bulk_json(table, rows)
         return
     lines = csv_rows(table.records, decimal) if format_name == "csv" else json_rows(table)
@@ -37,9 +37,9 @@ def _bulk_csv(rows: RecordRows, decimal: str) -> Iterator[bytes]:
     from kurbel.formats.columns import csv_lines
 
     separator = b";" if decimal == "comma" else b","
-    yield separator.join(key.encode() for key in rows.names()) + b"\n"
+    yield separator.join(key.encode() for key in rows.keys) + b"\n"
     for fields in _bulk_fields(rows, DECIMALS[decimal]):
-        yield csv_lines([fields[key] for key in rows.names()], separator)
+        yield csv_lines([fields[key] for key in rows.keys], separator)
 
 
 def _bulk_json(table: Table, rows: RecordRows) -> Iterator[bytes]:
@@ -49,7 +49,7 @@ def _bulk_json(table: Table, rows: RecordRows) -> Iterator[bytes]:
     before = json_opening(table)
     for fields in _bulk_fields(rows, "."):
         line: list[Scaled | bytes] = []
-        for place, key in enumerate(rows.names()):
+        for place, key in enumerate(rows.keys):
             value = fields[key]
             line += [f'{", " if place else "{"}"{key}": '.encode(), _quoted(value)]
         # Every line ends with the separator; the last one of the table must not.
@@ -67,8 +67,8 @@ def _bulk_fields(rows: RecordRows, mark: str) -> Iterator[dict[str, Scaled | byt
     """Yield the columns of each chunk by their keys."""
     from kurbel.formats.columns import Scaled
 
-    decimals = {column.key: column.digits.decimals for column in rows.columns}
-    of_angles = angle_decimals(rows.request.angles) or 0
+    decimals = {key: column.places for key, column in rows.columns.items()}
+    of_angles = angle_decimals(rows.question.angles) or 0
     for crank, angles, values in rows.chunks():
         fields: dict[str, Scaled | bytes] = {
             key: Scaled(values[key], decimals[key], mark.encode()) for key in values

@@ -16,7 +16,7 @@ from kurbel.errors import ProblemError
 from kurbel.kernel import linkage
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.linkage import Arc, Place
-from kurbel.motion.quantities import OUT, RETURN
+from kurbel.motion.evaluation import OUT, RETURN
 from kurbel.reading.notation import about
 
 # Lengths in a message are multiples of 1/_STEPS R, rounded so that a length changed by as much will do.

@@ -19,7 +19,8 @@ from kurbel.linkage import arc as linkage
 from kurbel.linkage.arc import MOTIONS, ArcCrank, Kind
 from kurbel.linkage.quantities import arc_registry
 from kurbel.motion.drives import Shown, circle, constant, ties_at
-from kurbel.motion.quantities import OUT, STROKES, registry
+from kurbel.motion.evaluation import OUT, STROKES
+from kurbel.motion.quantities import registry
 from kurbel.reading.where import ARC_NAMES, SHARE
 
 if TYPE_CHECKING:

@@ -9,10 +9,10 @@ from fractions import Fraction
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, degrees_text, nearest
 from kurbel.linkage.beam import MINUTES, BeamEngine, BeamQuantity, certified, registry
-from kurbel.motion.captions import WORDS as MOTION_WORDS
+from kurbel.page import axes as page_axes
 from kurbel.page.angles import angle_decimals
 from kurbel.page.arrange import Axis, Grid, Place, check_size
-from kurbel.page.axes import ColumnAxis
+from kurbel.page.old_axes import ColumnAxis
 from kurbel.page.sheet import Heads, LetteredRatioAxis, Sheet, records_of, table_of
 from kurbel.page.table import Cell, Field, Table, Value
 from kurbel.reading.choices import choose
@@ -180,7 +180,7 @@ def _fields(request: BeamRequest) -> Mapping[str, Field]:
     lang = request.lang
     fields = {
         "arm": Field("arm", WORDS["arm"][lang], "$a$", "r", angle_decimals(request.arms)),
-        "ratio": Field("ratio", MOTION_WORDS["ratio"][lang], f"${request.layout.ratio_symbol}$"),
+        "ratio": Field("ratio", page_axes.RATIO[lang], f"${request.layout.ratio_symbol}$"),
     }
     for one in request.quantities:
         fields[one.key] = Field(

@@ -10,8 +10,9 @@ from kurbel.exact.numerals import Label, Number, finite_decimals, number_text
 from kurbel.linkage import arc as linkage
 from kurbel.linkage.arc import CHANGE_POINTS, ArcCrank, Kind
 from kurbel.motion.captions import WORDS as MOTION_WORDS
-from kurbel.motion.captions import enumerated
-from kurbel.motion.quantities import OUT, RETURN
+from kurbel.motion.evaluation import OUT, RETURN
+from kurbel.page import words as page_words
+from kurbel.page.words import enumerated
 from kurbel.reading.notation import plain, ratio_text
 
 if TYPE_CHECKING:
@@ -101,7 +102,7 @@ def notes(request: LinkageRequest) -> list[Label]:
 
 
 def _coupler_notes(lang: str) -> Iterator[Label]:
-    points = MOTION_WORDS["and"][lang].join(f"${plain(angle)}°$" for angle in CHANGE_POINTS)
+    points = page_words.AND[lang].join(f"${plain(angle)}°$" for angle in CHANGE_POINTS)
     yield COUPLER
     yield WORDS["coupler"][lang]
     yield WORDS["change_points"][lang].format(points=points)

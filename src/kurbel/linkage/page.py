@@ -12,11 +12,11 @@ from kurbel.exact.numerals import Number
 from kurbel.linkage import captions
 from kurbel.linkage.arc import ArcCrank
 from kurbel.linkage.quantities import LinkageQuantity, arc_registry, parallel_registry
-from kurbel.motion.captions import WORDS as MOTION_WORDS
+from kurbel.page import axes as page_axes
 from kurbel.page.angles import angle_decimals, angle_number
 from kurbel.page.arrange import Axis, Grid, Place, check_size
-from kurbel.page.axes import AngleAxis, ColumnAxis, RatioAxis
 from kurbel.page.layouts import Layout
+from kurbel.page.old_axes import AngleAxis, ColumnAxis, RatioAxis
 from kurbel.page.sheet import Heads, Sheet, records_of, table_of
 from kurbel.page.table import Cell, Field, Table, Value
 from kurbel.reading.choices import choose
@@ -121,8 +121,8 @@ def _records(request: LinkageRequest) -> Iterator[Mapping[str, Value]]:
 def _fields(request: LinkageRequest) -> Mapping[str, Field]:
     lang, layout, decimals = request.lang, request.layout, angle_decimals(request.angles)
     fields = {
-        "ratio": Field("ratio", MOTION_WORDS["ratio"][lang], f"${layout.ratio_symbol}$"),
-        "phi": Field("phi", MOTION_WORDS["phi"][lang], f"${layout.angle_symbol}$", "°", decimals),
+        "ratio": Field("ratio", page_axes.RATIO[lang], f"${layout.ratio_symbol}$"),
+        "phi": Field("phi", page_axes.PHI[lang], f"${layout.angle_symbol}$", "°", decimals),
     }
     for one in request.quantities:
         fields[one.key] = Field(

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from kurbel.exact.numerals import Label
 from kurbel.linkage.arc import MOTIONS, ArcCrank, certified, certified_coupler
-from kurbel.motion.quantities import OUT, RETURN, STROKES
+from kurbel.motion.evaluation import OUT, RETURN, STROKES
 
 # From the drive, the crank angle in degrees, the decimals and the rounding to the scaled digits; the parallel
 # crank is the same whatever its lengths.

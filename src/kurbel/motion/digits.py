@@ -6,10 +6,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from kurbel.drive.crank import Crank
-from kurbel.motion.quantities import Numbers, Quantity, certified, greatest_load, value
+from kurbel.motion.evaluation import LOADED, certified, greatest_load, numbers_of_floats, value
+from kurbel.page.quantity import Column
 from kurbel.reading.notation import Progression
 
 if TYPE_CHECKING:
@@ -23,16 +24,8 @@ DOUBTFUL_SHARE = 0.1
 MOST_DECIMALS = 18
 
 
-class Digits(NamedTuple):
-    """What one column of numbers is: a quantity by a method to so many decimals."""
-
-    quantity: Quantity
-    method: str
-    decimals: int
-
-
 def columns_in_balls(
-    columns: Sequence[Digits], crank: Crank, angles: Sequence[Fraction], rounding: str
+    columns: Sequence[Column], crank: Crank, angles: Sequence[Fraction], rounding: str
 ) -> list[list[int]]:
     """Return for each column its values times 10**decimals, rounded correctly, one for each angle.
 
@@ -41,17 +34,15 @@ def columns_in_balls(
     return [[_settled(column, crank, angle, rounding) for angle in angles] for column in columns]
 
 
-def is_long(columns: Sequence[Digits], cranks: Sequence[Crank], angles: Sequence[Fraction]) -> bool:
+def is_long(columns: Sequence[Column], cranks: Sequence[Crank], angles: Sequence[Fraction]) -> bool:
     """Whether so many cells, to so few decimals, are worth NumPy's start-up: `columns_in_floats`."""
     if len(columns) * len(cranks) * len(angles) <= PAGE_CELLS:
         return False
-    if max(column.decimals for column in columns) > MOST_DECIMALS:
+    if max(column.places for column in columns) > MOST_DECIMALS:
         return False
     reach = float(largest(angles))
     doubtful = (
-        2 * float_bound(column, crank, reach) * 10.0**column.decimals
-        for column in columns
-        for crank in cranks
+        2 * float_bound(column, crank, reach) * 10.0**column.places for column in columns for crank in cranks
     )
     return max(doubtful) < DOUBTFUL_SHARE
 
@@ -62,7 +53,7 @@ def largest(angles: Sequence[Fraction]) -> Fraction:
     return max(map(abs, ends))
 
 
-def float_bound(column: Digits, crank: Crank, largest_angle: float) -> float:
+def float_bound(column: Column, crank: Crank, largest_angle: float) -> float:
     """Return how far a float of this column can lie from the true value at the exact angle.
 
     The kernel's own error is a few units in the last place (tests/kernel); rounding λ and the
@@ -73,20 +64,20 @@ def float_bound(column: Digits, crank: Crank, largest_angle: float) -> float:
     growth = (1 - min(steepest, 1 - 1e-12) ** 2) ** -3.5
     unit = 2.0**-53
     in_radians = max(largest_angle, 360.0) / 57
-    degrees = 60.0 if column.quantity.arc else 1.0
-    scale = abs(float(column.quantity.scale(crank, _floats())))
-    if column.quantity.loaded is not None and crank.moving is not None:
+    quantity = column.quantity
+    scale = abs(float(quantity.scale(crank, numbers_of_floats()))) if quantity.scale else 1.0
+    if LOADED in quantity.formulas and crank.moving is not None:
         # A force is a sum of few products of these with powers of 1/cos ψ.
         scale *= 8 * float(greatest_load(crank))
-    return float((16 + 4 * in_radians) * unit * growth * degrees * scale)
+    return float((16 + 4 * in_radians) * unit * growth * quantity.bound * scale)
 
 
-def _settled(column: Digits, crank: Crank, angle: Fraction, rounding: str) -> int:
-    return certified(column.quantity, column.method, crank, angle, column.decimals, rounding)
+def _settled(column: Column, crank: Crank, angle: Fraction, rounding: str) -> int:
+    return certified(column.quantity, column.method, crank, angle, column.places, rounding)
 
 
 def columns_in_floats(
-    columns: Sequence[Digits], crank: Crank, angles: Sequence[Fraction], rounding: str
+    columns: Sequence[Column], crank: Crank, angles: Sequence[Fraction], rounding: str
 ) -> list[np.ndarray]:
     """Return the same as int64 arrays: all values in floats, certified where they are doubtful."""
     from kurbel.exact.bulk import evaluate
@@ -98,24 +89,16 @@ def columns_in_floats(
     settled = []
     for column, floats in zip(columns, values, strict=True):
         bound = float_bound(column, crank, reach)
-        scaled, doubtful = nearest(floats, column.decimals, bound, half_even=rounding == "half-even")
+        scaled, doubtful = nearest(floats, column.places, bound, half_even=rounding == "half-even")
         for row in doubtful.nonzero()[0].tolist():
             scaled[row] = _settled(column, crank, angles[row], rounding)
         settled.append(scaled)
     return settled
 
 
-def on_floats(column: Digits, crank: Crank) -> Callable[[Any], Any]:
+def on_floats(column: Column, crank: Crank) -> Callable[[Any], Any]:
     """Return the column as a function of the circle of floats or arrays."""
-    return lambda circle: value(column.quantity, column.method, crank, circle, _floats())
-
-
-def _floats() -> Numbers:
-    from math import pi
-
-    from kurbel.kernel.circle import rod_angle
-
-    return Numbers(float, pi, lambda circle, ratio, offset: rod_angle(circle, ratio, offset or 0.0))
+    return lambda circle: value(column.quantity, column.method, crank, circle, numbers_of_floats())
 
 
 def float_angles(angles: Sequence[Fraction]) -> np.ndarray:

@@ -31,8 +31,10 @@ from kurbel.exact.separation import Separation, circle_separation
 from kurbel.exact.surd import Field, SecondRootError, Surd
 from kurbel.kernel import kinematics
 from kurbel.kernel.circle import Circle
-from kurbel.motion.quantities import OUT, Numbers, Quantity, numbers_of_balls, registry, value
-from kurbel.motion.quantities import certified as certified_of_slide
+from kurbel.motion.evaluation import OUT, Numbers, is_known, is_transcendental, numbers_of_balls, value
+from kurbel.motion.evaluation import certified as certified_of_slide
+from kurbel.motion.quantities import registry
+from kurbel.page.quantity import Quantity
 from kurbel.reading.where import SHARE, SLIDE_NAMES
 
 if TYPE_CHECKING:
@@ -100,9 +102,9 @@ class SlideDrive:
     @cached_property
     def columns(self) -> Mapping[str, Shown]:
         return {
-            key: Shown(key, one.name, one.symbol, one.heading, one.unit, one.decimals)
+            key: Shown(key, one.name, one.symbol, one.heading, one.unit, one.decimals or 0)
             for key, one in registry().items()
-            if one.stroke == OUT and one.available(self.crank) and (one.arc or self.method in one.formulas)
+            if one.stroke == OUT and is_known(one, self.crank) and self.method in one.formulas
         }
 
     def column_of(self, quantity: str) -> str:
@@ -114,7 +116,7 @@ class SlideDrive:
             return certified_of_slide(quantity, self.method, self.crank, place.degrees, decimals, rounding)
         formula = self._formula(quantity)
         ties = NEVER_TIES
-        if not quantity.transcendental(self.crank):
+        if not is_transcendental(quantity, self.crank):
             ties = ties_at(place, self._surd(column, stroke))
         return rounded(
             lambda: formula(circle(place.half_turns()), numbers_of_balls()), decimals, rounding, ties

@@ -11,7 +11,9 @@ from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Label
 from kurbel.kernel import rod
 from kurbel.kernel.rod import Masses
-from kurbel.motion.quantities import OUT, ROD_MODELS, Numbers, Quantity, Scale, pin_acceleration
+from kurbel.motion.evaluation import At, Numbers, pin_acceleration
+from kurbel.motion.quantities import Scale
+from kurbel.page.quantity import Formula, Quantity, Words, words
 
 RodFormula = Callable[..., Any]
 Coefficients = Callable[[Masses[Fraction], bool], Sequence[Fraction | int]]
@@ -28,7 +30,7 @@ class RodForce(NamedTuple):
 
     key: str
     letter: Label
-    name: Mapping[str, str]
+    name: Words
     formula: RodFormula
     smooth: RodFormula
     coefficients: Coefficients
@@ -93,31 +95,35 @@ def _magnitude_changes(masses: Masses[Fraction], infinite: bool) -> Sequence[Fra
     return crosshead, couple
 
 
-def _named(german: str, english: str) -> Mapping[str, str]:
-    return {"de": german, "en": english}
+# What stands for the connecting rod where its masses count: rod.MODELS.
+ROD_MODELS: Mapping[str, Words] = {
+    "exact": words("genau|exact"),
+    "two-mass": words("zwei Massen|two masses"),
+    "railway": words("6/10, 4/10"),
+}
 
 
 ROD_FORCES: Mapping[str, RodForce] = {
     force.key: force
     for force in (
         RodForce(
-            "guide", "N", _named("Führungsdruck", "Guide force"),
+            "guide", "N", words("Führungsdruck|Guide force"),
             rod.guide_force, rod.guide_force, _guide, _guide,
         ),
         RodForce(
-            "pin_x", "X", _named("Zapfenkraft längs", "Pin force along"),
+            "pin_x", "X", words("Zapfenkraft längs|Pin force along"),
             rod.pin_force_along, rod.pin_force_along, _along, _along,
         ),
         RodForce(
-            "pin_y", "Y", _named("Zapfenkraft quer", "Pin force across"),
+            "pin_y", "Y", words("Zapfenkraft quer|Pin force across"),
             rod.pin_force_across, rod.pin_force_across, _across, _across,
         ),
         RodForce(
-            "pin", "P", _named("Zapfenkraft", "Pin force"),
+            "pin", "P", words("Zapfenkraft|Pin force"),
             rod.pin_force, _pin_square, _both, _magnitude_changes,
         ),
         RodForce(
-            "torque", "M_d", _named("Drehmoment", "Torque"),
+            "torque", "M_d", words("Drehmoment|Torque"),
             rod.torque, rod.torque, _torque, _torque, is_torque=True,
         ),
     )
@@ -125,10 +131,10 @@ ROD_FORCES: Mapping[str, RodForce] = {
 
 
 # Ensslin's parts of the acceleration of the crank-pin end: key, letter, name.
-_PARTS: tuple[tuple[str, str, Mapping[str, str]], ...] = (
-    ("common_acceleration", "p_2", _named("gemeinsame Beschleunigung", "Common acceleration")),
-    ("turning_acceleration", "p_4", _named("Drehbeschleunigung", "Turning acceleration")),
-    ("stretching_acceleration", "p_5", _named("Dehnungsbeschleunigung", "Stretching acceleration")),
+_PARTS: tuple[tuple[str, str, Words], ...] = (
+    ("common_acceleration", "p_2", words("gemeinsame Beschleunigung|Common acceleration")),
+    ("turning_acceleration", "p_4", words("Drehbeschleunigung|Turning acceleration")),
+    ("stretching_acceleration", "p_5", words("Dehnungsbeschleunigung|Stretching acceleration")),
 )
 
 
@@ -144,7 +150,7 @@ def _entries(force: RodForce) -> Iterator[Quantity]:
     for model in ROD_MODELS:
         key = f"inertia_{force.key}" + ("" if model == "exact" else f"_{model.replace('-', '_')}")
         yield _entry(
-            key, force, model, f"${force.letter}/({force.unit})$", force.plain_unit, 4, _one, needs="rod"
+            key, force, model, f"${force.letter}/({force.unit})$", force.plain_unit, 4, None, needs="rod"
         )
         yield _entry(
             f"{key}_{force.newtons.replace(' ', '').lower()}", force, model,
@@ -153,38 +159,55 @@ def _entries(force: RodForce) -> Iterator[Quantity]:
 
 
 def _entry(
-    key: str, force: RodForce, model: str, heading: str, unit: str, decimals: int, scale: Scale, needs: str
+    key: str,
+    force: RodForce,
+    model: str,
+    heading: str,
+    unit: str,
+    decimals: int,
+    scale: Scale | None,
+    needs: str,
 ) -> Quantity:
+    def kernel(at: At) -> Any:
+        assert at.crank.rod is not None
+        return force.formula(at.circle, at.ratio, at.crank.rod.masses(model, at.numbers.of), at.offset)
+
     return Quantity(
         key=key,
         name=force.name,
         symbol=f"${force.letter}$",
-        heading=_named(heading, heading),
-        unit=_named(unit, unit),
-        stroke=OUT,
-        # The exact formulas hold for the infinite rod too.
-        formulas={"exact": force.formula, "infinite": force.formula},
+        unit=words(unit),
         decimals=decimals,
+        # The exact formulas hold for the infinite rod too.
+        formulas={"exact": Formula(kernel), "infinite": Formula(kernel)},
+        # One force by several models stands under its letter.
+        spanners=(force.name, words(heading)),
+        part=ROD_MODELS[model],
         scale=scale,
         needs=needs,
-        model=model,
+        of=model,
+        heading=ROD_MODELS[model],
     )
 
 
-def _part(key: str, letter: str, name: Mapping[str, str]) -> Quantity:
+def _part(key: str, letter: str, name: Words) -> Quantity:
     """A part of the acceleration, which the masses do not change."""
     part = key.removesuffix("_acceleration")
 
-    def formula(circle: Any, ratio: Any, masses: Any, offset: Any = None) -> Any:
-        return getattr(rod.parts(circle, ratio, offset), part)
+    def kernel(at: At) -> Any:
+        return getattr(rod.parts(at.circle, at.ratio, at.offset), part)
 
-    heading = _named(f"${letter}/(R ω^2)$", f"${letter}/(R ω^2)$")
-    unit = _named("R ω²", "R ω²")
-    formulas = {"exact": formula, "infinite": formula}
+    heading = words(f"${letter}/(R ω^2)$")
     return Quantity(
-        key, name, f"${letter}$", heading, unit, OUT, formulas, 4, _one, needs="rod", model="exact"
+        key=key,
+        name=name,
+        symbol=f"${letter}$",
+        unit=words("R ω²"),
+        decimals=4,
+        formulas={"exact": Formula(kernel), "infinite": Formula(kernel)},
+        heading=ROD_MODELS["exact"],
+        spanners=(name, heading),
+        part=ROD_MODELS["exact"],
+        needs="rod",
+        of="exact",
     )
-
-
-def _one(crank: Crank, numbers: Numbers) -> Any:
-    return numbers.of(Fraction(1))

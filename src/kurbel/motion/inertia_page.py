@@ -14,16 +14,19 @@ from kurbel.exact.certify import NEVER_TIES, TieBits, rounded
 from kurbel.exact.numerals import Label, Number, degrees_text, nearest, number_text
 from kurbel.exact.separation import Separation
 from kurbel.kernel.rod import Masses
-from kurbel.motion import captions
-from kurbel.motion.inertia import ROD_FORCES, RodForce
+from kurbel.motion.drive_notes import drive_notes, rod_notes
+from kurbel.motion.evaluation import NEEDS, Numbers, numbers_of_balls
+from kurbel.motion.inertia import ROD_FORCES, ROD_MODELS, RodForce
 from kurbel.motion.inertia_peak import Peak
-from kurbel.motion.quantities import NEEDS, ROD_MODELS, Numbers, numbers_of_balls
-from kurbel.motion.request import Request, page_columns, quantities_of
+from kurbel.motion.question import Request
+from kurbel.page import axes as page_axes
+from kurbel.page import words as page_words
 from kurbel.page.arrange import Axis, Grid, Place, check_size
-from kurbel.page.axes import ColumnAxis, RatioAxis
 from kurbel.page.layouts import layout
+from kurbel.page.old_axes import ColumnAxis, RatioAxis
 from kurbel.page.sheet import Heads, Sheet, records_of, table_of
 from kurbel.page.table import Cell, Field, Table, Value
+from kurbel.page.words import for_ratio
 from kurbel.reading.choices import choose
 from kurbel.reading.notation import ratio_text
 
@@ -136,9 +139,9 @@ class ErrorsRequest(Sheet):
 
 def error_notes(request: Request) -> Iterator[Label]:
     """Yield the greatest errors of what a page of forces shows beside the exact ones, a line a crank."""
-    shown = [quantities_of(request.layout)[column.digits.quantity.key] for column in page_columns(request)]
-    models = [model for model in MODELS if model != EXACT and any(one.model == model for one in shown)]
-    names = {force.name["en"] for force in FORCES} & {one.name["en"] for one in shown if one.model}
+    shown = [column.quantity for column in request.page_columns]
+    models = [model for model in MODELS if model != EXACT and any(one.of == model for one in shown)]
+    names = {force.name["en"] for force in FORCES} & {one.name["en"] for one in shown if one.of}
     if not models:
         return
     sheet = ErrorsRequest(
@@ -157,7 +160,7 @@ def error_notes(request: Request) -> Iterator[Label]:
             errors = ", ".join(f"${one.letter}$ ${number_text(error)}$" for one, error in numbers if error)
             said.append(f"{ROD_MODELS[model][request.lang]} {errors}")
         several = len(request.cranks) > 1
-        where = captions.for_ratio(crank.ratio, request.lang, request.layout.ratio_symbol) if several else ""
+        where = for_ratio(crank.ratio, request.lang, request.layout.ratio_symbol) if several else ""
         yield WORDS["errors"][request.lang].format(where=where) + "; ".join(said)
 
 
@@ -198,14 +201,13 @@ def build_errors(request: ErrorsRequest, pages: bool = True) -> Table:
 def _for_ratio(request: ErrorsRequest) -> Label:
     if len(request.cranks) > 1:
         return ""
-    ratio = ratio_text(request.cranks[0].ratio)
-    return captions.WORDS["for_ratio"][request.lang].format(symbol=request.layout.ratio_symbol, ratio=ratio)
+    return page_words.for_ratio(request.cranks[0].ratio, request.lang, request.layout.ratio_symbol)
 
 
 def _notes(request: ErrorsRequest) -> Iterator[Label]:
     yield from (note[request.lang] for note in request.layout.notes)
-    yield from captions.drive_notes(request.cranks, request.lang)
-    yield from captions.rod_notes(request.cranks, request.lang, [force.letter for force in FORCES])
+    yield from drive_notes(request.cranks, request.lang)
+    yield from rod_notes(request.cranks, request.lang, [force.letter for force in FORCES])
 
 
 def _grid(request: ErrorsRequest) -> Grid:
@@ -249,7 +251,7 @@ def _record(request: ErrorsRequest, column: ErrorColumn, place: Place) -> Number
 def _fields(request: ErrorsRequest) -> Mapping[str, Field]:
     lang = request.lang
     fields = {
-        "ratio": Field("ratio", captions.WORDS["ratio"][lang], f"${request.layout.ratio_symbol}$"),
+        "ratio": Field("ratio", page_axes.RATIO[lang], f"${request.layout.ratio_symbol}$"),
         "force": Field("force", WORDS["force"][lang]),
         "model": Field("model", WORDS["model"][lang]),
     }

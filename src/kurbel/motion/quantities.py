@@ -1,282 +1,99 @@
-"""What can stand in a table: each quantity with its symbol, unit, stroke and formulas, and its evaluation.
-
-A quantity is evaluated by one of the kernel's formulas on one of four kinds of number: balls (certified
-digits), separation bounds (ties), floats and arrays (bulk).
-"""
+"""What can stand in a table of the straight or offset crank: motion, and the forces of the drive."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import replace
 from fractions import Fraction
 from functools import cache
-from typing import Any, NamedTuple
+from typing import Any
 
 from kurbel.drive.crank import Crank
-from kurbel.drive.crank_forces import CRANK_FORCES, CrankForce
-from kurbel.errors import ProblemError
+from kurbel.drive.crank_forces import CRANK_FORCES
 from kurbel.exact.numerals import Label
 from kurbel.kernel import forces, kinematics
+from kurbel.motion.evaluation import (
+    LOADED,
+    OFFSET,
+    OUT,
+    RETURN,
+    STROKES,
+    At,
+    Numbers,
+    pin_acceleration,
+    pin_velocity,
+)
+from kurbel.page.quantity import Formula, Quantity, words
 
-Formula = Callable[..., Any]
-# What of the crank a quantity needs to be known, and the options that tell it.
-NEEDS: Mapping[str, tuple[str, ...]] = {
-    "": (),
-    "length": ("--stroke",),
-    "speed": ("--stroke", "--speed"),
-    "force": ("--force",),
-    "torque": ("--force", "--stroke"),
-    "masses": ("--reciprocating", "--stroke", "--speed"),
-    "rod": ("--centre", "--gyration"),
-    "inertia": ("--rod-mass", "--stroke", "--speed"),
-}
-OUT, RETURN = 1, -1
-STROKES = {
-    OUT: {"de": "Hingang", "en": "Outstroke"},
-    RETURN: {"de": "Rückgang", "en": "Return"},
-}
-# What stands for the connecting rod where its masses count: rod.MODELS.
-ROD_MODELS: Mapping[str, Mapping[str, str]] = {
-    "exact": {"de": "genau", "en": "exact"},
-    "two-mass": {"de": "zwei Massen", "en": "two masses"},
-    "railway": {"de": "6/10, 4/10", "en": "6/10, 4/10"},
-}
-
-
-class Method(NamedTuple):
-    """A set of formulas, and what a caption calls it."""
-
-    key: str
-    name: Mapping[str, str]
-    caption: Mapping[str, str]
-
-
-METHODS = {
-    method.key: method
-    for method in (
-        Method(
-            "exact",
-            {"de": "genaue Formeln", "en": "exact formulas"},
-            {"de": "genaue Formeln", "en": "exact formulas"},
-        ),
-        Method(
-            "series",
-            {"de": "Näherung erster Ordnung (Blau 22, 25, 26)", "en": "first order (Blau 22, 25, 26)"},
-            {"de": "Näherung erster Ordnung", "en": "first-order formulas"},
-        ),
-        Method(
-            "infinite",
-            {"de": "Schubstange unendlich lang", "en": "rod of infinite length"},
-            {"de": "unendlich lange Schubstange", "en": "infinitely long rod"},
-        ),
-    )
-}
-
-# The gain of a page that shows two methods: exact minus first order, from unrounded values.
-DIFFERENCE = "difference"
-
-
-class Numbers(NamedTuple):
-    """A kind of number: how an exact rational becomes one, its π, and the rod angle in degrees on it.
-
-    Separation bounds have neither π nor arcs.
-    """
-
-    of: Callable[[Fraction], Any]
-    pi: Any = None
-    rod_angle: Formula | None = None
-
-
+Formulas = Mapping[str, Formula]
 Scale = Callable[[Crank, Numbers], Any]
 
-
-class Quantity(NamedTuple):
-    """An entry of the registry. `formulas` are by method and take (circle, λ, e/R or None).
-
-    On the return stroke λ and e are negative (the lower sign of the books). `scale` turns the kernel's unit
-    into the quantity's; `arc` means the rod angle, which each kind of number finds in its own way. Where the
-    rod's masses count, `model` says what stands for it, and formulas take (circle, λ, masses, e/R or None).
-    `loaded` is what a force becomes where the crank has moving masses.
-    """
-
-    key: str
-    name: Mapping[str, str]
-    symbol: Label
-    heading: Mapping[str, Label]
-    unit: Mapping[str, str]
-    stroke: int
-    formulas: Mapping[str, Formula]
-    decimals: int
-    scale: Scale
-    needs: str = ""
-    arc: bool = False
-    model: str = ""
-    loaded: CrankForce | None = None
-
-    @property
-    def is_force(self) -> bool:
-        return self.loaded is not None or self.unit["en"] == "F"
-
-    @property
-    def part(self) -> Mapping[str, str]:
-        """What sets it apart from others of its name: the stroke, or what stands for the rod."""
-        return ROD_MODELS[self.model] if self.model else STROKES[self.stroke]
-
-    def available(self, crank: Crank) -> bool:
-        known = {
-            "length": crank.radius is not None,
-            "speed": crank.speed is not None,
-            "force": crank.force is not None or crank.moving is not None,
-            "torque": crank.radius is not None and (crank.force is not None or crank.moving is not None),
-            "masses": crank.moving is not None,
-            "rod": crank.rod is not None,
-            "inertia": crank.rod is not None and crank.rod.mass is not None and crank.speed is not None,
-        }
-        return known.get(self.needs, True)
-
-    def formula(self, method: str, crank: Crank, numbers: Numbers) -> Formula:
-        if crank.offset and method != "exact":
-            raise ProblemError(f'method "{method}" has no formulas for an offset crank; use exact')
-        if method not in self.formulas and method != DIFFERENCE and not self.arc:
-            raise ProblemError(f'method "{method}" has no formula for {self.key}; use exact')
-        if method == DIFFERENCE:
-            exact, series = self.formulas["exact"], self.formulas["series"]
-            return lambda circle, ratio, offset: exact(circle, ratio, offset) - series(circle, ratio, offset)
-        if self.model:
-            return self._of_rod(method, crank, numbers)
-        if not self.arc:
-            return self.formulas[method]
-        assert numbers.rod_angle is not None
-        return numbers.rod_angle
-
-    def _of_rod(self, method: str, crank: Crank, numbers: Numbers) -> Formula:
-        assert crank.rod is not None
-        formula, masses = self.formulas[method], crank.rod.masses(self.model, numbers.of)
-        return lambda circle, ratio, offset: formula(circle, ratio, masses, offset)
-
-    def transcendental(self, crank: Crank) -> bool:
-        """Whether no value can lie on a rounding boundary, for it is an arc or a multiple of π.
-
-        An arc: sin ψ = λ(sin φ - e/R) relates at most two sines of rational angles and a rational number.
-        Such relations exist only for ψ = 0 and ±30°, which are whole degrees, and as cos 36° - cos 72° = 1/2,
-        which would need λ = 1 (Conway and Jones, Acta Arithmetica 30, 1976, theorem 7).
-        """
-        by_speed = self.needs in ("speed", "inertia")
-        return self.arc or (by_speed and crank.speed is not None and crank.speed.turns)
+# In printed formulas {±} is the sign that the return stroke changes, {ψ} the same where ψ itself is printed
+# (cos ψ knows no sign), {angle} the letter of the crank angle.
 
 
-def value(quantity: Quantity, method: str, crank: Crank, circle: Any, numbers: Numbers) -> Any:
-    """Return the quantity in its unit, on the kind of number that circle and `numbers` are of."""
-    ratio = numbers.of(quantity.stroke * (Fraction(0) if method == "infinite" else crank.ratio))
-    offset = numbers.of(quantity.stroke * crank.offset) if crank.offset else None
-    if quantity.loaded is not None and crank.moving is not None:
-        force = _loaded(quantity.loaded, crank, circle, ratio, offset, numbers)
-        return force * quantity.scale(crank, numbers)
-    formula = quantity.formula(method, crank, numbers)
-    return formula(circle, ratio, offset) * quantity.scale(crank, numbers)
+def _motion(
+    straight: Callable[..., Any],
+    offset: Callable[..., Any],
+    series: Callable[..., Any],
+    printed: Mapping[str, Label],
+) -> Formulas:
+    def exact(at: At) -> Any:
+        return straight(at.circle, at.ratio)
+
+    return {
+        "exact": Formula(exact, printed["exact"]),
+        "series": Formula(lambda at: series(at.circle, at.ratio), printed["series"]),
+        "infinite": Formula(exact, printed["infinite"]),
+        OFFSET: Formula(lambda at: offset(at.circle, at.ratio, at.offset), printed[OFFSET]),
+    }
 
 
-def _loaded(force: CrankForce, crank: Crank, circle: Any, ratio: Any, offset: Any, numbers: Numbers) -> Any:
-    """Return a force in newtons, of the piston force and of the moving masses."""
-    assert crank.moving is not None
-    weights = crank.moving.weights(numbers.of, pin_acceleration(crank, numbers))
-    return force.loaded(circle, ratio, weights, offset, numbers.of(crank.force or Fraction(0)))
-
-
-def certified(
-    quantity: Quantity,
-    method: str,
-    crank: Crank,
-    angle: Fraction,
-    decimals: int,
-    rounding: str = "half-away",
-) -> int:
-    """Return the quantity times 10**decimals at an exact angle in degrees, rounded correctly."""
-    from kurbel.exact import certify
-
-    def as_ball() -> Any:
-        circle = certify.ball_circle(angle)
-        return value(quantity, method, crank, circle, numbers_of_balls())
-
-    def tie_bits(boundary: Fraction) -> float:
-        return _tie_bits(quantity, method, crank, angle, boundary)
-
-    if _weighs(quantity, method, crank, angle):
-        # Turns a second bring the factor π² to what the masses add to an algebraic number.
-        ties: certify.TieBits | None = certify.NEVER_TIES
-    else:
-        ties = certify.NEVER_TIES if quantity.transcendental(crank) else tie_bits
-    return certify.rounded(as_ball, decimals, rounding, ties)
-
-
-def _weighs(quantity: Quantity, method: str, crank: Crank, angle: Fraction) -> bool:
-    """Whether the masses may have a part in the force that has the factor π²."""
-    if quantity.loaded is None or crank.moving is None or crank.speed is None or not crank.speed.turns:
-        return False
-    from kurbel.exact import certify
-    from kurbel.exact.separation import Separation
-
-    alone = replace(crank, force=None)
-
-    def part() -> Any:
-        return value(quantity, method, alone, certify.ball_circle(angle), Numbers(certify.ball))
-
-    bound = value(quantity, method, alone, _bounds(angle), Numbers(Separation.rational))
-    return not certify.vanishes(part, float(bound.bits()))
-
-
-def numbers_of_balls() -> Numbers:
-    """Return balls at the precision in force."""
-    from kurbel.exact import certify
-
-    return Numbers(certify.ball, certify.pi(), certify.rod_angle)
-
-
-def _tie_bits(quantity: Quantity, method: str, crank: Crank, angle: Fraction, boundary: Fraction) -> float:
-    from kurbel.exact.separation import Separation
-
-    bound = value(quantity, method, crank, _bounds(angle), Numbers(Separation.rational))
-    return float((bound - Separation.rational(boundary)).bits())
-
-
-def _bounds(angle: Fraction) -> Any:
-    from kurbel.exact.separation import circle_separation
-    from kurbel.kernel.circle import Circle
-
-    return Circle(*circle_separation(angle))
-
-
-def _straight_or_offset(straight: Callable[..., Any], offset: Callable[..., Any]) -> Formula:
-    return lambda circle, ratio, e: straight(circle, ratio) if e is None else offset(circle, ratio, e)
-
-
-def _straight(formula: Callable[..., Any]) -> Formula:
-    return lambda circle, ratio, e: formula(circle, ratio)
-
-
-def _formulas(exact: Formula, series: Callable[..., Any]) -> Mapping[str, Formula]:
-    return {"exact": exact, "series": _straight(series), "infinite": exact}
-
-
-PATH = _formulas(
-    _straight_or_offset(kinematics.piston_path, kinematics.offset_path), kinematics.piston_path_first_order
+PATH = _motion(
+    kinematics.piston_path,
+    kinematics.offset_path,
+    kinematics.piston_path_first_order,
+    {
+        "exact": "$x/R = 1 - cos {angle} {±} (1 - cos ψ)/λ$",
+        "series": "$x/R = 1 - cos {angle} {±} 1/2 λ sin^2 {angle}$",
+        "infinite": "$x/R = 1 - cos {angle}$",
+        OFFSET: "$x/R = (cos φ_i - cos {angle}) + (cos ψ_i - cos ψ)/λ$",
+    },
 )
-VELOCITY = _formulas(
-    _straight_or_offset(kinematics.piston_velocity, kinematics.offset_velocity),
+VELOCITY = _motion(
+    kinematics.piston_velocity,
+    kinematics.offset_velocity,
     kinematics.piston_velocity_first_order,
+    {
+        "exact": "$c/v = sin {angle} {±} (λ sin {angle} cos {angle})/(cos ψ)$",
+        "series": "$c/v = sin {angle} {±} 1/2 λ sin 2 {angle}$",
+        "infinite": "$c/v = sin {angle}$",
+        OFFSET: "$c/v = sin {angle} + cos {angle} tan ψ$",
+    },
 )
-ACCELERATION = _formulas(
-    _straight_or_offset(kinematics.piston_acceleration, kinematics.offset_acceleration),
+ACCELERATION = _motion(
+    kinematics.piston_acceleration,
+    kinematics.offset_acceleration,
     kinematics.piston_acceleration_first_order,
+    {
+        "exact": "$(p R)/v^2 = cos {angle} {±} λ (cos 2 {angle} + λ^2 sin^4 {angle})/(cos^3 ψ)$",
+        "series": "$(p R)/v^2 = cos {angle} {±} λ cos 2 {angle}$",
+        "infinite": "$(p R)/v^2 = cos {angle}$",
+        OFFSET: "$(p R)/v^2 = cos {angle} - sin {angle} tan ψ + λ (cos^2 {angle})/(cos^3 ψ)$",
+    },
 )
 
 
-def _forces(formula: Formula) -> Mapping[str, Formula]:
-    return {"exact": formula, "infinite": formula}
+def _rod_angle(at: At) -> Any:
+    assert at.numbers.rod_angle is not None
+    return at.numbers.rod_angle(at.circle, at.ratio, at.offset)
 
 
-def _one(crank: Crank, numbers: Numbers) -> Any:
-    return numbers.of(Fraction(1))
+# The rod angle enters the first-order formulas nowhere; it is the same arc by every method.
+ROD_ANGLE: Formulas = {
+    "exact": Formula(_rod_angle),
+    "series": Formula(_rod_angle, "$sin ψ = {ψ}λ sin {angle}$"),
+    "infinite": Formula(_rod_angle, "$ψ = 0$"),
+}
 
 
 def _share_of_stroke(share: int) -> Scale:
@@ -288,160 +105,189 @@ def _share_of_stroke(share: int) -> Scale:
     return scale
 
 
-def _radius(crank: Crank) -> Fraction:
-    assert crank.radius is not None
-    return crank.radius
-
-
 def _millimetres(crank: Crank, numbers: Numbers) -> Any:
-    return numbers.of(1000 * _radius(crank))
-
-
-def pin_velocity(crank: Crank, numbers: Numbers) -> Any:
-    """Return v = R ω of the crank pin in m/s; bounds, which know no π, leave it out."""
-    speed = crank.speed
-    assert speed is not None
-    if not speed.turns:
-        return numbers.of(_radius(crank) * speed.value)
-    rational = numbers.of(2 * _radius(crank) * speed.value)
-    return rational if numbers.pi is None else rational * numbers.pi
-
-
-def pin_acceleration(crank: Crank, numbers: Numbers) -> Any:
-    """v²/R of the crank pin in m/s²."""
-    velocity = pin_velocity(crank, numbers)
-    return velocity * velocity / numbers.of(_radius(crank))
-
-
-def _force(crank: Crank) -> Fraction:
-    """What makes newtons of a unit force; forces of moving masses are in newtons as they are."""
-    if crank.moving is not None:
-        return Fraction(1)
-    assert crank.force is not None
-    return crank.force
+    assert crank.radius is not None
+    return numbers.of(1000 * crank.radius)
 
 
 def _newtons(crank: Crank, numbers: Numbers) -> Any:
-    return numbers.of(_force(crank))
+    """What makes newtons of a unit force; forces of moving masses are in newtons as they are."""
+    if crank.moving is not None:
+        return numbers.of(Fraction(1))
+    assert crank.force is not None
+    return numbers.of(crank.force)
 
 
 def _newton_metres(crank: Crank, numbers: Numbers) -> Any:
-    return numbers.of(_force(crank) * _radius(crank))
-
-
-def greatest_load(crank: Crank) -> Fraction:
-    """Return a bound of the forces in newtons that piston force and moving masses call up, but for the rod's
-    slant: without the factor (2π)² where the speed counts turns."""
-    moving, speed = crank.moving, crank.speed
-    assert moving is not None
-    assert speed is not None
-    pin, crosshead, couple = moving.joined
-    masses = abs(pin) + crosshead + abs(Fraction(couple)) + moving.reciprocating + abs(moving.rotating)
-    factor = 40 if speed.turns else 1
-    return (crank.force or Fraction(0)) + masses * _radius(crank) * speed.value**2 * factor
-
-
-_PATH_NAME = {"de": "Kolbenweg", "en": "Piston path"}
-_VELOCITY_NAME = {"de": "Kolbengeschwindigkeit", "en": "Piston velocity"}
-_ACCELERATION_NAME = {"de": "Kolbenbeschleunigung", "en": "Piston acceleration"}
-_ROD_NAME = {"de": "Schubstangenwinkel", "en": "Rod angle"}
-# Key, name, letter, formula of the forces that one piston force F calls up; the torque is in units of F R.
-_FORCES: tuple[tuple[str, dict[str, str], str, Formula], ...] = (
-    ("rod_force", {"de": "Stangenkraft", "en": "Rod force"}, "S", forces.rod_force),
-    ("guide_force", {"de": "Führungsdruck", "en": "Guide force"}, "N", forces.guide_force),
-    ("tangential_force", {"de": "Tangentialkraft", "en": "Tangential force"}, "T", forces.tangential_force),
-    ("radial_force", {"de": "Radialkraft", "en": "Radial force"}, "Z", forces.radial_force),
-)
-
-# Where masses count, what one force alone does not show.
-_PIN_FORCES: tuple[tuple[str, dict[str, str], str], ...] = (
-    ("crosshead_pin_force", {"de": "Kraft am Kreuzkopfzapfen", "en": "Crosshead-pin force"}, "B"),
-    ("crank_pin_force", {"de": "Kraft am Kurbelzapfen", "en": "Crank-pin force"}, "K"),
-    ("bearing_along", {"de": "Lagerkraft längs", "en": "Bearing force along"}, "H_x"),
-    ("bearing_across", {"de": "Lagerkraft quer", "en": "Bearing force across"}, "H_y"),
-    ("bearing_force", {"de": "Lagerkraft", "en": "Bearing force"}, "H"),
-)
-
-
-def _both_strokes(
-    key: str, name: Mapping[str, str], heading: str, unit: Mapping[str, str] | str, **rest: Any
-) -> list[Quantity]:
-    """The quantity on the outstroke and on the return stroke: x_mm and x_return_mm."""
-    stem, _, rest_of_key = key.partition("_")
-    back = f"{stem}_return_{rest_of_key}" if rest_of_key else f"{stem}_return"
-    symbol = "$ψ$" if stem == "psi" else f"${stem}$"
-    return _strokes(key, back, symbol, name, heading, unit, **rest)
-
-
-def _strokes(
-    key: str,
-    back: str,
-    symbol: Label,
-    name: Mapping[str, str],
-    heading: str,
-    unit: Mapping[str, str] | str,
-    **rest: Any,
-) -> list[Quantity]:
-    units = {"de": unit, "en": unit} if isinstance(unit, str) else unit
-    de, _, en = heading.partition("|")
-    headings = {"de": de, "en": en or de}
-    return [
-        Quantity(each, name, symbol, headings, units, stroke, **rest)
-        for each, stroke in ((key, OUT), (back, RETURN))
-    ]
+    assert crank.radius is not None
+    return _newtons(crank, numbers) * numbers.of(crank.radius)
 
 
 @cache
 def registry() -> Mapping[str, Quantity]:
     """Return every quantity by its key, in the order in which `kurbel quantities` lists them."""
-    share = {"de": "Hub", "en": "stroke"}
-    percent = {"de": "% des Hubes", "en": "% of the stroke"}
-    path = {"name": _PATH_NAME, "formulas": PATH}
-    velocity = {"name": _VELOCITY_NAME, "formulas": VELOCITY}
-    acceleration = {"name": _ACCELERATION_NAME, "formulas": ACCELERATION}
-    # The rod angle enters the first-order formulas nowhere; it is the same arc by every method.
-    rod = {"name": _ROD_NAME, "formulas": {}, "arc": True}
-    length, speed = {"needs": "length"}, {"needs": "speed"}
-    rows: list[tuple[str, Label, Any, int, Scale, dict[str, Any]]] = [
-        ("x", "$x/R$", "R", 4, _one, path),
-        ("x_stroke", "in Teilen des Hubes|in strokes", share, 4, _share_of_stroke(1), path),
-        ("x_percent", "in % des Hubes|in % of stroke", percent, 2, _share_of_stroke(100), path),
-        ("x_mm", "$x$ in mm", "mm", 2, _millimetres, path | length),
-        ("c", "$c/v$", "v", 4, _one, velocity),
-        ("c_mps", "$c$ in m/s", "m/s", 3, pin_velocity, velocity | speed),
-        ("p", "$(p R)/v^2$", "v²/R", 4, _one, acceleration),
-        ("p_mps2", "$p$ in m/s²", "m/s²", 2, pin_acceleration, acceleration | speed),
-        ("psi", "$ψ$ in °", "°", 3, _one, rod),
-    ]
-    entries = [
-        quantity
-        for key, heading, unit, decimals, scale, rest in rows
-        for quantity in _both_strokes(key, heading=heading, unit=unit, decimals=decimals, scale=scale, **rest)
-    ]
-    return {entry.key: entry for entry in (*entries, *_force_entries())}
+    return {entry.key: entry for entry in (*_motion_entries(), *_force_entries())}
+
+
+def _motion_entries() -> Iterator[Quantity]:
+    path, velocity, acceleration = (
+        "Kolbenweg|Piston path",
+        "Kolbengeschwindigkeit|Piston velocity",
+        ("Kolbenbeschleunigung|Piston acceleration"),
+    )
+    yield from _both("x", path, "$x$", "$x/R$", "$R$", 4, PATH, names=("x",))
+    yield from _both(
+        "x_stroke", path, "$x$", "in Teilen des Hubes|in strokes", "Hub|stroke", 4, PATH,
+        scale=_share_of_stroke(1), names=("s",),
+    )  # fmt: skip
+    yield from _both(
+        "x_percent", path, "$x$", "in % des Hubes|in % of stroke", "% des Hubes|% of the stroke", 2, PATH,
+        scale=_share_of_stroke(100),
+    )  # fmt: skip
+    yield from _both("x_mm", path, "$x$", "$x$ in mm", "mm", 2, PATH, scale=_millimetres, needs="length")
+    yield from _both("c", velocity, "$c$", "$c/v$", "$v$", 4, VELOCITY, names=("c",))
+    yield from _both(
+        "c_mps", velocity, "$c$", "$c$ in m/s", "m/s", 3, VELOCITY, scale=pin_velocity, needs="speed"
+    )
+    yield from _both("p", acceleration, "$p$", "$(p R)/v^2$", "v²/R", 4, ACCELERATION, names=("p",))
+    yield from _both(
+        "p_mps2", acceleration, "$p$", "$p$ in m/s²", "m/s²", 2, ACCELERATION, scale=pin_acceleration,
+        needs="speed",
+    )  # fmt: skip
+    yield from _both(
+        "psi", "Schubstangenwinkel|Rod angle", "$ψ$", "$ψ$ in °", "°", 3, ROD_ANGLE,
+        is_arc=True, bound=60.0, names=("psi", "ψ"),
+    )  # fmt: skip
+
+
+# Key, name, letter, printed formula, that of the offset crank, kernel, and in which direction the force is
+# positive: the forces that one piston force F calls up.
+_FORCES: tuple[tuple[str, str, str, Label, Label, Callable[..., Any], str], ...] = (
+    (
+        "rod_force", "Stangenkraft|Rod force", "S", "$S/F = 1/(cos ψ)$", "$S/F = 1/(cos ψ)$",
+        forces.rod_force,
+        "$S$ am Kreuzkopf, auf dem Hingang Druck, auf dem Rückgang Zug"
+        "|$S$ at the crosshead, thrust on the outstroke, pull on the return",
+    ),
+    (
+        "guide_force", "Führungsdruck|Guide force", "N", "$N/F = {guide}tan ψ$", "$N/F = tan ψ$",
+        forces.guide_force,
+        "$N$ auf den Kreuzkopf, nach der Seite, auf der in diesem Hub der Kurbelzapfen läuft"
+        "|$N$ on the crosshead, towards the side on which the crank pin runs in that stroke",
+    ),
+    (
+        "tangential_force", "Tangentialkraft|Tangential force", "T",
+        "$T/F = sin({angle} {slant} ψ)/(cos ψ)$", "$T/F = sin({angle} + ψ)/(cos ψ)$",
+        forces.tangential_force, "$T$ im Drehsinn|$T$ as the crank turns",
+    ),
+    (
+        "radial_force", "Radialkraft|Radial force", "Z",
+        "$Z/F = cos({angle} {slant} ψ)/(cos ψ)$", "$Z/F = cos({angle} + ψ)/(cos ψ)$",
+        forces.radial_force, "$Z$ nach der Welle hin|$Z$ towards the shaft",
+    ),
+)  # fmt: skip
+# Where masses count, what one force alone does not show.
+_PIN_FORCES = (
+    (
+        "crosshead_pin_force", "Kraft am Kreuzkopfzapfen|Crosshead-pin force", "B",
+        "$B$ Betrag am Kreuzkopfzapfen|$B$ magnitude at the crosshead pin",
+    ),
+    (
+        "crank_pin_force", "Kraft am Kurbelzapfen|Crank-pin force", "K",
+        "$K$ Betrag am Kurbelzapfen|$K$ magnitude at the crank pin",
+    ),
+    (
+        "bearing_along", "Lagerkraft längs|Bearing force along", "H_x",
+        "$H_x$ auf das Hauptlager, in der Richtung des Hubes"
+        "|$H_x$ on the main bearing, in the direction of the stroke",
+    ),
+    (
+        "bearing_across", "Lagerkraft quer|Bearing force across", "H_y",
+        "$H_y$ auf das Hauptlager, nach der Seite des Kurbelzapfens"
+        "|$H_y$ on the main bearing, towards the side of the crank pin",
+    ),
+    (
+        "bearing_force", "Lagerkraft|Bearing force", "H",
+        "$H$ Betrag am Hauptlager|$H$ magnitude at the main bearing",
+    ),
+)  # fmt: skip
 
 
 def _force_entries() -> Iterator[Quantity]:
-    for key, name, letter, formula in _FORCES:
-        symbol, rest = f"${letter}$", {"formulas": _forces(formula)}
-        loaded = CRANK_FORCES[key]
-        yield from _strokes(
-            key, f"{key}_return", symbol, name, f"${letter}/F$", "F", decimals=4, scale=_one, **rest
-        )
-        yield from _strokes(
-            f"{key}_n", f"{key}_return_n", symbol, name, f"${letter}$ in N", "N",
-            decimals=1, scale=_newtons, needs="force", loaded=loaded, **rest,
+    for key, name, letter, printed, oblique, kernel, direction in _FORCES:
+        unloaded = _unloaded(kernel, printed, oblique)
+        yield from _both(
+            key, name, f"${letter}$", f"${letter}/F$", "$F$", 4, unloaded, f"{key}_return",
+            names=(key,), direction=words(direction),
         )  # fmt: skip
-    for key, name, letter in _PIN_FORCES:
-        yield from _strokes(
-            f"{key}_n", f"{key}_return_n", f"${letter}$", name, f"${letter}$ in N", "N", decimals=1,
-            scale=_newtons, needs="masses", loaded=CRANK_FORCES[key], formulas={},
-        )  # fmt: skip
-    name, rest = {"de": "Drehmoment", "en": "Torque"}, {"formulas": _forces(forces.tangential_force)}
-    yield from _strokes(
-        "torque", "torque_return", "$M_d$", name, "$M_d/(F R)$", "F R", decimals=4, scale=_one, **rest
-    )
-    yield from _strokes(
-        "torque_nm", "torque_return_nm", "$M_d$", name, "$M_d$ in N m", "N m",
-        decimals=1, scale=_newton_metres, needs="torque", loaded=CRANK_FORCES["tangential_force"], **rest,
+        yield from _in_newtons(key, name, letter, "force", unloaded, direction)
+    for key, name, letter, direction in _PIN_FORCES:
+        yield from _in_newtons(key, name, letter, "masses", {}, direction)
+    name = "Drehmoment|Torque"
+    torque = _unloaded(forces.tangential_force, "$M_d/(F R) = T/F$", "$M_d/(F R) = T/F$")
+    yield from _both("torque", name, "$M_d$", "$M_d/(F R)$", "$F R$", 4, torque, names=("torque",))
+    yield from _both(
+        "torque_nm", name, "$M_d$", "$M_d$ in N m", "N m", 1, torque | _loaded("tangential_force"),
+        scale=_newton_metres, needs="torque",
     )  # fmt: skip
+
+
+def _in_newtons(
+    key: str, name: str, letter: str, needs: str, formulas: dict[str, Formula], direction: str
+) -> Iterator[Quantity]:
+    return _both(
+        f"{key}_n", name, f"${letter}$", f"${letter}$ in N", "N", 1, formulas | _loaded(key),
+        f"{key}_return_n", scale=_newtons, needs=needs, direction=words(direction),
+    )  # fmt: skip
+
+
+def _unloaded(kernel: Callable[..., Any], printed: Label, oblique: Label) -> dict[str, Formula]:
+    def call(at: At) -> Any:
+        return kernel(at.circle, at.ratio, at.offset)
+
+    return {"exact": Formula(call, printed), "infinite": Formula(call), OFFSET: Formula(call, oblique)}
+
+
+def _loaded(key: str) -> dict[str, Formula]:
+    """The force in newtons, of the piston force and of the moving masses, which no line holds."""
+    force = CRANK_FORCES[key]
+
+    def call(at: At) -> Any:
+        crank, of = at.crank, at.numbers.of
+        assert crank.moving is not None
+        weights = crank.moving.weights(of, pin_acceleration(crank, at.numbers))
+        return force.loaded(at.circle, at.ratio, weights, at.offset, of(crank.force or Fraction(0)))
+
+    return {LOADED: Formula(call)}
+
+
+def _both(
+    key: str,
+    name: str,
+    symbol: Label,
+    heading: str,
+    unit: str,
+    decimals: int,
+    formulas: Formulas,
+    back: str = "",
+    names: tuple[str, ...] = (),
+    **rest: Any,
+) -> Iterator[Quantity]:
+    """Yield the quantity on the outstroke and, as x_return_mm or under the key `back`, on the return."""
+    stem, _, tail = key.partition("_")
+    returning = back or "_".join(filter(None, (stem, "return", tail)))
+    for each, stroke in ((key, OUT), (returning, RETURN)):
+        yield Quantity(
+            key=each,
+            name=words(name),
+            symbol=symbol,
+            unit=words(unit),
+            decimals=decimals,
+            formulas=formulas,
+            heading=words(heading),
+            spanners=(words(name), STROKES[stroke]),
+            part=STROKES[stroke],
+            stroke=stroke,
+            names=names if stroke == OUT else (),
+            **rest,
+        )

@@ -1,78 +1,54 @@
-"""The records of a request, for programs: computed as they are asked for, never held all at once."""
+"""The records of a question about motion, for programs: computed in chunks, never held all at once."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Number
-from kurbel.motion import captions
-from kurbel.motion.digits import Digits, columns_in_balls, columns_in_floats, is_long
-from kurbel.motion.request import AXIS_KEYS, PageColumn, Request
+from kurbel.motion.digits import columns_in_balls, columns_in_floats
+from kurbel.motion.question import Request
 from kurbel.page.angles import angle_decimals, angle_number
-from kurbel.page.table import Field, Value
+from kurbel.page.build import Rows, records_of
+from kurbel.page.table import Records, Value
 from kurbel.reading.notation import ratio_text
 
 CHUNK = 1 << 15
 
 
-@dataclass(frozen=True, slots=True)
-class RecordRows:
-    """The records of a request: one for each ratio and angle, computed as they are asked for."""
+def motion_records(question: Request) -> Records:
+    """Return one record for each ratio and angle."""
+    fields = records_of(question).fields
+    return Records(fields, RecordRows(question, [field.key for field in fields]))
 
-    request: Request
-    columns: tuple[PageColumn, ...]
 
-    def names(self) -> tuple[str, ...]:
-        return self.request.columns or (*AXIS_KEYS, *(column.key for column in self.columns))
+class RecordRows(Rows):
+    """The records of a question about motion, a chunk of angles at a time."""
 
-    def fields(self) -> tuple[Field, ...]:
-        axes = captions.axis_fields(self.request, angle_decimals(self.request.angles))
-        return tuple(axes.get(key) or self._field(key) for key in self.names())
+    question: Request
 
-    def __len__(self) -> int:
-        return len(self.request.cranks) * len(self.request.angles)
+    def __init__(self, question: Request, keys: Sequence[str]) -> None:
+        super().__init__(question, {}, {column.key: column for column in question.page_columns}, keys)
 
     def __iter__(self) -> Iterator[tuple[Value, ...]]:
-        decimals = {column.key: column.digits.decimals for column in self.columns}
-        of_angles = angle_decimals(self.request.angles)
+        of_angles = angle_decimals(self.question.angles)
         for crank, angles, values in self.chunks():
             ratio = f"${ratio_text(crank.ratio)}$"
             for row, angle in enumerate(angles):
                 axes: dict[str, Value] = {"ratio": ratio, "phi": angle_number(angle, of_angles)}
                 yield tuple(
-                    axes[key] if key in axes else Number(int(values[key][row]), decimals[key])
-                    for key in self.names()
+                    axes[key] if key in axes else Number(int(values[key][row]), self.columns[key].places)
+                    for key in self.keys
                 )
-
-    def bulk(self) -> bool:
-        """Whether the chunks come as arrays."""
-        return is_long(self._digits(), self.request.cranks, self.request.angles)
 
     def chunks(self) -> Iterator[tuple[Crank, Sequence[Fraction], Mapping[str, Any]]]:
         """Yield ratio by ratio and chunk by chunk the scaled digits of every column by its key."""
-        compute = columns_in_floats if self.bulk() else columns_in_balls
-        angles = self.request.angles
-        for crank in self.request.cranks:
-            for start in range(0, len(angles), CHUNK):
-                part = angles[start : start + CHUNK]
-                values = compute(self._digits(), crank, part, self.request.rounding)
-                yield crank, part, {column.key: one for column, one in zip(self.columns, values, strict=True)}
-
-    def _digits(self) -> list[Digits]:
-        return [column.digits for column in self.columns]
-
-    def _field(self, key: str) -> Field:
-        column = next(column for column in self.columns if column.key == key)
-        quantity = column.digits.quantity
-        return Field(
-            key,
-            captions.quantity_name(quantity, self.request.lang),
-            quantity.symbol,
-            quantity.unit[self.request.lang],
-            column.digits.decimals,
-            column.digits.method,
-        )
+        question, columns = self.question, self.question.page_columns
+        compute = columns_in_floats if question.bulk else columns_in_balls
+        for crank in question.cranks:
+            for start in range(0, len(question.angles), CHUNK):
+                part = question.angles[start : start + CHUNK]
+                values = compute(columns, crank, part, question.rounding)
+                yield crank, part, {column.key: one for column, one in zip(columns, values, strict=True)}

@@ -13,10 +13,13 @@ from kurbel.exact.certify import NEVER_TIES, TieBits, ball, pi, rounded
 from kurbel.exact.numerals import Label, Number, degrees_text
 from kurbel.exact.separation import Separation
 from kurbel.kernel.forces import square_position
-from kurbel.motion import captions
-from kurbel.motion.quantities import NEEDS, OUT, Numbers, Quantity, numbers_of_balls, registry, value
+from kurbel.motion.drive_notes import drive_notes, force_note
+from kurbel.motion.evaluation import NEEDS, OUT, Numbers, is_known, is_transcendental, numbers_of_balls, value
+from kurbel.motion.quantities import registry
+from kurbel.page import axes as page_axes
 from kurbel.page.arrange import Grid, Place, check_size
-from kurbel.page.axes import ColumnAxis
+from kurbel.page.old_axes import ColumnAxis
+from kurbel.page.quantity import Quantity
 from kurbel.page.sheet import Heads, LetteredRatioAxis, Sheet, records_of, table_of
 from kurbel.page.table import Cell, Field, Table, Value
 from kurbel.reading.choices import choose
@@ -27,8 +30,6 @@ PHI = "phi"
 # A page prints degrees and minutes, records degrees.
 DEGREE_DECIMALS = 4
 RIGHT_ANGLE = 90
-# Units that are letters of formulas.
-LETTERS = ("F", "F R", "R", "v")
 # By the letter of the quantity: what it is in this position.
 CLOSED_FORMS = {
     "φ": "arctan(L/R)",
@@ -60,7 +61,7 @@ class TangentRequest(Sheet):
             quantity = registry().get(choose(key, tangent_column_keys(), "column"))
             if quantity is not None and not self._knows(key):
                 options = " and ".join(NEEDS[quantity.needs])
-                raise ProblemError(f"column {key} is in {quantity.unit['en']} and needs {options}")
+                raise ProblemError(f"column {key} is in {quantity.plain_unit('en')} and needs {options}")
 
     def __len__(self) -> int:
         """How many records there are."""
@@ -74,7 +75,7 @@ class TangentRequest(Sheet):
         return chosen
 
     def _knows(self, key: str) -> bool:
-        return key in AXIS_KEYS or all(registry()[key].available(crank) for crank in self.cranks)
+        return key in AXIS_KEYS or all(is_known(registry()[key], crank) for crank in self.cranks)
 
 
 def tangent_column_keys() -> tuple[str, ...]:
@@ -85,9 +86,9 @@ def tangent_column_keys() -> tuple[str, ...]:
 def build_tangent(request: TangentRequest, pages: bool = True) -> Table:
     """Return the sheet that was asked for; without `pages` only its records."""
     layout, lang = request.layout, request.lang
-    notes = [*(note[lang] for note in layout.notes), *captions.drive_notes(request.cranks, lang)]
+    notes = [*(note[lang] for note in layout.notes), *drive_notes(request.cranks, lang)]
     forces = dict.fromkeys(crank.force for crank in request.cranks if crank.force is not None)
-    notes += [captions.force_note(force) for force in forces]
+    notes += [force_note(force) for force in forces]
     names = request.columns or ("ratio", *request.shown)
     records = records_of(len(request), names, _fields(request), lambda: _records(request))
     return table_of(request, layout.caption[lang], _grid(request) if pages else None, records, notes)
@@ -111,8 +112,7 @@ def _grid(request: TangentRequest) -> Grid:
 
     def unit(place: Place) -> Label:
         key = keys[place["column"]]
-        shown = "" if _is_arc(key) else registry()[key].unit[lang]
-        return f"${shown}$" if shown in LETTERS else shown
+        return "" if _is_arc(key) else registry()[key].unit[lang]
 
     return Grid(axes, cell, unit)
 
@@ -125,11 +125,11 @@ def _head(key: str, lang: str) -> Label:
 
 
 def _name(key: str, lang: str) -> str:
-    return captions.WORDS[PHI][lang] if key == PHI else registry()[key].name[lang]
+    return page_axes.PHI[lang] if key == PHI else registry()[key].name[lang]
 
 
 def _is_arc(key: str) -> bool:
-    return key == PHI or registry()[key].arc
+    return key == PHI or registry()[key].is_arc
 
 
 def _records(request: TangentRequest) -> Iterator[Mapping[str, Value]]:
@@ -147,7 +147,7 @@ def _records(request: TangentRequest) -> Iterator[Mapping[str, Value]]:
 def _fields(request: TangentRequest) -> Mapping[str, Field]:
     lang = request.lang
     fields = {
-        "ratio": Field("ratio", captions.WORDS["ratio"][lang], f"${request.layout.ratio_symbol}$"),
+        "ratio": Field("ratio", page_axes.RATIO[lang], f"${request.layout.ratio_symbol}$"),
         PHI: Field(PHI, _name(PHI, lang), "$φ$", "°", _decimals(request, PHI), "exact"),
     }
     return {key: _field(request, key) for key in request.shown if key != PHI} | fields
@@ -155,12 +155,12 @@ def _fields(request: TangentRequest) -> Mapping[str, Field]:
 
 def _field(request: TangentRequest, key: str) -> Field:
     quantity, lang = registry()[key], request.lang
-    unit = quantity.unit[lang]
+    unit = quantity.plain_unit(lang)
     return Field(key, _name(key, lang), quantity.symbol, unit, _decimals(request, key), "exact")
 
 
 def _decimals(request: TangentRequest, key: str) -> int:
-    return request.decimals_of(DEGREE_DECIMALS if _is_arc(key) else registry()[key].decimals)
+    return request.decimals_of(DEGREE_DECIMALS if _is_arc(key) else registry()[key].decimals or 0)
 
 
 def _degrees(request: TangentRequest, key: str, crank: Crank, share: int, decimals: int) -> Number:
@@ -183,7 +183,7 @@ def _number(request: TangentRequest, key: str, crank: Crank) -> Number:
         bound = _value(quantity, crank, Numbers(Separation.rational))
         return float((bound - Separation.rational(boundary)).bits())
 
-    ties: TieBits | None = NEVER_TIES if quantity.transcendental(crank) else tie_bits
+    ties: TieBits | None = NEVER_TIES if is_transcendental(quantity, crank) else tie_bits
     scaled = rounded(lambda: _value(quantity, crank, numbers_of_balls()), decimals, request.rounding, ties)
     return Number(scaled, decimals)
 

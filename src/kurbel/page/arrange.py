@@ -9,7 +9,7 @@ from math import prod
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number
 from kurbel.page.layouts import Layout
-from kurbel.page.table import DITTO, UNIT, Cell, Column, Group, Panel, Row
+from kurbel.page.table import DITTO, UNIT, Cell, Column, Field, Group, Panel, Row, Value
 
 # A page is held in memory whole; records stream. 300,000 cells take some seconds and 200 MB.
 MOST_CELLS = 300_000
@@ -20,13 +20,28 @@ Place = Mapping[str, int]
 
 
 class Axis:
-    """What varies along a page: its places, and how each is written as a head, in the stub, over a group."""
+    """What varies along a page: its places, how each is written as a head, in the stub, over a group, and
+    its field in records.
+
+    A page has `size` places of it, records `count`.
+    """
 
     # How many lines of the heads stay in the heading when the others span several columns.
     lines = 1
+    # Its key in records.
+    key = ""
 
-    def __init__(self, size: int) -> None:
+    def __init__(self, size: int, count: int | None = None) -> None:
         self.size = size
+        self.count = size if count is None else count
+
+    def field(self) -> Field:
+        """What it is in records."""
+        raise NotImplementedError
+
+    def value(self, place: Place) -> Value:
+        """What stands for a place in records."""
+        raise NotImplementedError
 
     def stub_heading(self) -> Label:
         raise NotImplementedError
@@ -45,7 +60,8 @@ class Axis:
 class Grid:
     """The axes of a page by their names, and what stands at a place.
 
-    `unit` gives a last column with the unit of each row, where the quantities run down.
+    `unit` gives a last column with the unit of each row, where the quantities run down; `exists` leaves out
+    places of which there are fewer than the axes' sizes say.
     """
 
     def __init__(
@@ -53,14 +69,17 @@ class Grid:
         axes: Mapping[str, Axis],
         cell: Callable[[Place], Cell],
         unit: Callable[[Place], Label] | None = None,
+        exists: Callable[[Place], bool] | None = None,
     ) -> None:
         self.axes = axes
         self.cell = cell
         self.unit = unit
+        self.exists = exists
 
     def places(self, names: Sequence[str]) -> list[Place]:
         sizes = (range(self.axes[name].size) for name in names)
-        return [dict(zip(names, place, strict=True)) for place in product(*sizes)]
+        places = (dict(zip(names, place, strict=True)) for place in product(*sizes))
+        return [place for place in places if self.exists is None or self.exists(place)]
 
 
 def panels(layout: Layout, grid: Grid) -> tuple[Panel, ...]:

@@ -4,53 +4,105 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from functools import cached_property
 from typing import Protocol
 
 from kurbel.exact.numerals import Label, Number, degrees_text, finite_decimals
 from kurbel.page.angles import angle_decimals, angle_number
 from kurbel.page.arrange import Axis, Place
 from kurbel.page.layouts import Layout
+from kurbel.page.quantity import Column, words
+from kurbel.page.table import Field
 from kurbel.reading.notation import plain, ratio_text
 
+RATIO = words("Kurbelverhältnis R:L|Crank ratio R:L")
+PHI = words("Kurbelwinkel|Crank angle")
 
-class Headed(Protocol):
-    """A column of a page with its heads."""
+
+class OfPage(Protocol):
+    """What has a layout and a language."""
 
     @property
-    def spanners(self) -> tuple[Label, ...]: ...
+    def layout(self) -> Layout: ...
     @property
-    def heading(self) -> tuple[Label, ...]: ...
+    def lang(self) -> str: ...
+
+
+class OfRatios(OfPage, Protocol):
+    """A question about crank ratios."""
+
+    @property
+    def ratios(self) -> Sequence[Fraction]: ...
+
+
+class OfAngles(OfPage, Protocol):
+    """A question about crank angles."""
+
+    @property
+    def angles(self) -> Sequence[Fraction]: ...
+
+
+class OfColumns(OfPage, Protocol):
+    """A question with columns."""
+
+    @property
+    def page_columns(self) -> Sequence[Column]: ...
 
 
 class RatioAxis(Axis):
     """The crank ratios R:L."""
 
-    def __init__(self, layout: Layout, ratios: Sequence[Fraction], lang: str) -> None:
-        super().__init__(len(ratios))
-        self.layout = layout
-        self.lang = lang
-        self.ratios = ratios
+    key = "ratio"
+
+    def __init__(self, question: OfRatios) -> None:
+        super().__init__(len(question.ratios))
+        self.layout, self.lang, self.ratios = question.layout, question.lang, question.ratios
+
+    def field(self) -> Field:
+        return Field("ratio", RATIO[self.lang], f"${self.layout.ratio_symbol}$")
+
+    def value(self, place: Place) -> Label:
+        return f"${ratio_text(self.ratios[place['ratio']])}$"
 
     def stub_heading(self) -> Label:
         return self.layout.stub_heading("ratio", f"${self.layout.ratio_symbol}$", self.lang)
 
     def heads(self, place: Place) -> tuple[Label, ...]:
-        return (f"${ratio_text(self.ratios[place['ratio']])}$",)
+        return (self.value(place),)
 
     def over_group(self, place: Place) -> Label:
         return f"${self.layout.ratio_symbol} = {ratio_text(self.ratios[place['ratio']])}$"
 
 
-class AngleAxis(Axis):
-    """Crank angles in degrees; in pairs an angle stands over its mirror image."""
+class LetteredRatioAxis(RatioAxis):
+    """Crank ratios with their letters, for heads that stand alone."""
 
-    def __init__(self, layout: Layout, angles: Sequence[Fraction], lang: str) -> None:
-        super().__init__(len(angles))
-        self.layout = layout
-        self.lang = lang
-        self.angles = angles
-        self.decimals = angle_decimals(angles)
-        self.lines = 2 if layout.pairs else 1
+    def heads(self, place: Place) -> tuple[Label, ...]:
+        return (self.over_group(place),)
+
+
+class AngleAxis(Axis):
+    """Crank angles in degrees; in pairs an angle stands over its mirror image, in records each for itself."""
+
+    key = "phi"
+
+    def __init__(self, question: OfAngles) -> None:
+        self.layout, self.lang = question.layout, question.lang
+        self.all = question.angles
+        self.angles = angle_pairs(self.all) if self.layout.pairs else self.all
+        self.lines = 2 if self.layout.pairs else 1
+        super().__init__(len(self.angles), len(self.all))
+
+    @cached_property
+    def decimals(self) -> int | None:
+        """How many decimals write every angle exactly, None if no number of them does."""
+        return angle_decimals(self.all)
+
+    def field(self) -> Field:
+        return Field("phi", PHI[self.lang], f"${self.layout.angle_symbol}$", "°", self.decimals)
+
+    def value(self, place: Place) -> Number:
+        return angle_number(self.all[place["angle"]], self.decimals)
 
     def stub_heading(self) -> Label:
         heading = f"${self.layout.angle_symbol}$" + (" in °" if self.decimals is not None else "")
@@ -68,16 +120,12 @@ class AngleAxis(Axis):
 
 
 class ColumnAxis(Axis):
-    """The columns of a layout with their heads, in which the ratio of the row may stand."""
+    """The columns with their heads, in which the ratio of the row may stand."""
 
-    def __init__(
-        self, layout: Layout, columns: Sequence[Headed], ratios: Sequence[Fraction], lang: str
-    ) -> None:
-        super().__init__(len(columns))
-        self.layout = layout
-        self.lang = lang
-        self.columns = columns
-        self.ratios = ratios
+    def __init__(self, question: OfColumns) -> None:
+        super().__init__(len(question.page_columns))
+        self.layout, self.lang, self.columns = question.layout, question.lang, question.page_columns
+        self.ratios: Sequence[Fraction] = getattr(question, "ratios", ())
 
     def stub_heading(self) -> Label:
         return self.layout.stub_heading("column", "", self.lang)
@@ -96,7 +144,7 @@ class ColumnAxis(Axis):
     over_group = stub
 
     def _with_ratio(self, labels: tuple[Label, ...], place: Place) -> tuple[Label, ...]:
-        if "ratio" not in place:
+        if "ratio" not in place or not self.ratios:
             return labels
         return tuple(with_ratio(label, self.ratios[place["ratio"]]) for label in labels)
 
@@ -107,16 +155,10 @@ def angle_pairs(angles: Sequence[Fraction]) -> tuple[Fraction, ...]:
     return tuple(dict.fromkeys(min(angle, 360 - angle) for angle in within))
 
 
-def _angle_label(angle: Fraction) -> Label:
-    return f"${plain(angle) if finite_decimals(angle) is not None else degrees_text(angle)}$"
-
-
 def with_ratio(label: Label, ratio: Fraction) -> Label:
     """Put the ratio as a fraction where the label has {ratio}: 1/4.5."""
-    return label.replace("{ratio}", _fraction(ratio))
+    return label.replace("{ratio}", ratio_text(ratio).replace(":", "/") if ratio else "0")
 
 
-def _fraction(ratio: Fraction) -> str:
-    if not ratio:
-        return "0"
-    return ratio_text(ratio).replace(":", "/")
+def _angle_label(angle: Fraction) -> Label:
+    return f"${plain(angle) if finite_decimals(angle) is not None else degrees_text(angle)}$"

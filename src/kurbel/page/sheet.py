@@ -6,13 +6,12 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from kurbel.errors import ProblemError
-from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS, Label
+from kurbel.exact.numerals import Label
 from kurbel.page.arrange import Grid, Place, panels
-from kurbel.page.axes import RatioAxis
 from kurbel.page.layouts import Layout
+from kurbel.page.old_axes import RatioAxis
+from kurbel.page.question import check_label, check_rounding
 from kurbel.page.table import Field, Note, Records, Table, Value
-from kurbel.reading.choices import choose
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -100,16 +99,3 @@ def table_of(
         notes=tuple(note if isinstance(note, Note) else Note(note) for note in notes),
         source=layout.source[lang],
     )
-
-
-def check_rounding(digits: int | None, rounding: str) -> None:
-    """Raise a KurbelError unless so many decimals can be printed, and rounded in this way."""
-    if digits is not None and (not isinstance(digits, int) or not 0 <= digits <= MOST_DIGITS):
-        raise ProblemError(f"digits is {digits}; it must be a whole number from 0 to {MOST_DIGITS}")
-    choose(rounding, ROUNDINGS, "rounding")
-
-
-def check_label(label: str) -> None:
-    """Raise a KurbelError unless cross references can bear the label."""
-    if any(not (one.isascii() and (one.isalnum() or one in "-.:")) for one in str(label)):
-        raise ProblemError(f'label "{str(label)[:40]}" may have letters, digits and the signs -.: only')

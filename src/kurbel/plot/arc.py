@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from kurbel.errors import ProblemError
 from kurbel.kernel.circle import circle
 from kurbel.linkage.arc import ArcCrank, dead_angle, floats, value
-from kurbel.motion.quantities import OUT, RETURN
+from kurbel.motion.evaluation import OUT, RETURN
 from kurbel.plot.mechanism import LARGEST_RADIUS, LEFT, LONGEST_ROD
 from kurbel.plot.sketch import (
     CHAIN,

@@ -8,9 +8,11 @@ from typing import NamedTuple
 
 from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Label
-from kurbel.motion.digits import Digits, on_floats
-from kurbel.motion.quantities import STROKES, Quantity, registry
-from kurbel.motion.request import Request, page_columns
+from kurbel.motion.digits import on_floats
+from kurbel.motion.evaluation import STROKES, is_known
+from kurbel.motion.quantities import registry
+from kurbel.motion.question import Request
+from kurbel.page.quantity import Column, Quantity
 from kurbel.plot.panels import Trace, check_drawn, degrees, panels_of
 from kurbel.plot.plotting import Panel
 from kurbel.plot.polar import Vector
@@ -33,7 +35,7 @@ PIN_FORCE = FORCES[2:4]
 class _Drawn(NamedTuple):
     """A curve before it has a label."""
 
-    column: Digits
+    column: Column
     crank: Crank
     values: list[float]
 
@@ -59,7 +61,7 @@ def pin_force_keys(crank: Crank) -> tuple[str, ...]:
 
 
 def _in_known_units(pairs: Sequence[tuple[str, str]], crank: Crank) -> tuple[str, ...]:
-    return tuple(known if registry()[known].available(crank) else share for share, known in pairs)
+    return tuple(known if is_known(registry()[known], crank) else share for share, known in pairs)
 
 
 def motion_panels(request: Request) -> list[Panel]:
@@ -78,7 +80,7 @@ def _trace(one: _Drawn, angles: Sequence[float], lang: str) -> Trace:
     return Trace(
         quantity.name[lang],
         _heading(quantity, lang),
-        quantity.unit[lang],
+        quantity.plain_unit(lang),
         axis_name(quantity, lang)[1],
         (ratio_label(one.crank.ratio), STROKES[quantity.stroke][lang]),
         angles,
@@ -105,12 +107,12 @@ def pin_force(request: Request) -> tuple[Vector, tuple[Label, Label], Label]:
 def axis_name(quantity: Quantity, lang: str) -> tuple[Label, Label]:
     """Return what an axis calls a quantity, "Kolbenweg $x/R$", and its unit; a share has none."""
     heading = _heading(quantity, lang)
-    return f"{quantity.name[lang]} {heading}", quantity.unit[lang] if heading == quantity.symbol else ""
+    return f"{quantity.name[lang]} {heading}", quantity.plain_unit(lang) if heading == quantity.symbol else ""
 
 
 def _heading(quantity: Quantity, lang: str) -> Label:
     """Return the heading of a column without a unit that the axis can have: $x/R$, but $x$ of $x$ in mm."""
-    return quantity.heading[lang].removesuffix(f" in {quantity.unit[lang]}")
+    return quantity.heading[lang].removesuffix(f" in {quantity.plain_unit(lang)}")
 
 
 def _drawn(request: Request, angles: Sequence[float]) -> list[_Drawn]:
@@ -119,7 +121,7 @@ def _drawn(request: Request, angles: Sequence[float]) -> list[_Drawn]:
 
     from kurbel.exact.bulk import evaluate
 
-    columns = [column.digits for column in page_columns(request)]
+    columns = request.page_columns
     degrees = np.asarray(angles)
     rows = [evaluate([on_floats(column, crank) for column in columns], degrees) for crank in request.cranks]
     return [

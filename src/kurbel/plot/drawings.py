@@ -10,7 +10,8 @@ from kurbel.drive.crank import Crank, check_angles
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
 from kurbel.motion import captions
-from kurbel.motion.request import Request, page_columns
+from kurbel.motion.question import Request
+from kurbel.page.words import for_ratio
 from kurbel.plot.curves import motion_panels, pin_force
 from kurbel.plot.mechanism import mechanism
 from kurbel.plot.plotting import curves
@@ -88,7 +89,7 @@ def mechanism_drawing(crank: Crank, angles: Sequence[Fraction], lang: str, mark:
     """Return the crank drive to scale at crank angles, the first one strong."""
     _check_positions(angles)
     figure = mechanism(float(crank.ratio), float(crank.offset), angles, lang, mark)
-    return Drawing(figure, WORDS["drive"][lang] + captions.for_ratio(crank.ratio, lang))
+    return Drawing(figure, WORDS["drive"][lang] + for_ratio(crank.ratio, lang))
 
 
 def arc_drawing(crank: ArcCrank, angles: Sequence[Fraction], lang: str, mark: str) -> Drawing:
@@ -97,7 +98,7 @@ def arc_drawing(crank: ArcCrank, angles: Sequence[Fraction], lang: str, mark: st
 
     _check_positions(angles)
     rocker = f"$B = {plain(crank.rocker)} R$"
-    title = f"{WORDS['arc'][lang]}{captions.for_ratio(crank.crank.ratio, lang)}, {rocker}"
+    title = f"{WORDS['arc'][lang]}{for_ratio(crank.crank.ratio, lang)}, {rocker}"
     return Drawing(arc_mechanism(crank, angles, lang, mark), title)
 
 
@@ -127,4 +128,4 @@ def turning_drawing(request: EngineRequest, mark: str) -> Drawing:
 
 
 def _title(request: Request) -> Label:
-    return captions.caption(request, [column.digits for column in page_columns(request)], chosen=True)
+    return captions.caption(request, chosen=True)

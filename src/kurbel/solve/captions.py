@@ -16,11 +16,13 @@ from kurbel.linkage.arc_drive import ArcDrive
 from kurbel.linkage.page import LinkageRequest
 from kurbel.linkage.quantities import arc_registry
 from kurbel.motion import captions
-from kurbel.motion.captions import WORDS as MOTION_WORDS
-from kurbel.motion.digits import Digits
+from kurbel.motion.drive_notes import drive_notes
 from kurbel.motion.drives import Drive, SlideDrive
-from kurbel.motion.quantities import METHODS, RETURN, STROKES, registry
+from kurbel.motion.evaluation import METHODS, RETURN, STROKES
+from kurbel.motion.quantities import registry
+from kurbel.page import words as page_words
 from kurbel.page.layouts import layout
+from kurbel.page.quantity import Column, bare
 from kurbel.reading.notation import ratio_text
 from kurbel.reading.where import ANGLES, DEAD_CENTRE, MAX, MIN, SHARE, Condition, exact_text
 from kurbel.solve.solve import Root, target_of
@@ -103,7 +105,7 @@ def notes(request: SolveRequest) -> Iterator[Label]:
     if request.cranks:
         yield from captions.formula_lines(request, list(_digits(request)))
     yield from _forms(request)
-    yield from captions.drive_notes(request.cranks, lang)
+    yield from drive_notes(request.cranks, lang)
     yield from _arc_notes(request)
 
 
@@ -120,14 +122,14 @@ def _arc_notes(request: SolveRequest) -> Iterator[Label]:
     yield from linkage_captions.notes(page)
 
 
-def _digits(request: SolveRequest) -> Iterator[Digits]:
+def _digits(request: SolveRequest) -> Iterator[Column]:
     """Yield what is shown and asked for, on both strokes."""
     drive = request.drives[0]
     asked = [drive.column_of(condition.quantity) for condition in request.conditions]
     for key in dict.fromkeys((*request.shown, *asked)):
         if key in registry():
             for quantity in (registry()[key], registry()[key]._replace(stroke=RETURN)):
-                yield Digits(quantity, request.method, quantity.decimals)
+                yield bare(quantity, request.method, quantity.decimals)
 
 
 def _forms(request: SolveRequest) -> Iterator[Label]:
@@ -167,11 +169,11 @@ def _said(roots: Sequence[Root], lang: str) -> Iterator[Label]:
 def _lines(forms: Sequence[ClosedForm], usable: Sequence[ClosedForm], lang: str) -> Iterator[Label]:
     """Yield cos φ as it is solved, then the values that no angle has."""
     for text, of_text in groupby(usable, key=lambda form: _text(form, forms)):
-        values = MOTION_WORDS["and"][lang].join(f"${form_text(form)}$" for form in of_text)
+        values = page_words.AND[lang].join(f"${form_text(form)}$" for form in of_text)
         rational = text == values.strip("$")
         yield f"$cos φ = {text}$" if rational else WORDS["form"][lang].format(form=text, values=values)
     if others := [f"${form_text(form)}$" for form in forms if not form.is_usable]:
-        yield WORDS["unusable"][lang].format(values=MOTION_WORDS["and"][lang].join(others))
+        yield WORDS["unusable"][lang].format(values=page_words.AND[lang].join(others))
 
 
 def _text(form: ClosedForm, forms: Sequence[ClosedForm]) -> str:

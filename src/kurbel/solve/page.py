@@ -12,11 +12,12 @@ from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, degrees_text
 from kurbel.linkage.arc_drive import PATH_SHARE
 from kurbel.linkage.quantities import arc_registry
-from kurbel.motion.captions import WORDS as MOTION_WORDS
 from kurbel.motion.drives import Drive, Shown, SlideDrive
-from kurbel.motion.quantities import NEEDS, OUT, RETURN, STROKES, registry
+from kurbel.motion.evaluation import NEEDS, OUT, RETURN, STROKES
+from kurbel.motion.quantities import registry
+from kurbel.page import axes as page_axes
 from kurbel.page.arrange import Axis, Grid, Place, check_size
-from kurbel.page.axes import ColumnAxis, RatioAxis
+from kurbel.page.old_axes import ColumnAxis, RatioAxis
 from kurbel.page.sheet import Heads, Sheet, records_of, table_of
 from kurbel.page.table import Cell, Field, Table, Value
 from kurbel.reading.choices import choose
@@ -250,10 +251,10 @@ def _fields(request: SolveRequest) -> Mapping[str, Field]:
     lang, symbol = request.lang, f"${request.layout.angle_symbol}$"
     decimals, method = _decimals(request, PHI), request.method
     fields = {
-        "ratio": Field("ratio", MOTION_WORDS["ratio"][lang], f"${request.layout.ratio_symbol}$"),
+        "ratio": Field("ratio", page_axes.RATIO[lang], f"${request.layout.ratio_symbol}$"),
         "condition": Field("condition", captions.WORDS["condition"][lang]),
         "stroke": Field("stroke", captions.WORDS["stroke"][lang]),
-        PHI: Field(PHI, MOTION_WORDS[PHI][lang], symbol, "°", decimals, method),
+        PHI: Field(PHI, page_axes.PHI[lang], symbol, "°", decimals, method),
         TURN: Field(TURN, captions.WORDS[TURN][lang], symbol, "°", decimals, method),
     }
     for key in request.shown:

@@ -15,7 +15,7 @@ from kurbel.exact.course import Course, Target
 from kurbel.exact.numerals import MOST_DIGITS, Number, nearest, number_text
 from kurbel.exact.place import Place
 from kurbel.motion.drives import Drive, SlideDrive
-from kurbel.motion.quantities import OUT, RETURN
+from kurbel.motion.evaluation import OUT, RETURN
 from kurbel.reading import units
 from kurbel.reading.notation import plain, ratio_text
 from kurbel.reading.where import DEAD_CENTRE, MAX, MIN, SHARE, VALUE, Condition

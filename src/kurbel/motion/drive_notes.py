@@ -1,0 +1,200 @@
+"""What pages say of the drive below their tables: lengths, speed, dead centres, masses, in both languages."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+from kurbel.drive.crank import Crank
+from kurbel.exact.numerals import Label, Number, finite_decimals, nearest, number_text
+from kurbel.kernel import kinematics
+from kurbel.motion.evaluation import OUT, RETURN, Numbers, numbers_of_balls, pin_velocity
+from kurbel.page.words import enumerated_letters
+from kurbel.reading.notation import plain, ratio_text
+
+if TYPE_CHECKING:
+    from kurbel.drive.rod import Rod
+
+WORDS: Mapping[str, Mapping[str, str]] = {
+    "offset": {
+        "de": "Geschränkt, $e = {offset} R$, $R:L = {ratio}$:"
+        " Totlagen $φ_i = {inner}°$ und $φ_o = {outer}°$, Hub ${stroke} R$",
+        "en": "Offset $e = {offset} R$, $R:L = {ratio}$:"
+        " dead centres at $φ_i = {inner}°$ and $φ_o = {outer}°$, stroke ${stroke} R$",
+    },
+    "machine": {
+        "de": '$R = {radius} "mm"${rod}{speed}',
+        "en": '$R = {radius} "mm"${rod}{speed}',
+    },
+    "rod": {"de": ', $L = {rod} "mm"$', "en": ', $L = {rod} "mm"$'},
+    "speed": {
+        "de": '; {turns}$v = {pin} "m/s"$, mittlere Kolbengeschwindigkeit $c_m = {mean} "m/s"$,'
+        " $v:c_m = {quotient}$",
+        "en": '; {turns}$v = {pin} "m/s"$, mean piston speed $c_m = {mean} "m/s"$, $v:c_m = {quotient}$',
+    },
+    "masses": {"de": "Massen: ", "en": "Masses: "},
+    "reciprocating": {"de": "Kolben und Kreuzkopf", "en": "piston and crosshead"},
+    "rotating": {
+        "de": "Kurbel weniger Gegengewicht, am Zapfen",
+        "en": "crank less counterweight, at its pin",
+    },
+    "connecting_rod": {
+        "de": "Schubstange: Schwerpunkt $a = {centre} {length}$ vom Kreuzkopfzapfen,"
+        " $k = {gyration} {length}$, $k^2 - a b = {couple} {length}^2${mass}",
+        "en": "Rod: centre of mass $a = {centre} {length}$ from the crosshead pin,"
+        " $k = {gyration} {length}$, $k^2 - a b = {couple} {length}^2${mass}",
+    },
+    "mirrored": {"de": "bei $360° - φ$ ", "en": "at $360° - φ$ "},
+    "same": {"de": "{letters} gleich", "en": "{letters} the same"},
+    "opposite": {"de": "{letters} entgegengesetzt", "en": "{letters} opposite"},
+}
+
+
+def drive_notes(cranks: Sequence[Crank], lang: str) -> list[Label]:
+    """Return the lines about lengths and speeds, and those about offsets."""
+    lines = [_machine(crank, lang) for crank in cranks if crank.radius is not None]
+    return lines + [_offset(crank, lang) for crank in cranks if crank.offset and crank.ratio]
+
+
+def force_note(force: Fraction) -> Label:
+    """Return the line about the piston force in newtons."""
+    return f'$F = {_plain(force)} "N"$'
+
+
+def rod_notes(cranks: Sequence[Crank], lang: str, shown: Collection[str]) -> Iterator[Label]:
+    """Yield the lines about the connecting rods, and where cranks are straight the symmetry of the letters
+    shown."""
+    yield from dict.fromkeys(connecting_rod(crank.rod, lang) for crank in cranks if crank.rod is not None)
+    if any(crank.offset for crank in cranks):
+        return
+    said = [
+        WORDS[key][lang].format(letters=enumerated_letters([one for one in letters if one in shown], lang))
+        for key, letters in (("same", ("X", "P")), ("opposite", ("N", "Y", "M_d")))
+        if set(letters) & set(shown)
+    ]
+    if said:
+        yield WORDS["mirrored"][lang] + ", ".join(said)
+
+
+def moving_notes(crank: Crank, ratio_symbol: str, lang: str) -> Iterator[Label]:
+    """Yield the lines about the moving masses, with the size and the speed that make forces of them."""
+    moving, speed, radius = crank.moving, crank.speed, ratio_symbol[0]
+    assert moving is not None
+    assert speed is not None
+    assert crank.radius is not None
+    said = {"reciprocating": moving.reciprocating, "rotating": moving.rotating}
+    parts = [f'{WORDS[key][lang]} ${_plain(mass)} "kg"$' for key, mass in said.items() if mass]
+    value = _plain(60 * speed.value if speed.turns else speed.value)
+    turns = f'n = {value} "min"^(-1)' if speed.turns else f'ω = {value} "rad/s"'
+    parts += [f'${radius} = {_plain(1000 * crank.radius)} "mm"$', f"${turns}$"]
+    yield WORDS["masses"][lang] + ", ".join(parts)
+    if moving.rod is not None:
+        yield connecting_rod(moving.rod, lang, ratio_symbol[-1])
+
+
+def connecting_rod(rod: Rod, lang: str, length: str = "L") -> Label:
+    """Return the line about a rod: where its masses are, and its mass if that is known."""
+    from kurbel.kernel.circle import root
+
+    def gyration(numbers: Numbers) -> Any:
+        return root(numbers.of(rod.gyration_square))
+
+    return WORDS["connecting_rod"][lang].format(
+        length=length,
+        centre=_plain(1 - rod.centre),
+        gyration=_root(rod.gyration_square) or _certified(gyration, 4, algebraic=True),
+        couple=_plain(rod.couple),
+        mass=f', $M = {_plain(rod.mass)} "kg"$' if rod.mass is not None else "",
+    )
+
+
+def _root(square: Fraction) -> str:
+    """The square root of a fraction that has a short one, else nothing."""
+    from math import isqrt
+
+    root = Fraction(isqrt(square.numerator), isqrt(square.denominator))
+    return _plain(root) if root * root == square and finite_decimals(root) is not None else ""
+
+
+def _machine(crank: Crank, lang: str) -> Label:
+    assert crank.radius is not None
+    rod = WORDS["rod"][lang].format(rod=_plain(1000 * crank.radius / crank.ratio)) if crank.ratio else ""
+    speed = _speed(crank, lang) if crank.speed else ""
+    return WORDS["machine"][lang].format(radius=_plain(1000 * crank.radius), rod=rod, speed=speed)
+
+
+def _speed(crank: Crank, lang: str) -> str:
+    speed = crank.speed
+    assert speed is not None
+    turns, radians = f'$n = {_plain(speed.value * 60)} "min"^(-1)$', f'$ω = {_plain(speed.value)} "rad/s"$'
+    quotient = _certified(lambda numbers: numbers.pi / _stroke(crank, numbers), 4, algebraic=False)
+    return WORDS["speed"][lang].format(
+        turns=f"{turns if speed.turns else radians}, ",
+        pin=_certified(lambda numbers: pin_velocity(crank, numbers), 3, algebraic=not speed.turns),
+        mean=_certified(lambda numbers: _mean_speed(crank, numbers), 3, algebraic=speed.turns),
+        quotient=quotient if crank.offset else "π:2",
+    )
+
+
+def _mean_speed(crank: Crank, numbers: Numbers) -> Any:
+    """c_m in m/s. Of turns it is S n/30, without the π that the crank-pin velocity has."""
+    speed, radius = crank.speed, crank.radius
+    assert speed is not None
+    assert radius is not None
+    if speed.turns:
+        stroke = _stroke(crank, numbers) * numbers.of(radius)
+        return kinematics.mean_piston_speed(stroke, numbers.of(60 * speed.value))
+    return pin_velocity(crank, numbers) * kinematics.mean_piston_velocity(_stroke(crank, numbers), numbers.pi)
+
+
+def _stroke(crank: Crank, numbers: Numbers) -> Any:
+    if not crank.offset:
+        return numbers.of(Fraction(2))
+    return kinematics.stroke(numbers.of(crank.ratio), numbers.of(crank.offset))
+
+
+def _offset(crank: Crank, lang: str) -> Label:
+    from kurbel.exact.certify import ball_degrees
+
+    def dead_centre(sign: int) -> Any:
+        def degrees(numbers: Any) -> Any:
+            sine = kinematics.dead_centre_sine(
+                numbers.of(sign * crank.ratio), numbers.of(sign * crank.offset)
+            )
+            return ball_degrees(sine) + (0 if sign == OUT else 180)
+
+        return degrees
+
+    return WORDS["offset"][lang].format(
+        offset=_plain(crank.offset),
+        ratio=ratio_text(crank.ratio),
+        inner=_certified(dead_centre(OUT), 3, algebraic=False),
+        outer=_certified(dead_centre(RETURN), 3, algebraic=False),
+        stroke=_certified(lambda numbers: _stroke(crank, numbers), 4, algebraic=True),
+    )
+
+
+def _certified(value: Callable[[Numbers], Any], decimals: int, algebraic: bool) -> str:
+    """The digits of a value that is either algebraic or an arc or a multiple or fraction of π."""
+    from kurbel.exact.certify import NEVER_TIES, rounded
+    from kurbel.exact.separation import Separation
+
+    def tie_bits(boundary: Fraction) -> float:
+        bound = value(Numbers(Separation.rational)) - Separation.rational(boundary)
+        return float(bound.bits())
+
+    scaled = rounded(
+        lambda: value(numbers_of_balls()), decimals, "half-away", tie_bits if algebraic else NEVER_TIES
+    )
+    return number_text(Number(scaled, decimals))
+
+
+def _plain(value: Fraction) -> str:
+    """The exact decimal or fraction where there is a short one, else three places."""
+    decimals = finite_decimals(value)
+    if decimals is not None and decimals <= 6:
+        return plain(value)
+    if value.denominator < 1000:
+        return f"{value.numerator}/{value.denominator}"
+    return number_text(nearest(value, 3))

@@ -1,0 +1,235 @@
+"""A quantity of the crank drive at a crank angle, on any kind of number, and its certified digits.
+
+A quantity is evaluated by one of the kernel's formulas on one of four kinds of number: balls (certified
+digits), separation bounds (ties), floats and arrays (bulk).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+from kurbel.drive.crank import Crank
+from kurbel.errors import ProblemError
+from kurbel.page.quantity import Quantity, Words, words
+
+# What of the crank a quantity needs to be known, and the options that tell it.
+NEEDS: Mapping[str, tuple[str, ...]] = {
+    "": (),
+    "length": ("--stroke",),
+    "speed": ("--stroke", "--speed"),
+    "force": ("--force",),
+    "torque": ("--force", "--stroke"),
+    "masses": ("--reciprocating", "--stroke", "--speed"),
+    "rod": ("--centre", "--gyration"),
+    "inertia": ("--rod-mass", "--stroke", "--speed"),
+}
+OUT, RETURN = 1, -1
+STROKES = {OUT: words("Hingang|Outstroke"), RETURN: words("Rückgang|Return")}
+
+
+class Method(NamedTuple):
+    """A set of formulas, and what a caption calls it."""
+
+    key: str
+    name: Words
+    caption: Words
+
+
+METHODS = {
+    method.key: method
+    for method in (
+        Method("exact", words("genaue Formeln|exact formulas"), words("genaue Formeln|exact formulas")),
+        Method(
+            "series",
+            words("Näherung erster Ordnung (Blau 22, 25, 26)|first order (Blau 22, 25, 26)"),
+            words("Näherung erster Ordnung|first-order formulas"),
+        ),
+        Method(
+            "infinite",
+            words("Schubstange unendlich lang|rod of infinite length"),
+            words("unendlich lange Schubstange|infinitely long rod"),
+        ),
+    )
+}
+# The gain of a page that shows two methods: exact minus first order, from unrounded values.
+DIFFERENCE = "difference"
+# Further formulas of a quantity: of the offset crank, and of a drive with moving masses.
+OFFSET, LOADED = "offset", "loaded"
+
+
+class Numbers(NamedTuple):
+    """A kind of number: how an exact rational becomes one, its π, and the rod angle in degrees on it.
+
+    Separation bounds have neither π nor arcs.
+    """
+
+    of: Callable[[Fraction], Any]
+    pi: Any = None
+    rod_angle: Callable[..., Any] | None = None
+
+
+class At(NamedTuple):
+    """What a kernel call takes: where the crank stands, λ and e/R (None without an offset) with the sign of
+    the stroke, the crank and the kind of number."""
+
+    circle: Any
+    ratio: Any
+    offset: Any
+    crank: Crank
+    numbers: Numbers
+
+
+def is_known(quantity: Quantity, crank: Crank) -> bool:
+    """Whether what the quantity needs is known of the crank."""
+    pushed = crank.force is not None or crank.moving is not None
+    known = {
+        "length": crank.radius is not None,
+        "speed": crank.speed is not None,
+        "force": pushed,
+        "torque": crank.radius is not None and pushed,
+        "masses": crank.moving is not None,
+        "rod": crank.rod is not None,
+        "inertia": crank.rod is not None and crank.rod.mass is not None and crank.speed is not None,
+    }
+    return known.get(quantity.needs, True)
+
+
+def is_transcendental(quantity: Quantity, crank: Crank) -> bool:
+    """Whether no value can lie on a rounding boundary, for it is an arc or a multiple of π.
+
+    An arc: sin ψ = λ(sin φ - e/R) relates at most two sines of rational angles and a rational number.
+    Such relations exist only for ψ = 0 and ±30°, which are whole degrees, and as cos 36° - cos 72° = 1/2,
+    which would need λ = 1 (Conway and Jones, Acta Arithmetica 30, 1976, theorem 7).
+    """
+    by_speed = quantity.needs in ("speed", "inertia")
+    return quantity.is_arc or (by_speed and crank.speed is not None and crank.speed.turns)
+
+
+def value(quantity: Quantity, method: str, crank: Crank, circle: Any, numbers: Numbers) -> Any:
+    """Return the quantity in its unit, on the kind of number that circle and `numbers` are of."""
+    ratio = numbers.of(quantity.stroke * (Fraction(0) if method == "infinite" else crank.ratio))
+    offset = numbers.of(quantity.stroke * crank.offset) if crank.offset else None
+    kernel = kernel_of(quantity, method, crank)
+    found = kernel(At(circle, ratio, offset, crank, numbers))
+    return found * quantity.scale(crank, numbers) if quantity.scale else found
+
+
+def kernel_of(quantity: Quantity, method: str, crank: Crank) -> Callable[[At], Any]:
+    """Return the kernel's formula by a method; raise ProblemError if there is none."""
+    formulas = quantity.formulas
+    if crank.moving is not None and LOADED in formulas:
+        return formulas[LOADED].kernel
+    if crank.offset and method != "exact":
+        raise ProblemError(f'method "{method}" has no formulas for an offset crank; use exact')
+    if method == DIFFERENCE:
+        exact, series = formulas["exact"].kernel, formulas["series"].kernel
+        return lambda at: exact(at) - series(at)
+    if method not in formulas:
+        raise ProblemError(f'method "{method}" has no formula for {quantity.key}; use exact')
+    return formulas[OFFSET if crank.offset and OFFSET in formulas else method].kernel
+
+
+def certified(
+    quantity: Quantity,
+    method: str,
+    crank: Crank,
+    angle: Fraction,
+    decimals: int,
+    rounding: str = "half-away",
+) -> int:
+    """Return the quantity times 10**decimals at an exact angle in degrees, rounded correctly."""
+    from kurbel.exact import certify
+
+    def as_ball() -> Any:
+        circle = certify.ball_circle(angle)
+        return value(quantity, method, crank, circle, numbers_of_balls())
+
+    def tie_bits(boundary: Fraction) -> float:
+        return _tie_bits(quantity, method, crank, angle, boundary)
+
+    if _weighs(quantity, method, crank, angle):
+        # Turns a second bring the factor π² to what the masses add to an algebraic number.
+        ties: certify.TieBits | None = certify.NEVER_TIES
+    else:
+        ties = certify.NEVER_TIES if is_transcendental(quantity, crank) else tie_bits
+    return certify.rounded(as_ball, decimals, rounding, ties)
+
+
+def _weighs(quantity: Quantity, method: str, crank: Crank, angle: Fraction) -> bool:
+    """Whether the masses may have a part in the force that has the factor π²."""
+    if LOADED not in quantity.formulas or crank.moving is None or not (crank.speed and crank.speed.turns):
+        return False
+    from kurbel.exact import certify
+    from kurbel.exact.separation import Separation
+
+    alone = replace(crank, force=None)
+
+    def part() -> Any:
+        return value(quantity, method, alone, certify.ball_circle(angle), Numbers(certify.ball))
+
+    bound = value(quantity, method, alone, _bounds(angle), Numbers(Separation.rational))
+    return not certify.vanishes(part, float(bound.bits()))
+
+
+def numbers_of_balls() -> Numbers:
+    """Return balls at the precision in force."""
+    from kurbel.exact import certify
+
+    return Numbers(certify.ball, certify.pi(), certify.rod_angle)
+
+
+def numbers_of_floats() -> Numbers:
+    """Return floats, or arrays of them."""
+    from math import pi
+
+    from kurbel.kernel.circle import rod_angle
+
+    return Numbers(float, pi, lambda circle, ratio, offset: rod_angle(circle, ratio, offset or 0.0))
+
+
+def _tie_bits(quantity: Quantity, method: str, crank: Crank, angle: Fraction, boundary: Fraction) -> float:
+    from kurbel.exact.separation import Separation
+
+    bound = value(quantity, method, crank, _bounds(angle), Numbers(Separation.rational))
+    return float((bound - Separation.rational(boundary)).bits())
+
+
+def _bounds(angle: Fraction) -> Any:
+    from kurbel.exact.separation import circle_separation
+    from kurbel.kernel.circle import Circle
+
+    return Circle(*circle_separation(angle))
+
+
+def pin_velocity(crank: Crank, numbers: Numbers) -> Any:
+    """Return v = R ω of the crank pin in m/s; bounds, which know no π, leave it out."""
+    speed, radius = crank.speed, crank.radius
+    assert speed is not None
+    assert radius is not None
+    if not speed.turns:
+        return numbers.of(radius * speed.value)
+    rational = numbers.of(2 * radius * speed.value)
+    return rational if numbers.pi is None else rational * numbers.pi
+
+
+def pin_acceleration(crank: Crank, numbers: Numbers) -> Any:
+    """v²/R of the crank pin in m/s²."""
+    velocity = pin_velocity(crank, numbers)
+    assert crank.radius is not None
+    return velocity * velocity / numbers.of(crank.radius)
+
+
+def greatest_load(crank: Crank) -> Fraction:
+    """Return a bound of the forces in newtons that piston force and moving masses call up, but for the rod's
+    slant: without the factor (2π)² where the speed counts turns."""
+    moving, speed, radius = crank.moving, crank.speed, crank.radius
+    assert moving is not None
+    assert speed is not None
+    assert radius is not None
+    pin, crosshead, couple = moving.joined
+    masses = abs(pin) + crosshead + abs(Fraction(couple)) + moving.reciprocating + abs(moving.rotating)
+    factor = 40 if speed.turns else 1
+    return (crank.force or Fraction(0)) + masses * radius * speed.value**2 * factor

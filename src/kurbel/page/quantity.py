@@ -1,0 +1,101 @@
+"""What a page can show: one kind of entry, whatever the page is about."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
+
+from kurbel.exact.numerals import Label
+
+# A text in every language.
+Words = Mapping[str, str]
+
+
+def words(text: str) -> Words:
+    """Return "German|English", or one text for both, by language."""
+    de, _, en = text.partition("|")
+    return {"de": de, "en": en or de}
+
+
+class Formula(NamedTuple):
+    """The kernel's formula of a quantity by one method, and as pages print it below their tables.
+
+    What the kernel call takes, the subject says; `printed` has places in braces that its page fills, and is
+    empty where a line does not hold the formula.
+    """
+
+    kernel: Callable[..., Any]
+    printed: Label = ""
+
+
+class Quantity(NamedTuple):
+    """An entry: what a column shows, all that is said of it, and how it is computed.
+
+    `symbol`, `unit`, `heading` and `spanners` are labels; a page whose quantities run down prints name and
+    symbol instead of spanners and heading. `part` sets it apart from others of its name: a stroke, a
+    direction, a model. `decimals` None prints five figures; with `minutes` pages print degrees and minutes
+    and records degrees to so many decimals.
+
+    `formulas` are by method; `is_arc` tells that they take an arc of what is algebraic. `scale` makes the
+    quantity's unit of the kernel's. `ties` is how near it can come to a rounding boundary where that is not
+    the rule of its subject, and `bound` how far a float can lie from the true value, in units of the
+    subject's own bound. `needs` names what must be known of the
+    drive or the load, `of` what it is a number of: a turn, a stroke, an angle. `names` are those under which
+    conditions know it. `direction` says in which direction it counts.
+    """
+
+    key: str
+    name: Words
+    symbol: Label
+    unit: Words
+    decimals: int | None
+    formulas: Mapping[str, Formula]
+    heading: Words
+    spanners: tuple[Words, ...] = ()
+    part: Words | None = None
+    minutes: bool = False
+    is_arc: bool = False
+    stroke: int = 1
+    scale: Callable[..., Any] | None = None
+    ties: Callable[..., Any] | None = None
+    bound: float = 1.0
+    needs: str = ""
+    of: str = ""
+    names: tuple[str, ...] = ()
+    direction: Words | None = None
+
+    def plain_unit(self, lang: str) -> str:
+        """Return the unit as text."""
+        from kurbel.page.labels import plain
+
+        return plain(self.unit[lang])
+
+    def full_name(self, lang: str) -> str:
+        """Return the name with what sets it apart."""
+        return f"{self.name[lang]}, {self.part[lang]}" if self.part else self.name[lang]
+
+
+class Column(NamedTuple):
+    """A column of a page with all choices made. `methods` are one, or two whose difference is shown."""
+
+    key: str
+    quantity: Quantity
+    methods: tuple[str, ...]
+    decimals: int | None
+    spanners: tuple[Label, ...]
+    heading: tuple[Label, ...]
+
+    @property
+    def method(self) -> str:
+        return self.methods[0]
+
+    @property
+    def places(self) -> int:
+        """The decimals of a quantity that has so many of its own."""
+        assert self.decimals is not None
+        return self.decimals
+
+
+def bare(quantity: Quantity, method: str, decimals: int | None) -> Column:
+    """Return a column without heads, of a number that stands alone."""
+    return Column(quantity.key, quantity, (method,), decimals, (), ())

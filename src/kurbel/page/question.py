@@ -1,0 +1,152 @@
+"""What is asked for of a page, with all choices made: layout, language, digits and columns."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from math import prod
+from typing import ClassVar
+
+from kurbel.errors import ProblemError
+from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS, Number
+from kurbel.page.arrange import Axis, Place
+from kurbel.page.layouts import Layout, LayoutColumn
+from kurbel.page.quantity import Column, Quantity
+from kurbel.page.subject import Subject, subject
+from kurbel.page.table import Field
+from kurbel.reading.choices import choose
+from kurbel.reading.notation import MOST_ROWS
+
+
+@dataclass(frozen=True, kw_only=True)
+class Question:
+    """A layout that is asked for, with the digits, the language and the columns of its page.
+
+    `digits` None leaves the decimals to the layout and the quantities, no `columns` the columns to the
+    layout. What a subject asks beside that are the fields of its own question.
+    """
+
+    layout: Layout
+    digits: int | None = None
+    rounding: str = "half-away"
+    lang: str = "de"
+    columns: tuple[str, ...] = ()
+    label: str = ""
+
+    # Why a page without a column beside its axes is refused, with an example.
+    no_column: ClassVar[str] = "there is no column beside the axes; add one, such as x"
+
+    def __post_init__(self) -> None:
+        check_rounding(self.digits, self.rounding)
+        check_label(self.label)
+        self.check()
+        if not self.page_columns:
+            raise ProblemError(self.no_column)
+        if len(self) > MOST_ROWS:
+            raise ProblemError(f"the table would have {len(self)} rows; at most 10^9 are allowed")
+
+    def check(self) -> None:
+        """Raise a KurbelError for what the subject cannot answer."""
+
+    def missing(self, quantity: Quantity) -> str:
+        """Return the sentence that refuses a column of the quantity, nothing if it is known."""
+        return ""
+
+    @property
+    def subject(self) -> Subject:
+        return subject(self.layout.subject)
+
+    @property
+    def axis_keys(self) -> tuple[str, ...]:
+        """The keys of the axes in records."""
+        return self.subject.axis_keys
+
+    @cached_property
+    def axes(self) -> Mapping[str, Axis]:
+        return {name: axis(self) for name, axis in self.subject.axes.items()}
+
+    def __len__(self) -> int:
+        """How many records there are."""
+        return prod(axis.count for name, axis in self.axes.items() if name != "column")
+
+    @cached_property
+    def page_columns(self) -> tuple[Column, ...]:
+        """The columns asked for, else the layout's as far as they are known."""
+        if not self.columns:
+            return tuple(self.column(one) for one in self.layout.columns if self.shows(one))
+        allowed = dict.fromkeys((*self.axis_keys, *self.subject.column_keys(self.layout)))
+        keys = dict.fromkeys(choose(key, allowed, "column") for key in self.columns)
+        chosen = self.chosen([key for key in keys if key not in self.axis_keys])
+        for column in chosen:
+            if missing := self.missing(self.quantity(column.quantity)):
+                raise ProblemError(missing)
+        return tuple(map(self.column, chosen))
+
+    def shows(self, column: LayoutColumn) -> bool:
+        """Whether the layout's column is shown where none were asked for."""
+        if column.unless and not self.missing(self.quantity(column.unless)):
+            return False
+        return not self.missing(self.quantity(column.quantity))
+
+    def chosen(self, keys: Sequence[str]) -> list[LayoutColumn]:
+        """Return the columns of these keys, with the heads of the layout where they are its own."""
+        own = {column.key: column for column in self.layout.columns}
+        return [own.get(key, LayoutColumn(key, key)) for key in keys]
+
+    def quantity(self, key: str) -> Quantity:
+        return self.subject.quantities()[key]
+
+    def methods(self, column: LayoutColumn) -> tuple[str, ...]:
+        """Return the methods by which a column is computed."""
+        return ("exact",)
+
+    def column(self, column: LayoutColumn) -> Column:
+        quantity, lang = self.quantity(column.quantity), self.lang
+        spanners, heading = quantity.spanners, (quantity.heading,)
+        down = "column" in self.layout.down
+        own = (f"{quantity.name[lang]} {quantity.symbol}",) if down else tuple(one[lang] for one in heading)
+        return Column(
+            column.key,
+            quantity,
+            self.methods(column),
+            self.decimals(column, quantity),
+            tuple(
+                one[lang] for one in (spanners if column.spanners is None else column.spanners) if not down
+            ),
+            own if column.heading is None else tuple(one[lang] for one in column.heading),
+        )
+
+    def decimals(self, column: LayoutColumn, quantity: Quantity) -> int | None:
+        """Return the decimals asked for, else the layout's, else the quantity's own."""
+        own = quantity.decimals if column.decimals is None else column.decimals
+        return own if self.digits is None else self.digits
+
+    def field(self, column: Column) -> Field:
+        """Return what a column is in records."""
+        one, lang = column.quantity, self.lang
+        return Field(
+            column.key,
+            one.full_name(lang),
+            one.symbol,
+            one.plain_unit(lang),
+            column.decimals,
+            " - ".join(column.methods),
+        )
+
+    def number(self, column: Column, place: Place, times: int = 1) -> Number | None:
+        """Return what stands at a place, times a factor; None where the column says nothing of it."""
+        return self.subject.number(self, column, place, times)
+
+
+def check_rounding(digits: int | None, rounding: str) -> None:
+    """Raise a KurbelError unless so many decimals can be printed, and rounded in this way."""
+    if digits is not None and (not isinstance(digits, int) or not 0 <= digits <= MOST_DIGITS):
+        raise ProblemError(f"digits is {digits}; it must be a whole number from 0 to {MOST_DIGITS}")
+    choose(rounding, ROUNDINGS, "rounding")
+
+
+def check_label(label: str) -> None:
+    """Raise a KurbelError unless cross references can bear the label."""
+    if any(not (one.isascii() and (one.isalnum() or one in "-.:")) for one in str(label)):
+        raise ProblemError(f'label "{str(label)[:40]}" may have letters, digits and the signs -.: only')

@@ -1,0 +1,81 @@
+"""What a page is about: its axes, its quantities, its words, and what it needs computed once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from functools import cache
+from importlib import import_module
+from typing import Any
+
+from kurbel.exact.numerals import Label, Number
+from kurbel.page.arrange import Axis, Place
+from kurbel.page.layouts import Layout
+from kurbel.page.quantity import Column, Quantity
+from kurbel.page.table import Note, Records
+
+# By what a layout says that it is about: where its subject stands.
+SUBJECTS: Mapping[str, str] = {
+    "motion": "kurbel.motion.page:MOTION",
+    "inertia": "kurbel.motion.page:INERTIA",
+    "arc crank": "kurbel.linkage.page:ARC",
+    "parallel crank": "kurbel.linkage.page:PARALLEL",
+}
+
+
+def _everywhere(question: Any, place: Place) -> bool:
+    return True
+
+
+def _no_marks(question: Any, column: Column, place: Place) -> tuple[str, ...]:
+    return ()
+
+
+def _alone(question: Any, column: Column) -> tuple[Column, ...]:
+    return ()
+
+
+def _all(layout: Layout, quantities: Mapping[str, Quantity]) -> Iterable[str]:
+    return quantities
+
+
+@dataclass(frozen=True, kw_only=True)
+class Subject:
+    """What pages of one kind are about, as data; grid, records, fields, keys and checks follow from it.
+
+    `axes` by their names, outermost first, each made of the question; "column" is that of the quantities.
+    `number` is what stands at a place, times a factor; the question keeps what it computed once. `layout` is
+    the default layout, `command` what prints its pages. `fitting` are the quantities that a layout can show
+    beside its own. `exists` leaves out places that a grid has too many, `marks` are those of notes at a
+    place, `beside` the columns that follow one in records, and `rows` the records where they are long.
+    """
+
+    key: str
+    layout: str
+    command: str
+    axes: Mapping[str, Callable[[Any], Axis]]
+    axis_keys: tuple[str, ...]
+    quantities: Callable[[], Mapping[str, Quantity]]
+    number: Callable[[Any, Column, Place, int], Number | None]
+    caption: Callable[[Any], Label]
+    notes: Callable[[Any], Iterable[Label | Note]]
+    fitting: Callable[[Layout, Mapping[str, Quantity]], Iterable[str]] = _all
+    exists: Callable[[Any, Place], bool] = _everywhere
+    marks: Callable[[Any, Column, Place], tuple[str, ...]] = _no_marks
+    beside: Callable[[Any, Column], tuple[Column, ...]] = _alone
+    rows: Callable[[Any], Records] | None = None
+
+    def column_keys(self, layout: Layout) -> tuple[str, ...]:
+        """Return what --columns can choose from; a page whose heads state formulas has its own only."""
+        own = [column.key for column in layout.columns]
+        others = () if layout.fixed else self.fitting(layout, self.quantities())
+        return tuple(dict.fromkeys((*self.axis_keys, *own, *others)))
+
+
+@cache
+def subject(key: str) -> Subject:
+    """Return what pages are about that say so."""
+    module, _, name = SUBJECTS[key].partition(":")
+    found = getattr(import_module(module), name)
+    assert isinstance(found, Subject)
+    return found
