@@ -548,6 +548,8 @@ def test_a_bar_shows_on_a_terminal_how_far_it_is(tmp_path: Path) -> None:
             "{% for i in range(99999) %}{% for j in range(99999) %}{% endfor %}{% endfor %}",
             "were stopped after",
         ),
+        # One long operation, which no watch in Python would end.
+        ("{{ 10 ** (10 ** 10) }}", "were stopped after"),
         ("{{ ''.__class__ }}", "cannot be used"),
         ("{{ pge }}", "'pge' is undefined"),
         ("{% include '../../handbook.toml' %}", "there is no template"),

@@ -1,28 +1,24 @@
-"""Templates of a user's folder: run in Jinja's sandbox, with limits, and with errors that name file and line.
+"""Templates of a user's folder: run in Jinja's sandbox, with errors that name file and line.
 
-Beside `render` the only module that knows Jinja. It is loaded for a user's templates only.
+Beside `render` the only module that knows Jinja. It is loaded for a user's templates only. What takes too
+long or too much memory is ended by whoever runs it in a process of its own (handbook/pool.py).
 """
 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
-from jinja2 import BaseLoader, TemplateNotFound, TemplateSyntaxError, nodes
-from jinja2.compiler import CodeGenerator, Frame
+from jinja2 import BaseLoader, TemplateNotFound, TemplateSyntaxError
 from jinja2.environment import Environment
 from jinja2.loaders import split_template_path
-from jinja2.runtime import Context
 from jinja2.sandbox import ImmutableSandboxedEnvironment
 
 from kurbel.errors import KurbelError, LayoutError
-from kurbel.formats.sandbox_limits import OPERATORS, check_call, concatenated
 from kurbel.page.layouts import template_folder
 
-LONGEST_FILE = 1_000_000
-# Those whose length has little to do with what they are given, and one that is different every time.
-_BARRED_FILTERS = ("filesizeformat", "pprint", "random", "tojson", "urlize", "wordwrap", "xmlattr")
+LONGEST_FILE, LONGEST_PAGE = 1_000_000, 10_000_000
 
 
 def filled(environment: Environment, template: str, values: Mapping[str, object], folder: str) -> str:
@@ -31,7 +27,11 @@ def filled(environment: Environment, template: str, values: Mapping[str, object]
     Raises LayoutError, with the file and the line, for whatever is wrong with a template of the folder.
     """
     try:
-        return environment.get_template(template).render(values)
+        text = environment.get_template(template).render(values)
+        if len(text) > LONGEST_PAGE:
+            reason = f"the result would have more than {LONGEST_PAGE} characters"
+            raise _refused(template, None, reason, folder)
+        return text
     except KurbelError:
         raise
     except TemplateSyntaxError as error:
@@ -112,63 +112,8 @@ def _stamp(path: str) -> tuple[int, int]:
     return status.st_mtime_ns, status.st_size
 
 
-class _LimitedCode(CodeGenerator):
-    """Jinja's ~ is no operator that a sandbox is asked about."""
-
-    def visit_Concat(self, node: nodes.Concat, frame: Frame) -> None:
-        self.write("environment.concat((")
-        for part in node.nodes:
-            self.visit(part, frame)
-            self.write(", ")
-        self.write("))")
-
-
 class Sandbox(ImmutableSandboxedEnvironment):
-    intercepted_binops = frozenset(OPERATORS)
-    code_generator_class = _LimitedCode
-
     def __init__(self, *args: Any, **options: Any) -> None:
         super().__init__(*args, **options)
-        self.globals.pop("lipsum")
-        for name in _BARRED_FILTERS:
-            del self.filters[name]
-        self.filters.update({name: _checked(name, each) for name, each in self.filters.items()})
-
-    @staticmethod
-    def concat(pieces: Iterable[Any]) -> str:
-        return concatenated(pieces)
-
-    def call_binop(self, context: Context, operator: str, left: Any, right: Any) -> Any:
-        return OPERATORS[operator](left, right)
-
-    def call(__self, __context: Context, __obj: Any, *args: Any, **kwargs: Any) -> Any:
-        owner = getattr(__obj, "__self__", None)
-        if isinstance(owner, str | bytes | int):
-            check_call(owner, __obj.__name__, args, kwargs)
-        return super().call(__context, __obj, *args, **kwargs)
-
-    def wrap_str_format(self, value: Any) -> Callable[..., str] | None:
-        """Return the sandbox's own str.format, which looks at its text first."""
-        wrapped: Callable[..., str] | None = super().wrap_str_format(value)
-        return wrapped and _checked_method(value.__self__, wrapped)
-
-
-def _checked(name: str, each: Callable[..., Any]) -> Callable[..., Any]:
-    """Return a filter that first looks at what it is given."""
-    skipped = 1 if hasattr(each, "jinja_pass_arg") else 0
-
-    def checked(*args: Any, **named: Any) -> Any:
-        check_call(args[skipped], name, args[skipped + 1 :], named)
-        return each(*args, **named)
-
-    # Jinja reads from this what a filter wants before the value.
-    checked.__dict__.update(getattr(each, "__dict__", {}))
-    return checked
-
-
-def _checked_method(owner: str, each: Callable[..., str]) -> Callable[..., str]:
-    def checked(*args: Any, **named: Any) -> str:
-        check_call(owner, "format", args, named)
-        return each(*args, **named)
-
-    return checked
+        # They are different every time, and a page is the same for the same values.
+        del self.globals["lipsum"], self.filters["random"]
