@@ -117,7 +117,7 @@ def methods_of(quantity: str) -> tuple[str, ...]:
     """Return the methods by which a quantity can be recomputed."""
     from kurbel.engine.quantities import engine_registry
     from kurbel.linkage.beam import registry as beam_registry
-    from kurbel.motion.quantities import METHODS
+    from kurbel.motion.evaluation import METHODS
 
     if quantity in beam_registry():
         return ("exact", "approximate")
@@ -160,20 +160,29 @@ def _check_axes(
 
 def _motion_truth(key: str, method: str, ratio: Fraction, phi: Fraction) -> Truth:
     from kurbel.drive.crank import Crank
-    from kurbel.motion.quantities import METHODS, Numbers, numbers_of_balls, registry, value
+    from kurbel.motion.evaluation import (
+        METHODS,
+        Numbers,
+        is_known,
+        is_transcendental,
+        kernel_of,
+        numbers_of_balls,
+        value,
+    )
+    from kurbel.motion.quantities import registry
 
     quantity, crank = registry()[key], Crank(ratio)
     choose(method, METHODS, "method")
-    if not quantity.available(crank):
+    if not is_known(quantity, crank):
         raise NotationError(f"the quantity {key} has a unit, and no lengths are known; choose one without")
 
     def run(circle: Any, numbers: Numbers) -> Any:
         return value(quantity, method, crank, circle, numbers)
 
     # A method without a formula is told here, before anything is computed.
-    quantity.formula(method, crank, numbers_of_balls())
+    kernel_of(quantity, method, crank)
     bound = None
-    if not quantity.transcendental(crank):
+    if not is_transcendental(quantity, crank):
         circle = Circle(*circle_separation(phi))
         bound = cache(lambda: run(circle, Numbers(Separation.rational)))
     return Truth(lambda: run(ball_circle(phi), numbers_of_balls()), bound)
