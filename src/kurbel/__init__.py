@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from kurbel.commands.rod import make_inertia_table, make_tangent_table
     from kurbel.commands.solve import make_solve_table
     from kurbel.engine.irregularity import delta
-    from kurbel.formats.pdf import typeset_pdf
+    from kurbel.formats.pdf.by_typst import typeset_pdf
 
 __version__ = "0.1.0"
 __all__ = [
@@ -64,7 +64,7 @@ _MODULES = {
     "make_inertia_table": "kurbel.commands.rod",
     "make_tangent_table": "kurbel.commands.rod",
     "make_solve_table": "kurbel.commands.solve",
-    "typeset_pdf": "kurbel.formats.pdf",
+    "typeset_pdf": "kurbel.formats.pdf.by_typst",
 }
 
 

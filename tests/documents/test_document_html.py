@@ -16,12 +16,12 @@ from tools import require
 
 import kurbel
 from kurbel.documents.document import Chapter, Document, Item
-from kurbel.documents.html import NAME, css_string
 from kurbel.documents.prose import parse_prose
-from kurbel.documents.registry import document_files
 from kurbel.errors import ChoiceError
+from kurbel.formats.documents import document_files
+from kurbel.formats.html.document import NAME, css_string
+from kurbel.formats.html.svg import COLOURS
 from kurbel.formats.render import render
-from kurbel.formats.svg_inline import COLOURS
 
 # The names of the tables and figures that the page prints at A4, 170 mm of 210 mm wide, in points.
 MARGIN, PAPER = 20 / 25.4 * 72, 210 / 25.4 * 72

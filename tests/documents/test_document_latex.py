@@ -15,10 +15,10 @@ from tools import require
 
 from kurbel.documents.document import Chapter, Document, Item
 from kurbel.documents.prose import parse_prose
-from kurbel.documents.registry import document_files
 from kurbel.errors import TexError
 from kurbel.exact.numerals import Number
-from kurbel.formats.pdf_tex import compile_tex
+from kurbel.formats.documents import document_files
+from kurbel.formats.pdf.by_tex import compile_tex
 from kurbel.page.labels import plain
 from kurbel.page.table import Cell
 

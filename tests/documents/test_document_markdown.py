@@ -14,10 +14,10 @@ from markdown_it.token import Token
 
 from kurbel.documents.document import Chapter, Document, Item
 from kurbel.documents.prose import parse_prose
-from kurbel.documents.registry import document_files
 from kurbel.errors import ChoiceError
+from kurbel.formats.documents import document_files
 from kurbel.formats.page import page
-from kurbel.formats.registry import by_name
+from kurbel.formats.registry import page_format
 from kurbel.page.labels import plain
 
 READER = MarkdownIt("gfm-like", {"linkify": False})
@@ -124,7 +124,7 @@ def test_every_cell_is_the_tables() -> None:
         elif token.type == "inline" and rows and token.level > 3:
             rows[-1].append("".join(one.content for one in token.children or () if one.type == "text"))
     found = {tuple(row) for row in rows}
-    form = by_name("text")
+    form = page_format("text")
     for name in ("weg", "path", "feinweg", "delta"):
         ready = page(table(name), form, form.decimal_mark(table(name).lang))
         for panel in ready.panels:

@@ -21,8 +21,8 @@ import kurbel
 from kurbel.documents.document import Chapter, Document, Item
 from kurbel.documents.prose import Heading, Listing, Paragraph, Quote, Text, parse_prose
 from kurbel.documents.prose_levels import stepwise
-from kurbel.documents.registry import document_files
-from kurbel.formats.pdf import Standard, compile_typst
+from kurbel.formats.documents import document_files
+from kurbel.formats.pdf.by_typst import Standard, compile_typst
 from kurbel.formats.render import render
 from kurbel.page.layouts import layout_names
 from kurbel.page.table import Table

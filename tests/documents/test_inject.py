@@ -12,10 +12,12 @@ from hypothesis import strategies as st
 from markdown_it import MarkdownIt
 from tools import require
 
-from kurbel.documents.inject import KINDS, Kind, content, filled, places
+from kurbel.documents.inject import Kind, content, filled, places
 from kurbel.documents.inject_difference import difference
 from kurbel.errors import MarkerError
+from kurbel.formats.registry import kinds
 
+KINDS = [kind for _, kind in kinds()]
 MARKDOWN, HTML, LATEX, TYPST = KINDS
 OF_KIND = {
     "Markdown": ("<!-- kurbel: table -->", "<!-- /kurbel -->"),
@@ -327,6 +329,6 @@ def test_the_difference_shows_only_places_that_change() -> None:
 
 
 def test_suffixes_belong_to_one_kind_each() -> None:
-    suffixes = sorted(suffix for kind in KINDS for suffix in kind.suffixes)
+    suffixes = sorted(suffix for _, kind in kinds() for suffix in kind.suffixes)
     assert all(one != other for one, other in pairwise(suffixes))
     assert Path("notes.md").suffix in suffixes

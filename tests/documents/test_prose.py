@@ -31,9 +31,9 @@ from kurbel.documents.prose import (
     Text,
     parse_prose,
 )
-from kurbel.documents.prose_print import set_prose
 from kurbel.errors import ChoiceError, ProseError
-from kurbel.formats.registry import FORMATS
+from kurbel.formats.printer import set_prose
+from kurbel.formats.registry import FORMATS, page_format
 from kurbel.page.formula import parse_formula
 
 PAGES = [name for name, form in FORMATS.items() if form.kind == "page"]
@@ -46,7 +46,7 @@ def line(text: str) -> Inlines:
 
 
 def printed(text: str, form: str, level: int = 1) -> str:
-    return set_prose(parse_prose(text), FORMATS[form], ",", Parts(form), level)
+    return set_prose(parse_prose(text), page_format(form), ",", Parts(form), level)
 
 
 def words(text: str) -> Blocks:
@@ -209,7 +209,7 @@ _PLAIN.validateLink = lambda url: True  # type: ignore[method-assign]
 @given(TEXTS)
 def test_html_shows_the_characters_of_the_text(text: str) -> None:
     if blocks := parsed(text.replace("$", "")):
-        page = set_prose(blocks, FORMATS["html"], ",", Parts("html"))
+        page = set_prose(blocks, page_format("html"), ",", Parts("html"))
         expected = shown(_PLAIN.render(text.replace("$", "")))
         assert re.sub("[′']", "'", shown(page)).replace("″", '"') == expected
 
@@ -218,7 +218,7 @@ def test_html_shows_the_characters_of_the_text(text: str) -> None:
 def test_plain_text_has_the_characters_of_the_text(text: str) -> None:
     if blocks := parsed(text.replace("$", "")):
         page = iter(
-            set_prose(blocks, FORMATS["text"], ",", Parts("text")).replace("′", "'").replace("″", '"')
+            set_prose(blocks, page_format("text"), ",", Parts("text")).replace("′", "'").replace("″", '"')
         )
         assert all(character in page for character in shown(_PLAIN.render(text.replace("$", ""))))
 
@@ -251,7 +251,7 @@ def rendered(text: str, renderer: MarkdownIt) -> str:
 def test_markdown_is_shown_as_its_source(text: str) -> None:
     text = text.replace("$", "").replace("\t", " ")
     if blocks := parsed(text):
-        page = set_prose(blocks, FORMATS["markdown"], ",", Parts("markdown"), 0)
+        page = set_prose(blocks, page_format("markdown"), ",", Parts("markdown"), 0)
         assert rendered(page, _RENDERER) == rendered(text, _PLAIN)
 
 
@@ -267,7 +267,7 @@ def test_formulas_in_markdown_are_plain_text_that_stays_so() -> None:
 def test_sample_keeps_its_blocks_through_markdown() -> None:
     blocks = parse_prose(SAMPLE)
     assert {type(block) for block in blocks} == {Heading, Paragraph, Listing, Quote, Rule, Grid, CodeBlock}
-    again = parse_prose(set_prose(blocks, FORMATS["markdown"], ",", Parts("html"), 0))
+    again = parse_prose(set_prose(blocks, page_format("markdown"), ",", Parts("html"), 0))
     assert [type(block) for block in again] == [type(block) for block in blocks]
 
 

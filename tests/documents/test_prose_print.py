@@ -14,8 +14,8 @@ from tex import ENGINES, compiled, complaints
 from tools import require, require_library
 
 from kurbel.documents.prose import parse_prose
-from kurbel.documents.prose_print import set_prose
-from kurbel.formats.registry import FORMATS
+from kurbel.formats.printer import set_prose
+from kurbel.formats.registry import page_format
 
 _LATEX = r"""\documentclass[a4paper]{report}
 \usepackage{iftex}
@@ -64,7 +64,7 @@ def paper(folder: Path) -> str:
 
 
 def latex(text: str) -> str:
-    return set_prose(parse_prose(text), FORMATS["latex"], ",", Parts("latex"))
+    return set_prose(parse_prose(text), page_format("latex"), ",", Parts("latex"))
 
 
 def typeset(source: str, folder: Path) -> None:
@@ -101,7 +101,7 @@ def test_sentences_in_a_table_stay_on_the_page(tmp_path: Path) -> None:
 
 
 def test_sample_is_printed_by_typst(tmp_path: Path) -> None:
-    typeset(_TYPST + set_prose(parse_prose(SAMPLE), FORMATS["typst"], ",", Parts("typst")), tmp_path)
+    typeset(_TYPST + set_prose(parse_prose(SAMPLE), page_format("typst"), ",", Parts("typst")), tmp_path)
     page = characters(paper(tmp_path))
     for characters_of_line in _SHOWN:
         assert characters_of_line in page
@@ -133,7 +133,7 @@ def nasty_texts(count: int) -> list[str]:
 
 
 def html(text: str) -> str:
-    return set_prose(parsed(text), FORMATS["html"], ",", Parts("html"))
+    return set_prose(parsed(text), page_format("html"), ",", Parts("html"))
 
 
 def between(page: str, count: int) -> list[str]:
@@ -162,7 +162,7 @@ def test_nasty_text_is_printed_by_latex(engine: str, tmp_path: Path) -> None:
 def test_nasty_text_is_printed_by_typst(tmp_path: Path) -> None:
     texts = [text for text in nasty_texts(120) if not _LIST.search(html(text))]
     pieces = "\n".join(
-        f"{set_prose(parse_prose(text), FORMATS['typst'], ',', Parts('typst'))}\nQQ{place}QQ\n"
+        f"{set_prose(parse_prose(text), page_format('typst'), ',', Parts('typst'))}\nQQ{place}QQ\n"
         for place, text in enumerate(texts)
     )
     typeset(pieces, tmp_path)

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from kurbel.errors import ChoiceError
+from kurbel.formats.format import PageFormat
 from kurbel.formats.registry import FORMATS, by_name, for_suffix
-from kurbel.page.layouts import template_folder
 
 
 def test_every_format_is_found_by_each_of_its_suffixes() -> None:
@@ -21,20 +21,14 @@ def test_every_format_is_found_by_each_of_its_suffixes() -> None:
             assert for_suffix(f"a.b{suffix.upper()}") is entry
 
 
-def test_every_page_format_has_its_templates() -> None:
-    base = Path(template_folder()) / "base"
+def test_every_page_format_is_a_folder_with_its_templates() -> None:
     for entry in FORMATS.values():
-        # Plain text is a grid and no template.
-        assert (base / f"{entry.name}.jinja").exists() == (entry.kind == "page" and entry.name != "text")
-        assert (base / f"{entry.name}.document.jinja").exists() == entry.document
-
-
-def test_every_page_format_sets_labels() -> None:
-    for entry in FORMATS.values():
-        if entry.kind == "page":
-            assert callable(entry.escape)
-            assert callable(entry.formula)
-            assert callable(entry.note_mark)
+        if isinstance(entry, PageFormat):
+            folder = Path(entry.templates)
+            assert folder.parent.name == entry.name
+            # Plain text is a grid and no template.
+            assert (folder / f"{entry.name}.jinja").exists() == (entry.name != "text")
+            assert (folder / f"{entry.name}.document.jinja").exists() == entry.standalone
 
 
 def test_unknown_choices_are_sentences() -> None:

@@ -9,8 +9,8 @@ from browser import Viewer
 from pages import default_page
 
 from kurbel.documents.document import Chapter, Document, Item
-from kurbel.documents.html import NAME, files
-from kurbel.formats.html_width import width_in_ems
+from kurbel.formats.html.document import NAME, files
+from kurbel.formats.html.width import width_in_ems
 from kurbel.formats.render import render
 from kurbel.page.layouts import layout_names
 

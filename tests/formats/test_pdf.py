@@ -17,7 +17,7 @@ from everything import everything
 from tools import require_library
 
 import kurbel
-from kurbel.formats.pdf import STANDARDS, Standard, compile_typst
+from kurbel.formats.pdf.by_typst import STANDARDS, Standard, compile_typst
 
 require_library("typst")
 HELP = "see kurbel table --help"

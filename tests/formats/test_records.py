@@ -21,7 +21,8 @@ from pages import command
 from kurbel.books.source import source_tables
 from kurbel.exact.numerals import Number
 from kurbel.examples.source import numbers_of, source_keys
-from kurbel.formats.records import csv_rows, json_rows
+from kurbel.formats.csv.rows import csv_rows
+from kurbel.formats.json.rows import json_rows
 from kurbel.formats.render import render
 from kurbel.page.labels import plain
 from kurbel.page.layouts import layout_names

@@ -19,7 +19,7 @@ from readers import fragment, markdown_tables, model_cells
 
 from kurbel.exact.numerals import Number
 from kurbel.formats.page import page
-from kurbel.formats.registry import FORMATS, by_name
+from kurbel.formats.registry import FORMATS, by_name, page_format
 from kurbel.formats.render import render
 from kurbel.page.table import DITTO, Cell, Column, Group, Note, Panel, Records, Row, Table
 
@@ -64,10 +64,10 @@ def test_table_without_caption_notes_and_source_is_set(name: str) -> None:
 
 
 def test_layout_may_bring_a_template_of_its_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    for name, template in (("base", "common\n"), ("mine", "mine: {{ page.caption }}\n")):
-        (tmp_path / name).mkdir()
-        for form in ("text", "markdown"):
-            (tmp_path / name / f"{form}.jinja").write_text(template)
+    (tmp_path / "mine").mkdir()
+    for form in ("text", "markdown"):
+        (tmp_path / "mine" / f"{form}.jinja").write_text("mine: {{ page.caption }}\n")
+    common = render(everything("other"), "markdown")
     # The package offers the function under the name of the module.
     module = import_module("kurbel.formats.render")
     monkeypatch.setattr(module, "template_folder", lambda: str(tmp_path))
@@ -75,7 +75,7 @@ def test_layout_may_bring_a_template_of_its_own(tmp_path: Path, monkeypatch: pyt
     try:
         assert render(everything("mine", caption="A"), "text") == "mine: A\n"
         assert render(everything("mine", caption="A"), "markdown") == "mine: A\n"
-        assert render(everything("other"), "markdown") == "common\n"
+        assert render(everything("other"), "markdown") == common
     finally:
         module._environment.cache_clear()
 
@@ -269,7 +269,7 @@ def test_ditto_at_the_start_of_a_group_begins_anew() -> None:
     rows = (Row((Cell("a"),), (n(1),)), Row((Cell(DITTO),), (n(2),)))
     panel = Panel((Column("s", ("S",)),), (Column("x", ("x",)),), tuple(Group((row,)) for row in rows))
     table = replace(table_of(()), panels=(panel,))
-    stubs = [group.rows[0][0] for group in page(table, by_name("text"), ",").panels[0].groups]
+    stubs = [group.rows[0][0] for group in page(table, page_format("text"), ",").panels[0].groups]
     assert [(cell.text, cell.down) for cell in stubs] == [("a", 1), ("a", 1)]
 
 
@@ -279,7 +279,7 @@ def test_columns_of_figures_are_right_and_columns_of_words_left() -> None:
         Row((), (n(1), Cell("2°30'"), Cell("$1:5$"), Cell(None))),
         Row((), (Cell(None), Cell("15 %"), n(1), Cell(None))),
     )
-    (panel,) = page(table_of(columns, *rows), by_name("text"), ",").panels
+    (panel,) = page(table_of(columns, *rows), page_format("text"), ",").panels
     assert [column.align for column in panel.columns] == ["right", "right", "left", "right"]
 
 
@@ -289,5 +289,5 @@ def test_only_neighbours_under_the_same_outer_spanner_share_an_inner_one() -> No
         Column("b", ("b",), ("B", "x")),
         Column("c", ("c",), ("B", "x")),
     )
-    (panel,) = page(table_of(columns, Row((), (n(1), n(2), n(3)))), by_name("text"), ",").panels
+    (panel,) = page(table_of(columns, Row((), (n(1), n(2), n(3)))), page_format("text"), ",").panels
     assert [[(cell.first, cell.last) for cell in row] for row in panel.spanners] == [[(0, 0), (1, 2)]] * 2

@@ -11,6 +11,8 @@ from cli import printed
 
 from kurbel.drive.crank import Crank
 from kurbel.formats import streams
+from kurbel.formats.format import RecordsFormat
+from kurbel.formats.registry import by_name
 from kurbel.motion import digits, rows
 from kurbel.motion.question import Request
 from kurbel.page import angles as page_angles
@@ -26,7 +28,9 @@ ANGLES = {
 
 
 def streamed(request: Request, format_name: str, decimal: str = "point") -> bytes:
-    return b"".join(streams.record_chunks(request, format_name, decimal))
+    form = by_name(format_name)
+    assert isinstance(form, RecordsFormat)
+    return b"".join(streams.record_chunks(request, form, decimal))
 
 
 def asked(angles: Sequence[Fraction], digits: int | None = None) -> Request:

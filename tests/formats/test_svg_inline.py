@@ -9,7 +9,7 @@ import handbook
 import pytest
 from browser import Viewer
 
-from kurbel.formats.svg_inline import COLOURS, inline
+from kurbel.formats.html.svg import COLOURS, inline
 from kurbel.plot import style as plot_style
 
 SIZE = "svg { display: block; width: 600px; height: auto; }"

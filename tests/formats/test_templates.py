@@ -11,8 +11,8 @@ import pytest
 from everything import everything
 from handbook import document, fragments, table
 
-from kurbel.documents.registry import document_files
 from kurbel.errors import LayoutError
+from kurbel.formats.documents import document_files
 from kurbel.formats.registry import FORMATS
 from kurbel.formats.render import render
 

@@ -17,9 +17,11 @@ from rows import assert_rows_stand_in, text_of_pdf
 from tools import require_library
 
 from kurbel.errors import LayoutError
-from kurbel.formats.escapes import escape_typst, mark_typst, string_typst
-from kurbel.formats.formula_print import formula_typst
 from kurbel.formats.render import render
+from kurbel.formats.typst.escapes import escape as escape_typst
+from kurbel.formats.typst.escapes import note_mark as mark_typst
+from kurbel.formats.typst.escapes import string as string_typst
+from kurbel.formats.typst.formula import equation as formula_typst
 from kurbel.page.formula import Formula
 from kurbel.page.labels import parse
 from kurbel.page.plain import formula_plain

@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 from cli import Result, kurbel
 
-from kurbel.formats import pdf_tex
+from kurbel.formats.pdf import by_tex as pdf_tex
 from kurbel.handbook.pages import PdfTask, PlannedChapter, make_pdf
 from kurbel.handbook.parts import Made, Task
 

@@ -18,7 +18,7 @@ from places import ROOT
 from pre_commit.clientlib import load_manifest
 from tools import require
 
-from kurbel.documents.inject import KINDS
+from kurbel.formats.registry import kinds
 
 GUIDE = (ROOT / "docs" / "ci.md").read_text(encoding="utf-8")
 ACTION = yaml.safe_load((ROOT / "action.yml").read_text(encoding="utf-8"))
@@ -173,7 +173,7 @@ def test_every_input_of_the_action_is_used_and_described() -> None:
 
 def test_hooks_take_the_documents_that_inject_knows() -> None:
     inject = next(hook for hook in HOOKS if hook["id"] == "kurbel-inject")
-    suffixes = [suffix for kind in KINDS for suffix in kind.suffixes]
+    suffixes = [suffix for _, kind in kinds() for suffix in kind.suffixes]
     assert all(re.search(inject["files"], f"notes{suffix}") for suffix in suffixes)
     assert all(re.search(inject["files"], f"NOTES{suffix.upper()}") for suffix in suffixes)
     assert not re.search(inject["files"], "md.py")

@@ -122,8 +122,8 @@ def test_only_drawings_know_matplotlib() -> None:
 
 
 def test_only_pdf_knows_its_compiler() -> None:
-    assert importers("typst") == {"kurbel.formats.pdf"}
-    assert "typst" not in {one.split(".")[0] for one in at_import("kurbel.formats.pdf")}
+    assert importers("typst") == {"kurbel.formats.pdf.by_typst"}
+    assert "typst" not in {one.split(".")[0] for one in at_import("kurbel.formats.pdf.by_typst")}
 
 
 def test_no_circle_of_modules_that_import_each_other_as_they_are_imported() -> None:

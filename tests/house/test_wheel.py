@@ -25,10 +25,12 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_the_wheel_holds_templates_sources_and_types(wheel: Path) -> None:
     names = zipfile.ZipFile(wheel).namelist()
     assert "kurbel/py.typed" in names
-    for template in (ROOT / "templates").rglob("*.*"):
-        assert f"kurbel/templates/{template.relative_to(ROOT / 'templates').as_posix()}" in names
-    for printed in (ROOT / "src" / "kurbel" / "books" / "sources").rglob("*.*"):
-        assert printed.relative_to(ROOT / "src").as_posix() in names
+    for layout in (ROOT / "templates").rglob("*.*"):
+        assert f"kurbel/templates/{layout.relative_to(ROOT / 'templates').as_posix()}" in names
+    package = ROOT / "src" / "kurbel"
+    templates, printed = package.glob("formats/*/templates/*.*"), package.glob("books/sources/**/*.*")
+    for file in (*templates, *printed):
+        assert file.relative_to(ROOT / "src").as_posix() in names
 
 
 def test_an_installed_wheel_prints_a_table_from_another_directory(wheel: Path, tmp_path: Path) -> None:

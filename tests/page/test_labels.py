@@ -7,8 +7,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kurbel.errors import LayoutError
-from kurbel.formats import escapes, formula_print
-from kurbel.formats.registry import FORMATS
+from kurbel.formats.format import PageFormat
+from kurbel.formats.registry import FORMATS, page_format
 from kurbel.page import plain as page_plain
 from kurbel.page.formula import Formula
 from kurbel.page.labels import Mark, Prose, parse, plain
@@ -73,15 +73,19 @@ def test_formula_in_one_line_of_text(source: str, text: str) -> None:
     ],
 )
 def test_formula_in_latex(source: str, latex: str) -> None:
-    assert formula_print.formula_latex(formula(source), ",") == f"${latex}$"
+    assert page_format("latex").formula(formula(source), ",") == f"${latex}$"
 
 
 def test_only_a_formula_with_a_bar_needs_height_of_its_own() -> None:
-    assert "displaystyle" not in formula_print.formula_latex(formula("x/R"), display=True)
-    assert "displaystyle" not in formula_print.formula_html(formula("x/R"), display=True)
-    assert formula_print.formula_latex(formula("1/4 cos φ"), display=True).startswith(r"$\displaystyle \frac")
-    assert formula_print.formula_html(formula("R (1/4 cos φ)"), display=True).startswith(
-        '<math displaystyle="true">'
+    assert "displaystyle" not in page_format("latex").formula(formula("x/R"), display=True)
+    assert "displaystyle" not in page_format("html").formula(formula("x/R"), display=True)
+    assert (
+        page_format("latex").formula(formula("1/4 cos φ"), display=True).startswith(r"$\displaystyle \frac")
+    )
+    assert (
+        page_format("html")
+        .formula(formula("R (1/4 cos φ)"), display=True)
+        .startswith('<math displaystyle="true">')
     )
 
 
@@ -109,7 +113,7 @@ def test_only_a_formula_with_a_bar_needs_height_of_its_own() -> None:
     ],
 )
 def test_formula_in_mathml(source: str, mathml: str) -> None:
-    assert formula_print.formula_html(formula(source), ",") == f"<math>{mathml}</math>"
+    assert page_format("html").formula(formula(source), ",") == f"<math>{mathml}</math>"
 
 
 def test_label_falls_into_prose_formulas_and_marks() -> None:
@@ -162,13 +166,13 @@ def test_any_label_is_set_in_every_notation_or_refused(label: str) -> None:
         return
     for part in parts:
         if isinstance(part, Formula):
-            assert all(entry.formula(part, ",", True) for entry in FORMATS.values() if entry.kind == "page")
+            assert all(entry.formula(part, ",", True) for entry in FORMATS.values() if isinstance(entry, PageFormat))
     assert "\n" not in plain(label)
 
 
 @given(st.text(alphabet="-,'<>` a"))
 def test_latex_prose_has_no_ligatures(prose: str) -> None:
-    escaped = escapes.escape_latex(prose)
+    escaped = page_format("latex").escape(prose)
     assert not any(pair in escaped for pair in ("--", ",,", "''", "<<", ">>", "`"))
 
 
@@ -184,14 +188,14 @@ def test_latex_prose_has_no_ligatures(prose: str) -> None:
     ],
 )
 def test_markdown_prose_starts_no_list(prose: str, escaped: str) -> None:
-    assert escapes.escape_markdown(prose) == escaped
+    assert page_format("markdown").escape(prose) == escaped
 
 
 def test_marks_are_raised_where_unicode_can() -> None:
-    assert escapes.mark_text("a") == "ᵃ⁾"
-    assert escapes.mark_text("12") == "¹²⁾"
-    assert escapes.mark_text("*") == "*)"
-    assert escapes.mark_markdown("*") == "\\*)"
-    assert escapes.mark_latex("a") == r"\textsuperscript{a)}"
-    assert escapes.mark_typst("a") == "#super[a)];"
-    assert escapes.mark_html("a", "t-1") == '<sup><a href="#t-1">a)</a></sup>'
+    assert page_plain.mark_text("a") == "ᵃ⁾"
+    assert page_plain.mark_text("12") == "¹²⁾"
+    assert page_plain.mark_text("*") == "*)"
+    assert page_format("markdown").note_mark("*") == "\\*)"
+    assert page_format("latex").note_mark("a") == r"\textsuperscript{a)}"
+    assert page_format("typst").note_mark("a") == "#super[a)];"
+    assert page_format("html").note_mark("a", "t-1") == '<sup><a href="#t-1">a)</a></sup>'

@@ -11,7 +11,8 @@ from typing import Any
 from kurbel.cli.asking import asked
 from kurbel.documents.document import Chapter, Document, Item
 from kurbel.documents.prose import parse_prose
-from kurbel.formats.render import is_taller_than_a_page, render
+from kurbel.formats.registry import by_name
+from kurbel.formats.render import render
 from kurbel.page.table import Table
 from kurbel.plot.style import image
 
@@ -116,8 +117,7 @@ def small() -> Document:
 def fragments(format: str) -> dict[str, str]:
     """Return the tables in a format."""
     return {
-        name: render(table(name), format, longtable=format == "latex" and is_taller_than_a_page(table(name)))
-        for name in TABLES
+        name: render(table(name), format, longtable=by_name(format).is_tall(table(name))) for name in TABLES
     }
 
 

@@ -9,8 +9,8 @@ from kurbel.documents.prose import (
     Blocks,
     parse_prose,
 )
-from kurbel.documents.prose_print import Reference
 from kurbel.errors import ChoiceError, ProseError
+from kurbel.formats.printer import Reference
 
 SAMPLE = r"""# Kurbeltrieb mit $λ_1 = R/L$ & *mehr*
 

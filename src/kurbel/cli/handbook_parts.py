@@ -51,12 +51,12 @@ def _table(task: Task, answer: Asked) -> Made:
 
 
 def _text(table: Any, name: str, decimal: str | None, templates: str | None) -> bytes:
-    from kurbel.formats.render import is_taller_than_a_page, render
+    from kurbel.formats.render import render
 
     if FORMATS[name].kind == "records":
         # Data keep the point, so that programs need not know the language of the page.
         return render(table, name).encode()
-    longtable = name == "latex" and is_taller_than_a_page(table)
+    longtable = FORMATS[name].is_tall(table)
     return render(table, name, decimal=decimal, longtable=longtable, templates=templates).encode()
 
 

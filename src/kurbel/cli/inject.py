@@ -13,8 +13,10 @@ import click
 
 from kurbel.cli import say
 from kurbel.cli.asking import Asked, asked
-from kurbel.documents.inject import Kind, Place, content, filled, kind_of, places
+from kurbel.documents.inject import Kind, Place, content, filled, places
 from kurbel.errors import KurbelError, MarkerError
+from kurbel.formats.format import PageFormat
+from kurbel.formats.registry import kind_of
 
 
 class Document(NamedTuple):
@@ -96,17 +98,17 @@ def _command(names: Sequence[str]) -> str:
 def _document(name: str) -> Document:
     if os.path.isdir(name):
         raise MarkerError(f"{name} is a directory; name the documents in it")
-    kind = kind_of(name)
+    form, kind = kind_of(name)
     old = _read(name)
     found = places(old, kind, name)
     if not found:
         # A misspelt one would be taken for a table that is true.
         say(f"{name} has no markers; they are {kind.opening} and {kind.closing}, each on a line of its own")
-    made = [_asked(place, kind, name) for place in found]
+    made = [_asked(place, form, name) for place in found]
     if kind.labelled:
         _check_labels(found, made, name)
     contents = tuple(
-        content(_text(one, kind, f"kurbel-{number}", f"{name}:{place.line}"), place, kind)
+        content(_text(one, form, kind, f"kurbel-{number}", f"{name}:{place.line}"), place, kind)
         for number, (place, one) in enumerate(zip(found, made, strict=True), 1)
     )
     _check_encoding(old, contents, name)
@@ -123,7 +125,7 @@ def _read(name: str) -> bytes:
         raise MarkerError(f"cannot read {name}: {getattr(error, 'strerror', None) or error}") from None
 
 
-def _asked(place: Place, kind: Kind, name: str) -> Asked:
+def _asked(place: Place, form: PageFormat, name: str) -> Asked:
     where = f"{name}:{place.line}"
     try:
         words = shlex.split(place.words)
@@ -135,7 +137,7 @@ def _asked(place: Place, kind: Kind, name: str) -> Asked:
     folder = os.path.dirname(os.path.realpath(name))
     try:
         with chdir(folder):
-            one = asked(words, {}, format=kind.format)
+            one = asked(words, {}, format=form.name)
     except KurbelError as error:
         raise MarkerError(f"{where}: {error}") from None
     except OSError as error:
@@ -162,29 +164,28 @@ def _check_labels(found: Sequence[Place], made: Sequence[Asked], name: str) -> N
         lines[one.made.key] = place.line
 
 
-def _text(one: Asked, kind: Kind, identifier: str, where: str) -> str:
+def _text(one: Asked, form: PageFormat, kind: Kind, identifier: str, where: str) -> str:
     """Return a table as a fragment of the document, a drawing for HTML as SVG."""
     from kurbel.page.table import Table
 
     if isinstance(one.made, Table):
-        from kurbel.formats.render import is_taller_than_a_page, render
+        from kurbel.formats.render import render
 
-        if kind.format == "latex" and not one.longtable and is_taller_than_a_page(one.made):
+        if not one.longtable and form.is_tall(one.made):
             say(f"{where}: the table is longer than a page; --longtable lets it break")
-        return render(one.made, kind.format, decimal=one.decimal, longtable=one.longtable)
-    if kind.format != "html":
+        return render(one.made, form.name, decimal=one.decimal, longtable=one.longtable)
+    if not form.draws:
         raise MarkerError(
             f"{where}: a drawing can stand in HTML only; write it into a file with kurbel plot -o, and"
             f" include that in {kind.name}"
         )
     from kurbel.formats.registry import DECIMALS
-    from kurbel.formats.svg_inline import inline
     from kurbel.page.labels import plain
     from kurbel.plot.style import image
 
     assert one.decimal
     title = plain(one.made.title, DECIMALS[one.decimal])
-    return inline(image(one.made.figure, "svg").decode(), identifier, title, own_page=False)
+    return form.drawing(image(one.made.figure, "svg").decode(), identifier, title)
 
 
 def _check_encoding(old: bytes, contents: Sequence[bytes], name: str) -> None:

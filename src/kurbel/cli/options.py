@@ -12,7 +12,7 @@ from click.shell_completion import CompletionItem
 
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS
-from kurbel.formats.registry import DECIMALS, FORMATS, Format
+from kurbel.formats.registry import DECIMALS, DEFAULT, FORMATS, Format
 from kurbel.page.layouts import LANGUAGES, layout_names
 from kurbel.reading import notation
 from kurbel.reading.choices import choose
@@ -233,16 +233,17 @@ def chosen_format(format_name: str | None, output: str, standalone: bool, longta
     if not output:
         raise click.UsageError("--output names no file; - is standard output.")
     named = output == "-" or typed("format")
-    chosen = FORMATS[format_name or "text"] if named else for_suffix(output)
+    chosen = FORMATS[format_name or DEFAULT] if named else for_suffix(output)
     if chosen.kind == "compiled":
         _refuse_terminal(chosen.name, output)
-    if standalone and chosen.kind != "compiled" and not chosen.document and typed("standalone"):
-        *documents, last = (name for name, entry in FORMATS.items() if entry.document)
+    if standalone and chosen.kind != "compiled" and not chosen.standalone and typed("standalone"):
+        *documents, last = (name for name, entry in FORMATS.items() if entry.standalone)
         raise click.UsageError(
             f"--standalone is for {', '.join(documents)} and {last}; {chosen.name} has no documents."
         )
-    if longtable and chosen.name != "latex" and typed("longtable"):
-        raise click.UsageError(f"--longtable is for latex; the format is {chosen.name}.")
+    if longtable and not chosen.breaks and typed("longtable"):
+        breaking = ", ".join(name for name, entry in FORMATS.items() if entry.breaks)
+        raise click.UsageError(f"--longtable is for {breaking}; the format is {chosen.name}.")
     return chosen
 
 

@@ -12,8 +12,8 @@ import click
 
 from kurbel.cli.kept import keeper
 from kurbel.cli.options import chosen_format
+from kurbel.formats.format import Format, RecordsFormat
 from kurbel.formats.output import whole_file
-from kurbel.formats.registry import Format
 
 if TYPE_CHECKING:
     from kurbel.page.build import Asked
@@ -43,14 +43,14 @@ class Printing(NamedTuple):
 def print_table(request: Asked, printing: Printing) -> None:
     """Write the table in the format to the file, whole or not at all."""
     chosen = printing.format
-    if chosen.kind != "records" or keeper():
+    if not isinstance(chosen, RecordsFormat) or keeper():
         from kurbel.page.build import build
 
         print_made(build(request), printing)
         return
     from kurbel.formats.streams import record_chunks
 
-    pieces = record_chunks(request, chosen.name, chosen.decimal_name(request.lang, printing.decimal))
+    pieces = record_chunks(request, chosen, chosen.decimal_name(request.lang, printing.decimal))
     _write(pieces, printing.output, len(request))
 
 
@@ -75,19 +75,18 @@ def _write(pieces: Iterator[bytes], output: str, rows: int) -> None:
 
 
 def _rendered(table: Table, printing: Printing) -> Iterator[bytes]:
-    from kurbel.formats.render import is_taller_than_a_page, render
+    from kurbel.formats.render import render
 
     form, output, decimal, standalone, longtable = printing
-    name = form.name
     width = get_terminal_size().columns if output == "-" and sys.stdout.isatty() else None
-    text = render(table, name, decimal=decimal, standalone=standalone, longtable=longtable, width=width)
+    text = render(table, form.name, decimal=decimal, standalone=standalone, longtable=longtable, width=width)
     yield text.encode()
-    if name == "latex" and not (standalone or longtable) and is_taller_than_a_page(table):
+    if not (standalone or longtable) and form.is_tall(table):
         click.echo("kurbel: the table is longer than a page; --longtable lets it break", err=True)
 
 
 def _compiled(table: Table, printing: Printing) -> Iterator[bytes]:
-    from kurbel.formats.pdf import typeset_pdf
+    from kurbel.formats.pdf.by_typst import typeset_pdf
 
     yield typeset_pdf(table, decimal=printing.decimal)
 

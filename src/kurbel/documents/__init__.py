@@ -1,1 +1,1 @@
-"""Prose, whole documents, and marked places in one's own documents."""
+"""Prose, whole documents and marked places as they are in every format."""

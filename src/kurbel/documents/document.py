@@ -8,12 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Literal, NamedTuple
 
-from kurbel.exact.numerals import Label
-from kurbel.formats.registry import DECIMAL_OF_LANGUAGE, DECIMALS, Format
-from kurbel.page.labels import plain, set_label
+from kurbel.exact.numerals import DECIMAL_OF_LANGUAGE, DECIMALS, Label
 
-# What fits one side of a running head.
-HEAD = 44
 # By the language of the document; TeX and Typst have the same words.
 WORDS: Mapping[str, Mapping[str, str]] = {
     "de": {
@@ -103,17 +99,3 @@ class Document(NamedTuple):
         if isinstance(one, Chapter):
             return f"§ {one.number}"
         return f"{WORDS[lang or self.lang][one.kind]} {one.number}"
-
-    def set(self, label: Label, form: Format, lang: str = "") -> str:
-        """Return a title or a caption of a language in a format."""
-        mark = self.mark(lang)
-        return set_label(
-            label, form.escape, lambda formula: form.formula(formula, mark, False), lambda note: ""
-        )
-
-    def set_head(self, label: Label, form: Format, lang: str = "") -> str:
-        """Return a title for a running head: one too long for it is cut, its formulas in one line."""
-        words = plain(label, self.mark(lang))
-        if len(words) <= HEAD:
-            return self.set(label, form, lang)
-        return form.escape(f"{words[: HEAD - 1].rstrip()}…")

@@ -5,14 +5,12 @@ Nothing outside of them is read as text, so whatever stands there, in whatever e
 
 from __future__ import annotations
 
-import os
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple
 
-from kurbel.documents.inject_code import CODE
-from kurbel.errors import ChoiceError, MarkerError
-from kurbel.formats.registry import FORMATS
+from kurbel.documents.inject_code import Code
+from kurbel.errors import MarkerError
 
 EXAMPLE = "table --ratio 1:5"
 BOM = b"\xef\xbb\xbf"
@@ -21,7 +19,7 @@ _WIDE = "kurbel".encode("utf-16-le")[:-1]
 
 
 class Kind(NamedTuple):
-    """A kind of document: how its comments begin and end, and what its tables are written in.
+    """A kind of document: how its comments begin and end, and which of its lines are code.
 
     `comment` finds a marker in a line, with other text or without. `apart` tells that blank lines part a
     table from its markers, `labelled` that its tables have labels, which no two of a document may share.
@@ -29,10 +27,10 @@ class Kind(NamedTuple):
 
     name: str
     suffixes: tuple[str, ...]
-    format: str
     left: str
     right: str
     comment: re.Pattern[bytes]
+    code: Callable[[], Code]
     apart: bool = False
     labelled: bool = True
 
@@ -46,17 +44,8 @@ class Kind(NamedTuple):
         return " ".join(filter(None, (self.left, "/kurbel", self.right)))
 
 
-_MARKUP = re.compile(rb"<!--[ \t]*(?:kurbel:|/kurbel\b)")
-KINDS = (
-    Kind("Markdown", (".md", ".markdown", ".qmd", ".rmd"), "markdown", "<!--", "-->", _MARKUP, True, False),
-    Kind("HTML", (".html", ".htm", ".xhtml"), "html", "<!--", "-->", _MARKUP),
-    # The first percent sign that no backslash makes a sign begins the comment.
-    Kind("LaTeX", (".tex", ".ltx"), "latex", "%", "",
-         re.compile(rb"\A(?:[^\\%]|\\.)*%[ \t]*(?:kurbel:|/kurbel\b)", re.DOTALL)),
-    # Two slashes behind a colon are those of an address.
-    Kind("Typst", (".typ",), "typst", "//", "",
-         re.compile(rb"\A(?:(?!(?<!:)//).)*(?<!:)//[ \t]*(?:kurbel:|/kurbel\b)", re.DOTALL)),
-)  # fmt: skip
+# The comments of markup languages.
+MARKUP_COMMENT = re.compile(rb"<!--[ \t]*(?:kurbel:|/kurbel\b)")
 
 
 class Place(NamedTuple):
@@ -74,19 +63,6 @@ class Place(NamedTuple):
     closing: int
     indent: bytes
     newline: bytes
-
-
-def kind_of(path: str) -> Kind:
-    """Return the kind of a document by the suffix of its name; raise ChoiceError for another one."""
-    kinds = [kind for kind in KINDS if kind.format in FORMATS]
-    suffix = os.path.splitext(path)[1].lower()
-    for kind in kinds:
-        if suffix in kind.suffixes:
-            return kind
-    known = ", ".join(suffix for kind in kinds for suffix in kind.suffixes)
-    raise ChoiceError(
-        f'the name "{path[-60:]}" tells no kind of document with markers; its suffix must be one of {known}'
-    )
 
 
 def places(document: bytes, kind: Kind, name: str) -> tuple[Place, ...]:
@@ -108,7 +84,7 @@ class _Line(NamedTuple):
 
 
 def _places(document: bytes, kind: Kind, name: str) -> Iterator[Place]:
-    code = CODE[kind.name]()
+    code = kind.code()
     opened: tuple[_Line, str] | None = None
     end = len(BOM) if document.startswith(BOM) else 0
     # A document may have millions of lines: nothing is made of those that cannot have a marker.

@@ -1,7 +1,8 @@
-"""The tokens of markdown-it for a text, with formulas as tokens of their own."""
+"""Markdown, in which texts are written: what markdown-it reads in it, and text that it does not obey."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from functools import lru_cache
 from typing import TYPE_CHECKING
@@ -61,3 +62,18 @@ def _formula(state: StateInline, silent: bool) -> bool:
         token.content = state.src[start + 1 : end] if end >= 0 else ""
     state.pos = start + 1 if end < 0 else end + 1
     return True
+
+
+_OBEYED = re.compile(r"[\\`*_\[\]<>|~$]|&(?=[#A-Za-z])")
+# At the start of a line these make a list or a heading.
+_START = re.compile(r"^( *)([-+=]|#+|[0-9]+(?=[.)](?: |$)))(?=[ .)]|$)")
+
+
+def escaped(text: str) -> str:
+    """Return a text so that every character of it is printed and none obeyed."""
+    return _START.sub(_escape_start, _OBEYED.sub(r"\\\g<0>", text))
+
+
+def _escape_start(match: re.Match[str]) -> str:
+    space, start = match.groups()
+    return f"{space}{start}\\" if start.isdigit() else f"{space}\\{start}"

@@ -8,6 +8,9 @@ from typing import NamedTuple
 ROUNDINGS = ("half-away", "half-even")
 MOST_DIGITS = 50
 
+DECIMALS = {"comma": ",", "point": "."}
+DECIMAL_OF_LANGUAGE = {"de": "comma", "en": "point"}
+
 # Prose with formulas between dollar signs, in the notation of page/labels.py.
 Label = str
 

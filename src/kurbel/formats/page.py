@@ -12,7 +12,7 @@ from itertools import accumulate, groupby, islice, pairwise, zip_longest
 from typing import Literal, NamedTuple
 
 from kurbel.exact.numerals import Label, Number, number_text
-from kurbel.formats.registry import Format
+from kurbel.formats.format import PageFormat
 from kurbel.page.labels import plain, set_label
 from kurbel.page.table import DITTO, Cell, Column, Panel, Table
 
@@ -117,7 +117,7 @@ class Page(NamedTuple):
     words: dict[str, str]
 
 
-def page(table: Table, form: Format, mark: str) -> Page:
+def page(table: Table, form: PageFormat, mark: str) -> Page:
     """Return the table as text in one format, with the given decimal mark."""
     setter = Setter(table, form, mark)
     panels = tuple(setter.panel(panel) for panel in table.panels)
@@ -148,7 +148,7 @@ def words(lang: str) -> dict[str, str]:
 class Setter:
     """Sets the parts of one table in one format."""
 
-    def __init__(self, table: Table, form: Format, mark: str) -> None:
+    def __init__(self, table: Table, form: PageFormat, mark: str) -> None:
         self.table = table
         self.form = form
         self.mark = mark

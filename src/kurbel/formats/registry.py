@@ -1,138 +1,65 @@
-"""The registry of output formats. Cheap to import: the help text and shell completion read it."""
+"""The registry of output formats: the folders beside this file, each with its `FORMAT`."""
 
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Literal, NamedTuple, cast
+from collections.abc import Iterator, Mapping
+from functools import cache
+from importlib import import_module
+from typing import TYPE_CHECKING, cast
 
+import kurbel.formats
 from kurbel.errors import ChoiceError
+from kurbel.exact.numerals import DECIMAL_OF_LANGUAGE as DECIMAL_OF_LANGUAGE
+from kurbel.exact.numerals import DECIMALS as DECIMALS
+from kurbel.formats.format import Format as Format
+from kurbel.formats.format import PageFormat
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from kurbel.documents.inject import Kind
 
-    from kurbel.page.formula import Formula
-
-DECIMALS = {"comma": ",", "point": "."}
-DECIMAL_OF_LANGUAGE = {"de": "comma", "en": "point"}
+# What is printed where nobody asks for a format.
+DEFAULT = "text"
 
 
-class Format(NamedTuple):
-    """What distinguishes one format from another, apart from its templates.
+class _Formats(Mapping[str, Format]):
+    """The formats by their names, in their order; asked for by name, only its own folder is read.
 
-    `decimal` is "language" or "point": where the decimal mark comes from unless the user sets it.
-    `document` tells that a standalone page differs from a fragment. Formats of pages also set labels, with
-    functions that carry their name and are looked up when the first label is set, to keep the registry cheap.
-    A compiled format is bytes, made of the document in another format.
+    A folder elsewhere joins them once its parent is on `kurbel.formats.__path__`.
     """
 
-    name: str
-    suffixes: tuple[str, ...]
-    media: str
-    kind: Literal["page", "records", "compiled"]
-    decimal: Literal["language", "point"]
-    minus: str = "−"
-    missing: str = "–"
-    document: bool = False
+    def __getitem__(self, name: str) -> Format:
+        if name not in _folders(*kurbel.formats.__path__):
+            raise KeyError(name)
+        return _format(name)
 
-    @property
-    def escape(self) -> Callable[[str], str]:
-        """The function that sets prose."""
-        from kurbel.formats import escapes
+    def __iter__(self) -> Iterator[str]:
+        return iter(_in_order(*kurbel.formats.__path__))
 
-        return cast("Callable[[str], str]", getattr(escapes, f"escape_{self.name}"))
-
-    @property
-    def note_mark(self) -> Callable[[str, str], str]:
-        """The function that sets a mark and a link to the note of the given name.
-
-        The name is empty for the mark before the note itself.
-        """
-        from kurbel.formats import escapes
-
-        return cast("Callable[[str, str], str]", getattr(escapes, f"mark_{self.name}"))
-
-    @property
-    def finish(self) -> Callable[[str], str]:
-        """The function that a label goes through when all its parts are set; most formats have none."""
-        from kurbel.formats import escapes
-
-        return cast("Callable[[str], str]", getattr(escapes, f"finish_{self.name}", str))
-
-    @property
-    def formula(self) -> Callable[[Formula, str, bool], str]:
-        """The function that sets a formula with a decimal mark, and on wish with fractions of full size."""
-        from kurbel.formats import formula_print
-
-        return cast("Callable[[Formula, str, bool], str]", getattr(formula_print, f"formula_{self.name}"))
-
-    def decimal_name(self, lang: str, decimal: str | None = None) -> str:
-        """Return "comma" or "point": what the user asks for, else the rule of the format."""
-        if decimal is not None:
-            if decimal not in DECIMALS:
-                raise ChoiceError(f"decimal mark is {decimal!r}; it must be {' or '.join(DECIMALS)}")
-            return decimal
-        return DECIMAL_OF_LANGUAGE.get(lang, "point") if self.decimal == "language" else "point"
-
-    def decimal_mark(self, lang: str, decimal: str | None = None) -> str:
-        """Return the character "," or "."."""
-        return DECIMALS[self.decimal_name(lang, decimal)]
+    def __len__(self) -> int:
+        return len(_folders(*kurbel.formats.__path__))
 
 
-FORMATS = {
-    entry.name: entry
-    for entry in (
-        Format(
-            "text",
-            (".txt",),
-            "plain text for terminals and e-mail",
-            "page",
-            "language",
-        ),
-        Format(
-            "markdown",
-            (".md",),
-            "Markdown tables as GitHub and most wikis read them",
-            "page",
-            "language",
-        ),
-        Format(
-            "latex",
-            (".tex",),
-            r"LaTeX with booktabs rules, for \input or as a document",
-            "page",
-            "language",
-            minus="$-$",
-            missing="--",
-            document=True,
-        ),
-        Format(
-            "html",
-            (".html", ".htm"),
-            "HTML with MathML, for a page or as a page",
-            "page",
-            "language",
-            document=True,
-        ),
-        Format(
-            "typst",
-            (".typ",),
-            "Typst, for #include or as a document",
-            "page",
-            "language",
-            document=True,
-        ),
-        Format("pdf", (".pdf",), "PDF by Typst, always a document", "compiled", "language"),
-        Format("csv", (".csv",), "one record a line, for spreadsheets", "records", "point", minus="-"),
-        Format(
-            "json",
-            (".json",),
-            "one object with columns and rows, for programs",
-            "records",
-            "point",
-            minus="-",
-        ),
+@cache
+def _folders(*path: str) -> frozenset[str]:
+    return frozenset(
+        entry.name
+        for place in path
+        for entry in os.scandir(place)
+        if os.path.exists(f"{entry.path}/__init__.py")
     )
-}
+
+
+@cache
+def _in_order(*path: str) -> tuple[str, ...]:
+    return tuple(sorted(_folders(*path), key=lambda name: _format(name).rank))
+
+
+def _format(name: str) -> Format:
+    return cast("Format", import_module(f"kurbel.formats.{name}").FORMAT)
+
+
+FORMATS: Mapping[str, Format] = _Formats()
 
 
 def by_name(name: str) -> Format:
@@ -140,6 +67,14 @@ def by_name(name: str) -> Format:
     if name not in FORMATS:
         raise ChoiceError(f"format is {name!r}; it must be one of {', '.join(FORMATS)}")
     return FORMATS[name]
+
+
+def page_format(name: str) -> PageFormat:
+    """Return the format of pages of that name; raise ChoiceError if there is none."""
+    form = by_name(name)
+    if not isinstance(form, PageFormat):
+        raise ChoiceError(f"{name} is no format of pages")
+    return form
 
 
 def for_suffix(path: str) -> Format:
@@ -150,3 +85,22 @@ def for_suffix(path: str) -> Format:
             return entry
     known = ", ".join(suffix for entry in FORMATS.values() for suffix in entry.suffixes)
     raise ChoiceError(f"the file name {str(path)!r} names no format; its suffix must be one of {known}")
+
+
+def kinds() -> list[tuple[PageFormat, Kind]]:
+    """Return the formats whose documents can have marked places; those whose comments have an end first."""
+    pages = [form for form in FORMATS.values() if isinstance(form, PageFormat)]
+    found = [(form, kind) for form in pages if (kind := form.marked())]
+    return sorted(found, key=lambda one: not one[1].right)
+
+
+def kind_of(path: str) -> tuple[PageFormat, Kind]:
+    """Return the format of a document with marked places, and its kind, by the suffix of its name."""
+    suffix = os.path.splitext(path)[1].lower()
+    for form, kind in kinds():
+        if suffix in kind.suffixes:
+            return form, kind
+    known = ", ".join(suffix for _, kind in kinds() for suffix in kind.suffixes)
+    raise ChoiceError(
+        f'the name "{path[-60:]}" tells no kind of document with markers; its suffix must be one of {known}'
+    )

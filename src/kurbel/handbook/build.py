@@ -8,8 +8,8 @@ import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from kurbel.documents.registry import MODULES as DOCUMENTS
 from kurbel.errors import HandbookError, KurbelError
+from kurbel.formats.registry import FORMATS
 from kurbel.handbook.folder import Folder, digest
 from kurbel.handbook.keys import ENGINES
 from kurbel.handbook.manifest import Manifest, Part
@@ -215,7 +215,7 @@ class Build:
     def make_documents(self) -> None:
         """Make the documents whose contents changed, from the parts as they are now."""
         chapters = self.planned()
-        keys = {name: self.stale_key(name, chapters) for name in DOCUMENTS if name in self.formats}
+        keys = {name: self.stale_key(name, chapters) for name in self.formats if FORMATS[name].figures}
         stale = {name: key for name, key in keys.items() if key is not None}
         if stale:
             document = document_of(self.manifest, chapters)

@@ -9,6 +9,7 @@ from itertools import islice
 from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
+from kurbel.formats.registry import FORMATS
 from kurbel.handbook.build import CONTENTS, build, contents_in
 from kurbel.handbook.folder import OWN, Folder
 from kurbel.handbook.manifest import Manifest
@@ -17,7 +18,12 @@ from kurbel.handbook.state import files_below
 
 # A reader wants to see what changed, not all that did: of each table one difference, in the first of these
 # formats, of documents none beside those of tables.
-READABLE = (".csv", ".txt", ".md", ".tex", ".typ", ".html", ".json")
+READABLE = tuple(
+    suffix
+    for form in sorted(FORMATS.values(), key=lambda form: form.legible)
+    if form.legible
+    for suffix in form.suffixes
+)
 MOST_LINES, WIDEST = 40, 160
 OF_PARTS = ("tables/", "figures/")
 

@@ -11,6 +11,7 @@ from contextlib import contextmanager, suppress
 
 from kurbel.errors import HandbookError, OutputError
 from kurbel.formats.output import whole_file
+from kurbel.formats.registry import FORMATS
 
 # What is only of use on this machine: the lock and what the last build knew.
 OWN = ".kurbel"
@@ -124,7 +125,7 @@ class Folder:
             os.close(handle)
 
     def _remove_left_over(self) -> None:
-        for part in ("", OWN, "tables", "figures", "markdown"):
+        for part in ("", OWN, "tables", "figures", *filter(None, (form.folder for form in FORMATS.values()))):
             # A link in place of a folder leads to files of others.
             with suppress(OSError, HandbookError):
                 self._check(f"{part}/" if part else "")

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping
 from functools import cache
 from typing import Any, NamedTuple
 
-from kurbel.formats.pdf import STANDARDS
+from kurbel.formats.pdf.by_typst import STANDARDS
 from kurbel.formats.registry import DECIMALS, FORMATS
 from kurbel.page.layouts import LANGUAGES
 

@@ -31,6 +31,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from kurbel.errors import ChoiceError, HandbookError, LayoutError
+from kurbel.formats.registry import FORMATS
 from kurbel.handbook.keys import ENGINES, KEYS, Key, default_options
 from kurbel.page.labels import Mark, parse
 from kurbel.page.layouts import LANGUAGES
@@ -39,7 +40,12 @@ from kurbel.reading.toml_file import Place, TomlKind, key_lines, parsed, shown, 
 
 NAME = "handbook.toml"
 KIND = TomlKind("handbook", HandbookError, 2_000_000, "a handbook has chapters with parts", "appendix/")
-FORMATS_OF_A_HANDBOOK = ("html", "latex", "markdown", "csv", "json")
+FORMATS_OF_A_HANDBOOK = tuple(
+    sorted(
+        (name for name, form in FORMATS.items() if form.usual),
+        key=lambda name: (FORMATS[name].kind == "records", name),
+    )
+)
 MOST_PARTS = 10_000
 LONGEST_NAME = 60
 

@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING, NamedTuple, cast
 
 from kurbel.documents.document import Chapter, Document, Item
 from kurbel.errors import HandbookError, KurbelError
-from kurbel.formats.registry import by_name
+from kurbel.formats.registry import FORMATS
 from kurbel.handbook.folder import LARGEST
 from kurbel.handbook.keys import ENGINES
 from kurbel.handbook.manifest import ChapterPlan, Manifest, Part
-from kurbel.handbook.parts import FIGURES, GIGABYTES, PATIENCE, PDF, PDF_PATIENCE
+from kurbel.handbook.parts import GIGABYTES, PATIENCE, PDF, PDF_PATIENCE
 from kurbel.reading.choices import did_you_mean
 
 if TYPE_CHECKING:
-    from kurbel.formats.pdf import Standard
+    from kurbel.formats.pdf.by_typst import Standard
 
 WORDS = {"de": "Fehlt", "en": "Missing"}
 
@@ -118,9 +118,10 @@ def _item(entry: Entry, counts: dict[str, int], above: list[int]) -> Item:
 
 def _missing(entry: Entry, lang: str) -> str:
     """Return a text that nobody overlooks in place of what is not there."""
-    escape = by_name("markdown").escape
+    from kurbel.documents.markdown_it import escaped
+
     what = entry.part.shown if entry.part.words else entry.part.file or entry.part.text[:40]
-    what, said = (escape(_printable(text)) for text in (what, entry.said))
+    what, said = (escaped(_printable(text)) for text in (what, entry.said))
     return f"> **{WORDS[lang]}: {what}.** {said}"
 
 
@@ -131,17 +132,17 @@ def _printable(text: str) -> str:
 
 def fragment_paths(chapters: Sequence[PlannedChapter], name: str) -> dict[str, str]:
     """Return, by the names of tables and figures, the files that a document of the format is made of."""
-    form = by_name(name)
+    form = FORMATS[name]
     paths = {}
     for entry in (entry for chapter in chapters for entry in chapter.entries if entry.about):
         stem, is_table = entry.part.name, entry.about[0] == "table"
-        paths[stem] = f"tables/{stem}{form.suffixes[0]}" if is_table else f"figures/{stem}.{FIGURES[name]}"
+        paths[stem] = f"tables/{stem}{form.suffixes[0]}" if is_table else f"figures/{stem}.{form.figures}"
     return paths
 
 
 def make_document(task: PageTask) -> dict[str, bytes] | str:
     """Return the files of a document, or in a sentence why it cannot be made."""
-    from kurbel.documents.registry import document_files
+    from kurbel.formats.documents import document_files
     from kurbel.handbook.pool import deadline
 
     try:
@@ -165,11 +166,11 @@ def make_pdf(task: PdfTask) -> dict[str, bytes] | str:
 
 
 def _set(task: PdfTask) -> bytes:
-    from kurbel.formats.pdf import compile_typst, source_date_epoch
+    from kurbel.formats.pdf.by_typst import compile_typst, source_date_epoch
 
     if ENGINES[task.engine].source == "typst":
         source = _text_of(os.path.join(task.folder, "handbook.typ"), LARGEST)
         return compile_typst(source, root=task.folder, standards=cast("Sequence[Standard]", task.standards))
-    from kurbel.formats.pdf_tex import compile_tex
+    from kurbel.formats.pdf.by_tex import compile_tex
 
     return compile_tex(task.folder, "handbook", task.engine, source_date_epoch() or 0)

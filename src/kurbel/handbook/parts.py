@@ -18,8 +18,6 @@ STOPPED = f"its templates were stopped after {PATIENCE:.0f} s, or at {GIGABYTES}
 # A document that they wrote has so many to be set by Typst; a TeX is stopped by itself.
 PDF_PATIENCE = 300.0
 PDF_STOPPED = f"Typst was stopped after {PDF_PATIENCE:.0f} s"
-# What a document is made of beside its own format: figures as these files.
-FIGURES = {"html": "svg", "markdown": "svg", "typst": "svg", "latex": "pdf"}
 
 
 class Task(NamedTuple):
@@ -80,5 +78,6 @@ def formats_of(manifest: Manifest) -> tuple[str, ...]:
 def task_of(manifest: Manifest, part: Part) -> Task:
     """Return what makes the part."""
     formats = formats_of(manifest)
-    figures = tuple(sorted({FIGURES[name] for name in formats if name in FIGURES}))
+    # What documents are made of beside their own format.
+    figures = tuple(sorted({FORMATS[name].figures for name in formats} - {""}))
     return Task(part, manifest.folder, manifest.machine, manifest.templates, formats, figures, PATIENCE)

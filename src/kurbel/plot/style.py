@@ -14,10 +14,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.errors import MissingExtraError
 from kurbel.exact.numerals import Label
-from kurbel.formats.escapes import escape_latex, mark_text
-from kurbel.formats.formula_print import formula_latex
-from kurbel.page.formula import GREEK, SIGNS, SYMBOLS, Formula
+from kurbel.formats.tex_math import TexMath
+from kurbel.page.formula import Formula
 from kurbel.page.labels import set_label
+from kurbel.page.plain import mark_text
 from kurbel.reading.choices import choose
 
 if TYPE_CHECKING:
@@ -150,12 +150,8 @@ def image(figure: Figure, name: str, title: str = "") -> bytes:
     return stream.getvalue()
 
 
-# What escape_latex makes of the signs in upright text, which mathtext takes as they are.
-_ESCAPED = {
-    escaped: sign
-    for sign in "".join((*GREEK, *SIGNS, *SYMBOLS, "[]*~^`"))
-    if (escaped := escape_latex(sign)) not in (sign, f"\\{sign}")
-}
+# What mathtext obeys in upright text.
+_OBEYED = str.maketrans({character: f"\\{character}" for character in "#$%&_{}"})
 # mathtext sets a colon as a relation, with wide spaces, even in braces.
 _COLON = r"\text{:}"
 _SHORT = re.compile(r"\\(le|ge)(?![A-Za-z])")
@@ -172,11 +168,9 @@ def _prose(text: str) -> str:
 
 
 def _mathtext(formula: Formula, mark: str) -> str:
-    """Return a formula in mathtext, which is LaTeX but for a few commands."""
-    latex = formula_latex(formula, mark)[1:-1]
-    for escaped, sign in _ESCAPED.items():
-        latex = latex.replace(escaped, sign)
-    return f"${_SHORT.sub(_long_name, latex.replace('{:}', _COLON))}$"
+    """Return a formula in mathtext, which is TeX's but for a few commands."""
+    tex = TexMath(mark, lambda text: text.translate(_OBEYED)).set(formula.content)
+    return f"${_SHORT.sub(_long_name, tex.replace('{:}', _COLON))}$"
 
 
 def _long_name(match: re.Match[str]) -> str:

@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
 
 from kurbel.documents.document import Chapter, Document, Item
-from kurbel.documents.references import label_of, number_of, text_setter
-from kurbel.formats.registry import by_name
+from kurbel.formats.documents import label_of, number_of, text_setter, titled
+from kurbel.formats.markdown import FORMAT
 from kurbel.formats.render import render_document
 from kurbel.page.labels import plain
 
@@ -40,11 +40,10 @@ class MarkdownChapter(NamedTuple):
 
 def files(document: Document, fragments: Mapping[str, str], templates: str | None = None) -> dict[str, str]:
     """Return markdown/index.md and a page for each chapter."""
-    form = by_name("markdown")
-    text = text_setter(document, form, "-", 1, lambda chapter: f"{_file(document, chapter)}#")
+    text = text_setter(document, FORMAT, "-", 1, lambda chapter: f"{_file(document, chapter)}#")
     chapters = [
         MarkdownChapter(
-            title := document.set(chapter.title, form, chapter.lang),
+            title := titled(document, chapter.title, FORMAT, chapter.lang),
             _heading(title),
             label_of(chapter, "-"),
             _file(document, chapter),
@@ -52,23 +51,23 @@ def files(document: Document, fragments: Mapping[str, str], templates: str | Non
         )
         for chapter in document.chapters
     ]
-    title = document.set(document.title, form)
+    title = titled(document, document.title, FORMAT)
     common = {
         "words": document.words,
         "title": title,
         "heading": _heading(title),
-        "subtitle": document.set(document.subtitle, form),
-        "author": document.set(document.author, form),
+        "subtitle": titled(document, document.subtitle, FORMAT),
+        "author": titled(document, document.author, FORMAT),
         "chapters": chapters,
     }
-    pages = {"markdown/index.md": render_document("markdown", "index", common, templates)}
+    pages = {"markdown/index.md": render_document(FORMAT, "index", common, templates)}
     for place, chapter in enumerate(chapters):
         values = common | {
             "chapter": chapter,
             "before": chapters[place - 1] if place else None,
             "after": chapters[place + 1] if place + 1 < len(chapters) else None,
         }
-        pages[f"markdown/{chapter.file}"] = render_document("markdown", "chapter", values, templates)
+        pages[f"markdown/{chapter.file}"] = render_document(FORMAT, "chapter", values, templates)
     return pages
 
 
@@ -84,7 +83,6 @@ def _heading(title: str) -> str:
 def _parts(
     document: Document, chapter: Chapter, fragments: Mapping[str, str], text: Callable[[Item], str]
 ) -> Iterator[MarkdownPart]:
-    form = by_name("markdown")
     for item in chapter.items:
         if item.kind == "text":
             yield MarkdownPart("text", "", "", "", "", "", text(item))
@@ -94,7 +92,7 @@ def _parts(
                 item.name,
                 label_of(item, "-"),
                 number_of(item),
-                document.set(item.caption, form, item.lang),
-                form.escape(plain(item.caption, document.mark(item.lang))),
+                titled(document, item.caption, FORMAT, item.lang),
+                FORMAT.escape(plain(item.caption, document.mark(item.lang))),
                 fragments[item.name] if item.kind == "table" else "",
             )

@@ -21,8 +21,8 @@ from kurbel.documents.prose import (
     Strong,
     Text,
 )
-from kurbel.documents.prose_print import ProsePrinter, Reference, is_own
-from kurbel.formats.escapes import escape_latex, string_latex
+from kurbel.formats.latex.escapes import escape, string
+from kurbel.formats.printer import ProsePrinter, Reference, is_own
 from kurbel.page.formula import Formula
 from kurbel.page.plain import formula_plain
 
@@ -52,7 +52,7 @@ class Printer(ProsePrinter):
         section = _SECTIONS[max(1, min(level, len(_SECTIONS))) - 1]
         title = self.inlines(content)
         # Bookmarks hold nothing but characters.
-        bookmark = string_latex(self._plain(content))
+        bookmark = string(self._plain(content))
         if bookmark != title:
             title = rf"\texorpdfstring{{{title}}}{{{bookmark}}}"
         return rf"\{section}{{{title}}}"
@@ -178,7 +178,7 @@ def _escaped(text: str) -> str:
 
     There an empty group does not part --, and any straight quotation mark but that of \\textquotedbl is bent.
     """
-    escaped = escape_latex(text).replace(r"\char34{}", r"\textquotedbl{}")
+    escaped = escape(text).replace(r"\char34{}", r"\textquotedbl{}")
     return _PARTED.sub(r"\1{\\kern0pt}", escaped)
 
 

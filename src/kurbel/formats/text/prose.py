@@ -5,7 +5,7 @@ from __future__ import annotations
 from textwrap import fill
 
 from kurbel.documents.prose import Blocks, Grid, Inlines, Listing
-from kurbel.documents.prose_print import ProsePrinter, Reference, indented, is_own
+from kurbel.formats.printer import ProsePrinter, Reference, indented, is_own
 
 _WIDTH = 78
 # A list in a list in a quotation keeps some room.

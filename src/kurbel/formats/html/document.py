@@ -7,11 +7,11 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
 
 from kurbel.documents.document import Document, Item
-from kurbel.documents.references import label_of, number_of, text_setter
-from kurbel.formats.html_width import width_in_ems
-from kurbel.formats.registry import by_name
+from kurbel.formats.documents import label_of, number_of, text_setter, titled
+from kurbel.formats.html import FORMAT
+from kurbel.formats.html.svg import inline
+from kurbel.formats.html.width import width_in_ems
 from kurbel.formats.render import render_document
-from kurbel.formats.svg_inline import inline
 from kurbel.page.labels import plain
 
 NAME = "handbook.html"
@@ -62,18 +62,17 @@ def files(document: Document, fragments: Mapping[str, str], templates: str | Non
 
     `fragments` has the HTML of each table and the SVG file of each figure by its name.
     """
-    form = by_name("html")
     mark = document.mark()
     page = render_document(
-        form.name,
+        FORMAT,
         "handbook",
         {
             "document": document,
-            "title": document.set(document.title, form),
-            "subtitle": document.set(document.subtitle, form),
-            "author": document.set(document.author, form),
-            "plain_title": form.escape(plain(document.title, mark)),
-            "plain_author": form.escape(plain(document.author, mark)),
+            "title": titled(document, document.title, FORMAT),
+            "subtitle": titled(document, document.subtitle, FORMAT),
+            "author": titled(document, document.author, FORMAT),
+            "plain_title": FORMAT.escape(plain(document.title, mark)),
+            "plain_author": FORMAT.escape(plain(document.author, mark)),
             "head": css_string(plain(document.title, mark)),
             "sections": [*_sections(document, fragments)],
             "words": {**document.words, **WORDS[document.lang]},
@@ -92,12 +91,12 @@ def css_string(text: str) -> str:
 
 def _sections(document: Document, fragments: Mapping[str, str]) -> Iterator[Section]:
     # The page has one heading above the chapters.
-    text = text_setter(document, by_name("html"), "-", 2, lambda chapter: "#")
+    text = text_setter(document, FORMAT, "-", 2, lambda chapter: "#")
     for chapter in document.chapters:
         yield Section(
             chapter.number,
             label_of(chapter, "-"),
-            document.set(chapter.title, by_name("html"), chapter.lang),
+            titled(document, chapter.title, FORMAT, chapter.lang),
             css_string(plain(chapter.title, document.mark(chapter.lang))),
             _other(document, chapter.lang),
             tuple(_part(document, item, fragments, text) for item in chapter.items),
@@ -114,7 +113,7 @@ def _part(document: Document, item: Item, fragments: Mapping[str, str], text: Ca
     if item.kind == "text":
         return Part("text", "", "", "", lang, text(item))
     target, number = label_of(item, "-"), number_of(item)
-    caption = document.set(item.caption, by_name("html"), item.lang)
+    caption = titled(document, item.caption, FORMAT, item.lang)
     fragment = fragments[item.name]
     if item.kind == "table":
         content = _numbered(_REMARK.sub("", fragment), target)

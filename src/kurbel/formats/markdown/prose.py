@@ -17,7 +17,7 @@ from kurbel.documents.prose import (
     Strong,
     Text,
 )
-from kurbel.documents.prose_print import ProsePrinter, Reference, indented
+from kurbel.formats.printer import ProsePrinter, Reference, indented
 
 # What would begin a list, a heading, a rule, or underline the line before as a heading or a table.
 _START = re.compile(r"^(?:[-+=#:]|[0-9]{1,9}(?=[.)]))", re.MULTILINE)

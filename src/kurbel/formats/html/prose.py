@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from kurbel.documents.prose import Align, Blocks, Grid, Inlines, Listing, Paragraph
-from kurbel.documents.prose_print import ProsePrinter, Reference
-from kurbel.formats.escapes import escape_html
+from kurbel.formats.html.escapes import escape
+from kurbel.formats.printer import ProsePrinter, Reference
 
 
 class Printer(ProsePrinter):
@@ -22,7 +22,7 @@ class Printer(ProsePrinter):
 
     def code_block(self, lines: tuple[str, ...]) -> str:
         # A long line scrolls, also by the keyboard.
-        code = escape_html("".join(f"{line}\n" for line in lines))
+        code = escape("".join(f"{line}\n" for line in lines))
         return f'<pre tabindex="0"><code>{code}</code></pre>'
 
     def quote(self, content: Blocks) -> str:
@@ -63,7 +63,7 @@ class Printer(ProsePrinter):
         return f"<tr>{''.join(tags)}</tr>"
 
     def code(self, text: str) -> str:
-        return f"<code>{escape_html(text)}</code>"
+        return f"<code>{escape(text)}</code>"
 
     def line_break(self) -> str:
         return "<br>\n"
@@ -75,11 +75,11 @@ class Printer(ProsePrinter):
         return f"<strong>{self.inlines(content)}</strong>"
 
     def link(self, address: str, content: Inlines) -> str:
-        return f'<a href="{escape_html(address)}">{self.inlines(content)}</a>'
+        return f'<a href="{escape(address)}">{self.inlines(content)}</a>'
 
     def reference(self, reference: Reference, content: Inlines) -> str:
-        text = self.inlines(content) or escape_html(reference.text)
-        return f'<a href="{escape_html(reference.target)}">{text}</a>'
+        text = self.inlines(content) or escape(reference.text)
+        return f'<a href="{escape(reference.target)}">{text}</a>'
 
 
 def _style(align: Align | None) -> str:

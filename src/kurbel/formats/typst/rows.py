@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from kurbel.formats.escapes import string_typst
 from kurbel.formats.page import Page, PageCell, PagePanel
-from kurbel.formats.texwidth import column_widths, em, spare_widths
+from kurbel.formats.typst.escapes import string
+from kurbel.formats.widths import column_widths, em, spare_widths
 
 
 class TypstLayout(NamedTuple):
@@ -54,7 +54,7 @@ def typst_layout(page: Page, ready: Page) -> TypstLayout:
     width = sum(widths) + 2 * MARGIN * len(widths) + GUTTER * (len(widths) - 1)
     rows = tuple(_rows(page))
     return TypstLayout(
-        label=string_typst(f"tab-{page.key}"),
+        label=string(f"tab-{page.key}"),
         width=round(width, 1),
         height=round(_rows_height(ready) + _notes_height(page, max(width, NARROWEST_NOTE)), 1),
         widest=tuple(map(_widest_rows, page.panels, ready.panels)),

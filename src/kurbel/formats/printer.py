@@ -1,13 +1,9 @@
-"""Free text in print: what the writers of all formats share.
-
-A new format adds a module prose_<format> with a `Printer`, which `set_prose` finds by this name.
-"""
+"""Free text in print: what the printers of all formats share."""
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable
-from importlib import import_module
 from typing import Literal, NamedTuple
 from urllib.parse import unquote
 
@@ -31,7 +27,7 @@ from kurbel.documents.prose import (
     Strong,
     Text,
 )
-from kurbel.formats.registry import Format
+from kurbel.formats.format import PageFormat
 from kurbel.page.formula import Formula
 
 
@@ -50,20 +46,19 @@ class Reference(NamedTuple):
 Find = Callable[[str], Reference]
 
 
-def set_prose(blocks: Blocks, form: Format, mark: str, refer: Find, level: int = 1) -> str:
+def set_prose(blocks: Blocks, form: PageFormat, mark: str, refer: Find, level: int = 1) -> str:
     """Return a text in a format, its last line ended.
 
     `mark` is the decimal mark of numbers in formulas; `refer` returns what a name refers to, or raises;
     `level` is how many levels of headings stand above the text: at 1 its # is a section below a chapter.
     """
-    printer: type[ProsePrinter] = import_module(f"kurbel.documents.prose_{form.name}").Printer
-    return printer(form, mark, refer, level).document(blocks)
+    return form.printer()(form, mark, refer, level).document(blocks)
 
 
 class ProsePrinter(ABC):
     """Sets blocks and inlines; each format says how."""
 
-    def __init__(self, form: Format, mark: str, refer: Find, level: int) -> None:
+    def __init__(self, form: PageFormat, mark: str, refer: Find, level: int) -> None:
         self.form = form
         self.mark = mark
         self.refer = refer

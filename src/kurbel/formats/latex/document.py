@@ -11,9 +11,9 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
 
 from kurbel.documents.document import WORDS, Chapter, Document, Item
-from kurbel.documents.references import label_of, text_setter
-from kurbel.formats.escapes import string_latex
-from kurbel.formats.registry import Format, by_name
+from kurbel.formats.documents import head_of, label_of, text_setter, titled
+from kurbel.formats.latex import FORMAT
+from kurbel.formats.latex.escapes import string
 from kurbel.formats.render import render_document
 from kurbel.page.labels import plain
 
@@ -48,15 +48,14 @@ class TexChapter(NamedTuple):
 
 def files(document: Document, fragments: Mapping[str, str], templates: str | None = None) -> dict[str, str]:
     """Return appendix.tex and handbook.tex; `fragments` are the tables that they input."""
-    form = by_name("latex")
     # A chapter is a section, and what stands below it a subsection.
-    text = text_setter(document, form, ":", 2)
+    text = text_setter(document, FORMAT, ":", 2)
     chapters = tuple(_chapter(document, chapter, fragments, text) for chapter in document.chapters)
     values = {
         "document": document,
-        "title": _title(document, document.title, form),
-        "subtitle": document.set(document.subtitle, form),
-        "author": _title(document, document.author, form),
+        "title": _title(document, document.title),
+        "subtitle": titled(document, document.subtitle, FORMAT),
+        "author": _title(document, document.author),
         "words": document.words,
         "languages": _languages(document),
         "chapters": chapters,
@@ -64,14 +63,14 @@ def files(document: Document, fragments: Mapping[str, str], templates: str | Non
         "linked": any(document.items("text")),
     }
     return {
-        f"{name}.tex": render_document("latex", name, values, templates) for name in ("appendix", "handbook")
+        f"{name}.tex": render_document(FORMAT, name, values, templates) for name in ("appendix", "handbook")
     }
 
 
 def _chapter(
     document: Document, chapter: Chapter, fragments: Mapping[str, str], text: Callable[[Item], str]
 ) -> TexChapter:
-    title = _title(document, chapter.title, by_name("latex"), chapter.lang)
+    title = _title(document, chapter.title, chapter.lang)
     return TexChapter(title, label_of(chapter, ":"), tuple(_parts(document, chapter, fragments, text)))
 
 
@@ -84,7 +83,7 @@ def _parts(
             yield TexPart("text", "", "", text(item), language, False)
         else:
             long = item.kind == "table" and r"\begin{longtable}" in fragments[item.name]
-            caption = document.set(item.caption, by_name("latex"), item.lang)
+            caption = titled(document, item.caption, FORMAT, item.lang)
             yield TexPart(item.kind, item.name, label_of(item, ":"), caption, language, long)
 
 
@@ -98,6 +97,6 @@ def _languages(document: Document) -> str:
     return ",".join([*others, f"main={document.words['babel']}"])
 
 
-def _title(document: Document, label: str, form: Format, lang: str = "") -> TexTitle:
-    words = string_latex(plain(label, document.mark(lang)))
-    return TexTitle(document.set(label, form, lang), words, document.set_head(label, form, lang))
+def _title(document: Document, label: str, lang: str = "") -> TexTitle:
+    words = string(plain(label, document.mark(lang)))
+    return TexTitle(titled(document, label, FORMAT, lang), words, head_of(document, label, FORMAT, lang))

@@ -8,10 +8,10 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
 
 from kurbel.documents.document import WORDS, Chapter, Document, Item
-from kurbel.documents.references import label_of, text_setter
-from kurbel.formats.escapes import string_typst
-from kurbel.formats.registry import Format, by_name
+from kurbel.formats.documents import head_of, label_of, text_setter, titled
 from kurbel.formats.render import render_document
+from kurbel.formats.typst import FORMAT
+from kurbel.formats.typst.escapes import string
 from kurbel.page.labels import plain
 
 # The text is 42 em wide.
@@ -52,27 +52,26 @@ class TypstChapter(NamedTuple):
 
 def files(document: Document, fragments: Mapping[str, str], templates: str | None = None) -> dict[str, str]:
     """Return handbook.typ, which includes the fragments as files of the folder tables."""
-    form = by_name("typst")
-    text = text_setter(document, form, "-", 1)
+    text = text_setter(document, FORMAT, "-", 1)
     values = {
         "document": document,
-        "title": _title(document, document.title, form),
-        "subtitle": _title(document, document.subtitle, form),
-        "author": _title(document, document.author, form),
+        "title": _title(document, document.title),
+        "subtitle": _title(document, document.subtitle),
+        "author": _title(document, document.author),
         "words": document.words,
         "languages": WORDS,
         "chapters": [_chapter(document, chapter, fragments, text) for chapter in document.chapters],
         "kinds": {item.kind for item in document.items("table", "figure")},
     }
-    return {"handbook.typ": render_document("typst", "handbook", values, templates)}
+    return {"handbook.typ": render_document(FORMAT, "handbook", values, templates)}
 
 
 def _chapter(
     document: Document, chapter: Chapter, fragments: Mapping[str, str], text: Callable[[Item], str]
 ) -> TypstChapter:
     return TypstChapter(
-        _title(document, chapter.title, by_name("typst"), chapter.lang),
-        string_typst(label_of(chapter, "-")),
+        _title(document, chapter.title, chapter.lang),
+        string(label_of(chapter, "-")),
         _other(document, chapter.lang),
         tuple(_parts(document, chapter, fragments, text)),
     )
@@ -88,10 +87,10 @@ def _parts(
         else:
             yield TypstPart(
                 item.kind,
-                string_typst(_path(item)),
-                string_typst(label_of(item, "-")),
-                document.set(item.caption, by_name("typst"), item.lang),
-                string_typst(plain(item.caption, mark)),
+                string(_path(item)),
+                string(label_of(item, "-")),
+                titled(document, item.caption, FORMAT, item.lang),
+                string(plain(item.caption, mark)),
                 lang,
                 item.kind == "table" and _width(fragments[item.name]) < NARROW,
             )
@@ -112,6 +111,6 @@ def _other(document: Document, lang: str) -> str:
     return "" if lang == document.lang else lang
 
 
-def _title(document: Document, label: str, form: Format, lang: str = "") -> TypstTitle:
-    words = string_typst(plain(label, document.mark(lang)))
-    return TypstTitle(document.set(label, form, lang), words, document.set_head(label, form, lang))
+def _title(document: Document, label: str, lang: str = "") -> TypstTitle:
+    words = string(plain(label, document.mark(lang)))
+    return TypstTitle(titled(document, label, FORMAT, lang), words, head_of(document, label, FORMAT, lang))

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 
 from kurbel.documents.prose import Blocks, Grid, Inlines, Listing
-from kurbel.documents.prose_print import ProsePrinter, Reference
-from kurbel.formats.escapes import string_typst
+from kurbel.formats.printer import ProsePrinter, Reference
+from kurbel.formats.typst.escapes import string
 
 _ALIGNS = {None: "left", "left": "left", "center": "center", "right": "right"}
 _LONG_WORD = re.compile(r"\S{30}")
@@ -58,7 +58,7 @@ class Printer(ProsePrinter):
         return f"#strong[{self.inlines(content)}];"
 
     def link(self, address: str, content: Inlines) -> str:
-        return f"#link({string_typst(address)})[{self.inlines(content)}];"
+        return f"#link({string(address)})[{self.inlines(content)}];"
 
     def reference(self, reference: Reference, content: Inlines) -> str:
         """Return a reference; Typst itself names and counts what it points to."""
@@ -68,5 +68,5 @@ class Printer(ProsePrinter):
 
 def _raw(code: str, options: str = "") -> str:
     """Return code in which a word that is longer than a line may be broken at any character."""
-    call = f"raw({string_typst(code)}{options})"
+    call = f"raw({string(code)}{options})"
     return f"#{{ {_BREAK}; {call} }};" if _LONG_WORD.search(code) else f"#{call};"
