@@ -164,9 +164,10 @@ def test_any_label_is_set_in_every_notation_or_refused(label: str) -> None:
         parts = parse(label)
     except LayoutError:
         return
+    pages = [entry for entry in FORMATS.values() if isinstance(entry, PageFormat)]
     for part in parts:
         if isinstance(part, Formula):
-            assert all(entry.formula(part, ",", True) for entry in FORMATS.values() if isinstance(entry, PageFormat))
+            assert all(entry.formula(part, ",", True) for entry in pages)
     assert "\n" not in plain(label)
 
 
