@@ -36,7 +36,7 @@ from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact import certify
 from kurbel.exact.numerals import nearest, number_text
-from kurbel.kernel.balance import Star, counterweight_mass
+from kurbel.kernel.balance import Star
 from kurbel.kernel.circle import circle
 
 HALF = Fraction(1, 2)
@@ -240,10 +240,6 @@ def test_a_counterweight_turns_its_share_across_the_slide(share: Fraction) -> No
     assert printed("greatest", residual, 6) == number_text(nearest(max(share, 1 - share), 6))
     assert printed("least", residual, 6) == number_text(nearest(min(share, 1 - share), 6))
     assert force(inline((0,), share), 2) == force(inline((0,)), 2)
-
-
-def test_mass_of_a_counterweight_falls_with_its_radius() -> None:
-    assert counterweight_mass(Fraction(1, 2), Fraction(3, 2)) == Fraction(1, 3)
 
 
 def test_residuals_times_the_harmonics_are_forces() -> None:

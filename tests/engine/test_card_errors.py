@@ -7,9 +7,11 @@ ought to show is the closed form, which test_turn.py compares with the quadratur
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import cache, partial
+from itertools import product
+from math import exp
 from pathlib import Path
 from random import Random
 from typing import NamedTuple
@@ -21,6 +23,7 @@ from places import CARDS
 from kurbel.drive.crank import Crank
 from kurbel.engine.card import Card
 from kurbel.engine.card_file import read_card
+from kurbel.engine.card_turn import CardTurn
 from kurbel.engine.digits import estimate, estimated
 from kurbel.engine.engine import Diagram, Engine, Steam
 from kurbel.engine.quantities import OUTSTROKE, RETURN_STROKE, WHOLE, Where
@@ -28,6 +31,7 @@ from kurbel.engine.request import EngineColumn, EngineRequest
 from kurbel.engine.turn import at_bits, turn_of
 from kurbel.errors import CardError
 from kurbel.exact.numerals import Number
+from kurbel.kernel.circle import circle
 from kurbel.page.layouts import layout
 
 HEAD = "position,p_forward [bar],p_return [bar]\n"
@@ -268,3 +272,59 @@ def test_half_a_card_may_do_no_work_where_the_whole_does(folder: Path) -> None:
     with pytest.raises(CardError, match="does no work"):
         turn_of(Engine(Crank(Fraction(1, 5)), Diagram(read_card(path).halves()[0])), "exact")
     assert "scatter too much" in refusal("delta", "--card", path, code=1)
+
+
+# How far the work of a stroke reaches.
+
+EVEN = [place / 240 for place in range(241)]
+AMOUNT = 1e-3
+
+
+def unchanged(share: float) -> float:
+    return 0.0
+
+
+def card_turn(change: Callable[[float], float] = unchanged, resolution: float = 0.0) -> CardTurn:
+    """Return the turn of an ideal engine whose card has so much more pressure, in Q, the admission."""
+    steam = Steam(Fraction(5, 2), Fraction(1, 10))
+    forward = tuple(BAR * (pressure_at(steam, share) + change(share)) for share in EVEN)
+    card = Card(tuple(EVEN), forward, (BAR / 10,) * len(EVEN), resolution=resolution * BAR)
+    return CardTurn(Engine(Crank(Fraction(1, 5)), Diagram(card)), "exact", BAR)
+
+
+def changes(shares: Sequence[float]) -> Iterator[Callable[[float], float]]:
+    """Yield pressures that change the work at these shares by AMOUNT up or down, in all combinations."""
+    for signs in product((-1, 0, 1), repeat=len(shares)):
+
+        def work(share: float, signs: tuple[int, ...] = signs) -> float:
+            waves = (
+                sign * exp(-(((share - at) / 0.06) ** 2)) for sign, at in zip(signs, shares, strict=True)
+            )
+            return AMOUNT * sum(waves)
+
+        if any(signs):
+            yield lambda share, work=work: (work(share + 1e-4) - work(share - 1e-4)) / 2e-4
+
+
+def share_at(turn: CardTurn, place: float) -> float:
+    """Return the share of its stroke that the piston has travelled, so many half turns into the turn."""
+    return float(turn.motion.path(circle(180.0 * (place % 1)), -0.2 if place >= 1 else 0.2)) / 2
+
+
+@pytest.mark.parametrize(
+    ("key", "least"), [("mean_force", 0.3), ("v_min", 0.5), ("v_max", 0.7), ("delta", 0.8)]
+)
+def test_errors_of_work_reach_a_quantity_as_far_as_is_stated(key: str, least: float) -> None:
+    """Of the mean force three times as much is stated as the work alone makes; noise needs that."""
+    own, whole = card_turn(), Where(WHOLE)
+    request = EngineRequest(layout=layout("delta-detail"), steams=[own.diagram], drives=[own.engine.crank])
+    column = next(column for column in request.page_columns if column.key == key)
+    # Pressures written to a unit of 2 Q are off by Q, and the work of a stroke so by 1.
+    coarse, fine = (estimate(column, [card_turn(resolution=unit)], whole).error for unit in (2.0, 0.0))
+    shares = [share_at(own, own.extreme(greatest).place) for greatest in (False, True)]
+    reached = []
+    for change in changes([*shares, 1.0]):
+        turn = card_turn(change)
+        apart = max(abs(own.strokes[0].work(share) - turn.strokes[0].work(share)) for share in EVEN)
+        reached.append(abs(column.quantity.value(turn, whole) - column.quantity.value(own, whole)) / apart)
+    assert least < max(reached) / (coarse - fine) < 1.3

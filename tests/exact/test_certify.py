@@ -9,11 +9,13 @@ from typing import Any
 import pytest
 import textbook
 from cli import printed
+from flint import arb
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from textbook import Drive
 from timed import WITHOUT_UNITS, kurbel
 
+from kurbel.exact.certify import ball, vanishes
 from kurbel.motion.evaluation import DIFFERENCE, METHODS
 from kurbel.motion.quantities import registry
 
@@ -202,3 +204,16 @@ def test_long_csv_meets_the_ties_of_the_short_one(rounding: str) -> None:
     assert at_60 == (
         ["0.58", "0.55", "0.61", "0.64"] if rounding == "half-away" else ["0.58", "0.54", "0.60", "0.64"]
     )
+
+
+def test_a_value_is_zero_only_where_its_ball_is_narrower_than_its_distance_from_zero() -> None:
+    """A sum of great terms is wide long after the precision has passed the bits that part it from zero."""
+
+    def sum_of_great_terms(rest: Fraction) -> arb:
+        great = ball(Fraction(10) ** 300 / 7)
+        return great + ball(rest) - great
+
+    tiny = Fraction(1, 3 * 2**60)
+    assert not vanishes(lambda: sum_of_great_terms(tiny), 70)
+    assert vanishes(lambda: sum_of_great_terms(Fraction(0)), 70)
+    assert vanishes(lambda: sum_of_great_terms(tiny) - ball(tiny), 70)

@@ -13,7 +13,7 @@ from typing import Any
 import flint
 import numpy as np
 import pytest
-from bodies import Body, Drive, Mass, Real, energy, few, moment, of_body, point_on_circle, reactions, spread
+from bodies import Body, Drive, Mass, Real, energy, few, of_body, point_on_circle, reactions, spread
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from mpmath import mp
@@ -24,7 +24,6 @@ from kurbel.drive.rod import (
     MODELS,
     Rod,
     Section,
-    rod_of_points,
     rod_of_sections,
 )
 from kurbel.drive.rod_file import read_rod
@@ -108,51 +107,6 @@ def test_common_part_is_that_of_the_crosshead_and_stretching_points_to_it() -> N
         point = circle(np.array([3.0, 61.0, 118.0, 176.0]))
         assert (np.sign(kernel.parts(point, ratio).stretching) == np.sign(ratio)).all()
         assert (kernel.parts(point, ratio).turning > 0).all()
-
-
-@few
-@given(drive=drives(), time=times, body=bodies())
-def test_resultants_are_the_sums_over_the_points(drive: Drive, time: Real, body: Body) -> None:
-    masses = of_body(body)
-    point = point_on_circle(time)
-    part = kernel.parts(point, drive.ratio, drive.offset)
-    found = kernel.resultants(point, drive.ratio, masses, drive.offset)
-    # Points beside the line have a turning part along the rod too, of which a pair leaves the moment only.
-    assert close(found.common, sum(p.mass for p in body) * part.common)
-    assert close(found.turning, sum(p.mass * (1 - p.share) for p in body) * part.turning)
-    assert close(found.stretching, sum(p.mass * (1 - p.share) for p in body) * part.stretching)
-    squares = sum(p.mass * ((1 - p.share) ** 2 + p.aside**2) for p in body)
-    assert close(found.moment, squares * part.turning)
-
-
-@few
-@given(drive=drives(), time=times, body=bodies())
-def test_resultants_hold_the_rod_in_balance_with_the_reactions(drive: Drive, time: Real, body: Body) -> None:
-    masses, true = of_body(body), reactions(drive, body, time)
-    found = kernel.resultants(point_on_circle(time), drive.ratio, masses, drive.offset)
-    line = drive.ratio * drive.rod(time)
-    square = mp.matrix([-line[1], line[0]])
-    total = found.common * mp.matrix([1, 0]) + found.turning * square - found.stretching * line
-    assert mp.norm(total + mp.matrix([true["along"], true["across"] + true["guide"]])) < 1e-12 * (
-        1 + mp.norm(total)
-    )
-    # Moments about B, over L; the common force acts in S, at the share `pin` of the rod from B.
-    about_crosshead = moment(-masses.pin * line, mp.matrix([found.common, 0])) - found.moment
-    about_crosshead += moment(-line, mp.matrix([true["along"], true["across"]]))
-    assert abs(about_crosshead) < 1e-12 * (1 + abs(found.moment))
-
-
-def test_common_and_stretching_parts_press_like_two_masses_by_the_centre_of_mass() -> None:
-    # Ensslin, 594-595: M a/l at A and M b/l at B in his letters; the stretching force of the mass at B is 0.
-    point, rod = circle(53.0), kernel.rod_masses(0.37, 0.11)
-    common, _, stretching = kernel.parts(point, 0.24)
-    found = kernel.resultants(point, 0.24, rod)
-    assert_allclose([rod.pin, rod.crosshead], [0.63, 0.37], rtol=1e-15, atol=0)
-    assert_allclose(found.common, 0.63 * common + 0.37 * common, rtol=1e-15, atol=0)
-    assert_allclose(found.stretching, 0.63 * stretching + 0.37 * 0, rtol=1e-15, atol=0)
-    # The turning part does not: its share at A is (k² + (l - a)²)/l², a from A.
-    turning = kernel.parts(point, 0.24).turning
-    assert_allclose(found.moment, (0.11 + 0.63**2) * turning, rtol=1e-15, atol=0)
 
 
 # Forces at the pins.
@@ -338,7 +292,6 @@ def test_no_zero_has_a_sign() -> None:
             point = circle(degrees)
             values = [formula(point, ratio, FLOATS) for formula in FORCES.values()]
             values += [kernel.couple(point, ratio, FLOATS), *kernel.parts(point, ratio)]
-            values += kernel.resultants(point, ratio, FLOATS)
             assert all(value or math.copysign(1, value) == 1 for value in values), (degrees, ratio)
 
 
@@ -475,6 +428,11 @@ def test_uniform_rod_has_a_twelfth_of_its_length_squared() -> None:
     assert rod_of_sections(parts) == Rod(HALF, Fraction(1, 12))
 
 
+def rod_of(points: list[tuple[Fraction, Fraction]], kilograms: bool = False) -> Rod:
+    """Return the rod of masses at positions, (position, mass) each."""
+    return rod_of_sections([Section(place, place, mass) for place, mass in points], kilograms)
+
+
 places = st.fractions(-HALF, Fraction(3, 2), max_denominator=50)
 between = st.fractions(0, 1, max_denominator=50)
 weights = st.fractions(Fraction(1, 9), 9, max_denominator=9)
@@ -485,7 +443,7 @@ weights = st.fractions(Fraction(1, 9), 9, max_denominator=9)
 def test_points_between_the_pins_have_k_squared_of_at_most_a_b(
     points: list[tuple[Fraction, Fraction]],
 ) -> None:
-    rod = rod_of_points(points)
+    rod = rod_of(points)
     assert rod.couple <= 0
     whole = sum(mass for _, mass in points)
     assert rod.centre == sum(mass * place for place, mass in points) / whole
@@ -499,7 +457,7 @@ def test_no_points_within_reach_are_refused_but_for_their_centre(
     points: list[tuple[Fraction, Fraction]],
 ) -> None:
     try:
-        rod = rod_of_points(points, kilograms=True)
+        rod = rod_of(points, kilograms=True)
     except ProblemError as error:
         assert "centre of mass" in str(error)
     else:

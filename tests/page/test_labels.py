@@ -56,6 +56,8 @@ def test_formula_in_one_line_of_text(source: str, text: str) -> None:
     [
         ("x/R", "x/R"),
         ("x/(2 R)", "x/(2R)"),
+        ("-x/R", r"-\frac{x}{R}"),
+        ("a x/R", r"a\frac{x}{R}"),
         ("R:L = 1:4.5", "R{:}L=1{:}4{,}5"),
         ("cos φ ± 1/4.5 cos 2φ", r"\cos\varphi\pm\frac{1}{4{,}5}\cos2\varphi"),
         ("(sin(φ±ψ))/(cos ψ)", r"\frac{\sin(\varphi\pm\psi)}{\cos\psi}"),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, NamedTuple
@@ -100,11 +100,6 @@ class Section(NamedTuple):
     start: Fraction
     end: Fraction
     mass: Fraction
-
-
-def rod_of_points(points: Iterable[tuple[Fraction, Fraction]], kilograms: bool = False) -> Rod:
-    """Return the rod made of masses at positions, (position, mass) each."""
-    return rod_of_sections([Section(position, position, mass) for position, mass in points], kilograms)
 
 
 def rod_of_sections(sections: Sequence[Section], kilograms: bool = False) -> Rod:

@@ -37,9 +37,7 @@ class Root(NamedTuple):
     rising: bool | None
 
 
-def isolate(
-    function: Function, slope: Function, start: Fraction, end: Fraction, parts: int = 8
-) -> list[Root]:
+def isolate(function: Function, slope: Function, start: Fraction, end: Fraction) -> list[Root]:
     """Return every zero within start..end, in order.
 
     The function is continuous; where it has kinks the ball of its slope holds both sides.

@@ -106,11 +106,6 @@ def least(forward: Number, backward: Number) -> Number:
     return abs(forward - backward)
 
 
-def counterweight_mass(share: Number, radius: Number) -> Number:
-    """Return the mass, in units of m, that balances a share of m from a radius in units of R."""
-    return share / radius
-
-
 Powers = Mapping[int, Fraction]
 """Rational multiples of the powers of a primitive root of unity, by exponent."""
 

@@ -56,20 +56,6 @@ class Parts(NamedTuple, Generic[Kind]):
     stretching: Kind
 
 
-class Resultants(NamedTuple, Generic[Kind]):
-    """The inertia forces that belong to the parts of the acceleration, and the moment of the turning ones.
-
-    `common` acts in S, along the slide with X; `turning` square to the rod, with Y; `stretching` along the
-    rod, against X. `moment` is the moment of the turning forces about B over L: the force that has it when
-    it acts at A like `turning`. Their line of action passes at L · moment/turning from B.
-    """
-
-    common: Kind
-    turning: Kind
-    moment: Kind
-    stretching: Kind
-
-
 def rod_masses(centre: Number, gyration_square: Number) -> Masses[Number]:
     """Return the masses of a rod of mass 1 from a/L and k²/L²."""
     return Masses(1 - centre, centre, gyration_square - centre * (1 - centre))
@@ -108,23 +94,6 @@ def parts(circle: Circle[Number], ratio: Number, offset: Number | None = None) -
     common = _piston_acceleration(circle, ratio, offset)
     # No zero is to have a sign, here and below.
     return Parts(common, _turning(circle, ratio, slant, offset), ratio * (pull * pull) + 0)
-
-
-def resultants(
-    circle: Circle[Number], ratio: Number, masses: Masses[Number], offset: Number | None = None
-) -> Resultants[Number]:
-    """Return the resultant inertia forces of the rod.
-
-    Common and stretching ones are those of the two masses, M a/l at A and M b/l at B in Ensslin's letters;
-    the moment is that of M (k² + a²)/l² at A.
-    """
-    common, turning, stretching = parts(circle, ratio, offset)
-    return Resultants(
-        (masses.pin + masses.crosshead) * common,
-        masses.pin * turning,
-        (masses.pin + masses.couple) * turning,
-        masses.pin * stretching,
-    )
 
 
 def couple(
@@ -211,8 +180,8 @@ def rod_force(
     ratio: Number,
     masses: Masses[Number],
     reciprocating: Number,
-    offset: Number | None = None,
-    piston_force: Number = 0,
+    offset: Number | None,
+    piston_force: Number,
 ) -> Number:
     """Return the force along the rod at its crosshead end, positive where it presses the rod.
 
