@@ -303,7 +303,11 @@ def changes(shares: Sequence[float]) -> Iterator[Callable[[float], float]]:
             return AMOUNT * sum(waves)
 
         if any(signs):
-            yield lambda share, work=work: (work(share + 1e-4) - work(share - 1e-4)) / 2e-4
+            yield partial(slope, work)
+
+
+def slope(work: Callable[[float], float], share: float) -> float:
+    return (work(share + 1e-4) - work(share - 1e-4)) / 2e-4
 
 
 def share_at(turn: CardTurn, place: float) -> float:
