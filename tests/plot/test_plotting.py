@@ -675,7 +675,7 @@ def test_the_rod_angle_is_that_of_the_drawn_rod(ratio: float, offset: float) -> 
     for angle in (20.0, 110.0, 250.0):
         one = position(ratio, offset, angle)
         lean = math.atan2(one.pin[1] - one.head[1], one.head[0] - one.pin[0])
-        assert one.rod_angle == pytest.approx(math.degrees(lean), abs=1e-9)
+        assert one.lean == pytest.approx(math.degrees(lean), abs=1e-9)
 
 
 @drawn

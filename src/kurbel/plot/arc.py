@@ -16,26 +16,28 @@ from kurbel.plot.sketch import (
     CHAIN,
     DEAD_CENTRES,
     Point,
+    Position,
+    Sketch,
     arc,
-    bearing,
     beside_link,
     beside_points,
-    crank_angle,
     crank_circle,
+    crank_dimensions,
     dead_tick,
     dimension,
-    joint,
+    joints,
+    laid_out,
     light_links,
     line,
+    pin_texts,
     polar_point,
+    strong_links,
     write,
 )
-from kurbel.plot.style import BLACK, GREY, MEDIUM, WIDTH, arrowhead, page, style, text_of
-from kurbel.plot.ticks import degrees
+from kurbel.plot.style import GREY, MEDIUM, WIDTH, arrowhead, style, text_of
 from kurbel.reading.notation import about
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 # In mm. The dimensions of the pivot stand below and at the right.
@@ -47,34 +49,24 @@ LEADER = 7.0
 THETA = text_of("$θ$", ".")
 
 
-class ArcPosition(NamedTuple):
-    """The arc crank at one angle: crank pin and rocker pin in units of R from the shaft, the angle θ."""
-
-    angle: float
-    pin: Point
-    head: Point
-    rocker_angle: float
-
-
 class _Drive(NamedTuple):
     """What does not move: the pivot, the length of the rocker, the dead centres, the ends of the drawing."""
 
     pivot: Point
     rocker: float
-    inner: ArcPosition
-    outer: ArcPosition
+    inner: Position
+    outer: Position
     low: Point
     high: Point
 
+    def beyond(self, point: Point, way: float) -> Point:
+        """Return a point so much farther from the pivot."""
+        share, (x, y) = 1 + way / self.rocker, self.pivot
+        return x + (point[0] - x) * share, y + (point[1] - y) * share
 
-class _Sketch(NamedTuple):
-    """A drawing in units of R: what a millimetre is in them, and the side of the pivot, 1 above."""
-
-    figure: Figure
-    axes: Axes
-    drive: _Drive
-    mm: float
-    side: int
+    def away(self, point: Point) -> Point:
+        """Return the direction of a point from the pivot."""
+        return point[0] - self.pivot[0], point[1] - self.pivot[1]
 
 
 def arc_mechanism(crank: ArcCrank, angles: Sequence[float | Fraction], lang: str, mark: str) -> Figure:
@@ -88,21 +80,20 @@ def arc_mechanism(crank: ArcCrank, angles: Sequence[float | Fraction], lang: str
     positions = [arc_position(crank, float(angle)) for angle in angles]
     with style():
         sketch = _laid_out(drive)
-        _fixed_lines(sketch)
+        _fixed_lines(sketch, drive)
         for one in positions[1:]:
             light_links(sketch, (0, 0), one.pin, one.head, drive.pivot)
-        _pivot_dimensions(sketch)
-        _position_dimensions(sketch, positions[0])
-        _strong(sketch, positions[0])
+        _pivot_dimensions(sketch, drive)
+        _position_dimensions(sketch, drive, positions[0])
+        _strong(sketch, drive, positions[0])
         dead = [(drive.inner, DEAD_CENTRES["inner"][lang]), (drive.outer, DEAD_CENTRES["outer"][lang])]
-        names = [(_from_pivot(sketch, one.head, LEADER), _away(drive, one.head), name) for one, name in dead]
-        texts = [degrees(angle, mark) for angle in angles] if len(angles) > 1 else []
-        pins = [(one.pin, one.pin, text) for one, text in zip(positions, texts, strict=False)]
-        beside_points(sketch, [*names, *pins])
+        leader = LEADER * sketch.mm
+        names = [(drive.beyond(one.head, leader), drive.away(one.head), name) for one, name in dead]
+        beside_points(sketch, [*names, *pin_texts([one.pin for one in positions], angles, mark)])
     return sketch.figure
 
 
-def arc_position(crank: ArcCrank, angle: float) -> ArcPosition:
+def arc_position(crank: ArcCrank, angle: float) -> Position:
     """Return where the drive stands at a crank angle in degrees."""
     point = circle(angle)
     turn = float(value("rocker", crank, OUT, point, floats()))
@@ -110,7 +101,7 @@ def arc_position(crank: ArcCrank, angle: float) -> ArcPosition:
     (x, y), rocker = _pivot(crank), float(crank.rocker)
     across, along = math.sin(math.radians(turn)), math.cos(math.radians(turn))
     head = (x + side * rocker * across, y - side * rocker * along)
-    return ArcPosition(angle, (point.cosine, point.sine), head, turn)
+    return Position(angle, (point.cosine, point.sine), head, turn)
 
 
 def _pivot(crank: ArcCrank) -> Point:
@@ -140,7 +131,7 @@ def _swept(pivot: Point, start: Point, end: Point) -> list[float]:
     return sorted(first + turn * step / 40 for step in range(41))
 
 
-def _laid_out(drive: _Drive) -> _Sketch:
+def _laid_out(drive: _Drive) -> Sketch:
     side = 1 if drive.pivot[1] >= 0 else -1
     width, height = drive.high[0] - drive.low[0], drive.high[1] - drive.low[1]
     beside, around = LEFT + RIGHT, 2 * OUTSIDE + DIMENSIONS
@@ -149,19 +140,16 @@ def _laid_out(drive: _Drive) -> _Sketch:
     left, right = drive.low[0] - LEFT * mm, drive.high[0] + RIGHT * mm
     bottom = drive.low[1] - (OUTSIDE + DIMENSIONS * (side > 0)) * mm
     top = drive.high[1] + (OUTSIDE + DIMENSIONS * (side < 0)) * mm
-    figure = page((top - bottom) / mm, (right - left) / mm)
-    axes = figure.add_axes((0, 0, 1, 1), label="mechanism", xlim=(left, right), ylim=(bottom, top))
-    axes.set_axis_off()
-    return _Sketch(figure, axes, drive, mm, side)
+    return laid_out((left, bottom), (right, top), mm, side)
 
 
-def _fixed_lines(sketch: _Sketch) -> None:
+def _fixed_lines(sketch: Sketch, drive: _Drive) -> None:
     """Draw centre lines, the crank circle, the arc and the dead centres on both."""
-    drive, mm = sketch.drive, sketch.mm
+    mm = sketch.mm
     beyond, (x, y) = 1 + 3.5 * mm, drive.pivot
     line(sketch, (0, -beyond), (0, beyond), linestyle=CHAIN)
     line(sketch, (-beyond, 0), (drive.high[0] + 4 * mm, 0), linestyle=CHAIN)
-    line(sketch, (x, y + sketch.side * 4 * mm), (x, _lowest(sketch)), linestyle=CHAIN)
+    line(sketch, (x, y + sketch.side * 4 * mm), (x, _lowest(sketch, drive)), linestyle=CHAIN)
     crank_circle(sketch)
     turns = _swept(drive.pivot, drive.inner.head, drive.outer.head)
     more = math.degrees(OVERRUN * mm / drive.rocker)
@@ -171,68 +159,54 @@ def _fixed_lines(sketch: _Sketch) -> None:
     line(sketch, *path, color=GREY, linewidth=MEDIUM, zorder=2).set_gid("arc")
     for dead in (drive.inner, drive.outer):
         dead_tick(sketch, dead.pin)
-        near, far, end = (_from_pivot(sketch, dead.head, way) for way in (-1.6, 1.6, LEADER))
+        near, far, end = (drive.beyond(dead.head, way * mm) for way in (-1.6, 1.6, LEADER))
         line(sketch, near, far, linewidth=MEDIUM, zorder=3)
         line(sketch, far, end)
 
 
-def _from_pivot(sketch: _Sketch, point: Point, way: float) -> Point:
-    """Return a point so many mm farther from the pivot."""
-    share = 1 + way * sketch.mm / sketch.drive.rocker
-    x, y = sketch.drive.pivot
-    return x + (point[0] - x) * share, y + (point[1] - y) * share
-
-
-def _away(drive: _Drive, point: Point) -> Point:
-    return point[0] - drive.pivot[0], point[1] - drive.pivot[1]
-
-
-def _lowest(sketch: _Sketch) -> float:
+def _lowest(sketch: Sketch, drive: _Drive) -> float:
     """Return how far the lines reach on the side away from the pivot."""
-    edge = sketch.drive.low[1] if sketch.side > 0 else sketch.drive.high[1]
+    edge = drive.low[1] if sketch.side > 0 else drive.high[1]
     return edge - sketch.side * (OUTSIDE + 1) * sketch.mm
 
 
-def _pivot_dimensions(sketch: _Sketch) -> None:
+def _pivot_dimensions(sketch: Sketch, drive: _Drive) -> None:
     """Draw D and H, the places of the pivot along and across the slide direction."""
-    mm, (x, y) = sketch.mm, sketch.drive.pivot
-    level = _lowest(sketch) - sketch.side * 2 * mm
-    for place, start in ((0.0, -sketch.side * (1 + 4.5 * mm)), (x, _lowest(sketch))):
+    mm, (x, y) = sketch.mm, drive.pivot
+    level = _lowest(sketch, drive) - sketch.side * 2 * mm
+    for place, start in ((0.0, -sketch.side * (1 + 4.5 * mm)), (x, _lowest(sketch, drive))):
         line(sketch, (place, start), (place, level - sketch.side * mm))
     dimension(sketch, (0, level), (x, level), "$D$")
     if abs(y) > 3 * mm:
-        right = sketch.drive.high[0] + 8 * mm
+        right = drive.high[0] + 8 * mm
         for height, start in ((0.0, right - 4 * mm), (y, x + 3 * mm)):
             line(sketch, (start, height), (right + mm, height))
         dimension(sketch, (right, 0), (right, y), "$H$")
 
 
-def _position_dimensions(sketch: _Sketch, one: ArcPosition) -> None:
+def _position_dimensions(sketch: Sketch, drive: _Drive, one: Position) -> None:
     """Draw φ, θ, R, L, B and the path x along the arc."""
-    drive, mm = sketch.drive, sketch.mm
-    if turn := one.angle % 360:
-        crank_angle(sketch, one.pin, turn, 1 / mm)
-    beside_link(sketch, (0, 0), one.pin, "$R$", 0.68, 1 if one.pin[1] >= 0 else -1)
+    crank_dimensions(sketch, one.pin, one.angle % 360)
     beside_link(sketch, one.pin, one.head, "$L$", 0.45, 1 if one.pin[1] >= one.head[1] else -1)
-    beside_link(sketch, drive.pivot, one.head, "$B$", 0.45, -1 if one.rocker_angle < 0 else 1)
-    _rocker_angle(sketch, one)
-    _path(sketch, one)
+    beside_link(sketch, drive.pivot, one.head, "$B$", 0.45, -1 if one.lean < 0 else 1)
+    _rocker_angle(sketch, drive, one)
+    _path(sketch, drive, one)
 
 
-def _rocker_angle(sketch: _Sketch, one: ArcPosition) -> None:
+def _rocker_angle(sketch: Sketch, drive: _Drive, one: Position) -> None:
     """Draw θ from the rocker's place square to the slide, where it can be seen."""
     mm, square = sketch.mm, -90.0 * sketch.side
-    radius = min(22 * mm, 0.5 * sketch.drive.rocker)
-    if abs(math.radians(one.rocker_angle)) * radius < 2 * mm:
+    radius = min(22 * mm, 0.5 * drive.rocker)
+    if abs(math.radians(one.lean)) * radius < 2 * mm:
         return
-    first, last = sorted((square, square + one.rocker_angle))
-    arc(sketch, sketch.drive.pivot, radius, first, last, arrow=False)
-    write(sketch, polar_point(sketch.drive.pivot, radius + 2.6 * mm, (first + last) / 2), THETA, zorder=5)
+    first, last = sorted((square, square + one.lean))
+    arc(sketch, drive.pivot, radius, first, last, arrow=False)
+    write(sketch, polar_point(drive.pivot, radius + 2.6 * mm, (first + last) / 2), THETA, zorder=5)
 
 
-def _path(sketch: _Sketch, one: ArcPosition) -> None:
+def _path(sketch: Sketch, drive: _Drive, one: Position) -> None:
     """Draw the path x outside of the arc, from the inner dead centre."""
-    drive, mm = sketch.drive, sketch.mm
+    mm = sketch.mm
     turns = _swept(drive.pivot, drive.inner.head, one.head)
     if math.radians(turns[-1] - turns[0]) * drive.rocker < 5 * mm:
         return
@@ -242,16 +216,11 @@ def _path(sketch: _Sketch, one: ArcPosition) -> None:
     for number, other in ((0, 1), (-1, -2)):
         tip, near = points[number], points[other]
         arrowhead(sketch.axes, tip, (tip[0] - near[0], tip[1] - near[1]), mm)
-    line(sketch, _from_pivot(sketch, one.head, 1.6), _from_pivot(sketch, one.head, OUTWARD + 1), zorder=4)
+    line(sketch, drive.beyond(one.head, 1.6 * mm), drive.beyond(one.head, (OUTWARD + 1) * mm), zorder=4)
     write(sketch, points[len(points) // 2], "$x$")
 
 
-def _strong(sketch: _Sketch, one: ArcPosition) -> None:
-    pivot = sketch.drive.pivot
-    line(sketch, (0, 0), one.pin, linewidth=2.4, zorder=6).set_gid("crank")
-    line(sketch, one.pin, one.head, linewidth=1.6, zorder=6).set_gid("rod")
-    line(sketch, one.head, pivot, linewidth=1.6, zorder=6).set_gid("rocker")
-    for centre in ((0.0, 0.0), pivot):
-        bearing(sketch, centre)
-    for centre in (one.pin, one.head):
-        joint(sketch, centre, 1.1, BLACK, MEDIUM)
+def _strong(sketch: Sketch, drive: _Drive, one: Position) -> None:
+    pivot = drive.pivot
+    strong_links(sketch, crank=((0, 0), one.pin), rod=(one.pin, one.head), rocker=(one.head, pivot))
+    joints(sketch, [(0, 0), pivot], [one.pin, one.head])

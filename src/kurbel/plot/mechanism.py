@@ -14,26 +14,27 @@ from kurbel.plot.sketch import (
     CHAIN,
     DEAD_CENTRES,
     LEAST_DIMENSION,
-    Point,
+    Position,
+    Sketch,
     arc,
-    bearing,
     beside_link,
     beside_points,
-    crank_angle,
     crank_circle,
+    crank_dimensions,
     dead_tick,
     dimension,
-    joint,
+    joints,
+    laid_out,
     light_links,
     line,
+    pin_texts,
     polar_point,
+    strong_links,
     write,
 )
-from kurbel.plot.style import BLACK, GREY, MEDIUM, PALE, SMALL_TEXT, WIDTH, page, size_of, style, text_of
-from kurbel.plot.ticks import degrees
+from kurbel.plot.style import BLACK, GREY, MEDIUM, PALE, SMALL_TEXT, WIDTH, size_of, style, text_of
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 # In mm. A short rod leaves the crank more room than it needs.
@@ -44,15 +45,6 @@ HEAD_LENGTH, HEAD_HEIGHT, OVERRUN = 8.0, 6.5, 3.0
 PSI = text_of("$ψ$", ".")
 
 
-class Position(NamedTuple):
-    """The crank drive at one angle: shaft, crank pin and crosshead pin in units of R."""
-
-    angle: float
-    pin: Point
-    head: Point
-    rod_angle: float
-
-
 class _Drive(NamedTuple):
     """What does not move: λ, η = e/R, the two dead centres, and R in mm."""
 
@@ -61,16 +53,6 @@ class _Drive(NamedTuple):
     inner: Position
     outer: Position
     radius: float
-
-
-class _Sketch(NamedTuple):
-    """A drawing in units of R: what a millimetre is in them, and the side of the dimensions, 1 above."""
-
-    figure: Figure
-    axes: Axes
-    drive: _Drive
-    mm: float
-    side: int
 
 
 def mechanism(
@@ -86,18 +68,14 @@ def mechanism(
     positions = [position(ratio, offset, float(angle)) for angle in angles]
     with style():
         sketch = _laid_out(drive, positions[0])
-        _lines_and_circle(sketch)
-        _guides(sketch)
+        _lines_and_circle(sketch, drive)
+        _guides(sketch, drive)
         for one in positions[1:]:
             light_links(sketch, (0, 0), one.pin, one.head)
-        _dimensions_of_drive(sketch, lang)
-        _dimensions_of_position(sketch, positions[0])
+        _dimensions_of_drive(sketch, drive, lang)
+        _dimensions_of_position(sketch, drive, positions[0])
         _strong(sketch, positions[0])
-        if len(angles) > 1:
-            texts = [degrees(angle, mark) for angle in angles]
-            beside_points(
-                sketch, [(one.pin, one.pin, text) for one, text in zip(positions, texts, strict=True)]
-            )
+        beside_points(sketch, pin_texts([one.pin for one in positions], angles, mark))
     return sketch.figure
 
 
@@ -123,7 +101,7 @@ def _drive(ratio: float, offset: float) -> _Drive:
     return _Drive(ratio, offset, inner, outer, min(LARGEST_RADIUS, room / (1 + inner.head[0])))
 
 
-def _laid_out(drive: _Drive, first: Position) -> _Sketch:
+def _laid_out(drive: _Drive, first: Position) -> Sketch:
     # The dimensions stand on that side of the slide where the rod is not.
     side = -1 if first.pin[1] >= drive.offset else 1
     mm = 1 / drive.radius
@@ -132,14 +110,11 @@ def _laid_out(drive: _Drive, first: Position) -> _Sketch:
     bottom = min(-1 - OUTSIDE * mm, edge, drive.offset - HEAD_HEIGHT * mm)
     top = max(1 + OUTSIDE * mm, edge, drive.offset + HEAD_HEIGHT * mm)
     left, right = -1 - beside * mm, drive.inner.head[0] + (HEAD_LENGTH / 2 + OVERRUN + RIGHT) * mm
-    figure = page((top - bottom) / mm, (right - left) / mm)
-    axes = figure.add_axes((0, 0, 1, 1), label="mechanism", xlim=(left, right), ylim=(bottom, top))
-    axes.set_axis_off()
-    return _Sketch(figure, axes, drive, mm, side)
+    return laid_out((left, bottom), (right, top), mm, side)
 
 
-def _lines_and_circle(sketch: _Sketch) -> None:
-    drive, mm = sketch.drive, sketch.mm
+def _lines_and_circle(sketch: Sketch, drive: _Drive) -> None:
+    mm = sketch.mm
     beyond = 1 + 3.5 * mm
     end = drive.inner.head[0] + (HEAD_LENGTH / 2 + OVERRUN + 2) * mm
     line(sketch, (0, -beyond), (0, beyond), linestyle=CHAIN)
@@ -151,9 +126,9 @@ def _lines_and_circle(sketch: _Sketch) -> None:
         dead_tick(sketch, dead.pin)
 
 
-def _guides(sketch: _Sketch) -> None:
+def _guides(sketch: Sketch, drive: _Drive) -> None:
     """Draw both guides of the crosshead, hatched on the side of the frame."""
-    drive, mm = sketch.drive, sketch.mm
+    mm = sketch.mm
     start = drive.outer.head[0] - (HEAD_LENGTH / 2 + OVERRUN) * mm
     end = drive.inner.head[0] + (HEAD_LENGTH / 2 + OVERRUN) * mm
     count = int((end - start) / (1.5 * mm))
@@ -166,7 +141,7 @@ def _guides(sketch: _Sketch) -> None:
             line(sketch, (x, y), across, color=GREY, zorder=1)
 
 
-def _strong(sketch: _Sketch, one: Position) -> None:
+def _strong(sketch: Sketch, one: Position) -> None:
     mm = sketch.mm
     corner = (one.head[0] - HEAD_LENGTH / 2 * mm, one.head[1] - HEAD_HEIGHT / 2 * mm)
     from matplotlib.patches import Rectangle
@@ -174,17 +149,14 @@ def _strong(sketch: _Sketch, one: Position) -> None:
     box = Rectangle(corner, HEAD_LENGTH * mm, HEAD_HEIGHT * mm, zorder=5)
     box.set(facecolor=PALE, edgecolor=BLACK, linewidth=MEDIUM)
     sketch.axes.add_patch(box)
-    line(sketch, (0, 0), one.pin, linewidth=2.4, zorder=6).set_gid("crank")
-    line(sketch, one.pin, one.head, linewidth=1.6, zorder=6).set_gid("rod")
-    bearing(sketch, (0, 0))
-    for centre in (one.pin, one.head):
-        joint(sketch, centre, 1.1, BLACK, MEDIUM)
+    strong_links(sketch, crank=((0, 0), one.pin), rod=(one.pin, one.head))
+    joints(sketch, [(0, 0)], [one.pin, one.head])
 
 
-def _dimensions_of_drive(sketch: _Sketch, lang: str) -> None:
+def _dimensions_of_drive(sketch: Sketch, drive: _Drive, lang: str) -> None:
     """Draw the stroke between the dead centres, with their names, and the offset."""
-    drive, mm, side = sketch.drive, sketch.mm, sketch.side
-    level = _level(sketch, 2)
+    mm, side = sketch.mm, sketch.side
+    level = _level(sketch, drive, 2)
     inner, outer = drive.inner.head[0], drive.outer.head[0]
     dimension(sketch, (outer, level), (inner, level), "$S$")
     names = [
@@ -205,31 +177,29 @@ def _dimensions_of_drive(sketch: _Sketch, lang: str) -> None:
         dimension(sketch, (x, 0), (x, drive.offset), "$e$")
 
 
-def _dimensions_of_position(sketch: _Sketch, one: Position) -> None:
+def _dimensions_of_position(sketch: Sketch, drive: _Drive, one: Position) -> None:
     """Draw φ, ψ, R, L and the piston path x."""
     mm = sketch.mm
-    if turn := one.angle % 360:
-        crank_angle(sketch, one.pin, turn, sketch.drive.radius)
     # The rod is at the right of the crank, its label at the left.
-    beside_link(sketch, (0, 0), one.pin, "$R$", 0.68, 1 if one.pin[1] >= 0 else -1)
+    crank_dimensions(sketch, one.pin, one.angle % 360)
     beside_link(sketch, one.pin, one.head, "$L$", 0.4, 1 if sketch.side < 0 else -1)
-    _rod_angle(sketch, one)
-    level, start = _level(sketch, 1), sketch.drive.inner.head[0]
+    _rod_angle(sketch, drive, one)
+    level, start = _level(sketch, drive, 1), drive.inner.head[0]
     if (start - one.head[0]) / mm > LEAST_DIMENSION:
         line(sketch, one.head, (one.head[0], level + sketch.side * mm), zorder=4)
         dimension(sketch, (start, level), (one.head[0], level), "$x$")
 
 
-def _level(sketch: _Sketch, row: int) -> float:
+def _level(sketch: Sketch, drive: _Drive, row: int) -> float:
     """Return where the dimension lines of a row are, counted from the guides."""
-    return sketch.drive.offset + sketch.side * (HEAD_HEIGHT / 2 + 5.5 * row) * sketch.mm
+    return drive.offset + sketch.side * (HEAD_HEIGHT / 2 + 5.5 * row) * sketch.mm
 
 
-def _rod_angle(sketch: _Sketch, one: Position) -> None:
-    mm, turn = sketch.mm, one.rod_angle
+def _rod_angle(sketch: Sketch, drive: _Drive, one: Position) -> None:
+    mm, turn = sketch.mm, one.lean
     # The guides leave room for the arc at their end, unless the rod is too short.
-    start = sketch.drive.outer.head[0] - (HEAD_LENGTH / 2 + OVERRUN + 2.5) * mm
-    radius = min(max(one.head[0] - start, 16 * mm), 0.7 / sketch.drive.ratio)
+    start = drive.outer.head[0] - (HEAD_LENGTH / 2 + OVERRUN + 2.5) * mm
+    radius = min(max(one.head[0] - start, 16 * mm), 0.7 / drive.ratio)
     if abs(math.radians(turn)) * radius < 1.2 * mm:
         return
     arc(sketch, one.head, radius, 180 - max(turn, 0), 180 - min(turn, 0), arrow=False)

@@ -4,41 +4,34 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from kurbel.kernel.circle import circle
 from kurbel.plot.sketch import (
     CHAIN,
     Point,
-    bearing,
+    Sketch,
     beside_link,
     beside_points,
-    crank_angle,
     crank_circle,
+    crank_dimensions,
     dimension,
-    joint,
+    joints,
+    laid_out,
     light_links,
     line,
+    pin_texts,
+    strong_links,
 )
-from kurbel.plot.style import BLACK, MEDIUM, WIDTH, page, style
-from kurbel.plot.ticks import degrees
+from kurbel.plot.style import WIDTH, style
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 # In units of R. The motion is the same whatever the distance of the shafts; this one parts the circles.
 SHAFTS = 3.0
 # In mm.
 BESIDE, ABOVE, DIMENSIONS = 9.0, 7.0, 9.0
-
-
-class _Sketch(NamedTuple):
-    """A drawing in units of R, and what a millimetre is in them."""
-
-    figure: Figure
-    axes: Axes
-    mm: float
 
 
 def parallel_mechanism(angles: Sequence[float | Fraction], mark: str) -> Figure:
@@ -55,9 +48,7 @@ def parallel_mechanism(angles: Sequence[float | Fraction], mark: str) -> Figure:
             light_links(sketch, (0, 0), pin, _second(pin), (SHAFTS, 0))
         _dimensions(sketch, pins[0], float(angles[0]) % 360)
         _strong(sketch, pins[0])
-        if len(pins) > 1:
-            texts = [degrees(angle, mark) for angle in angles]
-            beside_points(sketch, [(pin, pin, text) for pin, text in zip(pins, texts, strict=True)])
+        beside_points(sketch, pin_texts(pins, angles, mark))
     return sketch.figure
 
 
@@ -71,17 +62,14 @@ def _second(pin: Point) -> Point:
     return pin[0] + SHAFTS, pin[1]
 
 
-def _laid_out() -> _Sketch:
+def _laid_out() -> Sketch:
     mm = (2 + SHAFTS) / (WIDTH - 2 * BESIDE)
     left, right = -1 - BESIDE * mm, SHAFTS + 1 + BESIDE * mm
     bottom, top = -1 - (ABOVE + DIMENSIONS) * mm, 1 + ABOVE * mm
-    figure = page((top - bottom) / mm)
-    axes = figure.add_axes((0, 0, 1, 1), label="mechanism", xlim=(left, right), ylim=(bottom, top))
-    axes.set_axis_off()
-    return _Sketch(figure, axes, mm)
+    return laid_out((left, bottom), (right, top), mm)
 
 
-def _fixed_lines(sketch: _Sketch) -> None:
+def _fixed_lines(sketch: Sketch) -> None:
     beyond = 1 + 3.5 * sketch.mm
     line(sketch, (-beyond, 0), (SHAFTS + beyond, 0), linestyle=CHAIN)
     for x in (0.0, SHAFTS):
@@ -89,14 +77,12 @@ def _fixed_lines(sketch: _Sketch) -> None:
         crank_circle(sketch, (x, 0))
 
 
-def _dimensions(sketch: _Sketch, pin: Point, turn: float) -> None:
+def _dimensions(sketch: Sketch, pin: Point, turn: float) -> None:
     """Draw φ, R of both cranks, L of the rod, which is as long as the shafts are apart."""
     mm = sketch.mm
-    if turn:
-        crank_angle(sketch, pin, turn, 1 / mm)
+    crank_dimensions(sketch, pin, turn)
     side = 1 if pin[1] >= 0 else -1
-    for shaft, end in (((0.0, 0.0), pin), ((SHAFTS, 0.0), _second(pin))):
-        beside_link(sketch, shaft, end, "$R$", 0.68, side)
+    beside_link(sketch, (SHAFTS, 0), _second(pin), "$R$", 0.68, side)
     beside_link(sketch, pin, _second(pin), "$L$", 0.5, side)
     level = -1 - (ABOVE + 4) * mm
     for x in (0.0, SHAFTS):
@@ -104,12 +90,7 @@ def _dimensions(sketch: _Sketch, pin: Point, turn: float) -> None:
     dimension(sketch, (0, level), (SHAFTS, level), "$L$")
 
 
-def _strong(sketch: _Sketch, pin: Point) -> None:
+def _strong(sketch: Sketch, pin: Point) -> None:
     second = _second(pin)
-    line(sketch, (0, 0), pin, linewidth=2.4, zorder=6).set_gid("crank")
-    line(sketch, (SHAFTS, 0), second, linewidth=2.4, zorder=6).set_gid("second-crank")
-    line(sketch, pin, second, linewidth=1.6, zorder=6).set_gid("rod")
-    for shaft in ((0.0, 0.0), (SHAFTS, 0.0)):
-        bearing(sketch, shaft)
-    for centre in (pin, second):
-        joint(sketch, centre, 1.1, BLACK, MEDIUM)
+    strong_links(sketch, crank=((0, 0), pin), second_crank=((SHAFTS, 0), second), rod=(pin, second))
+    joints(sketch, [(0, 0), (SHAFTS, 0)], [pin, second])

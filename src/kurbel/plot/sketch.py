@@ -7,16 +7,32 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, Protocol
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.plot.place import AROUND, Points, around, box_points, densely, freest
-from kurbel.plot.style import BLACK, GREY, MEDIUM, SMALL_TEXT, THIN, WHITE, arrowhead, size_of, text_of
+from kurbel.plot.style import (
+    BLACK,
+    GREY,
+    MEDIUM,
+    SMALL_TEXT,
+    THIN,
+    WHITE,
+    arrowhead,
+    page,
+    size_of,
+    text_of,
+)
+from kurbel.plot.ticks import degrees
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
     from matplotlib.lines import Line2D
 
 Point = tuple[float, float]
+# A text for a point, with the direction from it that is best.
+Text = tuple[Point, Point, str]
 
 # What drawings call the ends of the stroke.
 DEAD_CENTRES = {
@@ -31,13 +47,30 @@ CHAIN = (0, (14, 3, 2, 3))
 BACKGROUND = {"facecolor": WHITE, "edgecolor": "none", "pad": 0.6}
 
 
-class Sketch(Protocol):
-    """A drawing in units of R, and what a millimetre is in them."""
+class Position(NamedTuple):
+    """A drive at one angle: crank pin and head of the rod from the shaft, the angle of rod or rocker."""
 
-    @property
-    def axes(self) -> Axes: ...
-    @property
-    def mm(self) -> float: ...
+    angle: float
+    pin: Point
+    head: Point
+    lean: float = 0.0
+
+
+class Sketch(NamedTuple):
+    """A drawing in units of R: what a millimetre is in them, and one of its sides, 1 above, -1 below."""
+
+    figure: Figure
+    axes: Axes
+    mm: float
+    side: int
+
+
+def laid_out(low: Point, high: Point, mm: float, side: int = 1) -> Sketch:
+    """Return an empty drawing between two corners. Only inside `style`."""
+    figure = page((high[1] - low[1]) / mm, (high[0] - low[0]) / mm)
+    axes = figure.add_axes((0, 0, 1, 1), label="mechanism", xlim=(low[0], high[0]), ylim=(low[1], high[1]))
+    axes.set_axis_off()
+    return Sketch(figure, axes, mm, side)
 
 
 def line(sketch: Sketch, *points: Point, **look: Any) -> Line2D:
@@ -53,6 +86,22 @@ def joint(
     disc = Circle(centre, radius * sketch.mm, zorder=7 if colour == BLACK else 4)
     disc.set(facecolor=filling, edgecolor=colour, linewidth=width)
     sketch.axes.add_patch(disc)
+
+
+def strong_links(sketch: Sketch, **links: tuple[Point, Point]) -> None:
+    """Draw links by their names as of the first position, the cranks among them thicker."""
+    for name, ends in links.items():
+        strong = line(sketch, *ends, linewidth=2.4 if "crank" in name else 1.6, zorder=6)
+        strong.set_gid(name.replace("_", "-"))
+
+
+def joints(sketch: Sketch, shafts: Sequence[Point], pins: Sequence[Point]) -> None:
+    """Draw the ends of shafts, which are fixed in the frame, and the pins between links."""
+    for centre in shafts:
+        joint(sketch, centre, 1.7, BLACK, MEDIUM)
+        joint(sketch, centre, 0.35, BLACK, MEDIUM, BLACK)
+    for centre in pins:
+        joint(sketch, centre, 1.1, BLACK, MEDIUM)
 
 
 def light_links(sketch: Sketch, *joints: Point) -> None:
@@ -78,10 +127,13 @@ def arc(sketch: Sketch, centre: Point, radius: float, start: float, end: float, 
         arrowhead(sketch.axes, points[-1], (-math.sin(lean), math.cos(lean)), sketch.mm)
 
 
-def crank_angle(sketch: Sketch, pin: Point, turn: float, radius: float) -> None:
-    """Draw φ within the crank circle or, of a crank too small in mm for that, around it."""
+def crank_dimensions(sketch: Sketch, pin: Point, turn: float) -> None:
+    """Draw R, and φ within the crank circle or, of a crank too small in mm for that, around it."""
+    beside_link(sketch, (0, 0), pin, "$R$", 0.68, 1 if pin[1] >= 0 else -1)
+    if not turn:
+        return
     mm, at, share = sketch.mm, 0.42, 0.5
-    if radius < SMALL_CRANK:
+    if mm * SMALL_CRANK > 1:
         # Outside, the rod passes above the middle of the arc.
         at, share, end = 1 + 2.4 * mm, 0.3, 1 + 4 * mm
         line(sketch, pin, (pin[0] * end, pin[1] * end), zorder=4)
@@ -125,13 +177,14 @@ def dead_tick(sketch: Sketch, pin: Point) -> None:
     line(sketch, *ends, linewidth=MEDIUM, zorder=3)
 
 
-def bearing(sketch: Sketch, centre: Point) -> None:
-    """Draw the end of a shaft, which is fixed in the frame."""
-    joint(sketch, centre, 1.7, BLACK, MEDIUM)
-    joint(sketch, centre, 0.35, BLACK, MEDIUM, BLACK)
+def pin_texts(pins: Sequence[Point], angles: Sequence[float | Fraction], mark: str) -> list[Text]:
+    """Return the angles beside the pins, for `beside_points`, where there are several."""
+    if len(pins) < 2:
+        return []
+    return [(pin, pin, degrees(angle, mark)) for pin, angle in zip(pins, angles, strict=True)]
 
 
-def beside_points(sketch: Sketch, places: Sequence[tuple[Point, Point, str]]) -> None:
+def beside_points(sketch: Sketch, places: Sequence[Text]) -> None:
     """Write texts beside points, each at best in a direction of its own, as far as there is room."""
     import numpy as np
 
