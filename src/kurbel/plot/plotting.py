@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
-from kurbel.motion.captions import WORDS
+from kurbel.page.axes import PHI
 from kurbel.plot.place import BESIDE, Points, beside, box_points, densely, freest
 from kurbel.plot.style import (
     BLACK,
@@ -120,7 +120,7 @@ def curves(panels: Sequence[Panel], lang: str, mark: str) -> Figure:
             _draw(one, plan, number)
             _value_axis(one, plan, mark)
             _angle_axis(one, span, mark, named=number == len(plans))
-        axes[-1].set_xlabel(text_of(f"{WORDS['phi'][lang]} $φ$", mark), labelpad=3)
+        axes[-1].set_xlabel(text_of(f"{PHI[lang]} $φ$", mark), labelpad=3)
     return figure
 
 
