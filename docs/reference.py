@@ -9,8 +9,7 @@ from pathlib import Path
 
 import click
 
-from kurbel.balance.harmonics import registry as harmonics_registry
-from kurbel.balance.harmonics_page import harmonic_name
+from kurbel.balance.harmonics_page import quantities as harmonics_registry
 from kurbel.balance.request import DECIMALS, balance_registry
 from kurbel.cli import COMMANDS
 from kurbel.engine.quantities import COMMANDS_OF, engine_registry
@@ -93,10 +92,10 @@ def _balance_quantities() -> Iterator[str]:
     yield "| key | quantity | unit | decimals | command |\n| --- | --- | --- | ---: | --- |"
     decimals = layout("harmonics").columns[0].decimals
     for key, harmonic in harmonics_registry().items():
-        name, unit = harmonic_name(harmonic, "en"), harmonic.unit
+        name, unit = f"{harmonic.name['en']} {plain(harmonic.symbol)}", harmonic.plain_unit("en")
         yield f"| `value` | {name} | {unit} | {decimals} | `harmonics --quantity {key}` |"
     for key, column in balance_registry().items():
-        yield f"| `{key}` | {column.name['en']} | {column.unit} | {DECIMALS} | `balance` |"
+        yield f"| `{key}` | {column.name['en']} | {column.plain_unit('en')} | {DECIMALS} | `balance` |"
     yield from _linkage_quantities()
 
 

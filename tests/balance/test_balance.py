@@ -92,7 +92,7 @@ RESIDUALS = st.builds(
 def test_residuals_are_the_fourier_analysis_of_what_the_pistons_push(
     arrangement: Arrangement, ratio: float, order: int
 ) -> None:
-    size = abs(harmonics.registry()["p"].value(order, ratio))
+    size = abs(harmonics.HARMONICS["p"].value(order, ratio))
     for residual, weigh in (
         (force(arrangement, order), lambda cylinder: 1.0),
         (moment(arrangement, order), lambda cylinder: float(cylinder.position)),

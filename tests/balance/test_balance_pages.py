@@ -214,7 +214,7 @@ def test_every_engine_has_a_name_and_a_page(engine: str, lang: str) -> None:
 def test_cells_of_a_page_are_its_records() -> None:
     page = kurbel.make_balance_table("v6-90", ["1:4", "1:5"], orders=4, columns=list(balance_registry()))
     heads = {
-        key: tuple(filter(None, (column.spanner["de"], column.head["de"])))
+        key: tuple(one["de"] for one in (*column.spanners, column.heading))
         for key, column in balance_registry().items()
     }
     groups = {"force": "Kräfte in $m R ω^2$", "moment": "Momente in $m R ω^2 a$"}

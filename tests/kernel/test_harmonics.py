@@ -17,7 +17,7 @@ from mpmath import mp
 from numpy.testing import assert_allclose
 from textbook import Drive
 
-from kurbel.balance.harmonics import MOST_ORDERS, certified, rational, registry, series
+from kurbel.balance.harmonics import HARMONICS, MOST_ORDERS, certified, rational, series
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact import certify
@@ -59,7 +59,7 @@ def fourier(key: str, ratio: Fraction, order: int) -> Any:
 def test_coefficients_are_the_fourier_integrals_of_the_motion(key: str, ratio: Fraction, order: int) -> None:
     with mp.workprec(BITS):
         expected = textbook.rounded(fourier(key, ratio, order), 30)
-        assert certified(registry()[key], order, Crank(ratio), 30).scaled == expected
+        assert certified(HARMONICS[key], order, Crank(ratio), 30).scaled == expected
 
 
 @pytest.mark.parametrize("key", KEYS)
@@ -72,9 +72,9 @@ def test_sums_converge_to_the_motion(key: str, sign: int, ratio: float) -> None:
         "p": kinematics.piston_acceleration,
     }
     degrees = np.linspace(0.0, 360.0, 97)
-    wave = np.sin if registry()[key].wave == "sin" else np.cos
+    wave = np.sin if HARMONICS[key].wave == "sin" else np.cos
     total = sum(
-        registry()[key].value(order, sign * ratio) * wave(order * np.radians(degrees)) for order in range(101)
+        HARMONICS[key].value(order, sign * ratio) * wave(order * np.radians(degrees)) for order in range(101)
     )
     assert_allclose(total, formula[key](circle(degrees), sign * ratio), rtol=0, atol=1e-12)
 
@@ -109,7 +109,7 @@ def test_a_rod_as_long_as_the_crank_is_the_limit(order: int) -> None:
     half = order // 2
     limit = (-1) ** half * 4 / mp.pi / (4 * half**2 - 1)
     before = process_time()
-    scaled = certified(registry()["x"], order, Crank(1 - Fraction(1, 10**40)), 30).scaled
+    scaled = certified(HARMONICS["x"], order, Crank(1 - Fraction(1, 10**40)), 30).scaled
     assert process_time() - before < ONE_SECOND
     assert abs(scaled - limit * 10**30) < 10**15
 
@@ -118,14 +118,14 @@ def test_a_rod_as_long_as_the_crank_is_the_limit(order: int) -> None:
 def test_mean_path_is_an_elliptic_integral(ratio: Fraction) -> None:
     lam = textbook.real(ratio)
     expected = 1 + (1 - 2 * mp.ellipe(lam**2) / mp.pi) / lam
-    assert certified(registry()["x"], 0, Crank(ratio), 40).scaled == textbook.rounded(expected, 40)
+    assert certified(HARMONICS["x"], 0, Crank(ratio), 40).scaled == textbook.rounded(expected, 40)
 
 
 @pytest.mark.parametrize("half", [1, 2, 7, 30])
 def test_even_orders_follow_from_two_of_them(half: int) -> None:
     ratio = Fraction(3, 4)
     before, this, after = (
-        textbook.real(Fraction(certified(registry()["x"], 2 * m, Crank(ratio), 60).scaled, 10**60))
+        textbook.real(Fraction(certified(HARMONICS["x"], 2 * m, Crank(ratio), 60).scaled, 10**60))
         for m in (half - 1, half, half + 1)
     )
     if half == 1:
@@ -152,7 +152,7 @@ def test_even_orders_follow_from_two_of_them(half: int) -> None:
 def test_first_powers_of_the_ratio_are_those_of_the_books(
     key: str, order: int, count: int, printed: str
 ) -> None:
-    terms = series(registry()[key], order, count)
+    terms = series(HARMONICS[key], order, count)
     assert " + ".join(f"{one.coefficient} λ^{one.power}" for one in terms) == printed
 
 
@@ -163,10 +163,10 @@ def test_first_powers_of_the_ratio_are_those_of_the_books(
     order=st.integers(0, 30),
 )
 def test_powers_of_the_ratio_add_up_to_the_coefficient(key: str, ratio: Fraction, order: int) -> None:
-    terms = series(registry()[key], order, 30)
+    terms = series(HARMONICS[key], order, 30)
     total = sum((one.coefficient * ratio**one.power for one in terms), Fraction(0))
     # Sixty powers of λ² <= 1/16 later; the factor is at most k² = 900.
-    scaled = certified(registry()[key], order, Crank(ratio), 40).scaled
+    scaled = certified(HARMONICS[key], order, Crank(ratio), 40).scaled
     assert abs(total * 10**40 - scaled) < Fraction(1, 2) + 2 * 900 * Fraction(10**40, 16**30)
 
 
@@ -182,35 +182,35 @@ def test_terms_of_a_power_series_have_one_sign(order: int) -> None:
 def test_what_no_rod_changes_is_exact(ratio: Fraction, decimals: int) -> None:
     crank, one = Crank(ratio), 10**decimals
     for key, first in (("x", -one), ("c", one), ("p", one)):
-        assert certified(registry()[key], 1, crank, decimals).scaled == first
+        assert certified(HARMONICS[key], 1, crank, decimals).scaled == first
         for order in (3, 5, 99):
-            assert certified(registry()[key], order, crank, decimals).scaled == 0
+            assert certified(HARMONICS[key], order, crank, decimals).scaled == 0
     for key in ("c", "p"):
-        assert certified(registry()[key], 0, crank, decimals).scaled == 0
-        assert str(registry()[key].value(0, 0.5)) == "0.0"
+        assert certified(HARMONICS[key], 0, crank, decimals).scaled == 0
+        assert str(HARMONICS[key].value(0, 0.5)) == "0.0"
 
 
 @pytest.mark.parametrize("crank", [Crank(Fraction(0)), Crank(Fraction(1, 3))])
 def test_an_infinite_rod_leaves_the_first_order_alone(crank: Crank) -> None:
-    values = [rational(registry()["p"], order, crank, "infinite") for order in range(8)]
+    values = [rational(HARMONICS["p"], order, crank, "infinite") for order in range(8)]
     assert values == [0, 1, 0, 0, 0, 0, 0, 0]
-    assert rational(registry()["x"], 0, crank, "infinite") == 1
+    assert rational(HARMONICS["x"], 0, crank, "infinite") == 1
     if not crank.ratio:
-        assert certified(registry()["x"], 0, crank, 3).scaled == 1000
+        assert certified(HARMONICS["x"], 0, crank, 3).scaled == 1000
 
 
 def test_first_order_formulas_have_two_harmonics() -> None:
     crank = Crank(Fraction(1, 8))
-    values = [rational(registry()["p"], order, crank, "series") for order in range(7)]
+    values = [rational(HARMONICS["p"], order, crank, "series") for order in range(7)]
     assert values == [0, 1, Fraction(1, 8), 0, 0, 0, 0]
-    assert rational(registry()["c"], 2, crank, "series") == Fraction(1, 16)
-    path = [rational(registry()["x"], order, crank, "series") for order in range(5)]
+    assert rational(HARMONICS["c"], 2, crank, "series") == Fraction(1, 16)
+    path = [rational(HARMONICS["x"], order, crank, "series") for order in range(5)]
     assert path == [1 + Fraction(1, 32), -1, -Fraction(1, 32), 0, 0]
-    assert rational(registry()["p"], 2, crank) is None
+    assert rational(HARMONICS["p"], 2, crank) is None
 
 
 def test_a_tie_of_the_first_order_is_rounded_as_asked() -> None:
-    crank, acceleration = Crank(Fraction(1, 8)), registry()["p"]
+    crank, acceleration = Crank(Fraction(1, 8)), HARMONICS["p"]
     assert certified(acceleration, 2, crank, 2, "series").scaled == 13
     assert certified(acceleration, 2, crank, 2, "series", "half-even").scaled == 12
     assert certified(acceleration, 2, crank, 2, rounding="half-even").scaled == 13
@@ -220,13 +220,13 @@ def test_fifty_digits_of_a_hundred_orders_take_no_time() -> None:
     before = process_time()
     for ratio in (Fraction(1, 5), Fraction(999, 1000)):
         for order in range(MOST_ORDERS + 1):
-            certified(registry()["p"], order, Crank(ratio), 50)
+            certified(HARMONICS["p"], order, Crank(ratio), 50)
     assert process_time() - before < ONE_SECOND
 
 
 def sentence(key: str, order: int, crank: Crank) -> str:
     with pytest.raises(ProblemError) as raised:
-        certified(registry()[key], order, crank, 4)
+        certified(HARMONICS[key], order, crank, 4)
     return str(raised.value)
 
 
@@ -241,11 +241,11 @@ def test_what_has_no_harmonics_is_refused() -> None:
     )
     for terms in (0, 101):
         with pytest.raises(ProblemError, match=f"^{terms} terms were asked for; 1 to 100 are given$"):
-            series(registry()["p"], 2, terms)
+            series(HARMONICS["p"], 2, terms)
 
 
 def test_symbols_are_labels_and_letters_differ() -> None:
-    entries = list(registry().values())
-    assert [entry.key for entry in entries] == list(registry()) == list(KEYS)
+    entries = list(HARMONICS.values())
+    assert [entry.key for entry in entries] == list(HARMONICS) == list(KEYS)
     assert all(parse(entry.symbol) for entry in entries)
     assert len({entry.symbol for entry in entries}) == len(entries)

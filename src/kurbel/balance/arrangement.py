@@ -195,7 +195,7 @@ def factor(order: int, crank: Crank, method: str = "exact") -> Factor:
     """Return |B_k|, by which residuals are multiplied to be in units of m R ω²."""
     check_order(order)
     harmonics.check_straight(crank)
-    harmonic = harmonics.registry()["p"]
+    harmonic = harmonics.HARMONICS["p"]
     exact = harmonics.rational(harmonic, order, crank, method)
     if exact is not None:
         # 1, λ or 0.

@@ -8,12 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from fractions import Fraction
-from functools import cache
 from typing import Any, NamedTuple
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.numerals import Label, Number, nearest
+from kurbel.exact.numerals import Number, nearest
 from kurbel.kernel import harmonics
 from kurbel.kernel.harmonics import Term
 
@@ -22,12 +21,10 @@ MOST_TERMS = 100
 
 
 class Harmonic(NamedTuple):
-    """An entry of the registry: C_k or B_k is `factor` of the order times A_k; `wave` is cos or sin."""
+    """The harmonics of a motion: C_k or B_k is `factor` of the order times A_k; `wave` is cos or sin."""
 
     key: str
-    symbol: Label
-    name: Mapping[str, str]
-    unit: str
+    letter: str
     factor: Callable[[int], int]
     wave: str = "cos"
 
@@ -37,28 +34,12 @@ class Harmonic(NamedTuple):
         return 0 + self.factor(order) * harmonics.path_coefficient(order, ratio)
 
 
-@cache
-def registry() -> Mapping[str, Harmonic]:
-    """Return the harmonics by the key of the quantity that they add up to."""
-    rows: tuple[tuple[str, str, str, dict[str, Any]], ...] = (
-        ("x", "A", "Kolbenweg|Piston path", {"unit": "R", "factor": harmonics.path_factor}),
-        (
-            "c",
-            "C",
-            "Kolbengeschwindigkeit|Piston velocity",
-            {"unit": "v", "wave": "sin", "factor": harmonics.velocity_factor},
-        ),
-        (
-            "p",
-            "B",
-            "Kolbenbeschleunigung|Piston acceleration",
-            {"unit": "v²/R", "factor": harmonics.acceleration_factor},
-        ),
-    )
-    return {
-        key: Harmonic(key, f"${letter}_k$", dict(zip(("de", "en"), name.split("|"), strict=True)), **rest)
-        for key, letter, name, rest in rows
-    }
+HARMONICS: Mapping[str, Harmonic] = {
+    "x": Harmonic("x", "A", harmonics.path_factor),
+    "c": Harmonic("c", "C", harmonics.velocity_factor, "sin"),
+    "p": Harmonic("p", "B", harmonics.acceleration_factor),
+}
+"""The harmonics by the key of the quantity that they add up to."""
 
 
 def series(harmonic: Harmonic, order: int, terms: int) -> tuple[Term, ...]:

@@ -5,26 +5,28 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cache, cached_property
 from math import inf
+from typing import Any
 
-from kurbel.balance.harmonics import Harmonic, certified, printed_orders, rational, registry, series
+from kurbel.balance.harmonics import HARMONICS, Harmonic, certified, printed_orders, rational, series
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel.harmonics import Term
 from kurbel.motion.evaluation import METHODS
-from kurbel.page import axes as page_axes
-from kurbel.page import words as page_words
-from kurbel.page.arrange import Axis, Grid, Place, check_size
-from kurbel.page.layouts import Layout
-from kurbel.page.old_axes import RatioAxis
-from kurbel.page.sheet import Sheet, records_of, table_of
-from kurbel.page.table import Cell, Field, Table, Value
+from kurbel.page.arrange import Axis, Place
+from kurbel.page.axes import RatioAxis
+from kurbel.page.layouts import Layout, LayoutColumn
+from kurbel.page.quantity import Column, Formula, Quantity, words
+from kurbel.page.question import Question
+from kurbel.page.subject import Subject
+from kurbel.page.table import Field
+from kurbel.page.words import filled, for_ratio
 from kurbel.reading.choices import choose
-from kurbel.reading.notation import ratio_text
 
-KEYS = ("order", "ratio", "value")
 ORDERS = 6
+DECIMALS = 6
 # A note has so many terms of each series, and series up to this order.
 TERMS = 3
 LAST_SERIES = 6
@@ -32,22 +34,40 @@ LAST_SERIES = 6
 POWERS: Mapping[str, float] = {"exact": inf, "series": 1, "infinite": 0}
 EXACT_ZERO = Number(0, 0)
 """A value that is 0 by proof is printed as 0, one that is only small as 0.0000."""
-MOTIONS: Mapping[str, Label] = {"x": "x/R", "c": "c/v", "p": "(p R)/v^2"}
-WORDS: Mapping[str, Mapping[str, str]] = {
-    "x": {"de": "Harmonische des Kolbenweges", "en": "Harmonics of the piston path"},
-    "c": {"de": "Harmonische der Kolbengeschwindigkeit", "en": "Harmonics of the piston velocity"},
-    "p": {"de": "Harmonische der Kolbenbeschleunigung", "en": "Harmonics of the piston acceleration"},
-    "order": {"de": "Ordnung", "en": "Order"},
-    "series": {"de": "Mit $λ = {ratio}$: ", "en": "With $λ = {ratio}$: "},
-    "odd": {
-        "de": "Ungerade Ordnungen über 1 sind 0",
-        "en": "Odd orders above 1 are 0",
-    },
-}
+ORDER = words("Ordnung|Order")
+SERIES = words("Mit $λ = {ratio}$: |With $λ = {ratio}$: ")
+ODD = words("Ungerade Ordnungen über 1 sind 0|Odd orders above 1 are 0")
+
+
+@cache
+def quantities() -> Mapping[str, Quantity]:
+    """Return the coefficients by the key of the quantity that they add up to, which stands before the sum."""
+    rows = (
+        ("x", "Harmonische des Kolbenweges|Harmonics of the piston path", "$R$", "x/R"),
+        ("c", "Harmonische der Kolbengeschwindigkeit|Harmonics of the piston velocity", "$v$", "c/v"),
+        (
+            "p",
+            "Harmonische der Kolbenbeschleunigung|Harmonics of the piston acceleration",
+            "v²/R",
+            "(p R)/v^2",
+        ),
+    )
+    return {
+        key: Quantity(
+            key=key,
+            name=words(name),
+            symbol=f"${HARMONICS[key].letter}_k$",
+            unit=words(unit),
+            decimals=DECIMALS,
+            formulas={"exact": Formula(HARMONICS[key].value, printed)},
+            heading=words(f"${HARMONICS[key].letter}_k$"),
+        )
+        for key, name, unit, printed in rows
+    }
 
 
 @dataclass(frozen=True, kw_only=True)
-class HarmonicsRequest(Sheet):
+class HarmonicsRequest(Question):
     """What is asked for: the harmonics up to an order of the path (x), velocity (c) or acceleration (p).
 
     `quantity` empty leaves it to the layout. By the method of the infinite rod all ratios are 1:∞.
@@ -58,28 +78,24 @@ class HarmonicsRequest(Sheet):
     last_order: int = ORDERS
     method: str = "exact"
 
-    def __post_init__(self) -> None:
-        super().__post_init__()
+    def check(self) -> None:
         printed_orders(self.harmonic, self.last_order)
         object.__setattr__(self, "ratios", checked_ratios(self.ratios, self.method))
 
-    def __len__(self) -> int:
-        """How many records there are."""
-        return len(self.orders) * len(self.ratios)
-
     @property
     def harmonic(self) -> Harmonic:
-        return registry()[choose(self.quantity or self.layout.columns[0].quantity, registry(), "quantity")]
+        return HARMONICS[choose(self.quantity or self.layout.columns[0].quantity, HARMONICS, "quantity")]
 
     @property
     def orders(self) -> tuple[int, ...]:
         return printed_orders(self.harmonic, self.last_order)
 
-    @property
-    def decimals(self) -> int:
-        own = self.layout.columns[0].decimals
-        assert own is not None
-        return own if self.digits is None else self.digits
+    @cached_property
+    def page_columns(self) -> tuple[Column, ...]:
+        return (self.column(self.layout.columns[0]._replace(quantity=self.harmonic.key)),)
+
+    def methods(self, column: LayoutColumn) -> tuple[str, ...]:
+        return (self.method,)
 
 
 def checked_ratios(ratios: tuple[Fraction, ...], method: str) -> tuple[Fraction, ...]:
@@ -91,52 +107,52 @@ def checked_ratios(ratios: tuple[Fraction, ...], method: str) -> tuple[Fraction,
     return (Fraction(0),) if choose(method, METHODS, "method") == "infinite" else ratios
 
 
-def harmonic_name(harmonic: Harmonic, lang: str) -> str:
-    return f"{WORDS[harmonic.key][lang]} {harmonic.symbol.strip('$').replace('_k', 'ₖ')}"
-
-
-def build_harmonics(request: HarmonicsRequest, pages: bool = True) -> Table:
-    """Return the table that was asked for; without `pages` only its records."""
-    lang = request.lang
-    name = WORDS[request.harmonic.key][lang]
-    text = caption(request.layout, lang, request.ratios, request.method).replace("{quantity}", name)
-    records = records_of(len(request), KEYS, _fields(request), lambda: _records(request))
-    return table_of(request, text, _grid(request) if pages else None, records, _notes(request))
-
-
 def caption(layout: Layout, lang: str, ratios: Sequence[Fraction], method: str) -> Label:
     """Return the layout's caption with the ratio, if there is only one, and the method."""
-    ratio = page_words.for_ratio(ratios[0], lang, layout.ratio_symbol)
-    shown = ratio if len(ratios) == 1 and method != "infinite" else ""
-    text = layout.caption[lang].replace("{method}", METHODS[method].caption[lang])
-    return text.replace("{for_ratio}", shown)
+    shown = len(ratios) == 1 and method != "infinite"
+    parts = {
+        "{method}": METHODS[method].caption[lang],
+        "{for_ratio}": for_ratio(ratios[0], lang, layout.ratio_symbol) if shown else "",
+    }
+    return filled(layout.caption[lang], parts.items())
+
+
+def _caption(question: HarmonicsRequest) -> Label:
+    text = caption(question.layout, question.lang, question.ratios, question.method)
+    return text.replace("{quantity}", question.page_columns[0].quantity.name[question.lang])
 
 
 class OrderAxis(Axis):
     """The orders of harmonics."""
 
-    def __init__(self, layout: Layout, orders: Sequence[int], lang: str) -> None:
-        super().__init__(len(orders))
-        self.layout = layout
-        self.orders = orders
-        self.lang = lang
+    key = "order"
+
+    def __init__(self, question: Any) -> None:
+        super().__init__(len(question.orders))
+        self.layout, self.lang, self.orders = question.layout, question.lang, question.orders
+
+    def field(self) -> Field:
+        return Field("order", ORDER[self.lang], "$k$", "", 0)
+
+    def value(self, place: Place) -> Number:
+        return Number(self.orders[place["order"]], 0)
 
     def stub_heading(self) -> Label:
-        return self.layout.stub_heading("order", f"{WORDS['order'][self.lang]} $k$", self.lang)
+        return self.layout.stub_heading("order", f"{ORDER[self.lang]} $k$", self.lang)
 
     def heads(self, place: Place) -> tuple[Label, ...]:
         return (f"$k = {self.orders[place['order']]}$",)
 
     def stub(self, place: Place) -> Number:
-        return Number(self.orders[place["order"]], 0)
+        return self.value(place)
 
 
 class _HeadedRatioAxis(RatioAxis):
     """Crank ratios below the symbol of the harmonic."""
 
-    def __init__(self, request: HarmonicsRequest) -> None:
-        super().__init__(request.layout, request.ratios, request.lang)
-        self.symbol = request.harmonic.symbol
+    def __init__(self, question: HarmonicsRequest) -> None:
+        super().__init__(question)
+        self.symbol = question.page_columns[0].quantity.symbol
 
     def heads(self, place: Place) -> tuple[Label, ...]:
         return (f"{self.symbol}, ${self.layout.ratio_symbol}$", *super().heads(place))
@@ -151,50 +167,18 @@ def harmonic_number(
     return certified(harmonic, order, crank, decimals, method, rounding)
 
 
-def order_field(lang: str) -> Field:
-    return Field("order", WORDS["order"][lang], "$k$", "", 0)
+def _number(question: HarmonicsRequest, column: Column, place: Place, times: int) -> Number:
+    order, crank = question.orders[place["order"]], Crank(question.ratios[place["ratio"]])
+    return harmonic_number(question.harmonic, order, crank, column.places, question.method, question.rounding)
 
 
-def ratio_field(layout: Layout, lang: str) -> Field:
-    return Field("ratio", page_axes.RATIO[lang], f"${layout.ratio_symbol}$")
-
-
-def _number(request: HarmonicsRequest, order: int, ratio: Fraction) -> Number:
-    crank = Crank(ratio)
-    return harmonic_number(request.harmonic, order, crank, request.decimals, request.method, request.rounding)
-
-
-def _grid(request: HarmonicsRequest) -> Grid:
-    layout, orders = request.layout, request.orders
-    axes = {"order": OrderAxis(layout, orders, request.lang), "ratio": _HeadedRatioAxis(request)}
-    check_size(layout, {name: axis.size for name, axis in axes.items()})
-
-    def cell(place: Place) -> Cell:
-        return Cell(_number(request, orders[place["order"]], request.ratios[place["ratio"]]))
-
-    return Grid(axes, cell)
-
-
-def _records(request: HarmonicsRequest) -> Iterator[Mapping[str, Value]]:
-    """One for each ratio and order."""
-    for ratio in request.ratios:
-        for order in request.orders:
-            number = _number(request, order, ratio)
-            yield {"order": Number(order, 0), "ratio": f"${ratio_text(ratio)}$", "value": number}
-
-
-def _fields(request: HarmonicsRequest) -> Mapping[str, Field]:
-    harmonic, lang = request.harmonic, request.lang
-    name = WORDS[harmonic.key][lang]
-    value = Field("value", name, harmonic.symbol, harmonic.unit, request.decimals, request.method)
-    return {"order": order_field(lang), "ratio": ratio_field(request.layout, lang), "value": value}
-
-
-def _notes(request: HarmonicsRequest) -> Iterator[Label]:
-    yield _sum_formula(request.harmonic, request.method)
-    yield from series_notes(request.harmonic, request.orders, request.method, request.layout, request.lang)
-    if request.last_order > 1:
-        yield WORDS["odd"][request.lang]
+def _notes(question: HarmonicsRequest) -> Iterator[Label]:
+    yield _sum_formula(question.harmonic, question.method)
+    yield from series_notes(
+        question.harmonic, question.orders, question.method, question.layout, question.lang
+    )
+    if question.last_order > 1:
+        yield ODD[question.lang]
 
 
 def series_notes(
@@ -205,7 +189,7 @@ def series_notes(
         return
     formulas = (series_formula(harmonic, order, method) for order in orders if order <= LAST_SERIES)
     ratio = layout.ratio_symbol.replace(":", "/")
-    yield WORDS["series"][lang].replace("{ratio}", ratio) + "; ".join(f"${one}$" for one in formulas if one)
+    yield SERIES[lang].replace("{ratio}", ratio) + "; ".join(f"${one}$" for one in formulas if one)
 
 
 def _sum_formula(harmonic: Harmonic, method: str) -> Label:
@@ -213,7 +197,7 @@ def _sum_formula(harmonic: Harmonic, method: str) -> Label:
     orders = [order for order in printed_orders(harmonic, 4) if _terms(harmonic, order, method)]
     parts = [f"{_letter(harmonic, order)}{_wave(harmonic, order)}" for order in orders]
     more = ["…"] if method == "exact" else []
-    return f"${MOTIONS[harmonic.key]} = {' + '.join(parts + more)}$"
+    return f"${quantities()[harmonic.key].formulas['exact'].printed} = {' + '.join(parts + more)}$"
 
 
 def _wave(harmonic: Harmonic, order: int) -> str:
@@ -223,7 +207,7 @@ def _wave(harmonic: Harmonic, order: int) -> str:
 
 
 def _letter(harmonic: Harmonic, order: int) -> str:
-    return harmonic.symbol.strip("$").replace("_k", f"_{order}")
+    return f"{harmonic.letter}_{order}"
 
 
 def series_formula(harmonic: Harmonic, order: int, method: str = "exact") -> str:
@@ -247,3 +231,16 @@ def _term(term: Term) -> str:
     if bottom > 1:
         product = f"({product})/{bottom}" if " " in product else f"{product}/{bottom}"
     return f"{'-' if term.coefficient < 0 else '+'} {product}"
+
+
+SUBJECT = Subject(
+    key="harmonics",
+    layout="harmonics",
+    command="harmonics",
+    axes={"ratio": _HeadedRatioAxis, "order": OrderAxis},
+    axis_keys=("order", "ratio"),
+    quantities=quantities,
+    number=_number,
+    caption=_caption,
+    notes=_notes,
+)

@@ -3,29 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
 
-from kurbel.balance.arrangement import LENGTHS, Residual, certified_length, factor, force, moment
-from kurbel.balance.harmonics import registry as harmonics_registry
-from kurbel.balance.harmonics_page import (
-    EXACT_ZERO,
-    OrderAxis,
-    caption,
-    harmonic_number,
-    order_field,
-    ratio_field,
-    series_notes,
-)
-from kurbel.balance.request import RESIDUALS, BalanceColumn, BalanceRequest
+from kurbel.balance.arrangement import LENGTHS, certified_length, factor
+from kurbel.balance.harmonics import HARMONICS
+from kurbel.balance.harmonics_page import EXACT_ZERO, OrderAxis, caption, harmonic_number, series_notes
+from kurbel.balance.request import FACTOR, RESIDUALS, BalanceRequest, balance_registry
 from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Label, Number, degrees_text, finite_decimals
-from kurbel.page.arrange import Axis, Grid, Place, check_size
-from kurbel.page.old_axes import ColumnAxis, RatioAxis
-from kurbel.page.sheet import Heads, records_of, table_of
-from kurbel.page.table import Cell, Field, Table, Value
-from kurbel.reading.notation import plain, ratio_text
+from kurbel.page.arrange import Axis, Place
+from kurbel.page.axes import ColumnAxis, RatioAxis
+from kurbel.page.quantity import Column
+from kurbel.page.subject import Subject
+from kurbel.page.table import Field
+from kurbel.reading.notation import plain
 
 UNITS: Mapping[str, Label] = {"force": "$m R ω^2$", "moment": "$m R ω^2 a$"}
 ENGINES: Mapping[str, tuple[str, str]] = {
@@ -81,106 +72,47 @@ WORDS: Mapping[str, Mapping[str, str]] = {
 }
 
 
-@dataclass(frozen=True)
-class _Solved:
-    """A request with its residuals, each found once."""
-
-    request: BalanceRequest
-
-    @cached_property
-    def residuals(self) -> Mapping[tuple[str, int], Residual]:
-        found = {"force": force, "moment": moment}
-        arrangement, orders = self.request.arrangement, self.request.orders
-        return {(key, order): found[key](arrangement, order) for key in RESIDUALS for order in orders}
-
-    def number(self, column: BalanceColumn, key: str, order: int, ratio: Fraction) -> Number:
-        method, decimals, rounding = self.request.method, self.request.decimals, self.request.rounding
-        crank = Crank(ratio)
-        if column.key == "factor":
-            return harmonic_number(harmonics_registry()["p"], order, crank, decimals, method, rounding)
-        length, residual, scale = (
-            LENGTHS[column.key],
-            self.residuals[key, order],
-            factor(order, crank, method),
-        )
-        if scale == 0 or length.vanishes(residual):
-            return EXACT_ZERO
-        return certified_length(length, residual, decimals, scale, rounding)
-
-
 class _ResidualAxis(Axis):
     """Forces and moments, with their units."""
 
-    def __init__(self, lang: str) -> None:
+    key = "residual"
+
+    def __init__(self, question: BalanceRequest) -> None:
         super().__init__(len(RESIDUALS))
-        self.lang = lang
+        self.lang = question.lang
+
+    def field(self) -> Field:
+        return Field("residual", WORDS["residual"][self.lang])
+
+    def value(self, place: Place) -> str:
+        return RESIDUALS[place["residual"]]
 
     def heads(self, place: Place) -> tuple[Label, ...]:
-        key = RESIDUALS[place["residual"]]
+        key = self.value(place)
         return (WORDS["in"][self.lang].format(residual=WORDS[key][self.lang], unit=UNITS[key]),)
 
 
-def build_balance(request: BalanceRequest, pages: bool = True) -> Table:
-    """Return the table that was asked for; without `pages` only its records."""
-    solved = _Solved(request)
-    text = caption(request.layout, request.lang, request.ratios, request.method)
-    text = text.replace("{engine}", _engine(request))
-    names = request.columns or ("ratio", "residual", "order", *(one.key for one in request.page_columns))
-    records = records_of(len(request), names, _fields(request), lambda: _records(solved))
-    return table_of(request, text, _grid(solved) if pages else None, records, _notes(request))
+def _number(question: BalanceRequest, column: Column, place: Place, times: int) -> Number:
+    key, order = RESIDUALS[place["residual"]], question.orders[place["order"]]
+    crank, method = Crank(question.ratios[place["ratio"]]), question.method
+    if column.key == FACTOR:
+        return harmonic_number(HARMONICS["p"], order, crank, column.places, method, question.rounding)
+    length, residual = LENGTHS[column.key], question.residuals[key, order]
+    scale = factor(order, crank, method)
+    if scale == 0 or length.vanishes(residual):
+        return EXACT_ZERO
+    return certified_length(length, residual, column.places, scale, question.rounding)
 
 
-def _heads(column: BalanceColumn, lang: str) -> Heads:
-    return Heads((column.spanner[lang],) if column.spanner[lang] else (), (column.head[lang],))
+def _caption(question: BalanceRequest) -> Label:
+    text = caption(question.layout, question.lang, question.ratios, question.method)
+    return text.replace("{engine}", _engine(question))
 
 
 def _engine(request: BalanceRequest) -> Label:
     if request.engine:
         return dict(zip(("de", "en"), ENGINES[request.engine], strict=True))[request.lang]
     return WORDS["cylinders"][request.lang].format(count=len(request.arrangement.cylinders))
-
-
-def _grid(solved: _Solved) -> Grid:
-    request = solved.request
-    layout, lang, columns = request.layout, request.lang, request.page_columns
-    axes = {
-        "ratio": RatioAxis(layout, request.ratios, lang),
-        "residual": _ResidualAxis(lang),
-        "order": OrderAxis(layout, request.orders, lang),
-        "column": ColumnAxis(layout, [_heads(column, lang) for column in columns], request.ratios, lang),
-    }
-    check_size(layout, {name: axis.size for name, axis in axes.items()})
-
-    def cell(place: Place) -> Cell:
-        key, order = RESIDUALS[place["residual"]], request.orders[place["order"]]
-        return Cell(solved.number(columns[place["column"]], key, order, request.ratios[place["ratio"]]))
-
-    return Grid(axes, cell)
-
-
-def _records(solved: _Solved) -> Iterator[Mapping[str, Value]]:
-    """One for each ratio, force or moment, and order."""
-    request = solved.request
-    for ratio in request.ratios:
-        for key, order in solved.residuals:
-            axes: dict[str, Value] = {
-                "ratio": f"${ratio_text(ratio)}$", "residual": key, "order": Number(order, 0)
-            }  # fmt: skip
-            yield axes | {one.key: solved.number(one, key, order, ratio) for one in request.page_columns}
-
-
-def _fields(request: BalanceRequest) -> Mapping[str, Field]:
-    lang = request.lang
-    fields = {
-        "ratio": ratio_field(request.layout, lang),
-        "residual": Field("residual", WORDS["residual"][lang]),
-        "order": order_field(lang),
-    }
-    for one in request.page_columns:
-        fields[one.key] = Field(
-            one.key, one.name[lang], one.symbol, one.unit, request.decimals, request.method
-        )
-    return fields
 
 
 def _notes(request: BalanceRequest) -> Iterator[Label]:
@@ -197,7 +129,7 @@ def _notes(request: BalanceRequest) -> Iterator[Label]:
     if request.arrangement.share:
         yield WORDS["share"][lang].format(share=f"${_exact(request.arrangement.share)}$")
     yield WORDS["zero"][lang]
-    yield from series_notes(harmonics_registry()["p"], request.orders, request.method, request.layout, lang)
+    yield from series_notes(HARMONICS["p"], request.orders, request.method, request.layout, lang)
 
 
 def _list(values: Iterable[str]) -> Label:
@@ -212,3 +144,17 @@ def _exact(value: Fraction) -> str:
     if finite_decimals(value) is not None:
         return plain(value)
     return f"{value.numerator}/{value.denominator}"
+
+
+SUBJECT = Subject(
+    key="balance",
+    layout="balance",
+    command="balance",
+    axes={"ratio": RatioAxis, "residual": _ResidualAxis, "order": OrderAxis, "column": ColumnAxis},
+    axis_keys=("ratio", "residual", "order"),
+    own_first=False,
+    quantities=balance_registry,
+    number=_number,
+    caption=_caption,
+    notes=_notes,
+)

@@ -5,91 +5,82 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cache
-from typing import NamedTuple
+from functools import cache, cached_property
 
-from kurbel.balance.arrangement import Arrangement, Cylinder, check_count, row, usual
-from kurbel.balance.harmonics import printed_orders
-from kurbel.balance.harmonics import registry as harmonics_registry
+from kurbel.balance.arrangement import (
+    LENGTHS,
+    Arrangement,
+    Cylinder,
+    Residual,
+    check_count,
+    force,
+    moment,
+    row,
+    usual,
+)
+from kurbel.balance.harmonics import HARMONICS, printed_orders
 from kurbel.balance.harmonics_page import checked_ratios
 from kurbel.errors import ProblemError
-from kurbel.exact.numerals import Label
-from kurbel.page.sheet import Sheet
+from kurbel.page.layouts import LayoutColumn
+from kurbel.page.quantity import Formula, Quantity, words
+from kurbel.page.question import Question
 from kurbel.reading.choices import choose
 
 DEFAULT_ENGINE = "inline-4"
 ORDERS = 2
 DECIMALS = 4
 RESIDUALS = ("force", "moment")
-AXIS_KEYS = ("ratio", "residual", "order")
-
-
-class BalanceColumn(NamedTuple):
-    """An entry of the registry: a factor or a length of `balance.LENGTHS`, and its heads."""
-
-    key: str
-    name: Mapping[str, str]
-    unit: str
-    spanner: Mapping[str, Label]
-    head: Mapping[str, Label]
-
-    @property
-    def symbol(self) -> Label:
-        """The letter, of a number that has one."""
-        return "" if self.spanner["de"] else self.head["de"]
+FACTOR = "factor"
+# Key, name, spanner and head of the lengths of `balance.LENGTHS`.
+_LENGTHS = (
+    (
+        "along", "Amplitude längs der Bezugslinie|Amplitude along the line of reference",
+        "Amplitude", "längs|along",
+    ),
+    (
+        "across", "Amplitude quer zur Bezugslinie|Amplitude across the line of reference",
+        "Amplitude", "quer|across",
+    ),
+    ("forward", "vorwärts umlaufender Teil|Part turning forward", "Umlaufend|Turning", "vorwärts|forward"),
+    (
+        "backward", "rückwärts umlaufender Teil|Part turning backward",
+        "Umlaufend|Turning", "rückwärts|backward",
+    ),
+    ("greatest", "größter Betrag|Greatest magnitude", "Betrag|Magnitude", "größter|greatest"),
+    ("least", "kleinster Betrag|Least magnitude", "Betrag|Magnitude", "kleinster|least"),
+)  # fmt: skip
 
 
 @cache
-def balance_registry() -> Mapping[str, BalanceColumn]:
-    """Return every column by its key."""
-    rows = (
-        (
-            "factor",
-            "Harmonische der Kolbenbeschleunigung|Harmonic of the piston acceleration",
-            "|",
-            "$B_k$|$B_k$",
-        ),
-        (
-            "along",
-            "Amplitude längs der Bezugslinie|Amplitude along the line of reference",
-            "Amplitude|Amplitude",
-            "längs|along",
-        ),
-        (
-            "across",
-            "Amplitude quer zur Bezugslinie|Amplitude across the line of reference",
-            "Amplitude|Amplitude",
-            "quer|across",
-        ),
-        (
-            "forward",
-            "vorwärts umlaufender Teil|Part turning forward",
-            "Umlaufend|Turning",
-            "vorwärts|forward",
-        ),
-        (
-            "backward",
-            "rückwärts umlaufender Teil|Part turning backward",
-            "Umlaufend|Turning",
-            "rückwärts|backward",
-        ),
-        ("greatest", "größter Betrag|Greatest magnitude", "Betrag|Magnitude", "größter|greatest"),
-        ("least", "kleinster Betrag|Least magnitude", "Betrag|Magnitude", "kleinster|least"),
+def balance_registry() -> Mapping[str, Quantity]:
+    """Return every column by its key: the harmonic's factor, and the lengths of force or moment."""
+    factor = Quantity(
+        key=FACTOR,
+        name=words("Harmonische der Kolbenbeschleunigung|Harmonic of the piston acceleration"),
+        symbol="$B_k$",
+        unit=words(""),
+        decimals=DECIMALS,
+        formulas={"exact": Formula(HARMONICS["p"].value)},
+        heading=words("$B_k$"),
     )
-    return {
-        key: BalanceColumn(
-            key, _localised(name), "" if key == "factor" else "m R ω²", *map(_localised, heads)
+    lengths = {
+        key: Quantity(
+            key=key,
+            name=words(name),
+            symbol="",
+            unit=words("m R ω²"),
+            decimals=DECIMALS,
+            formulas={"exact": Formula(LENGTHS[key].value)},
+            heading=words(head),
+            spanners=(words(spanner),),
         )
-        for key, name, *heads in rows
+        for key, name, spanner, head in _LENGTHS
     }
-
-
-def _localised(text: str) -> Mapping[str, str]:
-    return dict(zip(("de", "en"), text.split("|"), strict=True))
+    return {FACTOR: factor} | lengths
 
 
 @dataclass(frozen=True, kw_only=True)
-class BalanceRequest(Sheet):
+class BalanceRequest(Question):
     """What is asked for: the forces and moments of an arrangement with several crank ratios.
 
     `engine` is its name, empty where the cranks were given one by one. By the method of the infinite rod
@@ -102,35 +93,26 @@ class BalanceRequest(Sheet):
     last_order: int = ORDERS
     method: str = "exact"
 
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        printed_orders(harmonics_registry()["p"], self.last_order)
-        for key in self.columns:
-            choose(key, balance_column_keys(), "column")
-        if self.columns and not self.page_columns:
-            raise ProblemError("there is no column beside the axes; add one, such as along")
-        object.__setattr__(self, "ratios", checked_ratios(self.ratios, self.method))
+    no_column = "there is no column beside the axes; add one, such as along"
 
-    def __len__(self) -> int:
-        """How many records there are."""
-        return len(self.ratios) * len(RESIDUALS) * len(self.orders)
+    def check(self) -> None:
+        printed_orders(HARMONICS["p"], self.last_order)
+        object.__setattr__(self, "ratios", checked_ratios(self.ratios, self.method))
 
     @property
     def orders(self) -> tuple[int, ...]:
-        return printed_orders(harmonics_registry()["p"], self.last_order)
+        return printed_orders(HARMONICS["p"], self.last_order)
 
-    @property
-    def decimals(self) -> int:
-        return self.decimals_of(DECIMALS)
+    def methods(self, column: LayoutColumn) -> tuple[str, ...]:
+        return (self.method,)
 
-    @property
-    def page_columns(self) -> tuple[BalanceColumn, ...]:
-        return tuple(balance_registry()[key] for key in self.chosen() if key not in AXIS_KEYS)
-
-
-def balance_column_keys() -> tuple[str, ...]:
-    """Return what --columns can choose from."""
-    return (*AXIS_KEYS, *balance_registry())
+    @cached_property
+    def residuals(self) -> Mapping[tuple[str, int], Residual]:
+        """The forces and moments of all orders, each found once."""
+        found = {"force": force, "moment": moment}
+        return {
+            (key, order): found[key](self.arrangement, order) for key in RESIDUALS for order in self.orders
+        }
 
 
 def arranged(

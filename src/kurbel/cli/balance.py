@@ -8,7 +8,7 @@ from typing import Any, TypeVar
 import click
 
 from kurbel.balance.arrangement import usual
-from kurbel.balance.harmonics import MOST_ORDERS, registry
+from kurbel.balance.harmonics import HARMONICS, MOST_ORDERS
 from kurbel.cli.machine import machine_option
 from kurbel.cli.options import Columns, Count, Name, layout_option, output_options, sheet_of, without_outdone
 from kurbel.motion.evaluation import METHODS
@@ -40,7 +40,7 @@ def orders_option(default: int) -> Callable[[Command], Command]:
 @ratio_option
 @click.option(
     "--quantity",
-    type=Name("quantity", registry),
+    type=Name("quantity", lambda: HARMONICS),
     help="x (path), c (velocity) or p (acceleration, default).",
 )
 @orders_option(6)

@@ -28,8 +28,7 @@ def layouts(lang: str) -> None:
 @lang_option
 def quantities(lang: str) -> None:
     """List the quantities that columns can show, with their units and the commands that print them."""
-    from kurbel.balance.harmonics import registry as harmonics_registry
-    from kurbel.balance.harmonics_page import harmonic_name
+    from kurbel.balance.harmonics_page import quantities as harmonics_registry
     from kurbel.balance.request import balance_registry
     from kurbel.engine.quantities import COMMANDS_OF, engine_registry
     from kurbel.linkage.beam import registry as beam_registry
@@ -52,9 +51,10 @@ def quantities(lang: str) -> None:
     for key, beam in beam_registry().items():
         rows.append((key, f"{beam.name[lang]} {plain(beam.symbol)}", beam.shown_unit, "deadcentres"))
     for key, harmonic in harmonics_registry().items():
-        rows.append(("value", harmonic_name(harmonic, lang), harmonic.unit, f"harmonics --quantity {key}"))
+        name = f"{harmonic.name[lang]} {plain(harmonic.symbol)}"
+        rows.append(("value", name, harmonic.plain_unit(lang), f"harmonics --quantity {key}"))
     for key, column in balance_registry().items():
-        rows.append((key, column.name[lang], column.unit, "balance"))
+        rows.append((key, column.name[lang], column.plain_unit(lang), "balance"))
     for mechanism, linkage in (("arc", arc_registry()), ("parallel", parallel_registry())):
         for key, motion in linkage.items():
             rows.append((key, motion.full_name(lang), motion.unit, f"table --mechanism {mechanism}"))

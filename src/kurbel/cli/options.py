@@ -105,14 +105,6 @@ def _column_keys(name: str) -> tuple[str, ...]:
         from kurbel.linkage.beam_page import beam_column_keys
 
         return beam_column_keys()
-    if page.subject == "harmonics":
-        from kurbel.balance.harmonics_page import KEYS
-
-        return KEYS
-    if page.subject == "balance":
-        from kurbel.balance.request import balance_column_keys
-
-        return balance_column_keys()
     if page.subject == "collation":
         from kurbel.books.collate_page import KEYS as COLLATION_KEYS
 

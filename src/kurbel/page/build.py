@@ -26,9 +26,7 @@ BUILDERS: Mapping[str, str] = {
         "kurbel.engine.page:build_engine",
     ),
     "dead centres": "kurbel.linkage.beam_page:build_beam",
-    "harmonics": "kurbel.balance.harmonics_page:build_harmonics",
     "collation": "kurbel.books.collate_page:build_collation",
-    "balance": "kurbel.balance.page:build_balance",
 }
 
 

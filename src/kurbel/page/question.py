@@ -79,22 +79,22 @@ class Question:
         keys = dict.fromkeys(choose(key, allowed, "column") for key in self.columns)
         chosen = self.chosen([key for key in keys if key not in self.axis_keys])
         for column in chosen:
-            if missing := self.missing(self.quantity(column.quantity)):
+            if missing := self.missing(self.entry(column.quantity)):
                 raise ProblemError(missing)
         return tuple(map(self.column, chosen))
 
     def shows(self, column: LayoutColumn) -> bool:
         """Whether the layout's column is shown where none were asked for."""
-        if column.unless and not self.missing(self.quantity(column.unless)):
+        if column.unless and not self.missing(self.entry(column.unless)):
             return False
-        return not self.missing(self.quantity(column.quantity))
+        return not self.missing(self.entry(column.quantity))
 
     def chosen(self, keys: Sequence[str]) -> list[LayoutColumn]:
         """Return the columns of these keys, with the heads of the layout where they are its own."""
         own = {column.key: column for column in self.layout.columns}
         return [own.get(key, LayoutColumn(key, key)) for key in keys]
 
-    def quantity(self, key: str) -> Quantity:
+    def entry(self, key: str) -> Quantity:
         return self.subject.quantities()[key]
 
     def methods(self, column: LayoutColumn) -> tuple[str, ...]:
@@ -102,19 +102,16 @@ class Question:
         return ("exact",)
 
     def column(self, column: LayoutColumn) -> Column:
-        quantity, lang = self.quantity(column.quantity), self.lang
-        spanners, heading = quantity.spanners, (quantity.heading,)
-        down = "column" in self.layout.down
-        own = (f"{quantity.name[lang]} {quantity.symbol}",) if down else tuple(one[lang] for one in heading)
+        quantity, lang = self.entry(column.quantity), self.lang
+        spanners = quantity.spanners if column.spanners is None else column.spanners
+        heading = (quantity.heading,) if column.heading is None else column.heading
         return Column(
             column.key,
             quantity,
             self.methods(column),
             self.decimals(column, quantity),
-            tuple(
-                one[lang] for one in (spanners if column.spanners is None else column.spanners) if not down
-            ),
-            own if column.heading is None else tuple(one[lang] for one in column.heading),
+            tuple(one[lang] for one in spanners),
+            tuple(one[lang] for one in heading),
         )
 
     def decimals(self, column: LayoutColumn, quantity: Quantity) -> int | None:

@@ -18,6 +18,8 @@ from kurbel.page.table import Note, Records
 SUBJECTS: Mapping[str, str] = {
     "motion": "kurbel.motion.page:MOTION",
     "inertia": "kurbel.motion.page:INERTIA",
+    "harmonics": "kurbel.balance.harmonics_page:SUBJECT",
+    "balance": "kurbel.balance.page:SUBJECT",
     "arc crank": "kurbel.linkage.page:ARC",
     "parallel crank": "kurbel.linkage.page:PARALLEL",
 }
@@ -46,8 +48,9 @@ class Subject:
     `axes` by their names, outermost first, each made of the question; "column" is that of the quantities.
     `number` is what stands at a place, times a factor; the question keeps what it computed once. `layout` is
     the default layout, `command` what prints its pages. `fitting` are the quantities that a layout can show
-    beside its own. `exists` leaves out places that a grid has too many, `marks` are those of notes at a
-    place, `beside` the columns that follow one in records, and `rows` the records where they are long.
+    beside its own, which stand first in lists unless all come in the order of the quantities. `exists` leaves
+    out places that a grid has too many, `marks` are those of notes at a place, `beside` the columns that
+    follow one in records, and `rows` the records where they are long.
     """
 
     key: str
@@ -59,6 +62,7 @@ class Subject:
     number: Callable[[Any, Column, Place, int], Number | None]
     caption: Callable[[Any], Label]
     notes: Callable[[Any], Iterable[Label | Note]]
+    own_first: bool = True
     fitting: Callable[[Layout, Mapping[str, Quantity]], Iterable[str]] = _all
     exists: Callable[[Any, Place], bool] = _everywhere
     marks: Callable[[Any, Column, Place], tuple[str, ...]] = _no_marks
@@ -68,8 +72,9 @@ class Subject:
     def column_keys(self, layout: Layout) -> tuple[str, ...]:
         """Return what --columns can choose from; a page whose heads state formulas has its own only."""
         own = [column.key for column in layout.columns]
-        others = () if layout.fixed else self.fitting(layout, self.quantities())
-        return tuple(dict.fromkeys((*self.axis_keys, *own, *others)))
+        others = [] if layout.fixed else [*self.fitting(layout, self.quantities())]
+        keys = [*own, *others] if self.own_first or layout.fixed else others
+        return tuple(dict.fromkeys((*self.axis_keys, *keys)))
 
 
 @cache
