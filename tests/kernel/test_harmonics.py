@@ -247,5 +247,5 @@ def test_what_has_no_harmonics_is_refused() -> None:
 def test_symbols_are_labels_and_letters_differ() -> None:
     entries = list(HARMONICS.values())
     assert [entry.key for entry in entries] == list(HARMONICS) == list(KEYS)
-    assert all(parse(entry.symbol) for entry in entries)
-    assert len({entry.symbol for entry in entries}) == len(entries)
+    assert all(parse(f"${entry.letter}_k$") for entry in entries)
+    assert len({entry.letter for entry in entries}) == len(entries)

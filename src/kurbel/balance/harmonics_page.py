@@ -129,7 +129,9 @@ class OrderAxis(Axis):
 
     def __init__(self, question: Any) -> None:
         super().__init__(len(question.orders))
-        self.layout, self.lang, self.orders = question.layout, question.lang, question.orders
+        self.layout: Layout = question.layout
+        self.lang: str = question.lang
+        self.orders: tuple[int, ...] = question.orders
 
     def field(self) -> Field:
         return Field("order", ORDER[self.lang], "$k$", "", 0)
@@ -152,7 +154,7 @@ class _HeadedRatioAxis(RatioAxis):
 
     def __init__(self, question: HarmonicsRequest) -> None:
         super().__init__(question)
-        self.symbol = question.page_columns[0].quantity.symbol
+        self.symbol: Label = question.page_columns[0].quantity.symbol
 
     def heads(self, place: Place) -> tuple[Label, ...]:
         return (f"{self.symbol}, ${self.layout.ratio_symbol}$", *super().heads(place))
