@@ -21,7 +21,8 @@ from kurbel.linkage.beam_page import DEGREE_DECIMALS
 from kurbel.linkage.quantities import arc_registry, parallel_registry
 from kurbel.motion.evaluation import METHODS, NEEDS
 from kurbel.motion.inertia import inertia_registry
-from kurbel.motion.inertia_page import AXIS_KEYS, error_columns, full_name
+from kurbel.motion.inertia_page import SUBJECT as ERRORS
+from kurbel.motion.inertia_page import UNITS, error_columns
 from kurbel.motion.quantities import registry
 from kurbel.page.labels import plain
 from kurbel.page.layouts import layout, layout_names
@@ -116,13 +117,13 @@ def _rod_quantities() -> Iterator[str]:
         options = " ".join(f"`{option}`" for option in NEEDS[quantity.needs])
         name = quantity.full_name("en")
         yield f"| `{key}` | {name} | {quantity.plain_unit('en')} | {quantity.decimals} | {options} |"
-    axes = ", ".join(f"`{key}`" for key in AXIS_KEYS)
+    axes = ", ".join(f"`{key}`" for key in ERRORS.axis_keys)
     yield f"\nOf the layout `inertia-errors`, beside {axes}:\n"
     yield "| key | quantity | unit | decimals | needs |\n| --- | --- | --- | ---: | --- |"
     for key, column in error_columns().items():
         options = " ".join(f"`{option}`" for option in NEEDS[column.needs])
-        unit = column.unit or "M R ω², M R² ω²"
-        yield f"| `{key}` | {full_name(column, 'en')} | {unit} | {column.decimals} | {options} |"
+        unit = column.plain_unit("en") or UNITS
+        yield f"| `{key}` | {column.full_name('en')} | {unit} | {column.decimals} | {options} |"
 
 
 def _solved() -> Iterator[str]:

@@ -35,7 +35,7 @@ def quantities(lang: str) -> None:
     from kurbel.linkage.quantities import arc_registry, parallel_registry
     from kurbel.motion.evaluation import NEEDS
     from kurbel.motion.inertia import inertia_registry
-    from kurbel.motion.inertia_page import error_columns, full_name
+    from kurbel.motion.inertia_page import error_columns
     from kurbel.motion.quantities import registry
     from kurbel.page.axes import PHI, RATIO
     from kurbel.page.labels import plain
@@ -62,7 +62,7 @@ def quantities(lang: str) -> None:
         options = " ".join(("inertia", *NEEDS[force.needs]))
         rows.append((key, force.full_name(lang), force.unit[lang], options))
     for key, error in error_columns().items():
-        rows.append((key, full_name(error, lang), error.unit, "inertia --layout inertia-errors"))
+        rows.append((key, error.full_name(lang), error.plain_unit(lang), "inertia --layout inertia-errors"))
     for key, names in own_columns().items():
         rows.append((key, names[lang], "°" if key.startswith("phi") else "", "solve"))
     _print(rows)

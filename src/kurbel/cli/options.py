@@ -113,14 +113,6 @@ def _column_keys(name: str) -> tuple[str, ...]:
         from kurbel.linkage.page import linkage_column_keys
 
         return linkage_column_keys(page)
-    if page.subject == "inertia errors":
-        from kurbel.motion.inertia_page import error_column_keys
-
-        return error_column_keys()
-    if page.subject == "tangent":
-        from kurbel.motion.tangent_page import tangent_column_keys
-
-        return tangent_column_keys()
     if page.subject == "roots":
         from kurbel.solve.page import solve_column_keys
 

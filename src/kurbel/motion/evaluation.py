@@ -6,7 +6,7 @@ digits), separation bounds (ties), floats and arrays (bulk).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any, NamedTuple
@@ -56,8 +56,10 @@ METHODS = {
 }
 # The gain of a page that shows two methods: exact minus first order, from unrounded values.
 DIFFERENCE = "difference"
-# Further formulas of a quantity: of the offset crank, and of a drive with moving masses.
+# Further formulas of a quantity: of the offset crank, of a drive with moving masses,
 OFFSET, LOADED = "offset", "loaded"
+# and in the position in which the rod touches the crank circle, as a closed form.
+TANGENT = "tangent"
 
 
 class Numbers(NamedTuple):
@@ -95,6 +97,14 @@ def is_known(quantity: Quantity, crank: Crank) -> bool:
         "inertia": crank.rod is not None and crank.rod.mass is not None and crank.speed is not None,
     }
     return known.get(quantity.needs, True)
+
+
+def needed(quantity: Quantity, cranks: Sequence[Crank]) -> str:
+    """Return the sentence that refuses a quantity of cranks of which too little is known, else nothing."""
+    if all(is_known(quantity, crank) for crank in cranks):
+        return ""
+    options = " and ".join(NEEDS[quantity.needs])
+    return f"column {quantity.key} is in {quantity.plain_unit('en')} and needs {options}"
 
 
 def is_transcendental(quantity: Quantity, crank: Crank) -> bool:

@@ -2,125 +2,140 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache
-from typing import Any, NamedTuple
+from functools import cache, cached_property
+from typing import Any
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import NEVER_TIES, TieBits, rounded
-from kurbel.exact.numerals import Label, Number, degrees_text, nearest, number_text
+from kurbel.exact.numerals import Label, Number, nearest, number_text
 from kurbel.exact.separation import Separation
 from kurbel.kernel.rod import Masses
 from kurbel.motion.drive_notes import drive_notes, rod_notes
-from kurbel.motion.evaluation import NEEDS, Numbers, numbers_of_balls
+from kurbel.motion.evaluation import Numbers, needed, numbers_of_balls
 from kurbel.motion.inertia import ROD_FORCES, ROD_MODELS, RodForce
 from kurbel.motion.inertia_peak import Peak
 from kurbel.motion.question import Request
-from kurbel.page import axes as page_axes
-from kurbel.page import words as page_words
-from kurbel.page.arrange import Axis, Grid, Place, check_size
+from kurbel.page.arrange import Axis, Place
+from kurbel.page.axes import ColumnAxis, RatioAxis
 from kurbel.page.layouts import layout
-from kurbel.page.old_axes import ColumnAxis, RatioAxis
-from kurbel.page.sheet import Heads, Sheet, records_of, table_of
-from kurbel.page.table import Cell, Field, Table, Value
+from kurbel.page.quantity import Column, Formula, Quantity, bare, words
+from kurbel.page.question import Question
+from kurbel.page.subject import Subject
+from kurbel.page.table import Field
 from kurbel.page.words import for_ratio
-from kurbel.reading.choices import choose
-from kurbel.reading.notation import ratio_text
 
-AXIS_KEYS = ("ratio", "force", "model")
 FORCES, MODELS = tuple(ROD_FORCES.values()), tuple(ROD_MODELS)
 EXACT = "exact"
 SHEET = "inertia-errors"
-# A page prints degrees and minutes, records degrees.
 DEGREE_DECIMALS = 4
-WORDS: Mapping[str, Mapping[str, str]] = {
-    "force": {"de": "Kraft", "en": "Force"},
-    "errors": {
-        "de": "größter Fehler in % der größten genauen Kraft der Umdrehung{where}: ",
-        "en": "greatest error in % of the greatest exact force of the turn{where}: ",
-    },
-    "model": {"de": "Ersatz der Stange", "en": "In place of the rod"},
+PERCENT_DECIMALS = 2
+PERCENT = "%"
+GREATEST, ERROR = "greatest", "error"
+# Of what is in no unit of its own.
+UNITS = "M R ω², M R² ω²"
+WORDS = {
+    "force": words("Kraft|Force"),
+    "errors": words(
+        "größter Fehler in % der größten genauen Kraft der Umdrehung{where}: "
+        "|greatest error in % of the greatest exact force of the turn{where}: "
+    ),
+    "model": words("Ersatz der Stange|In place of the rod"),
 }
 
+# What a peak, or an error beside the greatest exact force, comes to: of its value on a kind of number.
+Of = Callable[[Peak], Any]
 
-class ErrorColumn(NamedTuple):
-    """A column of the sheet: of the greatest force of a model, or of its greatest error."""
 
-    key: str
-    heading: Mapping[str, Label]
-    unit: str
-    decimals: int
-    of_error: bool = False
-    needs: str = "rod"
+def _itself(peak: Peak, whole: Peak, numbers: Numbers, of: Of) -> Any:
+    return of(peak)
 
-    @property
-    def is_angle(self) -> bool:
-        return self.unit == "°"
+
+def _in_newtons(peak: Peak, whole: Peak, numbers: Numbers, of: Of) -> Any:
+    return of(peak) * peak.force.scale(peak.crank, numbers)
+
+
+def _in_percent(peak: Peak, whole: Peak, numbers: Numbers, of: Of) -> Any:
+    return 100 * of(peak) / of(whole)
 
 
 @cache
-def error_columns() -> Mapping[str, ErrorColumn]:
+def error_columns() -> Mapping[str, Quantity]:
     """Return what the sheet can show, by keys."""
-    at = {"de": "bei $φ$", "en": "at $φ$"}
+    greatest, error = "größter Betrag|greatest", "größter Fehler|greatest error"
+    percent = "größter Fehler in %|greatest error in %"
     rows = (
-        ErrorColumn("greatest", {"de": "größter Betrag", "en": "greatest"}, "", 4),
-        ErrorColumn("greatest_n", {"de": "in N, N m", "en": "in N, N m"}, "N, N m", 1, needs="inertia"),
-        ErrorColumn("greatest_phi", at, "°", DEGREE_DECIMALS),
-        ErrorColumn("error", {"de": "größter Fehler", "en": "greatest error"}, "", 4, True),
-        ErrorColumn(
-            "error_percent", {"de": "größter Fehler in %", "en": "greatest error in %"}, "%", 2, True
+        _entry("greatest", greatest, greatest, "", 4, GREATEST),
+        _entry(
+            "greatest_n", "größter Betrag in N, N m|greatest in N, N m", "in N, N m", "N, N m", 1, GREATEST,
+            _in_newtons, "inertia",
         ),
-        ErrorColumn("error_phi", at, "°", DEGREE_DECIMALS, True),
-    )
+        _entry("greatest_phi", "größter Betrag bei φ|greatest at φ", "", "°", DEGREE_DECIMALS, GREATEST),
+        _entry("error", error, error, "", 4, ERROR),
+        _entry(
+            "error_percent", percent, percent, PERCENT, PERCENT_DECIMALS,
+            ERROR, _in_percent,
+        ),
+        _entry("error_phi", "größter Fehler bei φ|greatest error at φ", "", "°", DEGREE_DECIMALS, ERROR),
+    )  # fmt: skip
     return {row.key: row for row in rows}
 
 
-def error_column_keys() -> tuple[str, ...]:
-    """Return what --columns can choose from."""
-    return (*AXIS_KEYS, *error_columns())
+def _entry(
+    key: str,
+    name: str,
+    heading: str,
+    unit: str,
+    decimals: int,
+    of: str,
+    kernel: Callable[..., Any] = _itself,
+    needs: str = "rod",
+) -> Quantity:
+    """An entry of the greatest force of a model, or of its greatest error; an angle is where it is."""
+    return Quantity(
+        key=key,
+        name=words(name),
+        symbol="",
+        unit=words(unit),
+        decimals=decimals,
+        formulas={EXACT: Formula(kernel)},
+        heading=words(heading or "bei $φ$|at $φ$"),
+        minutes=unit == "°",
+        needs=needs,
+        of=of,
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
-class ErrorsRequest(Sheet):
+class ErrorsRequest(Question):
     """What is asked for: the greatest forces and errors of the rods of these cranks."""
 
     cranks: tuple[Crank, ...]
-    peaks: dict[tuple[int, str, str, bool], Peak] = field(default_factory=dict, compare=False, repr=False)
 
-    def __post_init__(self) -> None:
-        super().__post_init__()
+    no_column = "there is no column beside the axes; add one, such as greatest"
+
+    def check(self) -> None:
         if not self.cranks:
             raise ProblemError("no crank ratio was given; write one as --ratio 1:5")
-        for key in self.columns:
-            column = error_columns().get(choose(key, error_column_keys(), "column"))
-            if column is not None and not self._knows(column):
-                options = " and ".join(NEEDS[column.needs])
-                raise ProblemError(f"column {key} is in {column.unit} and needs {options}")
-
-    def __len__(self) -> int:
-        """How many records there are."""
-        return len(self.cranks) * len(FORCES) * len(MODELS)
-
-    def places(self) -> Iterator[Place]:
-        for ratio in range(len(self.cranks)):
-            for force in range(len(FORCES)):
-                for model in range(len(MODELS)):
-                    yield {"ratio": ratio, "force": force, "model": model}
 
     @property
-    def shown(self) -> tuple[ErrorColumn, ...]:
-        columns = (error_columns()[key] for key in self.chosen() if key not in AXIS_KEYS)
-        chosen = tuple(column for column in columns if self._knows(column))
-        if not chosen:
-            raise ProblemError("there is no column beside the axes; add one, such as greatest")
-        return chosen
+    def ratios(self) -> list[Fraction]:
+        return [crank.ratio for crank in self.cranks]
 
-    def _knows(self, column: ErrorColumn) -> bool:
-        known = (crank.rod is not None and crank.rod.mass is not None for crank in self.cranks)
-        return column.needs == "rod" or (all(known) and all(crank.speed for crank in self.cranks))
+    def missing(self, quantity: Quantity) -> str:
+        return needed(quantity, self.cranks)
+
+    def field(self, column: Column) -> Field:
+        own = super().field(column)
+        return own if own.unit else own._replace(unit=UNITS)
+
+    @cached_property
+    def peaks(self) -> dict[tuple[int, str, str, bool], Peak]:
+        """The peaks that were found, each once."""
+        return {}
 
     def peak(self, ratio: int, force: RodForce, model: str, of_error: bool) -> Peak:
         """Return where the force, or the error of the model, is greatest."""
@@ -147,13 +162,13 @@ def error_notes(request: Request) -> Iterator[Label]:
     sheet = ErrorsRequest(
         layout=layout(SHEET), cranks=request.cranks, lang=request.lang, rounding=request.rounding
     )
-    column = error_columns()["error_percent"]
+    column = bare(error_columns()["error_percent"], EXACT, PERCENT_DECIMALS)
     for ratio, crank in enumerate(request.cranks):
         said = []
         for model in models:
             at = {"ratio": ratio, "model": MODELS.index(model)}
             numbers = [
-                (force, _number(sheet, column, {**at, "force": place}))
+                (force, _number(sheet, column, {**at, "force": place}, 1))
                 for place, force in enumerate(FORCES)
                 if force.name["en"] in names
             ]
@@ -167,9 +182,17 @@ def error_notes(request: Request) -> Iterator[Label]:
 class _ForceAxis(Axis):
     """The forces with their letters and units."""
 
-    def __init__(self, lang: str) -> None:
+    key = "force"
+
+    def __init__(self, question: ErrorsRequest) -> None:
         super().__init__(len(FORCES))
-        self.lang = lang
+        self.lang = question.lang
+
+    def field(self) -> Field:
+        return Field("force", WORDS["force"][self.lang])
+
+    def value(self, place: Place) -> str:
+        return FORCES[place["force"]].key
 
     def heads(self, place: Place) -> tuple[Label, ...]:
         force = FORCES[place["force"]]
@@ -179,154 +202,100 @@ class _ForceAxis(Axis):
 class _ModelAxis(Axis):
     """The rod itself and what stands in for it."""
 
-    def __init__(self, lang: str) -> None:
+    key = "model"
+
+    def __init__(self, question: ErrorsRequest) -> None:
         super().__init__(len(MODELS))
-        self.lang = lang
+        self.lang = question.lang
+
+    def field(self) -> Field:
+        return Field("model", WORDS["model"][self.lang])
+
+    def value(self, place: Place) -> str:
+        return MODELS[place["model"]]
 
     def stub_heading(self) -> Label:
         return ""
 
     def heads(self, place: Place) -> tuple[Label, ...]:
-        return (ROD_MODELS[MODELS[place["model"]]][self.lang],)
+        return (ROD_MODELS[self.value(place)][self.lang],)
 
 
-def build_errors(request: ErrorsRequest, pages: bool = True) -> Table:
-    """Return the sheet that was asked for; without `pages` only its records."""
-    caption = request.layout.caption[request.lang].replace("{for_ratio}", _for_ratio(request))
-    names = request.columns or (*AXIS_KEYS, *(column.key for column in request.shown))
-    records = records_of(len(request), names, _fields(request), lambda: _records(request))
-    return table_of(request, caption, _grid(request) if pages else None, records, _notes(request))
+def _caption(question: ErrorsRequest) -> Label:
+    ratios, lang = question.ratios, question.lang
+    ratio = for_ratio(ratios[0], lang, question.layout.ratio_symbol) if len(ratios) == 1 else ""
+    return question.layout.caption[lang].replace("{for_ratio}", ratio)
 
 
-def _for_ratio(request: ErrorsRequest) -> Label:
-    if len(request.cranks) > 1:
-        return ""
-    return page_words.for_ratio(request.cranks[0].ratio, request.lang, request.layout.ratio_symbol)
+def _notes(question: ErrorsRequest) -> Iterator[Label]:
+    yield from (note[question.lang] for note in question.layout.notes)
+    yield from drive_notes(question.cranks, question.lang)
+    yield from rod_notes(question.cranks, question.lang, [force.letter for force in FORCES])
 
 
-def _notes(request: ErrorsRequest) -> Iterator[Label]:
-    yield from (note[request.lang] for note in request.layout.notes)
-    yield from drive_notes(request.cranks, request.lang)
-    yield from rod_notes(request.cranks, request.lang, [force.letter for force in FORCES])
-
-
-def _grid(request: ErrorsRequest) -> Grid:
-    layout, lang, columns = request.layout, request.lang, request.shown
-    ratios = [crank.ratio for crank in request.cranks]
-    axes: dict[str, Axis] = {
-        "ratio": RatioAxis(layout, ratios, lang),
-        "force": _ForceAxis(lang),
-        "model": _ModelAxis(lang),
-        "column": ColumnAxis(layout, [Heads((), (one.heading[lang],)) for one in columns], ratios, lang),
-    }
-    check_size(layout, {name: axis.size for name, axis in axes.items()})
-
-    def cell(place: Place) -> Cell:
-        column = columns[place["column"]]
-        if not column.is_angle:
-            return Cell(_number(request, column, place))
-        degrees = _angle(request, column, place, 60, 0)
-        return Cell(None if degrees is None else f"${degrees_text(Fraction(degrees.scaled, 60))}$")
-
-    return Grid(axes, cell)
-
-
-def _records(request: ErrorsRequest) -> Iterator[Mapping[str, Value]]:
-    """One for each crank, force and model."""
-    for place in request.places():
-        axes: dict[str, Value] = {
-            "ratio": f"${ratio_text(request.cranks[place['ratio']].ratio)}$",
-            "force": FORCES[place["force"]].key,
-            "model": MODELS[place["model"]],
-        }
-        yield axes | {column.key: _record(request, column, place) for column in request.shown}
-
-
-def _record(request: ErrorsRequest, column: ErrorColumn, place: Place) -> Number | None:
-    if column.is_angle:
-        return _angle(request, column, place, 1, _decimals(request, column))
-    return _number(request, column, place)
-
-
-def _fields(request: ErrorsRequest) -> Mapping[str, Field]:
-    lang = request.lang
-    fields = {
-        "ratio": Field("ratio", page_axes.RATIO[lang], f"${request.layout.ratio_symbol}$"),
-        "force": Field("force", WORDS["force"][lang]),
-        "model": Field("model", WORDS["model"][lang]),
-    }
-    for one in request.shown:
-        unit = one.unit or "M R ω², M R² ω²"
-        fields[one.key] = Field(one.key, full_name(one, lang), "", unit, _decimals(request, one), EXACT)
-    return fields
-
-
-def full_name(column: ErrorColumn, lang: str) -> str:
-    """The heading, which needs that of its neighbour where it says too little."""
-    first = error_columns()["error" if column.of_error else "greatest"]
-    heading = column.heading[lang].replace("$", "")
-    own = first.heading[lang]
-    return heading if heading.startswith(own) else f"{own} {heading}"
-
-
-def _decimals(request: ErrorsRequest, column: ErrorColumn) -> int:
-    return request.decimals_of(column.decimals)
-
-
-def _peak(request: ErrorsRequest, column: ErrorColumn, place: Place) -> Peak | None:
-    """Return the peak that the column is about; the exact model has no error."""
-    model = MODELS[place["model"]]
-    if column.of_error and model == EXACT:
-        return None
-    return request.peak(place["ratio"], FORCES[place["force"]], model, column.of_error)
-
-
-def _number(request: ErrorsRequest, column: ErrorColumn, place: Place) -> Number | None:
-    peak, decimals = _peak(request, column, place), _decimals(request, column)
+def _number(question: ErrorsRequest, column: Column, place: Place, times: int) -> Number | None:
+    quantity, decimals = column.quantity, column.places
+    peak = _peak(question, quantity, place)
     if peak is None:
         return None
-    whole = request.peak(place["ratio"], peak.force, EXACT, False)
-    if column.unit == "%":
+    if quantity.minutes:
+        return _angle(peak, times, decimals, question.rounding)
+    whole = question.peak(place["ratio"], peak.force, EXACT, False)
+    percent = quantity.unit["en"] == PERCENT
+    if percent:
         if whole.vanishes:
             return None
         share = peak.share_of(whole)
         if share is not None:
-            return nearest(100 * share, decimals, request.rounding)
+            return nearest(100 * share, decimals, question.rounding)
 
-    def value(numbers: Numbers, of: Any) -> Any:
-        if column.unit == "%":
-            return 100 * of(peak) / of(whole)
-        return of(peak) * peak.force.scale(peak.crank, numbers) if column.needs == "inertia" else of(peak)
+    def value(numbers: Numbers, of: Of) -> Any:
+        return quantity.formulas[EXACT].kernel(peak, whole, numbers, of)
 
-    concerned = (peak, whole) if column.unit == "%" else (peak,)
-    exact = all(one.separation() is not None for one in concerned) and not _by_turns(column, peak.crank)
+    concerned = (peak, whole) if percent else (peak,)
+    exact = all(one.separation() is not None for one in concerned) and not _by_turns(quantity, peak.crank)
 
     def tie_bits(boundary: Fraction) -> float:
         bound = value(Numbers(Separation.rational), Peak.separation)
         return float((bound - Separation.rational(boundary)).bits())
 
     ties: TieBits | None = tie_bits if exact else NEVER_TIES
-    scaled = rounded(lambda: value(numbers_of_balls(), Peak.value), decimals, request.rounding, ties)
+    scaled = rounded(lambda: value(numbers_of_balls(), Peak.value), decimals, question.rounding, ties)
     return Number(scaled, decimals)
 
 
-def _by_turns(column: ErrorColumn, crank: Crank) -> bool:
+def _peak(question: ErrorsRequest, quantity: Quantity, place: Place) -> Peak | None:
+    """Return the peak that the column is about; the exact model has no error."""
+    model, of_error = MODELS[place["model"]], quantity.of == ERROR
+    if of_error and model == EXACT:
+        return None
+    return question.peak(place["ratio"], FORCES[place["force"]], model, of_error)
+
+
+def _by_turns(quantity: Quantity, crank: Crank) -> bool:
     """Whether the value has a factor π², which no algebraic number makes up for."""
-    return column.needs == "inertia" and crank.speed is not None and crank.speed.turns
+    return quantity.needs == "inertia" and crank.speed is not None and crank.speed.turns
 
 
-def _angle(
-    request: ErrorsRequest, column: ErrorColumn, place: Place, share: int, decimals: int
-) -> Number | None:
+def _angle(peak: Peak, share: int, decimals: int, rounding: str) -> Number | None:
     """Return where it is greatest, in parts of a degree."""
-    peak = _peak(request, column, place)
-    if peak is None or peak.is_level:
+    if peak.is_level:
         return None
     exact = peak.exact_degrees
     if exact is not None:
-        return nearest(share * exact, decimals, request.rounding)
+        return nearest(share * exact, decimals, rounding)
+    return Number(rounded(lambda: share * peak.degrees(), decimals, rounding, NEVER_TIES), decimals)
 
-    def scaled() -> Any:
-        return share * peak.degrees()
 
-    return Number(rounded(scaled, decimals, request.rounding, NEVER_TIES), decimals)
+SUBJECT = Subject(
+    key="inertia errors",
+    layout=SHEET,
+    command=f"inertia --layout {SHEET}",
+    axes={"ratio": RatioAxis, "force": _ForceAxis, "model": _ModelAxis, "column": ColumnAxis},
+    axis_keys=("ratio", "force", "model"),
+    own_first=False,
+    quantities=error_columns,
+    number=_number,
+    caption=_caption,
+    notes=_notes,
+)

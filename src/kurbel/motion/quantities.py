@@ -17,6 +17,7 @@ from kurbel.motion.evaluation import (
     OUT,
     RETURN,
     STROKES,
+    TANGENT,
     At,
     Numbers,
     pin_acceleration,
@@ -93,6 +94,7 @@ ROD_ANGLE: Formulas = {
     "exact": Formula(_rod_angle),
     "series": Formula(_rod_angle, "$sin ψ = {ψ}λ sin {angle}$"),
     "infinite": Formula(_rod_angle, "$ψ = 0$"),
+    TANGENT: Formula(lambda slant: slant, "arctan(R/L)"),
 }
 
 
@@ -160,17 +162,19 @@ def _motion_entries() -> Iterator[Quantity]:
     )  # fmt: skip
 
 
-# Key, name, letter, printed formula, that of the offset crank, kernel, and in which direction the force is
-# positive: the forces that one piston force F calls up.
-_FORCES: tuple[tuple[str, str, str, Label, Label, Callable[..., Any], str], ...] = (
+# Key, name, letter, printed formula, that of the offset crank, the closed form where the rod touches the
+# crank circle, kernel, and in which direction the force is positive: the forces that one piston force F calls up.
+_FORCES: tuple[tuple[str, str, str, Label, Label, Label, Callable[..., Any], str], ...] = (
     (
         "rod_force", "Stangenkraft|Rod force", "S", "$S/F = 1/(cos ψ)$", "$S/F = 1/(cos ψ)$",
+        "F sqrt((R/L)^2 + 1)",
         forces.rod_force,
         "$S$ am Kreuzkopf, auf dem Hingang Druck, auf dem Rückgang Zug"
         "|$S$ at the crosshead, thrust on the outstroke, pull on the return",
     ),
     (
         "guide_force", "Führungsdruck|Guide force", "N", "$N/F = {guide}tan ψ$", "$N/F = tan ψ$",
+        "(F R)/L",
         forces.guide_force,
         "$N$ auf den Kreuzkopf, nach der Seite, auf der in diesem Hub der Kurbelzapfen läuft"
         "|$N$ on the crosshead, towards the side on which the crank pin runs in that stroke",
@@ -178,11 +182,12 @@ _FORCES: tuple[tuple[str, str, str, Label, Label, Callable[..., Any], str], ...]
     (
         "tangential_force", "Tangentialkraft|Tangential force", "T",
         "$T/F = sin({angle} {slant} ψ)/(cos ψ)$", "$T/F = sin({angle} + ψ)/(cos ψ)$",
+        "F sqrt((R/L)^2 + 1)",
         forces.tangential_force, "$T$ im Drehsinn|$T$ as the crank turns",
     ),
     (
         "radial_force", "Radialkraft|Radial force", "Z",
-        "$Z/F = cos({angle} {slant} ψ)/(cos ψ)$", "$Z/F = cos({angle} + ψ)/(cos ψ)$",
+        "$Z/F = cos({angle} {slant} ψ)/(cos ψ)$", "$Z/F = cos({angle} + ψ)/(cos ψ)$", "0",
         forces.radial_force, "$Z$ nach der Welle hin|$Z$ towards the shaft",
     ),
 )  # fmt: skip
@@ -214,8 +219,8 @@ _PIN_FORCES = (
 
 
 def _force_entries() -> Iterator[Quantity]:
-    for key, name, letter, printed, oblique, kernel, direction in _FORCES:
-        unloaded = _unloaded(kernel, printed, oblique)
+    for key, name, letter, printed, oblique, closed, kernel, direction in _FORCES:
+        unloaded = _unloaded(kernel, printed, oblique, closed)
         yield from _both(
             key, name, f"${letter}$", f"${letter}/F$", "$F$", 4, unloaded, f"{key}_return",
             names=(key,), direction=words(direction),
@@ -224,7 +229,9 @@ def _force_entries() -> Iterator[Quantity]:
     for key, name, letter, direction in _PIN_FORCES:
         yield from _in_newtons(key, name, letter, "masses", {}, direction)
     name = "Drehmoment|Torque"
-    torque = _unloaded(forces.tangential_force, "$M_d/(F R) = T/F$", "$M_d/(F R) = T/F$")
+    torque = _unloaded(
+        forces.tangential_force, "$M_d/(F R) = T/F$", "$M_d/(F R) = T/F$", "F R sqrt((R/L)^2 + 1)"
+    )
     yield from _both("torque", name, "$M_d$", "$M_d/(F R)$", "$F R$", 4, torque, names=("torque",))
     yield from _both(
         "torque_nm", name, "$M_d$", "$M_d$ in N m", "N m", 1, torque | _loaded("tangential_force"),
@@ -241,11 +248,14 @@ def _in_newtons(
     )  # fmt: skip
 
 
-def _unloaded(kernel: Callable[..., Any], printed: Label, oblique: Label) -> dict[str, Formula]:
+def _unloaded(
+    kernel: Callable[..., Any], printed: Label, oblique: Label, closed: Label
+) -> dict[str, Formula]:
     def call(at: At) -> Any:
         return kernel(at.circle, at.ratio, at.offset)
 
-    return {"exact": Formula(call, printed), "infinite": Formula(call), OFFSET: Formula(call, oblique)}
+    formulas = {"exact": printed, "infinite": "", OFFSET: oblique, TANGENT: closed}
+    return {key: Formula(call, text) for key, text in formulas.items()}
 
 
 def _loaded(key: str) -> dict[str, Formula]:

@@ -11,7 +11,7 @@ from typing import Any
 from kurbel.drive.crank import Crank, check_angles
 from kurbel.errors import ProblemError
 from kurbel.motion.digits import columns_in_balls, columns_in_floats, is_long
-from kurbel.motion.evaluation import NEEDS, is_known
+from kurbel.motion.evaluation import needed
 from kurbel.page.axes import angle_pairs
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Quantity
@@ -63,10 +63,7 @@ class Request(Question):
         return [crank.ratio for crank in self.cranks]
 
     def missing(self, quantity: Quantity) -> str:
-        if all(is_known(quantity, crank) for crank in self.cranks):
-            return ""
-        options = " and ".join(NEEDS[quantity.needs])
-        return f"column {quantity.key} is in {quantity.plain_unit('en')} and needs {options}"
+        return needed(quantity, self.cranks)
 
     def chosen(self, keys: Sequence[str]) -> list[LayoutColumn]:
         # Beside foreign columns the layout's heads say too little, such as "Hingang" where all are paths.

@@ -18,8 +18,6 @@ from kurbel.page.table import Cell, Note, Records, Table, Value
 
 # By the subject of the layout: who makes pages that are not yet a Subject.
 BUILDERS: Mapping[str, str] = {
-    "inertia errors": "kurbel.motion.inertia_page:build_errors",
-    "tangent": "kurbel.motion.tangent_page:build_tangent",
     "roots": "kurbel.solve.page:build_solve",
     **dict.fromkeys(
         ("irregularity", "strokes", "turning", "crank forces", "machine", "flywheel"),

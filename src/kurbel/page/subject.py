@@ -18,6 +18,8 @@ from kurbel.page.table import Note, Records
 SUBJECTS: Mapping[str, str] = {
     "motion": "kurbel.motion.page:MOTION",
     "inertia": "kurbel.motion.page:INERTIA",
+    "inertia errors": "kurbel.motion.inertia_page:SUBJECT",
+    "tangent": "kurbel.motion.tangent_page:SUBJECT",
     "harmonics": "kurbel.balance.harmonics_page:SUBJECT",
     "balance": "kurbel.balance.page:SUBJECT",
     "arc crank": "kurbel.linkage.page:ARC",
