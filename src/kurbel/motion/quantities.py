@@ -162,8 +162,8 @@ def _motion_entries() -> Iterator[Quantity]:
     )  # fmt: skip
 
 
-# Key, name, letter, printed formula, that of the offset crank, the closed form where the rod touches the
-# crank circle, kernel, and in which direction the force is positive: the forces that one piston force F calls up.
+# The forces that one piston force F calls up: key, name, letter, printed formula, that of the offset crank,
+# the closed form where the rod touches the crank circle, kernel, and in which direction it is positive.
 _FORCES: tuple[tuple[str, str, str, Label, Label, Label, Callable[..., Any], str], ...] = (
     (
         "rod_force", "Stangenkraft|Rod force", "S", "$S/F = 1/(cos ψ)$", "$S/F = 1/(cos ψ)$",

@@ -23,6 +23,7 @@ BUILDERS: Mapping[str, str] = {
         ("irregularity", "strokes", "turning", "crank forces", "machine", "flywheel"),
         "kurbel.engine.page:build_engine",
     ),
+    **dict.fromkeys(("arc crank", "parallel crank"), "kurbel.linkage.page:build_linkage"),
     "dead centres": "kurbel.linkage.beam_page:build_beam",
     "collation": "kurbel.books.collate_page:build_collation",
 }

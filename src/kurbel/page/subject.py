@@ -22,8 +22,6 @@ SUBJECTS: Mapping[str, str] = {
     "tangent": "kurbel.motion.tangent_page:SUBJECT",
     "harmonics": "kurbel.balance.harmonics_page:SUBJECT",
     "balance": "kurbel.balance.page:SUBJECT",
-    "arc crank": "kurbel.linkage.page:ARC",
-    "parallel crank": "kurbel.linkage.page:PARALLEL",
 }
 
 
