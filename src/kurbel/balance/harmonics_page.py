@@ -94,7 +94,7 @@ class HarmonicsRequest(Question):
     def page_columns(self) -> tuple[Column, ...]:
         return (self.column(self.layout.columns[0]._replace(quantity=self.harmonic.key)),)
 
-    def methods(self, column: LayoutColumn) -> tuple[str, ...]:
+    def methods_of(self, column: LayoutColumn) -> tuple[str, ...]:
         return (self.method,)
 
 

@@ -103,7 +103,7 @@ class BalanceRequest(Question):
     def orders(self) -> tuple[int, ...]:
         return printed_orders(HARMONICS["p"], self.last_order)
 
-    def methods(self, column: LayoutColumn) -> tuple[str, ...]:
+    def methods_of(self, column: LayoutColumn) -> tuple[str, ...]:
         return (self.method,)
 
     @cached_property

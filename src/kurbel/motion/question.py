@@ -73,7 +73,7 @@ class Request(Question):
         bare = {key: LayoutColumn(key, key) for key in known}
         return [bare.get(key) or super(Request, self).chosen([key])[0] for key in keys]
 
-    def methods(self, column: LayoutColumn) -> tuple[str, ...]:
+    def methods_of(self, column: LayoutColumn) -> tuple[str, ...]:
         return (column.method or self.method or "exact",)
 
     @property

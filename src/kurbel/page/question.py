@@ -42,7 +42,7 @@ class Question:
         check_label(self.label)
         self.check()
         if not self.page_columns:
-            raise ProblemError(self.no_column)
+            raise ProblemError(self.without_columns())
         if len(self) > MOST_ROWS:
             raise ProblemError(f"the table would have {len(self)} rows; at most 10^9 are allowed")
 
@@ -52,6 +52,10 @@ class Question:
     def missing(self, quantity: Quantity) -> str:
         """Return the sentence that refuses a column of the quantity, nothing if it is known."""
         return ""
+
+    def without_columns(self) -> str:
+        """Return the sentence that refuses a page without a column."""
+        return self.no_column
 
     @property
     def subject(self) -> Subject:
@@ -75,7 +79,9 @@ class Question:
         """The columns asked for, else the layout's as far as they are known."""
         if not self.columns:
             return tuple(self.column(one) for one in self.layout.columns if self.shows(one))
-        allowed = dict.fromkeys((*self.axis_keys, *self.subject.column_keys(self.layout)))
+        # The axes of the question may have other keys than its subject states.
+        others = self.subject.column_keys(self.layout)[len(self.subject.axis_keys) :]
+        allowed = dict.fromkeys((*self.axis_keys, *others))
         keys = dict.fromkeys(choose(key, allowed, "column") for key in self.columns)
         chosen = self.chosen([key for key in keys if key not in self.axis_keys])
         for column in chosen:
@@ -97,7 +103,7 @@ class Question:
     def entry(self, key: str) -> Quantity:
         return self.subject.quantities()[key]
 
-    def methods(self, column: LayoutColumn) -> tuple[str, ...]:
+    def methods_of(self, column: LayoutColumn) -> tuple[str, ...]:
         """Return the methods by which a column is computed."""
         return ("exact",)
 
@@ -108,7 +114,7 @@ class Question:
         return Column(
             column.key,
             quantity,
-            self.methods(column),
+            self.methods_of(column),
             self.decimals(column, quantity),
             tuple(one[lang] for one in spanners),
             tuple(one[lang] for one in heading),
