@@ -9,7 +9,8 @@ from typing import Any
 import kurbel
 from kurbel.cli.asking import option_names
 from kurbel.drive import machine
-from kurbel.handbook import keys as handbook_keys
+from kurbel.handbook import model as handbook_model
+from kurbel.handbook.keys import SCHEMA
 
 PACKAGE = Path(kurbel.__file__).parent
 
@@ -17,7 +18,7 @@ PACKAGE = Path(kurbel.__file__).parent
 def main() -> None:
     schemas: dict[str, dict[str, Any]] = {
         "drive/machine.schema.json": machine.schema(),
-        f"handbook/{handbook_keys.SCHEMA}": handbook_keys.schema(option_names()),
+        f"handbook/{SCHEMA}": handbook_model.schema(option_names()),
     }
     for name, schema in schemas.items():
         text = json.dumps(schema, indent=2, ensure_ascii=False)

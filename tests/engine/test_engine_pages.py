@@ -19,7 +19,8 @@ from kurbel.engine.request import ENGINE_AXES
 from kurbel.errors import KurbelError
 from kurbel.exact.numerals import degrees_text
 from kurbel.formats.render import render
-from kurbel.page.layouts import LANGUAGES, layout
+from kurbel.page.folders import LANGUAGES
+from kurbel.page.layouts import layout
 from kurbel.page.table import DITTO, Table
 
 TASK = {"power": 50_000, "speed": 2, "irregularities": "1:50;1:100", "radius": "1.5"}

@@ -17,7 +17,7 @@ from tex import ENGINES, PREAMBLE, compiled, complaints
 import kurbel
 from kurbel.examples.source import numbers_of, source_keys
 from kurbel.formats.render import render
-from kurbel.page.layouts import LANGUAGES
+from kurbel.page.folders import LANGUAGES
 from kurbel.page.table import Table
 
 EXAMPLES = [(key, number) for key in source_keys() for number in numbers_of(key)]

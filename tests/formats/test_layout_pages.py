@@ -21,7 +21,7 @@ from places import GOLDEN
 
 from kurbel.formats.registry import FORMATS
 from kurbel.formats.render import render
-from kurbel.page.layouts import LANGUAGES, layout_names
+from kurbel.page.folders import LANGUAGES, layout_names
 
 MACHINE = ("table", "--stroke=600mm", "--rod=1500mm", "--speed=120/min")
 OFFSET = ("table", "--ratio=1:4", "--offset=0,5", "--step=15")

@@ -12,8 +12,9 @@ from click import Group
 from places import ROOT
 
 from kurbel.cli.handbook import handbook
-from kurbel.handbook.keys import ENGINES, KEYS
+from kurbel.handbook.keys import ENGINES
 from kurbel.handbook.manifest import FORMATS_OF_A_HANDBOOK, read_manifest
+from kurbel.handbook.model import SECTIONS, schema
 
 GUIDE = (ROOT / "docs" / "handbook.md").read_text(encoding="utf-8")
 HEADINGS = {"handbook": "At the top"}
@@ -32,21 +33,23 @@ def described(section: str) -> str:
     return re.split(r"\n##+ ", GUIDE.split(heading)[1])[0]
 
 
-@pytest.mark.parametrize("section", KEYS)
+@pytest.mark.parametrize("section", SECTIONS)
 def test_every_key_is_described_and_no_other(section: str) -> None:
     names = set()
     for line in re.findall(r"^\| (`.+?`) \|", described(section), re.MULTILINE):
         names |= {name.strip("[]`").split(".")[-1] for name in line.split(", ")}
-    assert names == set(KEYS[section])
+    assert names == {*SECTIONS[section].__struct_fields__}
 
 
 def test_values_that_a_key_may_have_are_named() -> None:
-    for section in KEYS:
+    chapter = (whole := schema(()))["properties"]["chapter"]["items"]
+    part, pdf = chapter["properties"]["part"]["items"], whole["properties"]["pdf"]
+    for section, own in (("handbook", whole), ("chapter", chapter), ("part", part), ("pdf", pdf)):
         text = described(section)
-        for name, key in KEYS[section].items():
-            if name != "standards":
-                missing = [one for one in key.allowed if f"`{one}`" not in text and name != "lang"]
-                assert not missing, name
+        for name, key in own["properties"].items():
+            if name not in ("standards", "lang"):
+                allowed = key.get("items", key).get("enum", ())
+                assert not [one for one in allowed if f"`{one}`" not in text], name
     assert ", ".join(f"`{name}`" for name in FORMATS_OF_A_HANDBOOK) in described("handbook")
     assert all(f"`{engine}`" in described("pdf") for engine in ENGINES)
 
@@ -63,8 +66,9 @@ def test_the_example_has_every_key_but_few_and_builds(tmp_path: Path) -> None:
     (folder / "handbook.toml").write_text(example(), encoding="utf-8")
     (folder / "motion.md").write_text("See [](#paths) and [](#acceleration).\n", encoding="utf-8")
     shutil.copy(ROOT / "examples" / "engine.toml", folder)
-    unused = {name for keys in KEYS.values() for name in keys if not re.search(rf"\b{name}\b", example())}
-    assert unused == {"templates", "pdf", "standards"}
+    names = {name for section in SECTIONS.values() for name in section.__struct_fields__}
+    unused = {name for name in names if not re.search(rf"\b{name}\b", example())}
+    assert unused == {"templates", "layouts", "pdf", "standards"}
     manifest = read_manifest(str(folder / "handbook.toml"))
     done = kurbel("handbook", "build", str(folder), "--jobs", "1")
     assert (done.code, done.out) == (0, "")

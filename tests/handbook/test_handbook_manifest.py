@@ -12,9 +12,10 @@ from hypothesis import strategies as st
 import kurbel
 from kurbel.cli.asking import option_names
 from kurbel.errors import HandbookError, KurbelError
-from kurbel.handbook.keys import KEYS, SCHEMA, schema
+from kurbel.handbook.keys import SCHEMA
 from kurbel.handbook.manifest import LONGEST_NAME, Manifest, read_manifest, slug
-from kurbel.reading.toml_file import key_lines
+from kurbel.handbook.model import SECTIONS, schema
+from kurbel.reading.toml_lines import key_lines
 
 GOOD = """\
 title = "Tafeln $x/R$"
@@ -178,7 +179,7 @@ def test_the_schema_knows_every_key() -> None:
         below = [one.get("items", one) for name, one in own.items() if name != "defaults"]
         return set(own) | {key for one in below for key in keys(one)}
 
-    assert keys(schema(())) == {key for own in KEYS.values() for key in own}
+    assert keys(schema(())) == {key for own in SECTIONS.values() for key in own.__struct_fields__}
 
 
 @given(st.text(max_size=200))

@@ -22,8 +22,9 @@ from kurbel.exact.numerals import Number, number_text
 from kurbel.linkage.arc import ArcCrank
 from kurbel.linkage.page import linkage_column_keys
 from kurbel.motion.evaluation import OUT, RETURN
+from kurbel.page.folders import LANGUAGES
 from kurbel.page.labels import plain
-from kurbel.page.layouts import LANGUAGES, layout
+from kurbel.page.layouts import layout
 from kurbel.page.table import Table
 
 ARC = ("table", "--mechanism", "arc")

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import click
 
 from kurbel.cli.options import Name
-from kurbel.page.layouts import LANGUAGES
+from kurbel.page.folders import LANGUAGES
 
 lang_option = click.option(
     "--lang", type=Name("language", lambda: LANGUAGES), default="de", show_default=True, envvar="KURBEL_LANG",
@@ -19,7 +19,8 @@ lang_option = click.option(
 @lang_option
 def layouts(lang: str) -> None:
     """List the page layouts."""
-    from kurbel.page.layouts import layout, layout_names
+    from kurbel.page.folders import layout_names
+    from kurbel.page.layouts import layout
 
     _print([(name, layout(name).title[lang]) for name in layout_names()])
 

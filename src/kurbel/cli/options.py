@@ -13,7 +13,7 @@ from click.shell_completion import CompletionItem
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS
 from kurbel.formats.registry import DECIMALS, DEFAULT, FORMATS, Format
-from kurbel.page.layouts import LANGUAGES, layout_names
+from kurbel.page.folders import LANGUAGES, layout_names
 from kurbel.reading import notation
 from kurbel.reading.choices import choose
 

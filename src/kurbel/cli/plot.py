@@ -19,7 +19,7 @@ from kurbel.cli.plot_kinds import ENGINE_LAYOUT, LAYOUT, STEPS, WIDEST, kind_of,
 from kurbel.cli.table import LENGTHS, METHOD, RATIO
 from kurbel.errors import ChoiceError
 from kurbel.formats.registry import DECIMAL_OF_LANGUAGE, DECIMALS
-from kurbel.page.layouts import LANGUAGES
+from kurbel.page.folders import LANGUAGES
 
 
 def _formats() -> Sequence[str]:

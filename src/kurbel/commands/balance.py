@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
 
-from kurbel.page.layouts import LANGUAGES, layout_of
+from kurbel.page.folders import LANGUAGES
+from kurbel.page.layouts import layout_of
 from kurbel.page.table import Table
 from kurbel.reading import notation
 from kurbel.reading.choices import choose

@@ -7,7 +7,8 @@ from os import PathLike
 
 from kurbel.books.verdict import ONLY
 from kurbel.errors import ProblemError
-from kurbel.page.layouts import LANGUAGES, layout_of
+from kurbel.page.folders import LANGUAGES
+from kurbel.page.layouts import layout_of
 from kurbel.page.table import Table
 from kurbel.reading.choices import choose
 from kurbel.reading.given import as_names

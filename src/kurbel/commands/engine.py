@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING
 from kurbel.drive.crank import Crank
 from kurbel.engine.request import OVER_ANGLE
 from kurbel.errors import ProblemError
-from kurbel.page.layouts import LANGUAGES, layout_of
+from kurbel.page.folders import LANGUAGES
+from kurbel.page.layouts import layout_of
 from kurbel.page.table import Table
 from kurbel.reading import notation
 from kurbel.reading.choices import choose

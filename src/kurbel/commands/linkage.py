@@ -8,7 +8,8 @@ from fractions import Fraction
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.linkage.arc import ArcCrank
-from kurbel.page.layouts import LANGUAGES, layout_of
+from kurbel.page.folders import LANGUAGES
+from kurbel.page.layouts import layout_of
 from kurbel.page.table import Table
 from kurbel.reading import notation
 from kurbel.reading.choices import choose

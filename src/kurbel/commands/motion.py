@@ -113,7 +113,8 @@ def make_table(
     """
     from kurbel.motion.question import Request
     from kurbel.page.build import build
-    from kurbel.page.layouts import LANGUAGES, layout_of
+    from kurbel.page.folders import LANGUAGES
+    from kurbel.page.layouts import layout_of
 
     page = layout_of(layout, ("motion",))
     size = None if radius is None else as_fraction(radius)

@@ -9,7 +9,8 @@ from os import PathLike
 from kurbel.drive.crank import Crank
 from kurbel.drive.rod_given import given_rod
 from kurbel.errors import ProblemError
-from kurbel.page.layouts import LANGUAGES, layout_of
+from kurbel.page.folders import LANGUAGES
+from kurbel.page.layouts import layout_of
 from kurbel.page.table import Table
 from kurbel.reading import notation
 from kurbel.reading.choices import choose

@@ -11,7 +11,8 @@ from kurbel.linkage.arc import ArcCrank
 from kurbel.linkage.arc_drive import ArcDrive
 from kurbel.motion.drives import Drive, slide_drives
 from kurbel.motion.evaluation import METHODS
-from kurbel.page.layouts import LANGUAGES, layout_of
+from kurbel.page.folders import LANGUAGES
+from kurbel.page.layouts import layout_of
 from kurbel.page.table import Table
 from kurbel.reading import notation
 from kurbel.reading.choices import choose

@@ -14,87 +14,162 @@
     reciprocating = "300kg"
 
 Each entry is the option of the same meaning, written as on the command line; what is typed there outdoes it.
-`schema` describes the file for editors (JSON Schema, draft 2020-12).
+Fields are called as the options, and in the file as `name` says where that differs.
 """
 
 from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import Annotated, Any, ClassVar
 
-from kurbel.errors import ChoiceError, MachineError
-from kurbel.reading.choices import choose
-from kurbel.reading.toml_file import TomlKind, read_toml, shown
+from msgspec import Struct, field
+from msgspec.structs import asdict
+
+from kurbel.errors import MachineError
+from kurbel.reading.toml_file import MOST_BITS, Fault, TomlFile, TomlKind, about, schema_of
 
 KIND = TomlKind(
-    "machine", MachineError, 20_000, "a machine has sections with entries", "--machine engine.toml"
+    "machine",
+    MachineError,
+    20_000,
+    "a machine has sections with entries",
+    "--machine engine.toml",
+    lines=False,
 )
+ONE: Mapping[str, Any] = {"type": ["string", "number"]}
 
 
-class Entry(NamedTuple):
-    """An entry of the file: the option that it stands for, what it is, whether it may be a list, and whether
-    the option is repeated for one."""
+class Several(tuple[str, ...]):
+    """One value or several, as they would be typed."""
 
-    option: str
-    about: str
-    many: bool = False
-    several: bool = False
-    flag: bool = False
-    file: bool = False
+    MUST = 'text such as "600mm", a number or a list'
+    SCHEMA: ClassVar[Mapping[str, Any]] = {"anyOf": [ONE, {"type": "array", "items": ONE, "minItems": 1}]}
+
+    @classmethod
+    def read(cls, given: Any, _: str) -> Several:
+        values = given if isinstance(given, list) else [given]
+        if not values or not all(map(_is_value, values)):
+            raise Fault(cls.MUST)
+        if len(values) > 1 and issubclass(cls, One):
+            raise Fault("one value")
+        return cls(map(str, values))
 
 
-SECTIONS: Mapping[str, Mapping[str, Entry]] = {
-    "crank": {
-        "ratio": Entry("ratio", 'crank ratio R:L, such as "1:5"', many=True, several=True),
-        "stroke": Entry("stroke", 'stroke 2R, such as "600mm"'),
-        "rod": Entry("rod", 'length of the rod, such as "1500mm"'),
-        "speed": Entry("speed", 'speed, such as "120/min"'),
-        "offset": Entry("offset", "offset e as a share of R, or a length"),
-        "angles": Entry("cranks", "angles in degrees by which several cranks follow the first", many=True),
-    },
-    "steam": {
-        "eps": Entry("eps", "expansion ratio ε", many=True, several=True),
-        "back": Entry("back", "back pressure as a share of the steam pressure"),
-        "exponent": Entry("exponent", "n of p Vⁿ = const."),
-        "clearance": Entry("clearance", "clearance as a share of the swept volume"),
-        "pressure": Entry("pressure", 'steam pressure before cut-off, such as "8bar"'),
-        "bore": Entry("bore", 'bore of the cylinder, such as "300mm"'),
-        "single_acting": Entry("single_acting", "whether steam works on the outstroke only", flag=True),
-        "card": Entry(
-            "card", "indicator card, a CSV file beside this one", many=True, several=True, file=True
-        ),
-        "other_side": Entry("other_side", "pressure on the other face of a single-acting piston"),
-    },
-    "masses": {
-        "reciprocating": Entry("reciprocating", 'mass of piston and crosshead, such as "300kg"'),
-        "rod": Entry("rod_mass", 'mass of the connecting rod, such as "150kg"'),
-        "centre": Entry("centre", "its centre of mass from the crosshead pin, in rod lengths or a length"),
-        "gyration": Entry("gyration", "its radius of gyration about that, in rod lengths or a length"),
-        "rotating": Entry("rotating", "mass of the crank itself at its pin, less counterweights"),
-        "file": Entry("rod_file", "its masses, a CSV file beside this one", file=True),
-    },
-    "flywheel": {
-        "power": Entry("power", 'power, such as "50kW"'),
-        "delta": Entry("delta", 'degree of irregularity to keep, such as "1:100"', many=True, several=True),
-        "radius": Entry("radius", "radius at which the mass of the rim is wanted"),
-    },
-}
+class One(Several):
+    """One value."""
+
+    MUST = 'text such as "600mm", a number'
+    SCHEMA = ONE
+
+
+class Joined(Several):
+    """Several values, which their option takes in one text."""
+
+
+class File(One):
+    """A file beside the machine's."""
+
+
+class Files(Several):
+    """Files beside the machine's."""
+
+
+def _is_value(given: Any) -> bool:
+    if isinstance(given, bool) or not isinstance(given, str | int | float):
+        return False
+    return not isinstance(given, int) or given.bit_length() < MOST_BITS
+
+
+class Section(Struct, forbid_unknown_fields=True):
+    """A section of the file; an entry that is left out is None."""
+
+
+class Crank(Section):
+    ratio: Annotated[Several | None, about('crank ratio R:L, such as "1:5"')] = None
+    stroke: Annotated[One | None, about('stroke 2R, such as "600mm"')] = None
+    rod: Annotated[One | None, about('length of the rod, such as "1500mm"')] = None
+    speed: Annotated[One | None, about('speed, such as "120/min"')] = None
+    offset: Annotated[One | None, about("offset e as a share of R, or a length")] = None
+    cranks: Annotated[Joined | None, about("angles in degrees by which several cranks follow the first")] = (
+        field(name="angles", default=None)
+    )
+
+
+class Steam(Section):
+    eps: Annotated[Several | None, about("expansion ratio ε")] = None
+    back: Annotated[One | None, about("back pressure as a share of the steam pressure")] = None
+    exponent: Annotated[One | None, about("n of p Vⁿ = const.")] = None
+    clearance: Annotated[One | None, about("clearance as a share of the swept volume")] = None
+    pressure: Annotated[One | None, about('steam pressure before cut-off, such as "8bar"')] = None
+    bore: Annotated[One | None, about('bore of the cylinder, such as "300mm"')] = None
+    single_acting: Annotated[bool | None, about("whether steam works on the outstroke only")] = None
+    card: Annotated[Files | None, about("indicator card, a CSV file beside this one")] = None
+    other_side: Annotated[One | None, about("pressure on the other face of a single-acting piston")] = None
+
+
+class Masses(Section):
+    reciprocating: Annotated[One | None, about('mass of piston and crosshead, such as "300kg"')] = None
+    rod_mass: Annotated[One | None, about('mass of the connecting rod, such as "150kg"')] = field(
+        name="rod", default=None
+    )
+    centre: Annotated[
+        One | None, about("its centre of mass from the crosshead pin, in rod lengths or a length")
+    ] = None
+    gyration: Annotated[
+        One | None, about("its radius of gyration about that, in rod lengths or a length")
+    ] = None
+    rotating: Annotated[One | None, about("mass of the crank itself at its pin, less counterweights")] = None
+    rod_file: Annotated[File | None, about("its masses, a CSV file beside this one")] = field(
+        name="file", default=None
+    )
+
+
+class Flywheel(Section):
+    power: Annotated[One | None, about('power, such as "50kW"')] = None
+    delta: Annotated[Several | None, about('degree of irregularity to keep, such as "1:100"')] = None
+    radius: Annotated[One | None, about("radius at which the mass of the rim is wanted")] = None
+
+
+class Machine(Section):
+    NOUN: ClassVar = "section"
+
+    crank: Crank | None = None
+    steam: Steam | None = None
+    masses: Masses | None = None
+    flywheel: Flywheel | None = None
 
 
 def read_machine(path: str) -> dict[str, Any]:
-    """Return the options that the file gives, by their names: text, a list of texts, or True.
+    """Return the options that the file gives, by their names: text, several texts, or whether.
 
     Raises MachineError with the file's name for anything that is no machine.
     """
-    given = read_toml(path, KIND)
-    options: dict[str, Any] = {}
-    for section, entries in given.items():
-        _check_section(path, section, entries)
-        for key, value in entries.items():
-            entry = SECTIONS[section][choose_in(path, key, SECTIONS[section], f"entry of [{section}],")]
-            options[entry.option] = _option(path, f"{section}.{key}", entry, value)
-    return options
+    file = TomlFile(path, KIND)
+    for key, value in file.given.items():
+        homes = [home for home, own in SECTIONS.items() if key in own.__struct_encode_fields__]
+        if key not in SECTIONS and homes and not isinstance(value, dict):
+            raise file.error((key,), f"{key} stands outside of the sections; write it under [{homes[0]}]")
+    machine = file.read(Machine)
+    given = {name: value for one in asdict(machine).values() if one for name, value in asdict(one).items()}
+    folder = os.path.dirname(path)
+    return {name: _option(folder, value) for name, value in given.items() if value is not None}
+
+
+SECTIONS: Mapping[str, type[Section]] = {
+    "crank": Crank,
+    "steam": Steam,
+    "masses": Masses,
+    "flywheel": Flywheel,
+}
+
+
+def _option(folder: str, value: Any) -> Any:
+    """Return a value as its option takes it; files in the machine's folder."""
+    if not isinstance(value, Several):
+        return value
+    texts = [os.path.join(folder, text) for text in value] if isinstance(value, File | Files) else [*value]
+    return ";".join(texts) if isinstance(value, One | Joined) else texts
 
 
 def with_ratio(options: Mapping[str, Any]) -> dict[str, Any]:
@@ -107,60 +182,6 @@ def with_ratio(options: Mapping[str, Any]) -> dict[str, Any]:
     return {**options, "ratio": [f"{share.numerator}:{share.denominator}"]}
 
 
-def _check_section(path: str, section: str, entries: Any) -> None:
-    homes = [home for home, own in SECTIONS.items() if section in own]
-    if section not in SECTIONS and homes and not isinstance(entries, dict):
-        raise MachineError(f"{path}: {section} stands outside of the sections; write it under [{homes[0]}]")
-    choose_in(path, section, SECTIONS, "section")
-    if not isinstance(entries, dict):
-        raise MachineError(f"{path}: {section} is {shown(entries)}; it must be a section, [{section}]")
-
-
-def choose_in(path: str, name: str, allowed: Mapping[str, Any], what: str) -> str:
-    """Return the name if it is allowed, else raise with the file, the nearest name and the list."""
-    try:
-        return choose(name, allowed, what)
-    except ChoiceError as error:
-        raise MachineError(f"{path}: {error}") from None
-
-
-def _option(path: str, name: str, entry: Entry, value: Any) -> Any:
-    if entry.flag:
-        if not isinstance(value, bool):
-            raise MachineError(f"{path}: {name} is {shown(value)}; it must be true or false")
-        return value
-    values = value if isinstance(value, list) else [value]
-    if not values or any(isinstance(one, bool) or not isinstance(one, (str, int, float)) for one in values):
-        allowed = 'text such as "600mm", a number' + (" or a list" if entry.many else "")
-        raise MachineError(f"{path}: {name} is {shown(value)}; it must be {allowed}")
-    if len(values) > 1 and not entry.many:
-        raise MachineError(f"{path}: {name} is a list; it must be one value")
-    texts = [str(one) for one in values]
-    if entry.file:
-        texts = [os.path.join(os.path.dirname(path), text) for text in texts]
-    return texts if entry.several else ";".join(texts)
-
-
 def schema() -> dict[str, Any]:
     """Return the JSON Schema of the file."""
-    one = {"type": ["string", "number"]}
-    several = {"anyOf": [one, {"type": "array", "items": one, "minItems": 1}]}
-
-    def described(entry: Entry) -> dict[str, Any]:
-        kind: dict[str, Any] = {"type": "boolean"} if entry.flag else several if entry.many else one
-        return {"description": entry.about, **kind}
-
-    return {
-        "$schema": "https://json-schema.org/draft/2020-12/schema",
-        "title": "A machine for kurbel",
-        "type": "object",
-        "additionalProperties": False,
-        "properties": {
-            section: {
-                "type": "object",
-                "additionalProperties": False,
-                "properties": {key: described(entry) for key, entry in entries.items()},
-            }
-            for section, entries in SECTIONS.items()
-        },
-    }
+    return schema_of(Machine, "A machine for kurbel")

@@ -19,7 +19,7 @@ from kurbel.books.printed_value import Printed, printed_value
 from kurbel.books.source import Book, SourceTable
 from kurbel.errors import LayoutError
 from kurbel.exact.numerals import Label
-from kurbel.page.layouts import LANGUAGES
+from kurbel.page.folders import LANGUAGES
 from kurbel.reading.choices import choose
 from kurbel.reading.notation import number, ratio
 

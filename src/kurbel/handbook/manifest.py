@@ -16,8 +16,8 @@
     run = "table --step 15"
     name = "kolbenbewegung"
 
-A part is a text in Markdown or what a command prints or draws. `handbook_keys.schema` describes the file
-for editors.
+A part is a text in Markdown or what a command prints or draws. `kurbel.handbook.model` has its
+keys.
 """
 
 from __future__ import annotations
@@ -30,13 +30,14 @@ import unicodedata
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
-from kurbel.errors import ChoiceError, HandbookError, LayoutError
+from kurbel.errors import ChoiceError, HandbookError
 from kurbel.formats.registry import FORMATS
-from kurbel.handbook.keys import ENGINES, KEYS, Key, default_options
-from kurbel.page.labels import Mark, parse
-from kurbel.page.layouts import LANGUAGES
+from kurbel.handbook.keys import ENGINES, default_options
+from kurbel.handbook.model import ChapterKeys, HandbookKeys, PartKeys, PdfKeys
+from kurbel.page.folders import LANGUAGES
 from kurbel.reading.choices import choose
-from kurbel.reading.toml_file import Place, TomlKind, key_lines, parsed, shown, text_of
+from kurbel.reading.toml_file import TomlFile, TomlKind, shown
+from kurbel.reading.toml_lines import Place
 
 NAME = "handbook.toml"
 KIND = TomlKind("handbook", HandbookError, 2_000_000, "a handbook has chapters with parts", "appendix/")
@@ -87,6 +88,7 @@ class Manifest(NamedTuple):
     output: str
     machine: str | None
     templates: str | None
+    layouts: str | None
     engine: str
     standards: tuple[str, ...]
     chapters: tuple[ChapterPlan, ...]
@@ -123,119 +125,106 @@ def read_manifest(path: str) -> Manifest:
     """
     if not os.path.lexists(path):
         raise HandbookError(f"there is no {path}; kurbel handbook init writes a first one")
-    text = text_of(path, KIND)
-    return _Reader(path, text).manifest(parsed(path, KIND, text))
+    return _Reader(TomlFile(path, KIND)).manifest()
 
 
 class _Reader:
     """Reads one file and knows where its keys stand."""
 
-    def __init__(self, path: str, text: str) -> None:
-        self.path = path
-        self.text = text
-        self.lines = key_lines(text)
+    def __init__(self, file: TomlFile) -> None:
+        self.file = file
+        self.line = file.line
+        self.error = file.error
         # A chapter may be called as its table is: their labels begin otherwise.
         self.chapter_names: dict[str, int] = {}
         self.part_names: dict[str, int] = {}
 
-    def line(self, place: Place) -> int:
-        """Return the line of a key or, where it has none, of what it lies in."""
-        while place and place not in self.lines:
-            # Of a list of sections, the first.
-            place = (*place, 0) if (*place, 0) in self.lines else place[:-1]
-        return self.lines.get(place, 1)
-
-    def error(self, place: Place, said: object) -> HandbookError:
-        return HandbookError(f"{self.path}, line {self.line(place)}: {said}")
-
-    def manifest(self, given: dict[str, Any]) -> Manifest:
-        values = self.section("handbook", (), given)
-        if not values.get("title", "").strip():
+    def manifest(self) -> Manifest:
+        given = self.file.read(HandbookKeys)
+        if not given.title.strip():
             raise self.error(("title",), 'the handbook has no title; write title = "..." at the top')
-        lang = values.get("lang", LANGUAGES[0])
-        pdf = values.get("pdf", {})
-        defaults = {"lang": lang, **_picked(values, "decimal"), **values.get("defaults", {})}
-        chapters = tuple(self.chapters(values.get("chapter", ()), defaults))
+        lang = given.lang or LANGUAGES[0]
+        defaults = {"lang": lang, **({"decimal": given.decimal} if given.decimal else {})}
+        defaults |= self.options(("defaults",), given.defaults)
+        chapters = tuple(self.chapters(given.chapter, defaults))
         if not chapters:
             raise self.error((), "the handbook has no chapter; write [[chapter]] and below it its title")
         if sum(len(chapter.parts) for chapter in chapters) > MOST_PARTS:
             raise self.error((), f"the handbook has more than {MOST_PARTS} parts; make two of it")
-        output = self.inside(("output",), values.get("output", "pages"))
-        templates = self.inside(("templates",), values["templates"]) if "templates" in values else None
-        if templates and (
-            f"{output}/".startswith(f"{templates}/") or f"{templates}/".startswith(f"{output}/")
-        ):
-            raise self.error(
-                ("templates",), f"templates {templates} and output {output} lie in one another; part them"
-            )
+        output = self.inside(("output",), given.output)
+        templates = self.apart("templates", given.templates, output)
         return Manifest(
-            path=self.path,
-            title=values["title"],
-            subtitle=values.get("subtitle", ""),
-            author=values.get("author", ""),
+            path=self.file.path,
+            title=given.title,
+            subtitle=given.subtitle,
+            author=given.author,
             lang=lang,
-            decimal=values.get("decimal", ""),
-            formats=tuple(dict.fromkeys(values.get("formats", FORMATS_OF_A_HANDBOOK))),
+            decimal=given.decimal or "",
+            formats=tuple(dict.fromkeys(FORMATS_OF_A_HANDBOOK if given.formats is None else given.formats)),
             output=output,
-            machine=self.inside(("machine",), values["machine"]) if "machine" in values else None,
+            machine=self.inside(("machine",), given.machine) if given.machine is not None else None,
             templates=templates,
-            engine=self.engine(pdf, templates),
-            standards=tuple(pdf.get("standards", ())),
+            layouts=self.apart("layouts", given.layouts, output),
+            engine=self.engine(given.pdf, templates),
+            standards=given.pdf.standards,
             chapters=chapters,
         )
 
-    def engine(self, pdf: Mapping[str, Any], templates: str | None) -> str:
+    def apart(self, key: str, folder: str | None, output: str) -> str | None:
+        """Return a folder that does not lie in that of the output, nor that in it."""
+        if folder is None:
+            return None
+        own = self.inside((key,), folder)
+        if f"{output}/".startswith(f"{own}/") or f"{own}/".startswith(f"{output}/"):
+            raise self.error((key,), f"{key} {own} and output {output} lie in one another; part them")
+        return own
+
+    def engine(self, pdf: PdfKeys, templates: str | None) -> str:
         """Return what sets the PDF; raise HandbookError for one that cannot do what it is to do."""
-        engine: str = pdf.get("engine", next(iter(ENGINES)))
         try:
-            check_engine(engine, pdf.get("standards", ()), templates)
+            check_engine(pdf.engine, pdf.standards, templates)
         except HandbookError as error:
             raise self.error(("pdf", "engine"), error) from None
-        return engine
+        return pdf.engine
 
-    def chapters(self, given: Sequence[Any], defaults: Mapping[str, Any]) -> Iterator[ChapterPlan]:
+    def chapters(self, given: Sequence[ChapterKeys], defaults: Mapping[str, Any]) -> Iterator[ChapterPlan]:
         for number, one in enumerate(given):
             place: Place = ("chapter", number)
-            values = self.section("chapter", place, one)
-            if not values.get("title", "").strip():
+            if not one.title.strip():
                 raise self.error(place, 'a chapter has no title; write title = "..."')
-            name = values.get("name") or slug(values["title"])
+            name = one.name or slug(one.title)
             self.check_name((*place, "name"), name, self.chapter_names)
-            own = {**defaults, **_picked(values, "lang"), **values.get("defaults", {})}
-            parts = tuple(self.parts(place, values.get("part", ()), own))
-            yield ChapterPlan(values["title"], name, own["lang"], parts)
+            own = {**_with_lang(defaults, one.lang), **self.options((*place, "defaults"), one.defaults)}
+            yield ChapterPlan(one.title, name, own["lang"], tuple(self.parts(place, one.part, own)))
 
-    def parts(self, chapter: Place, given: Sequence[Any], defaults: Mapping[str, Any]) -> Iterator[Part]:
+    def parts(self, chapter: Place, given: Sequence[PartKeys], defaults: Mapping[str, Any]) -> Iterator[Part]:
         for number, one in enumerate(given):
             place: Place = (*chapter, "part", number)
-            values = self.section("part", place, one)
-            contents = [key for key in ("run", "text", "file") if key in values]
+            contents = [key for key in ("run", "text", "file") if getattr(one, key) is not None]
             if len(contents) != 1:
                 found = " and ".join(contents) or "none of them"
                 raise self.error(place, f"a part has one of run, text and file, and this one has {found}")
-            if contents == ["run"]:
-                yield self.table(place, values, {**defaults, **_picked(values, "lang")})
+            options = _with_lang(defaults, one.lang)
+            if one.run is not None:
+                yield self.table(place, one.run, one, options)
                 continue
-            for key in (key for key in values if key not in (*contents, "lang")):
+            for key in (key for key in ("name", "caption") if getattr(one, key) is not None):
                 raise self.error((*place, key), f"{key} is for tables and figures, and this part is a text")
-            file = self.inside((*place, "file"), values["file"]) if "file" in values else ""
-            options = {**defaults, **_picked(values, "lang")}
-            yield Part(
-                self.line((*place, contents[0])), text=values.get("text", ""), file=file, options=options
-            )
+            file = self.inside((*place, "file"), one.file) if one.file is not None else ""
+            yield Part(self.line((*place, contents[0])), text=one.text or "", file=file, options=options)
 
-    def table(self, place: Place, values: Mapping[str, Any], options: Mapping[str, Any]) -> Part:
+    def table(self, place: Place, run: str, given: PartKeys, options: Mapping[str, Any]) -> Part:
         place_of_run = (*place, "run")
         try:
-            words = tuple(shlex.split(values["run"]))
+            words = tuple(shlex.split(run))
         except ValueError:
             raise self.error(place_of_run, "run has a quotation mark without its partner") from None
         words = words[1:] if words[:1] == ("kurbel",) else words
         if not words:
             raise self.error(place_of_run, 'run is empty; write a command, such as run = "table --ratio 1:5"')
-        name = values.get("name") or slug(" ".join(words))
+        name = given.name or slug(" ".join(words))
         self.check_name((*place, "name"), name, self.part_names)
-        return Part(self.line(place_of_run), name, words, caption=values.get("caption", ""), options=options)
+        return Part(self.line(place_of_run), name, words, caption=given.caption or "", options=options)
 
     def check_name(self, place: Place, name: str, taken: dict[str, int]) -> None:
         """Raise HandbookError unless files may be called so and nothing else has the name."""
@@ -267,67 +256,8 @@ class _Reader:
             raise self.error(place, f"{place[-1]} is the manifest's own folder; name one inside of it")
         return plain
 
-    def section(self, name: str, place: Place, given: Any) -> dict[str, Any]:
-        """Return a section with its keys and the types of their values checked."""
-        if not isinstance(given, dict):
-            raise self.error(place, f"{name} is {shown(given)}; it must be a section")
-        values = {}
-        for key, value in given.items():
-            here = (*place, key)
-            try:
-                choose(key, KEYS[name], f"key of the {name}" if name != "pdf" else "key of [pdf]")
-            except ChoiceError as error:
-                raise self.error(here, error) from None
-            values[key] = self.value(here, KEYS[name][key], value)
-        return values
-
-    def value(self, place: Place, key: Key, value: Any) -> Any:
-        """Return a value of the type that the key has."""
-        match key.kind:
-            case "pdf":
-                return self.section("pdf", place, value)
-            case "options":
-                return self.options_of(place, value)
-            case "chapters" | "parts":
-                if not isinstance(value, list):
-                    raise self.error(place, f"{place[-1]} is {shown(value)}; write [[{_dotted(place)}]]")
-                return value
-            case "texts":
-                if not isinstance(value, list) or not all(isinstance(one, str) for one in value):
-                    raise self.error(place, f"{place[-1]} is {shown(value)}; it must be a list of texts")
-                return [self.one_of(place, key, one) for one in value]
-        if not isinstance(value, str):
-            raise self.error(place, f"{place[-1]} is {shown(value)}; it must be a text in quotation marks")
-        if key.label:
-            self.check_label(place, value)
-        return self.one_of(place, key, value) if key.allowed else value
-
-    def one_of(self, place: Place, key: Key, value: str) -> str:
-        what = {"lang": "language", "decimal": "decimal mark", "formats": "format"}.get(
-            str(place[-1]), str(place[-1]).removesuffix("s")
-        )
-        try:
-            return choose(value, key.allowed, what)
-        except ChoiceError as error:
-            raise self.error(place, error) from None
-
-    def check_label(self, place: Place, text: str) -> None:
-        if control := next((one for one in text if unicodedata.category(one) == "Cc"), ""):
-            raise self.error(
-                place,
-                f"{place[-1]} has the character U+{ord(control):04X}, which is a control and not printed",
-            )
-        try:
-            marks = [part.text for part in parse(text) if isinstance(part, Mark)]
-        except LayoutError as error:
-            raise self.error(place, str(error).replace("the label", f"the {place[-1]}", 1)) from None
-        if marks:
-            raise self.error(place, f"{place[-1]} has the mark [^{marks[0]}], for which there is no note")
-
-    def options_of(self, place: Place, given: Any) -> dict[str, Any]:
+    def options(self, place: Place, given: Mapping[str, Any]) -> dict[str, Any]:
         """Return defaults of options by their names, with underscores."""
-        if not isinstance(given, dict):
-            raise self.error(place, f"{place[-1]} is {shown(given)}; write [{_dotted(place)}]")
         options = {}
         for key, value in given.items():
             here = (*place, key)
@@ -344,12 +274,8 @@ class _Reader:
         return options
 
 
-def _picked(values: Mapping[str, Any], key: str) -> dict[str, Any]:
-    return {key: values[key]} if key in values else {}
-
-
-def _dotted(place: Place) -> str:
-    return ".".join(part for part in place if isinstance(part, str))
+def _with_lang(options: Mapping[str, Any], lang: str | None) -> dict[str, Any]:
+    return {**options, "lang": lang} if lang else {**options}
 
 
 _NAME = re.compile(r"[A-Za-z0-9]+(?:-+[A-Za-z0-9]+)*")

@@ -1,17 +1,21 @@
-"""Page layouts: what templates/<layout>/layout.toml says, checked, and where the templates lie."""
+"""Page layouts, as layout.toml has them: what a page is about, its axes, columns and words."""
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping, Sequence
 from functools import cache
-from typing import Any, NamedTuple
+from typing import Annotated, Any, ClassVar
+
+from msgspec import Meta, Struct
+from msgspec.structs import asdict, force_setattr
 
 from kurbel.errors import ChoiceError, LayoutError
-from kurbel.exact.numerals import Label
+from kurbel.exact.numerals import MOST_DIGITS, Label
+from kurbel.page.folders import LANGUAGES, layout_names, template_folder
 from kurbel.reading.choices import choose
+from kurbel.reading.toml_file import Choice, Fault, TomlFile, TomlKind, about
 
-LANGUAGES = ("de", "en")
+KIND = TomlKind("layout", LayoutError, 200_000, "a layout has axes and columns", "pages/mine/layout.toml")
 # What a page is about, and the axes that it shares out.
 SUBJECTS: Mapping[str, tuple[str, ...]] = {
     "motion": ("ratio", "angle", "column"),
@@ -33,23 +37,100 @@ SUBJECTS: Mapping[str, tuple[str, ...]] = {
     "parallel crank": ("angle", "column"),
 }
 
-Localised = Mapping[str, str]
+
+def _of_languages(entry: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Return the JSON Schema of a table that has such an entry in each language."""
+    return {
+        "type": "object",
+        "additionalProperties": False,
+        "properties": dict.fromkeys(LANGUAGES, entry),
+        "required": [*LANGUAGES],
+    }
 
 
-class LayoutColumn(NamedTuple):
+class Words(dict[str, Label]):
+    """A text in each language, in a file { de = "...", en = "..." }, or one for both."""
+
+    MUST = 'a text, or { de = "...", en = "..." }'
+    SCHEMA: ClassVar[Mapping[str, Any]] = {"anyOf": [{"type": "string"}, _of_languages({"type": "string"})]}
+
+    @classmethod
+    def read(cls, given: Any, _: str) -> Words:
+        texts = cls.texts(given) if isinstance(given, str) else given
+        if not isinstance(texts, dict) or sorted(texts) != sorted(LANGUAGES):
+            raise Fault(cls.MUST)
+        if not all(isinstance(text, str) for text in texts.values()):
+            raise Fault(cls.MUST)
+        return cls(texts)
+
+    @classmethod
+    def texts(cls, text: str) -> dict[str, str]:
+        return dict.fromkeys(LANGUAGES, text)
+
+
+class Head(Words):
+    """The same, also as "German|English"."""
+
+    MUST = 'a text, "German|English" or { de = "...", en = "..." }'
+
+    @classmethod
+    def texts(cls, text: str) -> dict[str, str]:
+        parts = text.split("|")
+        if len(parts) == 1:
+            return super().texts(text)
+        return dict(zip(LANGUAGES, parts, strict=True)) if len(parts) == len(LANGUAGES) else {}
+
+
+class Notes(tuple[Words, ...]):
+    """Lines below the table, in a file { de = ["..."], en = ["..."] }."""
+
+    SCHEMA: ClassVar[Mapping[str, Any]] = _of_languages({"type": "array", "items": {"type": "string"}})
+
+    @classmethod
+    def read(cls, given: Any, _: str) -> Notes:
+        lists: list[Any] = [given.get(one) for one in LANGUAGES] if isinstance(given, dict) else []
+        if not lists or len(given) != len(lists) or not all(isinstance(one, list) for one in lists):
+            raise Fault('lists of texts, de = ["..."] and en = ["..."]')
+        if len({*map(len, lists)}) > 1 or not all(isinstance(text, str) for one in lists for text in one):
+            raise Fault("as many texts in one language as in the other")
+        return cls(Words(zip(LANGUAGES, texts, strict=True)) for texts in zip(*lists, strict=True))
+
+
+class Subject(Choice, what="subject", allowed=SUBJECTS):
+    """What a page is about."""
+
+
+Names = tuple[str, ...]
+LARGEST_BLOCK = 500
+
+
+class LayoutColumn(Struct, frozen=True, forbid_unknown_fields=True):
     """A column of a layout. `method` None leaves the formulas to the user; spanners and heading None to
     the quantity. It gives way to the quantity `unless` where that is known."""
 
-    key: str
-    quantity: str
-    method: str | None = None
-    spanners: tuple[Localised, ...] | None = None
-    heading: tuple[Localised, ...] | None = None
-    decimals: int | None = None
-    unless: str = ""
+    NOUN: ClassVar[str] = "key of a column"
+    SHAPE: ClassVar[str] = 'a table, such as { quantity = "x" }'
+
+    quantity: Annotated[str, about("quantity; `kurbel quantities` lists them", example="x")]
+    key: Annotated[str, about("name in CSV, JSON and --columns; default: the quantity")] = ""
+    method: Annotated[str | None, about("method of its formulas; columns of all methods leave no choice")] = (
+        None
+    )
+    spanners: Annotated[
+        tuple[Head, ...] | None, about("heads above the heading; default: the quantity's")
+    ] = None
+    heading: Annotated[tuple[Head, ...] | None, about("lines of its head; default: the quantity's")] = None
+    decimals: Annotated[
+        Annotated[int, Meta(ge=0, le=MOST_DIGITS)] | None, about("default: the quantity's")
+    ] = None
+    unless: Annotated[str, about("quantity to which it gives way where that is known")] = ""
+
+    def __post_init__(self) -> None:
+        if not self.key:
+            force_setattr(self, "key", self.quantity)
 
 
-class Layout(NamedTuple):
+class LayoutFile(Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
     """An arrangement of the axes of its subject.
 
     `down` lists the axes that run down, outermost first; those in `stub` are printed in the stub, the
@@ -59,27 +140,43 @@ class Layout(NamedTuple):
     `unit` adds a last column with the unit of each row.
     """
 
+    NOUN: ClassVar[str] = "key of a layout"
+
+    title: Annotated[Head, about("what `kurbel layouts` says of it", example="Piston path")]
+    caption: Annotated[
+        Head,
+        about(
+            "caption, with places such as {quantities}, {for_ratio} and {method}",
+            example="{quantities}{for_ratio}; {method}",
+        ),
+    ]
+    down: Annotated[Names, about("axes that run down, the outermost first", example=["ratio", "angle"])]
+    stub: Annotated[Names, about("those of them in the stub", example=["angle"])]
+    across: Annotated[Names, about("axes that run across, the outermost first", example=["column"])]
+    columns: Annotated[tuple[LayoutColumn, ...], about("the columns", example=[{"quantity": "x"}])]
+    subject: Annotated[Subject, about("what the page is about; default: motion")] = Subject("motion")
+    ratios: Annotated[Names, about('crank ratios without --ratio, as "1:5"')] = ()
+    angles: Annotated[Names, about('crank angles without --angle and --step, as "0..180:10"')] = ()
+    expansions: Annotated[Names, about('expansion ratios without --eps, as "2..6"')] = ()
+    arms: Annotated[Names, about('arms of the beam without --arm, as "3"')] = ()
+    source: Annotated[Head, about("line on the source, below the table")] = Head(de="", en="")
+    notes: Annotated[Notes, about("lines below the table, as notes.de and notes.en")] = Notes()
+    stub_headings: Annotated[dict[str, Head], about("heads over the columns of the stub, by their axes")] = {}
+    angle_symbol: Annotated[str, about("letter of the crank angle; default: φ")] = "φ"
+    ratio_symbol: Annotated[str, about("letters of the crank ratio; default: R:L")] = "R:L"
+    block: Annotated[
+        Annotated[int, Meta(ge=0, le=LARGEST_BLOCK)], about("most columns of one panel; 0: no limit")
+    ] = 0
+    pairs: Annotated[bool, about("whether an angle stands over its mirror image")] = False
+    formulas: Annotated[bool, about("whether formulas stand below the table")] = True
+    unit: Annotated[bool, about("whether a last column has the unit of each row")] = False
+
+
+class Layout(LayoutFile, frozen=True, kw_only=True):
+    """A layout with its name; `folder` is the user's folder that it lies in, nothing for kurbel's own."""
+
     key: str
-    title: Localised
-    caption: Localised
-    ratios: tuple[str, ...]
-    angles: tuple[str, ...]
-    down: tuple[str, ...]
-    stub: tuple[str, ...]
-    across: tuple[str, ...]
-    columns: tuple[LayoutColumn, ...]
-    source: Localised
-    notes: tuple[Localised, ...]
-    stub_headings: Mapping[str, Localised]
-    angle_symbol: str = "φ"
-    ratio_symbol: str = "R:L"
-    block: int = 0
-    pairs: bool = False
-    formulas: bool = True
-    subject: str = "motion"
-    expansions: tuple[str, ...] = ()
-    arms: tuple[str, ...] = ()
-    unit: bool = False
+    folder: str = ""
 
     def stub_heading(self, axis: str, default: Label, lang: str) -> Label:
         """Return the heading over the stub column of an axis."""
@@ -89,27 +186,6 @@ class Layout(NamedTuple):
     def fixed(self) -> bool:
         """Whether the page's heads state formulas, so that neither columns nor method can be chosen."""
         return all(column.method is not None for column in self.columns)
-
-
-@cache
-def template_folder() -> str:
-    """Return the folder of templates: in the installed package, else in the checkout.
-
-    An editable install holds no copy of the templates; the checkout's folder serves it.
-    """
-    package = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-    for folder in (f"{package}/templates", f"{package}/../../templates"):
-        if os.path.isdir(folder):
-            return os.path.normpath(folder)
-    raise LayoutError(f"there are no templates beside {package}; the installation is not complete")
-
-
-@cache
-def layout_names() -> tuple[str, ...]:
-    folder = template_folder()
-    return tuple(
-        sorted(name for name in os.listdir(folder) if os.path.exists(f"{folder}/{name}/layout.toml"))
-    )
 
 
 def layout_of(name: str, subjects: Sequence[str]) -> Layout:
@@ -124,76 +200,5 @@ def layout_of(name: str, subjects: Sequence[str]) -> Layout:
 @cache
 def layout(name: str) -> Layout:
     """Return the layout of that name; an unknown name is answered with the nearest and the list."""
-    import tomllib
-
     path = f"{template_folder()}/{choose(name, layout_names(), 'layout')}/layout.toml"
-    try:
-        with open(path, "rb") as file:
-            return _layout(name, tomllib.load(file))
-    except (tomllib.TOMLDecodeError, KeyError, TypeError, ValueError) as error:
-        raise LayoutError(f"layout {name}: layout.toml cannot be used: {error}") from error
-
-
-def _layout(name: str, page: dict[str, Any]) -> Layout:
-    known = {*Layout._fields} - {"key"}
-    unknown = sorted(page.keys() - known)
-    if unknown:
-        raise ValueError(f"unknown key {unknown[0]}")
-    down, across = tuple(page["down"]), tuple(page["across"])
-    subject = page.get("subject", "motion")
-    axes = SUBJECTS[subject]
-    if sorted(down + across) != sorted(axes):
-        raise ValueError(f"down and across must share out {', '.join(axes)}")
-    notes = page.get("notes", {language: [] for language in LANGUAGES})
-    return Layout(
-        key=name,
-        title=_localised(page["title"]),
-        caption=_localised(page["caption"]),
-        ratios=tuple(page["ratios"]),
-        angles=tuple(page.get("angles", ())),
-        down=down,
-        stub=tuple(page["stub"]),
-        across=across,
-        columns=tuple(_column(**column) for column in page["columns"]),
-        source=_localised(page.get("source", "")),
-        notes=tuple({"de": de, "en": en} for de, en in zip(notes["de"], notes["en"], strict=True)),
-        stub_headings={axis: _localised(text) for axis, text in page.get("stub_headings", {}).items()},
-        angle_symbol=page.get("angle_symbol", "φ"),
-        ratio_symbol=page.get("ratio_symbol", "R:L"),
-        block=page.get("block", 0),
-        pairs=page.get("pairs", False),
-        formulas=page.get("formulas", True),
-        subject=subject,
-        expansions=tuple(page.get("expansions", ())),
-        arms=tuple(page.get("arms", ())),
-        unit=page.get("unit", False),
-    )
-
-
-def _column(
-    quantity: str,
-    key: str = "",
-    method: str | None = None,
-    spanners: list[str] | None = None,
-    heading: list[str] | None = None,
-    decimals: int | None = None,
-    unless: str = "",
-) -> LayoutColumn:
-    return LayoutColumn(
-        key=key or quantity,
-        quantity=quantity,
-        method=method,
-        spanners=None if spanners is None else tuple(map(_localised, spanners)),
-        heading=None if heading is None else tuple(map(_localised, heading)),
-        decimals=decimals,
-        unless=unless,
-    )
-
-
-def _localised(text: str | dict[str, str]) -> Localised:
-    """Both languages of a text: {de = ..., en = ...}, "German|English", or one text for both."""
-    if isinstance(text, dict):
-        return {language: text[language] for language in LANGUAGES}
-    return (
-        dict(zip(LANGUAGES, text.split("|"), strict=True)) if "|" in text else dict.fromkeys(LANGUAGES, text)
-    )
+    return Layout(key=name, **asdict(TomlFile(path, KIND).read(LayoutFile)))

@@ -1,33 +1,243 @@
-"""TOML files that users write: read whole, with a sentence for what is none, and where their keys stand."""
+"""TOML files that users write: read whole into the Structs of one model, with a sentence for what is amiss.
+
+A model is a msgspec Struct whose fields have a `Meta` that describes them for editors. A field may also be of
+a class with `read`, which makes it of what the file says, and with the SCHEMA of that. A Struct may say what
+its keys are called in NOUN, and what it is in SHAPE.
+"""
 
 from __future__ import annotations
 
+import json
 import os
 import re
-from collections.abc import Iterator
-from typing import Any, NamedTuple
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Self, TypeVar
 
 from kurbel.errors import KurbelError
+from kurbel.reading.choices import choose
+from kurbel.reading.toml_lines import Place, key_lines
 
-Place = tuple[str | int, ...]
+if TYPE_CHECKING:
+    from msgspec import Meta, inspect
+
+Model = TypeVar("Model")
+A_TEXT = "a text in quotation marks"
+# Python writes out no whole number of more than 4,300 digits.
+MOST_BITS = 4000
 
 
 class TomlKind(NamedTuple):
-    """What a file is called, what is wrong with it, how large it may be, what it has, and a name for one."""
+    """What a file is called, what is wrong with it, how large it may be, what it has, and a name for one.
+
+    Sentences name the line and the key, or without `lines` the whole path of the key.
+    """
 
     name: str
     error: type[KurbelError]
     largest: int
     shape: str
     example: str
+    lines: bool = True
 
 
-def read_toml(path: str, kind: TomlKind) -> dict[str, Any]:
-    """Return what the file says; raise the kind's error, with the file's name, for one that says nothing."""
-    return parsed(path, kind, text_of(path, kind))
+class Fault(KurbelError):
+    """What a value must be; the sentence has its name and the value before that."""
 
 
-def parsed(path: str, kind: TomlKind, text: str) -> dict[str, Any]:
+def about(text: str, example: Any = None) -> Meta:
+    """Return what is said of a field, to editors too, and an example of it."""
+    from msgspec import Meta
+
+    return Meta(description=text) if example is None else Meta(description=text, examples=[example])
+
+
+class Choice(str):
+    """A text that must be one of a few."""
+
+    what: ClassVar[str]
+    allowed: ClassVar[Sequence[str]]
+    SCHEMA: ClassVar[Mapping[str, Any]]
+
+    def __init_subclass__(cls, what: str, allowed: Iterable[str]) -> None:
+        cls.what, cls.allowed = what, [*allowed]
+        cls.SCHEMA = {"type": "string", "enum": cls.allowed}
+
+    @classmethod
+    def read(cls, given: Any, _: str) -> Self:
+        if not isinstance(given, str):
+            raise Fault(A_TEXT)
+        return cls(choose(given, cls.allowed, cls.what))
+
+
+class TomlFile:
+    """A file that was read: its text, what it says, and where."""
+
+    def __init__(self, path: str, kind: TomlKind) -> None:
+        self.path = path
+        self.kind = kind
+        self.text = _text_of(path, kind)
+        self.given = _parsed(path, kind, self.text)
+
+    @cached_property
+    def lines(self) -> Mapping[Place, int]:
+        return key_lines(self.text)
+
+    def line(self, place: Place) -> int:
+        """Return the line of a key or, where it has none, of what it lies in."""
+        while place and place not in self.lines:
+            # Of a list of sections, the first.
+            place = (*place, 0) if (*place, 0) in self.lines else place[:-1]
+        return self.lines.get(place, 1)
+
+    def error(self, place: Place, said: object) -> KurbelError:
+        """Return the kind's error with the file, the line of the place, and what is to be said."""
+        where = f", line {self.line(place)}" if self.kind.lines else ""
+        return self.kind.error(f"{self.path}{where}: {said}")
+
+    def read(self, model: type[Model]) -> Model:
+        """Return what the file says as its model; raise the kind's error for the first thing amiss."""
+        import msgspec
+
+        try:
+            return msgspec.convert(self.given, model, dec_hook=_made)
+        except (msgspec.ValidationError, KurbelError) as error:
+            for place, said in self._faults(self.given, msgspec.inspect.type_info(model), ()):
+                raise self.error(place, said) from None
+            raise self.kind.error(f"{self.path}: {error}") from None
+
+    def _faults(self, given: Any, shape: inspect.Type, place: Place) -> Iterator[tuple[Place, str]]:
+        """Yield where something is amiss, in the order of the file, and the sentence about it."""
+        from msgspec import inspect
+
+        match shape:
+            case inspect.Metadata():
+                yield from self._faults(given, shape.type, place)
+            case inspect.UnionType():
+                yield from self._faults(given, _left(shape), place)
+            case inspect.StructType() if isinstance(given, dict):
+                yield from self._faults_of_keys(given, shape, place)
+            case inspect.DictType() if isinstance(given, dict):
+                for key, value in given.items():
+                    yield from self._faults(value, shape.value_type, (*place, key))
+            case inspect.VarTupleType() if isinstance(given, list) and len(given) >= (shape.min_length or 0):
+                for index, value in enumerate(given):
+                    yield from self._faults(value, shape.item_type, (*place, index))
+            case inspect.CustomType():
+                try:
+                    _made(shape.cls, given, name := self._name(place))
+                except Fault as fault:
+                    yield place, f"{name} is {shown(given)}; it must be {fault}"
+                except KurbelError as error:
+                    yield place, str(error)
+            case _:
+                if wanted := _wanted(given, shape, place):
+                    yield place, f"{self._name(place)} is {shown(given)}; {wanted}"
+
+    def _faults_of_keys(
+        self, given: Mapping[str, Any], shape: inspect.StructType, place: Place
+    ) -> Iterator[tuple[Place, str]]:
+        fields = {field.encode_name: field for field in shape.fields}
+        for key, value in given.items():
+            try:
+                choose(key, fields, getattr(shape.cls, "NOUN", f"entry of [{_dotted(place)}],"))
+            except KurbelError as error:
+                yield (*place, key), str(error)
+            else:
+                yield from self._faults(value, fields[key].type, (*place, key))
+        for key, field in fields.items():
+            if field.required and key not in given:
+                yield place, f"there is no {key}; write {key} = {_example(field.type)}"
+
+    def _name(self, place: Place) -> str:
+        """Return what a value is called: by its key, and by its number in a list."""
+        keys = [key for key in place if isinstance(key, str)]
+        name = keys[-1] if self.kind.lines else ".".join(keys)
+        return f"entry {place[-1] + 1} of {name}" if isinstance(place[-1], int) else name
+
+
+def schema_of(model: type, title: str) -> dict[str, Any]:
+    """Return the JSON Schema (draft 2020-12) of the files of a model."""
+    from msgspec.inspect import type_info
+
+    draft = {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": title}
+    return draft | _schema(type_info(model))
+
+
+def _schema(shape: inspect.Type) -> dict[str, Any]:
+    from msgspec import inspect
+
+    match shape:
+        case inspect.Metadata():
+            return {**(shape.extra_json_schema or {}), **_schema(shape.type)}
+        case inspect.UnionType():
+            return _schema(_left(shape))
+        case inspect.StructType():
+            properties = {field.encode_name: _schema(field.type) for field in shape.fields}
+            required = [field.encode_name for field in shape.fields if field.required]
+            struct = {"type": "object", "additionalProperties": False, "properties": properties}
+            return {**struct, "required": required} if required else struct
+        case inspect.VarTupleType():
+            return {"type": "array", "items": _schema(shape.item_type)}
+        case inspect.DictType():
+            return {"type": "object", "additionalProperties": _schema(shape.value_type)}
+        case inspect.IntType():
+            return {"type": "integer", "minimum": shape.ge, "maximum": shape.le}
+        case inspect.CustomType():
+            own: Any = shape.cls
+            return {**own.SCHEMA}
+        case inspect.AnyType():
+            return {}
+    return {"type": "string" if isinstance(shape, inspect.StrType) else "boolean"}
+
+
+def _left(shape: inspect.UnionType) -> inspect.Type:
+    """Return what a value may be that may be left out; TOML has no null."""
+    from msgspec import inspect
+
+    (left,) = (one for one in shape.types if not isinstance(one, inspect.NoneType))
+    return left
+
+
+def _made(kind: Any, value: Any, name: str = "") -> Any:
+    return kind.read(value, name)
+
+
+def _example(shape: inspect.Type) -> str:
+    """Return the first example that a field gives of its value, as TOML."""
+    schema = getattr(shape, "extra_json_schema", None) or {}
+    return json.dumps(schema["examples"][0], ensure_ascii=False)
+
+
+def _wanted(given: Any, shape: inspect.Type, place: Place) -> str:
+    """Return what a value must be that is not of the type; nothing for one that is."""
+    from msgspec import inspect
+
+    match shape:
+        case inspect.StrType() if not isinstance(given, str):
+            return f"it must be {A_TEXT}"
+        case inspect.BoolType() if not isinstance(given, bool):
+            return "it must be true or false"
+        case inspect.IntType(ge=int(least), le=int(most)) if (
+            type(given) is not int or not least <= given <= most
+        ):
+            return f"it must be a whole number from {least} to {most}"
+        case inspect.StructType():
+            return f"it must be {getattr(shape.cls, 'SHAPE', f'a section, [{_dotted(place)}]')}"
+        case inspect.DictType():
+            return f"write [{_dotted(place)}]"
+        case inspect.VarTupleType(item_type=inspect.StructType()):
+            return f"write [[{_dotted(place)}]]"
+        case inspect.VarTupleType():
+            return "it must be a list of texts"
+    return ""
+
+
+def _dotted(place: Place) -> str:
+    return ".".join(key for key in place if isinstance(key, str))
+
+
+def _parsed(path: str, kind: TomlKind, text: str) -> dict[str, Any]:
     """Return what the text of the file says."""
     import tomllib
 
@@ -46,7 +256,7 @@ def parsed(path: str, kind: TomlKind, text: str) -> dict[str, Any]:
 _LONG_KEY = re.compile(r"(?:[A-Za-z0-9_\"'-]{1,50}[ \t]{0,9}\.[ \t]{0,9}){200}")
 
 
-def text_of(path: str, kind: TomlKind) -> str:
+def _text_of(path: str, kind: TomlKind) -> str:
     """Return the text of the file."""
     if not path:
         raise kind.error(f"the {kind.name}'s file has no name; give one, such as {kind.example}")
@@ -82,50 +292,6 @@ def shown(value: Any) -> str:
         return "a table"
     if isinstance(value, list):
         return "a list" if value else "an empty list"
+    if isinstance(value, int) and value.bit_length() > MOST_BITS:
+        return "a number of very many digits"
     return f'"{value}"'[:42] if isinstance(value, str) else str(value)[:40]
-
-
-_HEAD = re.compile(r"\s*(\[\[?)\s*([^\]]+?)\s*\]\]?\s*(?:#.*)?$")
-_KEY = re.compile(r"\s*([A-Za-z0-9_-]+(?:\s*\.\s*[A-Za-z0-9_-]+)*|\"[^\"]*\"|'[^']*')\s*=")
-_LONG_TEXT = re.compile(r'"""|\'\'\'')
-
-
-def key_lines(text: str) -> dict[Place, int]:
-    """Return the line, from 1, of each key and section of a file that was read without an error.
-
-    The place of a key is its path: ("chapter", 0, "part", 2, "run"). Keys inside of tables and lists that
-    stand on one line have none.
-    """
-    lines: dict[Place, int] = {}
-    section: Place = ()
-    counts: dict[Place, int] = {}
-    for number, line in _lines_of_keys(text):
-        if head := _HEAD.match(line):
-            section = _section(head[2].split("."), counts, several=head[1] == "[[")
-            lines[section] = number
-        elif key := _KEY.match(line):
-            names = tuple(part.strip().strip("\"'") for part in key[1].split("."))
-            lines.setdefault(section + names, number)
-    return lines
-
-
-def _lines_of_keys(text: str) -> Iterator[tuple[int, str]]:
-    """Yield the lines that do not lie inside of a text of several lines."""
-    closing = ""
-    for number, line in enumerate(text.split("\n"), 1):
-        if not closing:
-            yield number, line
-        for mark in _LONG_TEXT.findall(line):
-            closing = "" if mark == closing else closing or mark
-
-
-def _section(names: list[str], counts: dict[Place, int], several: bool) -> Place:
-    """Return the path of a section; in a list of sections, with its number."""
-    path: Place = ()
-    for place, name in enumerate(names, 1):
-        path += (name.strip().strip("\"'"),)
-        if place == len(names) and several:
-            counts[path] = counts.get(path, -1) + 1
-        if path in counts:
-            path += (counts[path],)
-    return path

@@ -1,0 +1,167 @@
+"""The model of a handbook's manifest: its keys, the types of their values, and the JSON Schema of both."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Annotated, Any, ClassVar, Self
+from unicodedata import category
+
+from msgspec import Meta, Struct
+
+from kurbel.errors import LayoutError
+from kurbel.formats.pdf.by_typst import STANDARDS
+from kurbel.formats.registry import DECIMALS, FORMATS
+from kurbel.handbook.keys import ENGINES
+from kurbel.page.folders import LANGUAGES
+from kurbel.page.labels import Mark, parse
+from kurbel.reading.toml_file import A_TEXT, Choice, Fault, about, schema_of
+
+
+class Lang(Choice, what="language", allowed=LANGUAGES):
+    """A language of a handbook or of a part of it."""
+
+
+class Decimal(Choice, what="decimal mark", allowed=DECIMALS):
+    """A decimal mark."""
+
+
+class EngineName(Choice, what="engine", allowed=ENGINES):
+    """What sets the PDF."""
+
+
+class Choices(tuple[str, ...]):
+    """Texts that must be some of a few."""
+
+    one: ClassVar[type[Choice]]
+    SCHEMA: ClassVar[Mapping[str, Any]]
+
+    def __init_subclass__(cls, what: str, allowed: Iterable[str]) -> None:
+        cls.one = type(what, (Choice,), {}, what=what, allowed=allowed)
+        cls.SCHEMA = {"type": "array", "items": cls.one.SCHEMA}
+
+    @classmethod
+    def read(cls, given: Any, name: str) -> Self:
+        if not isinstance(given, list) or not all(isinstance(one, str) for one in given):
+            raise Fault("a list of texts")
+        return cls(cls.one.read(one, name) for one in given)
+
+
+class Formats(Choices, what="format", allowed=FORMATS):
+    """What is built."""
+
+
+class Standards(Choices, what="standard", allowed=STANDARDS):
+    """What a PDF keeps."""
+
+
+class Heading(str):
+    """A text in which formulas stand between dollar signs."""
+
+    SCHEMA: ClassVar[Mapping[str, Any]] = {"type": "string"}
+
+    @classmethod
+    def read(cls, given: Any, name: str) -> Heading:
+        if not isinstance(given, str):
+            raise Fault(A_TEXT)
+        if control := next((one for one in given if category(one) == "Cc"), ""):
+            raise LayoutError(
+                f"{name} has the character U+{ord(control):04X}, which is a control and not printed"
+            )
+        try:
+            marks = [part.text for part in parse(given) if isinstance(part, Mark)]
+        except LayoutError as error:
+            raise LayoutError(str(error).replace("the label", f"the {name}", 1)) from None
+        if marks:
+            raise LayoutError(f"{name} has the mark [^{marks[0]}], for which there is no note")
+        return cls(given)
+
+
+Language = Annotated[Lang | None, about("language: de or en")]
+Defaults = Annotated[
+    dict[str, Any], about("options for every table of it that has them, as on the command line")
+]
+
+
+class PartKeys(Struct, frozen=True, forbid_unknown_fields=True):
+    NOUN: ClassVar = "key of the part"
+    SHAPE: ClassVar = "a section"
+
+    run: Annotated[
+        str | None,
+        about('a command that prints a table or draws: "table --ratio 1:5", "plot --ratio 1:5"'),
+    ] = None
+    text: Annotated[str | None, about("a text in Markdown")] = None
+    file: Annotated[str | None, about("a file with a text in Markdown")] = None
+    name: Annotated[str | None, about("name for references and files; default: from the command")] = None
+    caption: Annotated[
+        Heading | None,
+        about("caption in place of the command's own, with formulas between dollar signs"),
+    ] = None
+    lang: Language = None
+
+
+ONE_OF = [{"required": [key]} for key in ("run", "text", "file")]
+
+
+class ChapterKeys(Struct, frozen=True, forbid_unknown_fields=True):
+    NOUN: ClassVar = "key of the chapter"
+    SHAPE: ClassVar = "a section"
+
+    title: Annotated[Heading, about("title, with formulas between dollar signs")] = Heading()
+    name: Annotated[str | None, about("name for references and files; default: from the title")] = None
+    lang: Language = None
+    defaults: Defaults = {}
+    part: Annotated[
+        tuple[Annotated[PartKeys, Meta(extra_json_schema={"oneOf": ONE_OF})], ...],
+        about("texts, tables and figures, in their order"),
+    ] = ()
+
+
+class PdfKeys(Struct, frozen=True, forbid_unknown_fields=True):
+    NOUN: ClassVar = "key of [pdf]"
+    SHAPE: ClassVar = "a section"
+
+    engine: Annotated[EngineName, about("what sets the PDF: typst, or lualatex or latexmk of a TeX")] = (
+        EngineName(next(iter(ENGINES)))
+    )
+    standards: Annotated[Standards, about("standards that the PDF keeps; for typst")] = Standards()
+
+
+class HandbookKeys(Struct, frozen=True, forbid_unknown_fields=True):
+    NOUN: ClassVar = "key of the handbook"
+
+    title: Annotated[Heading, about("title, with formulas between dollar signs")] = Heading()
+    subtitle: Annotated[Heading, about("line below the title")] = Heading()
+    author: Annotated[Heading, about("author, below the title")] = Heading()
+    lang: Language = None
+    decimal: Annotated[Decimal | None, about("decimal mark: comma or point; default: by the language")] = None
+    formats: Annotated[Formats | None, about("what is built")] = None
+    output: Annotated[str, about("folder for what is built, inside of the manifest's folder")] = "pages"
+    machine: Annotated[str | None, about("machine's file, for every command that takes --machine")] = None
+    templates: Annotated[str | None, about("folder with templates of one's own")] = None
+    layouts: Annotated[str | None, about("folder with layouts of one's own")] = None
+    pdf: Annotated[PdfKeys, about("how the PDF is made")] = PdfKeys()
+    defaults: Defaults = {}
+    chapter: Annotated[tuple[ChapterKeys, ...], about("chapters")] = ()
+
+
+SECTIONS: Mapping[str, type[Struct]] = {
+    "handbook": HandbookKeys,
+    "pdf": PdfKeys,
+    "chapter": ChapterKeys,
+    "part": PartKeys,
+}
+
+
+def schema(options: Iterable[str]) -> dict[str, Any]:
+    """Return the JSON Schema of the file; `options` are the names that defaults may have."""
+    value = {"type": ["string", "number", "boolean"]}
+    one_or_more = {"anyOf": [value, {"type": "array", "items": value, "minItems": 1}]}
+    names = sorted(name.replace("_", "-") for name in options)
+    given = schema_of(HandbookKeys, "A handbook for kurbel")
+    for section in (given, given["properties"]["chapter"]["items"]):
+        # The reader says of a title that is only blank the same as of none.
+        section["required"] = ["title"]
+        own = {"additionalProperties": False, "properties": dict.fromkeys(names, one_or_more)}
+        section["properties"]["defaults"] |= own
+    return given
