@@ -9,6 +9,8 @@ from functools import cache, cached_property
 from math import inf
 from typing import Any
 
+from msgspec.structs import replace
+
 from kurbel.balance.harmonics import HARMONICS, Harmonic, certified, printed_orders, rational, series
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
@@ -92,7 +94,7 @@ class HarmonicsRequest(Question):
 
     @cached_property
     def page_columns(self) -> tuple[Column, ...]:
-        return (self.column(self.layout.columns[0]._replace(quantity=self.harmonic.key)),)
+        return (self.column(replace(self.layout.columns[0], quantity=self.harmonic.key)),)
 
     def methods_of(self, column: LayoutColumn) -> tuple[str, ...]:
         return (self.method,)
