@@ -47,7 +47,7 @@ def _table(task: Task, answer: Asked) -> Made:
             f"tables/{part.name}{FORMATS[name].suffixes[0]}": _text(named, name, answer.decimal, templates)
             for name in task.formats
         }
-    return Made("table", named.caption, named.lang, files, answer.files)
+    return Made(files, answer.files, ("table", named.caption, named.lang))
 
 
 def _text(table: Any, name: str, decimal: str | None, templates: str | None) -> bytes:
@@ -70,4 +70,4 @@ def _figure(task: Task, answer: Asked) -> Made:
     caption = part.caption or drawing.title
     title = plain(caption, mark)
     files = {f"figures/{part.name}.{name}": image(drawing.figure, name, title) for name in task.figures}
-    return Made("figure", caption, answer.lang, files, answer.files)
+    return Made(files, answer.files, ("figure", caption, answer.lang))

@@ -105,14 +105,16 @@ class Build:
     def stale(self) -> Iterator[Part]:
         """Yield the parts that must be made; the others count as made."""
         for part in self.manifest.parts():
-            if part.words:
-                done = self.old.get(part.name)
-                if done is not None and is_fresh(
-                    done, self.part_key(part), self.manifest.folder, self.folder
-                ):
-                    self.new[part.name] = done
-                else:
-                    yield part
+            if part.words and not self.is_made(part.name, self.part_key(part)):
+                yield part
+
+    def is_made(self, name: str, key: str) -> bool:
+        """Tell whether it lies there as it would be made again; then it counts as made."""
+        done = self.old.get(name)
+        if done is None or not is_fresh(done, key, self.manifest.folder, self.folder):
+            return False
+        self.new[name] = done
+        return True
 
     def novelty(self, part: Part) -> str:
         """Return in a word why a part must be made."""
@@ -122,12 +124,7 @@ class Build:
         tasks = [task_of(self.manifest, part) for part in parts]
         for task, made in worked(self.make, tasks, self.jobs, apart=self.templates is not None):
             step()
-            if isinstance(made, Killed):
-                self.fail(task.part.line, task.part.name, self.why(made, STOPPED))
-            elif isinstance(made, str):
-                self.fail(task.part.line, task.part.name, made)
-            else:
-                self.take(task.part, made)
+            self.take(task.part.name, self.part_key(task.part), made, STOPPED, task.part.line)
 
     def why(self, killed: Killed, stopped: str) -> str:
         """Return in a sentence why a piece of the work has no result."""
@@ -135,15 +132,20 @@ class Build:
             return "not tried, for others like it were stopped"
         return stopped if self.templates else KILLED
 
-    def take(self, part: Part, made: Made) -> None:
+    def take(self, name: str, key: str, made: Made | str | Killed, stopped: str, line: int = 0) -> None:
+        """Write what was made of a part or a document, or note what kept it from being made."""
+        if isinstance(made, Killed):
+            made = self.why(made, stopped)
+        if isinstance(made, str):
+            self.fail(line, name, made)
+            return
         try:
             files = self.write(made.files)
         except KurbelError as error:
-            self.fail(part.line, part.name, str(error))
+            self.fail(line, name, str(error))
             return
         inputs = {path: self.hash_of_input(path) for path in made.inputs}
-        about = (made.kind, made.caption, made.lang)
-        self.new[part.name] = Done(self.part_key(part), inputs, files, about)
+        self.new[name] = Done(key, inputs, files, made.about)
 
     def hash_of_input(self, path: str) -> str:
         """Return the hash of a file that a part was made of, or nothing if it was saved since.
@@ -174,9 +176,8 @@ class Build:
         """Remove what is no longer built, and keep what this build knows for the next."""
         files = self.hashes()
         for path, hashed in self.left_behind().items():
-            content = None if path in files else self.folder.read(path)
             # What somebody changed by hand is not ours to remove.
-            if content is not None and digest(content) == hashed:
+            if path not in files and self.folder.has(path, hashed):
                 self.folder.remove(path)
                 self.built.removed.append(path)
         self.folder.write(CONTENTS, contents_of(files))
@@ -221,7 +222,7 @@ class Build:
             document = document_of(self.manifest, chapters)
             tasks = [*self.page_tasks(document, chapters, stale)]
             for task, made in worked(make_document, tasks, 1, apart=self.templates is not None):
-                self.take_document(_named(task.format), stale[task.format], made, STOPPED)
+                self.take(_named(task.format), stale[task.format], made, STOPPED)
         if PDF in self.manifest.formats:
             self.make_pdf()
 
@@ -231,11 +232,7 @@ class Build:
         used = {path: hashes.get(path, "") for path in fragment_paths(chapters, name).values()}
         head = self.manifest._replace(path="", chapters=())
         key = key_of(self.print, name, head, _raw(chapters), used)
-        done = self.old.get(_named(name))
-        if done is not None and is_fresh(done, key, self.manifest.folder, self.folder):
-            self.new[_named(name)] = done
-            return None
-        return key
+        return None if self.is_made(_named(name), key) else key
 
     def hashes(self) -> dict[str, str]:
         """Return all files made so far with their hashes."""
@@ -264,19 +261,6 @@ class Build:
             raise HandbookError(f"{path} was changed or removed while the handbook was built; build it again")
         return content
 
-    def take_document(
-        self, name: str, key: str, made: Mapping[str, bytes] | str | Killed, stopped: str
-    ) -> None:
-        if isinstance(made, Killed):
-            made = self.why(made, stopped)
-        if isinstance(made, str):
-            self.fail(0, name, made)
-            return
-        try:
-            self.new[name] = Done(key, {}, self.write(made))
-        except KurbelError as error:
-            self.fail(0, name, str(error))
-
     def make_pdf(self) -> None:
         """Set the PDF if anything that it is made of changed."""
         engine, standards = self.manifest.engine, self.manifest.standards
@@ -289,9 +273,7 @@ class Build:
         key = key_of(
             self.print, engine, standards, os.environ.get("SOURCE_DATE_EPOCH"), _program(engine), used
         )
-        done = self.old.get(_named(PDF))
-        if done is not None and is_fresh(done, key, self.manifest.folder, self.folder):
-            self.new[_named(PDF)] = done
+        if self.is_made(_named(PDF), key):
             return
         try:
             for path, hashed in used.items():
@@ -304,7 +286,7 @@ class Build:
         # ended by whoever started it: the end of this build must reach it.
         apart = ENGINES[engine].source == "typst"
         for _, made in worked(make_pdf, [task], 1, apart=apart):
-            self.take_document(_named(PDF), key, made, PDF_STOPPED)
+            self.take(_named(PDF), key, made, PDF_STOPPED)
 
 
 def _named(name: str) -> str:

@@ -6,6 +6,7 @@ import hashlib
 import os
 import re
 import stat
+import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 
@@ -72,6 +73,11 @@ class Folder:
             # A path from a list that somebody wrote may be one that no file can have.
             return None
 
+    def has(self, relative: str, hashed: str) -> bool:
+        """Tell whether there is a file with content of this hash."""
+        content = self.read(relative)
+        return content is not None and digest(content) == hashed
+
     def write(self, relative: str, content: bytes) -> bool:
         """Write a file whole or not at all; tell whether it was another one before.
 
@@ -115,9 +121,9 @@ class Folder:
         except OSError as error:
             raise OutputError(f"cannot write into {self.path}: {error.strerror}") from error
         try:
-            if not _try_lock(handle):
+            if not _locked(handle, wait=False):
                 waiting()
-                _wait_for_lock(handle)
+                _locked(handle, wait=True)
             self._remove_left_over()
             self.write(f"{OWN}/.gitignore", b"*\n")
             yield
@@ -145,25 +151,20 @@ def _check_place(path: str) -> None:
             raise HandbookError(f"{path} is {what}, and a file is to be there; remove it")
 
 
-def _try_lock(handle: int) -> bool:
+def _locked(handle: int, wait: bool) -> bool:
+    """Lock a file, and tell whether that was done without waiting for it."""
     try:
-        _lock(handle, wait=False)
+        if sys.platform == "win32":
+            import msvcrt
+
+            # It tries for ten seconds and then gives up with an OSError.
+            msvcrt.locking(handle, msvcrt.LK_LOCK if wait else msvcrt.LK_NBLCK, 1)
+        else:
+            import fcntl
+
+            fcntl.flock(handle, fcntl.LOCK_EX | (0 if wait else fcntl.LOCK_NB))
     except OSError:
+        if wait:
+            raise
         return False
     return True
-
-
-def _wait_for_lock(handle: int) -> None:
-    _lock(handle, wait=True)
-
-
-def _lock(handle: int, wait: bool) -> None:
-    try:
-        import fcntl
-    except ImportError:
-        import msvcrt
-
-        # It tries for ten seconds and then gives up with an OSError.
-        msvcrt.locking(handle, msvcrt.LK_LOCK if wait else msvcrt.LK_NBLCK, 1)  # type: ignore[attr-defined]
-    else:
-        fcntl.flock(handle, fcntl.LOCK_EX | (0 if wait else fcntl.LOCK_NB))

@@ -12,7 +12,7 @@ from kurbel.formats.registry import FORMATS
 from kurbel.handbook.folder import LARGEST
 from kurbel.handbook.keys import ENGINES
 from kurbel.handbook.manifest import ChapterPlan, Manifest, Part
-from kurbel.handbook.parts import GIGABYTES, PATIENCE, PDF, PDF_PATIENCE
+from kurbel.handbook.parts import GIGABYTES, PATIENCE, PDF, PDF_PATIENCE, Made
 from kurbel.reading.choices import did_you_mean
 
 if TYPE_CHECKING:
@@ -140,7 +140,7 @@ def fragment_paths(chapters: Sequence[PlannedChapter], name: str) -> dict[str, s
     return paths
 
 
-def make_document(task: PageTask) -> dict[str, bytes] | str:
+def make_document(task: PageTask) -> Made | str:
     """Return the files of a document, or in a sentence why it cannot be made."""
     from kurbel.formats.documents import document_files
     from kurbel.handbook.pool import deadline
@@ -150,17 +150,17 @@ def make_document(task: PageTask) -> dict[str, bytes] | str:
             files = document_files(task.document, task.format, task.fragments, task.templates)
     except KurbelError as error:
         return str(error)
-    return {path: text.encode() for path, text in files.items()}
+    return Made({path: text.encode() for path, text in files.items()})
 
 
-def make_pdf(task: PdfTask) -> dict[str, bytes] | str:
+def make_pdf(task: PdfTask) -> Made | str:
     """Return the PDF, or in a sentence why it cannot be made."""
     from kurbel.handbook.pool import deadline
 
     try:
         # A TeX is a process of its own, with a time of its own: it would outlive this one.
         with deadline(PDF_PATIENCE, None, task.limited and ENGINES[task.engine].source == "typst"):
-            return {f"handbook.{PDF}": _set(task)}
+            return Made({f"handbook.{PDF}": _set(task)})
     except KurbelError as error:
         return str(error)
 

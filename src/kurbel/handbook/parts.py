@@ -36,13 +36,15 @@ class Task(NamedTuple):
 
 
 class Made(NamedTuple):
-    """A table or a figure: its files by their paths in the output folder, and the files it was made of."""
+    """What a part or a document became: its files by their paths in the output folder.
 
-    kind: Literal["table", "figure"]
-    caption: str
-    lang: str
+    `inputs` are the files that it was made of, `about` what documents say of a table or figure: its kind,
+    caption and language.
+    """
+
     files: Mapping[str, bytes]
-    inputs: tuple[str, ...]
+    inputs: tuple[str, ...] = ()
+    about: tuple[Literal["table", "figure"], str, str] | tuple[()] = ()
 
 
 # Makes a part, or says in a sentence why it cannot be made.

@@ -62,16 +62,12 @@ def key_of(*values: Any) -> str:
     return digest(json.dumps(values, ensure_ascii=False, sort_keys=True).encode())
 
 
-def is_fresh(done: Done | None, key: str, base: str, folder: Folder) -> bool:
+def is_fresh(done: Done, key: str, base: str, folder: Folder) -> bool:
     """Tell whether something would be made again as it lies there."""
     return (
-        done is not None
-        and done.key == key
+        done.key == key
         and all(digest_of(os.path.join(base, path)) == hashed for path, hashed in done.inputs.items())
-        and all(
-            (content := folder.read(path)) is not None and digest(content) == hashed
-            for path, hashed in done.files.items()
-        )
+        and all(folder.has(path, hashed) for path, hashed in done.files.items())
     )
 
 
