@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import math
 import os
 import re
@@ -10,6 +11,7 @@ import sys
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -120,48 +122,47 @@ def drawn_length(line: Line2D) -> float:
 # Files ------------------------------------------------------------------------------------------------
 
 
+TITLE = "Kurbeltrieb"
 HASHES = """
 import hashlib, sys
 sys.path[:0] = sys.argv[1:]
-from test_plotting import DRAWINGS
-from kurbel.plot.style import FORMATS, image
-for name, draw in DRAWINGS.items():
+from test_plotting import DRAWINGS, file_of
+from kurbel.plot.style import FORMATS
+for name in DRAWINGS:
     for form in FORMATS:
-        print(name, form, hashlib.sha256(image(draw(), form, "Kurbel")).hexdigest())
+        print(name, form, hashlib.sha256(file_of(name, form)).hexdigest())
 assert "matplotlib.pyplot" not in sys.modules
 """
 HOSTILE = "font.family: DejaVu Sans\nlines.linewidth: 9\nsvg.fonttype: none\n"
 
 
-def hashes(folder: Path, **settings: str) -> str:
-    folder.mkdir()
-    environment = os.environ | {"PYTHONPATH": str(Path(kurbel.__file__).parents[1])} | settings
-    code = [sys.executable, "-c", HASHES, str(Path(__file__).parent), str(SUPPORT)]
-    if settings.get("MATPLOTLIBRC"):
-        (folder / "matplotlibrc").write_text(HOSTILE)
-    done = subprocess.run(code, cwd=folder, env=environment, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
-    return done.stdout
+@cache
+def file_of(name: str, form: str) -> bytes:
+    return image(DRAWINGS[name](), form, TITLE)
 
 
 @drawn
 def test_a_drawing_is_the_same_bytes_wherever_and_whenever_it_is_made(tmp_path: Path) -> None:
-    one = {"TZ": "Pacific/Auckland", "LC_ALL": "C.UTF-8", "PYTHONHASHSEED": "1"}
-    other = {"TZ": "America/Lima", "LC_ALL": "de_DE.UTF-8", "LANG": "de_DE.UTF-8", "PYTHONHASHSEED": "2"}
-    other |= {"SOURCE_DATE_EPOCH": "1000000000", "MATPLOTLIBRC": "matplotlibrc"}
-    with ThreadPoolExecutor() as pool:
-        first = pool.submit(hashes, tmp_path / "one", **one)
-        second = pool.submit(hashes, tmp_path / "other", **other)
-    assert len(first.result().splitlines()) == 15
-    assert first.result() == second.result()
+    paths = (Path(kurbel.__file__).parents[1], Path(__file__).parent, SUPPORT)
+    environment = os.environ | {"PYTHONPATH": str(paths[0]), "TZ": "America/Lima", "PYTHONHASHSEED": "2"}
+    environment |= {"LC_ALL": "de_DE.UTF-8", "LANG": "de_DE.UTF-8", "SOURCE_DATE_EPOCH": "1000000000"}
+    environment |= {"MATPLOTLIBRC": "matplotlibrc"}
+    (tmp_path / "matplotlibrc").write_text(HOSTILE)
+    code = [sys.executable, "-c", HASHES, *map(str, paths[1:])]
+    done = subprocess.run(code, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.splitlines() == [
+        f"{name} {form} {hashlib.sha256(file_of(name, form)).hexdigest()}"
+        for name in DRAWINGS
+        for form in plot_style.FORMATS
+    ]
 
 
 @drawn
 def test_drawing_in_threads_changes_no_byte() -> None:
-    alone = [image(draw(), "svg") for draw in DRAWINGS.values()]
     with ThreadPoolExecutor(3) as pool:
-        together = list(pool.map(lambda draw: image(draw(), "svg"), DRAWINGS.values()))
-    assert together == alone
+        together = list(pool.map(lambda draw: image(draw(), "svg", TITLE), DRAWINGS.values()))
+    assert together == [file_of(name, "svg") for name in DRAWINGS]
 
 
 @drawn
@@ -184,9 +185,9 @@ def test_matplotlibs_settings_are_as_they_were() -> None:
 @pytest.mark.parametrize(("form", "start"), [("svg", b"<?xml"), ("png", b"\x89PNG"), ("pdf", b"%PDF")])
 @pytest.mark.parametrize("name", DRAWINGS)
 def test_a_file_tells_its_title_but_neither_date_nor_version(name: str, form: str, start: bytes) -> None:
-    file = image(DRAWINGS[name](), form, "Kurbeltrieb")
+    file = file_of(name, form)
     assert file.startswith(start)
-    assert b"Kurbeltrieb" in file
+    assert TITLE.encode() in file
     for word in (
         b"Date",
         b"dc:date",

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 from functools import cached_property
-from itertools import pairwise
+from itertools import accumulate, pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -147,19 +147,28 @@ class Exact:
         return self.integral(mp.mpf(0), 2 * mp.pi) / (2 * mp.pi)
 
     def integral(self, start: Real, end: Real) -> Real:
-        """∫ of the tangential force, from dead centre to cut-off to dead centre."""
-        inner = [place for place in self.corners if start < place < end]
-        return mp.fsum(mp.quad(self.force, span) for span in pairwise([start, *inner, end]))
+        """∫ of the tangential force, crank by crank."""
+        return mp.fsum(
+            self._work_of_one(end - crank) - self._work_of_one(start - crank) for crank in self.starts
+        )
+
+    def _work_of_one(self, angle: Real) -> Real:
+        """∫ of one crank's tangential force since its dead centre, to a corner and on from there."""
+        turns = mp.floor(angle / (2 * mp.pi))
+        angle -= 2 * mp.pi * turns
+        below = max(place for place, (corner, _) in enumerate(self._corners) if corner <= angle)
+        corner, work = self._corners[below]
+        return turns * self._corners[-1][1] + work + mp.quad(self._force_of_one, (corner, angle))
 
     @cached_property
-    def corners(self) -> list[Real]:
-        """Dead centres and cut-offs of all cranks within the turn."""
-        turn = 2 * mp.pi
-        events = [mp.mpf(0), mp.pi]
+    def _corners(self) -> list[tuple[Real, Real]]:
+        """One crank's dead centres and cut-offs, from 0 to a turn, and the work up to each."""
+        places = [mp.mpf(0), mp.pi, 2 * mp.pi]
         if self.plant.expansion > 1:
-            events += [self.cut_off_angle(False), mp.pi + self.cut_off_angle(True)]
-        places = sorted((start + event) % turn for start in self.starts for event in events)
-        return [place for place in places if 0 < place < turn]
+            places += [self.cut_off_angle(False), mp.pi + self.cut_off_angle(True)]
+        places.sort()
+        spans = [mp.quad(self._force_of_one, span) for span in pairwise(places)]
+        return list(zip(places, accumulate(spans, initial=mp.mpf(0)), strict=True))
 
     def cut_off_angle(self, returning: bool) -> Real:
         """The angle at cut-off from the dead centre of the stroke, found by halving."""
