@@ -16,9 +16,11 @@ from kurbel.engine.quantities import COMMANDS_OF, engine_registry
 from kurbel.engine.request import ENGINE_METHODS
 from kurbel.examples.source import example, numbers_of, source_keys
 from kurbel.formats.registry import FORMATS
+from kurbel.linkage.arc_drive import arc_names
 from kurbel.linkage.beam import registry as beam_registry
 from kurbel.linkage.beam_page import DEGREE_DECIMALS
 from kurbel.linkage.quantities import arc_registry, parallel_registry
+from kurbel.motion.drives import slide_names
 from kurbel.motion.evaluation import METHODS, NEEDS
 from kurbel.motion.inertia import inertia_registry
 from kurbel.motion.inertia_page import SUBJECT as ERRORS
@@ -29,7 +31,6 @@ from kurbel.page.labels import plain
 from kurbel.page.layouts import layout
 from kurbel.plot.style import FORMATS as DRAWINGS
 from kurbel.reading.notation import ratio_text, ratios
-from kurbel.reading.where import ARC_NAMES, SLIDE_NAMES
 from kurbel.solve.page import own_columns
 
 PAGE = Path(__file__).with_name("reference.md")
@@ -135,7 +136,7 @@ def _solved() -> Iterator[str]:
     for key, name in own_columns().items():
         yield f"| `{key}` | {name['en']} |"
     yield "\nConditions, by the mechanism, are about:\n"
-    for mechanism, names in (("straight and offset", SLIDE_NAMES), ("arc", ARC_NAMES)):
+    for mechanism, names in (("straight and offset", slide_names()), ("arc", arc_names())):
         yield f"- {mechanism} crank: {', '.join(f'`{name}`' for name in names)}"
 
 

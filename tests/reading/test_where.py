@@ -9,15 +9,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kurbel.errors import KurbelError, NotationError
+from kurbel.linkage.arc_drive import arc_names
+from kurbel.motion.drives import slide_names
 from kurbel.reading.where import (
     ACCELERATIONS,
     ANGLES,
-    ARC_NAMES,
     DEAD_CENTRE,
     MAX,
     MEASURED,
     MIN,
-    SLIDE_NAMES,
     VALUE,
     Condition,
     read_condition,
@@ -52,15 +52,15 @@ from kurbel.reading.where import (
     ],
 )
 def test_conditions_are_read(text: str, condition: Condition) -> None:
-    assert read_condition(text) == condition
+    assert read_condition(text, slide_names()) == condition
 
 
 def test_letters_stand_for_the_motion_of_the_arc_crank() -> None:
-    assert read_condition("p=0", ARC_NAMES) == read_condition("acceleration = 0", ARC_NAMES)
-    assert read_condition("θ = 1°", ARC_NAMES) == Condition("rocker", VALUE, Fraction(1))
+    assert read_condition("p=0", arc_names()) == read_condition("acceleration = 0", arc_names())
+    assert read_condition("θ = 1°", arc_names()) == Condition("rocker", VALUE, Fraction(1))
 
 
-quantities = st.sampled_from(sorted({*SLIDE_NAMES.values()}))
+quantities = st.sampled_from(sorted({*slide_names().values()}))
 small = st.fractions(-1000, 1000, max_denominator=9999)
 
 
@@ -83,12 +83,12 @@ def conditions(draw: st.DrawFn) -> Condition:
 
 @given(conditions())
 def test_a_condition_that_is_written_out_is_read_again(condition: Condition) -> None:
-    assert read_condition(str(condition)) == condition
+    assert read_condition(str(condition), slide_names()) == condition
 
 
 @given(conditions())
 def test_a_decimal_comma_is_read_as_a_point(condition: Condition) -> None:
-    assert read_condition(f"{condition.quantity}={condition.right_side(',')}") == condition
+    assert read_condition(f"{condition.quantity}={condition.right_side(',')}", slide_names()) == condition
 
 
 pieces = st.sampled_from([*"xspc=0123456789.,/-+eE% °'", "max", "min", " of dead centre", "mm", "m/s", "psi"])
@@ -96,7 +96,7 @@ pieces = st.sampled_from([*"xspc=0123456789.,/-+eE% °'", "max", "min", " of dea
 
 @given(st.one_of(st.text(max_size=30), st.lists(pieces, max_size=12).map("".join)))
 def test_any_text_is_a_condition_or_an_error_in_a_sentence(text: str) -> None:
-    for names in (SLIDE_NAMES, ARC_NAMES):
+    for names in (slide_names(), arc_names()):
         try:
             found = read_condition(text, names)
         except KurbelError as error:
@@ -127,10 +127,10 @@ def test_any_text_is_a_condition_or_an_error_in_a_sentence(text: str) -> None:
 )
 def test_a_malformed_condition_is_answered_with_the_grammar(text: str, said: str) -> None:
     with pytest.raises(KurbelError) as caught:
-        read_condition(text)
+        read_condition(text, slide_names())
     assert str(caught.value).startswith(said)
 
 
 def test_the_arc_crank_takes_no_units() -> None:
     with pytest.raises(NotationError, match="only x, c and p of the straight or offset crank"):
-        read_condition("x = 200 mm", ARC_NAMES)
+        read_condition("x = 200 mm", arc_names())

@@ -22,11 +22,11 @@ from kurbel.exact.certify import ball
 from kurbel.exact.course import Course, Target
 from kurbel.exact.place import SQUARE, exact_place
 from kurbel.linkage.arc import ArcCrank
-from kurbel.linkage.arc_drive import ArcDrive
-from kurbel.motion.drives import Drive, SlideDrive
+from kurbel.linkage.arc_drive import ArcDrive, arc_names
+from kurbel.motion.drives import Drive, SlideDrive, slide_names
 from kurbel.motion.evaluation import OUT, RETURN
 from kurbel.reading.speed import Speed
-from kurbel.reading.where import ARC_NAMES, SLIDE_NAMES, VALUE, Condition, read_condition
+from kurbel.reading.where import VALUE, Condition, read_condition
 from kurbel.solve.solve import Root, solve, target_of
 
 # mpmath has no types.
@@ -186,7 +186,9 @@ def test_the_rocker_and_shares_of_the_stroke_are_had_once_on_a_stroke(crank: Arc
         assert [root.stroke for root in found] == [OUT, RETURN]
         for root in found:
             share = drive.digits("path_stroke", root.stroke, root.place, 12, "half-away")
-            assert abs(Fraction(share, 10**12) - read_condition(text).value) <= Fraction(1, 10**12)
+            assert abs(Fraction(share, 10**12) - read_condition(text, slide_names()).value) <= Fraction(
+                1, 10**12
+            )
     middle = drive.course("rocker", OUT)
     with flint.ctx.workprec(64):
         theta = sum(float(middle.value(place.half_turns()).mid()) for place in (middle.begin, middle.end)) / 2
@@ -319,7 +321,8 @@ def test_a_stroke_of_whole_sides_ends_exactly() -> None:
         found = solved(drive, text)
         assert [root.stroke for root in found] == [OUT, RETURN]
         assert all(
-            root.place is drive.course(read_condition(text).quantity, root.stroke).end for root in found
+            root.place is drive.course(read_condition(text, slide_names()).quantity, root.stroke).end
+            for root in found
         )
     with pytest.raises(NoRootError):
         solved(drive, "x = 4.0000001")
@@ -451,7 +454,7 @@ def test_a_quantity_that_never_changes_is_named() -> None:
 
 
 @settings(deadline=None, max_examples=25)
-@given(ratios, st.sampled_from(sorted(set(SLIDE_NAMES.values()))), st.fractions(-2, 2, max_denominator=50))
+@given(ratios, st.sampled_from(sorted(set(slide_names().values()))), st.fractions(-2, 2, max_denominator=50))
 def test_a_condition_put_back_is_fulfilled(ratio: Fraction, quantity: str, value: Fraction) -> None:
     drive = SlideDrive(Crank(ratio))
     condition = Condition(quantity, VALUE, value)
@@ -485,8 +488,8 @@ def test_a_place_is_not_taken_for_another_so_near() -> None:
 
 
 def test_names_of_conditions_are_quantities_of_their_drives() -> None:
-    assert {SlideDrive(FIFTH).column_of(name) for name in SLIDE_NAMES.values()} <= set(
+    assert {SlideDrive(FIFTH).column_of(name) for name in slide_names().values()} <= set(
         SlideDrive(FIFTH).columns
     )
     arc = ArcDrive(CRANKS[0])
-    assert {arc.column_of(name) for name in ARC_NAMES.values()} <= set(arc.columns)
+    assert {arc.column_of(name) for name in arc_names().values()} <= set(arc.columns)

@@ -113,10 +113,6 @@ def _column_keys(name: str) -> tuple[str, ...]:
         from kurbel.linkage.page import linkage_column_keys
 
         return linkage_column_keys(page)
-    if page.subject == "roots":
-        from kurbel.solve.page import solve_column_keys
-
-        return solve_column_keys()
     from kurbel.engine.request import engine_column_keys
 
     return engine_column_keys(page)

@@ -18,15 +18,22 @@ from kurbel.kernel.circle import Circle
 from kurbel.linkage import arc as linkage
 from kurbel.linkage.arc import MOTIONS, ArcCrank, Kind
 from kurbel.linkage.quantities import arc_registry
-from kurbel.motion.drives import Shown, circle, constant, ties_at
+from kurbel.motion.drives import circle, column_named, condition_names, constant, ties_at
 from kurbel.motion.evaluation import OUT, STROKES
 from kurbel.motion.quantities import registry
-from kurbel.reading.where import ARC_NAMES, SHARE
+from kurbel.page.quantity import Quantity, words
 
 if TYPE_CHECKING:
     from flint import arb
 
 PATH_SHARE = "path_stroke"
+# The names of quantities in conditions.
+NAMES = {
+    "path": ("path", "x"),
+    "velocity": ("velocity", "c"),
+    "acceleration": ("acceleration", "p"),
+    "rocker": ("rocker", "θ"),
+}
 # What needs no root for the dead centre.
 FREE = tuple(
     key for key, motion in MOTIONS.items() if not motion.arc and key not in ("chord", "slide_path", "rise")
@@ -35,10 +42,33 @@ FREE = tuple(
 HALF_REACH = 0.45
 
 
+@cache
+def arc_columns() -> Mapping[str, Quantity]:
+    """Return what can be shown of a place: the outstroke's quantities, which stand for either stroke."""
+    found = {}
+    for key, one in arc_registry().items():
+        if one.stroke == OUT:
+            heading, unit = words(one.heading), words(one.unit)
+            found[key] = Quantity(
+                key, one.name, one.symbol, unit, one.decimals, {}, heading, names=NAMES.get(key, ())
+            )
+            if key == "path":
+                share = registry()["x_stroke"]
+                found[PATH_SHARE] = found[key]._replace(
+                    key=PATH_SHARE, heading=share.heading, unit=share.unit, names=share.names
+                )
+    return found
+
+
+@cache
+def arc_names() -> Mapping[str, str]:
+    """Return the names that conditions on the arc crank may give quantities."""
+    return condition_names(arc_columns().values())
+
+
 class ArcDrive:
     """The arc crank."""
 
-    names = ARC_NAMES
     method = "exact"
 
     def __init__(self, crank: ArcCrank) -> None:
@@ -46,22 +76,16 @@ class ArcDrive:
         self.ratio = crank.crank.ratio
         self.course = cache(self._course)
 
-    @cached_property
-    def columns(self) -> Mapping[str, Shown]:
-        found = {}
-        for key, one in arc_registry().items():
-            if one.stroke == OUT:
-                heading, unit = (dict.fromkeys(("de", "en"), text) for text in (one.heading, one.unit))
-                found[key] = Shown(key, one.name, one.symbol, heading, unit, one.decimals)
-                if key == "path":
-                    share = registry()["x_stroke"]
-                    found[PATH_SHARE] = found[key]._replace(
-                        key=PATH_SHARE, heading=share.heading, unit=share.unit
-                    )
-        return found
+    @property
+    def columns(self) -> Mapping[str, Quantity]:
+        return arc_columns()
+
+    @property
+    def names(self) -> Mapping[str, str]:
+        return arc_names()
 
     def column_of(self, quantity: str) -> str:
-        return PATH_SHARE if quantity == SHARE else quantity
+        return column_named(self.columns, quantity)
 
     def digits(self, column: str, stroke: int, place: Place, decimals: int, rounding: str) -> int:
         if column != PATH_SHARE and place.degrees is not None:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache, cached_property
 from math import inf
-from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 import flint
 
@@ -25,7 +25,6 @@ from kurbel.exact.certify import (
 )
 from kurbel.exact.course import Course
 from kurbel.exact.jet import Jet, ball_jets, jets
-from kurbel.exact.numerals import Label
 from kurbel.exact.place import SQUARE, Place, exact_place
 from kurbel.exact.separation import Separation, circle_separation
 from kurbel.exact.surd import Field, SecondRootError, Surd
@@ -35,7 +34,6 @@ from kurbel.motion.evaluation import OUT, Numbers, is_known, is_transcendental, 
 from kurbel.motion.evaluation import certified as certified_of_slide
 from kurbel.motion.quantities import registry
 from kurbel.page.quantity import Quantity
-from kurbel.reading.where import SHARE, SLIDE_NAMES
 
 if TYPE_CHECKING:
     from flint import arb
@@ -44,15 +42,15 @@ if TYPE_CHECKING:
 Formula = Callable[[Circle[Any], Numbers], Any]
 
 
-class Shown(NamedTuple):
-    """A column about a place."""
+def condition_names(entries: Iterable[Quantity]) -> Mapping[str, str]:
+    """Return the names that conditions may give quantities, further names last, and what they stand for."""
+    known = [entry.names for entry in entries if entry.names]
+    return {names[0]: names[0] for names in known} | {name: names[0] for names in known for name in names[1:]}
 
-    key: str
-    name: Mapping[str, str]
-    symbol: Label
-    heading: Mapping[str, Label]
-    unit: Mapping[str, str]
-    decimals: int
+
+def column_named(columns: Mapping[str, Quantity], name: str) -> str:
+    """Return the column that shows what a condition calls by its first name."""
+    return next(key for key, entry in columns.items() if entry.names[:1] == (name,))
 
 
 class Drive(Protocol):
@@ -71,7 +69,7 @@ class Drive(Protocol):
         ...
 
     @property
-    def columns(self) -> Mapping[str, Shown]: ...
+    def columns(self) -> Mapping[str, Quantity]: ...
     def column_of(self, quantity: str) -> str:
         """Return the column that shows a quantity of conditions."""
         ...
@@ -85,8 +83,6 @@ class Drive(Protocol):
 class SlideDrive:
     """The straight or offset crank."""
 
-    names = SLIDE_NAMES
-
     def __init__(self, crank: Crank, method: str = "exact") -> None:
         self.crank = crank
         self.method = method
@@ -99,16 +95,20 @@ class SlideDrive:
         """Whether both dead centres lie on the slide direction."""
         return not (self.crank.offset and self.crank.ratio)
 
+    @property
+    def names(self) -> Mapping[str, str]:
+        return slide_names()
+
     @cached_property
-    def columns(self) -> Mapping[str, Shown]:
+    def columns(self) -> Mapping[str, Quantity]:
         return {
-            key: Shown(key, one.name, one.symbol, one.heading, one.unit, one.decimals or 0)
+            key: one
             for key, one in registry().items()
             if one.stroke == OUT and is_known(one, self.crank) and self.method in one.formulas
         }
 
     def column_of(self, quantity: str) -> str:
-        return "x_stroke" if quantity == SHARE else quantity
+        return column_named(registry(), quantity)
 
     def digits(self, column: str, stroke: int, place: Place, decimals: int, rounding: str) -> int:
         quantity = _of_stroke(column, stroke)
@@ -152,7 +152,7 @@ class SlideDrive:
             jet = _as_surds(formula)
         except SecondRootError:
             # A stroke √a - √b with an irrational root is irrational.
-            ends = (Fraction(0), Fraction(1) if quantity == SHARE else None)
+            ends = (Fraction(0), Fraction(1) if self.column_of(quantity) == "x_stroke" else None)
             return Course(at, slope, begin, end, ends=ends, is_exactly=self._exactly(formula))
         return Course(at, slope, begin, end, jet.value, jet.slope)
 
@@ -189,6 +189,12 @@ class SlideDrive:
             return found
         except SecondRootError:
             return None
+
+
+@cache
+def slide_names() -> Mapping[str, str]:
+    """Return the names that conditions on the straight or offset crank may give quantities."""
+    return condition_names(registry().values())
 
 
 def slide_drives(cranks: Sequence[Crank], method: str) -> tuple[SlideDrive, ...]:

@@ -8,6 +8,7 @@ from importlib import import_module
 from itertools import product
 from typing import Any, Protocol
 
+from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, degrees_text
 from kurbel.page.arrange import Axis, Grid, Place, check_size, panels
 from kurbel.page.layouts import Layout
@@ -18,7 +19,6 @@ from kurbel.page.table import Cell, Note, Records, Table, Value
 
 # By the subject of the layout: who makes pages that are not yet a Subject.
 BUILDERS: Mapping[str, str] = {
-    "roots": "kurbel.solve.page:build_solve",
     **dict.fromkeys(
         ("irregularity", "strokes", "turning", "crank forces", "machine", "flywheel"),
         "kurbel.engine.page:build_engine",
@@ -61,6 +61,8 @@ def build(question: Any, pages: bool = True) -> Table:
 def grid_of(question: Question) -> Grid:
     """Return the axes of the page and what stands at their places."""
     about, layout, columns = question.subject, question.layout, question.page_columns
+    if not columns:
+        raise ProblemError(question.without_columns())
     check_size(layout, {name: axis.size for name, axis in question.axes.items()})
 
     def cell(place: Place) -> Cell:

@@ -36,12 +36,14 @@ class Question:
 
     # Why a page without a column beside its axes is refused, with an example.
     no_column: ClassVar[str] = "there is no column beside the axes; add one, such as x"
+    # Whether records of the axes alone say something.
+    axes_suffice: ClassVar[bool] = False
 
     def __post_init__(self) -> None:
         check_rounding(self.digits, self.rounding)
         check_label(self.label)
         self.check()
-        if not self.page_columns:
+        if not self.page_columns and not self.axes_suffice:
             raise ProblemError(self.without_columns())
         if len(self) > MOST_ROWS:
             raise ProblemError(f"the table would have {len(self)} rows; at most 10^9 are allowed")

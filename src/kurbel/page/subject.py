@@ -20,6 +20,7 @@ SUBJECTS: Mapping[str, str] = {
     "inertia": "kurbel.motion.page:INERTIA",
     "inertia errors": "kurbel.motion.inertia_page:SUBJECT",
     "tangent": "kurbel.motion.tangent_page:SUBJECT",
+    "roots": "kurbel.solve.page:SUBJECT",
     "harmonics": "kurbel.balance.harmonics_page:SUBJECT",
     "balance": "kurbel.balance.page:SUBJECT",
 }

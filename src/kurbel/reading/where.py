@@ -22,16 +22,6 @@ ANGLES = ("psi", "rocker")
 ACCELERATIONS = ("p", "acceleration")
 # Quantities that may have a unit: mm, m/s, m/s².
 MEASURED = ("x", "c", "p")
-# By mechanism: the names that may be written, and the quantity each stands for.
-SLIDE_NAMES: Mapping[str, str] = {
-    **{key: key for key in ("x", SHARE, "c", "p", "psi")},
-    **{key: key for key in ("rod_force", "guide_force", "tangential_force", "radial_force", "torque")},
-    "ψ": "psi",
-}
-ARC_NAMES: Mapping[str, str] = {
-    **{key: key for key in ("path", SHARE, "velocity", "acceleration", "rocker")},
-    **{"x": "path", "c": "velocity", "p": "acceleration", "θ": "rocker"},
-}
 SMALLEST, LARGEST = Fraction(1, 10**30), Fraction(10**30)
 
 _CONDITION = re.compile(r"\s*([^\s=<>]+)\s*=\s*([^=]*?)\s*")
@@ -78,8 +68,8 @@ def exact_text(value: Fraction, mark: str = ".") -> str:
     return f"{value.numerator}/{value.denominator}"
 
 
-def read_condition(text: str, names: Mapping[str, str] = SLIDE_NAMES) -> Condition:
-    """Return the condition that is written, of a quantity among the names."""
+def read_condition(text: str, names: Mapping[str, str]) -> Condition:
+    """Return the condition that is written, of a quantity among the names, each with what it stands for."""
     shown = f'condition "{text[:LONGEST_NUMBER]}"'
     match = _CONDITION.fullmatch(text) if len(text) <= 3 * LONGEST_NUMBER else None
     if match is None or not match.group(2):

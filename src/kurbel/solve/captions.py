@@ -57,7 +57,6 @@ WORDS: Mapping[str, Mapping[str, str]] = {
     "condition": {"de": "Bedingung", "en": "Condition"},
     "stroke": {"de": "Hub", "en": "Stroke"},
     "path_stroke": {"de": "Weg auf dem Bogen in Teilen des Hubes", "en": "Path along the arc in strokes"},
-    "phi_turn": {"de": "Kurbelwinkel in der Umdrehung", "en": "Crank angle over the turn"},
 }
 
 
@@ -114,7 +113,7 @@ def _arc_notes(request: SolveRequest) -> Iterator[Label]:
     arcs = tuple(drive.crank for drive in request.drives if isinstance(drive, ArcDrive))
     if not arcs:
         return
-    keys = [key for key in request.shown if key in arc_registry()]
+    keys = [column.key for column in request.page_columns if column.key in arc_registry()]
     both = tuple(each for key in keys or ["path"] for each in (key, f"{key}_return"))
     page = LinkageRequest(
         layout=layout("arc"), angles=(Fraction(0),), cranks=arcs, columns=both, lang=request.lang
@@ -126,7 +125,7 @@ def _digits(request: SolveRequest) -> Iterator[Column]:
     """Yield what is shown and asked for, on both strokes."""
     drive = request.drives[0]
     asked = [drive.column_of(condition.quantity) for condition in request.conditions]
-    for key in dict.fromkeys((*request.shown, *asked)):
+    for key in dict.fromkeys((*(column.key for column in request.page_columns), *asked)):
         if key in registry():
             for quantity in (registry()[key], registry()[key]._replace(stroke=RETURN)):
                 yield bare(quantity, request.method, quantity.decimals)

@@ -210,9 +210,9 @@ def _range(drive: Drive, condition: Condition, stroke: int) -> str:
     if condition.quantity == SHARE:
         return "between 0% and 100%"
     column = drive.columns[column_of(drive, condition)]
-    course, unit = drive.course(condition.quantity, stroke), column.unit["en"]
+    course, unit = drive.course(condition.quantity, stroke), column.plain_unit("en")
     value = _known(drive, condition).get(column.key)
-    for decimals in range(column.decimals, MOST_DIGITS + 1):
+    for decimals in range(column.decimals or 0, MOST_DIGITS + 1):
         ends = [
             drive.digits(column.key, stroke, course.greatest(side)[0], decimals, "half-away")
             for side in (-1, 1)
