@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import ast
+import json
 import os
 import subprocess
 import sys
 from collections.abc import Iterator
 from functools import cache
+from itertools import cycle
 from pathlib import Path
 
 import pytest
@@ -136,15 +138,18 @@ def test_no_circle_of_modules_that_import_each_other_as_they_are_imported() -> N
 def loaded(code: str, *arguments: str) -> set[str]:
     """Return the top-level modules that a new interpreter has loaded when the code is done."""
     code = f"import atexit, sys\natexit.register(lambda: print(*sys.modules, file=sys.stderr))\n{code}"
+    names = interpreted(code, *arguments).stderr.split()
+    assert "kurbel" in names
+    return {name.split(".")[0] for name in names}
+
+
+def interpreted(code: str, *arguments: str) -> subprocess.CompletedProcess[str]:
     environment = {name: text for name, text in os.environ.items() if not name.startswith("KURBEL_")}
     paths = (str(PACKAGE.parent), os.environ.get("PYTHONPATH", ""))
     environment |= {"PYTHONPATH": os.pathsep.join(filter(None, paths))}
-    done = subprocess.run(
+    return subprocess.run(
         [sys.executable, "-c", code, *arguments], capture_output=True, text=True, check=True, env=environment
     )
-    names = done.stderr.split()
-    assert "kurbel" in names
-    return {name.split(".")[0] for name in names}
 
 
 RUN = "import sys\nsys.argv[0] = 'kurbel'\nfrom kurbel.cli import main\nmain()"
@@ -217,27 +222,39 @@ PAGES += [("forces", "--at", "tangent"), ("solve", "--where", "p=0")]
 PAGES += [("example", "blau", "33"), ("example", "weisbach", "150")]
 
 
-RUN_EACH = """import sys
+# Pages of one interpreter, one after the other: what a page loads stays loaded for those after it.
+RUN_EACH = """import json, sys
 from kurbel.cli import main
-formats, *words = sys.argv[1:]
-for name in formats.split(","):
-    sys.argv = ["kurbel", *words, "-f", name]
+for words in json.loads(sys.argv[1]):
+    sys.argv = ["kurbel", *words]
     try:
         main()
     except SystemExit as end:
         assert end.code == 0
+    print("loaded:", *sys.modules, file=sys.stderr)
 """
 
 
+def loaded_page_by_page(pages: list[tuple[str, ...]]) -> dict[tuple[str, ...], set[str]]:
+    """Return the top-level modules that are loaded when each page is printed."""
+    done = interpreted(RUN_EACH, json.dumps(pages))
+    lines = [line.split()[1:] for line in done.stderr.splitlines() if line.startswith("loaded:")]
+    return {words: {name.split(".")[0] for name in names} for words, names in zip(pages, lines, strict=True)}
+
+
 @pytest.mark.parametrize(
-    ("formats", "by_templates"), [("text,csv,json", False), ("markdown,latex,html,typst", True)]
+    ("formats", "by_templates"),
+    [(("text", "csv", "json"), False), (("markdown", "latex", "html", "typst"), True)],
+    ids=["records", "templates"],
 )
-@pytest.mark.parametrize("words", PAGES, ids=" ".join)
-def test_a_page_is_made_without_numpy(words: tuple[str, ...], formats: str, by_templates: bool) -> None:
-    libraries = loaded(RUN_EACH, formats, *words)
-    assert not libraries & {"pint", *HEAVY}
-    # Records and text are written without templates.
-    assert ("jinja2" in libraries) == by_templates
+def test_a_page_is_made_without_numpy(formats: tuple[str, ...], by_templates: bool) -> None:
+    # The first page in every format, the others in one after the other.
+    pages = [(*PAGES[0], "-f", name) for name in formats]
+    pages += [(*words, "-f", name) for words, name in zip(PAGES[1:], cycle(formats), strict=False)]
+    for words, libraries in loaded_page_by_page(pages).items():
+        assert not libraries & {"pint", *HEAVY}, words
+        # Records and text are written without templates.
+        assert ("jinja2" in libraries) == by_templates, words
 
 
 def test_a_long_table_takes_numpy_but_neither_jinja_nor_scipy() -> None:

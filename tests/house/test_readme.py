@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
+import contextlib
 import csv
 import doctest
 import os
 import re
 import shlex
 import shutil
-import subprocess
-import sys
 from pathlib import Path
 
+from cli import kurbel
 from places import ROOT, SOURCES
 
 README = ROOT / "README.md"
@@ -27,13 +27,12 @@ def printed(command: str, folder: Path) -> str:
     """What a terminal shows of the command, run in the folder."""
     program, *arguments = shlex.split(command)
     assert program == "kurbel"
-    environment = {name: value for name, value in os.environ.items() if not name.startswith("KURBEL_")}
-    run = subprocess.run(
-        [sys.executable, "-m", "kurbel", *arguments],
-        check=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8", cwd=folder,
-        env=environment | {"PYTHONUTF8": "1"},
-    )  # fmt: skip
-    return run.stdout
+    with contextlib.chdir(folder):
+        result = kurbel(*arguments)
+    assert result.code == 0
+    # No command prints on both.
+    assert not (result.out and result.err)
+    return result.out + result.err
 
 
 def true_block(block: str, folder: Path) -> str:
