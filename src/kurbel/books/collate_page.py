@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import cached_property
+from functools import cache, cached_property
 from itertools import count
 
 from kurbel.books.collation import Collated
@@ -24,12 +24,14 @@ from kurbel.books.verdict import (
 from kurbel.drive.crank import Crank
 from kurbel.errors import ChoiceError, SourceError
 from kurbel.exact.numerals import Label, Number
-from kurbel.page import axes as page_axes
-from kurbel.page.arrange import Axis, Grid, Place, check_size, panels
-from kurbel.page.layouts import layout_of
-from kurbel.page.old_axes import ColumnAxis
-from kurbel.page.sheet import Heads, Sheet, records_of, table_of
-from kurbel.page.table import Cell, Field, Note, Panel, Table, Value
+from kurbel.page.arrange import Axis, Grid, Place
+from kurbel.page.axes import PHI, RATIO, ColumnAxis
+from kurbel.page.build import grid_of
+from kurbel.page.layouts import Layout, layout_of
+from kurbel.page.quantity import Column, Formula, Quantity, words
+from kurbel.page.question import Question
+from kurbel.page.subject import Subject
+from kurbel.page.table import Cell, Field, Note, Records, Value
 from kurbel.reading.choices import choose
 from kurbel.reading.notation import angle, number, plain, ratio, ratio_text
 
@@ -80,20 +82,14 @@ KEYS = (
 
 
 @dataclass(frozen=True, kw_only=True)
-class CollateRequest(Sheet):
+class CollateRequest(Question):
     """What is asked for: the collated cells of a table, all or those that deviate."""
 
     table: SourceTable
     collated: Sequence[Collated] = field(repr=False)
     only: str = ALL
 
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        for key in self.columns:
-            choose(key, KEYS, "column")
-
     def __len__(self) -> int:
-        """How many records there are."""
         return len(self.shown)
 
     @cached_property
@@ -104,29 +100,30 @@ class CollateRequest(Sheet):
     def shown(self) -> Sequence[Collated]:
         return self.deviations if self.only == DEVIATIONS else self.collated
 
+    @property
+    def as_printed(self) -> bool:
+        """Whether the page is the book's."""
+        return bool(self.table.layout) and self.only == ALL
 
-def build_collation(request: CollateRequest, pages: bool = True) -> Table:
-    """Return the page with its apparatus; without `pages` only its records."""
-    lang, table = request.lang, request.table
-    names = request.columns or KEYS
-    records = records_of(len(request), names, _fields(lang), lambda: _records(request))
-    as_printed = bool(table.layout) and request.only == ALL
-    marks = _marks(request) if as_printed else {}
-    caption = request.layout.caption[lang].replace("{title}", table.title[lang])
-    drawn = table_of(request, caption, None if as_printed or not pages else _grid(request), records, ())
-    return replace(
-        drawn,
-        key=request.label or table.key or drawn.key,
-        panels=_printed_page(request, marks) if as_printed and pages else drawn.panels,
-        notes=tuple(_notes(request, marks)),
-        source=table.book.citation[lang],
-    )
+    @cached_property
+    def marks(self) -> Mapping[str, str]:
+        """A letter for each place of the book's page that deviates: a to z, then aa."""
+        letters = (_letters(number) for number in count()) if self.as_printed else iter(())
+        return {one.cell.place: mark for one, mark in zip(self.deviations, letters, strict=False)}
 
+    @cached_property
+    def page_columns(self) -> tuple[Column, ...]:
+        for key in self.columns:
+            choose(key, KEYS, "column")
+        return tuple(map(self.column, self.layout.columns))
 
-def _marks(request: CollateRequest) -> Mapping[str, str]:
-    """Return a letter for each place that deviates: a to z, then aa."""
-    letters = (_letters(number) for number in count())
-    return {one.cell.place: mark for one, mark in zip(request.deviations, letters, strict=False)}
+    @property
+    def key(self) -> str:
+        return self.label or self.table.key or self.layout.key
+
+    @property
+    def source(self) -> Label:
+        return self.table.book.citation[self.lang]
 
 
 def _letters(number: int) -> str:
@@ -134,7 +131,7 @@ def _letters(number: int) -> str:
     return (_letters(first - 1) if first else "") + "abcdefghijklmnopqrstuvwxyz"[last]
 
 
-def _printed_page(request: CollateRequest, marks: Mapping[str, str]) -> tuple[Panel, ...]:
+def _printed_page(request: CollateRequest) -> tuple[Layout, Grid]:
     """The page in the book's layout, with the characters of the book."""
     from kurbel.motion.question import Request
 
@@ -164,10 +161,10 @@ def _printed_page(request: CollateRequest, marks: Mapping[str, str]) -> tuple[Pa
         found = by_place.get((quantity, [*ratios][place["ratio"]], angles[place["angle"]]))
         if found is None:
             return Cell(None)
-        mark = marks.get(found.cell.place)
+        mark = request.marks.get(found.cell.place)
         return Cell(_printed(found), (mark,) if mark else ())
 
-    return panels(page, Grid(asked.axes, cell))
+    return page, Grid(asked.axes, cell)
 
 
 def _where(cell: SourceCell) -> tuple[str, Fraction, Fraction] | None:
@@ -202,25 +199,25 @@ class _PlaceAxis(Axis):
         return (place_label(self.request.shown[place["place"]], self.request.lang),)
 
 
-def _grid(request: CollateRequest) -> Grid:
-    layout, lang = request.layout, request.lang
-    keys = [column.key for column in layout.columns]
-    heads = [Heads((), (WORDS[key][lang],)) for key in keys]
-    axes: dict[str, Axis] = {"place": _PlaceAxis(request), "column": ColumnAxis(layout, heads, (), lang)}
-    check_size(layout, {name: axis.size for name, axis in axes.items()})
+def _shown(request: CollateRequest, column: Column, place: Place, times: int) -> Value:
+    one = request.shown[place["place"]]
+    shown: Value = column.quantity.formulas[""].kernel(one, request)
+    return shown
 
-    def cell(place: Place) -> Cell:
-        one = request.shown[place["place"]]
-        match keys[place["column"]]:
-            case "printed":
-                return Cell(_printed(one))
-            case "recomputed":
-                return Cell(_recomputed(one))
-            case "difference":
-                return Cell(Number(one.off, 0) if one.off else None)
-        return Cell(verdict_text(one, request, lang))
 
-    return Grid(axes, cell)
+@cache
+def quantities() -> Mapping[str, Quantity]:
+    """Return what stands beside a place, each of what was collated there."""
+    shown = {
+        "printed": lambda one, request: _printed(one),
+        "recomputed": lambda one, request: _recomputed(one),
+        "difference": lambda one, request: Number(one.off, 0) if one.off else None,
+        "verdict": lambda one, request: verdict_text(one, request, request.lang),
+    }
+    return {
+        key: Quantity(key, WORDS[key], "", words(""), None, {"": Formula(kernel)}, WORDS[key])
+        for key, kernel in shown.items()
+    }
 
 
 def _recomputed(one: Collated) -> Number | Label:
@@ -288,8 +285,8 @@ def _detail(one: Collated, request: CollateRequest, lang: str) -> Label:
     return "; ".join(place_label(by_place[name], lang, one.cell) for name in found.detail.split(", "))
 
 
-def _notes(request: CollateRequest, marks: Mapping[str, str]) -> Iterator[Note]:
-    lang = request.lang
+def _notes(request: CollateRequest) -> Iterator[Note]:
+    lang, marks = request.lang, request.marks
     for one in request.deviations if marks else ():
         text = WORDS["entry"][lang].format(
             place=place_label(one, lang),
@@ -301,34 +298,70 @@ def _notes(request: CollateRequest, marks: Mapping[str, str]) -> Iterator[Note]:
         yield Note(text, marks[one.cell.place])
     counted = Counter(one.verdict.kind for one in request.collated)
     found = (f"{counted[kind]} {words[lang]}" for kind, words in VERDICTS.items() if counted[kind])
-    words = WORDS["one" if len(request.collated) == 1 else "summary"][lang]
-    yield Note(words.format(count=len(request.collated), verdicts=", ".join(found)))
+    said = WORDS["one" if len(request.collated) == 1 else "summary"][lang]
+    yield Note(said.format(count=len(request.collated), verdicts=", ".join(found)))
     yield from (Note(note) for note in request.table.notes[lang])
     yield Note(WORDS["units"][lang])
     if request.deviations:
         yield Note(WORDS["careful"][lang])
 
 
-def _fields(lang: str) -> Mapping[str, Field]:
+def _records(request: CollateRequest) -> Records:
+    keys, lang = request.columns or KEYS, request.lang
+    names = {key: texts[lang] for key, texts in WORDS.items()} | {"ratio": RATIO[lang], "phi": PHI[lang]}
+    return Records(tuple(Field(key, names.get(key, key)) for key in keys), _Rows(request, keys))
 
-    names = {key: words[lang] for key, words in WORDS.items()}
-    names |= {"ratio": page_axes.RATIO[lang], "phi": page_axes.PHI[lang]}
-    return {key: Field(key, names.get(key, key)) for key in KEYS}
+
+class _Rows:
+    """The records: one for each place that is shown."""
+
+    def __init__(self, request: CollateRequest, keys: Sequence[str]) -> None:
+        self.request, self.keys = request, keys
+
+    def __len__(self) -> int:
+        return len(self.request)
+
+    def __iter__(self) -> Iterator[tuple[Value, ...]]:
+        for one in self.request.shown:
+            record = _record(self.request, one)
+            yield tuple(record[key] for key in self.keys)
 
 
-def _records(request: CollateRequest) -> Iterator[Mapping[str, Value]]:
-    for one in request.shown:
-        cell = one.cell
-        axes = {axis: cell.axes.get(axis) for axis in AXES}
-        yield {
-            "table": request.table.key,
-            "place": cell.place,
-            "quantity": cell.quantity or None,
-            **axes,
-            "method": cell.method if cell.quantity else None,
-            "printed": one.printed.text,
-            "recomputed": one.recomputed,
-            "difference": None if one.off is None else Number(one.off, 0),
-            "verdict": one.verdict.kind,
-            "detail": one.verdict.detail or None,
-        }
+def _record(request: CollateRequest, one: Collated) -> Mapping[str, Value]:
+    cell = one.cell
+    return {
+        "table": request.table.key,
+        "place": cell.place,
+        "quantity": cell.quantity or None,
+        **{axis: cell.axes.get(axis) for axis in AXES},
+        "method": cell.method if cell.quantity else None,
+        "printed": one.printed.text,
+        "recomputed": one.recomputed,
+        "difference": None if one.off is None else Number(one.off, 0),
+        "verdict": one.verdict.kind,
+        "detail": one.verdict.detail or None,
+    }
+
+
+def _grid(request: CollateRequest) -> tuple[Layout, Grid]:
+    return _printed_page(request) if request.as_printed else (request.layout, grid_of(request))
+
+
+def _caption(request: CollateRequest) -> Label:
+    return request.layout.caption[request.lang].replace("{title}", request.table.title[request.lang])
+
+
+SUBJECT = Subject(
+    key="collation",
+    layout="collation",
+    command="collate",
+    axes={"place": _PlaceAxis, "column": ColumnAxis},
+    axis_keys=KEYS,
+    own_first=False,
+    quantities=quantities,
+    number=_shown,
+    caption=_caption,
+    notes=_notes,
+    grid=_grid,
+    rows=_records,
+)

@@ -105,10 +105,6 @@ def _column_keys(name: str) -> tuple[str, ...]:
         from kurbel.linkage.beam_page import beam_column_keys
 
         return beam_column_keys()
-    if page.subject == "collation":
-        from kurbel.books.collate_page import KEYS as COLLATION_KEYS
-
-        return COLLATION_KEYS
     if page.subject in ("arc crank", "parallel crank"):
         from kurbel.linkage.page import linkage_column_keys
 

@@ -9,13 +9,13 @@ from itertools import product
 from typing import Any, Protocol
 
 from kurbel.errors import ProblemError
-from kurbel.exact.numerals import Label, degrees_text
+from kurbel.exact.numerals import Label, Number, degrees_text
 from kurbel.page.arrange import Axis, Grid, Place, check_size, panels
 from kurbel.page.layouts import Layout
 from kurbel.page.quantity import Column
 from kurbel.page.question import Question
 from kurbel.page.subject import SUBJECTS
-from kurbel.page.table import Cell, Note, Records, Table, Value
+from kurbel.page.table import Cell, Note, Panel, Records, Table, Value
 
 # By the subject of the layout: who makes pages that are not yet a Subject.
 BUILDERS: Mapping[str, str] = {
@@ -25,7 +25,6 @@ BUILDERS: Mapping[str, str] = {
     ),
     **dict.fromkeys(("arc crank", "parallel crank"), "kurbel.linkage.page:build_linkage"),
     "dead centres": "kurbel.linkage.beam_page:build_beam",
-    "collation": "kurbel.books.collate_page:build_collation",
 }
 
 
@@ -47,15 +46,20 @@ def build(question: Any, pages: bool = True) -> Table:
         return builder(question, pages)
     about, layout = question.subject, question.layout
     return Table(
-        key=question.label or layout.key,
+        key=question.key,
         layout=layout.key,
         lang=question.lang,
         caption=about.caption(question),
-        panels=panels(layout, grid_of(question)) if pages else (),
+        panels=_panels(question) if pages else (),
         records=about.rows(question) if about.rows else records_of(question),
         notes=tuple(one if isinstance(one, Note) else Note(one) for one in about.notes(question)),
-        source=layout.source[question.lang],
+        source=question.source,
     )
+
+
+def _panels(question: Question) -> tuple[Panel, ...]:
+    other = question.subject.grid
+    return panels(*other(question)) if other else panels(question.layout, grid_of(question))
 
 
 def grid_of(question: Question) -> Grid:
@@ -84,10 +88,10 @@ def _shown(question: Question, column: Column, place: Place) -> Value:
         return question.number(column, place)
     whole = column._replace(decimals=0)
     minutes = question.number(whole, place, 60)
-    if minutes is not None:
+    if isinstance(minutes, Number):
         return f"${degrees_text(Fraction(minutes.scaled, 60))}$"
     degrees = question.number(whole, place)
-    return None if degrees is None else f"${degrees.scaled}°$"
+    return f"${degrees.scaled}°$" if isinstance(degrees, Number) else None
 
 
 def records_of(question: Question) -> Records:

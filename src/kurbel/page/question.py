@@ -9,12 +9,12 @@ from math import prod
 from typing import ClassVar
 
 from kurbel.errors import ProblemError
-from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS, Number
+from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS, Label
 from kurbel.page.arrange import Axis, Place
 from kurbel.page.layouts import Layout, LayoutColumn
 from kurbel.page.quantity import Column, Quantity
 from kurbel.page.subject import Subject, subject
-from kurbel.page.table import Field
+from kurbel.page.table import Field, Value
 from kurbel.reading.choices import choose
 from kurbel.reading.notation import MOST_ROWS
 
@@ -67,6 +67,16 @@ class Question:
     def axis_keys(self) -> tuple[str, ...]:
         """The keys of the axes in records."""
         return self.subject.axis_keys
+
+    @property
+    def key(self) -> str:
+        """The name of the table for cross references."""
+        return self.label or self.layout.key
+
+    @property
+    def source(self) -> Label:
+        """The line that says where the page comes from."""
+        return self.layout.source[self.lang]
 
     @cached_property
     def axes(self) -> Mapping[str, Axis]:
@@ -139,7 +149,7 @@ class Question:
             " - ".join(column.methods),
         )
 
-    def number(self, column: Column, place: Place, times: int = 1) -> Number | None:
+    def number(self, column: Column, place: Place, times: int = 1) -> Value:
         """Return what stands at a place, times a factor; None where the column says nothing of it."""
         return self.subject.number(self, column, place, times)
 

@@ -8,11 +8,11 @@ from functools import cache
 from importlib import import_module
 from typing import Any
 
-from kurbel.exact.numerals import Label, Number
-from kurbel.page.arrange import Axis, Place
+from kurbel.exact.numerals import Label
+from kurbel.page.arrange import Axis, Grid, Place
 from kurbel.page.layouts import Layout
 from kurbel.page.quantity import Column, Quantity
-from kurbel.page.table import Note, Records
+from kurbel.page.table import Note, Records, Value
 
 # By what a layout says that it is about: where its subject stands.
 SUBJECTS: Mapping[str, str] = {
@@ -21,6 +21,7 @@ SUBJECTS: Mapping[str, str] = {
     "inertia errors": "kurbel.motion.inertia_page:SUBJECT",
     "tangent": "kurbel.motion.tangent_page:SUBJECT",
     "roots": "kurbel.solve.page:SUBJECT",
+    "collation": "kurbel.books.collate_page:SUBJECT",
     "harmonics": "kurbel.balance.harmonics_page:SUBJECT",
     "balance": "kurbel.balance.page:SUBJECT",
 }
@@ -51,7 +52,8 @@ class Subject:
     the default layout, `command` what prints its pages. `fitting` are the quantities that a layout can show
     beside its own, which stand first in lists unless all come in the order of the quantities. `exists` leaves
     out places that a grid has too many, `marks` are those of notes at a place, `beside` the columns that
-    follow one in records, and `rows` the records where they are long.
+    follow one in records, `rows` the records where they are long or others than the page's, and `grid` the
+    page where it is that of another layout.
     """
 
     key: str
@@ -60,7 +62,7 @@ class Subject:
     axes: Mapping[str, Callable[[Any], Axis]]
     axis_keys: tuple[str, ...]
     quantities: Callable[[], Mapping[str, Quantity]]
-    number: Callable[[Any, Column, Place, int], Number | None]
+    number: Callable[[Any, Column, Place, int], Value]
     caption: Callable[[Any], Label]
     notes: Callable[[Any], Iterable[Label | Note]]
     own_first: bool = True
@@ -69,6 +71,7 @@ class Subject:
     marks: Callable[[Any, Column, Place], tuple[str, ...]] = _no_marks
     beside: Callable[[Any, Column], tuple[Column, ...]] = _alone
     rows: Callable[[Any], Records] | None = None
+    grid: Callable[[Any], tuple[Layout, Grid]] | None = None
 
     def column_keys(self, layout: Layout) -> tuple[str, ...]:
         """Return what --columns can choose from; a page whose heads state formulas has its own only."""
