@@ -35,6 +35,8 @@ HANDLED = (signal.SIGTERM, signal.SIGHUP)
 SETTLED = {"COLUMNS": "80", "LINES": "24", "SOURCE_DATE_EPOCH": "1000000000", "PYTHONHASHSEED": "0"}
 # What is longer is told by its hash alone.
 LONGEST = 200_000
+# Processor time in seconds, after which a command counts as endless.
+MOST_SECONDS = 60
 # What a handbook knows of its last build, which depends on the files of the program.
 STATE = ".kurbel"
 # The line, its `runs` (exit code, standard output, standard error) and its `files` with what stands in them.
@@ -85,7 +87,7 @@ def record(lines: Iterable[str], path: Path) -> None:
             times.append((time.process_time() - before, line))
     print(f"{len(times)} command lines, {sum(one for one, _ in times):.0f} s of processor time; the slowest:")
     for seconds, line in sorted(times, reverse=True)[:10]:
-        print(f"{seconds:7.1f} s  {line[:100]}")
+        print(f"{seconds:7.1f} s  {line[:100]}", flush=True)
 
 
 def prepare(work: Path) -> None:
@@ -161,6 +163,14 @@ DONE_HERE: Mapping[str, Callable[..., object]] = {
 }  # fmt: skip
 
 
+class EndlessError(BaseException):
+    """Ends a command, which is not to take it for a mistake of its own."""
+
+
+def end(number: int, frame: object) -> None:
+    raise EndlessError
+
+
 def kurbel(words: tuple[str, ...], environment: Mapping[str, str]) -> tuple[int | str, bytes, bytes]:
     """Run `kurbel` with these words; an exception that leaves it stands for the exit code."""
     from kurbel.cli import main as program
@@ -174,13 +184,20 @@ def kurbel(words: tuple[str, ...], environment: Mapping[str, str]) -> tuple[int 
         stack.enter_context(mock.patch.dict(os.environ, {**clean, **SETTLED, **environment}, clear=True))
         stack.enter_context(redirect_stdout(streams[0]))
         stack.enter_context(redirect_stderr(streams[1]))
+        signal.signal(signal.SIGPROF, end)
+        signal.setitimer(signal.ITIMER_PROF, MOST_SECONDS)
         try:
             program()
-        except SystemExit as end:
-            code = end.code or 0
+        except SystemExit as end_of_program:
+            code = end_of_program.code or 0
+            if code == 128 + signal.SIGTERM:
+                raise
+        except EndlessError:
+            code = f"more than {MOST_SECONDS} s of processor time"
         except Exception as error:
             code = f"{type(error).__name__}: {error}"
         finally:
+            signal.setitimer(signal.ITIMER_PROF, 0)
             for number, handler in handlers.items():
                 signal.signal(number, handler)
     out, err = (content_of(stream) for stream in streams)
