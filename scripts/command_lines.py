@@ -3,7 +3,7 @@
 A line in a *.txt is a command line without `kurbel`, as typed into a shell, perhaps behind variables of the
 environment; ` && ` joins several. {a|b} stands for one line each, {name} for the alternatives of a line
 `name := a|b` above it. ␊, ␍, ␛ and ␡ are a line end, a carriage return, an escape and the byte 0xff, which is
-no UTF-8. `cp`, `rm`, `mkdir` and `write FILE TEXT` do what they say.
+no UTF-8. `cp`, `ln`, `rm`, `mkdir` and `write FILE TEXT` do what they say.
 
 All of them run in one folder, which begins as scripts/corpus/files. What they write into its folder `out` is
 recorded; what a line names there is put there before, where files/given has it. Lines that begin with # are

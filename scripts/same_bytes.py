@@ -93,7 +93,10 @@ def record(lines: Iterable[str], path: Path) -> None:
 def prepare(work: Path) -> None:
     """Fill the folder with all files that command lines name."""
     shutil.copytree(CORPUS / "files", work, dirs_exist_ok=True)
-    (work / "large.csv").write_text("position,p_forward [bar],p_return [bar]\n" + "0.5,1,1\n" * 400_000)
+    (work / "large.csv").write_text("position,p_forward [bar],p_return [bar]\n" + "\n" * 2_000_000)
+    (work / "long.md").write_text("x" * 200_001)
+    (work / "wide.md").write_text("<!-- kurbel: table -->", encoding="utf-16")
+    (work / "latin.md").write_text("Größe\n<!-- kurbel: table -->\n<!-- /kurbel -->\n", encoding="latin-1")
     (work / "large.toml").write_text("# " + "x" * 30_000)
     (work / "deep.toml").write_text("x = " + "[" * 5000)
     (work / "dotted.toml").write_text(".".join("a" * 5000) + " = 1")
@@ -159,7 +162,7 @@ def done_here(name: str, *words: str) -> int | str:
 
 
 DONE_HERE: Mapping[str, Callable[..., object]] = {
-    "cp": shutil.copy, "rm": os.remove, "mkdir": os.mkdir, "write": _written,
+    "cp": shutil.copy, "ln": os.symlink, "rm": os.remove, "mkdir": os.mkdir, "write": _written,
 }  # fmt: skip
 
 
