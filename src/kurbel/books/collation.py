@@ -9,10 +9,10 @@ from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from typing import NamedTuple
 
-from kurbel.books.printed_value import Printed
+from kurbel.books.printed_value import Printed, Units
 from kurbel.books.source import SourceCell, SourceTable
 from kurbel.books.truth import Truth, constant, formula_truth, kept, methods_of, quantity_truth
-from kurbel.books.verdict import RIGHT, Evidence, Verdict, quotient_verdict, verdict
+from kurbel.books.verdict import RIGHT, Evidence, Verdict, verdict
 from kurbel.errors import KurbelError, SourceError
 from kurbel.reading.notation import angle, number, ratio
 
@@ -105,62 +105,39 @@ def collate(
     slips: tuple[str, ...] = (),
 ) -> Collated:
     """Return a printed value with its verdict, from its true value, those by other methods and of its way."""
-    if not printed.exact:
-        found = None if way is None else way.in_units(printed)
-        return collated_units(cell, printed, truth.in_units(printed), others, found, slips)
-    return Collated(cell, printed, *_collated_quotient(printed, truth, others, way, slips))
+    right, on_the_way = truth.in_units(printed), way and way.in_units(printed)
+    shown = ""
+    if printed.exact and truth.rational is None and right != printed.scaled:
+        shown = truth.written_as(Printed("", 0, Fraction(1, 10**6), ",")).text
+    return collated_units(cell, printed, right, others, on_the_way, slips, shown)
 
 
 def collated_units(
     cell: SourceCell,
     printed: Printed,
-    right: int,
+    right: Units | None,
     others: Mapping[str, Callable[[], Truth | None]],
-    on_the_way: int | None = None,
+    on_the_way: Units | None = None,
     slips: tuple[str, ...] = (),
+    shown: str = "",
 ) -> Collated:
-    """Return a value with a last place, which is so many units of it by rights, with its verdict."""
+    """Return a value that is so many units of its last place by rights, with its verdict.
 
-    def in_units(other: Callable[[], Truth | None]) -> Callable[[], int | None]:
-        def units() -> int | None:
+    `shown` is what it should be where no quotient is known to be.
+    """
+
+    def in_units(other: Callable[[], Truth | None]) -> Callable[[], Units | None]:
+        def units() -> Units | None:
             found = other()
-            return None if found is None else found.in_units(printed)
+            return found and found.in_units(printed)
 
         return units
 
     by_others = {method: in_units(other) for method, other in others.items()}
     found = verdict(Evidence(printed, right, by_others, on_the_way, slips))
-    return Collated(cell, printed, printed.standing_for(right), printed.scaled - right, found)
-
-
-def _collated_quotient(
-    printed: Printed,
-    truth: Truth,
-    others: Mapping[str, Callable[[], Truth | None]],
-    way: Truth | None,
-    slips: tuple[str, ...],
-) -> tuple[str, int | None, Verdict]:
-    """Return what a quotient should be, 0 where it is right, and the verdict.
-
-    It has no last place, and is right only as the value itself.
-    """
-    value = printed.value
-    if truth.equals(value):
-        return printed.text, 0, Verdict(RIGHT)
-    if truth.rational is not None:
-        standing = str(truth.rational)
-    else:
-        decimals = Printed("", 0, Fraction(1, 10**6), ",")
-        standing = decimals.standing_for(truth.in_units(decimals))
-    found = quotient_verdict(
-        printed.text,
-        standing if truth.rational is not None else "",
-        truth.equals(-value),
-        [name for name, other in others.items() if (by := other()) is not None and by.equals(value)],
-        way is not None and way.equals(value),
-        slips,
-    )
-    return standing, None, found
+    in_places = right is not None and (not printed.exact or right == printed.scaled)
+    off = int(printed.scaled - right) if right is not None and in_places else None
+    return Collated(cell, printed, shown or printed.standing_for(right or 0), off, found)
 
 
 def others_of(cell: SourceCell) -> Mapping[str, Callable[[], Truth | None]]:

@@ -15,6 +15,10 @@ _ARC = re.compile(r"([-−]?)([0-9]+)°\s*(?:([0-9]+)(½)?['′])?")
 _QUOTIENT = re.compile(r"([-−]?)([0-9]+)/([0-9]+)")
 
 
+# Of what is printed, whole ones; a quotient in place of a quotient need not be.
+Units = int | Fraction
+
+
 class Printed(NamedTuple):
     """A printed value: scaled · unit, where the unit is that of its last place.
 
@@ -35,8 +39,11 @@ class Printed(NamedTuple):
     def exact(self) -> bool:
         return self.form == "/"
 
-    def standing_for(self, scaled: int) -> str:
+    def standing_for(self, scaled: Units) -> str:
         """Return how a value of so many units would be printed in its place."""
+        if self.exact:
+            return self.text if scaled == self.scaled else str(scaled * self.unit)
+        assert isinstance(scaled, int)
         sign = "-" if scaled < 0 else ""
         size = abs(scaled)
         if self.form in (",", "."):
@@ -51,15 +58,18 @@ class Printed(NamedTuple):
         minutes, half = divmod(rest, halves)
         return f"{sign}{degrees}°{minutes}{'½' if half else ''}'"
 
-    def with_units(self, scaled: int) -> Printed:
+    def with_units(self, scaled: Units) -> Printed:
         """Return the value of so many units, printed in its place."""
-        return self._replace(text=self.standing_for(scaled), scaled=scaled)
+        text = self.standing_for(scaled)
+        if self.exact:
+            value = scaled * self.unit
+            return Printed(text, value.numerator, Fraction(1, value.denominator), self.form)
+        return self._replace(text=text, scaled=int(scaled))
 
     def in_formula(self) -> str:
         """Return the value for a formula, with a decimal point: 0.343, 79°20', 5/4; for prose 32°51½′."""
-        text = self.text if self.exact else self.standing_for(self.scaled)
         # The notation of formulas has no ½, nor has that of prose a prime after it.
-        return text.replace(",", ".").replace("½'", "½′")
+        return self.standing_for(self.scaled).replace(",", ".").replace("½'", "½′")
 
     def cell(self) -> Number | Label:
         """Return the value for a table."""

@@ -9,7 +9,7 @@ from math import inf
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.books.expression import Expression, IrrationalError, Kind, fraction_root, irrational
-from kurbel.books.printed_value import Printed
+from kurbel.books.printed_value import Printed, Units
 from kurbel.errors import NotationError
 from kurbel.exact.certify import NEVER_TIES, TieBits, ball, ball_circle, ball_degrees, rounded, vanishes
 from kurbel.exact.separation import Separation, circle_separation
@@ -36,14 +36,21 @@ class Truth(NamedTuple):
     bound: Callable[[], Separation] | None = None
     rational: Fraction | None = None
 
-    def in_units(self, printed: Printed) -> int:
+    def in_units(self, printed: Printed) -> Units | None:
         """Return how many units of the printed value's last place it is, rounded half away from zero.
 
+        A quotient has none, and is the value itself: None where that is irrational.
         Where there is no bound no value is a tie. Nor is an angle one, an odd number of quarters or halves of
         a minute or degree: those here are rational over π, or have a cosine of at most degree 2 over the
         rationals, and those odd numbers one of a higher degree.
         """
         unit = printed.unit
+        if printed.exact:
+            if self.rational is not None:
+                return self.rational / unit
+            return next(
+                (sign * printed.scaled for sign in (1, -1) if self.equals(sign * printed.value)), None
+            )
 
         def tie_bits(boundary: Fraction) -> float:
             assert self.bound is not None
@@ -54,11 +61,9 @@ class Truth(NamedTuple):
 
     def written_as(self, printed: Printed) -> Printed:
         """Return the value as another is printed; one in place of a quotient is rational."""
-        if not printed.exact:
-            return printed.with_units(self.in_units(printed))
-        assert self.rational is not None
-        unit = Fraction(1, self.rational.denominator)
-        return Printed(str(self.rational), self.rational.numerator, unit, printed.form)
+        units = self.in_units(printed)
+        assert units is not None
+        return printed.with_units(units)
 
     def equals(self, value: Fraction) -> bool:
         """Return whether it is this number itself."""

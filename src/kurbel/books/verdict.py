@@ -6,10 +6,10 @@ set them so, no value tells.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
-from kurbel.books.printed_value import Printed
+from kurbel.books.printed_value import Printed, Units
 
 RIGHT, LAST_PLACE, ON_THE_WAY, OTHER_FORMULA = "right", "last_place", "rounded_on_the_way", "other_formula"
 SIGN, DIGIT, EXCHANGED, CARRIED, UNEXPLAINED = "sign", "digit", "exchanged", "carried_over", "unexplained"
@@ -42,60 +42,38 @@ class Verdict(NamedTuple):
 class Evidence(NamedTuple):
     """What is known of a printed value: recomputed in its unit, the same by other methods, and in what cells.
 
-    `on_the_way` is the value from the intermediates as printed, None without any; `slips` are those of them
-    that are not right themselves.
+    `right` is None for what no quotient is, where one is printed. `on_the_way` is the value from the
+    intermediates as printed, None without any; `slips` are those of them that are not right themselves.
     """
 
     printed: Printed
-    right: int
-    others: Mapping[str, Callable[[], int | None]]
-    on_the_way: int | None = None
+    right: Units | None
+    others: Mapping[str, Callable[[], Units | None]]
+    on_the_way: Units | None = None
     slips: tuple[str, ...] = ()
 
 
 def verdict(evidence: Evidence) -> Verdict:
-    """Return the first verdict that the evidence bears out."""
+    """Return the first verdict that the evidence bears out; a quotient has no last place."""
     printed, right = evidence.printed, evidence.right
     if printed.scaled == right:
         return Verdict(RIGHT)
     reproduced = evidence.on_the_way is not None and evidence.on_the_way == printed.scaled
-    if abs(printed.scaled - right) == 1:
+    if right is not None and not printed.exact and abs(printed.scaled - right) == 1:
         return Verdict(LAST_PLACE, FOLLOWS if reproduced and not evidence.slips else "")
     if reproduced and not evidence.slips:
         return Verdict(ON_THE_WAY)
     for method, value in evidence.others.items():
         if value() == printed.scaled:
             return Verdict(OTHER_FORMULA, method)
-    if printed.scaled == -right:
-        return Verdict(SIGN)
-    if digit := _one_digit(printed.text, printed.standing_for(right)):
-        return Verdict(DIGIT, digit)
-    if _exchanged(printed.text, printed.standing_for(right)):
-        return Verdict(EXCHANGED)
-    if reproduced:
-        return Verdict(CARRIED, ", ".join(evidence.slips))
-    return Verdict(UNEXPLAINED)
-
-
-def quotient_verdict(
-    printed: str, right: str, opposite: bool, methods: Sequence[str], reproduced: bool, slips: tuple[str, ...]
-) -> Verdict:
-    """Return the verdict on a quotient that is not right; `right` is empty where no quotient is.
-
-    `opposite` is whether its negative is right, `methods` are those that give it, `reproduced` tells that
-    the printed intermediates do.
-    """
-    if reproduced and not slips:
-        return Verdict(ON_THE_WAY)
-    if methods:
-        return Verdict(OTHER_FORMULA, methods[0])
-    if opposite:
-        return Verdict(SIGN)
-    if right and (digit := _one_digit(printed, right)):
-        return Verdict(DIGIT, digit)
-    if right and _exchanged(printed, right):
-        return Verdict(EXCHANGED)
-    return Verdict(CARRIED, ", ".join(slips)) if reproduced else Verdict(UNEXPLAINED)
+    if right is not None:
+        if printed.scaled == -right:
+            return Verdict(SIGN)
+        if digit := _one_digit(printed.text, printed.standing_for(right)):
+            return Verdict(DIGIT, digit)
+        if _exchanged(printed.text, printed.standing_for(right)):
+            return Verdict(EXCHANGED)
+    return Verdict(CARRIED, ", ".join(evidence.slips)) if reproduced else Verdict(UNEXPLAINED)
 
 
 def _one_digit(printed: str, right: str) -> str:
