@@ -11,7 +11,6 @@ the book has; a cell that it has not is there for others.
 
 from __future__ import annotations
 
-import csv
 import re
 import tomllib
 from collections.abc import Iterator, Mapping, Sequence
@@ -21,8 +20,9 @@ from typing import Any, NamedTuple
 
 from kurbel.books.expression import Expression
 from kurbel.books.printed_value import Printed, printed_value
-from kurbel.errors import KurbelError, NotationError, SourceError
-from kurbel.reading.csv_lines import Kind, place, said_lines, shown
+from kurbel.errors import NotationError, SourceError
+from kurbel.reading.csv_columns import NONE, Head, read_rows, whole_head
+from kurbel.reading.csv_lines import Kind, place, shown
 
 KIND = Kind("source", "cell", SourceError)
 AXES = ("ratio", "phi", "epsilon", "stroke", "arm")
@@ -157,20 +157,11 @@ def _at(file: Path, cell: SourceCell) -> str:
 
 
 def _cells(file: Path, method: str) -> Iterator[SourceCell]:
-    name, head = shown(file), None
-    for line_number, line in said_lines(file, KIND):
-        try:
-            row = next(csv.reader([line], delimiter=";"))
-            if head is None:
-                head = _head(row)
-                continue
-            if len(row) != len(head):
-                raise NotationError(f"the row has {len(row)} fields where the head has {len(head)}")
-            yield _cell(dict(zip(head, row, strict=True)), method, line_number)
-        except KurbelError as error:
-            raise SourceError(f"{place(name, line_number)}: {error}") from None
-    if head is None:
-        raise SourceError(f"{name} is empty; it starts with its heads, {';'.join(COLUMNS)}")
+    def cell_of(texts: list[str], head: Head, line: int) -> SourceCell:
+        names = [column.name for column in head.columns]
+        return _cell(dict(zip(names, texts, strict=True)), method, line)
+
+    return read_rows(file, KIND, _head, cell_of, f"it starts with its heads, {';'.join(COLUMNS)}", NONE)
 
 
 def _check_circles(file: Path, cells: Sequence[SourceCell]) -> None:
@@ -192,8 +183,9 @@ def _check_circles(file: Path, cells: Sequence[SourceCell]) -> None:
             )
 
 
-def _head(row: Sequence[str]) -> list[str]:
-    names = [field.strip() for field in row]
+def _head(line: str) -> Head:
+    head = whole_head(line, ";")
+    names = [column.name for column in head.columns]
     if len({*names}) != len(names):
         raise NotationError("a column stands there twice")
     for name in names:
@@ -202,7 +194,7 @@ def _head(row: Sequence[str]) -> list[str]:
     for needed in NEEDED:
         if needed not in names:
             raise NotationError(f"there is no column {needed}, which every source has")
-    return names
+    return head
 
 
 def _cell(row: Mapping[str, str], method: str, line: int) -> SourceCell:

@@ -23,14 +23,14 @@ from kurbel.books.printed_value import Printed, printed_value
 from kurbel.books.source import SourceCell
 from kurbel.books.truth import methods_of
 from kurbel.drive.crank import Crank
-from kurbel.errors import KurbelError, NotationError, ProblemError, SourceError
+from kurbel.errors import ChoiceError, KurbelError, NotationError, ProblemError, SourceError
 from kurbel.motion.digits import columns_in_balls, columns_in_floats, is_long
 from kurbel.motion.evaluation import METHODS, is_known
 from kurbel.motion.quantities import registry
 from kurbel.page.quantity import bare
 from kurbel.reading.choices import choose
-from kurbel.reading.csv_columns import decimal_marks, read_row, whole_head
-from kurbel.reading.csv_lines import Kind, place, said_lines, shown
+from kurbel.reading.csv_columns import Head, read_rows, whole_head
+from kurbel.reading.csv_lines import Kind, place, shown
 from kurbel.reading.notation import angle, number, ratio, ratio_text
 
 _METHODS = (*METHODS, "weisbach", "approximate")
@@ -187,38 +187,41 @@ def _rights(column: _Column, points: Sequence[_Point], method: str) -> dict[int,
     return found
 
 
+class _Read:
+    """The file as it is read: its axis and its columns, each with its points."""
+
+    def __init__(self, quantity: str | None, crank_ratio: Fraction | None) -> None:
+        self.quantity = quantity
+        self.crank_ratio = crank_ratio
+        self.points: list[list[_Point]] = []
+        self.seen: dict[Fraction, int] = {}
+
+    def head(self, line: str) -> Head:
+        head = whole_head(line)
+        names = [column.name for column in head.columns]
+        self.axis = _axis(names[0])
+        self.columns = _columns(self.axis, names, self.quantity, self.crank_ratio)
+        self.points = [[] for _ in self.columns]
+        return head
+
+    def row(self, texts: list[str], head: Head, line: int) -> None:
+        first, *others = texts
+        at = self.axis.read(first)
+        if at in self.seen:
+            raise NotationError(f"the {self.axis.name} {first} stands in line {self.seen[at]} already")
+        self.seen[at] = line
+        for values, text in zip(self.points, others, strict=True):
+            if text:
+                values.append(_Point(line, at, first, printed_value(text)))
+
+
 def _read(
     path: str | os.PathLike[str], quantity: str | None, crank_ratio: Fraction | None
 ) -> tuple[_Axis, list[_Column], list[list[_Point]]]:
-    axis = _AXES[0]
-    name, head, columns, marks = shown(path), None, [], ""
-    points: list[list[_Point]] = []
-    seen: dict[Fraction, int] = {}
-    for line_number, line in said_lines(path, KIND):
-        try:
-            if head is None:
-                head = whole_head(line)
-                names = [column.name for column in head.columns]
-                axis = _axis(names[0])
-                columns = _columns(axis, names, quantity, crank_ratio)
-                points = [[] for _ in columns]
-                continue
-            first, *texts = read_row(line, head)
-            marks = decimal_marks(texts, marks)
-            at = axis.read(first)
-            if at in seen:
-                raise NotationError(f"the {axis.name} {first} stands in line {seen[at]} already")
-            seen[at] = line_number
-            for values, text in zip(points, texts, strict=True):
-                if text:
-                    values.append(_Point(line_number, at, first, printed_value(text)))
-        except ProblemError:
-            raise
-        except KurbelError as error:
-            raise SourceError(f"{place(name, line_number)}: {error}") from None
-    if head is None:
-        raise SourceError(f"{name} is empty; it starts with its heads, phi and a ratio or a quantity")
-    return axis, columns, points
+    read, starts = _Read(quantity, crank_ratio), "it starts with its heads, phi and a ratio or a quantity"
+    for _ in read_rows(path, KIND, read.head, read.row, starts, slice(1, None), ChoiceError):
+        pass
+    return read.axis, read.columns, read.points
 
 
 def known_quantity(key: str) -> str:

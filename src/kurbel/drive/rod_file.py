@@ -21,7 +21,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 
 from kurbel.drive.rod import Rod, Section, check_section, rod_of_sections
@@ -31,12 +31,11 @@ from kurbel.reading.csv_columns import (
     Head,
     check_once,
     clipped,
-    decimal_marks,
     digits_and_unit,
     read_head,
-    read_row,
+    read_rows,
 )
-from kurbel.reading.csv_lines import Kind, place, said_lines, shown
+from kurbel.reading.csv_lines import Kind, place, shown
 from kurbel.reading.notation import number
 
 KIND = Kind("rod", "section", RodError)
@@ -55,8 +54,13 @@ def read_rod(path: str | os.PathLike[str], length: Fraction | None = None) -> Ro
     that is none, with its name and line, and MissingExtraError without pint.
     """
     name = shown(path)
+
+    def row_of(texts: list[str], head: Head, line: int) -> tuple[int, Section, bool]:
+        return line, *_section(texts, head, length)
+
+    starts = "a rod starts with its heads, from, to, mass or position, mass"
     sections, measured = [], set()
-    for line, section, in_kilograms in _read_sections(path, length):
+    for line, section, in_kilograms in read_rows(path, KIND, _head, row_of, starts, refused=ProblemError):
         measured.add(in_kilograms)
         if len(measured) > 1:
             raise RodError(f"{place(name, line)}: some masses have a unit and some have none; give all one")
@@ -67,33 +71,14 @@ def read_rod(path: str | os.PathLike[str], length: Fraction | None = None) -> Ro
         raise RodError(f"{name}: {error}") from None
 
 
-def _read_sections(
-    path: str | os.PathLike[str], length: Fraction | None
-) -> Iterator[tuple[int, Section, bool]]:
-    """Yield the number of each line, its section, and whether its mass is in kg."""
-    name, head, marks = shown(path), None, ""
-    for line_number, line in said_lines(path, KIND):
-        try:
-            if head is None:
-                head = _head(line)
-                continue
-            texts = read_row(line, head)
-            marks = decimal_marks(texts, marks)
-            section, in_kilograms = _section(texts, head, length)
-            check_section(section)
-        except (NotationError, ProblemError) as error:
-            raise RodError(f"{place(name, line_number)}: {error}") from None
-        yield line_number, section, in_kilograms
-    if head is None:
-        raise RodError(f"{name} is empty; a rod starts with its heads, from, to, mass or position, mass")
-
-
 def _section(texts: Sequence[str], head: Head, length: Fraction | None) -> tuple[Section, bool]:
     *places, mass = (
         _value(text, column, head.delimiter) for text, column in zip(texts, head.columns, strict=True)
     )
     ends = [value * _position_unit(unit, length) for value, unit in places]
-    return Section(ends[0], ends[-1], mass[0] * _mass_unit(mass[1])), mass[1] not in _SHARES
+    section = Section(ends[0], ends[-1], mass[0] * _mass_unit(mass[1]))
+    check_section(section)
+    return section, mass[1] not in _SHARES
 
 
 def _value(text: str, column: Column, delimiter: str) -> tuple[Fraction, str]:
@@ -131,17 +116,11 @@ def _mass_unit(unit: str) -> Fraction:
 
 
 def _factor(unit: str, base: str, dimension: str) -> Fraction | None:
-    """Return the unit in the base unit, None if pint does not know it or it is of another dimension."""
     if not _UNIT.fullmatch(unit):
         return None
-    from kurbel.reading.units import registry
+    from kurbel.reading.units import unit_in
 
-    try:
-        quantity = registry().Quantity(Fraction(1), unit)
-    except (AttributeError, ValueError, TypeError, AssertionError):
-        # pint answers an unknown unit with an AttributeError of its own.
-        return None
-    return Fraction(quantity.to(base).magnitude) if quantity.check(dimension) else None
+    return unit_in(unit, base, dimension)
 
 
 def _head(line: str) -> Head:

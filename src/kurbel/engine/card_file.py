@@ -23,7 +23,7 @@ from __future__ import annotations
 import math
 import os
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -35,13 +35,12 @@ from kurbel.reading.csv_columns import (
     Head,
     check_once,
     clipped,
-    decimal_marks,
     digits_and_unit,
     name_and_unit,
     read_head,
-    read_row,
+    read_rows,
 )
-from kurbel.reading.csv_lines import Kind, place, said_lines, shown
+from kurbel.reading.csv_lines import Kind, shown
 
 KIND = Kind("card", "point", CardError)
 LEAST_POINTS = 8
@@ -69,7 +68,8 @@ def read_card(path: str | os.PathLike[str]) -> Card:
 
     Raises CardError for a file that is none, with its name and line, and MissingExtraError without pint.
     """
-    points = list(_points(path))
+    starts = "a card starts with the heads position, p_forward and p_return"
+    points = list(read_rows(path, KIND, _head, _point, starts))
     name = shown(path)
     if len(points) < LEAST_POINTS:
         raise CardError(f"{name} has {len(points)} points; a card has at least {LEAST_POINTS}")
@@ -78,25 +78,11 @@ def read_card(path: str | os.PathLike[str]) -> Card:
     return Card(positions, forward, back, name, lines, min(steps))
 
 
-def _points(path: str | os.PathLike[str]) -> Iterator[_Point]:
-    name, head, marks = shown(path), None, ""
-    for number, line in said_lines(path, KIND):
-        try:
-            if head is None:
-                head = _head(line)
-                continue
-            texts = read_row(line, head)
-            marks = decimal_marks(texts, marks)
-            position, forward, back = (
-                _value(text, column, head.delimiter) for text, column in zip(texts, head.columns, strict=True)
-            )
-        except NotationError as error:
-            raise CardError(f"{place(name, number)}: {error}") from None
-        pressures = zip(texts[1:], head.columns[1:], strict=True)
-        step = min(_step(text, column, head.delimiter) for text, column in pressures)
-        yield _Point(number, _whole_ends(position), forward, back, step)
-    if head is None:
-        raise CardError(f"{name} is empty; a card starts with the heads position, p_forward and p_return")
+def _point(texts: list[str], head: Head, line: int) -> _Point:
+    fields = [*zip(texts, head.columns, strict=True)]
+    position, forward, back = (_value(text, column, head.delimiter) for text, column in fields)
+    step = min(_step(text, column, head.delimiter) for text, column in fields[1:])
+    return _Point(line, _whole_ends(position), forward, back, step)
 
 
 def _whole_ends(position: float) -> float:
@@ -168,14 +154,10 @@ def pressure_unit(text: str) -> float:
 
 def _pascals(unit: str) -> float | None:
     """Return the unit in Pa, None if pint does not know it or it is no pressure."""
-    from kurbel.reading.units import registry
+    from kurbel.reading.units import unit_in
 
-    units = registry()
-    try:
-        quantity = units.Quantity(1, re.sub(_WORD, _pint_word, unit))
-    except (AttributeError, ValueError, TypeError, AssertionError):
-        return None
-    return float(quantity.to("Pa").magnitude) if quantity.check("[pressure]") else None
+    pascals = unit_in(re.sub(_WORD, _pint_word, unit), "Pa", "[pressure]")
+    return None if pascals is None else float(pascals)
 
 
 def _pint_word(word: re.Match[str]) -> str:

@@ -8,17 +8,22 @@ is read where commas do not part. Columns are in any order, those of other names
 from __future__ import annotations
 
 import csv
+import os
 import re
-from collections.abc import Collection, Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Collection, Iterator, Sequence
+from typing import NamedTuple, TypeVar
 
-from kurbel.errors import NotationError
+from kurbel.errors import KurbelError, NotationError
+from kurbel.reading.csv_lines import Kind, place, said_lines, shown
+
+Row = TypeVar("Row")
 
 _HEAD = re.compile(
     r"(?P<name>\w+)\s*(?:\[(?P<square>[^\]]*)\]|/?\s*\((?P<round>[^)]*)\)|(?:/|\bin\b)?(?P<bare>.*))"
 )
 _VALUE = re.compile(r"([+−-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d{1,3})?)\s*([A-Za-zµ%].*)?", re.ASCII)
 _DELIMITERS = ";\t,"
+ALL, NONE = slice(None), slice(0)
 
 
 class Column(NamedTuple):
@@ -37,6 +42,36 @@ class Head(NamedTuple):
     width: int
 
 
+def read_rows(
+    path: str | os.PathLike[str],
+    kind: Kind,
+    head_of: Callable[[str], Head],
+    row_of: Callable[[list[str], Head, int], Row],
+    starts: str,
+    numbers: slice = ALL,
+    refused: type[KurbelError] = NotationError,
+) -> Iterator[Row]:
+    """Yield what `row_of` makes of the texts in the head's columns, of each row with the number of its line.
+
+    `numbers` are the columns in which a decimal mark is one. NotationErrors and what else is `refused` become
+    errors of the kind, with the file's name and line; so does a file without a head, which `starts` names.
+    """
+    name, head, marks = shown(path), None, ""
+    for line_number, line in said_lines(path, kind):
+        try:
+            if head is None:
+                head = head_of(line)
+                continue
+            texts = read_row(line, head)
+            marks = decimal_marks(texts[numbers], marks)
+            row = row_of(texts, head, line_number)
+        except (NotationError, refused) as error:
+            raise kind.error(f"{place(name, line_number)}: {error}") from None
+        yield row
+    if head is None:
+        raise kind.error(f"{name} is empty; {starts}")
+
+
 def read_head(line: str, names: Sequence[str]) -> tuple[Head, list[str]]:
     """Return those columns of a line of heads that have one of the names, and all its heads as they stand.
 
@@ -51,10 +86,9 @@ def read_head(line: str, names: Sequence[str]) -> tuple[Head, list[str]]:
     return Head(tuple(columns), delimiter, len(fields)), [field.strip() for field in fields]
 
 
-def whole_head(line: str) -> Head:
+def whole_head(line: str, delimiters: str = _DELIMITERS) -> Head:
     """Return all columns of a line of heads, by their heads as they stand."""
-    split = {delimiter: _fields(line, delimiter, strict=False) for delimiter in _DELIMITERS}
-    delimiter = max(split, key=lambda one: len(split[one]))
+    delimiter = max(delimiters, key=lambda one: len(_fields(line, one, strict=False)))
     fields = [field.strip() for field in _fields(line, delimiter)]
     columns = tuple(Column(field, index, "") for index, field in enumerate(fields))
     return Head(columns, delimiter, len(fields))

@@ -20,6 +20,8 @@ _MEASURE = re.compile(
     r"(/?\s*[A-Za-zµ_]+(?:\s*[/*·]\s*[A-Za-zµ]+)*|1\s*/\s*[A-Za-z]+)?\s*"
 )
 _LONGEST = 80
+# With which pint answers what is no unit; an unknown one with an AttributeError of its own.
+PINT_ERRORS = (AttributeError, ValueError, TypeError, AssertionError)
 _LARGEST = 10**9
 # Umdrehungen and Pferdestärken, as German data sheets write them; pint's U is the unit of enzymes, and its
 # PS are petasiemens.
@@ -109,8 +111,7 @@ def _quantity(text: str, what: str, example: str, dimension: str) -> Any:
         raise NotationError(f'{what} "{text[:40]}" has no unit; write {example}')
     try:
         quantity = registry().Quantity(number(digits, what), "1" + unit if unit.startswith("/") else unit)
-    except (AttributeError, ValueError, TypeError, AssertionError):
-        # pint answers an unknown unit with an AttributeError of its own.
+    except PINT_ERRORS:
         raise NotationError(f'{what} "{text[:40]}" has the unknown unit {unit}; write {example}') from None
     if not quantity.check(dimension):
         raise NotationError(f'{what} "{text[:40]}" is in {_name(quantity, unit)}; it must be {example}')
@@ -142,6 +143,15 @@ def _checked(value: Fraction, text: str, what: str, unit: str, most: int = _LARG
             f'{what} "{text[:40]}" is out of range; it must be above 0 and at most 10^{power} {unit}'
         )
     return value
+
+
+def unit_in(unit: str, base: str, dimension: str) -> Fraction | None:
+    """Return the unit in the base unit, None if pint does not know it or it is of another dimension."""
+    try:
+        quantity = registry().Quantity(Fraction(1), unit)
+    except PINT_ERRORS:
+        return None
+    return Fraction(quantity.to(base).magnitude) if quantity.check(dimension) else None
 
 
 @cache
