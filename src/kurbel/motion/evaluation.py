@@ -139,7 +139,9 @@ def kernel_of(quantity: Quantity, method: str, crank: Crank) -> Callable[[At], A
         return lambda at: exact(at) - series(at)
     if method not in formulas:
         raise ProblemError(f'method "{method}" has no formula for {quantity.key}; use exact')
-    return formulas[OFFSET if crank.offset and OFFSET in formulas else method].kernel
+    if crank.offset and OFFSET not in formulas:
+        raise ProblemError(f"{quantity.key} has no formula for an offset crank; leave the offset out")
+    return formulas[OFFSET if crank.offset else method].kernel
 
 
 def certified(

@@ -11,7 +11,7 @@ from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Label
 from kurbel.kernel import rod
 from kurbel.kernel.rod import Masses
-from kurbel.motion.evaluation import At, Numbers, pin_acceleration
+from kurbel.motion.evaluation import OFFSET, At, Numbers, pin_acceleration
 from kurbel.motion.quantities import Scale
 from kurbel.page.quantity import Formula, Quantity, Words, words
 
@@ -179,7 +179,7 @@ def _entry(
         unit=words(unit),
         decimals=decimals,
         # The exact formulas hold for the infinite rod too.
-        formulas={"exact": Formula(kernel), "infinite": Formula(kernel)},
+        formulas=dict.fromkeys(("exact", "infinite", OFFSET), Formula(kernel)),
         # One force by several models stands under its letter.
         spanners=(force.name, words(heading)),
         part=ROD_MODELS[model],
@@ -204,7 +204,7 @@ def _part(key: str, letter: str, name: Words) -> Quantity:
         symbol=f"${letter}$",
         unit=words("R ω²"),
         decimals=4,
-        formulas={"exact": Formula(kernel), "infinite": Formula(kernel)},
+        formulas=dict.fromkeys(("exact", "infinite", OFFSET), Formula(kernel)),
         heading=ROD_MODELS["exact"],
         spanners=(name, heading),
         part=ROD_MODELS["exact"],

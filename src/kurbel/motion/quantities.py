@@ -94,6 +94,7 @@ ROD_ANGLE: Formulas = {
     "exact": Formula(_rod_angle),
     "series": Formula(_rod_angle, "$sin ψ = {ψ}λ sin {angle}$"),
     "infinite": Formula(_rod_angle, "$ψ = 0$"),
+    OFFSET: Formula(_rod_angle),
     TANGENT: Formula(lambda slant: slant, "arctan(R/L)"),
 }
 
