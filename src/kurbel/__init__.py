@@ -1,14 +1,20 @@
 """Certified tables of the crank drive, as a library.
 
-These functions give what the command line gives. They are imported when they are first used, so that
-`import kurbel` loads neither click nor Jinja nor NumPy. Pages and certified digits are for one thread at a
-time, for the precision of ball arithmetic is the process's; `compute` and `delta` run in any.
+One function a subject, in the words of the command line: values are text as there, or numbers in units of
+the SI, degrees, or turns a second. They return a `Table`, which prints itself, or a `Drawing`;
+`table.question(...)` and its like return what would be computed. All is imported when it is first used, so
+that `import kurbel` loads neither click nor Jinja nor NumPy. Pages and certified digits are for one thread at
+a time, for the precision of ball arithmetic is the process's; `compute` and `delta` run in any.
 
 >>> import kurbel
 >>> kurbel.certified("x", "1:5", 60, digits=30)
 Decimal('0.575571099101947639126894292541')
 >>> kurbel.certified("x", "1:5", 60, digits=2, method="series")
 Decimal('0.58')
+>>> print(kurbel.table("1:5", angle="0;90", columns="phi,x").typeset("csv"), end="")
+phi,x
+0,0.0000
+90,1.1010
 """
 
 from __future__ import annotations
@@ -18,62 +24,73 @@ from typing import TYPE_CHECKING
 from kurbel.errors import KurbelError
 
 if TYPE_CHECKING:
-    from kurbel.commands.balance import make_balance_table, make_harmonics_table
-    from kurbel.commands.collate import make_collation_table
-    from kurbel.commands.engine import make_dead_centres_table, make_engine_table
-    from kurbel.commands.example import make_example_table
-    from kurbel.commands.linkage import make_arc_table, make_parallel_table
-    from kurbel.commands.motion import certified, compute, make_table, typeset
-    from kurbel.commands.rod import make_inertia_table, make_tangent_table
-    from kurbel.commands.solve import make_solve_table
+    from kurbel.commands.balance import balance_table, harmonics_table
+    from kurbel.commands.books import collation_table, example_table
+    from kurbel.commands.engine import dead_centres_table, delta_table, flywheel_table, turning_table
+    from kurbel.commands.engine_plots import plot_engine_forces, plot_engine_polar, plot_turning
+    from kurbel.commands.forces import forces_table, inertia_table
+    from kurbel.commands.motion import table
+    from kurbel.commands.numbers import certified, compute, typeset
+    from kurbel.commands.plots import plot_forces, plot_mechanism, plot_motion, plot_polar
+    from kurbel.commands.shown import Drawing, Table
+    from kurbel.commands.solve import solve_table
     from kurbel.engine.irregularity import delta
     from kurbel.formats.pdf.by_typst import typeset_pdf
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 __all__ = [
+    "Drawing",
     "KurbelError",
+    "Table",
     "__version__",
+    "balance_table",
     "certified",
+    "collation_table",
     "compute",
+    "dead_centres_table",
     "delta",
-    "make_arc_table",
-    "make_balance_table",
-    "make_collation_table",
-    "make_dead_centres_table",
-    "make_engine_table",
-    "make_example_table",
-    "make_harmonics_table",
-    "make_inertia_table",
-    "make_parallel_table",
-    "make_solve_table",
-    "make_table",
-    "make_tangent_table",
+    "delta_table",
+    "example_table",
+    "flywheel_table",
+    "forces_table",
+    "harmonics_table",
+    "inertia_table",
+    "plot_engine_forces",
+    "plot_engine_polar",
+    "plot_forces",
+    "plot_mechanism",
+    "plot_motion",
+    "plot_polar",
+    "plot_turning",
+    "solve_table",
+    "table",
+    "turning_table",
     "typeset",
     "typeset_pdf",
 ]
 _MODULES = {
-    "delta": "kurbel.engine.irregularity",
-    "make_balance_table": "kurbel.commands.balance",
-    "make_collation_table": "kurbel.commands.collate",
-    "make_dead_centres_table": "kurbel.commands.engine",
-    "make_engine_table": "kurbel.commands.engine",
-    "make_example_table": "kurbel.commands.example",
-    "make_harmonics_table": "kurbel.commands.balance",
-    "make_arc_table": "kurbel.commands.linkage",
-    "make_parallel_table": "kurbel.commands.linkage",
-    "make_inertia_table": "kurbel.commands.rod",
-    "make_tangent_table": "kurbel.commands.rod",
-    "make_solve_table": "kurbel.commands.solve",
-    "typeset_pdf": "kurbel.formats.pdf.by_typst",
+    "kurbel.commands.balance": ("balance_table", "harmonics_table"),
+    "kurbel.commands.books": ("collation_table", "example_table"),
+    "kurbel.commands.engine": ("dead_centres_table", "delta_table", "flywheel_table", "turning_table"),
+    "kurbel.commands.engine_plots": ("plot_engine_forces", "plot_engine_polar", "plot_turning"),
+    "kurbel.commands.forces": ("forces_table", "inertia_table"),
+    "kurbel.commands.motion": ("table",),
+    "kurbel.commands.numbers": ("certified", "compute", "typeset"),
+    "kurbel.commands.plots": ("plot_forces", "plot_mechanism", "plot_motion", "plot_polar"),
+    "kurbel.commands.shown": ("Drawing", "Table"),
+    "kurbel.commands.solve": ("solve_table",),
+    "kurbel.engine.irregularity": ("delta",),
+    "kurbel.formats.pdf.by_typst": ("typeset_pdf",),
 }
 
 
 def __getattr__(name: str) -> object:
-    if name not in __all__:
-        raise AttributeError(f"module 'kurbel' has no attribute {name!r}")
-    from importlib import import_module
+    for module, names in _MODULES.items():
+        if name in names:
+            from importlib import import_module
 
-    return getattr(import_module(_MODULES.get(name, "kurbel.commands.motion")), name)
+            return getattr(import_module(module), name)
+    raise AttributeError(f"module 'kurbel' has no attribute {name!r}")
 
 
 def __dir__() -> list[str]:

@@ -61,7 +61,7 @@ def test_harmonics_are_those_of_the_motion(key: str) -> None:
 
 @pytest.mark.parametrize("lang", LANGUAGES)
 def test_every_harmonic_stands_under_its_order_and_ratio(lang: str) -> None:
-    page = kurbel.make_harmonics_table(["1:4", "1:5"], quantity="c", orders=4, lang=lang)
+    page = kurbel.harmonics_table(["1:4", "1:5"], quantity="c", orders=4, lang=lang)
     assert cells(page) == {
         ("", shown(order), "$C_k$, $R:L$", ratio): shown(value) for order, ratio, value in page.records.rows
     }
@@ -73,7 +73,7 @@ def notes(page: Table) -> str:
 
 def test_the_series_are_those_of_the_textbooks() -> None:
     # B_2 = λ + λ³/4 + 15 λ⁵/128, B_4 = -(λ³/4 + 3 λ⁵/16), B_6 = 9 λ⁵/128 in all of them.
-    text = notes(kurbel.make_harmonics_table())
+    text = notes(kurbel.harmonics_table())
     assert "B₁ = 1; B₂ = λ + λ³/4 + 15 λ⁵/128 + …; B₄ = − λ³/4 − 3 λ⁵/16 − " in text
     assert "B₆ = 9 λ⁵/128 + " in text
     assert "p R/v² = B₁ cos φ + B₂ cos 2 φ + B₄ cos 4 φ + …" in text
@@ -83,18 +83,18 @@ def test_the_series_are_those_of_the_textbooks() -> None:
         "c": "C₁ = 1; C₂ = λ/2",
         "p": "B₁ = 1; B₂ = λ",
     }.items():
-        assert notes(kurbel.make_harmonics_table(quantity=key, method="series")).endswith(
+        assert notes(kurbel.harmonics_table(quantity=key, method="series")).endswith(
             f"Mit λ = R/L: {formulas}\nUngerade Ordnungen über 1 sind 0"
         )
-    assert "…" not in notes(kurbel.make_harmonics_table(method="series"))
+    assert "…" not in notes(kurbel.harmonics_table(method="series"))
 
 
 def test_what_is_zero_by_proof_has_no_decimals() -> None:
-    assert values(kurbel.make_harmonics_table("1:4", method="series")) == ["1.000000", "0.250000", "0", "0"]
-    assert values(kurbel.make_harmonics_table("1:∞")) == ["1.000000", "0", "0", "0"]
-    single = kurbel.make_balance_table("inline-1", "1:∞", columns="greatest")
+    assert values(kurbel.harmonics_table("1:4", method="series")) == ["1.000000", "0.250000", "0", "0"]
+    assert values(kurbel.harmonics_table("1:∞")) == ["1.000000", "0", "0", "0"]
+    single = kurbel.balance_table("inline-1", ratio="1:∞", columns="greatest")
     assert values(single) == ["1.0000", "0", "0", "0"]
-    tiny = values(kurbel.make_harmonics_table("1:100"))
+    tiny = values(kurbel.harmonics_table("1:100"))
     assert tiny == ["1.000000", "0.010000", "0.000000", "0.000000"]
 
 
@@ -102,9 +102,9 @@ def values(page: Table, column: int = -1) -> list[str]:
     return [shown(row[column]) for row in page.records.rows]
 
 
-@pytest.mark.parametrize("make", [kurbel.make_harmonics_table, kurbel.make_balance_table])
+@pytest.mark.parametrize("make", [kurbel.harmonics_table, kurbel.balance_table])
 def test_an_infinite_rod_has_no_ratios(make: Any) -> None:
-    page = make(ratios=["1:4", "1:5"], method="infinite")
+    page = make(ratio=["1:4", "1:5"], method="infinite")
     assert {row[0] for row in page.records.rows} | {row[1] for row in page.records.rows} >= {"$1:∞$"}
     assert page.caption.endswith(METHODS["infinite"].caption["de"])
     assert "λ" not in notes(page)
@@ -162,12 +162,12 @@ def test_an_engine_of_ones_own_has_the_forces_of_its_pistons() -> None:
     ],
 )
 def test_engines_have_the_forces_and_moments_of_the_tables(engine: str, expected: list[str]) -> None:
-    page = kurbel.make_balance_table(engine, "1:4", method="series", digits=3, columns="greatest")
+    page = kurbel.balance_table(engine, ratio="1:4", method="series", digits=3, columns="greatest")
     assert values(page) == expected
 
 
 def test_four_in_line_keep_four_times_the_second_harmonic() -> None:
-    page = kurbel.make_balance_table("inline-4", "1:5", orders=6, digits=12, columns="factor,along")
+    page = kurbel.balance_table("inline-4", ratio="1:5", orders=6, digits=12, columns="factor,along")
     for row in list(page.records.rows)[1:4]:
         factor, along = (Decimal(cell.scaled) for cell in row if isinstance(cell, Number))
         assert abs(4 * abs(factor) - along) <= 2
@@ -175,29 +175,29 @@ def test_four_in_line_keep_four_times_the_second_harmonic() -> None:
 
 
 def test_a_counterweight_halves_the_force_of_one_cylinder_and_turns_the_rest_across() -> None:
-    page = kurbel.make_balance_table("inline-1", share="50%", columns="order,along,across")
+    page = kurbel.balance_table("inline-1", share="50%", columns="order,along,across")
     assert [tuple(map(shown, row)) for row in page.records.rows][:2] == [
         ("1", "0.5000", "0.5000"),
         ("2", "0.2020", "0"),
     ]
     assert "von jeder Masse m den Teil 0.5 aus" in notes(page)
-    assert "Gegengewichte" not in notes(kurbel.make_balance_table("inline-1"))
+    assert "Gegengewichte" not in notes(kurbel.balance_table("inline-1"))
     # Two rods on a pin of a V of 90° bring two halves: the first order is balanced.
-    assert values(kurbel.make_balance_table("v2-90", share=Fraction(1, 2), columns="greatest"))[0] == ZERO
+    assert values(kurbel.balance_table("v2-90", share=Fraction(1, 2), columns="greatest"))[0] == ZERO
 
 
 def test_a_named_engine_is_that_of_its_cranks() -> None:
-    own = kurbel.make_balance_table(cranks=[0, 180, 180, 0], banks="0;180;0;180", positions=[7, 8, 9, 10])
-    assert list(own.records.rows) == list(kurbel.make_balance_table("boxer-4").records.rows)
-    even = kurbel.make_balance_table(cranks="0;240;120")
-    assert list(even.records.rows) == list(kurbel.make_balance_table("inline-3").records.rows)
+    own = kurbel.balance_table(cranks=[0, 180, 180, 0], banks="0;180;0;180", positions=[7, 8, 9, 10])
+    assert list(own.records.rows) == list(kurbel.balance_table("boxer-4").records.rows)
+    even = kurbel.balance_table(cranks="0;240;120")
+    assert list(even.records.rows) == list(kurbel.balance_table("inline-3").records.rows)
     assert "3 Zylinder" in even.caption
     assert "Kurbeln: 0°; 240°; 120°\nLagen in a: −1; 0; 1" in notes(even)
 
 
 def test_moments_are_about_the_middle_wherever_positions_count_from() -> None:
     for positions in ("0;0;1;1", "-8;-8;-7;-7"):
-        page = kurbel.make_balance_table(cranks="0;0;90;90", positions=positions, banks="-45;45;-45;45")
+        page = kurbel.balance_table(cranks="0;0;90;90", positions=positions, banks="-45;45;-45;45")
         # Each pair pushes with 1, the pairs square to each other and ½ from the middle.
         assert values(page, -2) == ["1.4142", ZERO, "0.7071", "0.2857"]
 
@@ -205,14 +205,14 @@ def test_moments_are_about_the_middle_wherever_positions_count_from() -> None:
 @pytest.mark.parametrize("lang", LANGUAGES)
 @pytest.mark.parametrize("engine", list(usual()))
 def test_every_engine_has_a_name_and_a_page(engine: str, lang: str) -> None:
-    page = kurbel.make_balance_table(engine, ["1:4", "1:5"], lang=lang)
+    page = kurbel.balance_table(engine, ratio=["1:4", "1:5"], lang=lang)
     assert ENGINES[engine][LANGUAGES.index(lang)] in page.caption
     assert len(cells(page)) == 2 * 2 * 2 * 5
     assert "{" not in notes(page) + page.caption
 
 
 def test_cells_of_a_page_are_its_records() -> None:
-    page = kurbel.make_balance_table("v6-90", ["1:4", "1:5"], orders=4, columns=list(balance_registry()))
+    page = kurbel.balance_table("v6-90", ratio=["1:4", "1:5"], orders=4, columns=list(balance_registry()))
     heads = {
         key: tuple(one["de"] for one in (*column.spanners, column.heading))
         for key, column in balance_registry().items()
@@ -304,21 +304,21 @@ def test_harmonics_that_are_not_known_are_refused() -> None:
     assert refusal("harmonics", "--method=blau").startswith('there is no method "blau"; choose from exact')
     for orders in (0, 101, 2.5, "two"):
         said = f"^orders up to {orders} were asked for; the last must be a whole number from 1 to 100$"
-        for make in (kurbel.make_harmonics_table, kurbel.make_balance_table):
+        for make in (kurbel.harmonics_table, kurbel.balance_table):
             with pytest.raises(KurbelError, match=said):
                 make(orders=orders)  # type: ignore[arg-type]
     with pytest.raises(KurbelError, match=r"^no crank ratio was given; write one as --ratio 1:5$"):
-        kurbel.make_harmonics_table([])
+        kurbel.harmonics_table([])
 
 
 @pytest.mark.parametrize("name", BALANCES)
 def test_pages_are_not_made_as_pages_of_something_else(name: str) -> None:
     with pytest.raises(KurbelError, match=f"^layout {name} is about something else; choose from "):
-        kurbel.make_table(layout=name)
+        kurbel.table(layout=name)
     with pytest.raises(
         KurbelError, match=f"^layout {BEAMS[0]} is about something else; choose from balance$"
     ):
-        kurbel.make_balance_table(layout=BEAMS[0])
+        kurbel.balance_table(layout=BEAMS[0])
 
 
 def test_every_column_of_the_balance_is_listed_with_its_command() -> None:

@@ -258,7 +258,7 @@ def test_the_readme_counts_the_verdicts() -> None:
 
 
 def test_deviating_cells_bear_marks_that_the_apparatus_explains() -> None:
-    table = library.make_collation_table("roetscher-112")
+    table = library.collation_table("roetscher-112")
     cells = [cell for panel in table.panels for row in panel.rows() for cell in row.cells]
     marks = [mark for cell in cells for mark in cell.notes]
     assert marks == [chr(ord("a") + number) for number in range(14)]
@@ -383,8 +383,8 @@ def test_a_missing_file_or_quantity_is_answered_with_a_sentence(tmp_path: Path) 
     assert "crank ratio R:L is 2; it must be below 1" in said
     said = refusal("collate", "--csv", written(tmp_path, "phi;x_mm\n0;1\n"), "--ratio=1:4")
     assert "the quantity x_mm has a unit, and no lengths are known; choose one without" in said
-    with pytest.raises(KurbelError, match="either a table of a book"):
-        library.make_collation_table()
+    with pytest.raises(KurbelError, match="name a table, such as roetscher-112, or --csv; kurbel has "):
+        library.collation_table()
 
 
 # Books of one's own ---------------------------------------------------------------------------------------

@@ -261,10 +261,10 @@ def test_a_flag_of_the_environment_is_yes_or_no() -> None:
 
 
 def test_a_traceback_is_left_to_faults_of_ours(monkeypatch: pytest.MonkeyPatch) -> None:
-    def fault(**options: object) -> None:
+    def fault(question: object) -> None:
         raise ZeroDivisionError
 
-    monkeypatch.setattr("kurbel.cli.table.table.callback", fault)
+    monkeypatch.setattr("kurbel.page.build.build", fault)
     with pytest.raises(ZeroDivisionError):
         kurbel("table")
 

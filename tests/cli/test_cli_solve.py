@@ -159,10 +159,12 @@ def test_a_failure_leaves_no_file(tmp_path: Any) -> None:
 
 
 def test_the_library_gives_the_page_of_the_command_line() -> None:
-    table = kurbel.make_solve_table(["p = 0", "s = 25%"], "1:4", rocker=6, pivot=(4, 6), lang="en")
+    table = kurbel.solve_table(
+        ["p = 0", "s = 25%"], ratio="1:4", mechanism="arc", rocker=6, pivot=(4, 6), lang="en"
+    )
     words = ("--where=p=0", "--where=s=25%", "--ratio=1:4", "--mechanism=arc", "--rocker=6", "--pivot=4;6")
     assert kurbel.typeset(table) == printed("solve", *words, "--lang=en").out
-    table = kurbel.make_solve_table("x = 200 mm", "1:5", radius="0.3", speed=2)
+    table = kurbel.solve_table("x = 200 mm", ratio="1:5", stroke=0.6, speed=2)
     assert kurbel.typeset(table, "csv") == printed("solve", *MACHINE, "--where=x = 200 mm", "-f", "csv").out
 
 
@@ -172,11 +174,11 @@ def test_the_library_gives_the_page_of_the_command_line() -> None:
         {"where": []},
         {"where": "p"},
         {"where": [0]},
-        {"where": "p = 0", "ratios": []},
+        {"where": "p = 0", "ratio": []},
         {"where": "p = 0", "method": "fast"},
-        {"where": "p = 0", "rocker": 6, "method": "series"},
-        {"where": "p = 0", "rocker": 6, "radius": 1},
-        {"where": "p = 0", "rocker": 6, "pivot": "5"},
+        {"where": "p = 0", "mechanism": "arc", "rocker": 6, "method": "series"},
+        {"where": "p = 0", "mechanism": "arc", "rocker": 6, "stroke": 1},
+        {"where": "p = 0", "mechanism": "arc", "rocker": 6, "pivot": "5"},
         {"where": "p = 0", "columns": "y"},
         {"where": "p = 2"},
         {"where": "p = 0", "layout": "forces"},
@@ -184,7 +186,7 @@ def test_the_library_gives_the_page_of_the_command_line() -> None:
 )
 def test_wrong_input_from_python_is_refused(choices: dict[str, Any]) -> None:
     with pytest.raises(KurbelError):
-        kurbel.make_solve_table(**choices)
+        kurbel.solve_table(**choices)
 
 
 @pytest.mark.parametrize(

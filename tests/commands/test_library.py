@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 import kurbel
-import kurbel.commands.motion
+import kurbel.commands.numbers
 
 
-@pytest.mark.parametrize(("module", "examples"), [(kurbel, 3), (kurbel.commands.motion, 5)])
+@pytest.mark.parametrize(("module", "examples"), [(kurbel, 4), (kurbel.commands.numbers, 4)])
 def test_the_examples_of_the_docstrings_are_true(module: object, examples: int) -> None:
     result = doctest.testmod(module)  # type: ignore[arg-type]
     assert (result.failed, result.attempted) == (0, examples)
@@ -70,11 +70,11 @@ def test_a_page_of_the_library_is_the_page_of_the_command_line(capfd: pytest.Cap
         pytest.raises(SystemExit),
     ):
         main()
-    assert kurbel.typeset(kurbel.make_table("1:4,5", digits=6)) == capfd.readouterr().out
+    assert kurbel.typeset(kurbel.table("1:4,5", digits=6)) == capfd.readouterr().out
 
 
 def test_text_is_read_as_on_the_command_line() -> None:
-    page = kurbel.make_table("1:5", angles="0..20:10", columns="phi, x", lang="en")
+    page = kurbel.table("1:5", angle="0..20:10", columns="phi, x", lang="en")
     assert [len(panel.groups[0].rows) for panel in page.panels] == [3]
     assert kurbel.compute("0;90", "1:5", "c")["c"].tolist() == [0.0, 1.0]
 
@@ -83,7 +83,7 @@ def test_text_is_read_as_on_the_command_line() -> None:
 def test_decimals_that_cannot_be_printed_are_refused(digits: int) -> None:
     for call in (
         lambda: kurbel.certified("x", "1:5", 90, digits=digits),
-        lambda: kurbel.make_table("1:5", digits=digits),
+        lambda: kurbel.table("1:5", digits=digits),
     ):
         with pytest.raises(
             kurbel.KurbelError, match=f"^digits is {digits}; it must be a whole number from 0 to 50"
@@ -95,7 +95,7 @@ def test_a_misspelt_rounding_is_not_ignored() -> None:
     with pytest.raises(kurbel.KurbelError, match="did you mean half-even"):
         kurbel.certified("x", "1:5", 60, digits=2, rounding="half_even")
     with pytest.raises(kurbel.KurbelError, match="there is no rounding"):
-        kurbel.make_table("1:5", rounding="bogus")
+        kurbel.table("1:5", rounding="bogus")
 
 
 @pytest.mark.parametrize(
@@ -103,9 +103,9 @@ def test_a_misspelt_rounding_is_not_ignored() -> None:
     [
         lambda: kurbel.certified(None, "1:5", 60),  # type: ignore[arg-type]
         lambda: kurbel.certified("x", "1:5", 60, method=None),  # type: ignore[arg-type]
-        lambda: kurbel.make_table("1:5", layout=None),  # type: ignore[arg-type]
-        lambda: kurbel.make_table("1:5", columns=5),  # type: ignore[arg-type]
-        lambda: kurbel.make_table("1:5", angles=[0], label="a b}"),
+        lambda: kurbel.table("1:5", layout=5),  # type: ignore[arg-type]
+        lambda: kurbel.table("1:5", columns=5),  # type: ignore[arg-type]
+        lambda: kurbel.table("1:5", angle=[0], label="a b}"),
         lambda: kurbel.compute([0], "1:5", [None]),  # type: ignore[list-item]
         lambda: kurbel.compute(10**400, "1:5"),
         lambda: kurbel.compute([1 + 2j], "1:5"),
@@ -118,7 +118,7 @@ def test_wrong_kinds_of_arguments_are_answered_with_a_sentence(call: Callable[[]
 
 
 def test_one_angle_and_one_ratio_need_no_list() -> None:
-    page = kurbel.make_table(0.2, angles=90, columns=("phi", "x"))
+    page = kurbel.table(0.2, angle=90, columns=("phi", "x"))
     assert kurbel.typeset(page, "csv") == "phi,x\n90,1.1010\n"
 
 

@@ -293,7 +293,7 @@ def test_the_running_head_is_a_string(viewer: Viewer) -> None:
 
 
 def test_marks_of_neighbouring_rows_can_be_told_apart_by_a_finger(viewer: Viewer) -> None:
-    page = kurbel.make_example_table("weisbach", 150)
+    page = kurbel.example_table("weisbach", 150)
     viewer.open(render(page, "html", standalone=True), TELEPHONE)
     assert viewer.page.locator("td sup a").count() > 4
     assert viewer.violations("target-size") == []

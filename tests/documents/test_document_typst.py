@@ -6,7 +6,7 @@ import csv
 import io
 import re
 import subprocess
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -48,7 +48,7 @@ def made(folder: Path, *standards: Standard) -> bytes:
     return compile_typst(source, root=str(folder), standards=standards)
 
 
-def small(folder: Path, *items: Item, tables: dict[str, Table] | None = None, **changes: Any) -> bytes:
+def small(folder: Path, *items: Item, tables: Mapping[str, Table] | None = None, **changes: Any) -> bytes:
     """Return the PDF of a handbook with one chapter."""
     document = Document("Titel", "de", "comma", (Chapter("Kapitel", "kapitel", 1, items),))
     fragments = {name: render(table, "typst") for name, table in (tables or {}).items()}
@@ -150,7 +150,7 @@ def test_the_handbook_complies_with_the_standards_for_readers_and_archives(folde
 
 
 def test_nasty_words_are_printed_as_they_are(tmp_path: Path) -> None:
-    table = replace(kurbel.make_table("1:5", angles="0..90:30"), key="nasty", caption=NASTY)
+    table = replace(kurbel.table("1:5", angle="0..90:30"), key="nasty", caption=NASTY)
     drawing = '<svg xmlns="http://www.w3.org/2000/svg" width="90" height="60"/>'
     (tmp_path / "figures").mkdir()
     (tmp_path / "figures/f.svg").write_text(drawing, encoding="utf-8")
@@ -186,8 +186,8 @@ def test_the_same_handbook_is_the_same_file_elsewhere(
 
 def test_a_table_too_wide_to_read_stands_on_a_page_turned_on_its_side(tmp_path: Path) -> None:
     ratios = [f"1:{number}" for number in range(2, 14)]
-    wide = kurbel.make_table(ratios, layout="kolbenwege", angles="0..180:30", label="wide")
-    narrow = kurbel.make_table("1:5", angles="0..180:30", label="narrow")
+    wide = kurbel.table(ratios, layout="kolbenwege", angle="0..180:30", label="wide")
+    narrow = kurbel.table("1:5", angle="0..180:30", label="narrow")
     tables = {"narrow": replace(narrow, key="narrow"), "wide": replace(wide, key="wide")}
     text = Item("text", blocks=parse_prose("Siehe [](#wide) und [](#narrow)."))
     pdf = small(tmp_path, text, item("narrow", narrow), item("wide", wide, 2), tables=tables)
@@ -228,7 +228,7 @@ def test_headings_skip_no_level() -> None:
 
 
 def test_texts_and_chapters_have_their_own_language(tmp_path: Path) -> None:
-    weg = replace(kurbel.make_table("1:5", angles="0..180:30"), key="weg")
+    weg = replace(kurbel.table("1:5", angle="0..180:30"), key="weg")
     blocks = parse_prose("See [](#weg) and [](#paths), $R = 0.5$.")
     chapters = (
         Chapter("Wege", "wege", 1, (Item("text", lang="en", blocks=blocks), item("weg", weg))),

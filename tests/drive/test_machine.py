@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import importlib
 import json
 from pathlib import Path
 
-import click
 import pytest
 from cli import printed, refusal
 from places import CARDS
 
 import kurbel
 from kurbel.cli import COMMANDS
+from kurbel.cli.app import command_of
 from kurbel.drive.machine import SECTIONS, read_machine, schema
 from kurbel.errors import MachineError
 
@@ -262,10 +261,8 @@ def test_the_schema_in_the_package_is_that_of_the_reader() -> None:
 
 def test_every_entry_is_an_option_of_some_command() -> None:
     options = set()
-    for name, (module, _) in COMMANDS.items():
-        command = getattr(importlib.import_module(module), name)
-        assert isinstance(command, click.Command)
-        options |= {parameter.name for parameter in command.params}
+    for name in COMMANDS:
+        options |= {parameter.name for parameter in command_of(name).params}
     assert {option for section in SECTIONS.values() for option in section.__struct_fields__} <= options
 
 

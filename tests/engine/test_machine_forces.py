@@ -407,5 +407,5 @@ SCALE: dict[str, Any] = {"speed": 2, "bore": 1, "pressure": 1, "stroke": 1}
 )
 def test_impossible_masses_are_answered_with_a_sentence(choices: dict[str, Any], sentence: str) -> None:
     with pytest.raises(ProblemError) as raised:
-        kurbel.make_engine_table(4, layout="engine-forces", **choices)
+        kurbel.forces_table(eps=4, layout="engine-forces", **choices)
     assert str(raised.value).startswith(sentence)

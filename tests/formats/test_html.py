@@ -40,7 +40,7 @@ def test_every_layout_is_good_in_the_dark(viewer: Viewer, name: str) -> None:
 @each_language
 @each_example
 def test_everybody_can_read_an_example(viewer: Viewer, source: str, number: str, lang: str) -> None:
-    page = document(kurbel.make_example_table(source, number, lang=lang))
+    page = document(kurbel.example_table(source, number, lang=lang))
     assert_readable(viewer, page)
     assert_readable_in_the_dark(viewer, page)
 
@@ -82,7 +82,7 @@ def test_a_fault_is_found(viewer: Viewer, fault: str) -> None:
 
 
 def test_long_formulas_do_not_hide_the_figures_behind_them(viewer: Viewer) -> None:
-    for table in (kurbel.make_example_table("blau", "33"), default_page("roetscher-112")):
+    for table in (kurbel.example_table("blau", "33"), default_page("roetscher-112")):
         page = viewer.open(document(table), TELEPHONE)
         assert viewer.lost() == []
         room = page.evaluate("""() => {

@@ -74,4 +74,4 @@ def test_every_layout_is_read_cell_by_cell(name: str, lang: str) -> None:
 @pytest.mark.parametrize("lang", LANGUAGES)
 @pytest.mark.parametrize(("source", "number"), EXAMPLES)
 def test_every_example_is_read_cell_by_cell(source: str, number: str, lang: str) -> None:
-    assert_read(kurbel.make_example_table(source, number, lang=lang))
+    assert_read(kurbel.example_table(source, number, lang=lang))

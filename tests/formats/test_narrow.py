@@ -5,18 +5,18 @@ from __future__ import annotations
 import pytest
 from pages import MOTION, default_page
 
-from kurbel import make_table
+from kurbel import table
 from kurbel.formats.render import render
 from kurbel.page.folders import layout_names
 from kurbel.page.table import Table
 
-MACHINE = {"radius": 1, "speed": 3}
+MACHINE = {"stroke": 2, "speed": 3}
 
 
-def page(name: str, radius: int | None = None, speed: int | None = None) -> Table:
+def page(name: str, stroke: int | None = None, speed: int | None = None) -> Table:
     if name not in MOTION:
         return default_page(name)
-    return make_table(layout=name, angles="30;90", radius=radius, speed=speed)
+    return table(layout=name, angle="30;90", stroke=stroke, speed=speed)
 
 
 def figures(text: str) -> list[str]:

@@ -72,7 +72,7 @@ def test_page_with_every_part_complies_with_every_standard(standard: Standard) -
 
 
 def test_python_and_the_command_line_make_the_same_file(tmp_path: Path) -> None:
-    page = kurbel.make_table("1:5", angles="0..90:30")
+    page = kurbel.table("1:5", angle="0..90:30")
     assert kurbel.typeset_pdf(page) == in_pipe(tmp_path)
 
 
@@ -123,7 +123,7 @@ def test_without_the_extra_a_sentence_says_what_to_install(
         ),
         (
             lambda: kurbel.typeset_pdf(None),  # type: ignore[arg-type]
-            "a NoneType cannot be set; make a page with make_table",
+            "a NoneType cannot be set; make a page, such as kurbel.table()",
         ),
         (
             lambda: kurbel.typeset_pdf(everything(), standards=["a-9"]),  # type: ignore[list-item]

@@ -14,7 +14,7 @@ from rows import assert_rows_stand_in, text_of_pdf
 from tex import ENGINES, PREAMBLE, compiled, complaints
 from tools import require_library
 
-from kurbel import make_table, typeset_pdf
+from kurbel import table, typeset_pdf
 from kurbel.formats.render import render
 from kurbel.page.folders import LANGUAGES
 from kurbel.page.table import Table
@@ -67,7 +67,7 @@ def in_html(page: Table) -> list[str]:
 @pytest.mark.parametrize("lang", LANGUAGES)
 @pytest.mark.parametrize("form", ["latex", "pdf", "html", "markdown", "text"])
 def test_the_same_digits_stand_in_every_format(form: str, lang: str, tmp_path: Path) -> None:
-    page = make_table(lang=lang)
+    page = table(lang=lang)
     records = list(csv.reader(io.StringIO(render(page, "csv"))))[1:]
     if form in ("latex", "pdf"):
         lines = {"latex": by_latex, "pdf": by_typst}[form](page, tmp_path)

@@ -125,7 +125,7 @@ def test_newtons_are_those_of_mass_radius_and_speed() -> None:
 
 
 def test_centre_counts_from_the_crosshead_so_that_six_tenths_is_the_railway_rule() -> None:
-    table = kurbel.make_inertia_table(centre=0.6, gyration=0.48, angles="25;140")
+    table = kurbel.inertia_table(centre=0.6, gyration=0.48, angle="25;140")
     for row in table.records.rows:
         _, _, guide, two, railway, pin, pin_two, pin_railway = row
         assert (two, pin_two) == (railway, pin_railway)
@@ -136,11 +136,11 @@ def test_centre_counts_from_the_crosshead_so_that_six_tenths_is_the_railway_rule
 
 def test_page_has_columns_in_newtons_if_mass_length_and_speed_are_known() -> None:
     rod: dict[str, Any] = {"centre": 0.6, "gyration": 0.48, "rod_mass": 100}
-    both = kurbel.make_inertia_table(**rod, radius="0.3", speed=2)
+    both = kurbel.inertia_table(**rod, stroke=0.6, speed=2)
     assert [column.spanners[1] for column in both.panels[0].columns] == ["$N$ in N"] * 3 + ["$P$ in N"] * 3
-    for missing in ({"rod_mass": None, "radius": "0.3", "speed": 2}, {"radius": "0.3"}, {}):
-        assert len(kurbel.make_inertia_table(**{**rod, **missing}).panels[0].columns) == 6
-    assert "$N$ in N" not in str(kurbel.make_inertia_table(**rod).panels)
+    for missing in ({"rod_mass": None, "stroke": 0.6, "speed": 2}, {"stroke": 0.6}, {}):
+        assert len(kurbel.inertia_table(**{**rod, **missing}).panels[0].columns) == 6
+    assert "$N$ in N" not in str(kurbel.inertia_table(**rod).panels)
 
 
 @pytest.mark.parametrize("ratio", ["1:5", "1:4;1:3"])
@@ -165,10 +165,10 @@ def test_the_page_says_the_greatest_errors_of_what_it_shows(ratio: str) -> None:
 
 
 def test_caption_speaks_of_the_rod_whatever_force_is_chosen() -> None:
-    own = kurbel.make_inertia_table(centre=0.6, gyration=0.48)
-    chosen = kurbel.make_inertia_table(centre=0.6, gyration=0.48, columns="phi,inertia_pin_x,inertia_torque")
+    own = kurbel.inertia_table(centre=0.6, gyration=0.48)
+    chosen = kurbel.inertia_table(centre=0.6, gyration=0.48, columns="phi,inertia_pin_x,inertia_torque")
     assert chosen.caption == own.caption
-    mixed = kurbel.make_inertia_table(centre=0.6, gyration=0.48, columns="phi,x,inertia_torque")
+    mixed = kurbel.inertia_table(centre=0.6, gyration=0.48, columns="phi,x,inertia_torque")
     assert mixed.caption.startswith("Kolbenweg und Drehmoment")
 
 
@@ -339,7 +339,7 @@ def test_two_masses_are_wrong_by_their_couple_at_right_angles(
 
 
 def test_no_error_is_left_if_k_squared_is_a_b() -> None:
-    table = kurbel.make_inertia_table(
+    table = kurbel.inertia_table(
         centre=Fraction(9, 10), gyration=Fraction(3, 10), layout="inertia-errors",
         columns="force,model,error,error_percent,error_phi",
     )  # fmt: skip
@@ -354,11 +354,11 @@ def test_no_error_is_left_if_k_squared_is_a_b() -> None:
 def test_forces_along_the_slide_are_the_same_for_rod_and_two_masses() -> None:
     rod: dict[str, Any] = {"centre": 0.65, "gyration": 0.35}
     columns = "inertia_pin_x,inertia_pin_x_two_mass"
-    page = kurbel.make_inertia_table("1:3;1:∞", **rod, angles="0..180:7", columns=columns)
+    page = kurbel.inertia_table("1:3;1:∞", **rod, angle="0..180:7", columns=columns)
     rows = list(page.records.rows)
     assert all(one == other for one, other in rows)
     assert len({one for one, _ in rows}) > 20
-    sheet = kurbel.make_inertia_table(**rod, layout="inertia-errors")
+    sheet = kurbel.inertia_table(**rod, layout="inertia-errors")
     (row,) = [row for row in sheet.records.rows if row[1:3] == ("pin_x", "two-mass")]
     assert shown(row[-2]) == "0.00"
 
@@ -389,14 +389,14 @@ def test_an_infinite_rod_has_its_greatest_torque_at_45_degrees() -> None:
 
 def test_nothing_is_divided_by_a_force_that_is_zero() -> None:
     # Of an infinite rod with k² = a b no force is at the guide.
-    table = kurbel.make_inertia_table("1:∞", centre=0.9, gyration=0.3, layout="inertia-errors")
+    table = kurbel.inertia_table("1:∞", centre=0.9, gyration=0.3, layout="inertia-errors")
     rows = {row[1:3]: row[3:] for row in table.records.rows}
     for model in ("exact", "railway"):
         assert list(map(shown, rows["guide", model])) == ["0.0000", "None", "None", "None"]
 
 
 def test_a_mass_that_only_rotates_presses_alike_everywhere() -> None:
-    table = kurbel.make_inertia_table("1:5", centre=1, gyration=0.4, layout="inertia-errors")
+    table = kurbel.inertia_table("1:5", centre=1, gyration=0.4, layout="inertia-errors")
     rows = {row[1:3]: list(map(shown, row[3:5])) for row in table.records.rows}
     assert rows["pin", "two-mass"] == ["1.0000", "None"]
     # Of an infinite rod with k² - a b = a the force at the pin turns with constant magnitude.
@@ -500,8 +500,8 @@ def test_forces_of_the_rod_are_on_its_own_pages_only() -> None:
     )
     assert refusal("table", "--columns=inertia_guide").startswith('there is no column "inertia_guide"')
     with pytest.raises(KurbelError, match=r"^layout inertia is about something else"):
-        kurbel.make_table(layout="inertia")
+        kurbel.table(layout="inertia")
     with pytest.raises(
-        ProblemError, match=r"^layout inertia-errors is of the whole turn; leave the angles out$"
+        ProblemError, match=r"^layout inertia-errors is of the whole turn; leave --angle out$"
     ):
-        kurbel.make_inertia_table(centre=0.6, gyration=0.4, layout="inertia-errors", angles=10)
+        kurbel.inertia_table(centre=0.6, gyration=0.4, layout="inertia-errors", angle=10)

@@ -35,8 +35,13 @@ def test_forces_of_a_triangle_of_whole_sides() -> None:
 @given(st.fractions(Fraction(1, 50), Fraction(49, 50), max_denominator=97))
 def test_numbers_are_those_of_the_closed_forms(ratio: Fraction) -> None:
     keys = ("phi", "psi", *(key + end for key in ("rod_force", "guide_force") for end in ("", "_n")))
-    table = kurbel.make_tangent_table(
-        ratio, digits=20, force=12345, radius=Fraction(7, 10), columns=(*keys, "torque", "torque_nm")
+    table = kurbel.forces_table(
+        ratio,
+        at="tangent",
+        digits=20,
+        force=12345,
+        stroke=Fraction(14, 10),
+        columns=(*keys, "torque", "torque_nm"),
     )
     (row,) = table.records.rows
     found = {
@@ -77,7 +82,7 @@ def test_an_infinite_rod_is_square_to_the_crank_at_a_right_angle() -> None:
 
 
 def test_sheet_has_closed_forms_beside_degrees_and_minutes() -> None:
-    table = kurbel.make_tangent_table("1:5;1:4", lang="en")
+    table = kurbel.forces_table("1:5;1:4", lang="en", at="tangent")
     found = {
         (plain(stub), plain(ratio), plain(unit)): plain(text)
         for (_, stub, ratio, unit), text in cells(table).items()
@@ -132,9 +137,7 @@ def test_the_layout_alone_is_the_position() -> None:
     assert printed("forces", "--layout=forces-tangent").out == printed("forces", "--at=tangent").out
 
 
-@pytest.mark.parametrize(
-    "choices", [{"ratios": "5:1"}, {"ratios": []}, {"columns": "y"}, {"layout": "forces"}]
-)
+@pytest.mark.parametrize("choices", [{"ratio": "5:1"}, {"ratio": []}, {"columns": "y"}, {"layout": "forces"}])
 def test_wrong_input_from_python_is_refused(choices: dict[str, Any]) -> None:
     with pytest.raises(KurbelError):
-        kurbel.make_tangent_table(**choices)
+        kurbel.forces_table(at="tangent", **choices)

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from kurbel.cli.asking import asked
+from kurbel.commands.shown import Drawing
 from kurbel.documents.document import Chapter, Document, Item
 from kurbel.documents.prose import parse_prose
 from kurbel.formats.registry import by_name
@@ -50,14 +51,17 @@ _SECOND = "Der Ungleichförmigkeitsgrad $δ$ hängt von der Füllung ab; siehe [
 @cache
 def table(name: str) -> Table:
     """Return a table of the handbook."""
-    made: Table = asked(shlex.split(TABLES[name]), {}).made
+    made = asked(shlex.split(TABLES[name]), {}).made
+    assert isinstance(made, Table)
     return replace(made, key=name, layout=made.layout or made.key)
 
 
 @cache
 def figure(name: str, form: str) -> bytes:
     """Return a figure of the handbook."""
-    return image(asked(shlex.split(FIGURES[name]), {}).made.figure, form)
+    made = asked(shlex.split(FIGURES[name]), {}).made
+    assert isinstance(made, Drawing)
+    return image(made.figure, form)
 
 
 def document(**changes: Any) -> Document:

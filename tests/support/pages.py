@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
 
 import pytest
 
 import kurbel
-from kurbel import make_engine_table, make_table
 from kurbel.exact.numerals import Number, number_text
 from kurbel.page.folders import LANGUAGES, layout_names
 from kurbel.page.layouts import layout
@@ -65,43 +65,42 @@ def command(name: str) -> tuple[str, ...]:
     return (*COMMANDS[layout(name).subject], f"--layout={name}")
 
 
+# The same for Python: the function, and what it cannot do without.
+FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
+    "motion": (kurbel.table, {}),
+    **dict.fromkeys(("irregularity", "strokes"), (kurbel.delta_table, {})),
+    "turning": (kurbel.turning_table, {}),
+    "crank forces": (kurbel.forces_table, {"eps": 4}),
+    "machine": (kurbel.forces_table, {
+        "eps": 4, "stroke": 0.6, "speed": 2, "bore": 0.3, "pressure": 800_000, "reciprocating": 300,
+        "rod_mass": 150, "centre": 0.6, "gyration": "0.3", "rotating": -40,
+    }),
+    "flywheel": (
+        kurbel.flywheel_table, {"power": 50_000, "speed": 2, "delta": "1:50;1:100", "radius": "1.5m"}
+    ),
+    "dead centres": (kurbel.dead_centres_table, {}),
+    "harmonics": (kurbel.harmonics_table, {}),
+    "balance": (kurbel.balance_table, {}),
+    "collation": (kurbel.collation_table, {"table": "roetscher-112"}),
+    "arc crank": (kurbel.table, {"mechanism": "arc", "rocker": 6}),
+    "parallel crank": (kurbel.table, {"mechanism": "parallel"}),
+    **dict.fromkeys(
+        ("inertia", "inertia errors"), (kurbel.inertia_table, {"centre": 0.65, "gyration": "35%"})
+    ),
+    "tangent": (kurbel.forces_table, {"at": "tangent"}),
+    "roots": (kurbel.solve_table, {"where": ("p=0", "s=25%", "c=max")}),
+}  # fmt: skip
+
+
+def page_of(name: str, **choices: Any) -> Table:
+    """Make a page of the layout from Python, with what its function cannot do without."""
+    function, needed = FUNCTIONS[layout(name).subject]
+    return function(**{"layout": name, **needed, **choices})
+
+
 def default_page(name: str, lang: str = "de", label: str = "") -> Table:
     """Make the page that `command` prints, from Python."""
-    match layout(name).subject:
-        case "motion":
-            return kurbel.make_table(layout=name, lang=lang, label=label)
-        case "dead centres":
-            return kurbel.make_dead_centres_table(layout=name, lang=lang, label=label)
-        case "harmonics":
-            return kurbel.make_harmonics_table(layout=name, lang=lang, label=label)
-        case "balance":
-            return kurbel.make_balance_table(layout=name, lang=lang, label=label)
-        case "collation":
-            return kurbel.make_collation_table("roetscher-112", layout=name, lang=lang, label=label)
-        case "arc crank":
-            return kurbel.make_arc_table(6, layout=name, lang=lang, label=label)
-        case "parallel crank":
-            return kurbel.make_parallel_table(layout=name, lang=lang, label=label)
-        case "tangent":
-            return kurbel.make_tangent_table(layout=name, lang=lang, label=label)
-        case "roots":
-            where = ("p=0", "s=25%", "c=max")
-            return kurbel.make_solve_table(where, layout=name, lang=lang, label=label)
-        case "inertia" | "inertia errors":
-            return kurbel.make_inertia_table(
-                layout=name, centre=0.65, gyration="35%", lang=lang, label=label,
-            )  # fmt: skip
-        case "machine":
-            return kurbel.make_engine_table(
-                layout=name, lang=lang, label=label, stroke="0.6", speed=2, bore="0.3", pressure=800_000,
-                reciprocating=300, rod_mass=150, centre="0.6", gyration="0.3", rotating=-40,
-            )  # fmt: skip
-        case "flywheel":
-            return kurbel.make_engine_table(
-                layout=name, power=50_000, speed=2, irregularities="1:50;1:100", radius=1.5,
-                lang=lang, label=label,
-            )  # fmt: skip
-    return kurbel.make_engine_table(layout=name, lang=lang, label=label)
+    return page_of(name, lang=lang, label=label)
 
 
 def shown(value: object) -> str:
@@ -144,10 +143,10 @@ def addressed(panel: Panel) -> Iterator[tuple[Address, str]]:
 def all_pages() -> list[Table]:
     return [
         *(default_page(name, lang, f"{name}-{lang}") for name in layout_names() for lang in LANGUAGES),
-        make_table(radius="0.3", speed=2, label="machine"),
-        make_table(offset="0.1", lang="en", label="offset"),
-        make_engine_table(methods="weisbach", label="weisbach"),
-        make_engine_table(layout="delta-detail", ratios="1:4;1:5", cranks="0;90", label="cranks"),
-        make_engine_table(layout="turning", expansions="2;4", angles="0..360:30", label="engines"),
-        make_engine_table(back="0.1", exponent="1.13", clearance="0.05", double_acting=False, label="steam"),
+        kurbel.table(stroke="600mm", speed=2, label="machine"),
+        kurbel.table(offset="0.1", lang="en", label="offset"),
+        kurbel.delta_table(method="weisbach", label="weisbach"),
+        kurbel.delta_table(layout="delta-detail", ratio="1:4;1:5", cranks="0;90", label="cranks"),
+        kurbel.turning_table("2;4", angle="0..360:30", label="engines"),
+        kurbel.delta_table(back="0.1", exponent="1.13", clearance=0.05, single_acting=True, label="steam"),
     ]

@@ -11,6 +11,7 @@ the book has; a cell that it has not is there for others.
 
 from __future__ import annotations
 
+import os
 import re
 import tomllib
 from collections.abc import Iterator, Mapping, Sequence
@@ -106,7 +107,7 @@ class Book:
         return shown(self.folder / "source.toml")
 
 
-def books(folder: str | None = None) -> Iterator[Book]:
+def books(folder: str | os.PathLike[str] | None = None) -> Iterator[Book]:
     """Yield the books that kurbel knows, and those in a folder of the user's."""
     own = Path(__file__).parent / "sources"
     for path in (own, *([Path(folder)] if folder else [])):
@@ -118,7 +119,7 @@ def books(folder: str | None = None) -> Iterator[Book]:
         yield from map(Book, found)
 
 
-def source_tables(folder: str | None = None) -> Mapping[str, SourceTable]:
+def source_tables(folder: str | os.PathLike[str] | None = None) -> Mapping[str, SourceTable]:
     """Return every table of every book by its key; the user's go before kurbel's own."""
     return {table.key: table for book in books(folder) for table in book.tables}
 

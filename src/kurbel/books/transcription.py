@@ -105,7 +105,7 @@ def collated_table(
     quantity: str | None,
     crank_ratio: str | None,
     method: str | None,
-    folder: str | None,
+    folder: str | os.PathLike[str] | None,
 ) -> tuple[Any, tuple[Collated, ...]]:
     """Return a book's table, or what stands for one's own, with its collated values."""
     from kurbel.books.collation import Collation

@@ -13,24 +13,27 @@ from typing import NoReturn
 
 from kurbel import __version__
 
-# Name, module and one line of help.
+# Name, the function that makes its table or the module of the command, and one line of help.
 COMMANDS = {
-    "table": ("kurbel.cli.table", "Print a table of piston path, velocity and acceleration."),
-    "forces": ("kurbel.cli.forces", "Print the forces in rod, guide and crank pin."),
-    "inertia": ("kurbel.cli.inertia", "Print the forces of the moving connecting rod."),
-    "solve": ("kurbel.cli.solve", "Print the crank angles at which a condition holds."),
-    "delta": ("kurbel.cli.engine", "Print the degree of irregularity of a steam engine."),
-    "turning": ("kurbel.cli.engine", "Print tangential force and excess energy over the crank angle."),
-    "flywheel": ("kurbel.cli.engine", "Print the flywheel that keeps an engine even."),
-    "deadcentres": ("kurbel.cli.beam", "Print the dead centres of a beam engine."),
+    "table": ("kurbel.commands.motion:table", "Print a table of piston path, velocity and acceleration."),
+    "forces": ("kurbel.commands.forces:forces_table", "Print the forces in rod, guide and crank pin."),
+    "inertia": ("kurbel.commands.forces:inertia_table", "Print the forces of the moving connecting rod."),
+    "solve": ("kurbel.commands.solve:solve_table", "Print the crank angles at which a condition holds."),
+    "delta": ("kurbel.commands.engine:delta_table", "Print the degree of irregularity of a steam engine."),
+    "turning": (
+        "kurbel.commands.engine:turning_table",
+        "Print tangential force and excess energy over the crank angle.",
+    ),
+    "flywheel": ("kurbel.commands.engine:flywheel_table", "Print the flywheel that keeps an engine even."),
+    "deadcentres": ("kurbel.commands.engine:dead_centres_table", "Print the dead centres of a beam engine."),
     "harmonics": (
-        "kurbel.cli.balance",
+        "kurbel.commands.balance:harmonics_table",
         "Print the harmonics of the piston's path, velocity or acceleration.",
     ),
-    "balance": ("kurbel.cli.balance", "Print the free forces and moments of an engine."),
-    "collate": ("kurbel.cli.collate", "Compare a book's printed values, or your own, with recomputed ones."),
-    "sources": ("kurbel.cli.collate", "List the books that can be collated."),
-    "example": ("kurbel.cli.example", "Print a worked example of a book, as printed and recomputed."),
+    "balance": ("kurbel.commands.balance:balance_table", "Print the free forces and moments of an engine."),
+    "collate": ("kurbel.cli.books", "Compare a book's printed values, or your own, with recomputed ones."),
+    "sources": ("kurbel.cli.books", "List the books that can be collated."),
+    "example": ("kurbel.cli.books", "Print a worked example of a book, as printed and recomputed."),
     "plot": ("kurbel.cli.plot", "Draw the motion, the mechanism, the forces or the turning effort."),
     "handbook": ("kurbel.cli.handbook", "Build, check or watch a whole appendix from its manifest."),
     "inject": ("kurbel.cli.inject", "Refresh the tables at marked places of your own documents."),

@@ -6,6 +6,7 @@ import importlib
 import os
 import signal
 import sys
+from functools import cache
 
 import click
 
@@ -16,6 +17,19 @@ from kurbel.errors import KurbelError
 HELP_OPTIONS = ["-h", "--help"]
 
 
+@cache
+def command_of(name: str) -> click.Command:
+    """Return the command of that name, made of its function where it prints a table."""
+    module, _, function = COMMANDS[name][0].partition(":")
+    found = getattr(importlib.import_module(module), function or name)
+    if not function:
+        assert isinstance(found, click.Command)
+        return found
+    from kurbel.cli.tables import TableCommand
+
+    return TableCommand(name, found.command)
+
+
 class LazyGroup(click.Group):
     """A group that imports a command's module only to run it or to print its own help."""
 
@@ -23,11 +37,7 @@ class LazyGroup(click.Group):
         return list(COMMANDS)
 
     def get_command(self, ctx: click.Context, name: str) -> click.Command | None:
-        if name not in COMMANDS:
-            return None
-        command = getattr(importlib.import_module(COMMANDS[name][0]), name)
-        assert isinstance(command, click.Command)
-        return command
+        return command_of(name) if name in COMMANDS else None
 
     def get_help(self, ctx: click.Context) -> str:
         return help_text().rstrip()

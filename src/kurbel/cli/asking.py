@@ -1,26 +1,29 @@
 """A command's words become the table or the drawing that it would print: for handbooks and marked places.
 
 Nothing from outside counts but the words and the defaults that are given with them: neither KURBEL_ variables
-nor, but for the files that the words name, the folder in which kurbel runs.
+nor the folder in which kurbel runs.
 """
 
 from __future__ import annotations
 
-import importlib
-import os
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager, redirect_stdout
-from io import StringIO
-from typing import Any, NamedTuple
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
 from kurbel.cli import COMMANDS
-from kurbel.cli.app import HELP_OPTIONS, one_line
-from kurbel.cli.kept import Kept
+from kurbel.cli.app import command_of, one_line
 from kurbel.cli.machine import MACHINE, machine_defaults
+from kurbel.cli.making import MakingCommand
+from kurbel.cli.options import Document, FileName
+from kurbel.cli.rivals import Given
 from kurbel.errors import ChoiceError, ProblemError
 from kurbel.reading.choices import choose
+from kurbel.reading.files import File
+
+if TYPE_CHECKING:
+    from kurbel.commands.shown import Drawing
+    from kurbel.page.table import Table
 
 # Those that print lists, or work on whole files.
 NO_TABLES = frozenset(("sources", "layouts", "quantities", "handbook", "inject"))
@@ -38,7 +41,7 @@ class Asked(NamedTuple):
     collate --strict, would end with it.
     """
 
-    made: Any
+    made: Table | Drawing
     lang: str
     decimal: str | None
     files: tuple[str, ...]
@@ -49,14 +52,6 @@ class Asked(NamedTuple):
 def printing_commands() -> tuple[str, ...]:
     """Return the names of the commands that print a table or draw."""
     return tuple(name for name in COMMANDS if name not in NO_TABLES)
-
-
-def command_of(name: str) -> click.Command:
-    """Return the command; a wrong name is answered with the nearest."""
-    module, _ = COMMANDS[choose(name, printing_commands(), "command")]
-    command = getattr(importlib.import_module(module), name)
-    assert isinstance(command, click.Command)
-    return command
 
 
 def option_names() -> frozenset[str]:
@@ -74,48 +69,47 @@ def asked(
     defaults: Mapping[str, Any],
     machine: str | None = None,
     format: str | None = None,
+    folder: str = "",
 ) -> Asked:
     """Return what the words, a command and its options, ask for.
 
     `defaults` are options by their names, for those commands that have them; `machine` is a machine's file,
-    which they outdo. With a format the table is for this one only, and the words may say what else is set
-    for a document at once: its label, and for LaTeX that it may break over pages. Raises KurbelError, also
-    for a mistake that click finds.
+    which they outdo. Names of files count from the folder. With a format the table is for this one only, and
+    the words may say what else is set for a document at once: its label, and for LaTeX that it may break over
+    pages. Raises KurbelError, also for a mistake that click finds.
     """
     words = words[1:] if words[:1] in (["kurbel"], ("kurbel",)) else words
     if not words:
         raise ChoiceError(f"there is no command; write one of {', '.join(printing_commands())}")
-    command = command_of(words[0])
-    kept = Kept()
-    given = _defaults(command, defaults, machine)
+    command = command_of(choose(words[0], printing_commands(), "command"))
+    assert isinstance(command, MakingCommand)
+    own = None if machine is None else File(machine, folder)
+    given = _defaults(command, defaults, own)
     if format is not None and "longtable" in {one.name for one in command.params}:
         given["format"] = format
-    refused = SET_ELSEWHERE if format is None else ONLY_PRINTING
     try:
-        with _without_environment(), redirect_stdout(StringIO()):
-            context = command.make_context(
-                f"kurbel {words[0]}",
-                [*words[1:]],
-                obj=kept,
-                default_map=given,
-                # A command remembers its first ones.
-                help_option_names=HELP_OPTIONS,
-            )
-            with context:
-                _check(context, refused)
-                code = command.invoke(context)
-    except click.exceptions.Exit:
-        raise ProblemError(f"kurbel {words[0]} was asked for its help; a document needs a table") from None
+        context = command.make_context(
+            f"kurbel {words[0]}",
+            [*words[1:]],
+            obj=Document(folder),
+            default_map=given,
+        )
+        _check(context, SET_ELSEWHERE if format is None else ONLY_PRINTING)
+        made, code = command.made(Given.of(context))
     except click.ClickException as error:
         raise ProblemError(one_line(error)) from None
-    if kept.made is None:
-        raise ProblemError(f'"{" ".join(words)[:60]}" prints a list; a document needs a table')
-    files = _files(context, machine)
-    ended = code if isinstance(code, int) else 0
-    return Asked(kept.made, kept.lang, kept.decimal, files, ended, kept.longtable)
+    values = context.params
+    return Asked(
+        made,
+        values["lang"],
+        values["decimal"],
+        _files(context, own),
+        code,
+        values.get("longtable", False),
+    )
 
 
-def _defaults(command: click.Command, defaults: Mapping[str, Any], machine: str | None) -> dict[str, Any]:
+def _defaults(command: click.Command, defaults: Mapping[str, Any], machine: File | None) -> dict[str, Any]:
     params = {one.name: one for one in command.params if isinstance(one, click.Option)}
     allowed = set(params) if "machine" in params else OF_THE_PAGE & set(params)
     given: dict[str, Any] = {}
@@ -142,21 +136,12 @@ def _check(context: click.Context, refused: Sequence[str]) -> None:
             raise ProblemError(f"--{name} is for single tables; a document sets it by itself")
 
 
-def _files(context: click.Context, machine: str | None) -> tuple[str, ...]:
-    """Return the files and folders that the options name."""
-    found = [one for one in (machine, context.meta.get(MACHINE)) if one]
+def _files(context: click.Context, machine: File | None) -> tuple[str, ...]:
+    """Return the files and folders that the options name, as they are named."""
+    found = [str(machine)] if machine else []
+    found += [context.meta[MACHINE]] if MACHINE in context.meta else []
     for param in context.command.params:
-        if isinstance(param.type, click.Path) and param.name not in ("output", "machine"):
-            value = context.params.get(param.name or "")
-            found += [] if not value else [value] if isinstance(value, str) else [*value]
+        if isinstance(param.type, FileName) and param.name != "machine":
+            value = context.params.get(param.name or "") or ()
+            found += map(str, (value,) if isinstance(value, File) else value)
     return tuple(dict.fromkeys(found))
-
-
-@contextmanager
-def _without_environment() -> Iterator[None]:
-    """Hide the defaults of the environment, which are another one's on another machine."""
-    hidden = {name: os.environ.pop(name) for name in list(os.environ) if name.startswith("KURBEL_")}
-    try:
-        yield
-    finally:
-        os.environ.update(hidden)

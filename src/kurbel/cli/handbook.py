@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from kurbel.cli.options import Count, Name, in_order
+from kurbel.cli.options import Count, Name
 from kurbel.handbook.keys import ENGINES
 from kurbel.handbook.pool import MOST_PROCESSES
 from kurbel.page.folders import LANGUAGES
@@ -60,7 +60,11 @@ JOBS = click.option("-j", "--jobs", type=Count("jobs", 1, MOST_PROCESSES), metav
                     help="Processes at once; default: one for each core.")  # fmt: skip
 ENGINE = click.option("--pdf-engine", type=Name("PDF engine", lambda: ENGINES), metavar="ENGINE",
                       help="typst (default), lualatex or latexmk; outdoes the manifest.")  # fmt: skip
-building = in_order((FOLDER, JOBS, ENGINE))
+
+
+def building(command: Callable[..., Any]) -> Callable[..., Any]:
+    """Add what the commands have that build."""
+    return FOLDER(JOBS(ENGINE(command)))
 
 
 @handbook.command(short_help="Write a first manifest, which builds at once.")

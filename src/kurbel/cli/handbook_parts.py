@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from contextlib import chdir
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +12,8 @@ from kurbel.handbook.parts import GIGABYTES, Made, Task
 
 if TYPE_CHECKING:
     from kurbel.cli.asking import Asked
+    from kurbel.commands.shown import Drawing
+    from kurbel.page.table import Table
 
 
 def make_part(task: Task) -> Made | str:
@@ -25,19 +26,19 @@ def make_part(task: Task) -> Made | str:
 
     part = task.part
     try:
-        with chdir(task.folder):
-            answer = asked(part.words, {**part.options, "label": part.name}, task.machine)
+        answer = asked(part.words, {**part.options, "label": part.name}, task.machine, folder=task.folder)
         if answer.code:
             return "the command ends with 1, for printed values deviate and it is strict"
-        return _table(task, answer) if isinstance(answer.made, Table) else _figure(task, answer)
+        made = answer.made
+        return _table(task, answer, made) if isinstance(made, Table) else _figure(task, answer, made)
     except KurbelError as error:
         return str(error)
 
 
-def _table(task: Task, answer: Asked) -> Made:
+def _table(task: Task, answer: Asked, table: Table) -> Made:
     from kurbel.handbook.pool import deadline
 
-    part, table = task.part, answer.made
+    part = task.part
     named = replace(
         table, key=part.name, layout=table.layout or table.key, caption=part.caption or table.caption
     )
@@ -60,14 +61,9 @@ def _text(table: Any, name: str, decimal: str | None, templates: str | None) -> 
     return render(table, name, decimal=decimal, longtable=longtable, templates=templates).encode()
 
 
-def _figure(task: Task, answer: Asked) -> Made:
-    from kurbel.formats.registry import DECIMAL_OF_LANGUAGE, DECIMALS
-    from kurbel.page.labels import plain
-    from kurbel.plot.style import image
-
-    part, drawing = task.part, answer.made
-    mark = DECIMALS[answer.decimal or DECIMAL_OF_LANGUAGE[answer.lang]]
+def _figure(task: Task, answer: Asked, drawing: Drawing) -> Made:
+    part = task.part
     caption = part.caption or drawing.title
-    title = plain(caption, mark)
-    files = {f"figures/{part.name}.{name}": image(drawing.figure, name, title) for name in task.figures}
+    titled = replace(drawing, title=caption)
+    files = {f"figures/{part.name}.{name}": titled.image(name) for name in task.figures}
     return Made(files, answer.files, ("figure", caption, answer.lang))

@@ -6,7 +6,6 @@ import os
 import shlex
 import sys
 from collections.abc import Sequence
-from contextlib import chdir
 from typing import NamedTuple
 
 import click
@@ -136,12 +135,9 @@ def _asked(place: Place, form: PageFormat, name: str) -> Asked:
         ) from None
     folder = os.path.dirname(os.path.realpath(name))
     try:
-        with chdir(folder):
-            one = asked(words, {}, format=form.name)
+        one = asked(words, {}, format=form.name, folder=folder)
     except KurbelError as error:
         raise MarkerError(f"{where}: {error}") from None
-    except OSError as error:
-        raise MarkerError(f"{where}: cannot go into {folder} and back: {error.strerror or error}") from None
     if one.code:
         raise MarkerError(
             f'{where}: "{place.words[:60]}" fails, as --strict asks it to where a printed value deviates'
@@ -179,13 +175,9 @@ def _text(one: Asked, form: PageFormat, kind: Kind, identifier: str, where: str)
             f"{where}: a drawing can stand in HTML only; write it into a file with kurbel plot -o, and"
             f" include that in {kind.name}"
         )
-    from kurbel.formats.registry import DECIMALS
-    from kurbel.page.labels import plain
     from kurbel.plot.style import image
 
-    assert one.decimal
-    title = plain(one.made.title, DECIMALS[one.decimal])
-    return form.drawing(image(one.made.figure, "svg").decode(), identifier, title)
+    return form.drawing(image(one.made.figure, "svg").decode(), identifier, one.made.plain_title)
 
 
 def _check_encoding(old: bytes, contents: Sequence[bytes], name: str) -> None:

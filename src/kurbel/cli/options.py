@@ -1,23 +1,22 @@
-"""The options that all printing commands share, and how their names are completed."""
+"""The options of commands, made for click: kinds of values, completion, and what is for printing alone."""
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any, TypeVar
+import inspect
+import os
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any
 
 import click
-from click.core import ParameterSource
 from click.shell_completion import CompletionItem
 
-from kurbel.errors import NotationError, ProblemError
-from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS
-from kurbel.formats.registry import DECIMALS, DEFAULT, FORMATS, Format
-from kurbel.page.folders import LANGUAGES, layout_names
-from kurbel.reading import notation
+from kurbel.commands import options as kinds
+from kurbel.commands.options import Parameter
+from kurbel.errors import NotationError
+from kurbel.formats.registry import DECIMALS, FORMATS
+from kurbel.page.folders import layout_names
 from kurbel.reading.choices import choose
-
-Command = TypeVar("Command", bound=Callable[..., Any])
+from kurbel.reading.files import File
 
 
 # Generic from click 8.5 on, and not to be subscripted before.
@@ -77,9 +76,11 @@ class Columns(click.ParamType):  # type: ignore[type-arg]
     def shell_complete(
         self, ctx: click.Context, param: click.Parameter, incomplete: str
     ) -> list[CompletionItem]:
+        from kurbel.cli.columns import column_keys
+
         before, comma, last = incomplete.rpartition(",")
         chosen = before.split(",")
-        keys = _column_keys(ctx.params.get("layout") or self._default(ctx.params))
+        keys = column_keys(ctx.params.get("layout") or self._default(ctx.params))
         return [
             CompletionItem(before + comma + key) for key in keys if key.startswith(last) and key not in chosen
         ]
@@ -87,31 +88,14 @@ class Columns(click.ParamType):  # type: ignore[type-arg]
     def _default(self, typed: Mapping[str, Any]) -> str:
         """The layout that the other options choose."""
         if mechanism := typed.get("mechanism"):
-            from kurbel.cli.mechanism import MECHANISMS
+            from kurbel.commands.cranks import MECHANISMS
 
             return MECHANISMS[mechanism].layout
+        if typed.get("forces") and (typed.get("eps") or typed.get("card")):
+            from kurbel.commands.engine_plots import ENGINE_LAYOUT
+
+            return ENGINE_LAYOUT
         return "delta-detail" if typed.get("detail") else self.layout
-
-
-def _column_keys(name: str) -> tuple[str, ...]:
-    from kurbel.page.layouts import layout
-
-    page = layout(name)
-    from kurbel.page.subject import SUBJECTS, subject
-
-    if page.subject in SUBJECTS:
-        return subject(page.subject).column_keys(page)
-    if page.subject == "dead centres":
-        from kurbel.linkage.beam_page import beam_column_keys
-
-        return beam_column_keys()
-    if page.subject in ("arc crank", "parallel crank"):
-        from kurbel.linkage.page import linkage_column_keys
-
-        return linkage_column_keys(page)
-    from kurbel.engine.request import engine_column_keys
-
-    return engine_column_keys(page)
 
 
 class LayoutName(Name):
@@ -137,119 +121,88 @@ class LayoutName(Name):
         return [item for item in items if item.value in fitting]
 
 
-def layout_option(default: str, *subjects: str) -> Callable[[Command], Command]:
-    """Add --layout; with an empty default the command chooses by its other options."""
-    return click.option(
-        "--layout", type=LayoutName(subjects), default=default or None, show_default=True,
-        help="Page layout; `kurbel layouts` lists them.",
-    )  # fmt: skip
+class FileName(click.Path):
+    """A file that is read; for a document's table its name counts from the document's folder."""
+
+    def convert(  # type: ignore[override]
+        self, value: str | File, param: click.Parameter | None, ctx: click.Context | None
+    ) -> File:
+        document = ctx and ctx.find_object(Document)
+        file = value if isinstance(value, File) else File(value, document.folder if document else "")
+        super().convert(os.fspath(file), param, ctx)
+        return file
 
 
-def output_options(command: Command) -> Command:
-    """Add -f, -o, --lang, --decimal, --digits, --rounding, --label, --standalone and --longtable."""
-    digits = (
-        click.option("--digits", type=Count("digits", 0, MOST_DIGITS), metavar="N",
-                     help=f"Decimals of every column, 0 to {MOST_DIGITS}."),
-        click.option("--rounding", type=Name("rounding", lambda: ROUNDINGS), default=ROUNDINGS[0],
-                     show_default=True, help="What becomes of a tie."),
-    )  # fmt: skip
-    return in_order((*_format_options(command), *digits, *_document_options()))(command)
+class Document:
+    """Stands for a document whose table is asked for in place of a page on paper.
+
+    Names of files count from its folder, and variables of the environment do not count at all: they are
+    another one's on another machine.
+    """
+
+    def __init__(self, folder: str) -> None:
+        self.folder = folder
 
 
-def page_options(command: Command) -> Command:
-    """Add the same without --digits and --rounding, for pages whose figures have places of their own."""
-    return in_order((*_format_options(command), *_document_options()))(command)
+class Option(click.Option):
+    """An option that has no default from the environment where a document asks."""
+
+    def resolve_envvar_value(self, ctx: click.Context) -> str | None:
+        return None if ctx.find_object(Document) else super().resolve_envvar_value(ctx)
 
 
-def _format_options(command: Command) -> tuple[Callable[[Command], Command], ...]:
-    return (
-        click.option("-f", "--format", type=FormatName("format", lambda: FORMATS),
-                     envvar=[f"KURBEL_{command.__name__.upper()}_FORMAT", "KURBEL_FORMAT"],
-                     help="Output format; default: by the suffix of -o, else text."),
-        click.option("-o", "--output", type=click.Path(allow_dash=True), metavar="FILE", default="-",
-                     help="File to write, whole or not at all; - is standard output."),
-        click.option("--lang", type=Name("language", lambda: LANGUAGES), default="de", show_default=True,
-                     envvar="KURBEL_LANG", help="Language of headings and captions: de or en."),
-        click.option("--decimal", type=Name("decimal mark", lambda: DECIMALS), envvar="KURBEL_DECIMAL",
-                     help="comma or point; default: by the language, point in CSV and JSON."),
-    )  # fmt: skip
+_TYPES: Mapping[type, Callable[[Any], click.ParamType[Any] | None]] = {
+    kinds.Text: lambda kind: None,
+    kinds.Flag: lambda kind: None,
+    kinds.Choice: lambda kind: Name(kind.what, kind.names),
+    kinds.Count: lambda kind: Count(kind.what, kind.least, kind.most),
+    kinds.FileName: lambda kind: FileName(),
+    kinds.Columns: lambda kind: Columns(kind.layout),
+    kinds.LayoutName: lambda kind: LayoutName(kind.subjects),
+}
 
 
-def _document_options() -> tuple[Callable[[Command], Command], ...]:
-    return (
-        click.option("--label", metavar="NAME", default="",
-                     help="Name for cross references: \\label{tab:NAME}; default: the layout's."),
-        click.option("--standalone", is_flag=True,
-                     help="LaTeX, HTML and Typst: a whole document, not a fragment."),
-        click.option("--longtable", is_flag=True, help="LaTeX: a longtable, which breaks across pages."),
-    )  # fmt: skip
+def click_option(parameter: Parameter) -> click.Parameter:
+    """Return a parameter of a function as click's."""
+    option, default = parameter.option, parameter.default
+    kind = _TYPES[type(option.kind)](option.kind)
+    if option.positional:
+        return click.Argument([parameter.name], type=kind, required=False)
+    names = [parameter.name, parameter.flag, *filter(None, [option.short])]
+    if isinstance(option.kind, kinds.Flag):
+        return Option(names, is_flag=True, help=option.help)
+    own = {} if option.many or default is None else {"default": default}
+    return Option(
+        names,
+        type=kind,
+        metavar=option.metavar,
+        multiple=option.many,
+        required=parameter.required,
+        help=option.help,
+        show_default=default not in (None, "", ()),
+        envvar=option.environment or None,
+        **own,
+    )
 
 
-def sheet_of(options: Mapping[str, Any], example: str = "") -> dict[str, Any]:
-    """Return digits, language, label and, with an example of them, the columns, as a request takes them."""
-    sheet = {name: options[name] for name in ("digits", "rounding", "lang", "label")}
-    return {**sheet, "columns": notation.names(options["columns"], "columns", example)} if example else sheet
+def printing_options(command: str, own: Mapping[str, click.Parameter]) -> list[click.Parameter]:
+    """Return the options of a command that prints tables in their order, its function's own among them."""
+    return [
+        Option(["format", "-f", "--format"], type=FormatName("format", lambda: FORMATS),
+               envvar=[f"KURBEL_{command.upper()}_FORMAT", "KURBEL_FORMAT"],
+               help="Output format; default: by the suffix of -o, else text."),
+        Option(["output", "-o", "--output"], type=click.Path(allow_dash=True), metavar="FILE", default="-",
+               help="File to write, whole or not at all; - is standard output."),
+        own["lang"],
+        Option(["--decimal"], type=Name("decimal mark", lambda: DECIMALS), envvar="KURBEL_DECIMAL",
+               help="comma or point; default: by the language, point in CSV and JSON."),
+        *(own[name] for name in ("digits", "rounding", "label") if name in own),
+        Option(["--standalone"], is_flag=True,
+               help="LaTeX, HTML and Typst: a whole document, not a fragment."),
+        Option(["--longtable"], is_flag=True, help="LaTeX: a longtable, which breaks across pages."),
+    ]  # fmt: skip
 
 
-def in_order(options: Sequence[Callable[[Any], Any]]) -> Callable[[Command], Command]:
-    """Add options to a command, the first one first in its help."""
-
-    def add(command: Command) -> Command:
-        for option in reversed(options):
-            command = option(command)
-        return command
-
-    return add
-
-
-def chosen_format(format_name: str | None, output: str, standalone: bool, longtable: bool) -> Format:
-    """Return the format named by -f, or by the file's suffix, or by the environment, or text."""
-    from kurbel.formats.registry import for_suffix
-
-    if not output:
-        raise click.UsageError("--output names no file; - is standard output.")
-    named = output == "-" or typed("format")
-    chosen = FORMATS[format_name or DEFAULT] if named else for_suffix(output)
-    if chosen.kind == "compiled":
-        _refuse_terminal(chosen.name, output)
-    if standalone and chosen.kind != "compiled" and not chosen.standalone and typed("standalone"):
-        *documents, last = (name for name, entry in FORMATS.items() if entry.standalone)
-        raise click.UsageError(
-            f"--standalone is for {', '.join(documents)} and {last}; {chosen.name} has no documents."
-        )
-    if longtable and not chosen.breaks and typed("longtable"):
-        breaking = ", ".join(name for name, entry in FORMATS.items() if entry.breaks)
-        raise click.UsageError(f"--longtable is for {breaking}; the format is {chosen.name}.")
-    return chosen
-
-
-def _refuse_terminal(name: str, output: str) -> None:
-    if output == "-" and sys.stdout.isatty():
-        raise click.UsageError(f"a terminal shows no {name}; name a file, such as -o kurbel.{name}")
-
-
-def typed(option: str) -> bool:
-    """Whether an option stands on the command line; a default from the environment gives way."""
-    return click.get_current_context().get_parameter_source(option) is ParameterSource.COMMANDLINE
-
-
-def without_foreign(options: dict[str, Any], foreign: Mapping[str, str]) -> dict[str, Any]:
-    """Return the options without those that cannot be used; what was typed is refused with its sentence."""
-    for option, sentence in foreign.items():
-        if typed(option):
-            raise ProblemError(sentence)
-    return options | {option: nothing(options[option]) for option in foreign}
-
-
-def without_outdone(options: dict[str, Any], rivals: Iterable[tuple[str, set[str]]]) -> dict[str, Any]:
-    """Return the options without defaults of the environment whose rivals were all typed."""
-    kept = dict(options)
-    for option, others in rivals:
-        if not typed(option) and all(map(typed, others)):
-            kept[option] = nothing(options[option])
-    return kept
-
-
-def nothing(value: Any) -> tuple[()] | None:
-    """Return what an option is that was not given."""
-    return () if isinstance(value, tuple) else None
+def help_of(function: Callable[..., Any]) -> str:
+    """Return the help of a command: its function's docstring."""
+    return inspect.cleandoc(function.__doc__ or "").partition("\f")[0]

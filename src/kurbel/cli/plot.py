@@ -1,123 +1,148 @@
-"""`kurbel plot`: the motion, the mechanism to scale, and the forces, also those of an engine."""
+"""`kurbel plot`: one command for all drawings, of the options of the functions that draw them."""
 
 from __future__ import annotations
 
-import os
 import sys
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Mapping
+from typing import Any, NamedTuple
 
 import click
+from click.core import ParameterSource
 
-from kurbel.cli import engine
-from kurbel.cli.kept import keeper
 from kurbel.cli.machine import machine_option
-from kurbel.cli.masses import MOVING, ROTATING, SIZE
-from kurbel.cli.mechanism import mechanism_options
-from kurbel.cli.options import Columns, Name, in_order, typed, without_outdone
-from kurbel.cli.plot_kinds import ENGINE_LAYOUT, LAYOUT, STEPS, WIDEST, kind_of, of_kind
-from kurbel.cli.table import LENGTHS, METHOD, RATIO
-from kurbel.errors import ChoiceError
-from kurbel.formats.registry import DECIMAL_OF_LANGUAGE, DECIMALS
-from kurbel.page.folders import LANGUAGES
+from kurbel.cli.making import MakingCommand
+from kurbel.cli.options import Name, Option, click_option
+from kurbel.cli.rivals import RIVALS, Given, resolved
+from kurbel.commands import engine_plots, plots
+from kurbel.commands.machines import MASSES, STEAM
+from kurbel.commands.options import is_given
+from kurbel.commands.shown import Drawing
+from kurbel.commands.subject import Command
+from kurbel.errors import ProblemError
+from kurbel.reading.given import as_number
+
+HELP = """\
+Draw path, velocity and acceleration over the crank angle, or what --positions, --forces, --polar and
+--turning say. Drawings need the extra `plot`.
+
+\b
+kurbel plot --ratio 1:5 -o bewegung.svg
+kurbel plot --ratio '1:4;1:5' --columns p -o beschleunigung.pdf
+kurbel plot --ratio 1:5 --force 10kN --stroke 600mm -o kraefte.pdf
+kurbel plot --positions 30 --ratio 1:5 -o kurbeltrieb.svg
+kurbel plot --mechanism arc --rocker 6 -o bogenschubkurbel.svg
+kurbel plot --polar --eps 4 --bore 300mm --pressure 8bar -o zapfenkraft.pdf
+kurbel plot --forces --machine engine.toml -o kraefte.svg
+kurbel plot --turning --eps 4 --ratio 1:5 -o drehkraft.pdf
+"""
+FLAGS = {
+    "forces": "Draw the forces in the crank drive: of a steam engine with --eps or --card, else of a constant"
+    " piston force.",
+    "polar": "Draw the polar diagram of the force on the crank pin, of either.",
+    "turning": "Draw the turning effort of a steam engine: tangential force, its mean and the excess energy.",
+}
+# The options that all drawings have, or that say which one it is, or where it goes.
+SHARED = frozenset(("positions", *FLAGS, "ratio", "format", "output", "lang", "decimal"))
+OF_ENGINES = frozenset((*STEAM, "cranks", "bore", "pressure", *MASSES))
 
 
-def _formats() -> Sequence[str]:
+class Kind(NamedTuple):
+    """A kind of drawing: what a message calls it, and what draws it."""
+
+    name: str
+    command: Command
+
+    @property
+    def takes(self) -> frozenset[str]:
+        return frozenset(one.name for one in self.command.parameters.values())
+
+
+MOTION = Kind("the motion", plots.plot_motion.command)
+KINDS = {
+    "positions": Kind("the mechanism", plots.plot_mechanism.command),
+    "forces": Kind("the forces", plots.plot_forces.command),
+    "polar": Kind("the polar diagram", plots.plot_polar.command),
+    "turning": Kind("the turning effort", engine_plots.plot_turning.command),
+}
+# The same where steam drives the piston; the forces are those of the first crank.
+OF_STEAM = {
+    "forces": Kind("the forces of an engine", engine_plots.plot_engine_forces.command),
+    "polar": Kind("the polar diagram of an engine", engine_plots.plot_engine_polar.command),
+}
+
+
+class PlotCommand(MakingCommand):
+    """The command, whose options are those of all kinds."""
+
+    def __init__(self) -> None:
+        super().__init__("plot", params=_params(), help=HELP)
+
+    def made(self, given: Given) -> tuple[Drawing, int]:
+        """Return the drawing, and the exit code of the command."""
+        kind = _kind(given)
+        if kind.command.ask.__module__ == engine_plots.__name__:
+            _check_offset_of_machine(given)
+        for name in set(given.values) - SHARED - kind.takes:
+            given.drop(name)
+        return kind.command.ask(**resolved(kind.command, given, RIVALS["plot"])), 0
+
+    def run(self, given: Given) -> int:
+        from kurbel.formats.output import whole_file
+
+        name = _format(given)
+        drawing, code = self.made(given)
+        drawn = drawing.image(name)
+        with whole_file(given.values["output"]) as stream:
+            stream.write(drawn)
+        return code
+
+
+def _kind(given: Given) -> Kind:
+    """Return what is to be drawn; raise ProblemError for options that say nothing about it."""
+    flags = [name for name in KINDS if given.values[name]]
+    if len(flags) > 1:
+        raise ProblemError(f"--{flags[0]} and --{flags[1]} are two drawings; leave one out")
+    flag = flags[0] if flags else ""
+    kind = OF_STEAM[flag] if flag in OF_STEAM and _driven_by_steam(given) else KINDS.get(flag, MOTION)
+    for name in given.values:
+        if name not in SHARED | kind.takes and given.typed(name):
+            raise ProblemError(_refusal(name, kind, flag))
+    return kind
+
+
+def _driven_by_steam(given: Given) -> bool:
+    """Whether steam drives the piston, and no constant force that outdoes the steam of the machine."""
+    steam = is_given(given.values["eps"]) or is_given(given.values["card"])
+    return steam and (not given.typed("force") or any(map(given.typed, STEAM)))
+
+
+def _refusal(name: str, kind: Kind, flag: str) -> str:
+    option = f"--{name.replace('_', '-')}"
+    if flag in OF_STEAM and kind is not OF_STEAM[flag] and name in OF_ENGINES & OF_STEAM[flag].takes:
+        return f"{option} is for the steam of an engine; add --eps or --card"
+    if name in OF_ENGINES and flag in ("", "positions"):
+        return f"{option} describes a steam engine; --forces, --polar and --turning draw one"
+    return f"{option} says nothing about {kind.name}; leave it out"
+
+
+def _check_offset_of_machine(given: Given) -> None:
+    """Raise ProblemError for an engine whose machine has an offset: none may be drawn without it."""
+    from_file = given.sources["offset"] is ParameterSource.DEFAULT_MAP
+    if from_file and as_number(given.values["offset"] or "0", "offset"):
+        raise ProblemError(
+            "the machine has an offset crank, and engines are drawn with a straight one; leave its offset out"
+        )
+
+
+def _formats() -> Mapping[str, Any]:
     from kurbel.plot.style import FORMATS
 
-    return tuple(FORMATS)
+    return FORMATS
 
 
-class DrawnColumns(Columns):
-    """Names of columns of the page whose quantities are drawn."""
-
-    def _default(self, typed: Mapping[str, Any]) -> str:
-        if typed.get("forces") and (typed.get("eps") or typed.get("card")):
-            return ENGINE_LAYOUT
-        return super()._default(typed)
-
-
-KINDS = (
-    click.option("--positions", multiple=True, metavar="ANGLES",
-                 help="Draw the mechanism to scale at these crank angles: 30, or 30;90;150."),
-    click.option("--forces", is_flag=True,
-                 help="Draw the forces in the crank drive: of a steam engine with --eps or --card, else of a"
-                 " constant piston force."),
-    click.option("--polar", is_flag=True,
-                 help="Draw the polar diagram of the force on the crank pin, of either."),
-    click.option("--turning", is_flag=True,
-                 help="Draw the turning effort of a steam engine: tangential force, its mean and the excess"
-                 " energy."),
-)  # fmt: skip
-CURVES = (
-    click.option("--columns", type=DrawnColumns(LAYOUT), multiple=True, metavar="NAMES",
-                 help="Quantities to draw: x,c,p or rod_force,guide_force; `kurbel quantities` lists them."),
-    METHOD,
-    click.option("--from", metavar="ANGLE", help="First angle; default 0."),
-    click.option("--to", metavar="ANGLE", help="Last angle; default 360, the whole turn."),
-    click.option("--step", metavar="ANGLE",
-                 help=f"Step of the angles; default 1/{STEPS} of their range, at most {WIDEST}°."),
-)  # fmt: skip
-UNITS = (
-    *LENGTHS,
-    click.option(
-        "--speed", metavar="SPEED", help="Speed, for m/s and m/s², and for masses: 120/min, 12.5rad/s."
-    ),
-    click.option("--force", metavar="FORCE", help="Piston force, to draw forces in N and N m: 10kN."),
-)
-ENGINE = (engine.EPS, *engine.STEAM, engine.CRANKS, *SIZE, *MOVING, ROTATING)
-OUTPUT = (
-    click.option("-f", "--format", type=Name("drawing format", _formats), metavar="FORMAT",
-                 help="svg, png or pdf; default: by the suffix of -o."),
-    click.option("-o", "--output", type=click.Path(allow_dash=True), metavar="FILE", default="-",
-                 help="File to write, whole or not at all; - is standard output, unless a terminal."),
-    click.option("--lang", type=Name("language", lambda: LANGUAGES), default="de", show_default=True,
-                 envvar="KURBEL_LANG", help="Language of the labels: de or en."),
-    click.option("--decimal", type=Name("decimal mark", lambda: DECIMALS), envvar="KURBEL_DECIMAL",
-                 help="comma or point; default: by the language."),
-)  # fmt: skip
-
-
-@click.command()
-@machine_option
-@in_order((*KINDS, RATIO, *CURVES, *UNITS))
-@mechanism_options
-@in_order((*ENGINE, *OUTPUT))
-def plot(**options: Any) -> None:
-    """Draw path, velocity and acceleration over the crank angle, or what --positions, --forces, --polar and
-    --turning say. Drawings need the extra `plot`.
-
-    \b
-    kurbel plot --ratio 1:5 -o bewegung.svg
-    kurbel plot --ratio '1:4;1:5' --columns p -o beschleunigung.pdf
-    kurbel plot --ratio 1:5 --force 10kN --stroke 600mm -o kraefte.pdf
-    kurbel plot --positions 30 --ratio 1:5 -o kurbeltrieb.svg
-    kurbel plot --mechanism arc --rocker 6 -o bogenschubkurbel.svg
-    kurbel plot --polar --eps 4 --bore 300mm --pressure 8bar -o zapfenkraft.pdf
-    kurbel plot --forces --machine engine.toml -o kraefte.svg
-    kurbel plot --turning --eps 4 --ratio 1:5 -o drehkraft.pdf
-    """  # fmt: skip
-    from kurbel.formats.output import whole_file
-    from kurbel.page.labels import plain
-    from kurbel.plot.style import image
-
-    kept_drawing = keeper()
-    name = "" if kept_drawing else _format(options["format"], options["output"])
-    kind = kind_of(options)
-    kept = of_kind(without_outdone(options, engine.RIVALS), kind)
-    decimal = options["decimal"] or DECIMAL_OF_LANGUAGE[options["lang"]]
-    mark = DECIMALS[decimal]
-    drawing = kind.draw(kept, mark)
-    if kept_drawing:
-        kept_drawing.made, kept_drawing.lang, kept_drawing.decimal = drawing, options["lang"], decimal
-        return
-    drawn = image(drawing.figure, name, plain(drawing.title, mark))
-    with whole_file(options["output"]) as stream:
-        stream.write(drawn)
-
-
-def _format(name: str | None, output: str) -> str:
+def _format(given: Given) -> str:
     """Return the format of -f or of the file's suffix; raise an error for a terminal, which takes none."""
+    name, output = given.values["format"], given.values["output"]
     if not output:
         raise click.UsageError("--output names no file; - is standard output.")
     if output == "-":
@@ -125,13 +150,37 @@ def _format(name: str | None, output: str) -> str:
             raise click.UsageError("a terminal shows no drawings; name a file, such as -o kurbel.svg")
         if name is None:
             raise click.UsageError("no file was named; add -o kurbel.svg, or -f svg for standard output")
-        return name
-    if name is not None and typed("format"):
-        return name
-    suffix = os.path.splitext(output)[1].lower()
-    if suffix.removeprefix(".") not in _formats():
-        known = ", ".join(f".{one}" for one in _formats())
-        raise ChoiceError(
-            f'the file name "{output[-60:]}" names no drawing; its suffix must be one of {known}'
-        )
-    return suffix[1:]
+        return str(name)
+    if name is not None and given.typed("format"):
+        return str(name)
+    from kurbel.plot.style import format_of
+
+    return format_of(output)
+
+
+def _params() -> list[click.Parameter]:
+    known = {
+        one.name: one
+        for kind in (*KINDS.values(), MOTION, *OF_STEAM.values())
+        for one in kind.command.parameters.values()
+    }
+    own = {name: click_option(one._replace(required=False)) for name, one in known.items()}
+    flags = [Option([f"--{name}"], is_flag=True, help=text) for name, text in FLAGS.items()]
+    last = ("lang", "decimal")
+    output = [
+        Option(["format", "-f", "--format"], type=Name("drawing format", _formats), metavar="FORMAT",
+               help="svg, png or pdf; default: by the suffix of -o."),
+        Option(["output", "-o", "--output"], type=click.Path(allow_dash=True), metavar="FILE", default="-",
+               help="File to write, whole or not at all; - is standard output, unless a terminal."),
+    ]  # fmt: skip
+    order = (
+        "ratio", "columns", "method", "from", "to", "step", "offset", "stroke", "rod", "speed", "force",
+        "mechanism", "rocker", "pivot", *STEAM, "cranks", "bore", "pressure", *MASSES,
+    )  # fmt: skip
+    return [
+        machine_option(), own["positions"], *flags, *(own[name] for name in order), *output,
+        *(own[name] for name in last),
+    ]  # fmt: skip
+
+
+plot = PlotCommand()

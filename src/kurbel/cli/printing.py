@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from contextlib import AbstractContextManager, nullcontext
 from shutil import get_terminal_size
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
-from kurbel.cli.kept import keeper
-from kurbel.cli.options import chosen_format
+from kurbel.cli.rivals import Given
 from kurbel.formats.format import Format, RecordsFormat
 from kurbel.formats.output import whole_file
+from kurbel.formats.registry import DEFAULT, FORMATS, for_suffix
 
 if TYPE_CHECKING:
     from kurbel.page.build import Asked
@@ -33,17 +33,36 @@ class Printing(NamedTuple):
     longtable: bool
 
     @classmethod
-    def chosen(cls, options: Mapping[str, Any]) -> Printing:
+    def chosen(cls, given: Given) -> Printing:
         """Return what the options say, checked."""
-        names = ("format", "output", "standalone", "longtable")
-        form = chosen_format(*(options[name] for name in names))
-        return cls(form, *(options[name] for name in ("output", "decimal", "standalone", "longtable")))
+        names = ("output", "decimal", "standalone", "longtable")
+        return cls(_format(given), *(given.values[name] for name in names))
+
+
+def _format(given: Given) -> Format:
+    """Return the format named by -f, or by the file's suffix, or by the environment, or text."""
+    named, output = given.values["format"], given.values["output"]
+    if not output:
+        raise click.UsageError("--output names no file; - is standard output.")
+    chosen = FORMATS[named or DEFAULT] if output == "-" or given.typed("format") else for_suffix(output)
+    if chosen.kind == "compiled" and output == "-" and sys.stdout.isatty():
+        name = chosen.name
+        raise click.UsageError(f"a terminal shows no {name}; name a file, such as -o kurbel.{name}")
+    if given.typed("standalone") and chosen.kind != "compiled" and not chosen.standalone:
+        *documents, last = (name for name, entry in FORMATS.items() if entry.standalone)
+        raise click.UsageError(
+            f"--standalone is for {', '.join(documents)} and {last}; {chosen.name} has no documents."
+        )
+    if given.typed("longtable") and not chosen.breaks:
+        breaking = ", ".join(name for name, entry in FORMATS.items() if entry.breaks)
+        raise click.UsageError(f"--longtable is for {breaking}; the format is {chosen.name}.")
+    return chosen
 
 
 def print_table(request: Asked, printing: Printing) -> None:
     """Write the table in the format to the file, whole or not at all."""
     chosen = printing.format
-    if not isinstance(chosen, RecordsFormat) or keeper():
+    if not isinstance(chosen, RecordsFormat):
         from kurbel.page.build import build
 
         print_made(build(request), printing)
@@ -56,10 +75,6 @@ def print_table(request: Asked, printing: Printing) -> None:
 
 def print_made(table: Table, printing: Printing) -> None:
     """Write a table that is there already."""
-    if kept := keeper():
-        kept.made, kept.lang, kept.decimal = table, table.lang, printing.decimal
-        kept.longtable = printing.longtable
-        return
     made = _compiled if printing.format.kind == "compiled" else _rendered
     _write(made(table, printing), printing.output, 0)
 

@@ -1,95 +1,137 @@
-"""The functions of `import kurbel` about harmonics and the balance of engines."""
+"""The harmonics of the piston's motion, and what engines leave unbalanced."""
 
-from __future__ import annotations
+from typing import Annotated
 
-from collections.abc import Callable, Iterable, Sequence
-from fractions import Fraction
-
-from kurbel.page.folders import LANGUAGES
+from kurbel.balance.arrangement import usual
+from kurbel.balance.harmonics import HARMONICS, MOST_ORDERS
+from kurbel.commands import parameters as option
+from kurbel.commands.cranks import ratios_of
+from kurbel.commands.options import Choice, Count, Option
+from kurbel.commands.subject import makes_table
+from kurbel.page.build import Asked
 from kurbel.page.layouts import layout_of
-from kurbel.page.table import Table
-from kurbel.reading import notation
-from kurbel.reading.choices import choose
-from kurbel.reading.given import (
-    Exact,
-    as_angle,
-    as_fraction,
-    as_names,
-    as_ratio,
-    as_share,
-    read_each,
-    read_values,
-)
+from kurbel.reading.given import Exact, as_crank_angles, as_names, as_places, as_share
+
+Ratios = Annotated[
+    option.Given | None,
+    option.RATIO._replace(help="Crank ratio: 1:5; lists 1:4;1:5 and ranges 1:3..6:0.5."),
+]
+Orders = Annotated[
+    int,
+    Option(
+        f"Orders up to N, 1 to {MOST_ORDERS}; odd ones above 1 are 0 and left out.",
+        "N",
+        Count("orders", 1, MOST_ORDERS),
+    ),
+]
+Method = Annotated[
+    str,
+    option.METHOD._replace(help="exact, series (first order in λ) or infinite (rod of infinite length)."),
+]
 
 
-def make_harmonics_table(
-    ratios: Exact | Iterable[Exact] | None = None,
+@makes_table()
+def harmonics_table(
+    ratio: Ratios = None,
     *,
-    quantity: str = "",
-    orders: int = 6,
-    method: str = "exact",
-    layout: str = "harmonics",
-    digits: int | None = None,
-    rounding: str = "half-away",
-    lang: str = "de",
-    label: str = "",
-) -> Table:
-    """Return the page of the harmonics of the piston's motion, as `kurbel harmonics` prints it.
+    quantity: Annotated[
+        str | None,
+        Option(
+            "x (path), c (velocity) or p (acceleration, default).", kind=Choice("quantity", lambda: HARMONICS)
+        ),
+    ] = None,
+    orders: Orders = 6,
+    method: Method = "exact",
+    layout: Annotated[str, option.layout_option("harmonics")] = "harmonics",
+    digits: option.Digits = None,
+    rounding: option.Rounding = "half-away",
+    lang: option.Lang = "de",
+    label: option.Label = "",
+) -> Asked:
+    """Print the harmonics of the piston's motion: coefficients of cos φ, cos 2φ, cos 4φ, ...
 
-    `quantity` is "x", "c" or "p" (default), `orders` the last order. Raises KurbelError.
-
-    >>> from kurbel import typeset
-    >>> print(typeset(make_harmonics_table("1:5", orders=4), "csv"), end="")
+    \b
+    kurbel harmonics --ratio 1:5
+    kurbel harmonics --ratio '1:4;1:5' --quantity x --orders 10 --digits 12
+    \f
+    >>> import kurbel
+    >>> print(kurbel.typeset(kurbel.harmonics_table("1:5", orders=4), "csv"), end="")
     order,ratio,value
     1,1:5,1.000000
     2,1:5,0.202038
     4,1:5,-0.002062
     """
     from kurbel.balance.harmonics_page import HarmonicsRequest
-    from kurbel.page.build import build
 
     page = layout_of(layout, ("harmonics",))
-    return build(
-        HarmonicsRequest(
-            layout=page,
-            ratios=tuple(read_values(page.ratios if ratios is None else ratios, notation.ratios, as_ratio)),
-            quantity=quantity,
-            last_order=orders,
-            method=method,
-            digits=digits,
-            rounding=rounding,
-            lang=choose(lang, LANGUAGES, "language"),
-            label=label,
-        )
+    return HarmonicsRequest(
+        layout=page,
+        ratios=ratios_of(page, ratio),
+        quantity=quantity or "",
+        last_order=orders,
+        method=method,
+        digits=digits,
+        rounding=rounding,
+        lang=lang,
+        label=label,
     )
 
 
-def make_balance_table(
-    engine: str | None = None,
-    ratios: Exact | Iterable[Exact] | None = None,
+@makes_table()
+def balance_table(
+    engine: Annotated[
+        str | None,
+        Option(
+            "inline-1, inline-2-180, inline-2-360, inline-3 to inline-6, v2-90, v6-90, v8-90, v12-60,"
+            " boxer-2, boxer-4; default: inline-4.",
+            kind=Choice("engine", usual),
+        ),
+    ] = None,
     *,
-    cranks: Exact | Iterable[Exact] = (),
-    positions: Exact | Iterable[Exact] = (),
-    banks: Exact | Iterable[Exact] = (),
-    share: Exact = 0,
-    orders: int = 2,
-    method: str = "exact",
-    layout: str = "balance",
-    columns: str | Iterable[str] = (),
-    digits: int | None = None,
-    rounding: str = "half-away",
-    lang: str = "de",
-    label: str = "",
-) -> Table:
-    """Return the page of the free forces and moments of an engine, as `kurbel balance` prints it.
+    cranks: Annotated[
+        option.Given | None,
+        Option("Another engine: the crank of every cylinder, 0;180;180;0.", "ANGLES", unit="degrees"),
+    ] = None,
+    positions: Annotated[
+        option.Given | None,
+        Option(
+            "Where its cylinders lie along the shaft: 0;1;2;3, which is the default.",
+            "NUMBERS",
+            unit="a unit of your own",
+        ),
+    ] = None,
+    banks: Annotated[
+        option.Given | None,
+        Option(
+            "Directions of its cylinders, counted as the cranks: -45;45; default 0.",
+            "ANGLES",
+            unit="degrees",
+        ),
+    ] = None,
+    share: Annotated[
+        Exact,
+        Option("Share of each reciprocating mass that counterweights balance: 0.5, 50%.", "SHARE"),
+    ] = "0",
+    ratio: Ratios = None,
+    orders: Orders = 2,
+    method: Method = "exact",
+    columns: Annotated[option.Names, option.columns_option("balance", "order,along,forward")] = (),
+    layout: Annotated[str, option.layout_option("balance")] = "balance",
+    digits: option.Digits = None,
+    rounding: option.Rounding = "half-away",
+    lang: option.Lang = "de",
+    label: option.Label = "",
+) -> Asked:
+    """Print the free forces and moments of an engine by orders.
 
-    The engine is one that has a name, "inline-4" by default, or has these `cranks` and `banks` in degrees
-    and `positions` in a unit of your own; `share` is that of each reciprocating mass which counterweights
-    balance, `orders` the last order. Raises KurbelError.
-
-    >>> from kurbel import typeset
-    >>> page = make_balance_table("inline-4", "1:5", columns="residual,order,along,across")
-    >>> print(typeset(page, "csv"), end="")
+    \b
+    kurbel balance --engine inline-4 --ratio 1:4
+    kurbel balance --engine v2-90 --share 0.5 --orders 6
+    kurbel balance --cranks '0;0;90;90' --positions '0;0;1;1' --banks '-45;45;-45;45'
+    \f
+    >>> import kurbel
+    >>> page = kurbel.balance_table("inline-4", ratio="1:5", columns="residual,order,along,across")
+    >>> print(kurbel.typeset(page, "csv"), end="")
     residual,order,along,across
     force,1,0,0
     force,2,0.8082,0
@@ -97,40 +139,25 @@ def make_balance_table(
     moment,2,0,0
     """
     from kurbel.balance.request import BalanceRequest, arranged
-    from kurbel.page.build import build
 
     page = layout_of(layout, ("balance",))
     name, arrangement = arranged(
         engine,
-        _read(cranks, notation.crank_angles, as_angle),
-        _read(positions, _positions, as_fraction),
-        _read(banks, notation.crank_angles, as_angle),
+        () if cranks is None else as_crank_angles(cranks),
+        () if positions is None else as_places(positions, "position"),
+        () if banks is None else as_crank_angles(banks),
         as_share(share),
     )
-    return build(
-        BalanceRequest(
-            layout=page,
-            arrangement=arrangement,
-            ratios=tuple(read_values(page.ratios if ratios is None else ratios, notation.ratios, as_ratio)),
-            engine=name,
-            last_order=orders,
-            method=method,
-            digits=digits,
-            rounding=rounding,
-            lang=choose(lang, LANGUAGES, "language"),
-            columns=as_names(columns),
-            label=label,
-        )
+    return BalanceRequest(
+        layout=page,
+        arrangement=arrangement,
+        ratios=ratios_of(page, ratio),
+        engine=name,
+        last_order=orders,
+        method=method,
+        columns=as_names(columns, "order,along"),
+        digits=digits,
+        rounding=rounding,
+        lang=lang,
+        label=label,
     )
-
-
-def _read(
-    given: Exact | Iterable[Exact],
-    listed: Callable[[str], Sequence[Fraction]],
-    one: Callable[[Exact], Fraction],
-) -> Sequence[Fraction]:
-    return listed(given) if isinstance(given, str) else read_each(given, one)
-
-
-def _positions(text: str) -> tuple[Fraction, ...]:
-    return notation.each_number([text], "position")

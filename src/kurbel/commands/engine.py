@@ -1,252 +1,290 @@
-"""The functions of `import kurbel` about engines: pages of irregularity, flywheels, dead centres."""
+"""The steam engine and how evenly it turns; the dead centres of its beam."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable, Sequence
-from dataclasses import replace
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from os import PathLike
-from typing import TYPE_CHECKING
+from typing import Annotated, Any
 
-from kurbel.drive.crank import Crank
-from kurbel.engine.request import OVER_ANGLE
+from kurbel.commands import parameters as option
+from kurbel.commands.cranks import cranks_of, ratios_of
+from kurbel.commands.machines import GivenRod, GivenSteam, Masses, engine_question, for_masses, is_heavy
+from kurbel.commands.options import Columns, Flag, Option, is_given
+from kurbel.commands.subject import makes_table
 from kurbel.errors import ProblemError
-from kurbel.page.folders import LANGUAGES
+from kurbel.page.build import Asked
 from kurbel.page.layouts import layout_of
-from kurbel.page.table import Table
 from kurbel.reading import notation
-from kurbel.reading.choices import choose
 from kurbel.reading.given import (
     Exact,
     as_angle,
-    as_fraction,
+    as_angles,
+    as_length,
     as_names,
+    as_numbers,
+    as_power,
     as_ratio,
-    as_share,
-    read_each,
+    as_ratios,
+    as_speed,
     read_values,
 )
-from kurbel.reading.speed import Speed
 
-if TYPE_CHECKING:
-    from kurbel.drive.flywheel import Flywheel
-    from kurbel.drive.moving import Moving
-    from kurbel.engine.engine import Diagram, Load
-
-ENGINE_SUBJECTS = ("irregularity", "strokes", *OVER_ANGLE, "flywheel")
+# What a page without forces takes for the masses' sake alone.
+ONLY_MASSES = ("stroke", "bore", "pressure")
+EXAMPLE = "epsilon,delta"
 
 
-def make_engine_table(
-    expansions: Exact | Iterable[Exact] | None = None,
-    ratios: Exact | Iterable[Exact] | None = None,
+@makes_table(needless=for_masses("speed", *ONLY_MASSES))
+def delta_table(
+    eps: option.Eps = None,
     *,
-    layout: str = "weisbach-150",
-    methods: str | Iterable[str] = (),
-    back: Exact | None = None,
-    exponent: Exact = 1,
-    clearance: Exact = 0,
-    cards: str | PathLike[str] | Iterable[str | PathLike[str]] = (),
-    other_side: float | None = None,
-    double_acting: bool = True,
-    cranks: Exact | Iterable[Exact] = 0,
-    angles: Exact | Iterable[Exact] | None = None,
-    bore: Exact | None = None,
-    pressure: Exact | None = None,
-    stroke: Exact | None = None,
-    speed: Exact | None = None,
-    reciprocating: Exact | None = None,
-    rod_mass: Exact | None = None,
-    centre: Exact | None = None,
-    gyration: Exact | None = None,
-    rod_file: str | PathLike[str] | None = None,
-    rotating: Exact | None = None,
-    power: Exact | None = None,
-    irregularities: Exact | Iterable[Exact] = (),
-    radius: Exact | None = None,
-    columns: str | Iterable[str] = (),
-    digits: int | None = None,
-    rounding: str = "half-away",
-    lang: str = "de",
-    label: str = "",
-) -> Table:
-    """Return a page about steam engines with its certified digits, as `kurbel delta` and its like print.
+    ratio: option.EngineRatios = None,
+    back: option.Back = None,
+    exponent: option.Exponent = None,
+    clearance: option.Clearance = None,
+    card: option.Card = None,
+    other_side: option.OtherSide = None,
+    single_acting: option.SingleActing = False,
+    cranks: option.Cranks = None,
+    method: option.EngineMethods = (),
+    reciprocating: option.Reciprocating = None,
+    rod_mass: option.RodMass = None,
+    centre: option.Centre = None,
+    gyration: option.Gyration = None,
+    rod_file: option.RodFile = None,
+    stroke: option.Stroke2R = None,
+    rod: option.Rod = None,
+    bore: option.Bore = None,
+    pressure: option.Pressure = None,
+    speed: option.PlainSpeed = None,
+    detail: Annotated[
+        bool, Option("All that leads to δ: angles and speeds of both strokes.", kind=Flag())
+    ] = False,
+    columns: Annotated[option.Names, option.columns_option("weisbach-150", "epsilon,delta,mean_force")] = (),
+    layout: Annotated[str | None, option.layout_option("irregularity", "strokes")] = None,
+    digits: option.Digits = None,
+    rounding: option.Rounding = "half-away",
+    lang: option.Lang = "de",
+    label: option.Label = "",
+) -> Asked:
+    """Print the degree of irregularity δ of a steam engine over the expansion ratio ε.
 
-    Expansion ratios, crank ratios and angles default to the layout's own; values may be text as on the
-    command line. `back`, `exponent` and `clearance` are b = R_b/Q (None: the best), n and κ; `cards` are
-    files of indicator cards, which take the place of all these, and `other_side` is the pressure in Pa on
-    the other face of a single-acting piston. `cranks` are the angles of several cranks in degrees. `bore`
-    in m and `pressure` in Pa, but for a card, make newtons of forces. Masses in kg count with these, the
-    `stroke` in m and the `speed` in turns per second: `reciprocating`, those of the rod as in
-    `make_inertia_table`, and `rotating`, the crank's own at its pin. A page of flywheels needs `power` in W,
-    the speed and the `irregularities` δ to keep; `radius` in m adds the mass there. Raises KurbelError.
-
-    >>> from kurbel import typeset
-    >>> print(typeset(make_engine_table("2..4"), "csv"), end="")
+    \b
+    kurbel delta --eps 2..6
+    kurbel delta --eps 2 --detail
+    kurbel delta --eps 2..6 --method exact --method series --method weisbach
+    kurbel delta --eps 2..8 --ratio '1:4;1:5;1:∞' --back 0.1 -f latex -o anhang.tex
+    kurbel delta --eps 4 --cranks '0;90' --detail
+    \f
+    >>> import kurbel
+    >>> print(kurbel.typeset(kurbel.delta_table("2..4"), "csv"), end="")
     epsilon,ratio,delta
     2,1:5,1.282
     3,1:5,1.374
     4,1:5,1.423
     """
-    from kurbel.engine.engine import Steam
-    from kurbel.engine.request import EngineRequest
-    from kurbel.page.build import build
+    names = as_names(columns, EXAMPLE)
+    several = len(set((method,) if isinstance(method, str) else method or ())) > 1
+    if detail and layout not in (None, "delta-detail"):
+        raise ProblemError(f"--detail is layout delta-detail, and --layout names {layout}; leave one out")
+    if layout is None:
+        by_stroke = detail or ((is_given(card) or "alpha_cutoff" in names) and not several)
+        many = "delta-tafel" if len(as_ratios(() if ratio is None else ratio)) > 1 else "weisbach-150"
+        layout = "delta-detail" if by_stroke else "delta-verfahren" if several else many
+    page = layout_of(layout, ("irregularity", "strokes"))
+    steam = GivenSteam(eps, back, exponent, clearance, card, other_side, single_acting, bore, pressure)
+    masses = Masses(reciprocating, GivenRod(rod_mass, centre, gyration, rod_file))
+    drives = cranks_of(page, ratio, stroke, rod)
+    sheet = {"digits": digits, "rounding": rounding, "lang": lang, "label": label}
+    return engine_question(page, steam, masses, drives, speed, cranks, method, columns=names, **sheet)
 
-    page = layout_of(layout, ENGINE_SUBJECTS)
-    if cards:
-        steams: Sequence[Steam | Diagram] = _diagrams(cards, other_side)
+
+@makes_table(needless=for_masses("speed", *ONLY_MASSES))
+def turning_table(
+    eps: option.Eps = None,
+    *,
+    ratio: option.EngineRatios = None,
+    back: option.Back = None,
+    exponent: option.Exponent = None,
+    clearance: option.Clearance = None,
+    card: option.Card = None,
+    other_side: option.OtherSide = None,
+    single_acting: option.SingleActing = False,
+    cranks: option.Cranks = None,
+    method: option.EngineMethods = (),
+    reciprocating: option.Reciprocating = None,
+    rod_mass: option.RodMass = None,
+    centre: option.Centre = None,
+    gyration: option.Gyration = None,
+    rod_file: option.RodFile = None,
+    stroke: option.Stroke2R = None,
+    rod: option.Rod = None,
+    bore: option.Bore = None,
+    pressure: option.Pressure = None,
+    speed: option.PlainSpeed = None,
+    angle: Annotated[
+        option.Given | None,
+        option.ANGLE._replace(help="Crank angles in degrees: 22.5, 2°30', lists 0;45;90, ranges 0..360:10."),
+    ] = None,
+    step: Annotated[
+        Exact | None,
+        option.STEP._replace(help="Step of the angles through the whole turn; default 10."),
+    ] = None,
+    columns: Annotated[option.Names, option.columns_option("turning", "phi,tangential,energy")] = (),
+    layout: Annotated[str, option.layout_option("turning")] = "turning",
+    digits: option.Digits = None,
+    rounding: option.Rounding = "half-away",
+    lang: option.Lang = "de",
+    label: option.Label = "",
+) -> Asked:
+    """Print the turning effort of a steam engine: tangential force and excess energy over the crank angle.
+
+    \b
+    kurbel turning --eps 4 --ratio 1:5
+    kurbel turning --eps 4 --cranks '0;90' --step 15
+    kurbel turning --eps 4 --step 0.5 -f csv -o drehkraft.csv
+    """
+    page = layout_of(layout, ("turning",))
+    if step is not None:
+        if angle is not None:
+            raise ProblemError(
+                "--angle lists the angles and --step runs through the turn; use one or the other"
+            )
+        angles: Sequence[Fraction] = notation.progression(Fraction(0), Fraction(360), as_angle(step, "step"))
     else:
-        given = page.expansions if expansions is None else expansions
-        inside = (as_fraction(exponent), as_share(clearance))
-        steams = [
-            Steam(expansion, None if back is None else as_share(back), *inside)
-            for expansion in read_values(given, _expansion_ratios, as_fraction)
-        ]
-    drives = _drives(
-        [*read_values(page.ratios if ratios is None else ratios, notation.ratios, as_ratio)],
-        _optional(stroke),
-        speed,
-        (reciprocating, rotating, centre, gyration, rod_file, rod_mass),
-    )
-    heavy = any(drive.moving is not None for drive in drives)
-    wheels = _flywheels(power, speed, irregularities, radius, heavy) if page.subject == "flywheel" else ()
-    shifts = notation.crank_angles(cranks) if isinstance(cranks, str) else read_each(cranks, as_angle)
-    return build(
-        EngineRequest(
-            layout=page,
-            steams=steams,
-            drives=drives,
-            double=double_acting,
-            cranks=shifts,
-            methods=(methods,) if isinstance(methods, str) else tuple(methods),
-            angles=read_values((page.angles or "0") if angles is None else angles, notation.angles, as_angle),
-            flywheels=wheels if page.subject == "flywheel" else (),
-            load=None if bore is None else _load(bore, pressure),
-            digits=digits,
-            rounding=rounding,
-            lang=choose(lang, LANGUAGES, "language"),
-            columns=as_names(columns),
-            label=label,
-        )
+        angles = as_angles(page.angles if angle is None else angle)
+    steam = GivenSteam(eps, back, exponent, clearance, card, other_side, single_acting, bore, pressure)
+    masses = Masses(reciprocating, GivenRod(rod_mass, centre, gyration, rod_file))
+    drives = cranks_of(page, ratio, stroke, rod)
+    names = as_names(columns, EXAMPLE)
+    sheet = {"digits": digits, "rounding": rounding, "lang": lang, "label": label}
+    return engine_question(
+        page, steam, masses, drives, speed, cranks, method, angles=angles, columns=names, **sheet
     )
 
 
-def _load(bore: Exact, pressure: Exact | None) -> Load:
-    from kurbel.engine.engine import Load
-
-    return Load(as_fraction(bore), _optional(pressure))
-
-
-# Reciprocating and rotating mass; the rod's centre, gyration, file and mass.
-Masses = tuple[
-    Exact | None, Exact | None, Exact | None, Exact | None, str | PathLike[str] | None, Exact | None
-]
+def _power_of_steam(values: Mapping[str, Any]) -> Mapping[str, str]:
+    if is_heavy(values):
+        return {
+            "power": "with masses the power follows from pressure, bore, stroke and speed; leave --power out"
+        }
+    return for_masses(*ONLY_MASSES)(values)
 
 
-def _drives(
-    ratios: Sequence[Fraction], stroke: Fraction | None, speed: Exact | None, masses: Masses
-) -> list[Crank]:
-    drives = [Crank(ratio, radius=None if stroke is None else stroke / 2) for ratio in ratios]
-    if all(one is None for one in masses):
-        return drives
-    turns = None if speed is None else Speed(as_fraction(speed))
-    # One rod for all ratios has a length of its own only if there is one ratio.
-    moving = _moving(masses, drives[0].rod_length if len(drives) == 1 else None)
-    return [replace(drive, speed=turns, moving=moving) for drive in drives]
+@makes_table(needless=_power_of_steam)
+def flywheel_table(
+    eps: option.Eps = None,
+    *,
+    ratio: option.EngineRatios = None,
+    back: option.Back = None,
+    exponent: option.Exponent = None,
+    clearance: option.Clearance = None,
+    card: option.Card = None,
+    other_side: option.OtherSide = None,
+    single_acting: option.SingleActing = False,
+    cranks: option.Cranks = None,
+    method: option.EngineMethods = (),
+    reciprocating: option.Reciprocating = None,
+    rod_mass: option.RodMass = None,
+    centre: option.Centre = None,
+    gyration: option.Gyration = None,
+    rod_file: option.RodFile = None,
+    stroke: option.Stroke2R = None,
+    rod: option.Rod = None,
+    bore: option.Bore = None,
+    pressure: option.Pressure = None,
+    power: Annotated[
+        Exact | None,
+        Option("Power of the engine: 50kW, 68PS; with masses it follows from the steam.", "POWER", unit="W"),
+    ] = None,
+    speed: option.NeededSpeed,
+    delta: Annotated[
+        option.Given,
+        Option("Degree of irregularity to keep: 1:100, 0.01; lists 1:50;1:100.", "δ", many=True),
+    ],
+    radius: Annotated[
+        Exact | None,
+        Option("Radius at which the mass of the rim is wanted: 1.5m.", "LENGTH", unit="m"),
+    ] = None,
+    columns: Annotated[option.Names, option.columns_option("flywheel", "target,swing,inertia")] = (),
+    layout: Annotated[str, option.layout_option("flywheel")] = "flywheel",
+    digits: option.Digits = None,
+    rounding: option.Rounding = "half-away",
+    lang: option.Lang = "de",
+    label: option.Label = "",
+) -> Asked:
+    """Print the flywheel that keeps a steam engine even: energy swing, moment of inertia, mass.
 
-
-def _moving(masses: Masses, length: Fraction | None) -> Moving:
-    from kurbel.drive.moving import Moving
-    from kurbel.drive.rod_given import given_rod
-
-    reciprocating, rotating, centre, gyration, file, mass = masses
-    rod = None
-    if any(one is not None for one in masses[2:]):
-        shares = [None if one is None else as_share(one) for one in (centre, gyration)]
-        rod = given_rod(shares[0], shares[1], file, _optional(mass), length)
-    return Moving(_optional(reciprocating) or Fraction(0), rod, _optional(rotating) or Fraction(0))
-
-
-def _optional(value: Exact | None) -> Fraction | None:
-    return None if value is None else as_fraction(value)
-
-
-def _diagrams(
-    cards: str | PathLike[str] | Iterable[str | PathLike[str]], other_side: float | None
-) -> list[Diagram]:
-    from kurbel.engine.card_file import read_card
-    from kurbel.engine.engine import Diagram
-
-    files = [cards] if isinstance(cards, (str, PathLike)) else cards
-    return [Diagram(read_card(file), other_side) for file in files]
-
-
-def _expansion_ratios(texts: Iterable[str]) -> Sequence[Fraction]:
-    return notation.numbers(texts, "expansion ratio")
-
-
-def _flywheels(
-    power: Exact | None,
-    speed: Exact | None,
-    irregularities: Exact | Iterable[Exact],
-    radius: Exact | None,
-    heavy: bool,
-) -> tuple[Flywheel, ...]:
+    \b
+    kurbel flywheel --power 50kW --speed 120/min --delta 1:100 --eps 4 --ratio 1:5
+    kurbel flywheel --power 50kW --speed 120/min --delta '1:50;1:100' --eps 4 --radius 1.5m
+    """
     from kurbel.drive.flywheel import Flywheel
 
-    if speed is None or (power is None and not heavy):
-        raise ProblemError("a page of flywheels needs the power in W and the speed in turns per second")
-    if power is not None and heavy:
-        raise ProblemError(
-            "with masses the power follows from pressure, bore, stroke and speed; leave it out"
-        )
-    size = None if radius is None else as_fraction(radius)
-    turns = Speed(as_fraction(speed))
-    return tuple(
-        Flywheel(None if power is None else as_fraction(power), turns, each, size)
-        for each in read_values(irregularities, notation.irregularities, as_ratio)
+    masses = Masses(reciprocating, GivenRod(rod_mass, centre, gyration, rod_file))
+    if power is None and not masses.first:
+        raise ProblemError("a flywheel needs the power of the engine; add --power, for example --power 50kW")
+    # With masses it follows from the steam, against which they are weighed.
+    watts = None if power is None or masses.first else as_power(power)
+    turns, size = as_speed(speed), None if radius is None else as_length(radius, "radius")
+    page = layout_of(layout, ("flywheel",))
+    steam = GivenSteam(eps, back, exponent, clearance, card, other_side, single_acting, bore, pressure)
+    drives = cranks_of(page, ratio, stroke, rod)
+    targets = read_values(delta, notation.irregularities, as_ratio)
+    wheels = tuple(Flywheel(watts, turns, each, size) for each in targets)
+    names = as_names(columns, EXAMPLE)
+    sheet = {"digits": digits, "rounding": rounding, "lang": lang, "label": label}
+    return engine_question(
+        page, steam, masses, drives, speed, cranks, method, flywheels=wheels, columns=names, **sheet
     )
 
 
-def make_dead_centres_table(
-    arms: Exact | Iterable[Exact] | None = None,
-    ratios: Exact | Iterable[Exact] | None = None,
+@makes_table(machine=False)
+def dead_centres_table(
+    beam: Annotated[
+        option.Given | None,
+        Option("Arm of the beam in crank radii: 3; lists 3;4, ranges 3..6:0.5.", "A:R", many=True),
+    ] = None,
     *,
-    exact: bool = False,
-    layout: str = "weisbach-149",
-    columns: str | Iterable[str] = (),
-    digits: int | None = None,
-    rounding: str = "half-away",
-    lang: str = "de",
-    label: str = "",
-) -> Table:
-    """Return the page of the dead centres of beam engines, as `kurbel deadcentres` prints it.
+    ratio: Annotated[
+        option.Given | None,
+        option.RATIO._replace(help="Crank ratio: 1:5; lists and ranges 1:3..6."),
+    ] = None,
+    exact: Annotated[
+        bool,
+        Option("From the true geometry of the linkage; default: the formulas of § 149.", kind=Flag()),
+    ] = False,
+    columns: Annotated[
+        option.Names,
+        Option("Columns and their order: mu,nu,path_1.", "NAMES", Columns("weisbach-149"), many=True),
+    ] = (),
+    layout: Annotated[str, option.layout_option("dead centres")] = "weisbach-149",
+    digits: option.Digits = None,
+    rounding: option.Rounding = "half-away",
+    lang: option.Lang = "de",
+    label: option.Label = "",
+) -> Asked:
+    """Print the dead centres of a beam engine: angles μ and ν of the rod, their distance, the small paths.
 
-    `arms` are a/r and `ratios` r:l; by the approximations of § 149 or, with `exact`, from the true geometry.
-    Raises KurbelError.
-
-    >>> from kurbel import typeset
-    >>> print(typeset(make_dead_centres_table(3, "1:5", columns="mu,path_1"), "csv"), end="")
+    \b
+    kurbel deadcentres --beam 3 --ratio 1:5
+    kurbel deadcentres --beam 3 --ratio 1:5 --exact
+    \f
+    >>> import kurbel
+    >>> page = kurbel.dead_centres_table(3, ratio="1:5", columns="mu,path_1")
+    >>> print(kurbel.typeset(page, "csv"), end="")
     mu,path_1
     0.7958,0.00010
     """
     from kurbel.linkage.beam_page import BeamRequest
-    from kurbel.page.build import build
 
     page = layout_of(layout, ("dead centres",))
-    return build(
-        BeamRequest(
-            layout=page,
-            arms=tuple(read_values(page.arms if arms is None else arms, _arms, as_fraction)),
-            ratios=tuple(read_values(page.ratios if ratios is None else ratios, notation.ratios, as_ratio)),
-            exact=exact,
-            digits=digits,
-            rounding=rounding,
-            lang=choose(lang, LANGUAGES, "language"),
-            columns=as_names(columns),
-            label=label,
-        )
+    return BeamRequest(
+        layout=page,
+        arms=as_numbers(page.arms if beam is None else beam, "beam arm"),
+        ratios=ratios_of(page, ratio),
+        exact=exact,
+        columns=as_names(columns, "mu,nu"),
+        digits=digits,
+        rounding=rounding,
+        lang=lang,
+        label=label,
     )
-
-
-def _arms(texts: Iterable[str]) -> Sequence[Fraction]:
-    return notation.numbers(texts, "beam arm")

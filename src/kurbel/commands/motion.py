@@ -1,183 +1,100 @@
-"""The functions of `import kurbel`: digits, arrays, tables and pages."""
+"""The motion of the piston over the crank angle."""
 
-from __future__ import annotations
+from typing import Annotated
 
-from collections.abc import Iterable, Sequence
-from decimal import Context, Decimal
-from typing import TYPE_CHECKING
-
-from kurbel.drive.crank import LARGEST_ANGLE, Crank, check_angles
-from kurbel.errors import NotationError, ProblemError
-from kurbel.motion.evaluation import METHODS
-from kurbel.motion.quantities import registry
-from kurbel.page.quantity import Quantity, bare
-from kurbel.page.question import check_rounding
-from kurbel.page.table import Table
-from kurbel.reading import notation
-from kurbel.reading.choices import choose
-from kurbel.reading.given import Exact, as_angle, as_fraction, as_names, as_ratio, read_values
-from kurbel.reading.speed import Speed
-
-if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import ArrayLike, NDArray
+from kurbel.commands import parameters as option
+from kurbel.commands.cranks import (
+    LINKAGES,
+    MECHANISMS,
+    angles_of,
+    arc_cranks,
+    check_needed,
+    cranks_of,
+    mechanism_of,
+    of_other_mechanisms,
+)
+from kurbel.commands.subject import makes_table
+from kurbel.page.build import Asked
+from kurbel.page.layouts import layout_of
+from kurbel.reading.given import as_names
 
 
-def certified(
-    quantity: str,
-    ratio: Exact,
-    angle: Exact,
+@makes_table(
+    foreign=lambda values: of_other_mechanisms(
+        mechanism_of(values["mechanism"], values["offset"], values["layout"])
+    )
+)
+def table(
+    ratio: option.Ratios = None,
     *,
-    digits: int | None = None,
-    method: str = "exact",
-    offset: Exact = 0,
-    rounding: str = "half-away",
-) -> Decimal:
-    """Return one value, correctly rounded to so many decimals.
+    angle: option.Angles = None,
+    from_: option.From = None,
+    to: option.To = None,
+    step: option.Step = None,
+    columns: Annotated[option.Names, option.columns_over_angle("kinematics", "phi,x,c,p")] = (),
+    offset: option.Offset = None,
+    stroke: option.Stroke = None,
+    rod: option.Rod = None,
+    method: option.Method = None,
+    speed: option.Speed = None,
+    mechanism: option.Mechanism = None,
+    rocker: option.Rocker = None,
+    pivot: option.Pivot = None,
+    layout: Annotated[str | None, option.layout_option("motion", "arc crank", "parallel crank")] = None,
+    digits: option.Digits = None,
+    rounding: option.Rounding = "half-away",
+    lang: option.Lang = "de",
+    label: option.Label = "",
+) -> Asked:
+    """Print a table of piston path, velocity and acceleration.
 
-    `quantity` is a key such as "x", "c_return", "psi" (units of R, v, v²/R; degrees); `ratio` is R:L and
-    `angle` the crank angle in degrees from the inner dead centre, on the return stroke from the outer
-    one; `offset` is e/R. Valid for 0 <= R:L < 1 and |e| < L - R. Raises KurbelError for anything else.
-
-    >>> certified("c", "1:4,5", "22°30'", digits=6)
-    Decimal('0.461536')
-    """
-    from kurbel.motion.evaluation import certified as scaled
-
-    chosen = _quantity(quantity)
-    check_rounding(digits, rounding)
-    decimals = bare(chosen, method, chosen.decimals).places if digits is None else digits
-    crank, at = Crank(as_ratio(ratio), as_fraction(offset)), as_angle(angle)
-    check_angles((at,))
-    number = scaled(chosen, choose(method, METHODS, "method"), crank, at, decimals, rounding)
-    return Decimal(number).scaleb(-decimals, context=Context(prec=max(50, len(str(number)))))
-
-
-def compute(
-    angles: ArrayLike,
-    ratio: Exact,
-    columns: str | Sequence[str] = ("x", "c", "p"),
-    *,
-    method: str = "exact",
-    offset: Exact = 0,
-) -> dict[str, NDArray[np.float64]]:
-    """Return each quantity as an array of floats of the shape of `angles`, in degrees.
-
-    Bulk: NumPy on all cores, memory bounded by the output and a fixed block a core. For the straight
-    crank x, c and ψ are at most 2 units in the last place from the true value up to R:L = 1:3, and p at
-    most 2 units of max(|p|, 1); `kurbel.kernel.kinematics` states the bounds beyond. Raises KurbelError.
-
-    >>> compute([0, 90, 180], "1:5")["p"].tolist()
-    [1.2, -0.20412414523193154, -0.8]
-    """
-    from kurbel.exact.bulk import evaluate
-    from kurbel.motion.digits import on_floats
-    from kurbel.page.quantity import bare
-
-    crank = Crank(as_ratio(ratio), as_fraction(offset))
-    degrees = _degrees(angles)
-    choose(method, METHODS, "method")
-    columns = as_names(columns)
-    chosen = [bare(_quantity(key), method, 0) for key in columns]
-    rows = evaluate([on_floats(column, crank) for column in chosen], degrees.ravel())
-    return {key: row.reshape(degrees.shape) for key, row in zip(columns, rows, strict=True)}
-
-
-def make_table(
-    ratios: Exact | Iterable[Exact] | None = None,
-    *,
-    layout: str = "kinematics",
-    angles: Exact | Iterable[Exact] | None = None,
-    columns: str | Sequence[str] = (),
-    method: str | None = None,
-    digits: int | None = None,
-    rounding: str = "half-away",
-    lang: str = "de",
-    offset: Exact = 0,
-    radius: Exact | None = None,
-    speed: Exact | None = None,
-    label: str = "",
-) -> Table:
-    """Return a page with its certified digits; ratios and angles default to the layout's own.
-
-    `radius` is R in metres and `speed` the speed in turns per second; they add columns in mm, m/s, m/s².
-    Ratios, angles and columns may be text as on the command line; `label` names the page for references.
-    Raises KurbelError.
-
-    >>> page = make_table("1:5", angles=[0, 45, 90], columns=["phi", "x", "c"])
-    >>> print(typeset(page, "csv"), end="")
+    \b
+    kurbel table --ratio 1:5
+    kurbel table --ratio '1:4;1:4,5' --step 15 --to 180 -f latex -o anhang.tex
+    kurbel table --layout roetscher-112 --ratio 1:5 --ratio 1:4,5 --ratio 1:4
+    kurbel table --stroke 600mm --rod 1500mm --speed 120/min
+    kurbel table --mechanism arc --ratio 1:5 --rocker 6
+    \f
+    >>> import kurbel
+    >>> page = kurbel.table("1:5", angle=[0, 45, 90], columns=["phi", "x", "c"])
+    >>> print(kurbel.typeset(page, "csv"), end="")
     phi,x,c
     0,0.0000,0.0000
     45,0.3431,0.8081
     90,1.1010,1.0000
+    >>> page = kurbel.table("1:5", mechanism="arc", rocker=6, angle="0;90", columns="phi,path,rocker")
+    >>> print(kurbel.typeset(page, "csv"), end="")
+    phi,path,rocker
+    0,0.0001,9.587
+    90,1.1049,-0.963
     """
-    from kurbel.motion.question import Request
-    from kurbel.page.build import build
-    from kurbel.page.folders import LANGUAGES
-    from kurbel.page.layouts import layout_of
+    name = mechanism_of(mechanism, offset, layout)
+    check_needed(name, offset, rocker)
+    page = layout_of(layout or MECHANISMS[name].layout, [MECHANISMS[name].subject])
+    if name in LINKAGES:
+        from kurbel.linkage.page import LinkageRequest
 
-    page = layout_of(layout, ("motion",))
-    size = None if radius is None else as_fraction(radius)
-    turns = None if speed is None else Speed(as_fraction(speed))
-    return build(
-        Request(
+        return LinkageRequest(
             layout=page,
-            cranks=tuple(
-                Crank(ratio, as_fraction(offset), size, turns)
-                for ratio in read_values(page.ratios if ratios is None else ratios, notation.ratios, as_ratio)
-            ),
-            angles=read_values(page.angles if angles is None else angles, notation.angles, as_angle),
-            method=None if method is None else choose(method, METHODS, "method"),
+            angles=angles_of(page, angle, from_, to, step),
+            cranks=arc_cranks(page, ratio, offset, rocker, pivot, method) if name == "arc" else (),
+            columns=as_names(columns, "phi,path,rocker"),
             digits=digits,
             rounding=rounding,
-            lang=choose(lang, LANGUAGES, "language"),
-            columns=as_names(columns),
+            lang=lang,
             label=label,
         )
+    from kurbel.motion.question import Request
+
+    across = offset if name == "offset" else None
+    return Request(
+        layout=page,
+        cranks=cranks_of(page, ratio, stroke, rod, across, speed, method=method),
+        angles=angles_of(page, angle, from_, to, step),
+        method=method,
+        columns=as_names(columns),
+        digits=digits,
+        rounding=rounding,
+        lang=lang,
+        label=label,
     )
-
-
-def typeset(
-    page: Table,
-    format: str = "text",
-    *,
-    decimal: str | None = None,
-    standalone: bool = False,
-    longtable: bool = False,
-) -> str:
-    """Return the page in a format: text, markdown, latex, html, typst, csv or json; PDF is typeset_pdf's.
-
-    `decimal` is "comma" or "point", by default the mark of the page's language (point in CSV and JSON);
-    `standalone` gives a whole document (LaTeX, HTML, Typst), `longtable` a LaTeX longtable. Raises
-    KurbelError.
-
-    >>> print(typeset(make_table("1:4", layout="blau-kolbenwege", angles=[90]), "markdown").splitlines()[-3])
-    |     90 |         1,125 |             0,563 |
-    """
-    from kurbel.formats.render import render as rendered
-
-    if not isinstance(page, Table):
-        raise ProblemError(f"a {type(page).__name__} cannot be set; make a page with make_table")
-    return rendered(page, format, decimal=decimal, standalone=standalone, longtable=longtable)
-
-
-def _quantity(key: str) -> Quantity:
-    plain = [name for name, quantity in registry().items() if not quantity.needs]
-    return registry()[choose(key, plain, "quantity")]
-
-
-def _degrees(angles: ArrayLike) -> NDArray[np.float64]:
-    import numpy as np
-
-    if isinstance(angles, str):
-        angles = [float(angle) for angle in notation.angles([angles])]
-    try:
-        if np.iscomplexobj(angles):
-            raise TypeError
-        degrees = np.asarray(angles, dtype=np.float64)
-    except (TypeError, ValueError, OverflowError):
-        raise NotationError("angles must be numbers of degrees, or text such as 0..180:10") from None
-    # Not a comparison of extremes, which NaN would pass.
-    if not (np.abs(degrees) <= LARGEST_ANGLE).all():
-        raise ProblemError(f"angles must be finite and within {LARGEST_ANGLE}° of zero")
-    return degrees

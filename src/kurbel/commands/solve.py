@@ -1,88 +1,109 @@
-"""The function of `import kurbel` about conditions: where they hold."""
+"""The crank angles at which path, velocity, acceleration and the like fulfil a condition."""
 
-from __future__ import annotations
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Annotated
 
-from collections.abc import Iterable, Sequence
-
-from kurbel.commands.linkage import pivot_places
-from kurbel.drive.crank import Crank
+from kurbel.commands import parameters as option
+from kurbel.commands.cranks import arc_cranks, check_needed, cranks_of, mechanism_of, of_other_mechanisms
+from kurbel.commands.options import Columns, Option
+from kurbel.commands.subject import makes_table
 from kurbel.errors import NotationError, ProblemError
-from kurbel.linkage.arc import ArcCrank
-from kurbel.linkage.arc_drive import ArcDrive
-from kurbel.motion.drives import Drive, slide_drives
-from kurbel.motion.evaluation import METHODS
-from kurbel.page.folders import LANGUAGES
+from kurbel.page.build import Asked
 from kurbel.page.layouts import layout_of
-from kurbel.page.table import Table
-from kurbel.reading import notation
-from kurbel.reading.choices import choose
-from kurbel.reading.given import Exact, as_fraction, as_names, as_ratio, read_values
-from kurbel.reading.speed import Speed
-from kurbel.reading.where import read_condition
+from kurbel.reading.given import as_names
+
+if TYPE_CHECKING:
+    from kurbel.motion.drives import Drive
 
 
-def make_solve_table(
-    where: str | Iterable[str],
-    ratios: Exact | Iterable[Exact] | None = None,
+@makes_table(foreign=lambda values: of_other_mechanisms(mechanism_of(values["mechanism"], values["offset"])))
+def solve_table(
+    where: Annotated[
+        str | Iterable[str],
+        Option(
+            'Condition: p=0, s=25% (share of the stroke), x=1.1, "x = 200 mm", "c = 3 m/s", c=max, p=min,'
+            ' "p = 1/6 of dead centre", psi=5; repeated for several.',
+            "CONDITION",
+            many=True,
+        ),
+    ] = (),
     *,
-    method: str | None = None,
-    offset: Exact = 0,
-    radius: Exact | None = None,
-    speed: Exact | None = None,
-    rocker: Exact | None = None,
-    pivot: tuple[Exact, Exact] | None = None,
-    layout: str = "solve",
-    columns: str | Sequence[str] = (),
-    digits: int | None = None,
-    rounding: str = "half-away",
-    lang: str = "de",
-    label: str = "",
-) -> Table:
-    """Return all crank angles of the turn at which conditions hold, as `kurbel solve` prints them.
+    ratio: option.Ratios = None,
+    columns: Annotated[
+        option.Names,
+        Option(
+            "Columns and their order: stroke,phi,phi_turn,x,c,p. Pages keep the stroke and φ at the left.",
+            "NAMES",
+            Columns("solve"),
+            many=True,
+        ),
+    ] = (),
+    offset: option.Offset = None,
+    stroke: option.Stroke = None,
+    rod: option.Rod = None,
+    method: option.Method = None,
+    speed: option.Speed = None,
+    mechanism: option.Mechanism = None,
+    rocker: option.Rocker = None,
+    pivot: option.Pivot = None,
+    layout: Annotated[str, option.layout_option("roots")] = "solve",
+    digits: option.Digits = None,
+    rounding: option.Rounding = "half-away",
+    lang: option.Lang = "de",
+    label: option.Label = "",
+) -> Asked:
+    """Print all crank angles of the turn at which a condition holds, on both strokes.
 
-    `where` has one condition or several, such as "p = 0", "s = 25%", "c = max", "p = 1/6 of dead centre".
-    `radius` is R in metres and `speed` the speed in turns per second; with them values may have units:
-    "x = 200 mm". `rocker`, B/R, and `pivot`, as of `make_arc_table`, make it the arc crank. Ratios default to
-    the layout's own. Raises KurbelError, also where a condition holds nowhere.
+    Path, velocity and acceleration count on either stroke from the dead centre where it begins, in its
+    direction; max and min are those of each stroke.
 
-    >>> from kurbel import typeset
-    >>> page = make_solve_table("p = 0", "1:5", method="series", columns="stroke,phi,x")
-    >>> print(typeset(page, "csv"), end="")
+    \b
+    kurbel solve --ratio 1:5 --method series --where p=0
+    kurbel solve --ratio '1:4;1:5' --where s=25% --where c=max
+    kurbel solve --stroke 600mm --rod 1500mm --speed 120/min --where "c = 3 m/s"
+    kurbel solve --ratio 1:5 --mechanism arc --rocker 6 --where acceleration=0
+    \f
+    >>> import kurbel
+    >>> page = kurbel.solve_table("p = 0", ratio="1:5", method="series", columns="stroke,phi,x")
+    >>> print(kurbel.typeset(page, "csv"), end="")
     stroke,phi,x
     outstroke,79.2724,0.9104
     return,100.7276,1.0896
     """
-    from kurbel.page.build import build
+    from kurbel.reading.where import read_condition
     from kurbel.solve.page import SolveRequest
 
     page = layout_of(layout, ("roots",))
-    values = read_values(page.ratios if ratios is None else ratios, notation.ratios, as_ratio)
-    size = None if radius is None else as_fraction(radius)
-    turns = None if speed is None else Speed(as_fraction(speed))
-    by = "exact" if method is None else choose(method, METHODS, "method")
-    cranks = [Crank(ratio, as_fraction(offset), size, turns) for ratio in values]
+    name = mechanism_of(mechanism, offset)
+    check_needed(name, offset, rocker)
+    if name == "parallel":
+        raise ProblemError(
+            "the rod of the parallel crank moves as the piston with a rod of infinite length;"
+            " use --method infinite"
+        )
     drives: tuple[Drive, ...]
-    if rocker is None:
-        drives = slide_drives(cranks, by)
-    elif by != "exact" or size is not None:
-        raise ProblemError("the arc crank, in units of R, takes neither method nor radius; leave them out")
+    if name == "arc":
+        from kurbel.linkage.arc_drive import ArcDrive
+
+        drives = tuple(map(ArcDrive, arc_cranks(page, ratio, offset, rocker, pivot, method)))
     else:
-        places = pivot_places(pivot)
-        drives = tuple(ArcDrive(ArcCrank(crank, as_fraction(rocker), *places)) for crank in cranks)
+        from kurbel.motion.drives import slide_drives
+
+        across = offset if name == "offset" else None
+        cranks = cranks_of(page, ratio, stroke, rod, across, speed, method=method)
+        drives = slide_drives(cranks, method or "exact")
     if not drives:
         raise ProblemError("no crank ratio was given; give one, such as 1:5")
     texts = [where] if isinstance(where, str) else list(where)
     if not all(isinstance(text, str) for text in texts):
         raise NotationError('a condition is text, such as "p = 0"')
-    return build(
-        SolveRequest(
-            layout=page,
-            drives=drives,
-            conditions=tuple(dict.fromkeys(read_condition(text, drives[0].names) for text in texts)),
-            digits=digits,
-            rounding=rounding,
-            lang=choose(lang, LANGUAGES, "language"),
-            columns=as_names(columns),
-            label=label,
-        )
+    return SolveRequest(
+        layout=page,
+        drives=drives,
+        conditions=tuple(dict.fromkeys(read_condition(text, drives[0].names) for text in texts)),
+        columns=as_names(columns, "stroke,phi,x"),
+        digits=digits,
+        rounding=rounding,
+        lang=lang,
+        label=label,
     )

@@ -19,7 +19,6 @@ Fields are called as the options, and in the file as `name` says where that diff
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from typing import Annotated, Any, ClassVar
 
@@ -27,6 +26,7 @@ from msgspec import Struct, field
 from msgspec.structs import asdict
 
 from kurbel.errors import MachineError
+from kurbel.reading import files
 from kurbel.reading.toml_file import MOST_BITS, Fault, TomlFile, TomlKind, about, schema_of
 
 KIND = TomlKind(
@@ -140,8 +140,8 @@ class Machine(Section):
     flywheel: Flywheel | None = None
 
 
-def read_machine(path: str) -> dict[str, Any]:
-    """Return the options that the file gives, by their names: text, several texts, or whether.
+def read_machine(path: str | files.File) -> dict[str, Any]:
+    """Return the options that the file gives, by their names: text or a file, several of them, or whether.
 
     Raises MachineError with the file's name for anything that is no machine.
     """
@@ -152,8 +152,8 @@ def read_machine(path: str) -> dict[str, Any]:
             raise file.error((key,), f"{key} stands outside of the sections; write it under [{homes[0]}]")
     machine = file.read(Machine)
     given = {name: value for one in asdict(machine).values() if one for name, value in asdict(one).items()}
-    folder = os.path.dirname(path)
-    return {name: _option(folder, value) for name, value in given.items() if value is not None}
+    own = path if isinstance(path, files.File) else files.File(path)
+    return {name: _option(own, value) for name, value in given.items() if value is not None}
 
 
 SECTIONS: Mapping[str, type[Section]] = {
@@ -164,12 +164,14 @@ SECTIONS: Mapping[str, type[Section]] = {
 }
 
 
-def _option(folder: str, value: Any) -> Any:
-    """Return a value as its option takes it; files in the machine's folder."""
+def _option(machine: files.File, value: Any) -> Any:
+    """Return a value as its option takes it; files beside the machine's."""
+    if isinstance(value, File | Files):
+        beside = [machine.beside(name) for name in value]
+        return beside if isinstance(value, Files) else beside[0]
     if not isinstance(value, Several):
         return value
-    texts = [os.path.join(folder, text) for text in value] if isinstance(value, File | Files) else [*value]
-    return ";".join(texts) if isinstance(value, One | Joined) else texts
+    return ";".join(value) if isinstance(value, One | Joined) else [*value]
 
 
 def with_ratio(options: Mapping[str, Any]) -> dict[str, Any]:

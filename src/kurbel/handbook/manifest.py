@@ -154,7 +154,7 @@ class _Reader:
         output = self.inside(("output",), given.output)
         templates = self.apart("templates", given.templates, output)
         return Manifest(
-            path=self.file.path,
+            path=os.fspath(self.file.path),
             title=given.title,
             subtitle=given.subtitle,
             author=given.author,

@@ -5,6 +5,7 @@ Needs the extra `plot`. Drawings never touch pyplot, which keeps global state an
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
@@ -12,7 +13,7 @@ from io import BytesIO
 from threading import RLock
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from kurbel.errors import MissingExtraError
+from kurbel.errors import ChoiceError, MissingExtraError
 from kurbel.exact.numerals import Label
 from kurbel.formats.tex_math import TexMath
 from kurbel.page.formula import Formula
@@ -148,6 +149,15 @@ def image(figure: Figure, name: str, title: str = "") -> bytes:
     with style():
         figure.savefig(stream, format=name, metadata=metadata)
     return stream.getvalue()
+
+
+def format_of(path: str) -> str:
+    """Return the format that a file name asks for; raise ChoiceError if its suffix is that of no drawing."""
+    suffix = os.path.splitext(path)[1].lower()
+    if suffix.removeprefix(".") not in FORMATS:
+        known = ", ".join(f".{one}" for one in FORMATS)
+        raise ChoiceError(f'the file name "{path[-60:]}" names no drawing; its suffix must be one of {known}')
+    return suffix[1:]
 
 
 # What mathtext obeys in upright text.

@@ -52,7 +52,7 @@ def place(name: str, number: int | None) -> str:
 
 def shown(path: str | os.PathLike[str]) -> str:
     """Return the file's name for a message: printable, and not longer than its last 60 characters."""
-    name = "".join(char if char.isprintable() else "?" for char in os.fsdecode(path))
+    name = "".join(char if char.isprintable() else "?" for char in str(path))
     return name if len(name) <= 60 else f"...{name[-57:]}"
 
 

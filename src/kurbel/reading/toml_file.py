@@ -73,7 +73,7 @@ class Choice(str):
 class TomlFile:
     """A file that was read: its text, what it says, and where."""
 
-    def __init__(self, path: str, kind: TomlKind) -> None:
+    def __init__(self, path: str | os.PathLike[str], kind: TomlKind) -> None:
         self.path = path
         self.kind = kind
         self.text = _text_of(path, kind)
@@ -237,7 +237,7 @@ def _dotted(place: Place) -> str:
     return ".".join(key for key in place if isinstance(key, str))
 
 
-def _parsed(path: str, kind: TomlKind, text: str) -> dict[str, Any]:
+def _parsed(path: str | os.PathLike[str], kind: TomlKind, text: str) -> dict[str, Any]:
     """Return what the text of the file says."""
     import tomllib
 
@@ -256,9 +256,9 @@ def _parsed(path: str, kind: TomlKind, text: str) -> dict[str, Any]:
 _LONG_KEY = re.compile(r"(?:[A-Za-z0-9_\"'-]{1,50}[ \t]{0,9}\.[ \t]{0,9}){200}")
 
 
-def _text_of(path: str, kind: TomlKind) -> str:
+def _text_of(path: str | os.PathLike[str], kind: TomlKind) -> str:
     """Return the text of the file."""
-    if not path:
+    if not os.fspath(path):
         raise kind.error(f"the {kind.name}'s file has no name; give one, such as {kind.example}")
     if os.path.exists(path) and not os.path.isfile(path):
         raise kind.error(

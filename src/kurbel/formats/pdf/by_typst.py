@@ -39,7 +39,7 @@ def typeset_pdf(page: Table, *, decimal: str | None = None, standards: Sequence[
     from kurbel.formats.render import render
 
     if not isinstance(page, Table):
-        raise ProblemError(f"a {type(page).__name__} cannot be set; make a page with make_table")
+        raise ProblemError(f"a {type(page).__name__} cannot be set; make a page, such as kurbel.table()")
     return compile_typst(render(page, "typst", decimal=decimal, standalone=True), standards=standards)
 
 

@@ -1,0 +1,25 @@
+"""What --columns can choose from, for the completion of shells."""
+
+from __future__ import annotations
+
+
+def column_keys(name: str) -> tuple[str, ...]:
+    """Return the keys of the columns of a layout, and of others of its subject."""
+    from kurbel.page.layouts import layout
+
+    page = layout(name)
+    from kurbel.page.subject import SUBJECTS, subject
+
+    if page.subject in SUBJECTS:
+        return subject(page.subject).column_keys(page)
+    if page.subject == "dead centres":
+        from kurbel.linkage.beam_page import beam_column_keys
+
+        return beam_column_keys()
+    if page.subject in ("arc crank", "parallel crank"):
+        from kurbel.linkage.page import linkage_column_keys
+
+        return linkage_column_keys(page)
+    from kurbel.engine.request import engine_column_keys
+
+    return engine_column_keys(page)

@@ -1,0 +1,247 @@
+"""What a piston force, the steam of an engine or the moving rod calls up in rod, guide and crank pin."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Annotated, Any
+
+from kurbel.commands import parameters as option
+from kurbel.commands.cranks import angles_of, cranks_of
+from kurbel.commands.machines import (
+    MASSES,
+    STEAM,
+    GivenRod,
+    GivenSteam,
+    Masses,
+    engine_question,
+    for_masses,
+    is_heavy,
+)
+from kurbel.commands.options import Choice, LayoutName, Option, is_given
+from kurbel.commands.subject import makes_table
+from kurbel.errors import ProblemError
+from kurbel.page.build import Asked
+from kurbel.page.layouts import layout, layout_of
+from kurbel.reading.given import Exact, as_force, as_names, as_number
+
+OF_ENGINES = ("crank forces", "machine")
+INERTIA = ("inertia", "inertia errors")
+POSITIONS = ("tangent",)
+
+
+def _about(values: Mapping[str, Any]) -> str:
+    """Return which of the three cases is meant: tangent, engine or piston."""
+    subject = layout(values["layout"]).subject if values["layout"] else ""
+    if values["at"] is not None or subject == "tangent":
+        return "tangent"
+    steam = is_given(values["eps"]) or is_given(values["card"])
+    return "engine" if steam and subject != "motion" else "piston"
+
+
+def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
+    match _about(values):
+        case "tangent":
+            angles = "does not go with --at tangent, a position with an angle of its own; leave it out"
+            force = "does not go with --at tangent, a position under one piston force, --force; leave it out"
+            return _refused(("angle", "from", "to", "step"), angles) | _refused(
+                (*STEAM, *MASSES, "bore", "pressure", "speed", "cranks"), force
+            )
+        case "engine":
+            own = _refused(
+                ("force",), "does not go with the steam of an engine, --eps or --card; leave it out"
+            )
+            newton_metres = "makes newton metres of the steam only with --bore; add that"
+            bare = not is_heavy(values) and values["bore"] is None
+            return {
+                **own,
+                **for_masses("speed")(values),
+                **(_refused(("stroke",), newton_metres) if bare else {}),
+            }
+    steam = _refused(
+        ("bore", "pressure", "cranks", *STEAM), "is for the steam of an engine; add --eps or --card"
+    )
+    return {**steam, **for_masses("speed")(values)}
+
+
+def _refused(names: tuple[str, ...], why: str) -> dict[str, str]:
+    return {name: f"--{name.replace('_', '-')} {why}" for name in names}
+
+
+@makes_table(needless=_needless)
+def forces_table(
+    ratio: option.Ratios = None,
+    *,
+    angle: option.Angles = None,
+    from_: option.From = None,
+    to: option.To = None,
+    step: option.Step = None,
+    columns: Annotated[
+        option.Names, option.columns_over_angle("forces", "phi,rod_force,guide_force,torque")
+    ] = (),
+    offset: option.Offset = None,
+    stroke: option.Stroke = None,
+    rod: option.Rod = None,
+    force: option.Force = None,
+    at: Annotated[
+        str | None,
+        Option(
+            "tangent: a sheet of the position in which the rod touches the crank circle, with closed forms.",
+            kind=Choice("position", lambda: POSITIONS),
+        ),
+    ] = None,
+    eps: option.Eps = None,
+    back: option.Back = None,
+    exponent: option.Exponent = None,
+    clearance: option.Clearance = None,
+    card: option.Card = None,
+    other_side: option.OtherSide = None,
+    single_acting: option.SingleActing = False,
+    cranks: option.Cranks = None,
+    bore: option.Bore = None,
+    pressure: option.Pressure = None,
+    reciprocating: option.Reciprocating = None,
+    rod_mass: option.RodMass = None,
+    centre: option.Centre = None,
+    gyration: option.Gyration = None,
+    rod_file: option.RodFile = None,
+    rotating: option.Rotating = None,
+    speed: Annotated[
+        Exact | None, option.SPEED._replace(help="Speed, for the masses: 120/min, 12.5rad/s.")
+    ] = None,
+    layout: Annotated[
+        str | None,
+        Option(
+            "Page layout; default: forces; with --eps or --card engine-forces, and with masses"
+            " machine-forces.",
+            kind=LayoutName(("motion", *OF_ENGINES, "tangent")),
+        ),
+    ] = None,
+    digits: option.Digits = None,
+    rounding: option.Rounding = "half-away",
+    lang: option.Lang = "de",
+    label: option.Label = "",
+) -> Asked:
+    """Print the forces of the crank drive: rod, guide, tangential and radial force, torque.
+
+    Per unit piston force, under a force of so many newtons and with moving masses, or over the turn of a
+    steam engine.
+
+    \b
+    kurbel forces --ratio 1:5
+    kurbel forces --ratio 1:5 --force 10kN --stroke 600mm
+    kurbel forces --ratio 1:5 --at tangent
+    kurbel forces --eps 4 --bore 300mm --pressure 8bar
+    kurbel forces --machine engine.toml
+    \f
+    >>> import kurbel
+    >>> page = kurbel.forces_table("3:4", at="tangent", columns="phi,rod_force,guide_force")
+    >>> print(kurbel.typeset(page, "csv"), end="")
+    phi,rod_force,guide_force
+    53.1301,1.2500,0.7500
+    """
+    about = _about({"layout": layout, "at": at, "eps": eps, "card": card})
+    sheet: dict[str, Any] = {"digits": digits, "rounding": rounding, "lang": lang, "label": label}
+    masses = Masses(reciprocating, GivenRod(rod_mass, centre, gyration, rod_file), rotating)
+    newtons = None if force is None else as_force(force)
+    if about == "tangent":
+        from kurbel.motion.tangent_page import TangentRequest
+
+        page = layout_of(layout or "forces-tangent", ("tangent",))
+        drives = cranks_of(page, ratio, stroke, rod, offset)
+        return TangentRequest(
+            layout=page,
+            cranks=tuple(replace(crank, force=newtons) for crank in drives),
+            columns=as_names(columns, "phi,rod_force"),
+            **sheet,
+        )
+    if about == "engine":
+        if offset is not None and as_number(offset, "offset"):
+            raise ProblemError("the steam engine has a straight crank, and an offset was given; leave it out")
+        page = layout_of(layout or ("machine-forces" if masses.first else "engine-forces"), OF_ENGINES)
+        angles = angles_of(page, angle, from_, to, step)
+        steam = GivenSteam(eps, back, exponent, clearance, card, other_side, single_acting, bore, pressure)
+        drives = cranks_of(page, ratio, stroke, rod, offset)
+        names = as_names(columns, "epsilon,delta")
+        return engine_question(
+            page, steam, masses, drives, speed, cranks, (), angles=angles, columns=names, **sheet
+        )
+    from kurbel.motion.question import Request
+
+    name = layout or "forces"
+    if layout_of(name, ("motion", *OF_ENGINES)).subject in OF_ENGINES:
+        raise ProblemError(f"layout {name} is of a steam engine; add --eps or --card")
+    page = layout_of(name, ("motion",))
+    # A speed alone makes no force.
+    drives = cranks_of(page, ratio, stroke, rod, offset, force=newtons)
+    return Request(
+        layout=page,
+        cranks=tuple(masses.on(drives, speed)),
+        angles=angles_of(page, angle, from_, to, step),
+        columns=as_names(columns),
+        **sheet,
+    )
+
+
+@makes_table()
+def inertia_table(
+    ratio: option.Ratios = None,
+    *,
+    angle: option.Angles = None,
+    from_: option.From = None,
+    to: option.To = None,
+    step: option.Step = None,
+    columns: Annotated[
+        option.Names, option.columns_over_angle("inertia", "phi,inertia_guide,inertia_pin")
+    ] = (),
+    offset: option.Offset = None,
+    stroke: option.Stroke = None,
+    rod: option.Rod = None,
+    rod_mass: option.RodMass = None,
+    centre: option.Centre = None,
+    gyration: option.Gyration = None,
+    rod_file: option.RodFile = None,
+    speed: Annotated[
+        Exact | None,
+        option.SPEED._replace(help="Speed, for columns in N and N m: 120/min, 12.5rad/s."),
+    ] = None,
+    layout: Annotated[str, option.layout_option(*INERTIA)] = "inertia",
+    digits: option.Digits = None,
+    rounding: option.Rounding = "half-away",
+    lang: option.Lang = "de",
+    label: option.Label = "",
+) -> Asked:
+    """Print the forces that the moving rod calls up at guide and crank pin, and the torque.
+
+    Exact, by two masses at the pins that keep the centre of mass, and by the railway rule, 6/10 of the mass
+    rotating and 4/10 reciprocating. Layout inertia-errors has the greatest forces and errors of a turn.
+
+    \b
+    kurbel inertia --ratio 1:5 --centre 0.65 --gyration 0.35
+    kurbel inertia --rod-file rod.csv --stroke 600mm --speed 120/min
+    kurbel inertia --centre 0.65 --gyration 0.35 --layout inertia-errors
+    \f
+    >>> import kurbel
+    >>> page = kurbel.inertia_table("1:5", centre=0.6, gyration=0.48, angle=90, columns="inertia_guide")
+    >>> print(kurbel.typeset(page, "csv"), end="")
+    inertia_guide
+    0.0067
+    """
+    page = layout_of(layout, INERTIA)
+    given = GivenRod(rod_mass, centre, gyration, rod_file)
+    cranks = tuple(
+        replace(crank, rod=given.between_pins(crank.rod_length))
+        for crank in cranks_of(page, ratio, stroke, rod, offset, speed)
+    )
+    sheet: dict[str, Any] = {"digits": digits, "rounding": rounding, "lang": lang, "label": label}
+    if page.subject == "inertia errors":
+        from kurbel.motion.inertia_page import ErrorsRequest
+
+        for name, value in {"angle": angle, "from": from_, "to": to, "step": step}.items():
+            if is_given(value):
+                raise ProblemError(f"layout {page.key} is of the whole turn; leave --{name} out")
+        return ErrorsRequest(
+            layout=page, cranks=cranks, columns=as_names(columns, "greatest,error_percent"), **sheet
+        )
+    from kurbel.motion.question import Request
+
+    angles = angles_of(page, angle, from_, to, step)
+    return Request(layout=page, cranks=cranks, angles=angles, columns=as_names(columns), **sheet)

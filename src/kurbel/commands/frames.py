@@ -1,0 +1,125 @@
+"""The records of a table as columns of arrays and frames: numbers as printed, ratios and names as text."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from decimal import Decimal
+from fractions import Fraction
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from kurbel.errors import MissingExtraError
+from kurbel.exact.numerals import Number, number_text
+from kurbel.page.labels import plain
+from kurbel.page.table import Field, Table, Value
+
+if TYPE_CHECKING:
+    import numpy as np
+
+
+class Frame(NamedTuple):
+    """A column: its key, whether it has numbers, its values with None for those that are missing, and what
+    it means: name, symbol, unit and decimals as text."""
+
+    key: str
+    numeric: bool
+    values: list[Any]
+    about: dict[str, str]
+
+
+def frames(table: Table, number: Callable[[Number], Any]) -> list[Frame]:
+    """Return the columns; one that holds any text holds text only, numbers as printed with a point."""
+    columns = list(zip(*table.records.rows, strict=True)) or [() for _ in table.records.fields]
+    return [
+        _frame(field, column, number) for field, column in zip(table.records.fields, columns, strict=True)
+    ]
+
+
+def _frame(field: Field, column: tuple[Value, ...], number: Callable[[Number], Any]) -> Frame:
+    given = [value for value in column if value is not None]
+    numeric = bool(given) and all(isinstance(value, Number) for value in given)
+    about = {"name": field.name, "symbol": plain(field.symbol), "unit": field.unit, "method": field.method}
+    if field.decimals is not None:
+        about["decimals"] = str(field.decimals)
+    values = [
+        None if value is None else number(value) if numeric and isinstance(value, Number) else _text(value)
+        for value in column
+    ]
+    return Frame(field.key, numeric, values, {name: text for name, text in about.items() if text})
+
+
+def _text(value: Value) -> str:
+    return number_text(value) if isinstance(value, Number) else plain(value or "")
+
+
+def as_float(number: Number) -> float:
+    """Return the float that is nearest to a printed number."""
+    return float(Fraction(number.scaled, 10**number.decimals))
+
+
+def as_decimal(number: Number) -> Decimal:
+    """Return a printed number with its decimals."""
+    return Decimal(number_text(number))
+
+
+def to_numpy(table: Table) -> np.ndarray[Any, Any]:
+    """Return a structured array, a field a column: floats, NaN for missing ones, and text."""
+    import numpy as np
+
+    columns = {
+        frame.key: np.array(
+            [float("nan") if one is None else one for one in frame.values]
+            if frame.numeric
+            else [one or "" for one in frame.values],
+            dtype=np.float64 if frame.numeric else np.str_,
+        )
+        for frame in frames(table, as_float)
+    }
+    kinds = [(key, column.dtype) for key, column in columns.items()]
+    made = np.empty(len(next(iter(columns.values()))), dtype=kinds)
+    for key, column in columns.items():
+        made[key] = column
+    return made
+
+
+def to_pandas(table: Table, exact: bool) -> Any:
+    """Return a DataFrame; what its columns mean is in `attrs`."""
+    pandas = library("pandas", "pandas")
+    made = frames(table, as_decimal if exact else as_float)
+    kinds = {True: object if exact else "float64", False: "str"}
+    frame = pandas.DataFrame({one.key: pandas.Series(one.values, dtype=kinds[one.numeric]) for one in made})
+    frame.attrs.update({one.key: one.about for one in made})
+    return frame
+
+
+def to_polars(table: Table, exact: bool) -> Any:
+    """Return a DataFrame."""
+    polars = library("polars", "polars")
+    made = frames(table, as_decimal if exact else as_float)
+    kind = polars.Decimal if exact else polars.Float64
+    return polars.DataFrame(
+        {one.key: one.values for one in made},
+        schema={one.key: kind if one.numeric else polars.String for one in made},
+    )
+
+
+def to_arrow(table: Table) -> Any:
+    """Return an Arrow table of floats and text; what columns mean is the metadata of its fields."""
+    arro3 = library("arro3.core", "kurbel[arrow]")
+    kinds = {True: arro3.DataType.float64(), False: arro3.DataType.utf8()}
+    made = frames(table, as_float)
+    fields = [arro3.Field(one.key, kinds[one.numeric], nullable=True, metadata=one.about) for one in made]
+    schema = arro3.Schema(fields, metadata={"table": table.key, "caption": plain(table.caption)})
+    return arro3.Table.from_arrays(
+        [arro3.Array(one.values, kinds[one.numeric]) for one in made], schema=schema
+    )
+
+
+def library(name: str, package: str) -> Any:
+    """Import a library, or raise MissingExtraError with what installs it."""
+    try:
+        return import_module(name)
+    except ImportError:
+        raise MissingExtraError(
+            f"this needs {name.partition('.')[0]}; install it with: pip install '{package}'"
+        ) from None

@@ -1,0 +1,129 @@
+"""Certified digits and arrays of floats, without a page; and pages in a format."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from decimal import Context, Decimal
+from typing import TYPE_CHECKING
+
+from kurbel.drive.crank import LARGEST_ANGLE, Crank, check_angles
+from kurbel.errors import NotationError, ProblemError
+from kurbel.motion.evaluation import METHODS
+from kurbel.motion.quantities import registry
+from kurbel.page.quantity import Quantity, bare
+from kurbel.page.question import check_rounding
+from kurbel.page.table import Table
+from kurbel.reading import notation
+from kurbel.reading.choices import choose
+from kurbel.reading.given import Exact, as_angle, as_fraction, as_names, as_ratio
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
+
+
+def certified(
+    quantity: str,
+    ratio: Exact,
+    angle: Exact,
+    *,
+    digits: int | None = None,
+    method: str = "exact",
+    offset: Exact = 0,
+    rounding: str = "half-away",
+) -> Decimal:
+    """Return one value, correctly rounded to so many decimals.
+
+    `quantity` is a key such as "x", "c_return", "psi" (units of R, v, v²/R; degrees); `ratio` is R:L and
+    `angle` the crank angle in degrees from the inner dead centre, on the return stroke from the outer
+    one; `offset` is e/R. Valid for 0 <= R:L < 1 and |e| < L - R. Raises KurbelError for anything else.
+
+    >>> certified("c", "1:4,5", "22°30'", digits=6)
+    Decimal('0.461536')
+    """
+    from kurbel.motion.evaluation import certified as scaled
+
+    chosen = _quantity(quantity)
+    check_rounding(digits, rounding)
+    decimals = bare(chosen, method, chosen.decimals).places if digits is None else digits
+    crank, at = Crank(as_ratio(ratio), as_fraction(offset)), as_angle(angle)
+    check_angles((at,))
+    number = scaled(chosen, choose(method, METHODS, "method"), crank, at, decimals, rounding)
+    return Decimal(number).scaleb(-decimals, context=Context(prec=max(50, len(str(number)))))
+
+
+def compute(
+    angles: ArrayLike,
+    ratio: Exact,
+    columns: str | Sequence[str] = ("x", "c", "p"),
+    *,
+    method: str = "exact",
+    offset: Exact = 0,
+) -> dict[str, NDArray[np.float64]]:
+    """Return each quantity as an array of floats of the shape of `angles`, in degrees.
+
+    Bulk: NumPy on all cores, memory bounded by the output and a fixed block a core. For the straight
+    crank x, c and ψ are at most 2 units in the last place from the true value up to R:L = 1:3, and p at
+    most 2 units of max(|p|, 1); `kurbel.kernel.kinematics` states the bounds beyond. Raises KurbelError.
+
+    >>> compute([0, 90, 180], "1:5")["p"].tolist()
+    [1.2, -0.20412414523193154, -0.8]
+    """
+    from kurbel.exact.bulk import evaluate
+    from kurbel.motion.digits import on_floats
+    from kurbel.page.quantity import bare
+
+    crank = Crank(as_ratio(ratio), as_fraction(offset))
+    degrees = _degrees(angles)
+    choose(method, METHODS, "method")
+    columns = as_names(columns)
+    chosen = [bare(_quantity(key), method, 0) for key in columns]
+    rows = evaluate([on_floats(column, crank) for column in chosen], degrees.ravel())
+    return {key: row.reshape(degrees.shape) for key, row in zip(columns, rows, strict=True)}
+
+
+def typeset(
+    page: Table,
+    format: str = "text",
+    *,
+    decimal: str | None = None,
+    standalone: bool = False,
+    longtable: bool = False,
+) -> str:
+    """Return the page in a format: text, markdown, latex, html, typst, csv or json; PDF is typeset_pdf's.
+
+    `decimal` is "comma" or "point", by default the mark of the page's language (point in CSV and JSON);
+    `standalone` gives a whole document (LaTeX, HTML, Typst), `longtable` a LaTeX longtable. Raises
+    KurbelError.
+
+    >>> from kurbel import table
+    >>> print(typeset(table("1:4", layout="blau-kolbenwege", angle=90), "markdown").splitlines()[-3])
+    |     90 |         1,125 |             0,563 |
+    """
+    from kurbel.formats.render import render as rendered
+
+    if not isinstance(page, Table):
+        raise ProblemError(f"a {type(page).__name__} cannot be set; make a page, such as kurbel.table()")
+    return rendered(page, format, decimal=decimal, standalone=standalone, longtable=longtable)
+
+
+def _quantity(key: str) -> Quantity:
+    plain = [name for name, quantity in registry().items() if not quantity.needs]
+    return registry()[choose(key, plain, "quantity")]
+
+
+def _degrees(angles: ArrayLike) -> NDArray[np.float64]:
+    import numpy as np
+
+    if isinstance(angles, str):
+        angles = [float(angle) for angle in notation.angles([angles])]
+    try:
+        if np.iscomplexobj(angles):
+            raise TypeError
+        degrees = np.asarray(angles, dtype=np.float64)
+    except (TypeError, ValueError, OverflowError):
+        raise NotationError("angles must be numbers of degrees, or text such as 0..180:10") from None
+    # Not a comparison of extremes, which NaN would pass.
+    if not (np.abs(degrees) <= LARGEST_ANGLE).all():
+        raise ProblemError(f"angles must be finite and within {LARGEST_ANGLE}° of zero")
+    return degrees

@@ -1,0 +1,130 @@
+"""What an option is, on the command line and in Python: stated once, in the annotation of a parameter.
+
+    ratio: Annotated[Given | None, Option("Crank ratio: 1:5.", "R:L", short="-r", many=True)] = None
+
+The parameter gives the name, `--ratio`, the default and the place in the help.
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any, NamedTuple
+
+from kurbel.reading.choices import choose
+
+
+class Text(NamedTuple):
+    """Text, or in Python a number."""
+
+
+class Flag(NamedTuple):
+    """Said or not."""
+
+
+class Choice(NamedTuple):
+    """One of a few names."""
+
+    what: str
+    names: Callable[[], Iterable[str]]
+
+
+class Count(NamedTuple):
+    """A whole number within bounds."""
+
+    what: str
+    least: int
+    most: int
+
+
+class FileName(NamedTuple):
+    """A file or a folder that is read."""
+
+
+class Columns(NamedTuple):
+    """Names of columns, parted by commas; which there are depends on the layout, by default this one."""
+
+    layout: str
+
+
+class LayoutName(NamedTuple):
+    """A layout about one of these subjects."""
+
+    subjects: tuple[str, ...]
+
+
+Kind = Text | Flag | Choice | Count | FileName | Columns | LayoutName
+
+
+class Option(NamedTuple):
+    """A sentence of help, what stands for the value there, and what kind of value it is.
+
+    `unit` is that of bare numbers in Python; `many` options may be repeated. A positional one has no dashes.
+    `environment` is a variable for all commands, beside that of the command's own option.
+    """
+
+    help: str
+    metavar: str | None = None
+    kind: Kind = Text()
+    short: str = ""
+    unit: str = ""
+    many: bool = False
+    positional: bool = False
+    environment: str = ""
+
+
+class Parameter(NamedTuple):
+    """An option of one function: its name on the command line, with underscores, and its default there."""
+
+    name: str
+    option: Option
+    default: Any
+    required: bool
+
+    @property
+    def flag(self) -> str:
+        return f"--{self.name.replace('_', '-')}"
+
+
+def parameters_of(function: Callable[..., Any]) -> Mapping[str, Parameter]:
+    """Return the options of a function by its parameters' names, in their order."""
+    found = {}
+    for name, one in inspect.signature(function).parameters.items():
+        (option,) = (each for each in one.annotation.__metadata__ if isinstance(each, Option))
+        required = one.default is one.empty
+        found[name] = Parameter(name.rstrip("_"), option, None if required else one.default, required)
+    return found
+
+
+def check_choices(parameters: Iterable[Parameter], values: Mapping[str, Any]) -> None:
+    """Raise ChoiceError for a name that is none of those allowed."""
+    for parameter in parameters:
+        kind, value = parameter.option.kind, values[parameter.name]
+        if isinstance(kind, Choice) and is_given(value):
+            for one in [value] if isinstance(value, str) or not parameter.option.many else value:
+                choose(one, kind.names(), kind.what)
+
+
+def is_given(value: Any) -> bool:
+    """Whether a value says anything."""
+    if value is None or value is False:
+        return False
+    return not isinstance(value, Sequence) or isinstance(value, str) or len(value) > 0
+
+
+def described(text: str, parameters: Mapping[str, Parameter]) -> str:
+    """Return the docstring for Python of a function whose docstring is the help of a command.
+
+    Examples of the command line stand behind a \\b there, those of Python behind a \\f.
+    """
+    about, _, examples = inspect.cleandoc(text).partition("\f")
+    lines = [
+        about.replace("\b\n", "").rstrip(),
+        "",
+        "Values are text as on the command line, or numbers.",
+        "",
+    ]
+    for name, parameter in parameters.items():
+        unit = f" A bare number is in {parameter.option.unit}." if parameter.option.unit else ""
+        lines.append(f"{name}: {parameter.option.help}{unit}")
+    return "\n".join([*lines, examples.rstrip()]) + "\n"

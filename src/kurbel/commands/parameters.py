@@ -1,0 +1,224 @@
+"""The options that several commands share; each is stated here and nowhere else."""
+
+from collections.abc import Iterable
+from os import PathLike
+from typing import Annotated, TypeAlias
+
+from kurbel.commands.options import Choice, Columns, Count, FileName, Flag, LayoutName, Option, Text
+from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS
+from kurbel.page.folders import LANGUAGES
+from kurbel.reading.given import Exact
+
+# One value or several, each text or a number.
+Given: TypeAlias = Exact | Iterable[Exact]
+Names: TypeAlias = str | Iterable[str]
+Path: TypeAlias = str | PathLike[str]
+
+
+def _methods() -> Iterable[str]:
+    from kurbel.motion.evaluation import METHODS
+
+    return METHODS
+
+
+def _mechanisms() -> Iterable[str]:
+    from kurbel.commands.cranks import MECHANISMS
+
+    return MECHANISMS
+
+
+def _engine_methods() -> Iterable[str]:
+    from kurbel.engine.request import ENGINE_METHODS
+
+    return ENGINE_METHODS
+
+
+RATIO = Option(
+    "Crank ratio: 1:5, 1:4,5, 0.2; lists 1:4;1:5 and ranges 1:3..6:0.5; 1:∞ is the infinite rod.",
+    "R:L", short="-r", many=True,
+)  # fmt: skip
+ANGLE = Option(
+    "Crank angles in degrees: 22.5, 2°30', lists 0;45;90, ranges 0..180:10.", "ANGLES", unit="degrees",
+    many=True,
+)  # fmt: skip
+STEP = Option(
+    "Step of the angles; default 10. Without any of these options a layout has its own angles.", "ANGLE",
+    unit="degrees",
+)  # fmt: skip
+STROKE = Option("2R: 600mm.", "LENGTH", unit="m")
+SPEED = Option(
+    "Speed, for columns in m/s and m/s²: 120/min, 12.5rad/s.", "SPEED", unit="turns a second"
+)  # fmt: skip
+FORCE = Option("Piston force, for columns in N and N m: 10kN.", "FORCE", unit="N")
+METHOD = Option(
+    "exact (default), series (first order, as Blau prints) or infinite (rod of infinite length).",
+    kind=Choice("method", _methods),
+)
+EPS = Option("Expansion ratio, cut-off after 1/ε of the stroke: 4; lists 2;3;4, ranges 2..6.", "ε", many=True)
+BACK = Option(
+    "Back pressure as a share of the steam pressure: 0.1, 10%; default: the best, to which the steam"
+    " expands.",
+    "B",
+)
+LANG = Option(
+    "Language of headings and captions: de or en.", kind=Choice("language", lambda: LANGUAGES),
+    environment="KURBEL_LANG",
+)  # fmt: skip
+
+
+LISTED = "; `kurbel quantities` lists them."
+
+
+def columns_option(layout: str, example: str, more: str = LISTED) -> Option:
+    """Return --columns of a command, whose columns are by default those of a layout."""
+    return Option(f"Columns and their order: {example}{more}", "NAMES", Columns(layout), many=True)
+
+
+def columns_over_angle(layout: str, example: str) -> Option:
+    """Return the same of a command over the crank angle."""
+    return columns_option(layout, example, f"{LISTED} Pages keep φ at the left.")
+
+
+def layout_option(*subjects: str) -> Option:
+    return Option("Page layout; `kurbel layouts` lists them.", kind=LayoutName(subjects))
+
+
+Ratios = Annotated[Given | None, RATIO]
+Angles = Annotated[Given | None, ANGLE]
+From = Annotated[Exact | None, Option("First angle; default 0.", "ANGLE", unit="degrees")]
+To = Annotated[Exact | None, Option("Last angle; default 360, the whole turn.", "ANGLE", unit="degrees")]
+Step = Annotated[Exact | None, STEP]
+Offset = Annotated[
+    Exact | None, Option("Offset crank: e as a share of R, or as a length with --stroke.", "E", unit="R")
+]
+Stroke = Annotated[Exact | None, STROKE]
+Stroke2R = Annotated[Exact | None, STROKE._replace(help="Stroke 2R: 600mm.")]
+Rod = Annotated[
+    Exact | None,
+    Option("Rod length L, which with --stroke gives the ratio: 1500mm.", "LENGTH", unit="m"),
+]
+Method = Annotated[str | None, METHOD]
+Speed = Annotated[Exact | None, SPEED]
+PlainSpeed = Annotated[Exact | None, SPEED._replace(help="Speed: 120/min, 12.5rad/s.")]
+NeededSpeed = Annotated[Exact, SPEED._replace(help="Speed: 120/min, 12.5rad/s.")]
+Force = Annotated[Exact | None, FORCE]
+Mechanism = Annotated[
+    str | None,
+    Option(
+        "straight (default), offset, arc (the rod moves a rocker) or parallel (two equal cranks).",
+        kind=Choice("mechanism", _mechanisms),
+    ),
+]
+Rocker = Annotated[Exact | None, Option("Arc crank: length of the rocker in units of R.", "B", unit="R")]
+Pivot = Annotated[
+    str | tuple[Exact, Exact] | None,
+    Option(
+        "Arc crank: the rocker's pivot along and across the slide, in units of R; default: as far as the rod"
+        " is long, and B above the slide line.",
+        "D;H", unit="R",
+    ),
+]  # fmt: skip
+
+Eps = Annotated[Given | None, EPS]
+Back = Annotated[Exact | None, BACK]
+Exponent = Annotated[Exact | None, Option("n of p Vⁿ = const.; default 1, Mariotte's law.", "N")]
+Clearance = Annotated[Exact | None, Option("Clearance as a share of the swept volume: 0.05, 5%.", "C")]
+Card = Annotated[
+    Path | Iterable[Path] | None,
+    Option(
+        "Indicator card: CSV with position, p_forward [bar], p_return [bar].", "FILE", FileName(), many=True
+    ),
+]
+OtherSide = Annotated[
+    Exact | None,
+    Option(
+        "With --card and --single-acting: pressure on the piston's other face, 1bar.", "PRESSURE", unit="Pa"
+    ),
+]
+SingleActing = Annotated[
+    bool,
+    Option(
+        "Steam works on the outstroke only; on the return both faces have the back pressure.", kind=Flag()
+    ),
+]
+Cranks = Annotated[
+    Given | None,
+    Option(
+        "Angles by which the cranks follow the first, with cylinders alike: 0;90 or 0;120;240.", "ANGLES",
+        unit="degrees",
+    ),
+]  # fmt: skip
+EngineRatios = Annotated[
+    Given | None,
+    RATIO._replace(help="Crank ratio: 1:5, 1:4,5; lists and ranges 1:3..6; 1:∞ is the infinite rod."),
+]
+EngineMethods = Annotated[
+    Names | None,
+    Option(
+        "exact (default), series (first order) or weisbach (his equations of § 150).",
+        kind=Choice("method", _engine_methods), many=True,
+    ),
+]  # fmt: skip
+Bore = Annotated[Exact | None, Option("Bore of the cylinder: 300mm.", "LENGTH", unit="m")]
+Pressure = Annotated[
+    Exact | None,
+    Option("Steam pressure before cut-off: 8bar; an indicator card has its own.", "PRESSURE", unit="Pa"),
+]
+
+Reciprocating = Annotated[
+    Exact | None,
+    Option(
+        "Mass of piston and crosshead: 200kg. Masses need --stroke and --speed, and beside steam --bore and"
+        " --pressure.",
+        "MASS", unit="kg",
+    ),
+]  # fmt: skip
+RodMass = Annotated[Exact | None, Option("Mass of the connecting rod: 150kg.", "MASS", unit="kg")]
+Centre = Annotated[
+    Exact | None,
+    Option(
+        "Centre of mass of the rod from the crosshead pin, in rod lengths: 0.6, 60%; or a length, where that"
+        " of the rod is known.",
+        "A", unit="rod lengths",
+    ),
+]  # fmt: skip
+Gyration = Annotated[
+    Exact | None,
+    Option(
+        "Radius of gyration about the centre of mass, in rod lengths: 0.3; or a length.", "K",
+        unit="rod lengths",
+    ),
+]  # fmt: skip
+RodFile = Annotated[
+    Path | None,
+    Option(
+        "The rod's masses from a CSV file in place of these: from, to, mass or position, mass, counted from"
+        " the crank pin.",
+        "FILE", FileName(),
+    ),
+]  # fmt: skip
+Rotating = Annotated[
+    Exact | None,
+    Option(
+        "Mass of the crank itself at its pin, for the main bearing: 60kg; -40kg if counterweights outweigh"
+        " it.",
+        "MASS", unit="kg",
+    ),
+]  # fmt: skip
+
+Lang = Annotated[str, LANG]
+Digits = Annotated[
+    int | None,
+    Option(f"Decimals of every column, 0 to {MOST_DIGITS}.", "N", Count("digits", 0, MOST_DIGITS)),
+]
+Rounding = Annotated[str, Option("What becomes of a tie.", kind=Choice("rounding", lambda: ROUNDINGS))]
+Label = Annotated[
+    str, Option("Name for cross references: \\label{tab:NAME}; default: the layout's.", "NAME", Text())
+]
+Decimal = Annotated[
+    str | None,
+    Option(
+        "comma or point; default: by the language.", kind=Choice("decimal mark", lambda: ("comma", "point")),
+        environment="KURBEL_DECIMAL",
+    ),
+]  # fmt: skip

@@ -1,0 +1,157 @@
+"""What the functions return: a table and a drawing that show themselves, and can be saved."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING, Any
+
+from kurbel.formats.registry import DECIMAL_OF_LANGUAGE, DECIMALS, for_suffix
+from kurbel.page.labels import plain
+from kurbel.page.table import Table as Page
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from kurbel.exact.numerals import Label
+    from kurbel.plot.drawings import Drawing as Drawn
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class Table(Page):
+    """A table with its certified digits.
+
+    `print` shows it as text and a notebook as HTML; `save` writes it in any format. Its records become arrays
+    and frames: floats, or with `exact` Decimal, as printed; crank ratios are text.
+    """
+
+    @classmethod
+    def of(cls, page: Page) -> Table:
+        return cls(**{field.name: getattr(page, field.name) for field in fields(page)})
+
+    def __str__(self) -> str:
+        return self.typeset()
+
+    def __repr__(self) -> str:
+        columns = ", ".join(field.key for field in self.records.fields)
+        return f"<kurbel.Table {self.key}: {plain(self.caption)}; {columns}>"
+
+    def typeset(
+        self,
+        format: str = "text",
+        *,
+        decimal: str | None = None,
+        standalone: bool = False,
+        longtable: bool = False,
+    ) -> str:
+        """Return the page in a format, as `kurbel.typeset`."""
+        from kurbel.formats.render import render
+
+        return render(self, format, decimal=decimal, standalone=standalone, longtable=longtable)
+
+    def save(
+        self,
+        path: str | os.PathLike[str],
+        *,
+        decimal: str | None = None,
+        standalone: bool = False,
+        longtable: bool = False,
+    ) -> None:
+        """Write the page into a file, whole or not at all, in the format of its suffix.
+
+        Raises KurbelError.
+        """
+        from kurbel.formats.output import whole_file
+
+        form = for_suffix(os.fspath(path))
+        if form.kind == "compiled":
+            from kurbel.formats.pdf.by_typst import typeset_pdf
+
+            content = typeset_pdf(self, decimal=decimal)
+        else:
+            content = self.typeset(
+                form.name, decimal=decimal, standalone=standalone, longtable=longtable
+            ).encode()
+        with whole_file(os.fspath(path)) as stream:
+            stream.write(content)
+
+    def _repr_html_(self) -> str:
+        return self.typeset("html")
+
+    def _repr_latex_(self) -> str:
+        return self.typeset("latex")
+
+    def _repr_markdown_(self) -> str:
+        return self.typeset("markdown")
+
+    def to_numpy(self) -> np.ndarray[Any, Any]:
+        """Return the records as a structured array, whose fields are their keys."""
+        from kurbel.commands.frames import to_numpy
+
+        return to_numpy(self)
+
+    def to_pandas(self, *, exact: bool = False) -> Any:
+        """Return the records as a pandas DataFrame; what their columns mean is in its `attrs`."""
+        from kurbel.commands.frames import to_pandas
+
+        return to_pandas(self, exact)
+
+    def to_polars(self, *, exact: bool = False) -> Any:
+        """Return the records as a polars DataFrame."""
+        from kurbel.commands.frames import to_polars
+
+        return to_polars(self, exact)
+
+    def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:
+        """Hand the records to any library that takes Arrow; needs the extra `arrow`."""
+        from kurbel.commands.frames import to_arrow
+
+        return to_arrow(self).__arrow_c_stream__(requested_schema)
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class Drawing:
+    """A drawing: matplotlib's figure and a title. A notebook shows it, `save` writes SVG, PNG or PDF."""
+
+    figure: Any
+    title: Label
+    lang: str
+    mark: str
+
+    @classmethod
+    def of(cls, drawn: Drawn, lang: str, mark: str) -> Drawing:
+        return cls(drawn.figure, drawn.title, lang, mark)
+
+    def __repr__(self) -> str:
+        return f"<kurbel.Drawing: {self.plain_title}>"
+
+    @property
+    def plain_title(self) -> str:
+        """The title without formulas' marks, for readers that do not see the drawing."""
+        return plain(self.title, self.mark)
+
+    def image(self, format: str = "svg") -> bytes:
+        """Return the drawing as a file of the format svg, png or pdf. Raises KurbelError."""
+        from kurbel.plot.style import image
+
+        return image(self.figure, format, self.plain_title)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the drawing into a file, whole or not at all, in the format of its suffix.
+
+        Raises KurbelError.
+        """
+        from kurbel.formats.output import whole_file
+        from kurbel.plot.style import format_of
+
+        content = self.image(format_of(os.fspath(path)))
+        with whole_file(os.fspath(path)) as stream:
+            stream.write(content)
+
+    def _repr_svg_(self) -> str:
+        return self.image().decode()
+
+
+def mark_of(lang: str, decimal: str | None) -> str:
+    """Return the decimal mark of that name, by default that of the language."""
+    return DECIMALS[decimal or DECIMAL_OF_LANGUAGE[lang]]

@@ -1,0 +1,129 @@
+"""A function in the words of the command line: called it makes the table, and `question` is what it asks."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Mapping
+from functools import wraps
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, NamedTuple, ParamSpec, Protocol, TypeVar, cast
+
+from kurbel.commands.options import Parameter, check_choices, described, is_given, parameters_of
+from kurbel.errors import ProblemError
+
+if TYPE_CHECKING:
+    from kurbel.commands.shown import Table
+    from kurbel.page.table import Table as Page
+
+Words = ParamSpec("Words")
+Question = TypeVar("Question", covariant=True)
+Drawn = TypeVar("Drawn", covariant=True)
+# From the values of all options to the sentences that refuse some of them.
+Refusals = Callable[[Mapping[str, Any]], Mapping[str, str]]
+
+
+def _none(values: Mapping[str, Any]) -> Mapping[str, str]:
+    return {}
+
+
+class Command(NamedTuple):
+    """What stands behind a function.
+
+    `ask` reads the values and returns what is asked for, or drawn; `built` makes a page of that. `machine`
+    tells whether a machine's file may describe what it is about. `foreign` names the options that belong
+    to other cases than the one that the values are about, and `needless` those that say nothing in this one;
+    each with its sentence. A default from elsewhere that is foreign is dropped, one that is needless is left
+    to `ask`.
+    """
+
+    ask: Callable[..., Any]
+    parameters: Mapping[str, Parameter]
+    foreign: Refusals
+    needless: Refusals = _none
+    machine: bool = True
+    builder: str = ""
+
+    def built(self, question: Any) -> Page:
+        """Return the table that was asked for."""
+        module, _, name = self.builder.partition(":")
+        return cast("Page", getattr(import_module(module), name)(question))
+
+    def refuse(self, values: Mapping[str, Any], given: Callable[[str], bool]) -> None:
+        """Raise ProblemError for what was given in vain."""
+        for refusals in (self.foreign, self.needless):
+            for name, sentence in refusals(values).items():
+                if given(name):
+                    raise ProblemError(sentence)
+
+
+class Asking(Protocol[Words, Question]):
+    """A function that makes a table."""
+
+    command: Command
+
+    def __call__(self, *args: Words.args, **kwargs: Words.kwargs) -> Table: ...
+    def question(self, *args: Words.args, **kwargs: Words.kwargs) -> Question:
+        """Return what is asked for, checked, without making the table."""
+
+
+class Drawing(Protocol[Words, Drawn]):
+    """A function that draws."""
+
+    command: Command
+
+    def __call__(self, *args: Words.args, **kwargs: Words.kwargs) -> Drawn: ...
+
+
+def makes_table(
+    *,
+    foreign: Refusals = _none,
+    needless: Refusals = _none,
+    machine: bool = True,
+    build: str = "kurbel.page.build:build",
+) -> Callable[[Callable[Words, Question]], Asking[Words, Question]]:
+    """Make of what returns a question a function that returns its table."""
+
+    def decorate(ask: Callable[Words, Question]) -> Asking[Words, Question]:
+        command = Command(ask, parameters_of(ask), foreign, needless, machine, build)
+        question = _checked(command)
+
+        @wraps(ask)
+        def make(*args: Any, **kwargs: Any) -> Table:
+            from kurbel.commands.shown import Table
+
+            return Table.of(command.built(question(*args, **kwargs)))
+
+        return cast("Asking[Words, Question]", _documented(make, command, question=question))
+
+    return decorate
+
+
+def draws(*, foreign: Refusals = _none) -> Callable[[Callable[Words, Drawn]], Drawing[Words, Drawn]]:
+    """Check what a function is given that draws."""
+
+    def decorate(ask: Callable[Words, Drawn]) -> Drawing[Words, Drawn]:
+        command = Command(ask, parameters_of(ask), foreign)
+        return cast("Drawing[Words, Drawn]", _documented(_checked(command), command))
+
+    return decorate
+
+
+def _checked(command: Command) -> Callable[..., Any]:
+    """Return the command's function with its options checked, all of which were given by hand."""
+
+    @wraps(command.ask)
+    def asked(*args: Any, **kwargs: Any) -> Any:
+        bound = inspect.signature(command.ask).bind(*args, **kwargs)
+        bound.apply_defaults()
+        values = {command.parameters[name].name: value for name, value in bound.arguments.items()}
+        check_choices(command.parameters.values(), values)
+        command.refuse(values, lambda name: is_given(values[name]))
+        return command.ask(**bound.arguments)
+
+    return asked
+
+
+def _documented(function: Callable[..., Any], command: Command, **more: Any) -> Callable[..., Any]:
+    function.__doc__ = described(command.ask.__doc__ or "", command.parameters)
+    vars(function).update(command=command, **more)
+    return function
