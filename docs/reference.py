@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -12,6 +11,7 @@ import click
 from kurbel.balance.harmonics_page import quantities as harmonics_registry
 from kurbel.balance.request import DECIMALS, balance_registry
 from kurbel.cli import COMMANDS
+from kurbel.cli.app import command_of
 from kurbel.engine.quantities import COMMANDS_OF, engine_registry
 from kurbel.engine.request import ENGINE_METHODS
 from kurbel.examples.source import example, numbers_of, source_keys
@@ -45,8 +45,8 @@ def reference() -> str:
 
 def _commands() -> Iterator[str]:
     yield "# Reference\n\nWritten by `make docs` from the program itself.\n\n## Commands"
-    for name, (module, line) in COMMANDS.items():
-        command = getattr(importlib.import_module(module), name)
+    for name, (_, line) in COMMANDS.items():
+        command = command_of(name)
         yield f"\n### kurbel {name}\n\n{line}\n\n{_help(command, f'kurbel {name}')}"
         if isinstance(command, click.Group):
             for one, inner in command.commands.items():
