@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
 from kurbel.books.printed_value import Printed, Units
+from kurbel.page.quantity import Words, words
 
 RIGHT, LAST_PLACE, ON_THE_WAY, OTHER_FORMULA = "right", "last_place", "rounded_on_the_way", "other_formula"
 SIGN, DIGIT, EXCHANGED, CARRIED, UNEXPLAINED = "sign", "digit", "exchanged", "carried_over", "unexplained"
@@ -19,16 +20,16 @@ ONLY = (ALL, DEVIATIONS)
 # Of a last place that the printed intermediates give.
 FOLLOWS = "follows"
 # In the order in which they are tried.
-VERDICTS: Mapping[str, Mapping[str, str]] = {
-    RIGHT: {"de": "richtig", "en": "right"},
-    LAST_PLACE: {"de": "letzte Stelle", "en": "last place"},
-    ON_THE_WAY: {"de": "unterwegs gerundet", "en": "rounded on the way"},
-    OTHER_FORMULA: {"de": "andere Formel", "en": "another formula"},
-    SIGN: {"de": "Vorzeichen", "en": "sign"},
-    DIGIT: {"de": "eine Ziffer", "en": "one digit"},
-    EXCHANGED: {"de": "zwei Ziffern vertauscht", "en": "two digits exchanged"},
-    CARRIED: {"de": "Fehler übernommen", "en": "slip carried over"},
-    UNEXPLAINED: {"de": "ungeklärt", "en": "unexplained"},
+VERDICTS: Mapping[str, Words] = {
+    RIGHT: words("richtig|right"),
+    LAST_PLACE: words("letzte Stelle|last place"),
+    ON_THE_WAY: words("unterwegs gerundet|rounded on the way"),
+    OTHER_FORMULA: words("andere Formel|another formula"),
+    SIGN: words("Vorzeichen|sign"),
+    DIGIT: words("eine Ziffer|one digit"),
+    EXCHANGED: words("zwei Ziffern vertauscht|two digits exchanged"),
+    CARRIED: words("Fehler übernommen|slip carried over"),
+    UNEXPLAINED: words("ungeklärt|unexplained"),
 }
 
 

@@ -11,6 +11,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
 from kurbel.motion import captions
 from kurbel.motion.question import Request
+from kurbel.page.quantity import words
 from kurbel.page.words import for_ratio
 from kurbel.plot.curves import motion_panels, pin_force
 from kurbel.plot.mechanism import mechanism
@@ -27,15 +28,15 @@ if TYPE_CHECKING:
 
 MOST_POSITIONS = 36
 WORDS = {
-    "drive": {"de": "Kurbeltrieb", "en": "Crank drive"},
-    "arc": {"de": "Bogenschubkurbel", "en": "Arc crank"},
-    "parallel": {"de": "Parallelkurbel", "en": "Parallel crank"},
+    "drive": words("Kurbeltrieb|Crank drive"),
+    "arc": words("Bogenschubkurbel|Arc crank"),
+    "parallel": words("Parallelkurbel|Parallel crank"),
 }
 # The diagram turns with the crank.
-POLAR_TITLE = {
-    "de": "Polardiagramm der Kraft am Kurbelzapfen im Achsenkreuz der Kurbel",
-    "en": "Polar diagram of the force on the crank pin, in the frame of the crank",
-}
+POLAR_TITLE = words(
+    "Polardiagramm der Kraft am Kurbelzapfen im Achsenkreuz der Kurbel"
+    "|Polar diagram of the force on the crank pin, in the frame of the crank"
+)
 # The directions of its axes, across and up.
 POLAR_WAYS = {"de": ("im Drehsinn", "zur Welle"), "en": ("as the crank turns", "towards the shaft")}
 

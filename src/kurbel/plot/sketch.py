@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from kurbel.page.quantity import words
 from kurbel.plot.place import AROUND, Points, around, box_points, densely, freest
 from kurbel.plot.style import (
     BLACK,
@@ -36,8 +37,8 @@ Text = tuple[Point, Point, str]
 
 # What drawings call the ends of the stroke.
 DEAD_CENTRES = {
-    "inner": {"de": "innerer Totpunkt", "en": "inner dead centre"},
-    "outer": {"de": "äußerer Totpunkt", "en": "outer dead centre"},
+    "inner": words("innerer Totpunkt|inner dead centre"),
+    "outer": words("äußerer Totpunkt|outer dead centre"),
 }
 # In mm.
 LEAST_DIMENSION, SMALL_CRANK = 5.0, 9.5
