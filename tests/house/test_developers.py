@@ -1,0 +1,143 @@
+"""The pages for developers: their steps, done in a copy of the house, give what they say.
+
+A page states its steps in blocks: ```python append=FILE, ```python before="TEXT" in=FILE, ```python
+replace="TEXT" in=FILE, ```toml new=FILE, and what is typed then in ```console. KURBEL_PROMOTE=1 writes anew what
+the commands print.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+import textwrap
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+from mpmath import mp
+from places import ROOT
+
+PAGES = ROOT / "docs" / "developers"
+BLOCK = re.compile(r"^( *)```(\w+)(?: ([^\n]*))?\n(.*?)^ *```$", re.DOTALL | re.MULTILINE)
+COMMAND = re.compile(r"^\$ (.+)\n", re.MULTILINE)
+HANDBOOK = 'title = "Tafel"\nlang = "de"\n[[chapter]]\ntitle = "Neu"\n[[chapter.part]]\nrun = "{run}"\n'
+
+
+class House:
+    """A copy of what is installed and of what makes the reference."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        for part in ("src", "templates", "docs"):
+            shutil.copytree(ROOT / part, folder / part, ignore=shutil.ignore_patterns("__pycache__"))
+        self.desk = folder / "desk"
+        self.desk.mkdir()
+
+    def do(self, step: str, text: str) -> None:
+        """Do what a block says."""
+        said = dict(one.split("=", 1) for one in shlex.split(step))
+        path = self.folder / (said.get("new") or said.get("append") or said["in"])
+        if "new" in said:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+            return
+        own = path.read_text(encoding="utf-8")
+        if "append" in said:
+            path.write_text(f"{own}\n\n{text}", encoding="utf-8")
+            return
+        place = said.get("before") or said["replace"]
+        assert own.count(place) == 1, f"{path.name} has {own.count(place)} places {place!r}"
+        text = f"{text}\n\n{place}" if "before" in said else text.rstrip("\n")
+        path.write_text(own.replace(place, text), encoding="utf-8")
+
+    def run(self, *words: str) -> str:
+        environment = {name: text for name, text in os.environ.items() if "KURBEL" not in name}
+        done = subprocess.run(
+            [sys.executable, *words],
+            cwd=self.desk,
+            env=environment | {"PYTHONPATH": str(self.folder / "src")},
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert done.returncode == 0, done.stderr
+        return done.stdout + done.stderr
+
+    def kurbel(self, command: str) -> str:
+        program, *words = shlex.split(command)
+        assert program == "kurbel"
+        return self.run("-m", "kurbel", *words)
+
+    def reference(self) -> str:
+        self.run(str(self.folder / "docs" / "reference.py"))
+        return (self.folder / "docs" / "reference.md").read_text(encoding="utf-8")
+
+    def handbook(self, run: str) -> str:
+        """Build a handbook with one part and return its HTML page."""
+        (self.desk / "handbook.toml").write_text(HANDBOOK.format(run=run), encoding="utf-8")
+        self.kurbel("kurbel handbook build .")
+        return (self.desk / "pages" / "handbook.html").read_text(encoding="utf-8")
+
+
+def built(name: str, folder: Path) -> House:
+    """Return the house after the steps of a page; what it types must print what stands there."""
+    house, page = House(folder), PAGES / f"{name}.md"
+    text = page.read_text(encoding="utf-8")
+    for indent, kind, step, block in BLOCK.findall(text):
+        block = textwrap.dedent(block)
+        if step:
+            house.do(step, block)
+        elif kind == "console":
+            shown = "".join(f"$ {command}\n{house.kurbel(command)}" for command in COMMAND.findall(block))
+            if os.environ.get("KURBEL_PROMOTE") == "1":
+                page.write_text(
+                    page.read_text(encoding="utf-8").replace(
+                        textwrap.indent(block, indent), textwrap.indent(shown, indent)
+                    ),
+                    encoding="utf-8",
+                )
+            else:
+                assert block == shown
+    return house
+
+
+@pytest.fixture(scope="module")
+def jerk(tmp_path_factory: pytest.TempPathFactory) -> House:
+    return built("quantity", tmp_path_factory.mktemp("quantity"))
+
+
+@pytest.mark.parametrize("stroke", [0, 1])
+def test_the_jerk_is_the_slope_of_the_acceleration(jerk: House, stroke: int) -> None:
+    ratio, columns = Fraction(3, 7), ("jerk", "jerk_return")
+    printed = jerk.kurbel(f"kurbel table --ratio 3:7 --angle 25;115;205 --columns {','.join(columns)} -f csv")
+    rows = [line.split(",") for line in printed.splitlines()[1:]]
+    with mp.workdps(40):
+        for angle, row in zip((25, 115, 205), rows, strict=True):
+            turned = mp.radians(angle + 180 * stroke)
+            slope = mp.diff(lambda phi: _path(phi, mp.mpf(ratio.numerator) / ratio.denominator), turned, 3)
+            assert abs(mp.mpf(row[stroke]) - slope * (-1) ** stroke) <= mp.mpf("0.00005")
+
+
+def _path(phi: object, ratio: object) -> object:
+    """The piston path in units of R, by Rötscher's eq. (285)."""
+    return 1 - mp.cos(phi) + (1 - mp.sqrt(1 - (ratio * mp.sin(phi)) ** 2)) / ratio
+
+
+def test_a_new_quantity_is_in_reference_handbook_drawing_and_list(jerk: House) -> None:
+    assert "| `jerk` | Piston jerk, Outstroke | v³/R² | 4 |" in jerk.reference()
+    assert "Kolbenruck" in jerk.handbook("table --ratio 1:5 --columns phi,jerk")
+    assert "<svg" in (jerk.desk / "jerk.svg").read_text(encoding="utf-8")
+    assert re.search(
+        r"^jerk_return +Kolbenruck, Rückgang +v³/R² +table", jerk.kurbel("kurbel quantities"), re.M
+    )
+
+
+def test_a_new_quantity_without_a_formula_is_refused_with_a_sentence(jerk: House) -> None:
+    with pytest.raises(AssertionError, match="jerk has no formula for an offset crank; leave the offset out"):
+        jerk.kurbel("kurbel table --ratio 1:5 --offset 0.3 --columns phi,jerk")
+    with pytest.raises(AssertionError, match='method "series" has no formula for jerk; use exact'):
+        jerk.kurbel("kurbel table --ratio 1:5 --method series --columns phi,jerk")
