@@ -29,6 +29,7 @@ from kurbel.documents.prose import (
 )
 from kurbel.formats.format import PageFormat
 from kurbel.page.formula import Formula
+from kurbel.page.plain import formula_plain
 
 
 class Reference(NamedTuple):
@@ -113,6 +114,23 @@ class ProsePrinter(ABC):
                 return self.link(address, content)
             case Refer(name, content):
                 return self.reference(self.refer(name), content)
+
+    def plain(self, content: Inlines) -> str:
+        """Return the letters of inlines, where nothing else can stand."""
+        pieces = []
+        for inline in content:
+            match inline:
+                case Text(text) | Code(text):
+                    pieces.append(text)
+                case Formula():
+                    pieces.append(formula_plain(inline, self.mark))
+                case Emphasis(inner) | Strong(inner) | Link(_, inner):
+                    pieces.append(self.plain(inner))
+                case Refer(name, inner):
+                    pieces.append(self.plain(inner) or self.refer(name).text)
+                case Break():
+                    pieces.append(" ")
+        return "".join(pieces)
 
     def text(self, text: str) -> str:
         """Return words."""

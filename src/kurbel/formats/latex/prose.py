@@ -8,7 +8,6 @@ from collections.abc import Iterator
 from kurbel.documents.prose import (
     Blocks,
     Break,
-    Code,
     CodeBlock,
     Emphasis,
     Grid,
@@ -19,12 +18,9 @@ from kurbel.documents.prose import (
     Quote,
     Refer,
     Strong,
-    Text,
 )
 from kurbel.formats.latex.escapes import escape, string
 from kurbel.formats.printer import ProsePrinter, Reference, is_own
-from kurbel.page.formula import Formula
-from kurbel.page.plain import formula_plain
 
 _SECTIONS = ("chapter", "section", "subsection", "subsubsection", "paragraph")
 _COUNTERS = ("enumi", "enumii", "enumiii", "enumiv")
@@ -52,27 +48,10 @@ class Printer(ProsePrinter):
         section = _SECTIONS[max(1, min(level, len(_SECTIONS))) - 1]
         title = self.inlines(content)
         # Bookmarks hold nothing but characters.
-        bookmark = string(self._plain(content))
+        bookmark = string(self.plain(content))
         if bookmark != title:
             title = rf"\texorpdfstring{{{title}}}{{{bookmark}}}"
         return rf"\{section}{{{title}}}"
-
-    def _plain(self, content: Inlines) -> str:
-        """Return the characters of a heading."""
-        pieces = []
-        for inline in content:
-            match inline:
-                case Text(text) | Code(text):
-                    pieces.append(text)
-                case Formula():
-                    pieces.append(formula_plain(inline, self.mark))
-                case Emphasis(inner) | Strong(inner) | Link(_, inner):
-                    pieces.append(self._plain(inner))
-                case Refer(name, inner):
-                    pieces.append(self._plain(inner) or self.refer(name).text)
-                case _:
-                    pieces.append(" ")
-        return "".join(pieces)
 
     def code_block(self, lines: tuple[str, ...]) -> str:
         return f"\\begin{{quote}}\n{_lines(lines)}\n\\end{{quote}}"
@@ -117,7 +96,7 @@ class Printer(ProsePrinter):
     def _columns(self, grid: Grid) -> Iterator[str]:
         """Yield the columns; where the rows are longer than a line, those of sentences break their lines."""
         rows = (grid.head, *grid.rows)
-        widths = [max(len(self._plain(cell)) for cell in cells) for cells in zip(*rows, strict=True)]
+        widths = [max(len(self.plain(cell)) for cell in cells) for cells in zip(*rows, strict=True)]
         fits = sum(widths) + 2 * len(widths) <= _LINE
         long = sum(width for width in widths if width > _SHORT)
         room = _LINE - sum(width + 2 for width in widths if width <= _SHORT)
@@ -155,7 +134,7 @@ class Printer(ProsePrinter):
 
     def _shown(self, address: str, content: Inlines) -> str:
         """Return the words of a link; an address may be broken at any character."""
-        return _breakable(self._plain(content)) if is_own(address, content) else self.inlines(content)
+        return _breakable(self.plain(content)) if is_own(address, content) else self.inlines(content)
 
     def reference(self, reference: Reference, content: Inlines) -> str:
         label = reference.target

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from kurbel.formats.format import PageFormat
 
 if TYPE_CHECKING:
+    from kurbel.documents.document import Document
     from kurbel.formats.printer import ProsePrinter
     from kurbel.page.table import Table
 
@@ -17,6 +19,7 @@ class PlainText(PageFormat):
     suffixes = (".txt",)
     media = "plain text for terminals and e-mail"
     legible = 2
+    figures = "svg"
 
     def written(self, table: Table, mark: str, width: int | None) -> str:
         from kurbel.formats.page import page
@@ -32,6 +35,13 @@ class PlainText(PageFormat):
         from kurbel.formats.text.prose import Printer
 
         return Printer
+
+    def documents(
+        self, document: Document, fragments: Mapping[str, str], templates: str | None
+    ) -> dict[str, str]:
+        from kurbel.formats.text.document import files
+
+        return files(document, fragments, templates)
 
 
 FORMAT = PlainText()

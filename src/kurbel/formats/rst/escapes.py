@@ -1,0 +1,53 @@
+r"""Prose and marks of labels in reStructuredText.
+
+Markup stands apart from letters beside it. What is set here has an escaped space, which is not printed, on
+both sides; `finish` removes those that are not needed: "x\ :math:`R`\ , y" becomes "x\ :math:`R`, y".
+"""
+
+from __future__ import annotations
+
+import re
+
+_OBEYED = re.compile(r"[\\*`|_]|:(?=:)|(?<=\S)@(?=\S)|(?<=http|ttps|ilto|:ftp|file):(?=\S)")
+# At the start of a line these make a list, a field, an option, a comment or a line across the page.
+_START = re.compile(
+    r"^ *(?=[-+•‣⁃](?: |$)|\.\.(?: |$)|>>>(?: |$)|:[^:]|--?[A-Za-z]|/[A-Za-z]|([!-/:-@\[-^{-~])\1{3}"
+    r"|\(?(?:[0-9]+|#|[A-Za-z]|[ivxlcdmIVXLCDM]+)[.)](?: |$))"
+)
+_ESCAPED = re.compile(r"\\(.)", re.DOTALL)
+_TWICE = re.compile(r"(?<=[`*])(?:\\ )+(?=\\ [:`*])")
+_OPENING = re.compile(r":[a-z]+:`|[`*]")
+# What may touch markup before it and behind it.
+_BEFORE, _BEHIND = frozenset(" \n'\"([{<-/:"), frozenset(" \n'\")]}>-/\\:.,;!?")
+
+
+def escape(prose: str) -> str:
+    """Return prose of which every character is printed and none obeyed."""
+    return _START.sub(r"\g<0>\\", _OBEYED.sub(r"\\\g<0>", prose))
+
+
+def role(name: str, text: str) -> str:
+    """Return text in a role, such as sup, apart from what stands beside it."""
+    return f"\\ :{name}:`{text}`\\ "
+
+
+def note_mark(mark: str) -> str:
+    """Return a raised mark without a link: a name of a note could be used but once in a document."""
+    return role("sup", f"{escape(mark)})")
+
+
+def finish(text: str) -> str:
+    """Return what was set without the escaped spaces that nothing needs."""
+    single = _TWICE.sub("", text)
+
+    def kept(match: re.Match[str]) -> str:
+        if match[1] != " ":
+            return match[0]
+        before, behind = single[: match.start()][-1:], single[match.end() :][:1]
+        opens, closes = bool(_OPENING.match(single, match.end())), before in ("`", "*")
+        needless = (not opens or not before or before in _BEFORE) and (
+            not closes or not behind or behind in _BEHIND
+        )
+        return "" if needless else match[0]
+
+    return _ESCAPED.sub(kept, single)
