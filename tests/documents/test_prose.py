@@ -7,10 +7,9 @@ import time
 
 import pytest
 from hypothesis import example, given, settings
-from hypothesis import strategies as st
 from markdown_it import MarkdownIt
 from places import ROOT
-from prose_sample import SAMPLE, Parts, parsed, shown
+from prose_sample import SAMPLE, TEXTS, Parts, parsed, shown
 
 from kurbel.documents.prose import (
     Blocks,
@@ -168,6 +167,7 @@ def test_pathological_text_is_set_or_refused_quickly(piece: str) -> None:
             r"\hyperref[tab:delta]{\tablename~\ref*{tab:delta}}",
             r"\hyperref[tab:delta]{b}",
         ),
+        ("rst", "a\n~", ":ref:`Tabelle 3 <tab-delta>`", ":ref:`b <tab-delta>`"),
         ("typst", "#heading(level: 3)[a];", "#ref(<tab-delta>);", "#link(<tab-delta>)[b];"),
     ],
 )
@@ -184,24 +184,6 @@ def test_numbers_in_formulas_have_the_decimal_mark(form: str) -> None:
     assert "4.5" not in printed("$x = 4.5$", form)
 
 
-_MARKS = [*"*_`~<>[]()|#+-=.:!&\\/'\"^%{}@, \n", "a", "b1", "ä", "\u00a0", "&amp;", "&#42;", "&#32;", "<b>"]
-_BLOCKS = [
-    "    ",
-    "\n\n",
-    "- ",
-    "1. ",
-    "2) ",
-    "> ",
-    "```\n",
-    "\\\n",
-    "***",
-    "---\n",
-    "# ",
-    "|a|b|\n|-|:-:|\n",
-]
-_WORDS = ["**", "*a*", "*a b*", "__c__", "`` ` ``", "[a](http://b.de/(c_d))", "[c]: http://d.de\n", "[c]"]
-_PIECES = st.sampled_from(_MARKS + _BLOCKS + _WORDS)
-TEXTS = st.one_of(st.text(max_size=40), st.lists(_PIECES, max_size=25).map("".join))
 _PLAIN = MarkdownIt("commonmark", {"html": False}).enable("table")
 _PLAIN.validateLink = lambda url: True  # type: ignore[method-assign]
 

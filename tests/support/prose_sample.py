@@ -5,6 +5,8 @@ from __future__ import annotations
 from html.parser import HTMLParser
 from typing import Literal
 
+from hypothesis import strategies as st
+
 from kurbel.documents.prose import (
     Blocks,
     parse_prose,
@@ -55,13 +57,52 @@ Der Kolben eilt bei 2°30' *vor*, und zwar **um $x/R = 1/4.5 · cos^2 φ$**; sie
     der letzte
 """
 
+_MARKS = [*"*_`~<>[]()|#+-=.:!&\\/'\"^%{}@, \n", "a", "b1", "ä", "\u00a0", "&amp;", "&#42;", "&#32;", "<b>"]
+_BLOCKS = [
+    "    ",
+    "\n\n",
+    "- ",
+    "1. ",
+    "2) ",
+    "> ",
+    "```\n",
+    "\\\n",
+    "***",
+    "---\n",
+    "# ",
+    "|a|b|\n|-|:-:|\n",
+]
+_WORDS = [
+    "**",
+    "*a*",
+    "*a b*",
+    "__c__",
+    "`` ` ``",
+    "[a](http://b.de/(c_d))",
+    "[c]: http://d.de\n",
+    "[c]",
+    "::",
+    ".. ",
+    "http://d.e",
+    "[](#delta)",
+]
+_PIECES = st.sampled_from(_MARKS + _BLOCKS + _WORDS)
+TEXTS = st.one_of(st.text(max_size=40), st.lists(_PIECES, max_size=25).map("".join))
+
 _Kind = Literal["table", "figure", "chapter"]
 _PARTS: dict[str, tuple[_Kind, str, int]] = {
     "delta": ("table", "tab", 3),
     "drive": ("figure", "fig", 1),
     "start": ("chapter", "ch", 2),
 }
-_TARGETS = {"latex": "{}:{}", "typst": "{}-{}", "html": "#{}-{}", "markdown": "02-x.md#{}-{}", "text": "{}{}"}
+_TARGETS = {
+    "latex": "{}:{}",
+    "typst": "{}-{}",
+    "html": "#{}-{}",
+    "markdown": "02-x.md#{}-{}",
+    "text": "{}{}",
+    "rst": "{}-{}",
+}
 _NAMES = {"table": "Tabelle", "figure": "Abbildung", "chapter": "Kapitel"}
 
 

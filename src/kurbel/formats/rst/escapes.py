@@ -11,19 +11,21 @@ import re
 _OBEYED = re.compile(r"[\\*`|_]|:(?=:)|(?<=\S)@(?=\S)|(?<=http|ttps|ilto|:ftp|file):(?=\S)")
 # At the start of a line these make a list, a field, an option, a comment or a line across the page.
 _START = re.compile(
-    r"^ *(?=[-+•‣⁃](?: |$)|\.\.(?: |$)|>>>(?: |$)|:[^:]|--?[A-Za-z]|/[A-Za-z]|([!-/:-@\[-^{-~])\1{3}"
-    r"|\(?(?:[0-9]+|#|[A-Za-z]|[ivxlcdmIVXLCDM]+)[.)](?: |$))"
+    r"^ *(?=(?:[-+•‣⁃]|\.\.|>>>)(?: |$)|:[^:]|--?[A-Za-z]|/[A-Za-z]|=+ |\+-"
+    r"|([!-/:-@\[\]^{-~])(?:\1{3}|\1*$)|\(?(?:[0-9]+|#|[A-Za-z]|[ivxlcdmIVXLCDM]+)[.)](?: |$))"
 )
 _ESCAPED = re.compile(r"\\(.)", re.DOTALL)
-_TWICE = re.compile(r"(?<=[`*])(?:\\ )+(?=\\ [:`*])")
+_TWICE = re.compile(r"(?<=[`*_])(?:\\ )+(?=\\ [:`*])")
 _OPENING = re.compile(r":[a-z]+:`|[`*]")
 # What may touch markup before it and behind it.
-_BEFORE, _BEHIND = frozenset(" \n'\"([{<-/:"), frozenset(" \n'\")]}>-/\\:.,;!?")
+_BEFORE, _BEHIND = frozenset(("", *" \n'\"([{<-/:")), frozenset(("", *" \n'\")]}>-/\\:.,;!?"))
 
 
 def escape(prose: str) -> str:
     """Return prose of which every character is printed and none obeyed."""
-    return _START.sub(r"\g<0>\\", _OBEYED.sub(r"\\\g<0>", prose))
+    escaped = _START.sub(r"\g<0>\\", _OBEYED.sub(r"\\\g<0>", prose))
+    # Nothing but backslashes would be a line across the page.
+    return escaped if escaped.strip("\\ ") or not escaped.strip() else f"\\ {escaped}"
 
 
 def role(name: str, text: str) -> str:
@@ -44,10 +46,8 @@ def finish(text: str) -> str:
         if match[1] != " ":
             return match[0]
         before, behind = single[: match.start()][-1:], single[match.end() :][:1]
-        opens, closes = bool(_OPENING.match(single, match.end())), before in ("`", "*")
-        needless = (not opens or not before or before in _BEFORE) and (
-            not closes or not behind or behind in _BEHIND
-        )
-        return "" if needless else match[0]
+        opens, closes = bool(_OPENING.match(single, match.end())), before in ("`", "*", "_")
+        apart = (opens and before not in _BEFORE) or (closes and behind not in _BEHIND)
+        return match[0] if apart or not (opens or closes) else ""
 
     return _ESCAPED.sub(kept, single)

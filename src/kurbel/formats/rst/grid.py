@@ -74,7 +74,7 @@ def grid_lines(cells: Sequence[GridCell], heads: int) -> list[str]:
     for cell in cells:
         left, right = across[cell.column], across[cell.column + cell.across]
         for row in (cell.row, cell.row + cell.down):
-            _fill(canvas[along[row]], left + 1, ("=" if row == heads else "-") * (right - left - 1))
+            _fill(canvas[along[row]], left + 1, ("=" if 0 < row == heads else "-") * (right - left - 1))
         for line in canvas[along[cell.row] + 1 : along[cell.row + cell.down]]:
             _fill(line, left, "|")
             _fill(line, right, "|")

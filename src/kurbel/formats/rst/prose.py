@@ -52,6 +52,8 @@ class Printer(ProsePrinter):
         return underlined(title, level)
 
     def code_block(self, lines: tuple[str, ...]) -> str:
+        if not any(lines):
+            return ""
         return "\n".join((".. code-block:: text", "", *(f"{_INDENT}{line}".rstrip() for line in lines)))
 
     def quote(self, content: Blocks) -> str:
@@ -106,7 +108,7 @@ class Printer(ProsePrinter):
         return self.inlines(content).replace("\n", " ").strip(" ")
 
     def code(self, text: str) -> str:
-        inner = text.strip(" ").replace("\u00a0", " ")
+        inner = text.replace("\u00a0", " ").strip()
         if not inner:
             return ""
         if "``" in inner or "`" in (inner[0], inner[-1]):
@@ -143,7 +145,7 @@ def underlined(title: str, level: int) -> str:
 
 def _between(mark: str, text: str) -> str:
     """Return words between marks; white space stands outside of them."""
-    inner = text.strip(" \u00a0")
+    inner = text.strip()
     if not inner:
         return text
     before, behind = text[: text.index(inner)], text[text.index(inner) + len(inner) :]

@@ -1,0 +1,277 @@
+"""reStructuredText: docutils and Sphinx read it without a warning and show all characters and spans."""
+
+from __future__ import annotations
+
+import io
+import re
+import subprocess
+import sys
+from html.parser import HTMLParser
+from pathlib import Path
+from typing import Any
+
+import handbook
+import pytest
+from docutils import nodes
+from docutils.core import publish_doctree
+from docutils.parsers.rst import roles
+from docutils.utils import unescape
+from everything import everything
+from golden import assert_golden
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+from pages import default_page, each_layout
+from prose_sample import SAMPLE, TEXTS, Parts, parsed, shown
+from readers import model_cells
+
+from kurbel.documents.document import Chapter, Document, Item
+from kurbel.documents.prose import parse_prose
+from kurbel.formats.documents import document_files
+from kurbel.formats.page import head_rows
+from kurbel.formats.printer import set_prose
+from kurbel.formats.registry import page_format
+from kurbel.formats.render import render
+from kurbel.formats.rst.escapes import escape, finish, role
+from kurbel.formats.rst.grid import GridCell, grid_lines
+from kurbel.page.folders import LANGUAGES, layout_names
+from kurbel.page.labels import plain
+
+
+def _reference(name: str, raw: str, text: str, *others: Any, **more: Any) -> Any:
+    """Stand in for the role of Sphinx, which docutils does not have."""
+    return [nodes.inline(raw, unescape(text).split(" <")[0])], []
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _role_of_sphinx() -> None:
+    roles.register_local_role("ref", _reference)
+
+
+def read(source: str) -> nodes.document:
+    """Return the document as docutils reads it; a warning fails."""
+    said = io.StringIO()
+    options = {
+        "warning_stream": said,
+        "_disable_config": True,
+        "doctitle_xform": False,
+        "file_insertion_enabled": False,
+    }
+    document: nodes.document = publish_doctree(source, settings_overrides=options)
+    assert said.getvalue() == "", source
+    for remark in [*document.findall(nodes.system_message)]:
+        remark.parent.remove(remark)
+    return document
+
+
+def letters(node: nodes.Node) -> str:
+    return "".join(node.astext().split())
+
+
+def prose(text: str) -> str:
+    return set_prose(parsed(text), page_format("rst"), ",", Parts("rst"))
+
+
+_PRINTED = st.text(st.characters(exclude_categories=("C", "Zl", "Zp")))
+# What docutils itself puts there, or takes away: marks of lists, the words of links.
+_LIST = re.compile(r"<(?:li|ol|ul|hr|pre|a)\b")
+
+
+@example("```")
+@example("[](HTTP:)0")
+@example("\\\\\\")
+@example("=&#10;=")
+@example("0|0\n-|-")
+@example("```0\u00a0```")
+@example("a *b*c **d *e*** `` `f ``g")
+@example("- a\n\n> b\n\n> c\n\n1. d\n\n\n1) e")
+@settings(max_examples=200, deadline=None)
+@given(TEXTS)
+def test_any_text_is_read_without_a_warning_and_shows_its_characters(text: str) -> None:
+    text = text.replace("$", "")
+    if blocks := parsed(text):
+        seen = letters(read(prose(text)))
+        page = set_prose(blocks, page_format("html"), ",", Parts("html"))
+        if not _LIST.search(page):
+            assert seen == shown(page)
+
+
+@given(_PRINTED, _PRINTED)
+def test_prose_beside_markup_is_printed_as_it_is(before: str, after: str) -> None:
+    before, after = (" ".join(text.split()) for text in (before, after))
+    source = finish(escape(before) + role("sup", "x") + escape(after))
+    assert letters(read(f"Wort {source}\n")) == "".join(f"Wort{before}x{after}".split())
+
+
+def test_escaped_spaces_stand_only_where_markup_would_join_its_neighbours() -> None:
+    x, sup = role("math", "x"), role("sup", "a)")
+    assert finish(x) == ":math:`x`"
+    assert finish(f"Weg {x}, a") == "Weg :math:`x`, a"
+    assert finish(f"({x}): 0,5{sup}") == "(:math:`x`): 0,5\\ :sup:`a)`"
+    assert finish(f"a{x}{sup}b") == r"a\ :math:`x`\ :sup:`a)`\ b"
+
+
+def test_sample_has_all_its_blocks() -> None:
+    document = read(prose(SAMPLE))
+    kinds = (nodes.section, nodes.bullet_list, nodes.enumerated_list, nodes.block_quote, nodes.literal_block)
+    counts = [len([*document.findall(kind)]) for kind in kinds]
+    # Two lists in a row stay two.
+    assert counts == [2, 2, 2, 2, 2]
+    (numbered,) = (one for one in document.findall(nodes.enumerated_list) if one.get("start"))
+    assert numbered["start"] == 7
+    assert 'if (a < b) { x = "y"; }  # 100 %\n    weiter' in document.astext()
+
+
+def test_everything_is_golden() -> None:
+    assert_golden("everything.rst", render(everything(), "rst"))
+
+
+def test_grid_of_cells_of_any_extent() -> None:
+    cells = [
+        GridCell(0, 0, ("a", "b"), down=2),
+        GridCell(0, 1, ("wide",), across=2),
+        GridCell(1, 1, ("c",)),
+        GridCell(1, 2, ("",)),
+        GridCell(2, 0, ("字",)),
+        GridCell(2, 1, ("1",), right=True),
+        GridCell(2, 2, ("e\u0301",)),
+    ]
+    assert grid_lines(cells, 2) == [
+        "+----+-------+",
+        "| a  | wide  |",
+        "| b  +---+---+",
+        "|    | c |   |",
+        "+====+===+===+",
+        "| 字 | 1 | e\u0301 |",
+        "+----+---+---+",
+    ]
+
+
+@each_layout
+def test_cells_and_spans_are_those_of_the_model(name: str, lang: str) -> None:
+    table = default_page(name, lang)
+    document = read(render(table, "rst", decimal="comma"))
+    groups = [*document.findall(nodes.tgroup)]
+    assert len(groups) == len(table.panels)
+    for panel, group in zip(table.panels, groups, strict=True):
+        head, body = (next(group.findall(kind)) for kind in (nodes.thead, nodes.tbody))
+        spans = [[_extent(entry) for entry in row.findall(nodes.entry)] for row in head.findall(nodes.row)]
+        assert spans == [[(cell.across, cell.down) for cell in row] for row in head_rows(panel)]
+        rows = iter([*row.findall(nodes.entry)] for row in body.findall(nodes.row))
+        for part, texts in zip(panel.groups, model_cells(panel), strict=True):
+            if part.label:
+                (label,) = next(rows)
+                assert _extent(label) == (len(panel.stub + panel.columns), 1)
+            for row, expected in zip(part.rows, texts, strict=True):
+                _assert_figures(next(rows), expected, len(row.stub))
+
+
+def _extent(entry: nodes.entry) -> tuple[int, int]:
+    return entry.get("morecols", 0) + 1, entry.get("morerows", 0) + 1
+
+
+def _assert_figures(entries: list[nodes.entry], expected: list[str], stubs: int) -> None:
+    """Compare the figures of a row; formulas are set otherwise, and what a row shares stands above it."""
+    for entry, text in zip(entries[::-1], expected[::-1], strict=False):
+        if re.fullmatch(r"[−0-9,]+", text):
+            assert letters(entry) == text
+    assert len(expected) - stubs <= len(entries) <= len(expected)
+
+
+def test_columns_of_words_are_counted_from_the_right() -> None:
+    table = everything()
+    classes = re.findall(r":class: (.*)", render(table, "rst"))
+    assert classes == ["kurbel left-7 left-1", "kurbel left-4"]
+
+
+# Sphinx, once for all that it reads.
+
+
+def chapters() -> tuple[Chapter, ...]:
+    """Return chapters of every page in both languages, and of the sample of texts."""
+    pages = [("de", name) for name in layout_names()] + [("en", name) for name in layout_names()]
+    items = tuple(
+        Item("table", f"{name}-{lang}", number, lang, default_page(name, lang).caption)
+        for number, (lang, name) in enumerate(pages, 1)
+    )
+    text = (
+        SAMPLE.replace("#delta", "#solve-de").replace("#drive", "#stellung").replace("#start", "#gleichgang")
+    )
+    parts = (Item("text", lang="de", blocks=parse_prose(text)), *items)
+    return Chapter("Alle Tafeln: *_`", "alle", 4, parts), Chapter("Leer", "leer", 5, ())
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Build a handbook of every page by Sphinx, without a warning, and return the folder of its pages."""
+    folder = tmp_path_factory.mktemp("rst")
+    whole: Document = handbook.document()
+    whole = whole._replace(title="Tafeln 'der' Kurbel, $x/R$", chapters=(*whole.chapters, *chapters()))
+    tables = handbook.fragments("rst") | {
+        f"{name}-{lang}": render(default_page(name, lang, f"{name}-{lang}"), "rst")
+        for name in layout_names()
+        for lang in LANGUAGES
+    }
+    handbook.write_folder(folder, document_files(whole, "rst", tables), tables, ".rst")
+    words = ("-m", "sphinx", "-W", "--keep-going", "-n", "-q", "-b", "html", "rst", "site")
+    done = subprocess.run([sys.executable, *words], cwd=folder, capture_output=True, text=True)
+    assert (done.returncode, done.stderr, done.stdout) == (0, "", "")
+    return folder / "site"
+
+
+class Page(HTMLParser):
+    """The ids of a page, what its links lead to, and its text."""
+
+    def __init__(self, path: Path) -> None:
+        super().__init__()
+        self.ids: set[str] = set()
+        self.links: dict[str, str] = {}
+        self.link = ""
+        self.text = ""
+        self.feed(path.read_text(encoding="utf-8"))
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        given = dict(attrs)
+        self.ids.add(given.get("id") or "")
+        self.link = (given.get("href") or "") if tag == "a" else self.link
+
+    def handle_data(self, data: str) -> None:
+        self.text += data
+        self.links.setdefault(data.strip(), self.link)
+
+
+def test_sphinx_builds_every_page_and_its_references_lead_to_their_parts(site: Path) -> None:
+    first = Page(site / "01-bewegung.html")
+    assert first.links["Tabelle 2"] == "#tab-zusammenstellung"
+    assert first.links["dem Abschnitt über den Gleichgang"] == "02-gleichgang.html#sec-gleichgang"
+    assert {"tab-weg", "fig-kurven", "sec-bewegung"} <= first.ids
+    assert "Tabelle 1. Kolbenweg" in first.text
+    assert "Abbildung 1. Weg, Geschwindigkeit" in first.text
+    every = Page(site / "04-alle.html")
+    assert {f"tab-{name}-{lang}" for name in layout_names() for lang in LANGUAGES} <= every.ids
+    assert every.links["die Skizze"] == "02-gleichgang.html#fig-stellung"
+
+
+def test_index_lists_chapters_tables_and_figures(site: Path) -> None:
+    index = Page(site / "index.html")
+    assert index.links["2. Gleichgang"] == "02-gleichgang.html"
+    assert index.links["Tabelle 5"] == "02-gleichgang.html#tab-delta"
+    assert index.links["Figure 2"] == "02-gleichgang.html#fig-stellung"
+    assert "Tafeln 'der' Kurbel, x/R" in index.text
+    assert (site / "_static/kurbel.css").read_text().count("nth-last-child") == 30
+
+
+def test_document_names_its_captions_for_those_who_do_not_see_the_figure() -> None:
+    pages = document_files(handbook.small(), "rst", {"path": render(handbook.table("path"), "rst")})
+    assert [*pages] == ["rst/index.rst", "rst/conf.py", "rst/kurbel.css", "rst/01-kurz.rst"]
+    (figure,) = handbook.small().items("figure")
+    assert f":alt: {plain(figure.caption, ',')}\n" in pages["rst/01-kurz.rst"]
+    compile(pages["rst/conf.py"], "conf.py", "exec")
+
+
+def test_headings_in_lists_and_quotations_are_no_sections() -> None:
+    text = "> ## a\n\n### b\n\n- # c\n\n#### d\n\n# e"
+    chapter = Chapter("Kopf", "kopf", 1, (Item("text", lang="de", blocks=parse_prose(text)),))
+    source = document_files(Document("T", "de", "", (chapter,)), "rst", {})["rst/01-kopf.rst"]
+    document = read(f"Buch\n####\n\n{source}")
+    assert [title.astext() for title in document.findall(nodes.rubric)] == ["a", "c"]
+    assert [title.astext() for title in document.findall(nodes.title)] == ["Buch", "Kopf", "b", "d", "e"]
