@@ -10,7 +10,7 @@ import pytest
 import textbook
 from cli import printed
 from flint import arb
-from hypothesis import assume, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from textbook import Drive
 from timed import WITHOUT_UNITS, kurbel
@@ -74,17 +74,16 @@ def methods(key: str, drive: Drive) -> st.SearchStrategy[str]:
 
 
 @pytest.mark.parametrize("offset", [False, True], ids=["straight", "offset"])
-@pytest.mark.parametrize("key", MASSLESS)
 @settings(max_examples=60, deadline=None)
 @given(drawn=st.data())
-def test_every_digit_is_that_of_an_independent_computation(key: str, offset: bool, drawn: Any) -> None:
-    drive = drawn.draw(drives(offset))
-    method = drawn.draw(methods(key, drive))
-    angle = drawn.draw(ANGLES)
-    decimals = drawn.draw(st.integers(0, MOST_DECIMALS))
-    expected = textbook.rounded(textbook.evaluate(key, method, drive, angle, BITS), decimals)
-    assume(expected is not None)
-    assert kurbel(key, method, drive, angle, decimals) == expected
+def test_every_digit_is_that_of_an_independent_computation(offset: bool, drawn: Any) -> None:
+    drive, angle = drawn.draw(drives(offset)), drawn.draw(ANGLES)
+    for key in MASSLESS:
+        method = drawn.draw(methods(key, drive))
+        decimals = drawn.draw(st.integers(0, MOST_DECIMALS))
+        expected = textbook.rounded(textbook.evaluate(key, method, drive, angle, BITS), decimals)
+        if expected is not None:
+            assert kurbel(key, method, drive, angle, decimals) == expected, key
 
 
 @pytest.mark.parametrize("angle", [Fraction(text) for text in ("11.25", "1/3", "1/3600", "359.999")], ids=str)
