@@ -1,4 +1,4 @@
-"""The pages of the worked examples, read by eye: golden in both languages, and in every format."""
+"""The pages of the worked examples, read by eye: golden, one in every format."""
 
 from __future__ import annotations
 
@@ -16,11 +16,13 @@ from tex import ENGINES, PREAMBLE, compiled, complaints
 
 import kurbel
 from kurbel.examples.source import numbers_of, source_keys
+from kurbel.formats.registry import FORMATS
 from kurbel.formats.render import render
 from kurbel.page.folders import LANGUAGES
 from kurbel.page.table import Table
 
 EXAMPLES = [(key, number) for key in source_keys() for number in numbers_of(key)]
+SHORT = "uebung-12"
 TEXTS = {
     **{f"{key}-{number}": (key, number) for key, number in EXAMPLES},
     "blau-31-own": ("blau", "31", "--ratio=1:4,5", "--angle=30;120"),
@@ -31,21 +33,20 @@ TEXTS = {
     "weisbach-149-own": ("weisbach", "149", "--ratio=1:4"),
     "weisbach-150-own": ("weisbach", "150", "--eps=4", "--back=0,1"),
 }
+# The book's numbers in German, others of two examples in both languages; a short one in every format.
+BOTH = (SHORT, f"{SHORT}-own", "blau-31-own")
+BOOKS = [f"{key}-{number}" for key, number in EXAMPLES]
 PAGES = {
     **{
         f"{name}.{lang}.txt": (*words, f"--lang={lang}")
         for name, words in TEXTS.items()
         for lang in LANGUAGES
+        if name in BOTH or (lang == "de" and name in BOOKS)
     },
     **{
-        f"blau-34{suffix}": ("blau", "34", "-f", form)
-        for suffix, form in (
-            (".md", "markdown"),
-            (".tex", "latex"),
-            (".html", "html"),
-            (".typ", "typst"),
-            (".csv", "csv"),
-        )
+        f"{SHORT}{entry.suffixes[0]}": (*TEXTS[SHORT], "-f", form)
+        for form, entry in FORMATS.items()
+        if form not in ("text", "json", "pdf")
     },
 }
 

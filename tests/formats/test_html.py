@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import subprocess
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -23,18 +24,23 @@ each_name = pytest.mark.parametrize("name", layout_names())
 each_language = pytest.mark.parametrize("lang", LANGUAGES)
 
 
+@cache
+def default_document(name: str, lang: str = "de") -> str:
+    return document(default_page(name, lang))
+
+
 def document(table: Table) -> str:
     return render(table, "html", standalone=True)
 
 
 @each_layout
 def test_everybody_can_read_every_layout(viewer: Viewer, name: str, lang: str) -> None:
-    assert_readable(viewer, document(default_page(name, lang)))
+    assert_readable(viewer, default_document(name, lang))
 
 
 @each_name
 def test_every_layout_is_good_in_the_dark(viewer: Viewer, name: str) -> None:
-    assert_readable_in_the_dark(viewer, document(default_page(name)))
+    assert_readable_in_the_dark(viewer, default_document(name))
 
 
 @each_language
@@ -94,7 +100,7 @@ def test_long_formulas_do_not_hide_the_figures_behind_them(viewer: Viewer) -> No
 
 @each_name
 def test_caption_and_names_of_rows_stay_in_view(viewer: Viewer, name: str) -> None:
-    viewer.open(document(default_page(name)), TELEPHONE)
+    viewer.open(default_document(name), TELEPHONE)
     assert viewer.lost() == []
 
 
