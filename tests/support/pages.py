@@ -146,20 +146,10 @@ def addressed(panel: Panel) -> Iterator[tuple[Address, str]]:
 def all_pages() -> tuple[Table, ...]:
     return (
         *(default_page(name, lang, f"{name}-{lang}") for name in layout_names() for lang in LANGUAGES),
-<<<<<<< HEAD
         kurbel.table(stroke="600mm", speed=2, label="machine"),
         kurbel.table(offset="0.1", lang="en", label="offset"),
         kurbel.delta_table(method="weisbach", label="weisbach"),
         kurbel.delta_table(layout="delta-detail", ratio="1:4;1:5", cranks="0;90", label="cranks"),
         kurbel.turning_table("2;4", angle="0..360:30", label="engines"),
         kurbel.delta_table(back="0.1", exponent="1.13", clearance=0.05, single_acting=True, label="steam"),
-    ]
-=======
-        make_table(radius="0.3", speed=2, label="machine"),
-        make_table(offset="0.1", lang="en", label="offset"),
-        make_engine_table(methods="weisbach", label="weisbach"),
-        make_engine_table(layout="delta-detail", ratios="1:4;1:5", cranks="0;90", label="cranks"),
-        make_engine_table(layout="turning", expansions="2;4", angles="0..360:30", label="engines"),
-        make_engine_table(back="0.1", exponent="1.13", clearance="0.05", double_acting=False, label="steam"),
     )
->>>>>>> cb90719 (Golden pages have two rows: 115 files of 185 kB in place of 182 of 507)
