@@ -18,7 +18,6 @@ from kurbel.examples.source import example, numbers_of, source_keys
 from kurbel.formats.registry import FORMATS
 from kurbel.linkage.arc_drive import arc_names
 from kurbel.linkage.beam import registry as beam_registry
-from kurbel.linkage.beam_page import DEGREE_DECIMALS
 from kurbel.linkage.quantities import arc_registry, parallel_registry
 from kurbel.motion.drives import slide_names
 from kurbel.motion.evaluation import METHODS, NEEDS
@@ -82,9 +81,8 @@ def _engine_quantities() -> Iterator[str]:
         name, unit = f"{one.name['en']} {plain(one.symbol)}", plain(one.unit)
         yield f"| `{key}` | {name} | {unit} | {decimals} | `{COMMANDS_OF[one.scope]}` |"
     for key, beam in beam_registry().items():
-        decimals = DEGREE_DECIMALS if beam.shown_unit == "°" else beam.decimals
         name = f"{beam.name['en']} {plain(beam.symbol)}"
-        yield f"| `{key}` | {name} | {beam.shown_unit} | {decimals} | `deadcentres` |"
+        yield f"| `{key}` | {name} | {beam.plain_unit('en')} | {beam.decimals} | `deadcentres` |"
     yield from _balance_quantities()
 
 
@@ -108,7 +106,8 @@ def _linkage_quantities() -> Iterator[str]:
     for mechanism, linkage in (("arc", arc_registry()), ("parallel", parallel_registry())):
         for key, one in linkage.items():
             name = f"{one.full_name('en')} {plain(one.symbol)}"
-            yield f"| `{key}` | {name} | {one.unit} | {one.decimals} | `table --mechanism {mechanism}` |"
+            command = f"table --mechanism {mechanism}"
+            yield f"| `{key}` | {name} | {one.plain_unit('en')} | {one.decimals} | `{command}` |"
 
 
 def _rod_quantities() -> Iterator[str]:

@@ -273,8 +273,11 @@ def dead_centre(key: str, like: str) -> str:
 
 def kurbels_dead_centre(key: str, exact: bool) -> str:
     quantity = beam.registry()[key]
-    number = beam.certified(quantity, BeamEngine(Fraction(BEAM), FIFTH), exact, quantity.decimals)
-    return degrees_text(Fraction(number.scaled, 60)) if quantity.unit == "'" else number_text(number, ",")
+    engine, method = BeamEngine(Fraction(BEAM), FIFTH), beam.EXACT if exact else beam.APPROXIMATE
+    if quantity.minutes:
+        minutes = beam.certified(quantity, engine, method, 0, times=60)
+        return degrees_text(Fraction(minutes.scaled, 60))
+    return number_text(beam.certified(quantity, engine, method, beam.PATH_DECIMALS), ",")
 
 
 @each_dead_centre

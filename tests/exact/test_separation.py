@@ -14,9 +14,10 @@ from mpmath import mp
 
 from kurbel.drive.crank import Crank
 from kurbel.exact import certify
+from kurbel.exact.kind import Kind, bounds
 from kurbel.exact.separation import Separation, circle_separation
 from kurbel.kernel.circle import Circle
-from kurbel.motion.evaluation import DIFFERENCE, Numbers, value
+from kurbel.motion.evaluation import DIFFERENCE, value
 from kurbel.motion.quantities import registry
 
 WIDE = 4000
@@ -64,11 +65,11 @@ def test_values_keep_their_distance_from_the_best_fractions(
     key: str, method: str, ratio: Fraction, angle: int
 ) -> None:
     quantity, crank = registry()[key], Crank(ratio)
-    bound = value(quantity, method, crank, separations(Fraction(angle)), Numbers(Separation.rational))
+    bound = value(quantity, method, crank, separations(Fraction(angle)), bounds())
     before = flint.ctx.prec
     flint.ctx.prec = WIDE
     try:
-        number = value(quantity, method, crank, certify.ball_circle(Fraction(angle)), Numbers(certify.ball))
+        number = value(quantity, method, crank, certify.ball_circle(Fraction(angle)), Kind(certify.ball))
         for fraction in convergents(number, 2**200):
             assert_bound(number - certify.ball(fraction), bound - Separation.rational(fraction))
     finally:

@@ -14,9 +14,9 @@ from hypothesis import strategies as st
 from mpmath import mp
 
 from kurbel.errors import ProblemError
-from kurbel.exact.numerals import degrees_text, number_text
+from kurbel.exact.numerals import Number, degrees_text, number_text
 from kurbel.kernel import beam
-from kurbel.linkage.beam import BeamEngine, certified, chord_square, registry
+from kurbel.linkage.beam import APPROXIMATE, EXACT, BeamEngine, certified, chord_square, registry, value
 from kurbel.page.labels import parse
 
 FIFTH = Fraction(1, 5)
@@ -125,11 +125,15 @@ def true_value(key: str, engine: BeamEngine) -> Real:
 
 
 def shown(key: str, engine: BeamEngine, exact: bool) -> str:
-    quantity = registry()[key]
-    number = certified(quantity, engine, exact, quantity.decimals)
-    if quantity.unit == "'":
-        return degrees_text(Fraction(number.scaled, 60 * 10**number.decimals))
-    return number_text(number, ",")
+    decimals = 0 if registry()[key].minutes else 5
+    number = printed(key, engine, exact, decimals)
+    return degrees_text(Fraction(number.scaled, 60)) if decimals == 0 else number_text(number, ",")
+
+
+def printed(key: str, engine: BeamEngine, exact: bool, decimals: int, rounding: str = "half-away") -> Number:
+    """The value to so many decimals, of angles in minutes."""
+    quantity, method = registry()[key], EXACT if exact else APPROXIMATE
+    return certified(quantity, engine, method, decimals, rounding, times=60 if quantity.minutes else 1)
 
 
 @pytest.mark.parametrize(
@@ -151,7 +155,7 @@ def test_the_approximation_prints_what_weisbach_printed(key: str, printed: str) 
 def test_the_approximate_slants_are_the_parts_of_a_radian_in_the_book(key: str, part: int) -> None:
     with mp.workdps(DIGITS):
         minutes = mp.mpf(10800) / part / mp.pi
-        assert certified(registry()[key], BOOK, False, 30).scaled == int(mp.nint(minutes * mp.mpf(10) ** 30))
+        assert printed(key, BOOK, False, 30).scaled == int(mp.nint(minutes * mp.mpf(10) ** 30))
 
 
 @pytest.mark.parametrize(
@@ -174,9 +178,7 @@ def test_the_linkage_of_the_book_has_other_last_figures(key: str, true: str) -> 
 def test_every_digit_is_that_of_the_closed_linkage(key: str, engine: BeamEngine) -> None:
     expected = true_value(key, engine)
     with mp.workdps(DIGITS):
-        assert certified(registry()[key], engine, True, 30).scaled == int(
-            mp.nint(expected * mp.mpf(10) ** 30)
-        )
+        assert printed(key, engine, True, 30).scaled == int(mp.nint(expected * mp.mpf(10) ** 30))
 
 
 @pytest.mark.parametrize("engine", ENGINES, ids=str)
@@ -261,16 +263,16 @@ def test_long_beams_and_rods_need_no_exact_geometry() -> None:
     engine = BeamEngine(Fraction(10**6), Fraction(1, 10**6))
     for key in ("mu", "nu", "path_1", "path_2"):
         with flint.ctx.workprec(200):
-            shares = [registry()[key].value(engine, exact) for exact in (True, False)]
+            shares = [value(registry()[key], engine, method) for method in (EXACT, APPROXIMATE)]
             assert abs(shares[0] / shares[1] - 1) < 1e-5
 
 
 @pytest.mark.parametrize("exact", [False, True])
 def test_an_infinite_rod_stays_vertical(exact: bool) -> None:
     engine = BeamEngine(Fraction(1001, 1000), Fraction(0))
-    values = [certified(quantity, engine, exact, 9).scaled for quantity in registry().values()]
+    values = [printed(key, engine, exact, 9).scaled for key in registry()]
     assert values == [0, 0, 10800 * 10**9, 10800 * 10**9, 0, 0]
-    even = [certified(quantity, engine, exact, 9, "half-even").scaled for quantity in registry().values()]
+    even = [printed(key, engine, exact, 9, "half-even").scaled for key in registry()]
     assert even == values
 
 

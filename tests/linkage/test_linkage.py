@@ -12,21 +12,19 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from links import CRANKS, DIGITS, FLOATS, arc_crank, links, shown
+from links import CRANKS, DIGITS, FLOATS, arc_crank, links, of_stroke, shown
 from mpmath import mp
 from numpy.testing import assert_allclose, assert_array_equal
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
+from kurbel.exact.kind import balls
 from kurbel.kernel import kinematics
 from kurbel.kernel import linkage as kernel
 from kurbel.kernel.circle import Circle, circle
-from kurbel.linkage.arc import (
-    CHANGE_POINTS,
-    MOTIONS,
-    ArcCrank,
+from kurbel.linkage.arc import ArcCrank
+from kurbel.linkage.evaluation import (
     arc_stroke,
-    balls,
     certified,
     dead_angle,
     dead_centre,
@@ -37,7 +35,11 @@ from kurbel.linkage.arc import (
     time_ratio,
     value,
 )
+from kurbel.linkage.parallel import CHANGE_POINTS
+from kurbel.linkage.quantities import arc_registry
 from kurbel.motion.evaluation import OUT, RETURN
+
+MOTIONS = tuple(key for key, one in arc_registry().items() if one.stroke == OUT)
 
 
 @pytest.mark.parametrize("crank", CRANKS, ids=shown)
@@ -46,7 +48,7 @@ def test_every_digit_is_that_of_the_closed_links(key: str, crank: ArcCrank) -> N
     with mp.workdps(DIGITS):
         for stroke, degrees in ((OUT, "0"), (OUT, "73.1"), (OUT, "251"), (RETURN, "38.5"), (RETURN, "-77")):
             expected = links(crank).value(key, stroke, Fraction(degrees))
-            found = certified(key, crank, stroke, Fraction(degrees), 12)
+            found = certified(of_stroke(key, stroke), crank, Fraction(degrees), 12)
             off = found - expected * 10**12
             # Angles are known but for whole turns.
             turns = 360 * mp.mpf(10) ** 12 if key in ("rocker", "rod") else mp.inf
@@ -62,16 +64,16 @@ def test_dead_centres_stop_the_rocker_and_bound_its_path(crank: ArcCrank) -> Non
         assert_allclose(math.remainder(found - math.degrees(phi), 360), 0, rtol=0, atol=1e-11)
     at_dead = circle(np.array([centres[0], centres[1] + 180]))
     travel = arc_stroke(crank, FLOATS)
-    assert_allclose(value("velocity", crank, OUT, at_dead, FLOATS), 0, rtol=0, atol=1e-13)
+    assert_allclose(value(of_stroke("velocity", OUT), crank, at_dead, FLOATS), 0, rtol=0, atol=1e-13)
     # At links that nearly come into line the path is steep and floats lose two digits.
-    assert_allclose(value("path", crank, OUT, at_dead, FLOATS), [0, travel], rtol=0, atol=1e-12)
+    assert_allclose(value(of_stroke("path", OUT), crank, at_dead, FLOATS), [0, travel], rtol=0, atol=1e-12)
     turn = circle(np.linspace(0, 360, 5001))
-    path = value("path", crank, OUT, turn, FLOATS)
+    path = value(of_stroke("path", OUT), crank, turn, FLOATS)
     assert path.min() >= 0
     assert path.max() <= travel + 1e-12
     assert_allclose(path.max(), travel, rtol=1e-5, atol=0)
     # No other standstill: the velocity changes its sign twice.
-    assert (np.diff(np.sign(value("velocity", crank, OUT, turn, FLOATS))) != 0).sum() == 2
+    assert (np.diff(np.sign(value(of_stroke("velocity", OUT), crank, turn, FLOATS))) != 0).sum() == 2
 
 
 @pytest.mark.parametrize("crank", CRANKS, ids=shown)
@@ -109,11 +111,11 @@ def test_a_long_rocker_gives_the_straight_and_the_offset_crank(
         "acceleration": kinematics.offset_acceleration,
     }
     for key, formula in numbers.items():
-        found = value(key, crank, stroke, turn, FLOATS)
+        found = value(of_stroke(key, stroke), crank, turn, FLOATS)
         assert_allclose(found, formula(turn, ratio, e), rtol=0, atol=2e-8, err_msg=key)
     slant = np.degrees(np.arcsin(kinematics.rod_sine(turn, ratio, e)))
     for key in ("slant", "rod"):
-        assert_allclose(value(key, crank, stroke, turn, FLOATS), slant, rtol=0, atol=1e-6)
+        assert_allclose(value(of_stroke(key, stroke), crank, turn, FLOATS), slant, rtol=0, atol=1e-6)
     inner = math.degrees(math.asin(kinematics.dead_centre_sine(ratio, e)))
     assert_allclose(dead_angle(crank, stroke, FLOATS), inner, rtol=0, atol=1e-6)
     travel = kinematics.stroke(ratio, e)
@@ -141,7 +143,7 @@ def test_an_arc_without_curvature_is_the_slide(ratio: float, offset: float, shif
 @pytest.mark.parametrize("height", [None, Fraction(7, 3), Fraction(-5, 4)])
 def test_an_infinite_rod_moves_the_rocker_by_the_versine_along_the_slide(height: Fraction | None) -> None:
     crank = ArcCrank(Crank(Fraction(0)), Fraction(13, 10), None, height)
-    found = value("slide_path", crank, OUT, circle(ANGLES), FLOATS)
+    found = value(of_stroke("slide_path", OUT), crank, circle(ANGLES), FLOATS)
     assert_allclose(found, circle(ANGLES).versine, rtol=0, atol=2e-15)
     assert_allclose(swing(crank, FLOATS), 2 * math.degrees(math.asin(10 / 13)), rtol=1e-14, atol=0)
 
@@ -153,17 +155,19 @@ def test_a_chord_through_the_shaft_makes_the_strokes_equal() -> None:
         assert_allclose(dead_angle(central, stroke, FLOATS), 0, rtol=0, atol=1e-14)
     assert_allclose(swing(central, FLOATS), 2 * math.degrees(math.asin(3 / 5)), rtol=1e-15, atol=0)
     assert_allclose(time_ratio(central, FLOATS), 1, rtol=1e-15, atol=0)
-    assert certified("chord", central, OUT, Fraction(180), 30) == 2 * 10**30
+    assert certified(of_stroke("chord", OUT), central, Fraction(180), 30) == 2 * 10**30
 
 
 @pytest.mark.parametrize("crank", CRANKS, ids=shown)
 def test_the_formulas_for_ties_give_the_same_numbers(crank: ArcCrank) -> None:
     with flint.ctx.workprec(300):
         kind = balls()
-        for key in (key for key, motion in MOTIONS.items() if not motion.arc):
+        for key in (key for key in MOTIONS if not arc_registry()[key].is_arc):
             for stroke in (OUT, RETURN):
                 turn = kind.circle(Fraction("34.7"))
-                direct, usual = (form(key, crank, stroke, turn, kind) for form in (direct_value, value))
+                direct, usual = (
+                    form(of_stroke(key, stroke), crank, turn, kind) for form in (direct_value, value)
+                )
                 assert abs(direct - usual) < flint.arb(2) ** -250, key
 
 
@@ -174,14 +178,14 @@ def test_ties_of_the_acceleration_at_a_dead_centre(rod: str, decimals: int, away
     # Where crank and rod are in line p is (1 + λ)/cos ψ, and the rocker leans by asin 3/5 from the slide's
     # perpendicular: 1.25 (1 + λ) is 1.5, 1.625 and, no tie, 1.3.
     central = arc_crank(rod, "5/3", (rod, "4/3"))
-    assert certified("acceleration", central, OUT, Fraction(0), decimals) == away
-    assert certified("acceleration", central, OUT, Fraction(0), decimals, "half-even") == even
+    assert certified(of_stroke("acceleration", OUT), central, Fraction(0), decimals) == away
+    assert certified(of_stroke("acceleration", OUT), central, Fraction(0), decimals, "half-even") == even
 
 
 def test_a_rod_angle_of_whole_degrees_prints_as_such() -> None:
     # Pin at (0, 1), pivot at (1.5, 6), their distance² 27.25 = L² + B² - 2 L B sin 30°.
     crank = arc_crank("2.5", "6", ("1.5", "6"))
-    assert certified("slant", crank, OUT, Fraction(90), 12) == 30 * 10**12
+    assert certified(of_stroke("slant", OUT), crank, Fraction(90), 12) == 30 * 10**12
 
 
 def random_crank(random: np.random.Generator) -> ArcCrank:
@@ -244,10 +248,10 @@ def test_the_path_keeps_its_digits_beside_the_dead_centre(crank: ArcCrank) -> No
 @pytest.mark.parametrize("crank", CRANKS[:4], ids=shown)
 def test_the_path_keeps_its_place_beside_a_dead_centre_at_any_angle(crank: ArcCrank) -> None:
     angle = dead_angle(crank, OUT, FLOATS) + 1e-5
-    found = value("chord", crank, OUT, circle(angle), FLOATS)
+    found = value(of_stroke("chord", OUT), crank, circle(angle), FLOATS)
     with flint.ctx.workprec(300):
         kind = balls()
-        true = value("chord", crank, OUT, kind.circle(Fraction(angle)), kind)
+        true = value(of_stroke("chord", OUT), crank, kind.circle(Fraction(angle)), kind)
         # The path is 1e-14; from 1 - cos χ it would be known to 1e-16.
         assert abs(kind.of(Fraction(found)) - true) < 3e-22
 

@@ -18,11 +18,11 @@ from kurbel.drive.crank import Crank
 from kurbel.errors import KurbelError, ProblemError
 from kurbel.exact.numerals import Number, number_text
 from kurbel.linkage.arc import ArcCrank
-from kurbel.linkage.page import linkage_column_keys
 from kurbel.motion.evaluation import OUT, RETURN
 from kurbel.page.folders import LANGUAGES
 from kurbel.page.labels import plain
 from kurbel.page.layouts import layout
+from kurbel.page.subject import subject
 from kurbel.page.table import Table
 
 ARC = ("table", "--mechanism", "arc")
@@ -208,7 +208,7 @@ def test_both_strokes_have_both_signs_below_the_table() -> None:
 
 @each_language
 def test_every_column_of_the_arc_crank_is_that_of_the_closed_links(lang: str) -> None:
-    keys = [key for key in linkage_column_keys(layout("arc")) if key not in ("ratio", "phi")]
+    keys = [key for key in subject("arc crank").column_keys(layout("arc")) if key not in ("ratio", "phi")]
     assert len(keys) == 28
     drive = ("1:3.5", "9", ("3.7", "-9.2"))
     table = page(drive, angle="73.1", columns=keys, lang=lang)

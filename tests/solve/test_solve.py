@@ -12,7 +12,7 @@ import pytest
 import textbook
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
-from links import CRANKS, FLOATS, links
+from links import CRANKS, FLOATS, links, of_stroke
 from links import shown as links_shown
 from mpmath import mp
 
@@ -166,12 +166,12 @@ def _compare_with_floats(
     import numpy as np
 
     from kurbel.kernel.circle import circle
-    from kurbel.linkage import arc as linkage
+    from kurbel.linkage import evaluation as linkage
 
     course = ArcDrive(crank).course(quantity, stroke)
     begin, end = (float((180 * place.half_turns()).mid()) for place in (course.begin, course.end))
     grid = np.linspace(begin + 1e-9, end - 1e-9, 2001)
-    signs = np.sign(linkage.value(quantity, crank, stroke, circle(grid), FLOATS) - value)
+    signs = np.sign(linkage.value(of_stroke(quantity, stroke), crank, circle(grid), FLOATS) - value)
     mine = np.array([float(degrees(root)) for root in found if root.stroke == stroke])
     for low, high, before, after in zip(grid, grid[1:], signs, signs[1:], strict=False):
         inside = ((mine > low) & (mine <= high)).sum()

@@ -13,12 +13,12 @@ from mpmath import mp
 from numpy.typing import NDArray
 
 from kurbel.drive.crank import Crank
+from kurbel.exact.kind import Kind
 from kurbel.kernel.circle import arcsine, circle
-from kurbel.linkage.arc import (
-    ArcCrank,
-    Kind,
-)
+from kurbel.linkage.arc import ArcCrank
+from kurbel.linkage.quantities import arc_registry
 from kurbel.motion.evaluation import OUT
+from kurbel.page.quantity import Quantity
 
 # mpmath has no types.
 Real = Any
@@ -155,6 +155,11 @@ def wrapped(angle: Real) -> Real:
 def links(crank: ArcCrank) -> Links:
     with mp.workdps(DIGITS):
         return Links(crank)
+
+
+def of_stroke(key: str, stroke: int) -> Quantity:
+    """Return the entry of a quantity on a stroke."""
+    return arc_registry()[key if stroke == OUT else f"{key}_return"]
 
 
 FLOATS = Kind(float, lambda degrees: circle(float(degrees)), arcsine, math.pi)

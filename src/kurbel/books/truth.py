@@ -12,6 +12,7 @@ from kurbel.books.expression import Expression, IrrationalError, Kind, fraction_
 from kurbel.books.printed_value import Printed, Units
 from kurbel.errors import NotationError
 from kurbel.exact.certify import NEVER_TIES, TieBits, ball, ball_circle, ball_degrees, rounded, vanishes
+from kurbel.exact.kind import balls, bounds
 from kurbel.exact.separation import Separation, circle_separation
 from kurbel.kernel.circle import Circle
 from kurbel.reading.choices import choose
@@ -165,15 +166,7 @@ def _check_axes(
 
 def _motion_truth(key: str, method: str, ratio: Fraction, phi: Fraction) -> Truth:
     from kurbel.drive.crank import Crank
-    from kurbel.motion.evaluation import (
-        METHODS,
-        Numbers,
-        is_known,
-        is_transcendental,
-        kernel_of,
-        numbers_of_balls,
-        value,
-    )
+    from kurbel.motion.evaluation import METHODS, is_known, is_transcendental, kernel_of, value
     from kurbel.motion.quantities import registry
 
     quantity, crank = registry()[key], Crank(ratio)
@@ -181,16 +174,15 @@ def _motion_truth(key: str, method: str, ratio: Fraction, phi: Fraction) -> Trut
     if not is_known(quantity, crank):
         raise NotationError(f"the quantity {key} has a unit, and no lengths are known; choose one without")
 
-    def run(circle: Any, numbers: Numbers) -> Any:
-        return value(quantity, method, crank, circle, numbers)
+    def run(kind: Any) -> Any:
+        return value(quantity, method, crank, kind.circle(phi), kind)
 
     # A method without a formula is told here, before anything is computed.
     kernel_of(quantity, method, crank)
     bound = None
     if not is_transcendental(quantity, crank):
-        circle = Circle(*circle_separation(phi))
-        bound = cache(lambda: run(circle, Numbers(Separation.rational)))
-    return Truth(lambda: run(ball_circle(phi), numbers_of_balls()), bound)
+        bound = cache(lambda: run(bounds()))
+    return Truth(lambda: run(balls()), bound)
 
 
 def _engine_truth(
@@ -228,10 +220,8 @@ def engine_turn(ratio: Fraction, epsilon: Fraction, back: Fraction | None, metho
 
 
 def _beam_truth(key: str, method: str, ratio: Fraction, arm: Fraction) -> Truth:
-    from kurbel.linkage.beam import MINUTES, BeamEngine, registry
+    from kurbel.linkage.beam import BeamEngine, registry, value
 
-    quantity = registry()[key]
     choose(method, ("exact", "approximate"), "method")
     engine = BeamEngine(arm, ratio)
-    share = Fraction(1, 60) if quantity.unit == MINUTES else Fraction(1)
-    return Truth(lambda: quantity.value(engine, method == "exact") * ball(share))
+    return Truth(lambda: value(registry()[key], engine, method))

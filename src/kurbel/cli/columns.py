@@ -12,14 +12,6 @@ def column_keys(name: str) -> tuple[str, ...]:
 
     if page.subject in SUBJECTS:
         return subject(page.subject).column_keys(page)
-    if page.subject == "dead centres":
-        from kurbel.linkage.beam_page import beam_column_keys
-
-        return beam_column_keys()
-    if page.subject in ("arc crank", "parallel crank"):
-        from kurbel.linkage.page import linkage_column_keys
-
-        return linkage_column_keys(page)
     from kurbel.engine.request import engine_column_keys
 
     return engine_column_keys(page)

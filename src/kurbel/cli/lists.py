@@ -50,7 +50,7 @@ def quantities(lang: str) -> None:
         name = f"{one.name[lang]} {plain(one.symbol)}"
         rows.append((key, name, plain(one.unit), COMMANDS_OF[one.scope]))
     for key, beam in beam_registry().items():
-        rows.append((key, f"{beam.name[lang]} {plain(beam.symbol)}", beam.shown_unit, "deadcentres"))
+        rows.append((key, f"{beam.name[lang]} {plain(beam.symbol)}", beam.plain_unit(lang), "deadcentres"))
     for key, harmonic in harmonics_registry().items():
         name = f"{harmonic.name[lang]} {plain(harmonic.symbol)}"
         rows.append(("value", name, harmonic.plain_unit(lang), f"harmonics --quantity {key}"))
@@ -58,7 +58,9 @@ def quantities(lang: str) -> None:
         rows.append((key, column.name[lang], column.plain_unit(lang), "balance"))
     for mechanism, linkage in (("arc", arc_registry()), ("parallel", parallel_registry())):
         for key, motion in linkage.items():
-            rows.append((key, motion.full_name(lang), motion.unit, f"table --mechanism {mechanism}"))
+            rows.append(
+                (key, motion.full_name(lang), motion.plain_unit(lang), f"table --mechanism {mechanism}")
+            )
     for key, force in inertia_registry().items():
         options = " ".join(("inertia", *NEEDS[force.needs]))
         rows.append((key, force.full_name(lang), force.unit[lang], options))

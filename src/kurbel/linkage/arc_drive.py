@@ -8,36 +8,27 @@ from functools import cache, cached_property
 from math import pi, tan
 from typing import TYPE_CHECKING, Any
 
-from kurbel.exact.certify import NEVER_TIES, ball, ball_circle, rounded
+from kurbel.exact.certify import NEVER_TIES, ball, rounded
 from kurbel.exact.certify import pi as ball_pi
 from kurbel.exact.course import Course
 from kurbel.exact.jet import Jet, ball_jets, jets
+from kurbel.exact.kind import balls, surds
 from kurbel.exact.place import SQUARE, Centre, Place
 from kurbel.exact.surd import Field
 from kurbel.kernel.circle import Circle
-from kurbel.linkage import arc as linkage
-from kurbel.linkage.arc import MOTIONS, ArcCrank, Kind
+from kurbel.linkage import evaluation as linkage
+from kurbel.linkage.arc import ArcCrank
+from kurbel.linkage.evaluation import STROKE
 from kurbel.linkage.quantities import arc_registry
-from kurbel.motion.drives import circle, column_named, condition_names, constant, ties_at
+from kurbel.motion.drives import circle, column_named, condition_names, ties_at
 from kurbel.motion.evaluation import OUT, STROKES
 from kurbel.motion.quantities import registry
-from kurbel.page.quantity import Quantity, words
+from kurbel.page.quantity import Quantity
 
 if TYPE_CHECKING:
     from flint import arb
 
 PATH_SHARE = "path_stroke"
-# The names of quantities in conditions.
-NAMES = {
-    "path": ("path", "x"),
-    "velocity": ("velocity", "c"),
-    "acceleration": ("acceleration", "p"),
-    "rocker": ("rocker", "θ"),
-}
-# What needs no root for the dead centre.
-FREE = tuple(
-    key for key, motion in MOTIONS.items() if not motion.arc and key not in ("chord", "slide_path", "rise")
-)
 # Half turns about the middle of the stroke within which t = tan ½(φ - 90°) stays far from infinity.
 HALF_REACH = 0.45
 
@@ -48,13 +39,10 @@ def arc_columns() -> Mapping[str, Quantity]:
     found = {}
     for key, one in arc_registry().items():
         if one.stroke == OUT:
-            heading, unit = words(one.heading), words(one.unit)
-            found[key] = Quantity(
-                key, one.name, one.symbol, unit, one.decimals, {}, heading, names=NAMES.get(key, ())
-            )
+            found[key] = one
             if key == "path":
                 share = registry()["x_stroke"]
-                found[PATH_SHARE] = found[key]._replace(
+                found[PATH_SHARE] = one._replace(
                     key=PATH_SHARE, heading=share.heading, unit=share.unit, names=share.names
                 )
     return found
@@ -89,9 +77,10 @@ class ArcDrive:
 
     def digits(self, column: str, stroke: int, place: Place, decimals: int, rounding: str) -> int:
         if column != PATH_SHARE and place.degrees is not None:
-            return linkage.certified(column, self.crank, stroke, place.degrees, decimals, rounding)
+            quantity = self._quantity(column, stroke)
+            return linkage.certified(quantity, self.crank, place.degrees, decimals, rounding)
         ties = NEVER_TIES
-        if column in FREE:
+        if self._is_free(column):
             ties = ties_at(place, self._jet(column, stroke).value)
         return rounded(
             lambda: self._value(column, stroke, circle(place.half_turns())), decimals, rounding, ties
@@ -107,28 +96,33 @@ class ArcDrive:
         turns = round(middle / 2)
         return Centre(Fraction(tan(pi * (middle / 2 - turns))).limit_denominator(10), turns)
 
+    def _quantity(self, column: str, stroke: int) -> Quantity:
+        return self.columns[column]._replace(stroke=stroke)
+
+    def _is_free(self, column: str) -> bool:
+        """Whether it is algebraic and needs no root for the dead centre."""
+        one = self.columns[column]
+        return not one.is_arc and one.of != STROKE
+
     def _value(self, column: str, stroke: int, at: Circle[Any]) -> Any:
-        kind = linkage.balls()
-        if column != PATH_SHARE:
-            return linkage.value(column, self.crank, stroke, at, kind)
-        path = linkage.value("path", self.crank, stroke, at, kind)
-        return path / linkage.arc_stroke(self.crank, kind)
+        kind = balls()
+        found = linkage.value(self._quantity(column, stroke), self.crank, at, kind)
+        return found / linkage.arc_stroke(self.crank, kind) if column == PATH_SHARE else found
 
     def _jet(self, column: str, stroke: int) -> Jet:
         field = Field()
-        kind = Kind(lambda number: constant(field, number), ball_circle)
         at = jets(*field.circle(self.centre.tangent)[:3])
-        found = linkage.direct_motion(column, self.crank, stroke, at, kind)
+        found = linkage.direct_value(self._quantity(column, stroke), self.crank, at, surds(field))
         assert isinstance(found, Jet)
         return found
 
     def _dead_centres(self, stroke: int) -> tuple[Callable[[], arb], Callable[[], arb]]:
         def begin() -> arb:
-            found: arb = linkage.dead_angle(self.crank, stroke, linkage.balls()) / 180
+            found: arb = linkage.dead_angle(self.crank, stroke, balls()) / 180
             return found
 
         def end() -> arb:
-            found: arb = begin() + 1 + stroke * linkage.lead(self.crank, linkage.balls()) / 180
+            found: arb = begin() + 1 + stroke * linkage.lead(self.crank, balls()) / 180
             return found
 
         return begin, end
@@ -142,10 +136,10 @@ class ArcDrive:
             found: arb = self._value(column, stroke, circle(half_turns))
             return found
 
-        if column in FREE:
+        if self._is_free(column):
 
             def slope(half_turns: arb) -> arb:
-                jet = linkage.value(column, self.crank, stroke, ball_jets(half_turns), linkage.balls())
+                jet = self._value(column, stroke, ball_jets(half_turns))
                 found: arb = jet.slope * ball_pi()
                 return found
 
@@ -164,6 +158,6 @@ class ArcDrive:
         if column == "path":
             return ball_pi()
         if column == PATH_SHARE:
-            share: arb = ball_pi() / linkage.arc_stroke(self.crank, linkage.balls())
+            share: arb = ball_pi() / linkage.arc_stroke(self.crank, balls())
             return share
         return ball(-180 * stroke * self.crank.curvature)

@@ -1,6 +1,7 @@
 """The beam engine, checked once, and its dead centres with certified digits.
 
-Each quantity by the book's approximation or from the true geometry (`exact`); see kernel/beam.py.
+Each quantity by the book's approximation or from the true geometry (`exact`); see kernel/beam.py. A page
+prints degrees and minutes, records degrees.
 """
 
 from __future__ import annotations
@@ -9,19 +10,23 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, TypeAlias
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.numerals import Label, Number
+from kurbel.exact.numerals import Number
 from kurbel.kernel import beam
+from kurbel.page.quantity import Formula, Quantity, words
 from kurbel.reading.notation import about, ratio_text
 
 if TYPE_CHECKING:
     from flint import arb
 
-MINUTES, RADII = "'", "r"
 UPPER, LOWER = 1, -1
+APPROXIMATE, EXACT = "approximate", "exact"
+DEGREE_DECIMALS, PATH_DECIMALS = 4, 5
+# From the beam engine and the dead centre to a ball.
+Kernel: TypeAlias = "Callable[[BeamEngine, int], arb]"
 # The least arm in a message is a multiple of this, rounded up.
 _ARM_STEP = Fraction(1, 10**6)
 _LONGEST_RATIO = 40
@@ -100,89 +105,114 @@ def _nearer(below: arb, above: arb, arm: arb, ratio: arb) -> tuple[arb, arb]:
     return (tangent if tangent > below else below), (chord if rise > 0 and chord < above else above)
 
 
-def _lean(engine: BeamEngine, exact: bool, side: int) -> arb:
-    """Return μ (UPPER) or ν (LOWER) in minutes."""
-    from kurbel.exact.certify import ball, ball_degrees, pi
+def _exact_lean(engine: BeamEngine, side: int) -> arb:
+    """Return μ (UPPER) or ν (LOWER) in degrees."""
+    from kurbel.exact.certify import ball, ball_degrees
 
     arm, ratio = ball(engine.arm), ball(side * engine.ratio)
-    if exact:
-        return 60 * ball_degrees(beam.lean_sine(chord_square(engine), arm, ratio))
-    radians: arb = beam.approximate_lean(arm, ratio)
-    return radians * 10800 / pi()
+    return ball_degrees(beam.lean_sine(chord_square(engine), arm, ratio))
 
 
-def _path(engine: BeamEngine, exact: bool, side: int) -> arb:
+def _lean(engine: BeamEngine, side: int) -> arb:
+    """Return the same by the formula of the book."""
+    from kurbel.exact.certify import pi
+
+    return _radians(engine, side) * 180 / pi()
+
+
+def _radians(engine: BeamEngine, side: int) -> arb:
+    from kurbel.exact.certify import ball
+
+    found: arb = beam.approximate_lean(ball(engine.arm), ball(side * engine.ratio))
+    return found
+
+
+def _exact_path(engine: BeamEngine, side: int) -> arb:
     """Return the beam's path between a dead centre and the vertical crank."""
     from kurbel.exact.certify import ball
 
     arm, ratio = ball(engine.arm), ball(side * engine.ratio)
-    if exact:
-        tangent: arb = beam.swing_tangent(chord_square(engine), arm, ratio)
-        return 2 * arm * tangent.atan()
-    radians: arb = beam.approximate_lean(arm, ratio)
-    versine: arb = beam.approximate_path((radians / 2).sin())
+    tangent: arb = beam.swing_tangent(chord_square(engine), arm, ratio)
+    return 2 * arm * tangent.atan()
+
+
+def _path(engine: BeamEngine, side: int) -> arb:
+    """Return the same by the formula of the book."""
+    versine: arb = beam.approximate_path((_radians(engine, side) / 2).sin())
     return versine
 
 
-def _distance(engine: BeamEngine, exact: bool, side: int) -> arb:
-    """Return 180° ± (ν - μ) in minutes."""
-    return 10800 + side * (_lean(engine, exact, LOWER) - _lean(engine, exact, UPPER))
-
-
-class BeamQuantity(NamedTuple):
-    """An entry of the registry: `formula` returns a ball, in minutes of arc or in units of r.
-
-    `side` is the dead centre, UPPER (crank and rod stretched) or LOWER (folded); of the two distances UPPER
-    is the angle on the pivot's side of the shaft.
-    """
-
-    key: str
-    symbol: Label
-    name: Mapping[str, str]
-    unit: str
-    decimals: int
-    formula: Callable[[BeamEngine, bool, int], arb]
-    side: int
-
-    @property
-    def shown_unit(self) -> str:
-        """The unit in records and lists, in which angles are degrees."""
-        return "°" if self.unit == MINUTES else self.unit
-
-    def value(self, engine: BeamEngine, exact: bool) -> arb:
-        """Return the quantity in its unit, at the precision in force."""
-        return self.formula(engine, exact, self.side)
-
-
-_DISTANCE = "Abstand der Totpunkte|Distance of the dead centres"
+def _distance(lean: Kernel) -> Kernel:
+    """Return 180° ± (ν - μ) of a lean."""
+    return lambda engine, side: 180 + side * (lean(engine, LOWER) - lean(engine, UPPER))
 
 
 @cache
-def registry() -> Mapping[str, BeamQuantity]:
-    """Return every quantity by its key, in the order of the book."""
-    angle = {"unit": MINUTES, "decimals": 0}
-    path = {"unit": RADII, "decimals": 5, "formula": _path}
-    slant, turn = angle | {"formula": _lean}, angle | {"formula": _distance}
-    rows: tuple[tuple[str, Label, str, int, dict[str, Any]], ...] = (
-        ("mu", "$μ$", "Stangenneigung, Strecklage|Angle of the rod, stretched", UPPER, slant),
-        ("nu", "$ν$", "Stangenneigung, Decklage|Angle of the rod, folded", LOWER, slant),
-        ("distance_1", "$180° + (ν - μ)$", _DISTANCE, UPPER, turn),
-        ("distance_2", "$180° - (ν - μ)$", _DISTANCE, LOWER, turn),
-        ("path_1", "$σ_1$", "Weg des Balanciers, Strecklage|Path of the beam, stretched", UPPER, path),
-        ("path_2", "$σ_2$", "Weg des Balanciers, Decklage|Path of the beam, folded", LOWER, path),
+def registry() -> Mapping[str, Quantity]:
+    """Return every quantity by its key, in the order of the book.
+
+    A kernel call takes the beam engine and the dead centre, UPPER (crank and rod stretched) or LOWER
+    (folded); of the two distances UPPER is the angle on the pivot's side of the shaft.
+    """
+    distance = "Abstand der Totpunkte|Distance of the dead centres"
+    entries = (
+        _entry(
+            "mu", "μ", "Stangenneigung, Strecklage|Angle of the rod, stretched", UPPER,
+            _lean, _exact_lean, "r^2/(4 a (l + r))",
+        ),
+        _entry(
+            "nu", "ν", "Stangenneigung, Decklage|Angle of the rod, folded", LOWER,
+            _lean, _exact_lean, "r^2/(4 a (l - r))",
+        ),
+        _entry("distance_1", "180° + (ν - μ)", distance, UPPER, _distance(_lean), _distance(_exact_lean)),
+        _entry("distance_2", "180° - (ν - μ)", distance, LOWER, _distance(_lean), _distance(_exact_lean)),
+        _entry(
+            "path_1", "σ_1", "Weg des Balanciers, Strecklage|Path of the beam, stretched", UPPER,
+            _path, _exact_path, "r (1 - cos μ)", PATH_DECIMALS,
+        ),
+        _entry(
+            "path_2", "σ_2", "Weg des Balanciers, Decklage|Path of the beam, folded", LOWER,
+            _path, _exact_path, "r (1 - cos ν)", PATH_DECIMALS,
+        ),
+    )  # fmt: skip
+    return {one.key: one for one in entries}
+
+
+def _entry(
+    key: str, letter: str, name: str, side: int, book: Kernel, true: Kernel, printed: str = "",
+    decimals: int | None = None,
+) -> Quantity:  # fmt: skip
+    """An entry, of an angle unless it has decimals of its own."""
+    formula = f"${letter} = {printed}$" if printed else ""
+    return Quantity(
+        key=key,
+        name=words(name),
+        symbol=f"${letter}$",
+        unit=words("°" if decimals is None else "$r$"),
+        decimals=DEGREE_DECIMALS if decimals is None else decimals,
+        formulas={APPROXIMATE: Formula(book, formula), EXACT: Formula(true)},
+        heading={lang: f"{one} ${letter}$" for lang, one in words(name).items()},
+        minutes=decimals is None,
+        is_arc=True,
+        stroke=side,
     )
-    return {
-        key: BeamQuantity(
-            key, symbol, dict(zip(("de", "en"), name.split("|"), strict=True)), side=side, **rest
-        )
-        for key, symbol, name, side, rest in rows
-    }
+
+
+def value(quantity: Quantity, engine: BeamEngine, method: str) -> arb:
+    """Return the quantity in its unit, in degrees or radii, at the precision in force."""
+    found: arb = quantity.formulas[method].kernel(engine, quantity.stroke)
+    return found
 
 
 def certified(
-    quantity: BeamQuantity, engine: BeamEngine, exact: bool, decimals: int, rounding: str = "half-away"
+    quantity: Quantity,
+    engine: BeamEngine,
+    method: str,
+    decimals: int,
+    rounding: str = "half-away",
+    times: int = 1,
 ) -> Number:
-    """Return the quantity in its unit, correctly rounded to so many decimals.
+    """Return the quantity in its unit, times a factor, correctly rounded to so many decimals.
 
     No value lies on a rounding boundary, other than the whole ones of an infinite rod. By the book's
     formulas an angle is a rational number over π and a path, 1 - cos of a rational number, transcendental
@@ -194,5 +224,7 @@ def certified(
     """
     from kurbel.exact import certify
 
-    scaled = certify.rounded(lambda: quantity.value(engine, exact), decimals, rounding, certify.NEVER_TIES)
-    return Number(scaled, decimals)
+    def as_ball() -> arb:
+        return times * value(quantity, engine, method)
+
+    return Number(certify.rounded(as_ball, decimals, rounding, certify.NEVER_TIES), decimals)

@@ -6,41 +6,25 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
+from kurbel.exact.kind import Kind, balls
 from kurbel.exact.numerals import Label, Number, finite_decimals, number_text
-from kurbel.linkage import arc as linkage
-from kurbel.linkage.arc import CHANGE_POINTS, ArcCrank, Kind
+from kurbel.linkage import evaluation as linkage
+from kurbel.linkage.arc import ArcCrank
+from kurbel.linkage.parallel import CHANGE_POINTS
+from kurbel.linkage.quantities import LEFT
 from kurbel.motion.captions import WORDS as MOTION_WORDS
 from kurbel.motion.evaluation import OUT, RETURN
 from kurbel.page import words as page_words
-from kurbel.page.words import enumerated
+from kurbel.page.quantity import Formula, Quantity
+from kurbel.page.words import enumerated, filled
 from kurbel.reading.notation import plain, ratio_text
 
 if TYPE_CHECKING:
     from kurbel.linkage.page import LinkageRequest
 
 # {±} belongs to the stroke, {β±} to the stroke and the side of the pivot, {β+} and {β-} to that side alone.
-FORMULAS: Mapping[str, Label] = {
-    "velocity": "$c/v = (sin(ζ + τ))/(cos τ)$",
-    "acceleration": "$(p R)/v^2 = cos ζ {±} λ (cos^2 ζ)/(cos^3 τ) - (sin ζ {β±} β c^2/v^2) tan τ$",
-}
-PATHS: Mapping[tuple[int, int], Label] = {
-    (1, OUT): "$x = B (θ_i - θ)$",
-    (1, RETURN): "$x = B (θ - θ_o)$",
-    (-1, OUT): "$x = B (θ - θ_i)$",
-    (-1, RETURN): "$x = B (θ_o - θ)$",
-}
-# What the formulas leave to be said.
-SYMBOLS: Mapping[str, tuple[Label, ...]] = {
-    "velocity": ("$ζ = φ - θ$", "$τ = ψ + θ$"),
-    "acceleration": ("$ζ = φ - θ$", "$τ = ψ + θ$", "$λ = R/L$", "$β = R/B$"),
-    "slant": ("$τ = ψ + θ$",),
-}
 CLOSURE = "${lead}R cos φ + L cos ψ = D {β+} B sin θ$, ${lead}R sin φ - L sin ψ = H {β-} B cos θ$"
 SIGNS = {("", 1): "+", ("", -1): "-", ("both", 1): "±", ("both", -1): "∓"}
-COUPLER = (
-    "$x/R = 1 - cos φ$, $c_x/v = sin φ$, $(p_x R)/v^2 = cos φ$,"
-    " $y/R = sin φ$, $c_y/v = cos φ$, $(p_y R)/v^2 = -sin φ$"
-)
 WORDS: Mapping[str, Mapping[str, str]] = {
     "for": {"de": " für {drive}", "en": " for {drive}"},
     "closure": {
@@ -79,13 +63,10 @@ def caption(request: LinkageRequest) -> Label:
     """Return the layout's caption with its quantities and the lengths that all drives have in common."""
     lang = request.lang
     parts = {
-        "{quantities}": enumerated((one.name[lang] for one in request.quantities), lang),
+        "{quantities}": enumerated((one.quantity.name[lang] for one in request.page_columns), lang),
         "{for_drive}": WORDS["for"][lang].format(drive=_common(request)) if request.cranks else "",
     }
-    text = request.layout.caption[lang]
-    for place, part in parts.items():
-        text = text.replace(place, part)
-    return text
+    return filled(request.layout.caption[lang], parts.items())
 
 
 def _common(request: LinkageRequest) -> Label:
@@ -94,30 +75,36 @@ def _common(request: LinkageRequest) -> Label:
     return ", ".join([*ratio, f"$B = {_length(crank.rocker)} R$"])
 
 
-def notes(request: LinkageRequest) -> list[Label]:
-    """Return the lines below the table: the formulas, and what each drive does between its dead centres."""
+def notes(request: LinkageRequest) -> Iterator[Label]:
+    """Yield the lines below the table: the formulas, and what each drive does between its dead centres."""
     if not request.cranks:
-        return list(_coupler_notes(request.lang))
-    return [*_formula_lines(request), *(_dead_centres(crank, request.lang) for crank in request.cranks)]
+        yield from _coupler_notes(request)
+        return
+    yield from _formula_lines(request)
+    yield from (_dead_centres(crank, request.lang) for crank in request.cranks)
 
 
-def _coupler_notes(lang: str) -> Iterator[Label]:
+def _coupler_notes(request: LinkageRequest) -> Iterator[Label]:
+    lang = request.lang
     points = page_words.AND[lang].join(f"${plain(angle)}°$" for angle in CHANGE_POINTS)
-    yield COUPLER
+    # A page says what its layout shows, though not all of it was chosen.
+    own = (request.entry(column.quantity) for column in request.layout.columns)
+    shown = (*own, *(column.quantity for column in request.page_columns))
+    yield ", ".join(dict.fromkeys(one.formulas["exact"].printed for one in shown))
     yield WORDS["coupler"][lang]
     yield WORDS["change_points"][lang].format(points=points)
 
 
 def _formula_lines(request: LinkageRequest) -> Iterator[Label]:
-    lang, strokes = request.lang, {one.stroke for one in request.quantities}
-    shown = [one.motion for one in request.quantities]
+    lang, columns = request.lang, request.page_columns
+    strokes = {column.quantity.stroke for column in columns}
     side = 1 if request.cranks[0].curvature > 0 else -1
-    paths = [
-        f"{one.part[lang]} {PATHS[side, one.stroke]}" for one in request.quantities if one.motion == "path"
-    ]
-    formulas = [FORMULAS[motion] for motion in dict.fromkeys(shown) if motion in FORMULAS]
-    symbols = [symbol for motion in shown for symbol in SYMBOLS.get(motion, ())]
-    if line := ", ".join(dict.fromkeys((*paths, *formulas, *symbols))):
+    shown = [(column.quantity, _formula(column.quantity, side)) for column in columns]
+    printed = [_with_stroke(formula.printed, one, lang) for one, formula in shown if formula.printed]
+    # The path's, which tells the strokes apart by name, comes first.
+    printed.sort(key=lambda line: line.startswith("$"))
+    symbols = (symbol for _, formula in shown for symbol in formula.symbols)
+    if line := ", ".join(dict.fromkeys((*printed, *symbols))):
         yield _signed(line, strokes, side)
     if any(crank.crank.ratio for crank in request.cranks):
         yield WORDS["closure"][lang].format(closure=_signed(CLOSURE, strokes, side))
@@ -126,6 +113,16 @@ def _formula_lines(request: LinkageRequest) -> Iterator[Label]:
         yield MOTION_WORDS["offset_return"][lang].replace("{angle}", request.layout.angle_symbol)
     if len(strokes) > 1:
         yield MOTION_WORDS["signs"][lang]
+
+
+def _formula(quantity: Quantity, side: int) -> Formula:
+    """Return the formula as it is printed with the pivot on this side."""
+    return quantity.formulas[LEFT if side < 0 and LEFT in quantity.formulas else "exact"]
+
+
+def _with_stroke(printed: Label, quantity: Quantity, lang: str) -> Label:
+    assert quantity.part is not None
+    return printed.replace("{part}", quantity.part[lang])
 
 
 def _signed(line: Label, strokes: set[int], side: int) -> Label:
@@ -138,9 +135,7 @@ def _signed(line: Label, strokes: set[int], side: int) -> Label:
         "{β+}": SIGNS["", side],
         "{β-}": SIGNS["", -side],
     }
-    for place, part in parts.items():
-        line = line.replace(place, part)
-    return line
+    return filled(line, parts.items())
 
 
 def _dead_centres(crank: ArcCrank, lang: str) -> Label:
@@ -181,5 +176,5 @@ def _printed(value: Callable[[Kind], Any], decimals: int) -> str:
     """
     from kurbel.exact import certify
 
-    scaled = certify.rounded(lambda: value(linkage.balls()), decimals, "half-away", certify.NEVER_TIES)
+    scaled = certify.rounded(lambda: value(balls()), decimals, "half-away", certify.NEVER_TIES)
     return number_text(Number(scaled, decimals))

@@ -1,123 +1,196 @@
-"""What can stand in a table of the arc crank or the parallel crank: symbols, names, units and digits."""
+"""What can stand in a table of the arc crank or the parallel crank: one entry each, with its formulas."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from fractions import Fraction
 from functools import cache
-from typing import NamedTuple
+from typing import Any
 
 from kurbel.exact.numerals import Label
-from kurbel.linkage.arc import MOTIONS, ArcCrank, certified, certified_coupler
+from kurbel.kernel import linkage
+from kurbel.kernel.linkage import Coupler
+from kurbel.linkage.evaluation import STROKE, ArcAt
 from kurbel.motion.evaluation import OUT, RETURN, STROKES
+from kurbel.page.quantity import Formula, Quantity, Words, words
 
-# From the drive, the crank angle in degrees, the decimals and the rounding to the scaled digits; the parallel
-# crank is the same whatever its lengths.
-Digits = Callable[[ArcCrank | None, Fraction, int, str], int]
-
-
-class LinkageQuantity(NamedTuple):
-    """An entry of a registry. `motion` is its key in the kernel, `part` the stroke or the direction.
-
-    `spanners` stand above its heading, outermost first.
-    """
-
-    key: str
-    motion: str
-    name: Mapping[str, str]
-    part: Mapping[str, str]
-    spanners: tuple[Mapping[str, str], ...]
-    symbol: Label
-    heading: Label
-    unit: str
-    decimals: int
-    digits: Digits
-    stroke: int = OUT
-
-    def full_name(self, lang: str) -> str:
-        return f"{self.name[lang]}, {self.part[lang]}"
-
-
-# Key in MOTIONS, symbol, heading, name.
-_ARC: tuple[tuple[str, Label, Label, str], ...] = (
-    ("path", "$x$", "$x/R$", "Weg auf dem Bogen|Path along the arc"),
-    ("velocity", "$c$", "$c/v$", "Geschwindigkeit|Velocity"),
-    ("acceleration", "$p$", "$(p R)/v^2$", "Beschleunigung|Acceleration"),
-    ("rocker", "$θ$", "$θ$ in °", "Schwingenwinkel|Rocker angle"),
-    ("rod", "$ψ$", "$ψ$ in °", "Schubstangenwinkel|Rod angle"),
-    ("slant", "$τ$", "$τ$ in °", "Stange gegen Bogen|Rod against arc"),
-    ("chord", "$q$", "$q/R$", "Sehne des Weges|Chord of the path"),
-    ("slide_path", "$x_s$", "$x_s/R$", "Weg längs der Schubrichtung|Path along the slide"),
-    ("rise", "$y_s$", "$y_s/R$", "Weg quer zur Schubrichtung|Path across the slide"),
-    ("turn", "$ϑ$", "$ϑ$ in °", "Drehung der Schwinge|Turn of the rocker"),
-    (
-        "turn_velocity", "$ω_B$", "$ω_B/ω$",
-        "Winkelgeschwindigkeit der Schwinge|Angular velocity of the rocker",
-    ),
-    (
-        "turn_acceleration", "$ε_B$", "$ε_B/ω^2$",
-        "Winkelbeschleunigung der Schwinge|Angular acceleration of the rocker",
-    ),
-    ("rod_velocity", "$ω_L$", "$ω_L/ω$", "Winkelgeschwindigkeit der Stange|Angular velocity of the rod"),
-    (
-        "rod_acceleration", "$ε_L$", "$ε_L/ω^2$",
-        "Winkelbeschleunigung der Stange|Angular acceleration of the rod",
-    ),
-)  # fmt: skip
-_ALONG = "längs der Wellenlinie|along the line of shafts"
-_ACROSS = "quer zur Wellenlinie|square to the line of shafts"
-# Field of Coupler, symbol, heading, unit, name, direction.
-_COUPLER: tuple[tuple[str, Label, Label, str, str, str], ...] = (
-    ("path", "$x$", "$x/R$", "R", "Weg|Path", _ALONG),
-    ("velocity", "$c_x$", "$c_x/v$", "v", "Geschwindigkeit|Velocity", _ALONG),
-    ("acceleration", "$p_x$", "$(p_x R)/v^2$", "v²/R", "Beschleunigung|Acceleration", _ALONG),
-    ("rise", "$y$", "$y/R$", "R", "Weg|Path", _ACROSS),
-    ("rise_velocity", "$c_y$", "$c_y/v$", "v", "Geschwindigkeit|Velocity", _ACROSS),
-    ("rise_acceleration", "$p_y$", "$(p_y R)/v^2$", "v²/R", "Beschleunigung|Acceleration", _ACROSS),
-)
 DECIMALS, ANGLE_DECIMALS = 4, 3
+# A further formula, as it is printed where the pivot lies on the left of the end's way.
+LEFT = "left"
+Formulas = Mapping[str, Formula]
+
+# In printed formulas {±} is the sign of the stroke, {β±} that of the stroke and the side of the pivot.
+_ZETA, _TAU = "$ζ = φ - θ$", "$τ = ψ + θ$"
+
+
+def _half_arc(at: ArcAt, half_sine: Any) -> Any:
+    return 2 * at.kind.arc(half_sine)
+
+
+def _turned(at: ArcAt) -> Any:
+    return _half_arc(at, linkage.path_half_sine(at.place, at.arc))
+
+
+def _path(at: ArcAt) -> Any:
+    return _turned(at) * at.kind.pi / 180 / at.arc.curvature
+
+
+def _rocker(at: ArcAt) -> Any:
+    return _half_arc(at, linkage.rocker_half_sine(at.arc)) - _turned(at)
+
+
+def _slant(at: ArcAt) -> Any:
+    return at.kind.arc(at.place.slant)
+
+
+def _by_rocker(kernel: Callable[..., Any]) -> Callable[[ArcAt], Any]:
+    return lambda at: kernel(at.place, at.arc) / at.kind.of(at.crank.rocker)
+
+
+def _of(kernel: Callable[..., Any]) -> Callable[[ArcAt], Any]:
+    return lambda at: kernel(at.place, at.arc)
+
+
+_OUT_PATH: Formulas = {
+    "exact": Formula(_path, "{part} $x = B (θ_i - θ)$"),
+    LEFT: Formula(_path, "{part} $x = B (θ - θ_i)$"),
+}
+_RETURN_PATH: Formulas = {
+    "exact": Formula(_path, "{part} $x = B (θ - θ_o)$"),
+    LEFT: Formula(_path, "{part} $x = B (θ_o - θ)$"),
+}
+_VELOCITY = Formula(_of(linkage.velocity), "$c/v = (sin(ζ + τ))/(cos τ)$", (_ZETA, _TAU))
+_ACCELERATION = Formula(
+    _of(linkage.acceleration),
+    "$(p R)/v^2 = cos ζ {±} λ (cos^2 ζ)/(cos^3 τ) - (sin ζ {β±} β c^2/v^2) tan τ$",
+    (_ZETA, _TAU, "$λ = R/L$", "$β = R/B$"),
+)
 
 
 @cache
-def arc_registry() -> Mapping[str, LinkageQuantity]:
+def arc_registry() -> Mapping[str, Quantity]:
     """Return every quantity of the arc crank by its key, the return stroke's beside the outstroke's."""
-    return {one.key: one for one in _arc_quantities()}
+    return {one.key: one for one in _arc_entries()}
 
 
 @cache
-def parallel_registry() -> Mapping[str, LinkageQuantity]:
+def parallel_registry() -> Mapping[str, Quantity]:
     """Return every quantity of the parallel crank by its key."""
-    return {one.key: one for one in map(_coupler_quantity, _COUPLER)}
+    return {one.key: one for one in _coupler_entries()}
 
 
-def _arc_quantities() -> Iterator[LinkageQuantity]:
-    for motion, symbol, heading, names in _ARC:
-        unit, name = MOTIONS[motion].unit, _both(names)
-        decimals = ANGLE_DECIMALS if unit == "°" else DECIMALS
-        for key, stroke in ((motion, OUT), (f"{motion}_return", RETURN)):
-            part = STROKES[stroke]
-            yield LinkageQuantity(
-                key, motion, name, part, (name, part), symbol, heading, unit, decimals,
-                _arc_digits(motion, stroke), stroke,
-            )  # fmt: skip
-
-
-def _arc_digits(motion: str, stroke: int) -> Digits:
-    def digits(crank: ArcCrank | None, angle: Fraction, decimals: int, rounding: str) -> int:
-        assert crank is not None
-        return certified(motion, crank, stroke, angle, decimals, rounding)
-
-    return digits
-
-
-def _coupler_quantity(row: tuple[str, Label, Label, str, str, str]) -> LinkageQuantity:
-    motion, symbol, heading, unit, names, direction = row
-    name, part = _both(names), _both(direction)
-    return LinkageQuantity(
-        f"coupler_{motion}", motion, name, part, (part, name), symbol, heading, unit, DECIMALS,
-        lambda crank, angle, decimals, rounding: certified_coupler(motion, angle, decimals, rounding),
+def _arc_entries() -> Iterator[Quantity]:
+    yield from _both(
+        "path", "Weg auf dem Bogen|Path along the arc", "$x$", "$x/R$", "R",
+        is_arc=True, of=STROKE, names=("path", "x"),
     )  # fmt: skip
+    yield from _both(
+        "velocity", "Geschwindigkeit|Velocity", "$c$", "$c/v$", "v", _VELOCITY, names=("velocity", "c")
+    )
+    yield from _both(
+        "acceleration", "Beschleunigung|Acceleration", "$p$", "$(p R)/v^2$", "v²/R", _ACCELERATION,
+        names=("acceleration", "p"),
+    )  # fmt: skip
+    yield from _angle(
+        "rocker", "Schwingenwinkel|Rocker angle", "$θ$", Formula(_rocker), names=("rocker", "θ")
+    )
+    yield from _angle(
+        "rod", "Schubstangenwinkel|Rod angle", "$ψ$", Formula(lambda at: _slant(at) - _rocker(at))
+    )
+    yield from _angle("slant", "Stange gegen Bogen|Rod against arc", "$τ$", Formula(_slant, "", (_TAU,)))
+    for key, name, symbol, kernel in (
+        ("chord", "Sehne des Weges|Chord of the path", "q", linkage.chord),
+        ("slide_path", "Weg längs der Schubrichtung|Path along the slide", "x_s", linkage.slide_path),
+        ("rise", "Weg quer zur Schubrichtung|Path across the slide", "y_s", linkage.rise),
+    ):
+        yield from _both(key, name, f"${symbol}$", f"${symbol}/R$", "R", Formula(_of(kernel)), of=STROKE)
+    yield from _angle(
+        "turn", "Drehung der Schwinge|Turn of the rocker", "$ϑ$", Formula(lambda at: abs(_turned(at)))
+    )
+    for key, name, symbol, unit, turning in (
+        (
+            "turn_velocity", "Winkelgeschwindigkeit der Schwinge|Angular velocity of the rocker", "ω_B", "ω",
+            _by_rocker(linkage.velocity),
+        ),
+        (
+            "turn_acceleration", "Winkelbeschleunigung der Schwinge|Angular acceleration of the rocker",
+            "ε_B", "ω²", _by_rocker(linkage.acceleration),
+        ),
+        (
+            "rod_velocity", "Winkelgeschwindigkeit der Stange|Angular velocity of the rod", "ω_L", "ω",
+            _of(linkage.rod_velocity),
+        ),
+        (
+            "rod_acceleration", "Winkelbeschleunigung der Stange|Angular acceleration of the rod",
+            "ε_L", "ω²", _of(linkage.rod_acceleration),
+        ),
+    ):  # fmt: skip
+        heading = f"${symbol}/{unit.replace('²', '^2')}$"
+        yield from _both(key, name, f"${symbol}$", heading, unit, Formula(turning))
 
 
-def _both(text: str) -> Mapping[str, str]:
-    return dict(zip(("de", "en"), text.split("|"), strict=True))
+def _angle(key: str, name: str, symbol: Label, formula: Formula, **rest: Any) -> Iterator[Quantity]:
+    return _both(
+        key, name, symbol, f"{symbol} in °", "°", formula, decimals=ANGLE_DECIMALS, is_arc=True, **rest
+    )
+
+
+def _both(
+    key: str,
+    name: str,
+    symbol: Label,
+    heading: Label,
+    unit: str,
+    formula: Formula | None = None,
+    decimals: int = DECIMALS,
+    names: tuple[str, ...] = (),
+    **rest: Any,
+) -> Iterator[Quantity]:
+    """Yield the quantity on the outstroke and on the return; without a formula it is the path."""
+    for each, stroke, path in ((key, OUT, _OUT_PATH), (f"{key}_return", RETURN, _RETURN_PATH)):
+        yield Quantity(
+            key=each,
+            name=words(name),
+            symbol=symbol,
+            unit=words(unit),
+            decimals=decimals,
+            formulas={"exact": formula} if formula else path,
+            heading=words(heading),
+            spanners=(words(name), STROKES[stroke]),
+            part=STROKES[stroke],
+            stroke=stroke,
+            names=names if stroke == OUT else (),
+            **rest,
+        )
+
+
+_ALONG = words("längs der Wellenlinie|along the line of shafts")
+_ACROSS = words("quer zur Wellenlinie|square to the line of shafts")
+_PATH, _SPEED, _GAIN = "Weg|Path", "Geschwindigkeit|Velocity", "Beschleunigung|Acceleration"
+# Field of Coupler, direction, name, symbol, heading, value, unit.
+_COUPLER: tuple[tuple[str, Words, str, str, str, str, str], ...] = (
+    ("path", _ALONG, _PATH, "x", "x/R", "1 - cos φ", "R"),
+    ("velocity", _ALONG, _SPEED, "c_x", "c_x/v", "sin φ", "v"),
+    ("acceleration", _ALONG, _GAIN, "p_x", "(p_x R)/v^2", "cos φ", "v²/R"),
+    ("rise", _ACROSS, _PATH, "y", "y/R", "sin φ", "R"),
+    ("rise_velocity", _ACROSS, _SPEED, "c_y", "c_y/v", "cos φ", "v"),
+    ("rise_acceleration", _ACROSS, _GAIN, "p_y", "(p_y R)/v^2", "-sin φ", "v²/R"),
+)
+
+
+def _coupler_entries() -> Iterator[Quantity]:
+    for field, part, name, symbol, heading, printed, unit in _COUPLER:
+        yield Quantity(
+            key=f"coupler_{field}",
+            name=words(name),
+            symbol=f"${symbol}$",
+            unit=words(unit),
+            decimals=DECIMALS,
+            formulas={"exact": Formula(_field(field), f"${heading} = {printed}$")},
+            heading=words(f"${heading}$"),
+            spanners=(part, words(name)),
+            part=part,
+        )
+
+
+def _field(name: str) -> Callable[[Coupler[Any]], Any]:
+    return lambda coupler: getattr(coupler, name)

@@ -9,7 +9,8 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from kurbel.drive.crank import Crank
-from kurbel.motion.evaluation import LOADED, certified, greatest_load, numbers_of_floats, value
+from kurbel.exact.kind import floats
+from kurbel.motion.evaluation import LOADED, certified, greatest_load, value
 from kurbel.page.quantity import Column
 from kurbel.reading.notation import Progression
 
@@ -65,7 +66,7 @@ def float_bound(column: Column, crank: Crank, largest_angle: float) -> float:
     unit = 2.0**-53
     in_radians = max(largest_angle, 360.0) / 57
     quantity = column.quantity
-    scale = abs(float(quantity.scale(crank, numbers_of_floats()))) if quantity.scale else 1.0
+    scale = abs(float(quantity.scale(crank, floats()))) if quantity.scale else 1.0
     if LOADED in quantity.formulas and crank.moving is not None:
         # A force is a sum of few products of these with powers of 1/cos ψ.
         scale *= 8 * float(greatest_load(crank))
@@ -87,9 +88,9 @@ def columns_in_floats(
     values = evaluate([on_floats(column, crank) for column in columns], degrees)
     reach = float(abs(degrees).max())
     settled = []
-    for column, floats in zip(columns, values, strict=True):
+    for column, found in zip(columns, values, strict=True):
         bound = float_bound(column, crank, reach)
-        scaled, doubtful = nearest(floats, column.places, bound, half_even=rounding == "half-even")
+        scaled, doubtful = nearest(found, column.places, bound, half_even=rounding == "half-even")
         for row in doubtful.nonzero()[0].tolist():
             scaled[row] = _settled(column, crank, angles[row], rounding)
         settled.append(scaled)
@@ -98,7 +99,7 @@ def columns_in_floats(
 
 def on_floats(column: Column, crank: Crank) -> Callable[[Any], Any]:
     """Return the column as a function of the circle of floats or arrays."""
-    return lambda circle: value(column.quantity, column.method, crank, circle, numbers_of_floats())
+    return lambda circle: value(column.quantity, column.method, crank, circle, floats())
 
 
 def float_angles(angles: Sequence[Fraction]) -> np.ndarray:

@@ -7,9 +7,10 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from kurbel.drive.crank import Crank
+from kurbel.exact.kind import Kind, balls, bounds
 from kurbel.exact.numerals import Label, Number, finite_decimals, nearest, number_text
 from kurbel.kernel import kinematics
-from kurbel.motion.evaluation import OUT, RETURN, Numbers, numbers_of_balls, pin_velocity
+from kurbel.motion.evaluation import OUT, RETURN, pin_velocity
 from kurbel.page.words import enumerated_letters
 from kurbel.reading.notation import plain, ratio_text
 
@@ -97,7 +98,7 @@ def connecting_rod(rod: Rod, lang: str, length: str = "L") -> Label:
     """Return the line about a rod: where its masses are, and its mass if that is known."""
     from kurbel.kernel.circle import root
 
-    def gyration(numbers: Numbers) -> Any:
+    def gyration(numbers: Kind) -> Any:
         return root(numbers.of(rod.gyration_square))
 
     return WORDS["connecting_rod"][lang].format(
@@ -137,7 +138,7 @@ def _speed(crank: Crank, lang: str) -> str:
     )
 
 
-def _mean_speed(crank: Crank, numbers: Numbers) -> Any:
+def _mean_speed(crank: Crank, numbers: Kind) -> Any:
     """c_m in m/s. Of turns it is S n/30, without the π that the crank-pin velocity has."""
     speed, radius = crank.speed, crank.radius
     assert speed is not None
@@ -148,7 +149,7 @@ def _mean_speed(crank: Crank, numbers: Numbers) -> Any:
     return pin_velocity(crank, numbers) * kinematics.mean_piston_velocity(_stroke(crank, numbers), numbers.pi)
 
 
-def _stroke(crank: Crank, numbers: Numbers) -> Any:
+def _stroke(crank: Crank, numbers: Kind) -> Any:
     if not crank.offset:
         return numbers.of(Fraction(2))
     return kinematics.stroke(numbers.of(crank.ratio), numbers.of(crank.offset))
@@ -175,18 +176,15 @@ def _offset(crank: Crank, lang: str) -> Label:
     )
 
 
-def _certified(value: Callable[[Numbers], Any], decimals: int, algebraic: bool) -> str:
+def _certified(value: Callable[[Kind], Any], decimals: int, algebraic: bool) -> str:
     """The digits of a value that is either algebraic or an arc or a multiple or fraction of π."""
     from kurbel.exact.certify import NEVER_TIES, rounded
-    from kurbel.exact.separation import Separation
 
     def tie_bits(boundary: Fraction) -> float:
-        bound = value(Numbers(Separation.rational)) - Separation.rational(boundary)
-        return float(bound.bits())
+        kind = bounds()
+        return float((value(kind) - kind.of(boundary)).bits())
 
-    scaled = rounded(
-        lambda: value(numbers_of_balls()), decimals, "half-away", tie_bits if algebraic else NEVER_TIES
-    )
+    scaled = rounded(lambda: value(balls()), decimals, "half-away", tie_bits if algebraic else NEVER_TIES)
     return number_text(Number(scaled, decimals))
 
 

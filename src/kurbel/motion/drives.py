@@ -25,12 +25,12 @@ from kurbel.exact.certify import (
 )
 from kurbel.exact.course import Course
 from kurbel.exact.jet import Jet, ball_jets, jets
+from kurbel.exact.kind import Kind, balls, bounds, surds
 from kurbel.exact.place import SQUARE, Place, exact_place
-from kurbel.exact.separation import Separation, circle_separation
 from kurbel.exact.surd import Field, SecondRootError, Surd
 from kurbel.kernel import kinematics
 from kurbel.kernel.circle import Circle
-from kurbel.motion.evaluation import OUT, Numbers, is_known, is_transcendental, numbers_of_balls, value
+from kurbel.motion.evaluation import OUT, is_known, is_transcendental, value
 from kurbel.motion.evaluation import certified as certified_of_slide
 from kurbel.motion.quantities import registry
 from kurbel.page.quantity import Quantity
@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from flint import arb
 
 # From a circle and a kind of number to a value of that kind.
-Formula = Callable[[Circle[Any], Numbers], Any]
+Formula = Callable[[Circle[Any], Kind], Any]
 
 
 def condition_names(entries: Iterable[Quantity]) -> Mapping[str, str]:
@@ -118,9 +118,7 @@ class SlideDrive:
         ties = NEVER_TIES
         if not is_transcendental(quantity, self.crank):
             ties = ties_at(place, self._surd(column, stroke))
-        return rounded(
-            lambda: formula(circle(place.half_turns()), numbers_of_balls()), decimals, rounding, ties
-        )
+        return rounded(lambda: formula(circle(place.half_turns()), balls()), decimals, rounding, ties)
 
     def _formula(self, quantity: Quantity) -> Formula:
         return lambda circle, numbers: value(quantity, self.method, self.crank, circle, numbers)
@@ -130,7 +128,7 @@ class SlideDrive:
         if quantity != "psi":
             return self._formula(_of_stroke(self.column_of(quantity), stroke))
 
-        def rod_sine(circle: Circle[Any], numbers: Numbers) -> Any:
+        def rod_sine(circle: Circle[Any], numbers: Kind) -> Any:
             ratio, offset = numbers.of(stroke * self.crank.ratio), numbers.of(stroke * self.crank.offset)
             return kinematics.rod_sine(circle, ratio, offset)
 
@@ -140,11 +138,11 @@ class SlideDrive:
         formula = self._asked(quantity, stroke)
 
         def at(half_turns: arb) -> arb:
-            found: arb = formula(circle(half_turns), numbers_of_balls())
+            found: arb = formula(circle(half_turns), balls())
             return found
 
         def slope(half_turns: arb) -> arb:
-            found: arb = formula(ball_jets(half_turns), numbers_of_balls()).slope * pi()
+            found: arb = formula(ball_jets(half_turns), balls()).slope * pi()
             return found
 
         begin, end = self._ends(stroke)
@@ -172,13 +170,12 @@ class SlideDrive:
 
     def _exactly(self, formula: Formula) -> Callable[[Fraction, Fraction], bool]:
         def is_exactly(half_turns: Fraction, wanted: Fraction) -> bool:
-            numbers = Numbers(Separation.rational)
-            bound = formula(Circle(*circle_separation(180 * half_turns)), numbers)
-            bits = (bound - Separation.rational(wanted)).bits()
+            kind = bounds()
+            bits = (formula(kind.circle(180 * half_turns), kind) - kind.of(wanted)).bits()
             if bits > MOST_TIE_BITS:
                 return False
             with flint.ctx.workprec(int(bits) + 64):
-                apart = formula(ball_circle(180 * half_turns), numbers_of_balls()) - ball(wanted)
+                apart = formula(ball_circle(180 * half_turns), balls()) - ball(wanted)
                 return bool(abs(apart) < ball(2) ** -int(bits + 1))
 
         return is_exactly
@@ -229,15 +226,10 @@ def _of_stroke(column: str, stroke: int) -> Quantity:
     return registry()[column]._replace(stroke=stroke)
 
 
-def constant(field: Field, number: Fraction) -> Jet:
-    """Return a number as a function of t with its slopes."""
-    return Jet(field.of(number), field.of(0), field.of(0))
-
-
 def _as_surds(formula: Formula) -> Jet:
     """Return a formula and its slopes as functions of tan ½(φ - 90°)."""
     field = Field()
-    found = formula(jets(*field.circle(SQUARE.tangent)[:3]), Numbers(lambda number: constant(field, number)))
+    found = formula(jets(*field.circle(SQUARE.tangent)[:3]), surds(field))
     assert isinstance(found, Jet)
     return found
 

@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
+from kurbel.exact.kind import Kind, balls, bounds
 from kurbel.page.quantity import Quantity, Words, words
 
 # What of the crank a quantity needs to be known, and the options that tell it.
@@ -62,17 +63,6 @@ OFFSET, LOADED = "offset", "loaded"
 TANGENT = "tangent"
 
 
-class Numbers(NamedTuple):
-    """A kind of number: how an exact rational becomes one, its π, and the rod angle in degrees on it.
-
-    Separation bounds have neither π nor arcs.
-    """
-
-    of: Callable[[Fraction], Any]
-    pi: Any = None
-    rod_angle: Callable[..., Any] | None = None
-
-
 class At(NamedTuple):
     """What a kernel call takes: where the crank stands, λ and e/R (None without an offset) with the sign of
     the stroke, the crank and the kind of number."""
@@ -81,7 +71,7 @@ class At(NamedTuple):
     ratio: Any
     offset: Any
     crank: Crank
-    numbers: Numbers
+    numbers: Kind
 
 
 def is_known(quantity: Quantity, crank: Crank) -> bool:
@@ -118,7 +108,7 @@ def is_transcendental(quantity: Quantity, crank: Crank) -> bool:
     return quantity.is_arc or (by_speed and crank.speed is not None and crank.speed.turns)
 
 
-def value(quantity: Quantity, method: str, crank: Crank, circle: Any, numbers: Numbers) -> Any:
+def value(quantity: Quantity, method: str, crank: Crank, circle: Any, numbers: Kind) -> Any:
     """Return the quantity in its unit, on the kind of number that circle and `numbers` are of."""
     ratio = numbers.of(quantity.stroke * (Fraction(0) if method == "infinite" else crank.ratio))
     offset = numbers.of(quantity.stroke * crank.offset) if crank.offset else None
@@ -155,19 +145,19 @@ def certified(
     """Return the quantity times 10**decimals at an exact angle in degrees, rounded correctly."""
     from kurbel.exact import certify
 
-    def as_ball() -> Any:
-        circle = certify.ball_circle(angle)
-        return value(quantity, method, crank, circle, numbers_of_balls())
+    def at(kind: Kind) -> Any:
+        return value(quantity, method, crank, kind.circle(angle), kind)
 
     def tie_bits(boundary: Fraction) -> float:
-        return _tie_bits(quantity, method, crank, angle, boundary)
+        kind = bounds()
+        return float((at(kind) - kind.of(boundary)).bits())
 
     if _weighs(quantity, method, crank, angle):
         # Turns a second bring the factor π² to what the masses add to an algebraic number.
         ties: certify.TieBits | None = certify.NEVER_TIES
     else:
         ties = certify.NEVER_TIES if is_transcendental(quantity, crank) else tie_bits
-    return certify.rounded(as_ball, decimals, rounding, ties)
+    return certify.rounded(lambda: at(balls()), decimals, rounding, ties)
 
 
 def _weighs(quantity: Quantity, method: str, crank: Crank, angle: Fraction) -> bool:
@@ -175,48 +165,18 @@ def _weighs(quantity: Quantity, method: str, crank: Crank, angle: Fraction) -> b
     if LOADED not in quantity.formulas or crank.moving is None or not (crank.speed and crank.speed.turns):
         return False
     from kurbel.exact import certify
-    from kurbel.exact.separation import Separation
 
     alone = replace(crank, force=None)
 
     def part() -> Any:
-        return value(quantity, method, alone, certify.ball_circle(angle), Numbers(certify.ball))
+        return value(quantity, method, alone, certify.ball_circle(angle), Kind(certify.ball))
 
-    bound = value(quantity, method, alone, _bounds(angle), Numbers(Separation.rational))
+    kind = bounds()
+    bound = value(quantity, method, alone, kind.circle(angle), kind)
     return not certify.vanishes(part, float(bound.bits()))
 
 
-def numbers_of_balls() -> Numbers:
-    """Return balls at the precision in force."""
-    from kurbel.exact import certify
-
-    return Numbers(certify.ball, certify.pi(), certify.rod_angle)
-
-
-def numbers_of_floats() -> Numbers:
-    """Return floats, or arrays of them."""
-    from math import pi
-
-    from kurbel.kernel.circle import rod_angle
-
-    return Numbers(float, pi, lambda circle, ratio, offset: rod_angle(circle, ratio, offset or 0.0))
-
-
-def _tie_bits(quantity: Quantity, method: str, crank: Crank, angle: Fraction, boundary: Fraction) -> float:
-    from kurbel.exact.separation import Separation
-
-    bound = value(quantity, method, crank, _bounds(angle), Numbers(Separation.rational))
-    return float((bound - Separation.rational(boundary)).bits())
-
-
-def _bounds(angle: Fraction) -> Any:
-    from kurbel.exact.separation import circle_separation
-    from kurbel.kernel.circle import Circle
-
-    return Circle(*circle_separation(angle))
-
-
-def pin_velocity(crank: Crank, numbers: Numbers) -> Any:
+def pin_velocity(crank: Crank, numbers: Kind) -> Any:
     """Return v = R ω of the crank pin in m/s; bounds, which know no π, leave it out."""
     speed, radius = crank.speed, crank.radius
     assert speed is not None
@@ -227,7 +187,7 @@ def pin_velocity(crank: Crank, numbers: Numbers) -> Any:
     return rational if numbers.pi is None else rational * numbers.pi
 
 
-def pin_acceleration(crank: Crank, numbers: Numbers) -> Any:
+def pin_acceleration(crank: Crank, numbers: Kind) -> Any:
     """v²/R of the crank pin in m/s²."""
     velocity = pin_velocity(crank, numbers)
     assert crank.radius is not None

@@ -8,10 +8,11 @@ from functools import cache
 from typing import Any, NamedTuple
 
 from kurbel.drive.crank import Crank
+from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
 from kurbel.kernel import rod
 from kurbel.kernel.rod import Masses
-from kurbel.motion.evaluation import OFFSET, At, Numbers, pin_acceleration
+from kurbel.motion.evaluation import OFFSET, At, pin_acceleration
 from kurbel.motion.quantities import Scale
 from kurbel.page.quantity import Formula, Quantity, Words, words
 
@@ -49,7 +50,7 @@ class RodForce(NamedTuple):
     def newtons(self) -> str:
         return "N m" if self.is_torque else "N"
 
-    def scale(self, crank: Crank, numbers: Numbers) -> Any:
+    def scale(self, crank: Crank, numbers: Kind) -> Any:
         """M R ω² in newtons, or M R² ω² in newton metres."""
         assert crank.rod is not None
         assert crank.rod.mass is not None

@@ -11,11 +11,12 @@ from typing import Any
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import NEVER_TIES, TieBits, rounded
+from kurbel.exact.kind import Kind, balls, bounds
 from kurbel.exact.numerals import Label, Number, nearest, number_text
 from kurbel.exact.separation import Separation
 from kurbel.kernel.rod import Masses
 from kurbel.motion.drive_notes import drive_notes, rod_notes
-from kurbel.motion.evaluation import Numbers, needed, numbers_of_balls
+from kurbel.motion.evaluation import needed
 from kurbel.motion.inertia import ROD_FORCES, ROD_MODELS, RodForce
 from kurbel.motion.inertia_peak import Peak
 from kurbel.motion.question import Request
@@ -50,15 +51,15 @@ WORDS = {
 Of = Callable[[Peak], Any]
 
 
-def _itself(peak: Peak, whole: Peak, numbers: Numbers, of: Of) -> Any:
+def _itself(peak: Peak, whole: Peak, numbers: Kind, of: Of) -> Any:
     return of(peak)
 
 
-def _in_newtons(peak: Peak, whole: Peak, numbers: Numbers, of: Of) -> Any:
+def _in_newtons(peak: Peak, whole: Peak, numbers: Kind, of: Of) -> Any:
     return of(peak) * peak.force.scale(peak.crank, numbers)
 
 
-def _in_percent(peak: Peak, whole: Peak, numbers: Numbers, of: Of) -> Any:
+def _in_percent(peak: Peak, whole: Peak, numbers: Kind, of: Of) -> Any:
     return 100 * of(peak) / of(whole)
 
 
@@ -249,18 +250,18 @@ def _number(question: ErrorsRequest, column: Column, place: Place, times: int) -
         if share is not None:
             return nearest(100 * share, decimals, question.rounding)
 
-    def value(numbers: Numbers, of: Of) -> Any:
+    def value(numbers: Kind, of: Of) -> Any:
         return quantity.formulas[EXACT].kernel(peak, whole, numbers, of)
 
     concerned = (peak, whole) if percent else (peak,)
     exact = all(one.separation() is not None for one in concerned) and not _by_turns(quantity, peak.crank)
 
     def tie_bits(boundary: Fraction) -> float:
-        bound = value(Numbers(Separation.rational), Peak.separation)
+        bound = value(bounds(), Peak.separation)
         return float((bound - Separation.rational(boundary)).bits())
 
     ties: TieBits | None = tie_bits if exact else NEVER_TIES
-    scaled = rounded(lambda: value(numbers_of_balls(), Peak.value), decimals, question.rounding, ties)
+    scaled = rounded(lambda: value(balls(), Peak.value), decimals, question.rounding, ties)
     return Number(scaled, decimals)
 
 

@@ -9,6 +9,7 @@ from typing import Any
 
 from kurbel.drive.crank import Crank
 from kurbel.drive.crank_forces import CRANK_FORCES
+from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
 from kurbel.kernel import forces, kinematics
 from kurbel.motion.evaluation import (
@@ -19,14 +20,13 @@ from kurbel.motion.evaluation import (
     STROKES,
     TANGENT,
     At,
-    Numbers,
     pin_acceleration,
     pin_velocity,
 )
 from kurbel.page.quantity import Formula, Quantity, words
 
 Formulas = Mapping[str, Formula]
-Scale = Callable[[Crank, Numbers], Any]
+Scale = Callable[[Crank, Kind], Any]
 
 # In printed formulas {±} is the sign that the return stroke changes, {ψ} the same where ψ itself is printed
 # (cos ψ knows no sign), {angle} the letter of the crank angle.
@@ -100,7 +100,7 @@ ROD_ANGLE: Formulas = {
 
 
 def _share_of_stroke(share: int) -> Scale:
-    def scale(crank: Crank, numbers: Numbers) -> Any:
+    def scale(crank: Crank, numbers: Kind) -> Any:
         if not crank.offset:
             return numbers.of(Fraction(share, 2))
         return share / kinematics.stroke(numbers.of(crank.ratio), numbers.of(crank.offset))
@@ -108,12 +108,12 @@ def _share_of_stroke(share: int) -> Scale:
     return scale
 
 
-def _millimetres(crank: Crank, numbers: Numbers) -> Any:
+def _millimetres(crank: Crank, numbers: Kind) -> Any:
     assert crank.radius is not None
     return numbers.of(1000 * crank.radius)
 
 
-def _newtons(crank: Crank, numbers: Numbers) -> Any:
+def _newtons(crank: Crank, numbers: Kind) -> Any:
     """What makes newtons of a unit force; forces of moving masses are in newtons as they are."""
     if crank.moving is not None:
         return numbers.of(Fraction(1))
@@ -121,7 +121,7 @@ def _newtons(crank: Crank, numbers: Numbers) -> Any:
     return numbers.of(crank.force)
 
 
-def _newton_metres(crank: Crank, numbers: Numbers) -> Any:
+def _newton_metres(crank: Crank, numbers: Kind) -> Any:
     assert crank.radius is not None
     return _newtons(crank, numbers) * numbers.of(crank.radius)
 

@@ -11,6 +11,7 @@ from typing import Any
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import NEVER_TIES, TieBits, ball, pi, rounded
+from kurbel.exact.kind import Kind, balls, bounds
 from kurbel.exact.numerals import Label, Number
 from kurbel.exact.separation import Separation
 from kurbel.kernel.forces import square_position
@@ -18,10 +19,8 @@ from kurbel.motion.drive_notes import drive_notes, force_note
 from kurbel.motion.evaluation import (
     OUT,
     TANGENT,
-    Numbers,
     is_transcendental,
     needed,
-    numbers_of_balls,
     value,
 )
 from kurbel.motion.quantities import registry
@@ -99,19 +98,19 @@ def _number(question: TangentRequest, column: Column, place: Place, times: int) 
 
     def as_ball() -> Any:
         if not quantity.is_arc:
-            return _value(quantity, crank, numbers_of_balls())
+            return _value(quantity, crank, balls())
         # tan ψ is rational, so that ψ is no rational number of degrees but 0 (and 45, for λ = 1; Niven).
         return times * quantity.formulas[TANGENT].kernel(ball(crank.ratio).atan() * 180 / pi())
 
     def tie_bits(boundary: Fraction) -> float:
-        bound = _value(quantity, crank, Numbers(Separation.rational))
+        bound = _value(quantity, crank, bounds())
         return float((bound - Separation.rational(boundary)).bits())
 
     ties: TieBits | None = NEVER_TIES if is_transcendental(quantity, crank) else tie_bits
     return Number(rounded(as_ball, column.places, question.rounding, ties), column.places)
 
 
-def _value(quantity: Quantity, crank: Crank, numbers: Numbers) -> Any:
+def _value(quantity: Quantity, crank: Crank, numbers: Kind) -> Any:
     return value(quantity, "exact", crank, square_position(numbers.of(crank.ratio)), numbers)
 
 

@@ -23,8 +23,6 @@ BUILDERS: Mapping[str, str] = {
         ("irregularity", "strokes", "turning", "crank forces", "machine", "flywheel"),
         "kurbel.engine.page:build_engine",
     ),
-    **dict.fromkeys(("arc crank", "parallel crank"), "kurbel.linkage.page:build_linkage"),
-    "dead centres": "kurbel.linkage.beam_page:build_beam",
 }
 
 
@@ -66,7 +64,7 @@ def grid_of(question: Question) -> Grid:
     """Return the axes of the page and what stands at their places."""
     about, layout, columns = question.subject, question.layout, question.page_columns
     if not columns:
-        raise ProblemError(question.without_columns())
+        raise ProblemError(question.no_column)
     check_size(layout, {name: axis.size for name, axis in question.axes.items()})
 
     def cell(place: Place) -> Cell:

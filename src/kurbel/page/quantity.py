@@ -21,11 +21,12 @@ class Formula(NamedTuple):
     """The kernel's formula of a quantity by one method, and as pages print it below their tables.
 
     What the kernel call takes, the subject says; `printed` has places in braces that its page fills, and is
-    empty where a line does not hold the formula.
+    empty where a line does not hold the formula. `symbols` say what it leaves to be said of its letters.
     """
 
     kernel: Callable[..., Any]
     printed: Label = ""
+    symbols: tuple[Label, ...] = ()
 
 
 class Quantity(NamedTuple):

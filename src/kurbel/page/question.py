@@ -34,8 +34,6 @@ class Question:
     columns: tuple[str, ...] = ()
     label: str = ""
 
-    # Why a page without a column beside its axes is refused, with an example.
-    no_column: ClassVar[str] = "there is no column beside the axes; add one, such as x"
     # Whether records of the axes alone say something.
     axes_suffice: ClassVar[bool] = False
 
@@ -44,7 +42,7 @@ class Question:
         check_label(self.label)
         self.check()
         if not self.page_columns and not self.axes_suffice:
-            raise ProblemError(self.without_columns())
+            raise ProblemError(self.no_column)
         if len(self) > MOST_ROWS:
             raise ProblemError(f"the table would have {len(self)} rows; at most 10^9 are allowed")
 
@@ -55,13 +53,14 @@ class Question:
         """Return the sentence that refuses a column of the quantity, nothing if it is known."""
         return ""
 
-    def without_columns(self) -> str:
-        """Return the sentence that refuses a page without a column."""
-        return self.no_column
-
     @property
     def subject(self) -> Subject:
         return subject(self.layout.subject)
+
+    @property
+    def no_column(self) -> str:
+        """Why a page without a column beside its axes is refused, with an example."""
+        return f"there is no column beside the axes; add one, such as {next(iter(self.subject.quantities()))}"
 
     @property
     def axis_keys(self) -> tuple[str, ...]:

@@ -8,8 +8,11 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, NamedTuple
 
 from kurbel.errors import ProblemError
+from kurbel.exact.kind import floats
 from kurbel.kernel.circle import circle
-from kurbel.linkage.arc import ArcCrank, dead_angle, floats, value
+from kurbel.linkage.arc import ArcCrank
+from kurbel.linkage.evaluation import dead_angle, value
+from kurbel.linkage.quantities import arc_registry
 from kurbel.motion.evaluation import OUT, RETURN
 from kurbel.plot.mechanism import LARGEST_RADIUS, LEFT, LONGEST_ROD
 from kurbel.plot.sketch import (
@@ -96,7 +99,7 @@ def arc_mechanism(crank: ArcCrank, angles: Sequence[float | Fraction], lang: str
 def arc_position(crank: ArcCrank, angle: float) -> Position:
     """Return where the drive stands at a crank angle in degrees."""
     point = circle(angle)
-    turn = float(value("rocker", crank, OUT, point, floats()))
+    turn = float(value(arc_registry()["rocker"], crank, point, floats()))
     side = 1 if crank.curvature > 0 else -1
     (x, y), rocker = _pivot(crank), float(crank.rocker)
     across, along = math.sin(math.radians(turn)), math.cos(math.radians(turn))

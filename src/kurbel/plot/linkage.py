@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from kurbel.exact.kind import floats
 from kurbel.kernel.circle import circle
-from kurbel.kernel.linkage import coupler
-from kurbel.linkage.arc import ArcCrank, floats, value
+from kurbel.linkage.evaluation import Linkage, value
 from kurbel.linkage.page import LinkageRequest
-from kurbel.linkage.quantities import LinkageQuantity
+from kurbel.page.quantity import Quantity
 from kurbel.plot.curves import ratio_label
 from kurbel.plot.panels import Trace, check_drawn, degrees, panels_of
 from kurbel.plot.plotting import Panel
@@ -21,30 +21,28 @@ def linkage_panels(request: LinkageRequest) -> list[Panel]:
     Raises ProblemError for one angle, or more than can be drawn.
     """
     check_drawn(request.angles, len(request.drives))
-    traces = (_trace(one, drive, request) for one in request.quantities for drive in request.drives)
+    quantities = [column.quantity for column in request.page_columns]
+    traces = (_trace(one, drive, request) for one in quantities for drive in request.drives)
     return panels_of(traces, request.lang, apart=len(request.drives) > 1)
 
 
-def _trace(quantity: LinkageQuantity, drive: ArcCrank | None, request: LinkageRequest) -> Trace:
-    lang, angles = request.lang, degrees(request.angles)
-    heading = quantity.heading.removesuffix(f" in {quantity.unit}")
+def _trace(quantity: Quantity, drive: Linkage, request: LinkageRequest) -> Trace:
+    lang, angles, unit = request.lang, degrees(request.angles), quantity.plain_unit(request.lang)
+    heading = quantity.heading[lang].removesuffix(f" in {unit}")
+    assert quantity.part is not None
     return Trace(
         quantity.name[lang],
         heading,
-        quantity.unit,
-        quantity.unit if heading == quantity.symbol else "",
-        (ratio_label(drive.crank.ratio), quantity.part[lang]) if drive else (),
+        unit,
+        unit if heading == quantity.symbol else "",
+        (ratio_label(drive.crank.ratio), quantity.part[lang]) if request.cranks else (),
         angles,
         _values(quantity, drive, angles),
     )
 
 
-def _values(quantity: LinkageQuantity, drive: ArcCrank | None, angles: list[float]) -> list[float]:
+def _values(quantity: Quantity, drive: Linkage, angles: list[float]) -> list[float]:
     import numpy as np
 
-    places = circle(np.asarray(angles))
-    if drive is None:
-        found = getattr(coupler(places), quantity.motion)
-    else:
-        found = value(quantity.motion, drive, quantity.stroke, places, floats())
+    found = value(quantity, drive, circle(np.asarray(angles)), floats())
     return [float(one) for one in found]
