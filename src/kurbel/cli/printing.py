@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import click
 
 from kurbel.cli.rivals import Given
-from kurbel.formats.format import Format, RecordsFormat
+from kurbel.formats.format import CompiledFormat, Format, RecordsFormat
 from kurbel.formats.output import whole_file
 from kurbel.formats.registry import DEFAULT, FORMATS, for_suffix
 
@@ -75,8 +75,7 @@ def print_table(request: Asked, printing: Printing) -> None:
 
 def print_made(table: Table, printing: Printing) -> None:
     """Write a table that is there already."""
-    made = _compiled if printing.format.kind == "compiled" else _rendered
-    _write(made(table, printing), printing.output, 0)
+    _write(_rendered(table, printing), printing.output, 0)
 
 
 def _write(pieces: Iterator[bytes], output: str, rows: int) -> None:
@@ -90,20 +89,17 @@ def _write(pieces: Iterator[bytes], output: str, rows: int) -> None:
 
 
 def _rendered(table: Table, printing: Printing) -> Iterator[bytes]:
+    form, output, decimal, standalone, longtable = printing
+    if isinstance(form, CompiledFormat):
+        yield form.compiled(table, decimal)
+        return
     from kurbel.formats.render import render
 
-    form, output, decimal, standalone, longtable = printing
     width = get_terminal_size().columns if output == "-" and sys.stdout.isatty() else None
     text = render(table, form.name, decimal=decimal, standalone=standalone, longtable=longtable, width=width)
     yield text.encode()
     if not (standalone or longtable) and form.is_tall(table):
         click.echo("kurbel: the table is longer than a page; --longtable lets it break", err=True)
-
-
-def _compiled(table: Table, printing: Printing) -> Iterator[bytes]:
-    from kurbel.formats.pdf.by_typst import typeset_pdf
-
-    yield typeset_pdf(table, decimal=printing.decimal)
 
 
 class _NoBar:

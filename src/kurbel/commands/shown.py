@@ -61,13 +61,12 @@ class Table(Page):
 
         Raises KurbelError.
         """
+        from kurbel.formats.format import CompiledFormat
         from kurbel.formats.output import whole_file
 
         form = for_suffix(os.fspath(path))
-        if form.kind == "compiled":
-            from kurbel.formats.pdf.by_typst import typeset_pdf
-
-            content = typeset_pdf(self, decimal=decimal)
+        if isinstance(form, CompiledFormat):
+            content = form.compiled(self, decimal)
         else:
             content = self.typeset(
                 form.name, decimal=decimal, standalone=standalone, longtable=longtable

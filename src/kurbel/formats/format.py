@@ -9,7 +9,7 @@ import os
 import sys
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, Literal
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple
 
 from kurbel.errors import ChoiceError
 from kurbel.exact.numerals import DECIMAL_OF_LANGUAGE, DECIMALS
@@ -81,10 +81,36 @@ class RecordsFormat(Format, ABC):
         """Yield records that come as whole columns, of these names; the table has none of its own."""
 
 
-class CompiledFormat(Format):
+class Engine(NamedTuple):
+    """What sets a whole document as bytes: of that in which format, and from files with these suffixes.
+
+    `standards` are those that it can keep. One that `grows` takes the memory of whoever calls it, where
+    others are processes of their own. One that `obeys` runs what a template may have written.
+    """
+
+    source: str
+    suffixes: tuple[str, ...]
+    standards: tuple[str, ...] = ()
+    grows: bool = False
+    obeys: bool = False
+
+
+class CompiledFormat(Format, ABC):
     """A format of bytes, made of the document in another format."""
 
     kind = "compiled"
+
+    @abstractmethod
+    def compiled(self, table: Table, decimal: str | None) -> bytes:
+        """Return the page as a document."""
+
+    @abstractmethod
+    def engines(self) -> Mapping[str, Engine]:
+        """Return by their names what can set whole documents; the first does unless another one is named."""
+
+    @abstractmethod
+    def whole(self, folder: str, engine: str, standards: Sequence[str], read: Callable[[str], str]) -> bytes:
+        """Return the handbook whose documents lie in the folder; `read` returns one of them as text."""
 
 
 class PageFormat(Format):

@@ -12,8 +12,8 @@ import kurbel.formats
 from kurbel.errors import ChoiceError
 from kurbel.exact.numerals import DECIMAL_OF_LANGUAGE as DECIMAL_OF_LANGUAGE
 from kurbel.exact.numerals import DECIMALS as DECIMALS
+from kurbel.formats.format import CompiledFormat, PageFormat
 from kurbel.formats.format import Format as Format
-from kurbel.formats.format import PageFormat
 
 if TYPE_CHECKING:
     from kurbel.documents.inject import Kind
@@ -75,6 +75,11 @@ def page_format(name: str) -> PageFormat:
     if not isinstance(form, PageFormat):
         raise ChoiceError(f"{name} is no format of pages")
     return form
+
+
+def compiled_format() -> CompiledFormat:
+    """Return the format of bytes in which handbooks are set."""
+    return next(form for form in FORMATS.values() if isinstance(form, CompiledFormat))
 
 
 def for_suffix(path: str) -> Format:

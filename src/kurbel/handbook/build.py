@@ -284,7 +284,7 @@ class Build:
         task = PdfTask(self.folder.path, engine, standards, self.templates is not None)
         # Typst takes much memory to set many pages, in a process of its own. A TeX is one by itself, and is
         # ended by whoever started it: the end of this build must reach it.
-        apart = ENGINES[engine].source == "typst"
+        apart = ENGINES[engine].grows
         for _, made in worked(make_pdf, [task], 1, apart=apart):
             self.take(_named(PDF), key, made, PDF_STOPPED)
 

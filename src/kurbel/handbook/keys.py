@@ -4,26 +4,15 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
 from functools import cache
-from typing import Any, NamedTuple
+from typing import Any
+
+from kurbel.formats.registry import compiled_format
 
 SCHEMA = "handbook.schema.json"
-
-
-class Engine(NamedTuple):
-    """What sets a PDF: from the documents in which format, and from files with these suffixes."""
-
-    source: str
-    suffixes: tuple[str, ...]
-
-
-_TEX = Engine("latex", (".tex", ".pdf"))
-ENGINES: Mapping[str, Engine] = {
-    "typst": Engine("typst", (".typ", ".svg")),
-    "lualatex": _TEX,
-    "latexmk": _TEX,
-}
+COMPILED = compiled_format()
+ENGINES = COMPILED.engines()
+STANDARDS = tuple(dict.fromkeys(one for engine in ENGINES.values() for one in engine.standards))
 
 
 @cache

@@ -104,12 +104,14 @@ class Manifest(NamedTuple):
 
 def check_engine(engine: str, standards: Sequence[str], templates: str | None) -> None:
     """Raise HandbookError if the engine cannot keep the standards, or would obey templates too well."""
-    if standards and ENGINES[engine].source != "typst":
-        raise HandbookError(f"{engine} keeps no standards such as {standards[0]}; they are for typst")
-    if templates and engine == "lualatex":
+    if standards and not ENGINES[engine].standards:
+        keeping = " or ".join(name for name, one in ENGINES.items() if one.standards)
+        raise HandbookError(f"{engine} keeps no standards such as {standards[0]}; they are for {keeping}")
+    if templates and ENGINES[engine].obeys:
+        others = " or ".join(name for name, one in ENGINES.items() if not one.obeys)
         raise HandbookError(
-            "lualatex runs whatever programs in Lua templates of one's own write, also into other folders;"
-            " set their PDF with typst or latexmk"
+            f"{engine} runs whatever programs in Lua templates of one's own write, also into other folders;"
+            f" set their PDF with {others}"
         )
 
 

@@ -9,9 +9,8 @@ from unicodedata import category
 from msgspec import Meta, Struct
 
 from kurbel.errors import LayoutError
-from kurbel.formats.pdf.by_typst import STANDARDS
 from kurbel.formats.registry import DECIMALS, FORMATS
-from kurbel.handbook.keys import ENGINES
+from kurbel.handbook.keys import ENGINES, STANDARDS
 from kurbel.page.folders import LANGUAGES
 from kurbel.page.labels import Mark, parse
 from kurbel.reading.toml_file import A_TEXT, Choice, Fault, about, schema_of

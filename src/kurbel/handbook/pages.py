@@ -4,19 +4,17 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, NamedTuple, cast
+from functools import partial
+from typing import NamedTuple
 
 from kurbel.documents.document import Chapter, Document, Item
 from kurbel.errors import HandbookError, KurbelError
 from kurbel.formats.registry import FORMATS
 from kurbel.handbook.folder import LARGEST
-from kurbel.handbook.keys import ENGINES
+from kurbel.handbook.keys import COMPILED, ENGINES
 from kurbel.handbook.manifest import ChapterPlan, Manifest, Part
 from kurbel.handbook.parts import GIGABYTES, PATIENCE, PDF, PDF_PATIENCE, Made
 from kurbel.reading.choices import did_you_mean
-
-if TYPE_CHECKING:
-    from kurbel.formats.pdf.by_typst import Standard
 
 WORDS = {"de": "Fehlt", "en": "Missing"}
 
@@ -159,18 +157,12 @@ def make_pdf(task: PdfTask) -> Made | str:
 
     try:
         # A TeX is a process of its own, with a time of its own: it would outlive this one.
-        with deadline(PDF_PATIENCE, None, task.limited and ENGINES[task.engine].source == "typst"):
-            return Made({f"handbook.{PDF}": _set(task)})
+        with deadline(PDF_PATIENCE, None, task.limited and ENGINES[task.engine].grows):
+            read = partial(_document_in, task.folder)
+            return Made({f"handbook.{PDF}": COMPILED.whole(task.folder, task.engine, task.standards, read)})
     except KurbelError as error:
         return str(error)
 
 
-def _set(task: PdfTask) -> bytes:
-    from kurbel.formats.pdf.by_typst import compile_typst, source_date_epoch
-
-    if ENGINES[task.engine].source == "typst":
-        source = _text_of(os.path.join(task.folder, "handbook.typ"), LARGEST)
-        return compile_typst(source, root=task.folder, standards=cast("Sequence[Standard]", task.standards))
-    from kurbel.formats.pdf.by_tex import compile_tex
-
-    return compile_tex(task.folder, "handbook", task.engine, source_date_epoch() or 0)
+def _document_in(folder: str, name: str) -> str:
+    return _text_of(os.path.join(folder, name), LARGEST)

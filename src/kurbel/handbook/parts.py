@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 from typing import Literal, NamedTuple
 
 from kurbel.formats.registry import FORMATS
-from kurbel.handbook.keys import ENGINES
+from kurbel.handbook.keys import COMPILED, ENGINES
 from kurbel.handbook.manifest import Manifest, Part
 
-PDF = "pdf"
+PDF = COMPILED.name
 KILLED = "its process was ended, for want of memory or from outside"
 # Templates of one's own have so many seconds for a page, and so much memory.
 PATIENCE, GIGABYTES = 10.0, 4
