@@ -1,12 +1,13 @@
 """The pages for developers: their steps, done in a copy of the house, give what they say.
 
 A page states its steps in blocks: ```python append=FILE, ```python before="TEXT" in=FILE, ```python
-replace="TEXT" in=FILE, ```toml new=FILE, and what is typed then in ```console. KURBEL_PROMOTE=1 writes anew what
-the commands print.
+replace="TEXT" in=FILE, ```toml new=FILE, and what is typed then in ```console. KURBEL_PROMOTE=1 writes anew
+what the commands print.
 """
 
 from __future__ import annotations
 
+import ast
 import os
 import re
 import shlex
@@ -14,6 +15,7 @@ import shutil
 import subprocess
 import sys
 import textwrap
+import tomllib
 from fractions import Fraction
 from pathlib import Path
 
@@ -141,3 +143,33 @@ def test_a_new_quantity_without_a_formula_is_refused_with_a_sentence(jerk: House
         jerk.kurbel("kurbel table --ratio 1:5 --offset 0.3 --columns phi,jerk")
     with pytest.raises(AssertionError, match='method "series" has no formula for jerk; use exact'):
         jerk.kurbel("kurbel table --ratio 1:5 --method series --columns phi,jerk")
+
+
+def test_a_new_book_is_listed_collated_and_in_a_handbook(tmp_path: Path) -> None:
+    house = built("source", tmp_path)
+    assert "lehrheft-wege" in house.kurbel("kurbel sources --lang en")
+    page = house.handbook("collate lehrheft-wege")
+    assert "1,879" in page
+    assert "Zahlendreher" in page or "vertauscht" in page
+
+
+def test_the_page_of_the_house_has_every_floor_in_its_order_with_its_sentence() -> None:
+    text = (PAGES / "README.md").read_text(encoding="utf-8")
+    rules = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["importlinter"]
+    package = ROOT / "src" / "kurbel"
+    floors = [name for name in rules["contracts"][0]["layers"] if (package / name).is_dir()]
+    rows = []
+    for name in floors:
+        tree = ast.parse((package / name / "__init__.py").read_text(encoding="utf-8"))
+        rows.append((name, (ast.get_docstring(tree) or "").splitlines()[0]))
+    assert re.findall(r"^\| `(\w+)/` \| (.*) \|$", text, re.MULTILINE) == rows
+    assert {path.name for path in package.iterdir() if path.is_dir()} - {"__pycache__"} == set(floors)
+
+
+def test_a_newcomer_reads_the_house_from_its_folders() -> None:
+    package = ROOT / "src" / "kurbel"
+    names = [path.name for path in package.iterdir() if path.name != "__pycache__"]
+    assert len(names) <= 22, names
+    crowded = {path.name: len([*path.glob("*.py")]) - 1 for path in package.iterdir() if path.is_dir()}
+    del crowded["cli"]
+    assert max(crowded.values()) <= 16, crowded
