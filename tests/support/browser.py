@@ -7,10 +7,11 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Literal
 
+from places import TESTS
 from playwright.sync_api import Browser, ConsoleMessage, Error, Page, sync_playwright
 from tools import missing, require
 
-AXE = Path(__file__).parent / "node_modules" / "axe-core" / "axe.min.js"
+AXE = TESTS / "node_modules" / "axe-core" / "axe.min.js"
 # The axe rules for WCAG 2.0 to 2.2, levels A and AA, and those of good practice.
 RULES = ("wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22a", "wcag22aa", "best-practice")
 _FLAGS = (
