@@ -173,3 +173,16 @@ def test_a_newcomer_reads_the_house_from_its_folders() -> None:
     crowded = {path.name: len([*path.glob("*.py")]) - 1 for path in package.iterdir() if path.is_dir()}
     del crowded["cli"]
     assert max(crowded.values()) <= 16, crowded
+
+
+def test_a_new_format_is_a_folder(tmp_path: Path) -> None:
+    house = built("format", tmp_path)
+    assert "|0,9083" in (house.desk / "solve.adoc").read_text(encoding="utf-8")
+    assert "asciidoc" in house.reference()
+    (house.desk / "handbook.toml").write_text(
+        'formats = ["asciidoc"]\n' + HANDBOOK.format(run="table --ratio 1:5"), encoding="utf-8"
+    )
+    said = house.kurbel("kurbel handbook build .")
+    assert "written" in said, said
+    (page,) = (house.desk / "pages").rglob("*.adoc")
+    assert ".Kolbenweg" in page.read_text(encoding="utf-8")
