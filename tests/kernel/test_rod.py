@@ -32,18 +32,24 @@ from kurbel.exact import certify
 from kurbel.kernel import forces
 from kurbel.kernel import rod as kernel
 from kurbel.kernel.circle import circle
-from kurbel.kernel.rod import Masses
+from kurbel.kernel.rod import Loaded, Masses
 from kurbel.motion.evaluation import OUT, RETURN, At, certified
 from kurbel.page.quantity import Formula, Quantity
 from kurbel.reading import units
 from kurbel.reading.csv_lines import shown
 
+
+def force(name: str) -> Callable[..., Any]:
+    """Return a force of circle, ratio, masses, offset and piston force."""
+    return lambda *state: getattr(Loaded(*state), name)()
+
+
 FORCES: dict[str, Callable[..., Any]] = {
-    "guide": kernel.guide_force,
-    "along": kernel.pin_force_along,
-    "across": kernel.pin_force_across,
-    "pin": kernel.pin_force,
-    "torque": kernel.torque,
+    "guide": force("guide_force"),
+    "along": force("pin_force_along"),
+    "across": force("pin_force_across"),
+    "pin": force("pin_force"),
+    "torque": force("torque"),
 }
 
 
@@ -137,14 +143,14 @@ def test_a_negative_ratio_is_the_return_stroke(name: str, drive: Drive, time: Re
 @given(drive=drives(), time=times, body=bodies())
 def test_torque_is_what_the_kinetic_energy_loses(drive: Drive, time: Real, body: Body) -> None:
     loss = -mp.diff(lambda at: energy(drive, body, at), time)
-    found = kernel.torque(point_on_circle(time), drive.ratio, of_body(body), drive.offset)
+    found = Loaded(point_on_circle(time), drive.ratio, of_body(body), drive.offset).torque()
     assert abs(found - loss) < 1e-12 * abs(loss) + 1e-17
 
 
 @pytest.mark.parametrize("offset", [None, 0.9])
 def test_inertia_does_no_work_in_a_whole_turn(offset: float | None) -> None:
     # Of a periodic function the mean of equal steps is the integral, but for harmonics above 720.
-    torque = kernel.torque(circle(np.arange(720) / 2), 0.31, Masses(0.58, 0.42, -0.09), offset)
+    torque = Loaded(circle(np.arange(720) / 2), 0.31, Masses(0.58, 0.42, -0.09), offset).torque()
     assert np.ptp(torque) > 0.3
     assert abs(torque.mean()) < 1e-14
 
@@ -173,11 +179,11 @@ def test_main_bearing_holds_the_crank_and_its_counterweight_too(
     bearing = mp.matrix([true["along"], true["across"]]) + mp.mpf(balance) * drive.acceleration(time, 0)
     masses = kernel.with_crank(of_body(body), mp.mpf(balance))
     crank = (point_on_circle(time), drive.ratio, masses, drive.offset, mp.mpf(2))
-    assert close(kernel.pin_force_along(*crank), bearing[0])
-    assert close(kernel.pin_force_across(*crank), bearing[1])
-    assert close(kernel.pin_force(*crank), mp.norm(bearing))
-    assert close(kernel.guide_force(*crank), true["guide"])
-    assert close(kernel.torque(*crank), true["torque"])
+    assert close(Loaded(*crank).pin_force_along(), bearing[0])
+    assert close(Loaded(*crank).pin_force_across(), bearing[1])
+    assert close(Loaded(*crank).pin_force(), mp.norm(bearing))
+    assert close(Loaded(*crank).guide_force(), true["guide"])
+    assert close(Loaded(*crank).torque(), true["torque"])
 
 
 def test_without_masses_the_piston_force_alone_acts() -> None:
@@ -186,10 +192,12 @@ def test_without_masses_the_piston_force_alone_acts() -> None:
         ratio, offset = crank[0], crank[1] if len(crank) > 1 else None
         state = (point, ratio, none, offset, 3.0)
         guide = forces.guide_force(point, *crank)
-        assert_allclose(kernel.guide_force(*state), 3 * guide, rtol=1e-15, atol=1e-15)
-        assert_allclose(kernel.pin_force(*state), 3 * forces.rod_force(point, *crank), rtol=1e-15, atol=0)
-        assert_allclose(kernel.torque(*state), 3 * forces.tangential_force(point, *crank), rtol=1e-15, atol=0)
-        assert (kernel.pin_force_along(*state) == 3).all()
+        assert_allclose(Loaded(*state).guide_force(), 3 * guide, rtol=1e-15, atol=1e-15)
+        assert_allclose(Loaded(*state).pin_force(), 3 * forces.rod_force(point, *crank), rtol=1e-15, atol=0)
+        assert_allclose(
+            Loaded(*state).torque(), 3 * forces.tangential_force(point, *crank), rtol=1e-15, atol=0
+        )
+        assert (Loaded(*state).pin_force_along() == 3).all()
 
 
 # Two masses in place of the rod.
@@ -212,17 +220,17 @@ def test_two_masses_have_the_forces_along_the_slide_and_lack_a_couple(
 ) -> None:
     masses, true = of_body(body), reactions(drive, body, time)
     point, two = point_on_circle(time), kernel.two_masses(masses.crosshead)
-    assert close(kernel.pin_force_along(point, drive.ratio, two, drive.offset), true["along"])
+    assert close(Loaded(point, drive.ratio, two, drive.offset).pin_force_along(), true["along"])
     # M (k² - a b) ψ̈ turns with ψ, against the counter-clockwise moments; over L, and L/R is 1/λ.
     spin = mp.diff(lambda at: mp.asin(drive.ratio * (mp.sin(at) - drive.offset)), time, 2)
-    couple = kernel.couple(point, drive.ratio, masses, drive.offset)
+    couple = Loaded(point, drive.ratio, masses, drive.offset).couple()
     assert close(couple, -masses.couple * spin / drive.ratio)
-    guide = kernel.guide_force(point, drive.ratio, two, drive.offset)
-    across = kernel.pin_force_across(point, drive.ratio, two, drive.offset)
+    guide = Loaded(point, drive.ratio, two, drive.offset).guide_force()
+    across = Loaded(point, drive.ratio, two, drive.offset).pin_force_across()
     extra = couple / (drive.ratio * drive.rod(time)[0])
     assert close(true["guide"] - guide, extra)
     assert close(true["across"] - across, -extra)
-    torque = kernel.torque(point, drive.ratio, two, drive.offset)
+    torque = Loaded(point, drive.ratio, two, drive.offset).torque()
     assert close(true["torque"] - torque, extra * mp.cos(time))
 
 
@@ -253,9 +261,11 @@ def test_a_vanishing_offset_leaves_the_straight_crank(name: str) -> None:
 
 def test_an_infinite_rod_swings_without_turning_the_force_along() -> None:
     point = circle(SAMPLED)
-    assert_allclose(kernel.pin_force_along(point, 0.0, FLOATS), -point.cosine, rtol=1e-15, atol=1e-16)
+    assert_allclose(Loaded(point, 0.0, FLOATS).pin_force_along(), -point.cosine, rtol=1e-15, atol=1e-16)
     share = 0.63 + float(FLOATS.couple)
-    assert_allclose(kernel.pin_force_across(point, 0.0, FLOATS), -share * point.sine, rtol=1e-15, atol=1e-16)
+    assert_allclose(
+        Loaded(point, 0.0, FLOATS).pin_force_across(), -share * point.sine, rtol=1e-15, atol=1e-16
+    )
     for formula in FORCES.values():
         assert_allclose(formula(point, 1e-9, FLOATS), formula(point, 0.0, FLOATS), rtol=0, atol=1e-8)
 
@@ -291,7 +301,7 @@ def test_no_zero_has_a_sign() -> None:
         for ratio in (0.2, -0.2, 0.0):
             point = circle(degrees)
             values = [formula(point, ratio, FLOATS) for formula in FORCES.values()]
-            values += [kernel.couple(point, ratio, FLOATS), *kernel.parts(point, ratio)]
+            values += [Loaded(point, ratio, FLOATS).couple(), *kernel.parts(point, ratio)]
             assert all(value or math.copysign(1, value) == 1 for value in values), (degrees, ratio)
 
 
@@ -299,7 +309,7 @@ def test_magnitude_of_balls_that_hold_zero_is_a_ball_about_zero() -> None:
     third = certify.ball(Fraction(1, 3))
     masses = Masses(third, third, 0)
     balanced = third + third * (1 + third)
-    value = kernel.pin_force(certify.ball_circle(Fraction(0)), third, masses, None, balanced)
+    value = Loaded(certify.ball_circle(Fraction(0)), third, masses, None, balanced).pin_force()
     assert value.contains(0)
     assert value < 1e-50
 

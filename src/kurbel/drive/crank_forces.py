@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
-from kurbel.kernel import forces, rod
-from kurbel.kernel.rod import Masses, with_crank
+from kurbel.kernel import forces
+from kurbel.kernel.rod import Loaded, Masses, with_crank
 
 
 class Weights(NamedTuple):
@@ -50,16 +50,14 @@ class CrankForce(NamedTuple):
         return abs(force) if self.magnitude else force
 
 
-def _at_crosshead(formula: Callable[..., Any]) -> Callable[..., Any]:
-    return lambda circle, ratio, one, e, net: formula(circle, ratio, one.masses, one.reciprocating, e, net)
+def _of_rod(force: Callable[[Loaded], Any]) -> Callable[..., Any]:
+    return lambda circle, ratio, one, e, net: force(
+        Loaded(circle, ratio, one.masses, e, net, one.reciprocating)
+    )
 
 
-def _of_rod(formula: Callable[..., Any]) -> Callable[..., Any]:
-    return lambda circle, ratio, one, e, net: formula(circle, ratio, one.masses, e, net)
-
-
-def _on_shaft(formula: Callable[..., Any], sign: int = 1) -> Callable[..., Any]:
-    return lambda circle, ratio, one, e, net: sign * formula(circle, ratio, one.on_shaft, e, net)
+def _on_shaft(force: Callable[[Loaded], Any], sign: int = 1) -> Callable[..., Any]:
+    return lambda circle, ratio, one, e, net: sign * force(Loaded(circle, ratio, one.on_shaft, e, net))
 
 
 def _unit(circle: Any, ratio: Any, offset: Any) -> Any:
@@ -68,15 +66,13 @@ def _unit(circle: Any, ratio: Any, offset: Any) -> Any:
 
 CRANK_FORCES: Mapping[str, CrankForce] = {
     "piston_force": CrankForce(_unit, lambda circle, ratio, one, e, net: net, framed=True),
-    "rod_force": CrankForce(forces.rod_force, _at_crosshead(rod.rod_force), framed=True),
-    "guide_force": CrankForce(forces.guide_force, _of_rod(rod.guide_force), framed=True),
-    "crosshead_pin_force": CrankForce(
-        forces.rod_force, _at_crosshead(rod.crosshead_pin_force), magnitude=True
-    ),
-    "crank_pin_force": CrankForce(forces.rod_force, _of_rod(rod.pin_force), magnitude=True),
-    "tangential_force": CrankForce(forces.tangential_force, _of_rod(rod.torque)),
-    "radial_force": CrankForce(forces.radial_force, _of_rod(rod.radial_force)),
-    "bearing_along": CrankForce(_unit, _on_shaft(rod.pin_force_along), framed=True),
-    "bearing_across": CrankForce(forces.guide_force, _on_shaft(rod.pin_force_across, -1), framed=True),
-    "bearing_force": CrankForce(forces.rod_force, _on_shaft(rod.pin_force), magnitude=True),
+    "rod_force": CrankForce(forces.rod_force, _of_rod(Loaded.rod_force), framed=True),
+    "guide_force": CrankForce(forces.guide_force, _of_rod(Loaded.guide_force), framed=True),
+    "crosshead_pin_force": CrankForce(forces.rod_force, _of_rod(Loaded.crosshead_pin_force), magnitude=True),
+    "crank_pin_force": CrankForce(forces.rod_force, _of_rod(Loaded.pin_force), magnitude=True),
+    "tangential_force": CrankForce(forces.tangential_force, _of_rod(Loaded.torque)),
+    "radial_force": CrankForce(forces.radial_force, _of_rod(Loaded.radial_force)),
+    "bearing_along": CrankForce(_unit, _on_shaft(Loaded.pin_force_along), framed=True),
+    "bearing_across": CrankForce(forces.guide_force, _on_shaft(Loaded.pin_force_across, -1), framed=True),
+    "bearing_force": CrankForce(forces.rod_force, _on_shaft(Loaded.pin_force), magnitude=True),
 }

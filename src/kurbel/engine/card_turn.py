@@ -20,8 +20,9 @@ from kurbel.engine.card_force import CardStroke, card_strokes
 from kurbel.engine.engine import Diagram, Engine
 from kurbel.engine.quantities import Peak
 from kurbel.errors import CardError, ProblemError
-from kurbel.kernel import inertia, rod, turning
+from kurbel.kernel import inertia, turning
 from kurbel.kernel.circle import circle
+from kurbel.kernel.rod import Loaded
 from kurbel.motion.evaluation import OUT, RETURN
 
 if TYPE_CHECKING:
@@ -150,7 +151,7 @@ class CardTurn:
         ratio = float(self.engine.crank.ratio) * (RETURN if stroke else OUT)
         at = circle(180.0 * angle)
         steam = turning.tangential_force(self.strokes[stroke], self.motion, at, ratio)
-        return steam if self.weights is None else steam + rod.torque(at, ratio, self.weights.masses)
+        return steam if self.weights is None else steam + Loaded(at, ratio, self.weights.masses).torque()
 
     @cached_property
     def weights(self) -> Weights | None:

@@ -21,9 +21,10 @@ from kurbel.engine.engine import Engine
 from kurbel.engine.turn import MOTIONS, SIGNS, Turn, at_bits
 from kurbel.exact.certify import MOST_TIE_BITS, TieBits, ball, ball_circle, vanishes
 from kurbel.exact.separation import Separation, circle_separation
-from kurbel.kernel import inertia, rod, steam, turning
+from kurbel.kernel import inertia, steam, turning
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.kinds import Number
+from kurbel.kernel.rod import Loaded
 
 FIRST_BITS = 200
 
@@ -192,7 +193,7 @@ def _balanced(turn: Turn, half_turns: Fraction) -> bool:
     def torque(kind: _Kind) -> Any:
         masses = moving.weights(kind.of, kind.of(Fraction(1))).masses
         return sum(
-            (rod.torque(*_place(turn, crank, kind), masses) for crank in _cranks(turn, half_turns)),
+            (Loaded(*_place(turn, crank, kind), masses).torque() for crank in _cranks(turn, half_turns)),
             kind.of(Fraction(0)),
         )
 

@@ -21,9 +21,10 @@ from kurbel.engine.quantities import Peak
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import ball, ball_circle
 from kurbel.exact.roots import ISOLATING_BITS, Function, Root, isolate, refined
-from kurbel.kernel import inertia, rod, steam, turning
+from kurbel.kernel import inertia, steam, turning
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.kinds import Number, larger, smaller
+from kurbel.kernel.rod import Loaded
 from kurbel.kernel.turning import Motion, Stroke
 from kurbel.motion.evaluation import OUT, RETURN
 
@@ -93,7 +94,7 @@ class Cylinder(NamedTuple):
             self.strokes[stroke], self.motion, circle(angle), self.ratio * SIGNS[stroke]
         )
         if self.weights is not None:
-            force += rod.torque(circle(angle), self.ratio * SIGNS[stroke], self.weights.masses)
+            force += Loaded(circle(angle), self.ratio * SIGNS[stroke], self.weights.masses).torque()
         return force - self.mean
 
     def slope(self, stroke: int, angle: Angle) -> Number:

@@ -1,7 +1,7 @@
 """Kinetic energy of the masses that go to and fro with the piston and the rod, and the slope of its torque.
 
 Straight crank. Masses are those of kernel/rod.py; energies and torques are in units of m R² ω². A negative
-ratio is the return stroke. The torque itself is `rod.torque`.
+ratio is the return stroke. The torque itself is `Loaded.torque`.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ def kinetic_energy(circle: Circle[Number], ratio: Number, masses: Masses[Number]
 
 
 def torque_slope(circle: Circle[Number], ratio: Number, masses: Masses[Number]) -> Number:
-    """Return the change of `rod.torque` with the crank angle in radians. Re-derived."""
+    """Return the change of `Loaded.torque` with the crank angle in radians. Re-derived."""
     sine, cosine = circle.sine, circle.cosine
     w = kinematics.rod_cosine(circle, ratio)
     velocity, acceleration = (

@@ -8,9 +8,9 @@ two masses exactly; a rod between its pins has k² < a b. For another rod these 
 couple M (k² - a b) ψ̈ and by nothing else: all forces along the slide stay as they are, for the guide, which
 holds the couple, makes forces across it only.
 
-Functions take the `Circle` of the crank angle, the ratio λ = R/L, the masses and, for an offset crank,
-η = e/R (None is the straight crank), and return a number of the circle's kind: a float, an array, a ball or
-a separation bound. Accelerations are in units of R ω². With masses in units of the rod's M, forces are in
+A `Loaded` drive has the `Circle` of the crank angle, the ratio λ = R/L, the masses and, for an offset crank,
+η = e/R (None is the straight crank); its forces are numbers of the circle's kind: floats, arrays, balls or
+separation bounds. Accelerations are in units of R ω². With masses in units of the rod's M, forces are in
 M R ω², torques in M R² ω². The crank turns evenly; there is neither friction nor weight.
 
 Signs are those of kernel/forces.py: X runs from the shaft along the slide towards the dead centre that the
@@ -26,6 +26,8 @@ Source: Ensslin, Dinglers Polytechnisches Journal 322 (1907), 593-595. His displ
 transcribed, and his article goes on where the transcription ends; re-derived.
 """
 
+from dataclasses import dataclass
+from functools import cached_property
 from typing import Generic, NamedTuple, TypeVar
 
 from kurbel.kernel import kinematics
@@ -96,149 +98,103 @@ def parts(circle: Circle[Number], ratio: Number, offset: Number | None = None) -
     return Parts(common, _turning(circle, ratio, slant, offset), ratio * (pull * pull) + 0)
 
 
-def couple(
-    circle: Circle[Number], ratio: Number, masses: Masses[Number], offset: Number | None = None
-) -> Number:
-    """Return the inertia couple M (k² - a b) ψ̈ over L, by which the two masses are wrong.
+@dataclass(frozen=True)
+class Loaded:
+    """The crank drive at a crank angle: its masses, and the force F on the piston, positive against X.
 
-    It is the force with Y at A, and against Y at B, square to the rod, that makes the couple.
+    `masses` are those of the rod joined with the `reciprocating` one, which goes to and fro with the
+    crosshead and has no part of the rod.
     """
-    return masses.couple * _turning(circle, ratio, rod_slant(circle, ratio, offset), offset) + 0
 
+    circle: Circle[Number]
+    ratio: Number
+    masses: Masses[Number]
+    offset: Number | None = None
+    piston_force: Number = 0
+    reciprocating: Number = 0
 
-def guide_force(
-    circle: Circle[Number],
-    ratio: Number,
-    masses: Masses[Number],
-    offset: Number | None = None,
-    piston_force: Number = 0,
-) -> Number:
-    """Return the force of the guide on the crosshead, positive with Y: (F - m_B p) tan ψ, and the couple's.
+    @cached_property
+    def slant(self) -> Slant[Number]:
+        return rod_slant(self.circle, self.ratio, self.offset)
 
-    piston_force is F, positive against X, away from the dead centre. Re-derived: moments about A.
-    """
-    slant = rod_slant(circle, ratio, offset)
-    thrust = piston_force - masses.crosshead * _piston_acceleration(circle, ratio, offset)
-    turning = masses.couple * _turning(circle, ratio, slant, offset)
-    return (thrust * slant.sine + turning) / slant.cosine + 0
+    @cached_property
+    def acceleration(self) -> Number:
+        """The piston's, p."""
+        return _piston_acceleration(self.circle, self.ratio, self.offset)
 
+    @cached_property
+    def turning(self) -> Number:
+        """The inertia couple over L and its sign, square to the rod."""
+        return self.masses.couple * _turning(self.circle, self.ratio, self.slant, self.offset)
 
-def pin_force_along(
-    circle: Circle[Number],
-    ratio: Number,
-    masses: Masses[Number],
-    offset: Number | None = None,
-    piston_force: Number = 0,
-) -> Number:
-    """Return the force of the crank pin on the rod along the slide, positive with X: F - m_B p - m_A cos φ.
+    @cached_property
+    def push(self) -> Number:
+        """F - m_B p."""
+        return self.piston_force - self.masses.crosshead * self.acceleration
 
-    The couple is not in it. The rod presses on the pin the other way.
-    """
-    acceleration = _piston_acceleration(circle, ratio, offset)
-    return piston_force - (masses.crosshead * acceleration + masses.pin * circle.cosine)
+    def couple(self) -> Number:
+        """Return the inertia couple M (k² - a b) ψ̈ over L, by which the two masses are wrong.
 
+        It is the force with Y at A, and against Y at B, square to the rod, that makes the couple.
+        """
+        return self.turning + 0
 
-def pin_force_across(
-    circle: Circle[Number],
-    ratio: Number,
-    masses: Masses[Number],
-    offset: Number | None = None,
-    piston_force: Number = 0,
-) -> Number:
-    """Return the force of the crank pin on the rod across the slide, positive with Y: -m_A sin φ - N."""
-    return 0 - (masses.pin * circle.sine + guide_force(circle, ratio, masses, offset, piston_force))
+    def guide_force(self) -> Number:
+        """Return the force of the guide on the crosshead, positive with Y: (F - m_B p) tan ψ, the couple's.
 
+        Re-derived: moments about A.
+        """
+        slant = self.slant
+        return (self.push * slant.sine + self.turning) / slant.cosine + 0
 
-def pin_force(
-    circle: Circle[Number],
-    ratio: Number,
-    masses: Masses[Number],
-    offset: Number | None = None,
-    piston_force: Number = 0,
-) -> Number:
-    """Return the magnitude of the force between crank pin and rod."""
-    along = pin_force_along(circle, ratio, masses, offset, piston_force)
-    return _magnitude(along, pin_force_across(circle, ratio, masses, offset, piston_force))
+    def pin_force_along(self) -> Number:
+        """Return the force of the crank pin on the rod along the slide, F - m_B p - m_A cos φ, with X.
 
+        The couple is not in it. The rod presses on the pin the other way.
+        """
+        masses = self.masses
+        return self.piston_force - (masses.crosshead * self.acceleration + masses.pin * self.circle.cosine)
 
-def thrust(
-    circle: Circle[Number],
-    ratio: Number,
-    reciprocating: Number,
-    offset: Number | None = None,
-    piston_force: Number = 0,
-) -> Number:
-    """Return the force of the crosshead on the rod along the slide, positive against X: F - m p.
+    def pin_force_across(self) -> Number:
+        """Return the force of the crank pin on the rod across the slide, positive with Y: -m_A sin φ - N."""
+        return 0 - (self.masses.pin * self.circle.sine + self.guide_force())
 
-    `reciprocating` is the mass that goes to and fro with the crosshead, without any of the rod's.
-    """
-    return piston_force - reciprocating * _piston_acceleration(circle, ratio, offset)
+    def pin_force(self) -> Number:
+        """Return the magnitude of the force between crank pin and rod."""
+        return _magnitude(self.pin_force_along(), self.pin_force_across())
 
+    def thrust(self) -> Number:
+        """Return the force of the crosshead on the rod along the slide, positive against X: F - m p."""
+        return self.piston_force - self.reciprocating * self.acceleration
 
-def rod_force(
-    circle: Circle[Number],
-    ratio: Number,
-    masses: Masses[Number],
-    reciprocating: Number,
-    offset: Number | None,
-    piston_force: Number,
-) -> Number:
-    """Return the force along the rod at its crosshead end, positive where it presses the rod.
+    def rod_force(self) -> Number:
+        """Return the force along the rod at its crosshead end, positive where it presses the rod.
 
-    Of a rod without mass it is the same all along the rod, F/cos ψ. `masses` are those joined with the
-    reciprocating ones. Re-derived, from the equilibrium of the crosshead.
-    """
-    slant = rod_slant(circle, ratio, offset)
-    pressing = thrust(circle, ratio, reciprocating, offset, piston_force) * slant.cosine
-    return pressing + guide_force(circle, ratio, masses, offset, piston_force) * slant.sine
+        Of a rod without mass it is the same all along the rod, F/cos ψ. Re-derived, from the equilibrium of
+        the crosshead.
+        """
+        slant = self.slant
+        return self.thrust() * slant.cosine + self.guide_force() * slant.sine
 
+    def crosshead_pin_force(self) -> Number:
+        """Return the magnitude of the force between crosshead pin and rod."""
+        return _magnitude(self.thrust(), self.guide_force())
 
-def crosshead_pin_force(
-    circle: Circle[Number],
-    ratio: Number,
-    masses: Masses[Number],
-    reciprocating: Number,
-    offset: Number | None = None,
-    piston_force: Number = 0,
-) -> Number:
-    """Return the magnitude of the force between crosshead pin and rod; masses as in `rod_force`."""
-    along = thrust(circle, ratio, reciprocating, offset, piston_force)
-    return _magnitude(along, guide_force(circle, ratio, masses, offset, piston_force))
+    def radial_force(self) -> Number:
+        """Return the force of the rod on the crank pin along the crank, positive towards the shaft.
 
+        The force across the crank is `torque`, in units of R. Re-derived: the pin force turned by φ.
+        """
+        return self.pin_force_along() * self.circle.cosine + self.pin_force_across() * self.circle.sine
 
-def radial_force(
-    circle: Circle[Number],
-    ratio: Number,
-    masses: Masses[Number],
-    offset: Number | None = None,
-    piston_force: Number = 0,
-) -> Number:
-    """Return the force of the rod on the crank pin along the crank, positive towards the shaft.
+    def torque(self) -> Number:
+        """Return the torque on the shaft, positive as the crank turns: (F - m_B p) c, and the couple's.
 
-    The force across the crank is `torque`, in units of R. Re-derived: the pin force turned by φ.
-    """
-    along = pin_force_along(circle, ratio, masses, offset, piston_force)
-    across = pin_force_across(circle, ratio, masses, offset, piston_force)
-    return along * circle.cosine + across * circle.sine
-
-
-def torque(
-    circle: Circle[Number],
-    ratio: Number,
-    masses: Masses[Number],
-    offset: Number | None = None,
-    piston_force: Number = 0,
-) -> Number:
-    """Return the torque on the shaft, positive as the crank turns: (F - m_B p) c, and the couple's.
-
-    Times ω it is the work of F less the gain of kinetic energy in unit time. Re-derived.
-    """
-    # The couple's part is its force on the guide times cos φ, the share of R across the slide.
-    slant = rod_slant(circle, ratio, offset)
-    thrust = piston_force - masses.crosshead * _piston_acceleration(circle, ratio, offset)
-    turning = masses.couple * _turning(circle, ratio, slant, offset)
-    work = thrust * tangential_force(circle, ratio, offset)
-    return work + turning * (circle.cosine / slant.cosine) + 0
+        Times ω it is the work of F less the gain of kinetic energy in unit time. Re-derived.
+        """
+        # The couple's part is its force on the guide times cos φ, the share of R across the slide.
+        work = self.push * tangential_force(self.circle, self.ratio, self.offset)
+        return work + self.turning * (self.circle.cosine / self.slant.cosine) + 0
 
 
 def _piston_acceleration(circle: Circle[Number], ratio: Number, offset: Number | None) -> Number:

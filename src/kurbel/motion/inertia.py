@@ -11,17 +11,17 @@ from kurbel.drive.crank import Crank
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
 from kurbel.kernel import rod
-from kurbel.kernel.rod import Masses
+from kurbel.kernel.rod import Loaded, Masses
 from kurbel.motion.evaluation import OFFSET, At, pin_acceleration
 from kurbel.motion.quantities import Scale
 from kurbel.page.quantity import Formula, Quantity, Words, words
 
-RodFormula = Callable[..., Any]
+RodFormula = Callable[[Loaded], Any]
 Coefficients = Callable[[Masses[Fraction], bool], Sequence[Fraction | int]]
 
 
 class RodForce(NamedTuple):
-    """A force of the rod, or its torque. `formula` takes (circle, λ, masses, e/R or None).
+    """A force of the rod, or its torque. `formula` takes the drive with its masses.
 
     `smooth` is greatest where the force's magnitude is, or least, and has slopes throughout: the force
     itself or its square. Of given masses and a rod that is infinite or not, the force is zero throughout if
@@ -59,9 +59,8 @@ class RodForce(NamedTuple):
         return numbers.of(crank.rod.mass * arm) * pin_acceleration(crank, numbers)
 
 
-def _pin_square(circle: Any, ratio: Any, masses: Masses[Any], offset: Any = None) -> Any:
-    along = rod.pin_force_along(circle, ratio, masses, offset)
-    across = rod.pin_force_across(circle, ratio, masses, offset)
+def _pin_square(loaded: Loaded) -> Any:
+    along, across = loaded.pin_force_along(), loaded.pin_force_across()
     return along * along + across * across
 
 
@@ -109,23 +108,23 @@ ROD_FORCES: Mapping[str, RodForce] = {
     for force in (
         RodForce(
             "guide", "N", words("Führungsdruck|Guide force"),
-            rod.guide_force, rod.guide_force, _guide, _guide,
+            Loaded.guide_force, Loaded.guide_force, _guide, _guide,
         ),
         RodForce(
             "pin_x", "X", words("Zapfenkraft längs|Pin force along"),
-            rod.pin_force_along, rod.pin_force_along, _along, _along,
+            Loaded.pin_force_along, Loaded.pin_force_along, _along, _along,
         ),
         RodForce(
             "pin_y", "Y", words("Zapfenkraft quer|Pin force across"),
-            rod.pin_force_across, rod.pin_force_across, _across, _across,
+            Loaded.pin_force_across, Loaded.pin_force_across, _across, _across,
         ),
         RodForce(
             "pin", "P", words("Zapfenkraft|Pin force"),
-            rod.pin_force, _pin_square, _both, _magnitude_changes,
+            Loaded.pin_force, _pin_square, _both, _magnitude_changes,
         ),
         RodForce(
             "torque", "M_d", words("Drehmoment|Torque"),
-            rod.torque, rod.torque, _torque, _torque, is_torque=True,
+            Loaded.torque, Loaded.torque, _torque, _torque, is_torque=True,
         ),
     )
 }  # fmt: skip
@@ -171,7 +170,8 @@ def _entry(
 ) -> Quantity:
     def kernel(at: At) -> Any:
         assert at.crank.rod is not None
-        return force.formula(at.circle, at.ratio, at.crank.rod.masses(model, at.numbers.of), at.offset)
+        masses = at.crank.rod.masses(model, at.numbers.of)
+        return force.formula(Loaded(at.circle, at.ratio, masses, at.offset))
 
     return Quantity(
         key=key,

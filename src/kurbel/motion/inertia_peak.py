@@ -22,7 +22,7 @@ from kurbel.exact.jet import Jet, ball_jets, jets
 from kurbel.exact.roots import ISOLATING_BITS, Root, interval, isolate, refined
 from kurbel.exact.separation import Separation, circle_separation
 from kurbel.kernel.circle import Circle
-from kurbel.kernel.rod import Masses
+from kurbel.kernel.rod import Loaded, Masses
 from kurbel.motion.inertia import RodForce
 
 if TYPE_CHECKING:
@@ -128,7 +128,8 @@ class Peak:
 
     def _run(self, formula: Any, circle: Circle[Any], of: Any) -> Any:
         offset = of(self.crank.offset) if self.crank.offset else None
-        return formula(circle, of(self.crank.ratio), Masses(*map(of, map(Fraction, self.masses))), offset)
+        masses = Masses(*map(of, map(Fraction, self.masses)))
+        return formula(Loaded(circle, of(self.crank.ratio), masses, offset))
 
     def _jet(self, formula: Any, half_turns: arb) -> Jet:
         jet = self._run(formula, ball_jets(half_turns), ball)
