@@ -33,7 +33,7 @@ from kurbel.kernel import forces
 from kurbel.kernel import rod as kernel
 from kurbel.kernel.circle import circle
 from kurbel.kernel.rod import Loaded, Masses
-from kurbel.motion.evaluation import OUT, RETURN, At, certified
+from kurbel.motion.evaluation import OFFSET, OUT, RETURN, At, certified
 from kurbel.page.quantity import Formula, Quantity
 from kurbel.reading import units
 from kurbel.reading.csv_lines import shown
@@ -318,7 +318,8 @@ def quantity(name: str, stroke: int, masses: tuple[Fraction, Fraction, Fraction]
     def kernel(at: At) -> Any:
         return FORCES[name](at.circle, at.ratio, Masses(*map(at.numbers.of, masses)), at.offset)
 
-    return Quantity(name, {}, "", {}, 2, {"exact": Formula(kernel)}, {}, stroke=stroke)
+    formulas = {"exact": Formula(kernel), OFFSET: Formula(kernel)}
+    return Quantity(name, {}, "", {}, 2, formulas, {}, stroke=stroke)
 
 
 TENTHS = Fraction(3, 5), Fraction(2, 5), Fraction(-1, 10)
