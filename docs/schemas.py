@@ -1,4 +1,4 @@
-"""Write the JSON Schemas of machines and handbooks, which lie in the package and which tests compare."""
+"""Write the JSON Schemas of machines, layouts and handbooks, which lie in the package and which tests compare."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from kurbel.cli.asking import option_names
 from kurbel.drive import machine
 from kurbel.handbook import model as handbook_model
 from kurbel.handbook.keys import SCHEMA
+from kurbel.page import layouts
 
 PACKAGE = Path(kurbel.__file__).parent
 
@@ -18,6 +19,7 @@ PACKAGE = Path(kurbel.__file__).parent
 def main() -> None:
     schemas: dict[str, dict[str, Any]] = {
         "drive/machine.schema.json": machine.schema(),
+        "page/layout.schema.json": layouts.schema(),
         f"handbook/{SCHEMA}": handbook_model.schema(option_names()),
     }
     for name, schema in schemas.items():

@@ -30,8 +30,8 @@ NO_TABLES = frozenset(("sources", "layouts", "quantities", "handbook", "inject")
 # A document decides these for all of its tables; those of a single format, for which files it has.
 ONLY_PRINTING = ("output", "format", "standalone")
 SET_ELSEWHERE = (*ONLY_PRINTING, "longtable", "label")
-# The numbers of a book's page are the book's: such commands take no others by default.
-OF_THE_PAGE = frozenset(("lang", "decimal"))
+# Keys of a handbook. The numbers of a book's page are the book's: its commands take no others by default.
+OF_THE_PAGE = frozenset(("lang", "decimal", "layouts"))
 
 
 class Asked(NamedTuple):

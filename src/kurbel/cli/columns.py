@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from kurbel.reading.files import File
 
-def column_keys(name: str) -> tuple[str, ...]:
+
+def column_keys(name: str, folder: File | None = None) -> tuple[str, ...]:
     """Return the keys of the columns of a layout, and of others of its subject."""
     from kurbel.page.layouts import layout
 
-    page = layout(name)
+    page = layout(name, folder)
     from kurbel.page.subject import SUBJECTS, subject
 
     if page.subject in SUBJECTS:

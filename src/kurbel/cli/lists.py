@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import click
 
-from kurbel.cli.options import Name
+from kurbel.cli.options import Name, click_option
+from kurbel.commands.options import Parameter
+from kurbel.commands.parameters import LAYOUTS
 from kurbel.page.folders import LANGUAGES
+
+if TYPE_CHECKING:
+    from kurbel.page.layouts import Layout
+    from kurbel.reading.files import File
 
 lang_option = click.option(
     "--lang", type=Name("language", lambda: LANGUAGES), default="de", show_default=True, envvar="KURBEL_LANG",
@@ -15,14 +23,44 @@ lang_option = click.option(
 )  # fmt: skip
 
 
-@click.command()
+# By the subject of a layout: what prints its page, with what such a page cannot do without.
+PRINTING = {
+    "motion": "table",
+    "inertia": "inertia --centre 0.65 --gyration 0.35",
+    "inertia errors": "inertia --centre 0.65 --gyration 0.35",
+    "tangent": "forces --at tangent",
+    "irregularity": "delta",
+    "strokes": "delta",
+    "turning": "turning",
+    "collation": "collate roetscher-112",
+    "crank forces": "forces --eps 4",
+    "machine": "forces --eps 4 --bore 300mm --pressure 8bar --stroke 600mm --speed 120/min"
+    " --reciprocating 300kg",
+    "flywheel": "flywheel --power 50kW --speed 120/min --delta 1:100",
+    "dead centres": "deadcentres",
+    "roots": "solve --where p=0",
+    "harmonics": "harmonics",
+    "balance": "balance",
+    "arc crank": "table --rocker 6",
+    "parallel crank": "table",
+}
+
+
+@click.command(params=[click_option(Parameter("layouts", LAYOUTS, None, False))])
 @lang_option
-def layouts(lang: str) -> None:
-    """List the page layouts."""
+def layouts(layouts: File | None, lang: str) -> None:
+    """List the page layouts, each with a command that prints it."""
     from kurbel.page.folders import layout_names
     from kurbel.page.layouts import layout
 
-    _print([(name, layout(name).title[lang]) for name in layout_names()])
+    found = [layout(name, layouts) for name in layout_names(layouts)]
+    _print([(one.key, one.title[lang], _printing(one, layouts)) for one in found])
+
+
+def _printing(layout: Layout, folder: File | None) -> str:
+    """Return what prints the layout."""
+    own = ("--layouts", str(folder)) if layout.folder and folder else ()
+    return shlex.join(("kurbel", *PRINTING[layout.subject].split(), *own, "--layout", layout.key))
 
 
 @click.command()

@@ -80,7 +80,7 @@ class Columns(click.ParamType):  # type: ignore[type-arg]
 
         before, comma, last = incomplete.rpartition(",")
         chosen = before.split(",")
-        keys = column_keys(ctx.params.get("layout") or self._default(ctx.params))
+        keys = column_keys(ctx.params.get("layout") or self._default(ctx.params), _folder(ctx))
         return [
             CompletionItem(before + comma + key) for key in keys if key.startswith(last) and key not in chosen
         ]
@@ -106,19 +106,26 @@ class LayoutName(Name):
         self.subjects = subjects
 
     def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> str:
-        return value if value in layout_names() else choose(value, self._fitting(), self.name)
+        folder = _folder(ctx)
+        return value if value in layout_names(folder) else choose(value, self._fitting(folder), self.name)
 
-    def _fitting(self) -> list[str]:
+    def _fitting(self, folder: File | None) -> list[str]:
         from kurbel.page.layouts import layout
 
-        return [name for name in layout_names() if layout(name).subject in self.subjects]
+        return [name for name in layout_names(folder) if layout(name, folder).subject in self.subjects]
 
     def shell_complete(
         self, ctx: click.Context, param: click.Parameter, incomplete: str
     ) -> list[CompletionItem]:
-        items = super().shell_complete(ctx, param, incomplete)
-        fitting = self._fitting()
-        return [item for item in items if item.value in fitting]
+        names = self._fitting(_folder(ctx))
+        return [CompletionItem(name) for name in names if name.startswith(incomplete)]
+
+
+def _folder(ctx: click.Context | None) -> File | None:
+    """Return the folder of --layouts."""
+    folder = None if ctx is None else ctx.params.get("layouts")
+    # While it parses, click has a mark of its own for what was not given.
+    return folder if isinstance(folder, File) else None
 
 
 class FileName(click.Path):
@@ -181,6 +188,7 @@ def click_option(parameter: Parameter) -> click.Parameter:
         help=option.help,
         show_default=default not in (None, "", ()),
         envvar=option.environment or None,
+        is_eager=option.first,
         **own,
     )
 

@@ -42,6 +42,7 @@ def harmonics_table(
     ] = None,
     orders: Orders = 6,
     method: Method = "exact",
+    layouts: option.Layouts = None,
     layout: Annotated[str, option.layout_option("harmonics")] = "harmonics",
     digits: option.Digits = None,
     rounding: option.Rounding = "half-away",
@@ -63,7 +64,7 @@ def harmonics_table(
     """
     from kurbel.balance.harmonics_page import HarmonicsRequest
 
-    page = layout_of(layout, ("harmonics",))
+    page = layout_of(layout, ("harmonics",), layouts)
     return HarmonicsRequest(
         layout=page,
         ratios=ratios_of(page, ratio),
@@ -116,6 +117,7 @@ def balance_table(
     orders: Orders = 2,
     method: Method = "exact",
     columns: Annotated[option.Names, option.columns_option("balance", "order,along,forward")] = (),
+    layouts: option.Layouts = None,
     layout: Annotated[str, option.layout_option("balance")] = "balance",
     digits: option.Digits = None,
     rounding: option.Rounding = "half-away",
@@ -140,7 +142,7 @@ def balance_table(
     """
     from kurbel.balance.request import BalanceRequest, arranged
 
-    page = layout_of(layout, ("balance",))
+    page = layout_of(layout, ("balance",), layouts)
     name, arrangement = arranged(
         engine,
         () if cranks is None else as_crank_angles(cranks),

@@ -62,6 +62,7 @@ def collation_table(
     sources: Annotated[
         option.Path | None, Option("A folder with books of your own, a folder each.", "DIR", FileName())
     ] = None,
+    layouts: option.Layouts = None,
     layout: Annotated[str, option.layout_option("collation")] = "collation",
     lang: option.Lang = "de",
     label: option.Label = "",
@@ -89,7 +90,7 @@ def collation_table(
     text = ratio if ratio is None or isinstance(ratio, str) else notation.ratio_text(as_fraction(ratio))
     found, collated = collated_table(table, csv, quantity, text, method, sources)
     return CollateRequest(
-        layout=layout_of(layout, ("collation",)),
+        layout=layout_of(layout, ("collation",), layouts),
         table=found,
         collated=collated,
         only=only,

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import NotationError, ProblemError
+from kurbel.page.folders import Folder
 from kurbel.page.layouts import Layout, layout_of
 from kurbel.reading import notation, units
 from kurbel.reading.given import (
@@ -49,12 +50,14 @@ LINKAGES = tuple(name for name, one in MECHANISMS.items() if one.subject != "mot
 _LENGTHS = ("stroke", "rod", "speed")
 
 
-def mechanism_of(mechanism: str | None, offset: Exact | None, layout: str | None = None) -> str:
+def mechanism_of(
+    mechanism: str | None, offset: Exact | None, layout: str | None = None, layouts: Folder | None = None
+) -> str:
     """Return which crank drive is meant: where it is not said, by the layout, else by the offset."""
     if mechanism:
         return mechanism
     if layout is not None:
-        subject = layout_of(layout, [one.subject for one in MECHANISMS.values()]).subject
+        subject = layout_of(layout, [one.subject for one in MECHANISMS.values()], layouts).subject
         fitting = [name for name, one in MECHANISMS.items() if one.subject == subject]
         if len(fitting) == 1:
             return fitting[0]

@@ -59,6 +59,7 @@ def delta_table(
         bool, Option("All that leads to δ: angles and speeds of both strokes.", kind=Flag())
     ] = False,
     columns: Annotated[option.Names, option.columns_option("weisbach-150", "epsilon,delta,mean_force")] = (),
+    layouts: option.Layouts = None,
     layout: Annotated[str | None, option.layout_option("irregularity", "strokes")] = None,
     digits: option.Digits = None,
     rounding: option.Rounding = "half-away",
@@ -89,7 +90,7 @@ def delta_table(
         by_stroke = detail or ((is_given(card) or "alpha_cutoff" in names) and not several)
         many = "delta-tafel" if len(as_ratios(() if ratio is None else ratio)) > 1 else "weisbach-150"
         layout = "delta-detail" if by_stroke else "delta-verfahren" if several else many
-    page = layout_of(layout, ("irregularity", "strokes"))
+    page = layout_of(layout, ("irregularity", "strokes"), layouts)
     steam = GivenSteam(eps, back, exponent, clearance, card, other_side, single_acting, bore, pressure)
     masses = Masses(reciprocating, GivenRod(rod_mass, centre, gyration, rod_file))
     drives = cranks_of(page, ratio, stroke, rod)
@@ -129,6 +130,7 @@ def turning_table(
         option.STEP._replace(help="Step of the angles through the whole turn; default 10."),
     ] = None,
     columns: Annotated[option.Names, option.columns_option("turning", "phi,tangential,energy")] = (),
+    layouts: option.Layouts = None,
     layout: Annotated[str, option.layout_option("turning")] = "turning",
     digits: option.Digits = None,
     rounding: option.Rounding = "half-away",
@@ -142,7 +144,7 @@ def turning_table(
     kurbel turning --eps 4 --cranks '0;90' --step 15
     kurbel turning --eps 4 --step 0.5 -f csv -o drehkraft.csv
     """
-    page = layout_of(layout, ("turning",))
+    page = layout_of(layout, ("turning",), layouts)
     if step is not None:
         if angle is not None:
             raise ProblemError(
@@ -205,6 +207,7 @@ def flywheel_table(
         Option("Radius at which the mass of the rim is wanted: 1.5m.", "LENGTH", unit="m"),
     ] = None,
     columns: Annotated[option.Names, option.columns_option("flywheel", "target,swing,inertia")] = (),
+    layouts: option.Layouts = None,
     layout: Annotated[str, option.layout_option("flywheel")] = "flywheel",
     digits: option.Digits = None,
     rounding: option.Rounding = "half-away",
@@ -225,7 +228,7 @@ def flywheel_table(
     # With masses it follows from the steam, against which they are weighed.
     watts = None if power is None or masses.first else as_power(power)
     turns, size = as_speed(speed), None if radius is None else as_length(radius, "radius")
-    page = layout_of(layout, ("flywheel",))
+    page = layout_of(layout, ("flywheel",), layouts)
     steam = GivenSteam(eps, back, exponent, clearance, card, other_side, single_acting, bore, pressure)
     drives = cranks_of(page, ratio, stroke, rod)
     targets = read_values(delta, notation.irregularities, as_ratio)
@@ -256,6 +259,7 @@ def dead_centres_table(
         option.Names,
         Option("Columns and their order: mu,nu,path_1.", "NAMES", Columns("weisbach-149"), many=True),
     ] = (),
+    layouts: option.Layouts = None,
     layout: Annotated[str, option.layout_option("dead centres")] = "weisbach-149",
     digits: option.Digits = None,
     rounding: option.Rounding = "half-away",
@@ -276,7 +280,7 @@ def dead_centres_table(
     """
     from kurbel.linkage.beam_page import BeamRequest
 
-    page = layout_of(layout, ("dead centres",))
+    page = layout_of(layout, ("dead centres",), layouts)
     return BeamRequest(
         layout=page,
         arms=as_numbers(page.arms if beam is None else beam, "beam arm"),

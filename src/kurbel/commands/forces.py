@@ -30,7 +30,7 @@ POSITIONS = ("tangent",)
 
 def _about(values: Mapping[str, Any]) -> str:
     """Return which of the three cases is meant: tangent, engine or piston."""
-    subject = layout(values["layout"]).subject if values["layout"] else ""
+    subject = layout(values["layout"], values["layouts"]).subject if values["layout"] else ""
     if values["at"] is not None or subject == "tangent":
         return "tangent"
     steam = is_given(values["eps"]) or is_given(values["card"])
@@ -107,6 +107,7 @@ def forces_table(
     speed: Annotated[
         Exact | None, option.SPEED._replace(help="Speed, for the masses: 120/min, 12.5rad/s.")
     ] = None,
+    layouts: option.Layouts = None,
     layout: Annotated[
         str | None,
         Option(
@@ -138,14 +139,14 @@ def forces_table(
     phi,rod_force,guide_force
     53.1301,1.2500,0.7500
     """
-    about = _about({"layout": layout, "at": at, "eps": eps, "card": card})
+    about = _about({"layout": layout, "layouts": layouts, "at": at, "eps": eps, "card": card})
     sheet: dict[str, Any] = {"digits": digits, "rounding": rounding, "lang": lang, "label": label}
     masses = Masses(reciprocating, GivenRod(rod_mass, centre, gyration, rod_file), rotating)
     newtons = None if force is None else as_force(force)
     if about == "tangent":
         from kurbel.motion.tangent_page import TangentRequest
 
-        page = layout_of(layout or "forces-tangent", ("tangent",))
+        page = layout_of(layout or "forces-tangent", ("tangent",), layouts)
         drives = cranks_of(page, ratio, stroke, rod, offset)
         return TangentRequest(
             layout=page,
@@ -156,7 +157,9 @@ def forces_table(
     if about == "engine":
         if offset is not None and as_number(offset, "offset"):
             raise ProblemError("the steam engine has a straight crank, and an offset was given; leave it out")
-        page = layout_of(layout or ("machine-forces" if masses.first else "engine-forces"), OF_ENGINES)
+        page = layout_of(
+            layout or ("machine-forces" if masses.first else "engine-forces"), OF_ENGINES, layouts
+        )
         angles = angles_of(page, angle, from_, to, step)
         steam = GivenSteam(eps, back, exponent, clearance, card, other_side, single_acting, bore, pressure)
         drives = cranks_of(page, ratio, stroke, rod, offset)
@@ -167,9 +170,9 @@ def forces_table(
     from kurbel.motion.question import Request
 
     name = layout or "forces"
-    if layout_of(name, ("motion", *OF_ENGINES)).subject in OF_ENGINES:
+    page = layout_of(name, ("motion", *OF_ENGINES), layouts)
+    if page.subject in OF_ENGINES:
         raise ProblemError(f"layout {name} is of a steam engine; add --eps or --card")
-    page = layout_of(name, ("motion",))
     # A speed alone makes no force.
     drives = cranks_of(page, ratio, stroke, rod, offset, force=newtons)
     return Request(
@@ -203,6 +206,7 @@ def inertia_table(
         Exact | None,
         option.SPEED._replace(help="Speed, for columns in N and N m: 120/min, 12.5rad/s."),
     ] = None,
+    layouts: option.Layouts = None,
     layout: Annotated[str, option.layout_option(*INERTIA)] = "inertia",
     digits: option.Digits = None,
     rounding: option.Rounding = "half-away",
@@ -225,7 +229,7 @@ def inertia_table(
     inertia_guide
     0.0067
     """
-    page = layout_of(layout, INERTIA)
+    page = layout_of(layout, INERTIA, layouts)
     given = GivenRod(rod_mass, centre, gyration, rod_file)
     cranks = tuple(
         replace(crank, rod=given.between_pins(crank.rod_length))

@@ -21,7 +21,7 @@ from kurbel.reading.given import as_names
 
 @makes_table(
     foreign=lambda values: of_other_mechanisms(
-        mechanism_of(values["mechanism"], values["offset"], values["layout"])
+        mechanism_of(values["mechanism"], values["offset"], values["layout"], values["layouts"])
     )
 )
 def table(
@@ -40,6 +40,7 @@ def table(
     mechanism: option.Mechanism = None,
     rocker: option.Rocker = None,
     pivot: option.Pivot = None,
+    layouts: option.Layouts = None,
     layout: Annotated[str | None, option.layout_option("motion", "arc crank", "parallel crank")] = None,
     digits: option.Digits = None,
     rounding: option.Rounding = "half-away",
@@ -68,9 +69,9 @@ def table(
     0,0.0001,9.587
     90,1.1049,-0.963
     """
-    name = mechanism_of(mechanism, offset, layout)
+    name = mechanism_of(mechanism, offset, layout, layouts)
     check_needed(name, offset, rocker)
-    page = layout_of(layout or MECHANISMS[name].layout, [MECHANISMS[name].subject])
+    page = layout_of(layout or MECHANISMS[name].layout, [MECHANISMS[name].subject], layouts)
     if name in LINKAGES:
         from kurbel.linkage.page import LinkageRequest
 

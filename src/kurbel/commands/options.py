@@ -60,7 +60,8 @@ class Option(NamedTuple):
     """A sentence of help, what stands for the value there, and what kind of value it is.
 
     `unit` is that of bare numbers in Python; `many` options may be repeated. A positional one has no dashes.
-    `environment` is a variable for all commands, beside that of the command's own option.
+    `environment` is a variable for all commands, beside that of the command's own option. What is `first` is
+    read before the others, which need it.
     """
 
     help: str
@@ -71,6 +72,7 @@ class Option(NamedTuple):
     many: bool = False
     positional: bool = False
     environment: str = ""
+    first: bool = False
 
 
 class Parameter(NamedTuple):

@@ -66,6 +66,10 @@ LANG = Option(
 )  # fmt: skip
 
 
+LAYOUTS = Option(
+    "Folder with layouts of your own: DIR/<name>/layout.toml.", "DIR", FileName(),
+    environment="KURBEL_LAYOUTS", first=True,
+)  # fmt: skip
 LISTED = "; `kurbel quantities` lists them."
 
 
@@ -206,6 +210,7 @@ Rotating = Annotated[
     ),
 ]  # fmt: skip
 
+Layouts = Annotated[Path | None, LAYOUTS]
 Lang = Annotated[str, LANG]
 Digits = Annotated[
     int | None,

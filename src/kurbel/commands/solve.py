@@ -46,6 +46,7 @@ def solve_table(
     mechanism: option.Mechanism = None,
     rocker: option.Rocker = None,
     pivot: option.Pivot = None,
+    layouts: option.Layouts = None,
     layout: Annotated[str, option.layout_option("roots")] = "solve",
     digits: option.Digits = None,
     rounding: option.Rounding = "half-away",
@@ -73,7 +74,7 @@ def solve_table(
     from kurbel.reading.where import read_condition
     from kurbel.solve.page import SolveRequest
 
-    page = layout_of(layout, ("roots",))
+    page = layout_of(layout, ("roots",), layouts)
     name = mechanism_of(mechanism, offset)
     check_needed(name, offset, rocker)
     if name == "parallel":

@@ -41,10 +41,11 @@ def render(
     documents; `longtable` lets a table break over pages, in the formats where it would not. JSON has only
     points. Plain text goes on in further panels where it would be wider than `width` characters.
 
-    `templates` is a folder whose templates outdo ours of the same names. They run in a sandbox; one that
-    cannot be used is a LayoutError with its line.
+    `templates` is a folder whose templates outdo ours of the same names; by default it is the one that the
+    table's layout lies in, if that is the user's. They run in a sandbox; one that cannot be used is a
+    LayoutError with its line.
     """
-    form = by_name(format)
+    form, templates = by_name(format), templates or table.templates or None
     if isinstance(form, RecordsFormat):
         return "".join(form.rows(table, form.decimal_name(table.lang, decimal)))
     if not isinstance(form, PageFormat):

@@ -148,12 +148,14 @@ class _Reader:
         lang = given.lang or LANGUAGES[0]
         defaults = {"lang": lang, **({"decimal": given.decimal} if given.decimal else {})}
         defaults |= self.options(("defaults",), given.defaults)
+        output = self.inside(("output",), given.output)
+        layouts = self.apart("layouts", given.layouts, output)
+        defaults |= {} if layouts is None else {"layouts": layouts}
         chapters = tuple(self.chapters(given.chapter, defaults))
         if not chapters:
             raise self.error((), "the handbook has no chapter; write [[chapter]] and below it its title")
         if sum(len(chapter.parts) for chapter in chapters) > MOST_PARTS:
             raise self.error((), f"the handbook has more than {MOST_PARTS} parts; make two of it")
-        output = self.inside(("output",), given.output)
         templates = self.apart("templates", given.templates, output)
         return Manifest(
             path=os.fspath(self.file.path),
@@ -166,7 +168,7 @@ class _Reader:
             output=output,
             machine=self.inside(("machine",), given.machine) if given.machine is not None else None,
             templates=templates,
-            layouts=self.apart("layouts", given.layouts, output),
+            layouts=layouts,
             engine=self.engine(given.pdf, templates),
             standards=given.pdf.standards,
             chapters=chapters,

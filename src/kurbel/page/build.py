@@ -52,6 +52,7 @@ def build(question: Any, pages: bool = True) -> Table:
         records=about.rows(question) if about.rows else records_of(question),
         notes=tuple(one if isinstance(one, Note) else Note(one) for one in about.notes(question)),
         source=question.source,
+        templates=layout.folder,
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping, Sequence
 from functools import cache
 from typing import Annotated, Any, ClassVar
@@ -11,9 +12,9 @@ from msgspec.structs import asdict, force_setattr
 
 from kurbel.errors import ChoiceError, LayoutError
 from kurbel.exact.numerals import MOST_DIGITS, Label
-from kurbel.page.folders import LANGUAGES, layout_names, template_folder
+from kurbel.page.folders import LANGUAGES, Folder, layout_file, layout_names
 from kurbel.reading.choices import choose
-from kurbel.reading.toml_file import Choice, Fault, TomlFile, TomlKind, about
+from kurbel.reading.toml_file import Choice, Fault, TomlFile, TomlKind, about, schema_of
 
 KIND = TomlKind("layout", LayoutError, 200_000, "a layout has axes and columns", "pages/mine/layout.toml")
 # What a page is about, and the axes that it shares out.
@@ -188,17 +189,42 @@ class Layout(LayoutFile, frozen=True, kw_only=True):
         return all(column.method is not None for column in self.columns)
 
 
-def layout_of(name: str, subjects: Sequence[str]) -> Layout:
-    """Return the layout of that name if it is about one of the subjects."""
-    page = layout(name)
+def layout_of(name: str, subjects: Sequence[str], folder: Folder | None = None) -> Layout:
+    """Return the layout of that name if it is about one of the subjects; `folder` is as in `layout`."""
+    page = layout(name, folder)
     if page.subject not in subjects:
-        fitting = [other for other in layout_names() if layout(other).subject in subjects]
+        fitting = [other for other in layout_names(folder) if layout(other, folder).subject in subjects]
         raise ChoiceError(f"layout {name} is about something else; choose from {', '.join(fitting)}")
     return page
 
 
+def layout(name: str, folder: Folder | None = None) -> Layout:
+    """Return the layout of that name; an unknown name is answered with the nearest and the list.
+
+    `folder` is one of the user's, whose layouts stand beside kurbel's own. Raises LayoutError with file and
+    line for one that cannot be used.
+    """
+    if folder is None:
+        return _own(name)
+    if choose(name, layout_names(folder), "layout") in layout_names():
+        return _own(name)
+    from kurbel.page.layout_check import check
+
+    file = TomlFile(layout_file(name, folder), KIND)
+    page = _read(file, name, os.path.abspath(folder))
+    check(file, page)
+    return page
+
+
 @cache
-def layout(name: str) -> Layout:
-    """Return the layout of that name; an unknown name is answered with the nearest and the list."""
-    path = f"{template_folder()}/{choose(name, layout_names(), 'layout')}/layout.toml"
-    return Layout(key=name, **asdict(TomlFile(path, KIND).read(LayoutFile)))
+def _own(name: str) -> Layout:
+    return _read(TomlFile(layout_file(choose(name, layout_names(), "layout")), KIND), name)
+
+
+def _read(file: TomlFile, name: str, folder: str = "") -> Layout:
+    return Layout(key=name, folder=folder, **asdict(file.read(LayoutFile)))
+
+
+def schema() -> dict[str, Any]:
+    """Return the JSON Schema of a layout.toml."""
+    return schema_of(LayoutFile, "A page layout for kurbel")

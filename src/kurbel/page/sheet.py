@@ -98,4 +98,5 @@ def table_of(
         records=records,
         notes=tuple(note if isinstance(note, Note) else Note(note) for note in notes),
         source=layout.source[lang],
+        templates=layout.folder,
     )

@@ -114,7 +114,8 @@ class Records(NamedTuple):
 class Table:
     """A finished table. `key` is its name for cross references, without a prefix: "kinematics".
 
-    `layout` names the templates' folder, where it is not the key.
+    `layout` names the templates' folder, where it is not the key; `templates` is the folder of the user's in
+    which that lies, nothing where it is kurbel's.
     """
 
     key: str
@@ -125,6 +126,7 @@ class Table:
     notes: tuple[Note, ...] = ()
     source: Label = ""
     layout: str = ""
+    templates: str = ""
 
     def __post_init__(self) -> None:
         defined = {note.mark for note in self.notes}

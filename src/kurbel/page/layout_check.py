@@ -1,0 +1,179 @@
+"""Whether pages can be printed in a layout of the user's, as far as its model alone does not say."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import Any
+
+from kurbel.errors import KurbelError, LayoutError
+from kurbel.page.folders import LANGUAGES, layout_names
+from kurbel.page.labels import Mark, parse
+from kurbel.page.layouts import SUBJECTS, Layout, LayoutColumn, layout
+from kurbel.page.subject import SUBJECTS as MOVED
+from kurbel.page.subject import subject
+from kurbel.reading import notation
+from kurbel.reading.choices import choose
+from kurbel.reading.toml_file import TomlFile
+from kurbel.reading.toml_lines import Place
+
+# The axes whose values a layout gives where the command line does not: by which key, and how they are read.
+VALUES: Mapping[str, tuple[str, Callable[[Sequence[str]], Any]]] = {
+    "ratio": ("ratios", notation.ratios),
+    "angle": ("angles", notation.angles),
+    "expansion": ("expansions", lambda texts: notation.numbers(texts, "expansion ratio")),
+    "arm": ("arms", lambda texts: notation.numbers(texts, "arm")),
+}
+METHODS = ("exact", "series", "infinite", "weisbach")
+_PLACE = re.compile(r"\{[^{}]*\}")
+_LETTER = re.compile(r"[^\W\d_]")
+_RATIO = re.compile(r"[^\W\d_]:[^\W\d_]")
+_KEY = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
+
+
+def check(file: TomlFile, page: Layout) -> None:
+    """Raise LayoutError, with the line, unless pages can be printed in the layout."""
+    for place, said in _faults(page):
+        raise file.error(place, said)
+
+
+def _faults(page: Layout) -> Iterator[tuple[Place, str]]:
+    """Yield what is amiss: where it stands, and the sentence."""
+    yield from _faults_of_axes(page)
+    yield from _faults_of_values(page)
+    yield from _faults_of_columns(page)
+    yield from _faults_of_words(page)
+
+
+def _faults_of_axes(page: Layout) -> Iterator[tuple[Place, str]]:
+    axes = SUBJECTS[page.subject]
+    shared = (*page.down, *page.across)
+    for key, names in (("down", page.down), ("across", page.across)):
+        for index, name in enumerate(names):
+            yield from _unknown((key, index), name, axes, f"axis of {page.subject}")
+            if shared.count(name) > 1:
+                yield (key, index), f"the axis {name} is there twice; down and across share the axes out"
+    if missing := [name for name in axes if name not in shared]:
+        yield ("down",), f"down and across must share out {', '.join(axes)}; {missing[0]} is missing"
+    if not page.across:
+        yield ("across",), "across is an empty list; it must have an axis"
+    if not page.stub or page.stub != page.down[-len(page.stub) :]:
+        yield (
+            ("stub",),
+            f"stub must have the innermost of the axes that run down, as {_listed(page.down[-1:])}",
+        )
+    for name in page.stub_headings:
+        yield from _unknown(("stub_headings", name), name, page.stub, "axis in the stub")
+    if page.pairs and "angle" not in page.across:
+        yield ("pairs",), "pairs is for angles that run across"
+    if page.unit and "column" not in page.down:
+        yield ("unit",), "unit is for quantities that run down; down has no column"
+
+
+def _faults_of_values(page: Layout) -> Iterator[tuple[Place, str]]:
+    for axis, (key, read) in VALUES.items():
+        texts: tuple[str, ...] = getattr(page, key)
+        for index, text in enumerate(texts):
+            yield from _refused((key, index), read, [text])
+        if axis in SUBJECTS[page.subject] and not texts:
+            yield (key,), f"{key} is empty; a page about {page.subject} needs them where none are typed"
+    if not _LETTER.fullmatch(page.angle_symbol):
+        yield ("angle_symbol",), f'angle_symbol is "{page.angle_symbol[:20]}"; it must be a letter'
+    if not _RATIO.fullmatch(page.ratio_symbol):
+        yield ("ratio_symbol",), f'ratio_symbol is "{page.ratio_symbol[:20]}"; it must be two letters, as R:L'
+
+
+def _faults_of_columns(page: Layout) -> Iterator[tuple[Place, str]]:
+    if page.subject not in MOVED:
+        return
+    about = subject(page.subject)
+    quantities = about.quantities()
+    fitting = [*about.fitting(page, quantities)]
+    keys = [column.key for column in page.columns]
+    if not keys:
+        yield ("columns",), "columns is an empty list; it must have a column"
+    for index, column in enumerate(page.columns):
+        place: Place = ("columns", index)
+        for key, name in (("quantity", column.quantity), ("unless", column.unless)):
+            if name or key == "quantity":
+                yield from _unknown((*place, key), name, fitting, f"quantity of {page.subject}")
+        if column.method is not None and column.quantity in quantities:
+            allowed = _methods(quantities[column.quantity].formulas)
+            yield from _unknown((*place, "method"), column.method, allowed, f"method of {column.quantity}")
+        if not _KEY.fullmatch(column.key) or column.key in about.axis_keys:
+            yield (*place, "key"), f'the key "{column.key[:40]}" cannot be that of a column; write it as x_2'
+        if keys.index(column.key) != index:
+            yield place, f"the key {column.key} is there twice; give one of the columns another"
+        yield from _faults_of_heads(page, column, place)
+
+
+def _faults_of_heads(page: Layout, column: LayoutColumn, place: Place) -> Iterator[tuple[Place, str]]:
+    if column.heading == () and ("column" in page.down or column.spanners == ()):
+        yield (*place, "heading"), "heading is an empty list; nothing else stands over the column"
+
+
+def _methods(formulas: Iterable[str]) -> list[str]:
+    known = [method for method in METHODS if method in formulas] or ["exact"]
+    return [*known, *(["difference"] if {"exact", "series"} <= {*known} else [])]
+
+
+def _faults_of_words(page: Layout) -> Iterator[tuple[Place, str]]:
+    known = {
+        one
+        for name in layout_names()
+        if layout(name).subject == page.subject
+        for one in _places(layout(name))
+    }
+    for lang in LANGUAGES:
+        yield from _unknown_places(("caption", lang), page.caption[lang], sorted(known))
+        for place, text in _labels(page, lang):
+            if place[0] != "caption":
+                heads = ["{ratio}"] if place[0] == "columns" and "ratio" in SUBJECTS[page.subject] else []
+                yield from _unknown_places(place, text, heads)
+            yield from _refused(place, _check_label, text)
+
+
+def _unknown_places(place: Place, text: str, known: Sequence[str]) -> Iterator[tuple[Place, str]]:
+    for found in _PLACE.findall(text):
+        yield from _unknown(place, found, known or ["none"], "place")
+
+
+def _places(page: Layout) -> Iterator[str]:
+    for lang in LANGUAGES:
+        yield from _PLACE.findall(page.caption[lang])
+
+
+def _labels(page: Layout, lang: str) -> Iterator[tuple[Place, str]]:
+    """Yield the labels of a page in a language, with their places."""
+    yield ("caption", lang), page.caption[lang]
+    yield ("source", lang), page.source[lang]
+    for index, note in enumerate(page.notes):
+        yield ("notes", lang, index), note[lang]
+    for name, heading in page.stub_headings.items():
+        yield ("stub_headings", name), heading[lang]
+    for number, column in enumerate(page.columns):
+        for key, lines in (("spanners", column.spanners), ("heading", column.heading)):
+            for index, line in enumerate(lines or ()):
+                yield ("columns", number, key, index), line[lang]
+
+
+def _check_label(text: str) -> None:
+    """Raise LayoutError for a label that cannot be set; places in it are filled."""
+    marks = [part.text for part in parse(_PLACE.sub("1", text)) if isinstance(part, Mark)]
+    if marks:
+        raise LayoutError(f"the mark [^{marks[0]}] points to no note")
+
+
+def _unknown(place: Place, name: str, allowed: Iterable[str], what: str) -> Iterator[tuple[Place, str]]:
+    yield from _refused(place, lambda one: choose(one, allowed, what), name)
+
+
+def _refused(place: Place, read: Callable[[Any], Any], given: Any) -> Iterator[tuple[Place, str]]:
+    try:
+        read(given)
+    except KurbelError as error:
+        yield place, str(error)
+
+
+def _listed(names: Sequence[str]) -> str:
+    return "[" + ", ".join(f'"{name}"' for name in names) + "]"
