@@ -61,7 +61,7 @@ def test_layouts_formats_and_columns_are_completed(shell: str) -> None:
 @pytest.mark.parametrize("shell", SHELLS)
 def test_commands_and_options_are_completed(shell: str) -> None:
     assert completed(shell, "") == list(COMMANDS)
-    assert completed(shell, "table", "--lay") == ["--layout"]
+    assert completed(shell, "table", "--lay") == ["--layouts", "--layout"]
 
 
 @pytest.mark.parametrize("shell", SHELLS)

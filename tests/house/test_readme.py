@@ -11,6 +11,7 @@ import shlex
 import shutil
 from pathlib import Path
 
+import pytest
 from cli import kurbel
 from places import ROOT, SOURCES
 
@@ -57,8 +58,9 @@ def test_every_command_of_the_readme_prints_what_stands_there(tmp_path: Path) ->
         assert block == true_block(block, folder)
 
 
-def test_the_machine_of_the_readme_is_the_example() -> None:
-    example = README.parent / "examples" / "engine.toml"
+@pytest.mark.parametrize("name", ["engine.toml", "layouts/slant/layout.toml"])
+def test_files_of_the_readme_are_the_examples(name: str) -> None:
+    example = README.parent / "examples" / name
     assert f"```toml\n{example.read_text(encoding='utf-8')}```" in README.read_text(encoding="utf-8")
 
 

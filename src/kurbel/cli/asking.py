@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 NO_TABLES = frozenset(("sources", "layouts", "quantities", "handbook", "inject"))
 # A document decides these for all of its tables; those of a single format, for which files it has.
 ONLY_PRINTING = ("output", "format", "standalone")
-SET_ELSEWHERE = (*ONLY_PRINTING, "longtable", "label")
+SET_ELSEWHERE = (*ONLY_PRINTING, "longtable", "label", "layouts")
 # Keys of a handbook. The numbers of a book's page are the book's: its commands take no others by default.
 OF_THE_PAGE = frozenset(("lang", "decimal", "layouts"))
 

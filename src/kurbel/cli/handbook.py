@@ -202,7 +202,7 @@ def _opened(options: dict[str, Any]) -> tuple[Manifest, Folder, int]:
 
     manifest = read_manifest(manifest_path(options["folder"]))
     if options["pdf_engine"]:
-        check_engine(options["pdf_engine"], manifest.standards, manifest.templates)
+        check_engine(options["pdf_engine"], manifest.standards, manifest.templates or manifest.layouts)
         manifest = manifest._replace(engine=options["pdf_engine"])
     return manifest, Folder(manifest.folder, manifest.output), options["jobs"] or cores()
 

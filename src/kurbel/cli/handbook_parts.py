@@ -43,7 +43,7 @@ def _table(task: Task, answer: Asked, table: Table) -> Made:
         table, key=part.name, layout=table.layout or table.key, caption=part.caption or table.caption
     )
     templates = task.templates and os.path.join(task.folder, task.templates)
-    with deadline(task.patience, GIGABYTES, templates is not None):
+    with deadline(task.patience, GIGABYTES, bool(templates or named.templates)):
         files = {
             f"tables/{part.name}{FORMATS[name].suffixes[0]}": _text(named, name, answer.decimal, templates)
             for name in task.formats

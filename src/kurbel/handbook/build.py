@@ -96,6 +96,8 @@ class Build:
         self.templates = manifest.templates and os.path.join(base, manifest.templates)
         if self.templates and not os.path.isdir(self.templates):
             raise HandbookError(f"{manifest.path}: there is no folder {self.templates} with templates")
+        # Beside a layout there may be templates of its own.
+        self.apart = manifest.templates is not None or manifest.layouts is not None
         self.print = key_of(fingerprint(), self.templates and digest_of(self.templates))
 
     def part_key(self, part: Part) -> str:
@@ -122,7 +124,7 @@ class Build:
 
     def make_parts(self, parts: Sequence[Part], step: Callable[[], None]) -> None:
         tasks = [task_of(self.manifest, part) for part in parts]
-        for task, made in worked(self.make, tasks, self.jobs, apart=self.templates is not None):
+        for task, made in worked(self.make, tasks, self.jobs, apart=self.apart):
             step()
             self.take(task.part.name, self.part_key(task.part), made, STOPPED, task.part.line)
 
@@ -130,7 +132,7 @@ class Build:
         """Return in a sentence why a piece of the work has no result."""
         if not killed.tried:
             return "not tried, for others like it were stopped"
-        return stopped if self.templates else KILLED
+        return stopped if self.apart else KILLED
 
     def take(self, name: str, key: str, made: Made | str | Killed, stopped: str, line: int = 0) -> None:
         """Write what was made of a part or a document, or note what kept it from being made."""
@@ -221,7 +223,7 @@ class Build:
         if stale:
             document = document_of(self.manifest, chapters)
             tasks = [*self.page_tasks(document, chapters, stale)]
-            for task, made in worked(make_document, tasks, 1, apart=self.templates is not None):
+            for task, made in worked(make_document, tasks, 1, apart=self.apart):
                 self.take(_named(task.format), stale[task.format], made, STOPPED)
         if PDF in self.manifest.formats:
             self.make_pdf()
@@ -281,7 +283,7 @@ class Build:
         except KurbelError as error:
             self.fail(0, _named(PDF), str(error))
             return
-        task = PdfTask(self.folder.path, engine, standards, self.templates is not None)
+        task = PdfTask(self.folder.path, engine, standards, self.apart)
         # Typst takes much memory to set many pages, in a process of its own. A TeX is one by itself, and is
         # ended by whoever started it: the end of this build must reach it.
         apart = ENGINES[engine].grows

@@ -169,7 +169,7 @@ class _Reader:
             machine=self.inside(("machine",), given.machine) if given.machine is not None else None,
             templates=templates,
             layouts=layouts,
-            engine=self.engine(given.pdf, templates),
+            engine=self.engine(given.pdf, templates or layouts),
             standards=given.pdf.standards,
             chapters=chapters,
         )

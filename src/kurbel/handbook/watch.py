@@ -14,7 +14,8 @@ Seen = dict[str, tuple[int, int]]
 
 
 def glance(given: str) -> Seen:
-    """Return times and sizes of the manifest, of the files that its parts name, and of its templates.
+    """Return times and sizes of the manifest, of the files that its parts name, of its templates
+    and layouts.
 
     Of a manifest that cannot be read it is the manifest alone.
     """
@@ -26,7 +27,7 @@ def glance(given: str) -> Seen:
     except KurbelError:
         return _looked_at(paths)
     named = [part.file for part in manifest.parts() if part.file]
-    named += [one for one in (manifest.machine, manifest.templates) if one]
+    named += [one for one in (manifest.machine, manifest.templates, manifest.layouts) if one]
     named += [file for done in state.values() for file in done.inputs]
     for one in dict.fromkeys(named):
         whole = os.path.join(manifest.folder, one)
