@@ -1,4 +1,4 @@
-"""Write the JSON Schemas of machines, layouts and handbooks, which lie in the package and which tests compare."""
+"""Write the JSON Schemas of machines, layouts and handbooks into the package; tests compare them."""
 
 from __future__ import annotations
 
