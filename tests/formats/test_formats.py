@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import ast
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from cli import printed
 
+import kurbel.formats
 from kurbel.errors import ChoiceError
 from kurbel.formats.format import PageFormat
 from kurbel.formats.registry import FORMATS, by_name, for_suffix
@@ -61,3 +65,102 @@ def test_registry_is_cheap_to_import() -> None:
         "print({'jinja2', 'numpy', 'json', 'csv', 'kurbel.page.formula'} & set(sys.modules))"
     )
     assert subprocess.check_output([sys.executable, "-c", code], text=True) == "set()\n"
+
+
+# Where one of these words is no format: a text of a handbook, its section [pdf], files of printed values, a
+# drawing, a library and its option; and what Python's notebooks call the shapes of a table.
+OTHERS = {
+    "__init__": {"pdf"},
+    "books.source": {".csv"},
+    "cli.handbook": {"text"},
+    "commands.shown": {"html", "latex", "markdown"},
+    "documents.document": {"text"},
+    "documents.markdown_it": {"html"},
+    "documents.prose": {"text"},
+    "formats.documents": {"text"},
+    # What is printed where nobody asks for a format.
+    "formats.registry": {"text"},
+    "handbook.build": {"text"},
+    "handbook.init": {"typst"},
+    "handbook.manifest": {"text", "pdf"},
+    "handbook.model": {"text", "pdf"},
+    "handbook.pages": {"text"},
+    "plot.style": {"pdf"},
+}
+
+
+def test_nothing_outside_of_its_folder_names_a_format() -> None:
+    package = Path(kurbel.formats.__file__).parents[1]
+    named: dict[str, set[str]] = {}
+    for path in package.rglob("*.py"):
+        parts = path.relative_to(package).with_suffix("").parts
+        if not (parts[0] == "formats" and parts[1] in FORMATS):
+            found = names_in(ast.parse(path.read_text(encoding="utf-8")))
+            named |= {".".join(parts): found} if found else {}
+    assert named == OTHERS
+
+
+def names_in(module: ast.Module) -> set[str]:
+    """Return the formats whose names or suffixes are words of a module, and whose folders it reads."""
+    words = set(FORMATS) | {suffix for entry in FORMATS.values() for suffix in entry.suffixes}
+    found = set()
+    for node in ast.walk(module):
+        if isinstance(node, ast.Constant) and isinstance(node.value, str):
+            found |= {node.value} & words
+        if isinstance(node, ast.Import | ast.ImportFrom):
+            source = node.module if isinstance(node, ast.ImportFrom) else None
+            for name in [f"{source}.{alias.name}" if source else alias.name for alias in node.names]:
+                if name.startswith("kurbel.formats."):
+                    found |= {name.split(".")[2]} & set(FORMATS)
+    return found
+
+
+def test_the_words_of_formats_are_found_in_a_module() -> None:
+    source = (
+        "from kurbel.formats.latex import page\nfrom kurbel.formats import html\nx = {'typst': ['.md']}\n"
+    )
+    assert names_in(ast.parse(source)) == {"latex", "html", "typst", ".md"}
+
+
+@pytest.fixture
+def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """A folder of formats with one, `tabs`."""
+    (tmp_path / "tabs" / "templates").mkdir(parents=True)
+    (tmp_path / "tabs" / "__init__.py").write_text(TABS)
+    (tmp_path / "tabs" / "templates" / "tabs.jinja").write_text(
+        "{% for group in page.panels[0].groups %}{% for row in group.rows %}\n"
+        "{{ row|map(attribute='text')|join('\\t') }}\n{% endfor %}{% endfor %}"
+    )
+    monkeypatch.setattr(kurbel.formats, "__path__", [*kurbel.formats.__path__, str(tmp_path)])
+    yield
+    sys.modules.pop("kurbel.formats.tabs", None)
+
+
+TABS = """
+from kurbel.formats.format import PageFormat
+
+
+class Tabs(PageFormat):
+    name = "tabs"
+    rank = 15
+    suffixes = (".tab",)
+    media = "rows"
+
+
+FORMAT = Tabs()
+"""
+
+
+@pytest.mark.usefixtures("elsewhere")
+def test_a_folder_elsewhere_is_a_format(tmp_path: Path) -> None:
+    assert [*FORMATS][:3] == ["text", "tabs", "markdown"]
+    target = tmp_path / "table.tab"
+    printed("table", "--ratio=1:5", "--step=180", "--columns=phi,x", "-o", str(target))
+    assert target.read_text() == "0\t0,0000\n180\t2,0000\n360\t0,0000\n"
+    with pytest.raises(ChoiceError, match=r"\.txt, \.tab, \.md"):
+        for_suffix("page.docx")
+
+
+def test_a_format_elsewhere_is_gone_with_its_folder() -> None:
+    assert "tabs" not in FORMATS
+    assert len(FORMATS) == 9

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from kurbel.drive.crank import LARGEST_ANGLE, Crank, check_angles
 from kurbel.errors import NotationError, ProblemError
+from kurbel.formats.registry import DEFAULT
 from kurbel.motion.evaluation import METHODS
 from kurbel.motion.quantities import registry
 from kurbel.page.quantity import Quantity, bare
@@ -84,7 +85,7 @@ def compute(
 
 def typeset(
     page: Table,
-    format: str = "text",
+    format: str = DEFAULT,
     *,
     decimal: str | None = None,
     standalone: bool = False,

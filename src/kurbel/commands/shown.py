@@ -6,7 +6,7 @@ import os
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any
 
-from kurbel.formats.registry import DECIMAL_OF_LANGUAGE, DECIMALS, for_suffix
+from kurbel.formats.registry import DECIMAL_OF_LANGUAGE, DECIMALS, DEFAULT, for_suffix
 from kurbel.page.labels import plain
 from kurbel.page.table import Table as Page
 
@@ -38,7 +38,7 @@ class Table(Page):
 
     def typeset(
         self,
-        format: str = "text",
+        format: str = DEFAULT,
         *,
         decimal: str | None = None,
         standalone: bool = False,
