@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
+from click.core import augment_usage_errors
 
 from kurbel.cli import COMMANDS
 from kurbel.cli.app import command_of, one_line
@@ -95,7 +96,8 @@ def asked(
             default_map=given,
         )
         _check(context, SET_ELSEWHERE if format is None else ONLY_PRINTING)
-        made, code = command.made(Given.of(context))
+        with augment_usage_errors(context):
+            made, code = command.made(Given.of(context))
     except click.ClickException as error:
         raise ProblemError(one_line(error)) from None
     values = context.params

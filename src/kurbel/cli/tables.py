@@ -37,6 +37,8 @@ class TableCommand(MakingCommand):
 
     def made(self, given: Given) -> tuple[Table, int]:
         """Return the table and the exit code, for a document."""
+        # What cannot be printed so is refused, too.
+        Printing.chosen(given)
         question = self.question(given)
         return self.made_by.built(question), self.exit_code(given, question)
 

@@ -33,8 +33,7 @@ class Table(Page):
         return self.typeset()
 
     def __repr__(self) -> str:
-        columns = ", ".join(field.key for field in self.records.fields)
-        return f"<kurbel.Table {self.key}: {plain(self.caption)}; {columns}>"
+        return f"<kurbel.Table {self.key}: {plain(self.caption)}>"
 
     def typeset(
         self,

@@ -1,0 +1,146 @@
+"""A table shows itself, is saved whole, and becomes arrays and frames; a drawing shows itself, too."""
+
+from __future__ import annotations
+
+import sys
+from decimal import Decimal
+from pathlib import Path
+
+import numpy as np
+import pandas
+import polars
+import pyarrow
+import pytest
+
+import kurbel
+from kurbel.exact.numerals import Number, number_text
+
+PAGE = kurbel.table("1:4;1:4,5", angle="0;22,5;90", columns="ratio,phi,x,p", lang="en")
+KEYS = ["ratio", "phi", "x", "p"]
+
+
+def printed_numbers(key: str) -> list[str]:
+    place = KEYS.index(key)
+    found = [row[place] for row in PAGE.records.rows]
+    assert all(isinstance(value, Number) for value in found)
+    return [number_text(value) for value in found if isinstance(value, Number)]
+
+
+def test_a_table_prints_as_text_and_has_a_short_name() -> None:
+    assert str(PAGE) == kurbel.typeset(PAGE)
+    assert repr(PAGE) == "<kurbel.Table kinematics: Piston path and piston acceleration; exact formulas>"
+
+
+def test_a_notebook_shows_it_as_the_formats_set_it() -> None:
+    assert PAGE._repr_html_() == kurbel.typeset(PAGE, "html")
+    assert PAGE._repr_latex_() == kurbel.typeset(PAGE, "latex")
+    assert PAGE._repr_markdown_() == kurbel.typeset(PAGE, "markdown")
+
+
+@pytest.mark.parametrize("suffix", ["txt", "md", "tex", "html", "typ", "csv", "json"])
+def test_it_is_saved_in_the_format_of_the_suffix(suffix: str, tmp_path: Path) -> None:
+    names = {"txt": "text", "md": "markdown", "tex": "latex", "typ": "typst"}
+    path = tmp_path / f"page.{suffix}"
+    PAGE.save(path)
+    assert path.read_text(encoding="utf-8") == kurbel.typeset(PAGE, names.get(suffix, suffix))
+
+
+def test_it_is_saved_with_the_options_of_printing_and_as_pdf(tmp_path: Path) -> None:
+    PAGE.save(tmp_path / "page.tex", decimal="comma", standalone=True, longtable=True)
+    expected = kurbel.typeset(PAGE, "latex", decimal="comma", standalone=True, longtable=True)
+    assert (tmp_path / "page.tex").read_text(encoding="utf-8") == expected
+    PAGE.save(str(tmp_path / "page.pdf"))
+    assert (tmp_path / "page.pdf").read_bytes().startswith(b"%PDF")
+
+
+def test_what_cannot_be_saved_leaves_the_old_file(tmp_path: Path) -> None:
+    path = tmp_path / "page.csv"
+    path.write_text("old")
+    with pytest.raises(kurbel.KurbelError, match="decimal mark is 'dot'"):
+        PAGE.save(path, decimal="dot")
+    with pytest.raises(kurbel.KurbelError, match=r"the file name '.*page.doc' names no format"):
+        PAGE.save(tmp_path / "page.doc")
+    assert [(one.name, one.read_text()) for one in tmp_path.iterdir()] == [("page.csv", "old")]
+
+
+def test_an_array_has_a_field_for_each_column() -> None:
+    array = PAGE.to_numpy()
+    assert array.dtype.names == tuple(KEYS)
+    assert array["ratio"].tolist() == ["1:4"] * 3 + ["1:4.5"] * 3
+    for key in ("phi", "x", "p"):
+        assert array[key].dtype == np.float64
+        assert array[key].tolist() == [float(text) for text in printed_numbers(key)]
+
+
+def test_a_frame_of_pandas_has_the_printed_numbers_and_what_they_mean() -> None:
+    frame = PAGE.to_pandas()
+    assert list(frame.columns) == KEYS
+    assert frame["x"].dtype == np.float64
+    assert frame["x"].tolist() == [float(text) for text in printed_numbers("x")]
+    assert frame["ratio"].tolist()[-1] == "1:4.5"
+    assert frame.attrs["phi"] == {"name": "Crank angle", "symbol": "φ", "unit": "°", "decimals": "1"}
+    exact = PAGE.to_pandas(exact=True)
+    assert exact["p"].tolist() == [Decimal(text) for text in printed_numbers("p")]
+    assert str(exact["p"][0]) == printed_numbers("p")[0]
+
+
+def test_a_frame_of_polars_has_them_too() -> None:
+    frame = PAGE.to_polars()
+    assert frame.schema == {"ratio": polars.String, **dict.fromkeys(KEYS[1:], polars.Float64)}
+    assert frame["p"].to_list() == [float(text) for text in printed_numbers("p")]
+    exact = PAGE.to_polars(exact=True)
+    assert exact["x"].to_list() == [Decimal(text) for text in printed_numbers("x")]
+
+
+def test_arrow_takes_it_with_units() -> None:
+    table = pyarrow.table(PAGE)
+    assert table.column_names == KEYS
+    assert table["x"].to_pylist() == [float(text) for text in printed_numbers("x")]
+    assert table["ratio"].to_pylist()[0] == "1:4"
+    assert table.schema.field("phi").metadata[b"unit"] == "°".encode()
+    assert table.schema.metadata[b"table"] == b"kinematics"
+    assert polars.DataFrame(PAGE)["p"].to_list() == [float(text) for text in printed_numbers("p")]
+    assert isinstance(pandas.DataFrame.from_arrow(PAGE), pandas.DataFrame)
+
+
+def test_missing_values_stay_missing_and_mixed_columns_are_text() -> None:
+    page = kurbel.inertia_table(
+        centre=0.9, gyration=0.3, layout="inertia-errors", columns="force,model,error,error_phi"
+    )
+    frame = page.to_polars()
+    assert frame["error"].to_list()[0] is None
+    assert np.isnan(page.to_numpy()["error"][0])
+    assert page.to_pandas()["error"].isna()[0]
+    assert pyarrow.table(page)["error"].to_pylist() == frame["error"].to_list()
+    example = kurbel.example_table("blau", 35).to_polars()
+    assert example["printed"].dtype == polars.String
+    assert example["printed"].to_list()[-1] == "−5/2"
+
+
+@pytest.mark.parametrize(
+    ("module", "convert", "package"),
+    [
+        ("pandas", lambda: PAGE.to_pandas(), "pandas"),
+        ("polars", lambda: PAGE.to_polars(), "polars"),
+        ("arro3.core", lambda: PAGE.__arrow_c_stream__(), r"kurbel\[arrow\]"),
+    ],
+)
+def test_a_missing_library_is_one_sentence(
+    module: str, convert: object, package: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, module, None)
+    assert callable(convert)
+    with pytest.raises(kurbel.KurbelError, match=f"; install it with: pip install '{package}'$"):
+        convert()
+
+
+def test_a_drawing_shows_itself_and_is_saved(tmp_path: Path) -> None:
+    drawing = kurbel.plot_motion("1:5", columns="x", step=10, lang="en")
+    assert repr(drawing) == "<kurbel.Drawing: Piston path for R:L = 1:5; exact formulas>"
+    assert drawing._repr_svg_().startswith("<?xml")
+    drawing.save(tmp_path / "path.svg")
+    assert (tmp_path / "path.svg").read_text(encoding="utf-8") == drawing._repr_svg_()
+    drawing.save(tmp_path / "path.png")
+    assert (tmp_path / "path.png").read_bytes().startswith(b"\x89PNG")
+    with pytest.raises(kurbel.KurbelError, match=r"names no drawing; its suffix must be one of \.svg"):
+        drawing.save(tmp_path / "path.txt")
