@@ -35,10 +35,9 @@ from kurbel.linkage.page import LinkageRequest
 from kurbel.motion.quantities import registry
 from kurbel.motion.question import Request
 from kurbel.page.layouts import layout
-from kurbel.plot.curves import axis_name, motion_keys, motion_panels, pin_force, pin_force_keys
+from kurbel.plot.curves import motion_keys, motion_panels, pin_force, pin_force_keys
 from kurbel.plot.engine import PIN_FORCE, engine_pin_force, force_panels
-from kurbel.plot.linkage import linkage_panels
-from kurbel.plot.panels import MOST_POINTS
+from kurbel.plot.panels import MOST_POINTS, axis_name
 from kurbel.plot.plotting import Curve, Panel
 from kurbel.plot.style import FORMATS
 from kurbel.plot.turning import COLUMNS, turning_panels
@@ -158,10 +157,10 @@ def test_the_two_strokes_of_a_quantity_share_a_panel() -> None:
 @pytest.mark.parametrize("lang", ["de", "en"])
 def test_every_quantity_has_an_axis_that_names_it_with_its_unit_once(lang: str) -> None:
     names = {key: axis_name(quantity, lang) for key, quantity in registry().items()}
-    assert names["psi"][1] == "°"
-    for key, (name, unit) in names.items():
-        assert name.startswith(registry()[key].name[lang])
-        assert (" in " in name) <= (not unit), key
+    assert names["psi"][2] == "°"
+    for key, (name, heading, unit) in names.items():
+        assert name == registry()[key].name[lang]
+        assert (" in " in heading) <= (not unit), key
         assert bool(unit) == (bool(registry()[key].needs) or registry()[key].is_arc), key
 
 
@@ -432,7 +431,7 @@ def test_the_turning_effort_with_the_masses_has_theirs_besides_the_steams() -> N
 def linkage(name: str, *columns: str, ratios: Sequence[Fraction] = (FIFTH,), lang: str = "de") -> list[Panel]:
     cranks = tuple(ArcCrank(Crank(ratio), Fraction(3)) for ratio in ratios) if name == "arc" else ()
     request = LinkageRequest(layout=layout(name), angles=ANGLES, cranks=cranks, columns=columns, lang=lang)
-    return linkage_panels(request)
+    return motion_panels(request)
 
 
 def rocker_angle(phi: NDArray[np.float64], rod: float, rocker: float) -> NDArray[np.float64]:

@@ -99,14 +99,14 @@ def plot_motion(
 ) -> Drawing:
     """Draw path, velocity and acceleration over the crank angle, or what the columns name."""
     from kurbel.plot.curves import motion_keys
-    from kurbel.plot.drawings import linkage_drawing, motion_drawing
+    from kurbel.plot.drawings import motion_drawing
 
     mark, angles = mark_of(lang, decimal), curve_angles(from_, to, step)
     name = mechanism_of(mechanism, offset)
     check_needed(name, offset, rocker)
     if name in LINKAGES:
         from kurbel.linkage.page import LinkageRequest
-        from kurbel.plot.linkage import ARC_MOTION
+        from kurbel.plot.curves import ARC_MOTION
 
         page = page_of(MECHANISMS[name].layout)
         cranks: tuple[ArcCrank, ...] = ()
@@ -114,7 +114,7 @@ def plot_motion(
             cranks = arc_cranks(page, ratio, offset, rocker, pivot, method)
         names = as_names(columns, "path,velocity") or (ARC_MOTION if name == "arc" else ())
         question = LinkageRequest(layout=page, angles=angles, cranks=cranks, lang=lang, columns=names)
-        return Drawing.of(linkage_drawing(question, mark), lang, mark)
+        return Drawing.of(motion_drawing(question, mark), lang, mark)
     across = offset if name == "offset" else None
     newtons = None if force is None else as_force(force)
     drives = cranks_of(page_of(LAYOUT), ratio, stroke, rod, across, speed, method=method, force=newtons)

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from fractions import Fraction
-from typing import NamedTuple
+from typing import Any
 
 from kurbel.drive.crank import Crank
+from kurbel.exact.kind import floats
 from kurbel.exact.numerals import Label
+from kurbel.kernel.circle import circle
+from kurbel.linkage.page import LinkageRequest
 from kurbel.motion.digits import on_floats
 from kurbel.motion.evaluation import STROKES, is_known
 from kurbel.motion.quantities import registry
 from kurbel.motion.question import Request
-from kurbel.page.quantity import Column, Quantity
-from kurbel.plot.panels import Trace, check_drawn, degrees, panels_of
+from kurbel.plot.panels import axis_name, check_drawn, degrees, panels_of, trace
 from kurbel.plot.plotting import Panel
 from kurbel.plot.polar import Vector
 from kurbel.reading.notation import ratio_text
@@ -30,18 +31,8 @@ FORCES = (
 )
 # Across and up in the polar diagram.
 PIN_FORCE = FORCES[2:4]
-
-
-class _Drawn(NamedTuple):
-    """A curve before it has a label."""
-
-    column: Column
-    crank: Crank
-    values: list[float]
-
-    @property
-    def quantity(self) -> Quantity:
-        return self.column.quantity
+# What is drawn of the arc crank unless columns are named.
+ARC_MOTION = ("path", "velocity", "acceleration")
 
 
 def motion_keys(crank: Crank) -> tuple[str, ...]:
@@ -64,32 +55,22 @@ def _in_known_units(pairs: Sequence[tuple[str, str]], crank: Crank) -> tuple[str
     return tuple(known if is_known(registry()[known], crank) else share for share, known in pairs)
 
 
-def motion_panels(request: Request) -> list[Panel]:
-    """Return a panel for each quantity, with all ratios in it; of one ratio, a panel for each unit.
+def motion_panels(question: Request | LinkageRequest) -> list[Panel]:
+    """Return a panel for each quantity, with all ratios in it; of one drive, a panel for each unit.
 
     The values are those of `kurbel.compute`. Raises ProblemError for one angle, or more than can be drawn.
     """
-    check_drawn(request.angles, len(request.cranks))
-    angles = degrees(request.angles)
-    traces = (_trace(one, angles, request.lang) for one in _drawn(request, angles))
-    return panels_of(traces, request.lang, apart=len(request.cranks) > 1)
-
-
-def _trace(one: _Drawn, angles: Sequence[float], lang: str) -> Trace:
-    quantity = one.quantity
-    return Trace(
-        quantity.name[lang],
-        _heading(quantity, lang),
-        quantity.plain_unit(lang),
-        axis_name(quantity, lang)[1],
-        (ratio_label(one.crank.ratio), STROKES[quantity.stroke][lang]),
-        angles,
-        one.values,
-    )
-
-
-def ratio_label(ratio: Fraction) -> Label:
-    return f"$R:L = {ratio_text(ratio)}$"
+    lang, angles, ratios = question.lang, degrees(question.angles), question.ratios
+    check_drawn(question.angles, max(len(ratios), 1))
+    values = _of_cranks if isinstance(question, Request) else _of_linkages
+    traces = []
+    for column, of_drives in zip(question.page_columns, values(question, angles), strict=True):
+        one = column.quantity
+        for drive, drawn in enumerate(of_drives):
+            stroke = STROKES[one.stroke][lang]
+            told = (f"$R:L = {ratio_text(ratios[drive])}$", stroke) if ratios else ()
+            traces.append(trace(one, lang, told, angles, drawn))
+    return panels_of(traces, lang, apart=len(ratios) > 1)
 
 
 def pin_force(request: Request) -> tuple[Vector, tuple[Label, Label], Label]:
@@ -99,33 +80,30 @@ def pin_force(request: Request) -> tuple[Vector, tuple[Label, Label], Label]:
     """
     check_drawn(request.angles, 1)
     angles = degrees(request.angles)
-    across, up = _drawn(request, angles)
-    names = [axis_name(one.quantity, request.lang) for one in (across, up)]
-    return Vector(angles, across.values, up.values), (names[0][0], names[1][0]), names[0][1]
+    (across,), (up,) = _of_cranks(request, angles)
+    names = [axis_name(column.quantity, request.lang) for column in request.page_columns]
+    return Vector(angles, across, up), (" ".join(names[0][:2]), " ".join(names[1][:2])), names[0][2]
 
 
-def axis_name(quantity: Quantity, lang: str) -> tuple[Label, Label]:
-    """Return what an axis calls a quantity, "Kolbenweg $x/R$", and its unit; a share has none."""
-    heading = _heading(quantity, lang)
-    return f"{quantity.name[lang]} {heading}", quantity.plain_unit(lang) if heading == quantity.symbol else ""
-
-
-def _heading(quantity: Quantity, lang: str) -> Label:
-    """Return the heading of a column without a unit that the axis can have: $x/R$, but $x$ of $x$ in mm."""
-    return quantity.heading[lang].removesuffix(f" in {quantity.plain_unit(lang)}")
-
-
-def _drawn(request: Request, angles: Sequence[float]) -> list[_Drawn]:
-    """Return every quantity of every crank, in the order of quantities."""
+def _of_cranks(request: Any, angles: Sequence[float]) -> list[list[list[float]]]:
+    """Return the values of every column for every crank."""
     import numpy as np
 
     from kurbel.exact.bulk import evaluate
 
-    columns = request.page_columns
-    degrees = np.asarray(angles)
-    rows = [evaluate([on_floats(column, crank) for column in columns], degrees) for crank in request.cranks]
+    columns, at = request.page_columns, np.asarray(angles)
+    found = [evaluate([on_floats(column, crank) for column in columns], at) for crank in request.cranks]
+    return [[one.tolist() for one in of_cranks] for of_cranks in zip(*found, strict=True)]
+
+
+def _of_linkages(request: Any, angles: Sequence[float]) -> list[list[list[float]]]:
+    """Return the same for every arc crank, or for the parallel crank."""
+    import numpy as np
+
+    from kurbel.linkage.evaluation import value
+
+    at, kind = circle(np.asarray(angles)), floats()
     return [
-        _Drawn(column, crank, row[number].tolist())
-        for number, column in enumerate(columns)
-        for crank, row in zip(request.cranks, rows, strict=True)
+        [value(column.quantity, drive, at, kind).tolist() for drive in request.drives]
+        for column in request.page_columns
     ]

@@ -46,9 +46,9 @@ class Drawing(NamedTuple):
     title: Label
 
 
-def motion_drawing(request: Request, mark: str) -> Drawing:
+def motion_drawing(question: Request | LinkageRequest, mark: str) -> Drawing:
     """Return the curves of all columns over the crank angle."""
-    return Drawing(curves(motion_panels(request), request.lang, mark), _title(request))
+    return Drawing(curves(motion_panels(question), question.lang, mark), _title(question))
 
 
 def polar_drawing(request: Request, mark: str) -> Drawing:
@@ -76,14 +76,6 @@ def engine_forces_drawing(request: EngineRequest, mark: str) -> Drawing:
     from kurbel.plot.engine import force_panels
 
     return Drawing(curves(force_panels(request), request.lang, mark), caption(request))
-
-
-def linkage_drawing(request: LinkageRequest, mark: str) -> Drawing:
-    """Return the curves of the arc crank or the parallel crank over the crank angle."""
-    from kurbel.linkage.captions import caption
-    from kurbel.plot.linkage import linkage_panels
-
-    return Drawing(curves(linkage_panels(request), request.lang, mark), caption(request))
 
 
 def mechanism_drawing(crank: Crank, angles: Sequence[Fraction], lang: str, mark: str) -> Drawing:
@@ -128,5 +120,7 @@ def turning_drawing(request: EngineRequest, mark: str) -> Drawing:
     return Drawing(curves(turning_panels(request), request.lang, mark), caption(request))
 
 
-def _title(request: Request) -> Label:
-    return captions.caption(request, chosen=True)
+def _title(question: Request | LinkageRequest) -> Label:
+    if isinstance(question, Request):
+        return captions.caption(question, chosen=True)
+    return question.subject.caption(question)

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
+from kurbel.page.quantity import Quantity
 from kurbel.page.words import enumerated
 from kurbel.plot.plotting import Curve, Panel, check_count
 from kurbel.reading.notation import about
@@ -31,6 +32,28 @@ class Trace(NamedTuple):
     telling: tuple[Label, ...]
     angles: Sequence[float]
     values: Sequence[float]
+
+
+def trace(
+    quantity: Quantity,
+    lang: str,
+    telling: tuple[Label, ...],
+    angles: Sequence[float],
+    values: Sequence[float],
+) -> Trace:
+    """Return the curve of a quantity."""
+    name, heading, unit = axis_name(quantity, lang)
+    return Trace(name, heading, quantity.plain_unit(lang), unit, telling, angles, values)
+
+
+def axis_name(quantity: Quantity, lang: str) -> tuple[str, Label, Label]:
+    """Return what an axis calls a quantity, Kolbenweg and $x/R$, and its unit; a share has none.
+
+    The heading is that of a column without a unit that the axis can have: $x$ of $x$ in mm.
+    """
+    unit = quantity.plain_unit(lang)
+    heading = quantity.heading[lang].removesuffix(f" in {unit}")
+    return quantity.name[lang], heading, unit if heading == quantity.symbol else ""
 
 
 def panels_of(traces: Iterable[Trace], lang: str, apart: bool) -> list[Panel]:
