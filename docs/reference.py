@@ -12,8 +12,8 @@ from kurbel.balance.harmonics_page import quantities as harmonics_registry
 from kurbel.balance.request import DECIMALS, balance_registry
 from kurbel.cli import COMMANDS
 from kurbel.cli.app import command_of
-from kurbel.engine.quantities import COMMANDS_OF, engine_registry
-from kurbel.engine.request import ENGINE_METHODS
+from kurbel.engine.page import printed_by
+from kurbel.engine.quantities import ENGINE_METHODS, engine_registry
 from kurbel.examples.source import example, numbers_of, source_keys
 from kurbel.formats.registry import FORMATS
 from kurbel.linkage.arc_drive import arc_names
@@ -78,8 +78,8 @@ def _engine_quantities() -> Iterator[str]:
     yield "| key | quantity | unit | decimals | command |\n| --- | --- | --- | ---: | --- |"
     for key, one in engine_registry().items():
         decimals = "5 figures" if one.decimals is None else one.decimals
-        name, unit = f"{one.name['en']} {plain(one.symbol)}", plain(one.unit)
-        yield f"| `{key}` | {name} | {unit} | {decimals} | `{COMMANDS_OF[one.scope]}` |"
+        name, unit = f"{one.name['en']} {plain(one.symbol)}", one.plain_unit("en")
+        yield f"| `{key}` | {name} | {unit} | {decimals} | `{printed_by(one)}` |"
     for key, beam in beam_registry().items():
         name = f"{beam.name['en']} {plain(beam.symbol)}"
         yield f"| `{key}` | {name} | {beam.plain_unit('en')} | {beam.decimals} | `deadcentres` |"

@@ -772,7 +772,7 @@ def test_every_quantity_of_an_engine_is_listed_with_its_command() -> None:
     commands = {words[0]: next(word for word in words[1:] if word in COMMANDS) for words in lines}
     scopes = {"angle": "turning", "crank": "forces", "flywheel": "flywheel"}
     for key, quantity in engine_registry().items():
-        assert commands[key] == scopes.get(quantity.scope, "delta")
+        assert commands[key] == scopes.get(quantity.of, "delta")
 
 
 # Environment -------------------------------------------------------------------------------------

@@ -14,8 +14,7 @@ from pages import BEAMS, DRIVES, about
 from tools import require
 
 from kurbel.cli import COMMANDS
-from kurbel.engine.quantities import engine_registry
-from kurbel.engine.request import ENGINE_METHODS
+from kurbel.engine.quantities import ENGINE_METHODS, engine_registry
 from kurbel.formats.registry import FORMATS
 from kurbel.linkage.quantities import arc_registry
 from kurbel.motion.evaluation import METHODS
@@ -115,16 +114,16 @@ def test_the_columns_are_those_of_the_mechanism_that_was_typed() -> None:
 
 
 def test_columns_of_an_engine_are_those_that_its_page_can_show() -> None:
-    scopes = {key: quantity.scope for key, quantity in engine_registry().items()}
+    scopes = {key: quantity.of for key, quantity in engine_registry().items()}
 
     def keys(*chosen: str) -> set[str]:
         return {key for key, scope in scopes.items() if scope in chosen}
 
     axes = {"epsilon", "ratio"}
-    assert set(completed("bash", "delta", "--columns", "")) == axes | keys("turn", "span")
+    assert set(completed("bash", "delta", "--columns", "")) == axes | keys("turn", "least", "greatest")
     assert set(completed("bash", "turning", "--columns", "")) == axes | {"phi"} | keys("angle", "turn")
     assert set(completed("bash", "flywheel", "--columns", "")) == axes | {"target"} | keys("flywheel")
-    detail = axes | {"stroke"} | keys("turn", "span", "stroke")
+    detail = axes | {"stroke"} | keys("turn", "least", "greatest", "stroke")
     assert set(completed("bash", "delta", "--layout", "delta-detail", "--columns", "")) == detail
     assert set(completed("bash", "delta", "--detail", "--columns", "")) == detail
     own = {column.key for column in layout("delta-verfahren").columns}

@@ -26,13 +26,15 @@ from kurbel.engine.card_file import read_card
 from kurbel.engine.card_turn import CardTurn
 from kurbel.engine.digits import estimate, estimated
 from kurbel.engine.engine import Diagram, Engine, Steam
-from kurbel.engine.quantities import OUTSTROKE, RETURN_STROKE, WHOLE, Where
-from kurbel.engine.request import EngineColumn, EngineRequest
+from kurbel.engine.quantities import OUTSTROKE, RETURN_STROKE, WHOLE, Where, applies
+from kurbel.engine.quantities import value as value_of
+from kurbel.engine.request import EngineRequest
 from kurbel.engine.turn import at_bits, turn_of
 from kurbel.errors import CardError
 from kurbel.exact.numerals import Number
 from kurbel.kernel.circle import circle
 from kurbel.page.layouts import layout
+from kurbel.page.quantity import Column
 
 HEAD = "position,p_forward [bar],p_return [bar]\n"
 BAR = 1e5
@@ -104,19 +106,19 @@ def pressure_at(steam: Steam, share: float) -> float:
     return float(((cut_off + clearance) / volume) ** float(steam.exponent))
 
 
-def measured(seed: int, kind: str, folder: Path) -> Iterator[tuple[EngineColumn, Measured]]:
+def measured(seed: int, kind: str, folder: Path) -> Iterator[tuple[Column, Measured]]:
     """Yield all numbers of the card's page."""
     steam, admission, crank, card = drawn(seed, kind, folder)
     request = EngineRequest(layout=layout("delta-detail"), steams=[Diagram(card)], drives=[crank])
     turn, ideal = turn_of(request.first, "exact"), turn_of(Engine(crank, steam), "exact")
     for column in request.page_columns:
         # Q is the greatest pressure of the card, noise and all; δ and angles do not depend on it.
-        free = column.quantity.arc or column.key == "delta"
+        free = column.quantity.minutes or column.key == "delta"
         unit = 1.0 if free else admission * BAR / card.admission
         for stroke in (WHOLE, OUTSTROKE, RETURN_STROKE):
             where = Where(stroke)
-            if column.quantity.applies(where):
-                true = at_bits(80, partial(column.quantity.value, ideal, where))
+            if applies(column.quantity, where):
+                true = at_bits(80, partial(value_of, column.quantity, ideal, where))
                 value, error = estimate(column, [turn], where)  # type: ignore[list-item]
                 number = estimated(column, (turn,), where, "half-away")  # type: ignore[arg-type]
                 yield column, Measured(float(value), error, number, float(true) * unit)
@@ -330,5 +332,7 @@ def test_errors_of_work_reach_a_quantity_as_far_as_is_stated(key: str, least: fl
     for change in changes([*shares, 1.0]):
         turn = card_turn(change)
         apart = max(abs(own.strokes[0].work(share) - turn.strokes[0].work(share)) for share in EVEN)
-        reached.append(abs(column.quantity.value(turn, whole) - column.quantity.value(own, whole)) / apart)
+        reached.append(
+            abs(value_of(column.quantity, turn, whole) - value_of(column.quantity, own, whole)) / apart
+        )
     assert least < max(reached) / (coarse - fine) < 1.3

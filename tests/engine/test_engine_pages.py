@@ -15,12 +15,12 @@ from pages import BEAMS, ENGINES, Address, cells, default_page, page_of, shown
 
 import kurbel
 from kurbel.engine.quantities import engine_registry
-from kurbel.engine.request import ENGINE_AXES
 from kurbel.errors import KurbelError
 from kurbel.exact.numerals import degrees_text
 from kurbel.formats.render import render
 from kurbel.page.folders import LANGUAGES
 from kurbel.page.layouts import layout
+from kurbel.page.subject import subject
 from kurbel.page.table import DITTO, Table
 
 TASK = {"power": 50_000, "speed": 2, "delta": "1:50;1:100", "radius": 1.5}
@@ -159,7 +159,7 @@ def page(name: str, lang: str = "de", **choices: Any) -> Table:
         own |= TASK
     if name == "machine-forces":
         own |= MACHINE
-    if "phi" in ENGINE_AXES[layout(name).subject]:
+    if "phi" in subject(layout(name).subject).axis_keys:
         own["angle"] = "17;77;302"
     return page_of(name, lang=lang, **(own | choices))
 
@@ -270,13 +270,14 @@ def test_no_stub_cell_is_left_without_a_head_of_its_own(name: str) -> None:
 
 @pytest.mark.parametrize("name", [name for name in ENGINES if not layout(name).fixed])
 def test_every_column_that_can_be_asked_for_is_printed(name: str) -> None:
-    scopes = {"irregularity": ("turn", "span"), "strokes": ("turn", "span", "stroke"),
+    of_turns = ("turn", "least", "greatest")
+    scopes = {"irregularity": of_turns, "strokes": (*of_turns, "stroke"),
               "turning": ("angle", "turn"), "flywheel": ("flywheel",),
               "crank forces": ("crank", "angle"), "machine": ("crank", "angle"),
               }[layout(name).subject]  # fmt: skip
-    assert not {*engine_registry()} & {*ENGINE_AXES[layout(name).subject]}
+    assert not {*engine_registry()} & {*subject(layout(name).subject).axis_keys}
     for key, quantity in engine_registry().items():
-        if quantity.scope not in scopes:
+        if quantity.of not in scopes:
             with pytest.raises(KurbelError, match=f'^there is no column "{key}"'):
                 page(name, columns=[key])
             continue
@@ -289,7 +290,7 @@ def test_every_column_that_can_be_asked_for_is_printed(name: str) -> None:
         assert any(value is not None for value in values)
         text = " ".join(render(table, "text", decimal="point").split())
         for value in values:
-            if value is not None and not quantity.arc:
+            if value is not None and not quantity.minutes:
                 assert shown(value).replace("-", "−") in text
 
 

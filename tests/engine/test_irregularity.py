@@ -22,7 +22,7 @@ from kurbel.drive.crank import Crank
 from kurbel.engine import irregularity
 from kurbel.engine.engine import Engine, Steam
 from kurbel.engine.irregularity import delta
-from kurbel.engine.request import ENGINE_METHODS
+from kurbel.engine.quantities import ENGINE_METHODS
 from kurbel.engine.turn import turn_of
 from kurbel.errors import ChoiceError, KurbelError, NotationError, ProblemError
 from kurbel.kernel import irregularity as kernel

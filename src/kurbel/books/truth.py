@@ -193,15 +193,16 @@ def _engine_truth(
     back: Fraction | None = None,
     stroke: str = "turn",
 ) -> Truth:
-    from kurbel.engine.quantities import SPANS, Where, engine_registry
+    from kurbel.engine.quantities import SPANS, Where, applies, engine_registry
+    from kurbel.engine.quantities import value as value_of
 
     quantity, spans = engine_registry()[key], {name: span for span, (name, _) in SPANS.items()}
     where, turn = Where(spans[choose(stroke, spans, "stroke")]), engine_turn(ratio, epsilon, back, method)
-    if not quantity.applies(where):
+    if not applies(quantity, where):
         raise NotationError(f"{key} is no quantity of {stroke}")
 
     def value() -> Any:
-        found = quantity.value(turn, where)
+        found = value_of(quantity, turn, where)
         return ball(found) if isinstance(found, Fraction) else found
 
     return Truth(value)
@@ -212,7 +213,7 @@ def engine_turn(ratio: Fraction, epsilon: Fraction, back: Fraction | None, metho
     """Return the turn of an engine by a method."""
     from kurbel.drive.crank import Crank
     from kurbel.engine.engine import Engine, Steam
-    from kurbel.engine.request import ENGINE_METHODS
+    from kurbel.engine.quantities import ENGINE_METHODS
     from kurbel.engine.turn import turn_of
 
     choose(method, ENGINE_METHODS, "method")

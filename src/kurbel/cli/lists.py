@@ -69,7 +69,8 @@ def quantities(lang: str) -> None:
     """List the quantities that columns can show, with their units and the commands that print them."""
     from kurbel.balance.harmonics_page import quantities as harmonics_registry
     from kurbel.balance.request import balance_registry
-    from kurbel.engine.quantities import COMMANDS_OF, engine_registry
+    from kurbel.engine.page import printed_by
+    from kurbel.engine.quantities import engine_registry
     from kurbel.linkage.beam import registry as beam_registry
     from kurbel.linkage.quantities import arc_registry, parallel_registry
     from kurbel.motion.evaluation import NEEDS
@@ -86,7 +87,7 @@ def quantities(lang: str) -> None:
         rows.append((key, quantity.full_name(lang), quantity.plain_unit(lang), options))
     for key, one in engine_registry().items():
         name = f"{one.name[lang]} {plain(one.symbol)}"
-        rows.append((key, name, plain(one.unit), COMMANDS_OF[one.scope]))
+        rows.append((key, name, one.plain_unit(lang), printed_by(one)))
     for key, beam in beam_registry().items():
         rows.append((key, f"{beam.name[lang]} {plain(beam.symbol)}", beam.plain_unit(lang), "deadcentres"))
     for key, harmonic in harmonics_registry().items():

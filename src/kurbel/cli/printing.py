@@ -16,7 +16,7 @@ from kurbel.formats.output import whole_file
 from kurbel.formats.registry import DEFAULT, FORMATS, for_suffix
 
 if TYPE_CHECKING:
-    from kurbel.page.build import Asked
+    from kurbel.page.question import Question
     from kurbel.page.table import Table
 
 # Shorter tables are done before a bar could be read.
@@ -59,7 +59,7 @@ def _format(given: Given) -> Format:
     return chosen
 
 
-def print_table(request: Asked, printing: Printing) -> None:
+def print_table(request: Question, printing: Printing) -> None:
     """Write the table in the format to the file, whole or not at all."""
     chosen = printing.format
     if not isinstance(chosen, RecordsFormat):

@@ -8,8 +8,8 @@ from kurbel.commands import parameters as option
 from kurbel.commands.cranks import ratios_of
 from kurbel.commands.options import Choice, Count, Option
 from kurbel.commands.subject import makes_table
-from kurbel.page.build import Asked
 from kurbel.page.layouts import layout_of
+from kurbel.page.question import Question
 from kurbel.reading.given import Exact, as_crank_angles, as_names, as_places, as_share
 
 Ratios = Annotated[
@@ -48,7 +48,7 @@ def harmonics_table(
     rounding: option.Rounding = "half-away",
     lang: option.Lang = "de",
     label: option.Label = "",
-) -> Asked:
+) -> Question:
     """Print the harmonics of the piston's motion: coefficients of cos φ, cos 2φ, cos 4φ, ...
 
     \b
@@ -123,7 +123,7 @@ def balance_table(
     rounding: option.Rounding = "half-away",
     lang: option.Lang = "de",
     label: option.Label = "",
-) -> Asked:
+) -> Question:
     """Print the free forces and moments of an engine by orders.
 
     \b

@@ -10,8 +10,8 @@ from kurbel.commands.machines import GivenRod, GivenSteam, Masses, engine_questi
 from kurbel.commands.options import Columns, Flag, Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.errors import ProblemError
-from kurbel.page.build import Asked
 from kurbel.page.layouts import layout_of
+from kurbel.page.question import Question
 from kurbel.reading import notation
 from kurbel.reading.given import (
     Exact,
@@ -65,7 +65,7 @@ def delta_table(
     rounding: option.Rounding = "half-away",
     lang: option.Lang = "de",
     label: option.Label = "",
-) -> Asked:
+) -> Question:
     """Print the degree of irregularity δ of a steam engine over the expansion ratio ε.
 
     \b
@@ -136,7 +136,7 @@ def turning_table(
     rounding: option.Rounding = "half-away",
     lang: option.Lang = "de",
     label: option.Label = "",
-) -> Asked:
+) -> Question:
     """Print the turning effort of a steam engine: tangential force and excess energy over the crank angle.
 
     \b
@@ -213,7 +213,7 @@ def flywheel_table(
     rounding: option.Rounding = "half-away",
     lang: option.Lang = "de",
     label: option.Label = "",
-) -> Asked:
+) -> Question:
     """Print the flywheel that keeps a steam engine even: energy swing, moment of inertia, mass.
 
     \b
@@ -265,7 +265,7 @@ def dead_centres_table(
     rounding: option.Rounding = "half-away",
     lang: option.Lang = "de",
     label: option.Label = "",
-) -> Asked:
+) -> Question:
     """Print the dead centres of a beam engine: angles μ and ν of the rod, their distance, the small paths.
 
     \b

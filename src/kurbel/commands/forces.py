@@ -19,8 +19,8 @@ from kurbel.commands.machines import (
 from kurbel.commands.options import Choice, LayoutName, Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.errors import ProblemError
-from kurbel.page.build import Asked
 from kurbel.page.layouts import layout, layout_of
+from kurbel.page.question import Question
 from kurbel.reading.given import Exact, as_force, as_names, as_number
 
 OF_ENGINES = ("crank forces", "machine")
@@ -120,7 +120,7 @@ def forces_table(
     rounding: option.Rounding = "half-away",
     lang: option.Lang = "de",
     label: option.Label = "",
-) -> Asked:
+) -> Question:
     """Print the forces of the crank drive: rod, guide, tangential and radial force, torque.
 
     Per unit piston force, under a force of so many newtons and with moving masses, or over the turn of a
@@ -212,7 +212,7 @@ def inertia_table(
     rounding: option.Rounding = "half-away",
     lang: option.Lang = "de",
     label: option.Label = "",
-) -> Asked:
+) -> Question:
     """Print the forces that the moving rod calls up at guide and crank pin, and the torque.
 
     Exact, by two masses at the pins that keep the centre of mass, and by the railway rule, 6/10 of the mass

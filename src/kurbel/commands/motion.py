@@ -14,8 +14,8 @@ from kurbel.commands.cranks import (
     of_other_mechanisms,
 )
 from kurbel.commands.subject import makes_table
-from kurbel.page.build import Asked
 from kurbel.page.layouts import layout_of
+from kurbel.page.question import Question
 from kurbel.reading.given import as_names
 
 
@@ -46,7 +46,7 @@ def table(
     rounding: option.Rounding = "half-away",
     lang: option.Lang = "de",
     label: option.Label = "",
-) -> Asked:
+) -> Question:
     """Print a table of piston path, velocity and acceleration.
 
     \b

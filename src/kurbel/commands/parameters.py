@@ -28,7 +28,7 @@ def _mechanisms() -> Iterable[str]:
 
 
 def _engine_methods() -> Iterable[str]:
-    from kurbel.engine.request import ENGINE_METHODS
+    from kurbel.engine.quantities import ENGINE_METHODS
 
     return ENGINE_METHODS
 

@@ -8,8 +8,8 @@ from kurbel.commands.cranks import arc_cranks, check_needed, cranks_of, mechanis
 from kurbel.commands.options import Columns, Option
 from kurbel.commands.subject import makes_table
 from kurbel.errors import NotationError, ProblemError
-from kurbel.page.build import Asked
 from kurbel.page.layouts import layout_of
+from kurbel.page.question import Question
 from kurbel.reading.given import as_names
 
 if TYPE_CHECKING:
@@ -52,7 +52,7 @@ def solve_table(
     rounding: option.Rounding = "half-away",
     lang: option.Lang = "de",
     label: option.Label = "",
-) -> Asked:
+) -> Question:
     """Print all crank angles of the turn at which a condition holds, on both strokes.
 
     Path, velocity and acceleration count on either stroke from the dead centre where it begins, in its

@@ -4,62 +4,102 @@ from __future__ import annotations
 
 import os
 from fractions import Fraction
+from functools import cached_property
+from typing import TYPE_CHECKING
 
-from kurbel.engine.engine import Diagram
+from kurbel.engine.engine import Diagram, Steam
 from kurbel.engine.quantities import SPANS
-from kurbel.engine.request import EngineRequest
 from kurbel.exact.numerals import Label, Number, finite_decimals, nearest
+from kurbel.page.angles import angle_decimals, angle_number
 from kurbel.page.arrange import Axis, Place
+from kurbel.page.quantity import words
+from kurbel.page.table import Field
 from kurbel.reading.notation import plain, ratio_text
 
-CARD = {"de": "Diagramm", "en": "Card"}
-HEADING = {"de": "Expansionsverhältnis $ε$", "en": "Expansion ratio $ε$"}
+if TYPE_CHECKING:
+    from kurbel.engine.request import EngineRequest
+
+CARD = words("Diagramm|Card")
+EXPANSION = words("Expansionsverhältnis|Expansion ratio")
+STROKE = words("Hub|Stroke")
+TARGET = words("Ungleichförmigkeitsgrad, zulässiger|Degree of irregularity allowed")
 
 
 class ExpansionAxis(Axis):
-    """The expansion ratios ε, or the one indicator card."""
+    """The expansion ratios ε, or the one indicator card, which stands in their place."""
 
     def __init__(self, request: EngineRequest) -> None:
         super().__init__(len(request.steams))
-        self.request = request
+        self.request, self.lang = request, request.lang
+        self.key = "card" if request.carded else "epsilon"
+
+    @cached_property
+    def decimals(self) -> int | None:
+        """How many decimals write every ε exactly, None if no number of them does, and of cards."""
+        expansions = [steam.expansion for steam in self.request.steams if isinstance(steam, Steam)]
+        return angle_decimals(expansions) if expansions else None
+
+    def field(self) -> Field:
+        if self.request.carded:
+            return Field("card", CARD[self.lang])
+        return Field("epsilon", EXPANSION[self.lang], "$ε$", "", self.decimals)
+
+    def value(self, place: Place) -> Number | Label:
+        steam = self.request.steams[place["expansion"]]
+        if self.decimals is None or isinstance(steam, Diagram):
+            return expansion_label(self.request, place["expansion"])
+        return nearest(steam.expansion, self.decimals)
+
+    stub = value
 
     def stub_heading(self) -> Label:
-        layout, lang = self.request.layout, self.request.lang
         if self.request.carded:
-            return CARD[lang]
-        return layout.stub_heading("expansion", HEADING[lang], lang)
+            return CARD[self.lang]
+        return self.request.layout.stub_heading("expansion", f"{EXPANSION[self.lang]} $ε$", self.lang)
 
     def heads(self, place: Place) -> tuple[Label, ...]:
         return (expansion_label(self.request, place["expansion"]),)
 
-    def stub(self, place: Place) -> Number | Label:
-        return expansion_value(self.request, place["expansion"])
-
     def over_group(self, place: Place) -> Label:
-        label = self.heads(place)[0]
-        return label if self.request.carded else f"$ε = {label.strip('$')}$"
+        return named_expansion(self.request, place["expansion"])
 
 
 class StrokeAxis(Axis):
     """Outstroke, return stroke and the whole turn, as far as they have extremes of their own."""
 
+    key = "stroke"
+
     def __init__(self, request: EngineRequest) -> None:
         super().__init__(len(request.spans))
-        self.request = request
+        self.spans, self.lang = request.spans, request.lang
+
+    def field(self) -> Field:
+        return Field("stroke", STROKE[self.lang])
+
+    def value(self, place: Place) -> str:
+        return SPANS[self.spans[place["stroke"]]][0]
 
     def heads(self, place: Place) -> tuple[Label, ...]:
-        return (SPANS[self.request.spans[place["stroke"]]][1][self.request.lang],)
+        return (SPANS[self.spans[place["stroke"]]][1][self.lang],)
 
 
 class TargetAxis(Axis):
     """The degrees of irregularity that flywheels are to keep."""
 
+    key = "target"
+
     def __init__(self, request: EngineRequest) -> None:
         super().__init__(len(request.flywheels))
-        self.request = request
+        self.targets, self.lang = [one.irregularity for one in request.flywheels], request.lang
+
+    def field(self) -> Field:
+        return Field("target", TARGET[self.lang], "$δ$")
+
+    def value(self, place: Place) -> Number:
+        return angle_number(self.targets[place["target"]], None)
 
     def heads(self, place: Place) -> tuple[Label, ...]:
-        return (irregularity_label(self.request.flywheels[place["target"]].irregularity),)
+        return (irregularity_label(self.targets[place["target"]]),)
 
 
 def irregularity_label(irregularity: Fraction) -> Label:
@@ -73,17 +113,12 @@ def expansion_label(request: EngineRequest, index: int) -> Label:
     steam = request.steams[index]
     if isinstance(steam, Diagram):
         return os.path.basename(steam.card.name).replace("$", "\\$")
-    return f"${expansion_text(steam.expansion)}$"
+    shown = plain(steam.expansion)
+    exact = f"{steam.expansion.numerator}/{steam.expansion.denominator}"
+    return f"${shown if len(shown) <= 8 else exact}$"
 
 
-def expansion_value(request: EngineRequest, index: int) -> Number | Label:
-    """Return ε as a number with as many decimals as all of the page need, where there are such."""
-    steam, decimals = request.steams[index], request.expansion_decimals
-    if decimals is None or isinstance(steam, Diagram):
-        return expansion_label(request, index)
-    return nearest(steam.expansion, decimals)
-
-
-def expansion_text(expansion: Fraction) -> str:
-    shown = plain(expansion)
-    return shown if len(shown) <= 8 else f"{expansion.numerator}/{expansion.denominator}"
+def named_expansion(request: EngineRequest, index: int) -> Label:
+    """Return ε with its letter; of a card its name."""
+    label = expansion_label(request, index)
+    return label if request.carded else f"$ε = {label.strip('$')}$"

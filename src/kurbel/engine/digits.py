@@ -8,12 +8,12 @@ from math import ceil, floor, log10
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.drive.crank_forces import CRANK_FORCES
-from kurbel.engine.quantities import AT_ANGLE, SCALES, EngineQuantity, Where
-from kurbel.engine.request import EngineColumn
-from kurbel.engine.ties import TIES
+from kurbel.engine.quantities import AT_ANGLE, EXTREMES, AnyTurn, Where, engine_registry, value
 from kurbel.engine.turn import Turn, at_bits
+from kurbel.errors import CardError
 from kurbel.exact.certify import NEVER_TIES, TieBits, rounded
 from kurbel.exact.numerals import Number, finite_decimals, nearest
+from kurbel.page.quantity import Column, Quantity, bare
 
 if TYPE_CHECKING:
     from kurbel.engine.card_turn import CardTurn
@@ -28,31 +28,35 @@ CLEAN = 8
 SWINGS = ("swing_share", "swing", "inertia", "mass")
 
 
-def settled(
-    column: EngineColumn, turns: tuple[Turn, ...], where: Where, rounding: str, unit: int = 1
-) -> Number:
+def settled(column: Column, turns: tuple[Turn, ...], where: Where, rounding: str, unit: int = 1) -> Number:
     """Return the column's value times `unit` at a place, rounded correctly; of two turns the difference."""
 
-    def value() -> Any:
-        first, *others = (column.quantity.value(turn, where) for turn in turns)
-        return unit * (first - others[0] if others else first)
+    def shown() -> Any:
+        return _shown(column, turns, where, unit)
 
     decimals = column.decimals
     if column.quantity.decimals is None:
-        near = at_bits(ESTIMATE_BITS, value)
+        near = at_bits(ESTIMATE_BITS, shown)
         if isinstance(near, Fraction):
             return _given(near, decimals, rounding)
         decimals = _decimals(float(near)) if decimals is None else decimals
     assert decimals is not None
-    return Number(rounded(value, decimals, rounding, _ties(column, turns, where, unit)), decimals)
+    return Number(rounded(shown, decimals, rounding, _ties(column, turns, where, unit)), decimals)
 
 
-def _ties(column: EngineColumn, turns: tuple[Turn, ...], where: Where, unit: int) -> TieBits | None:
-    ties = TIES.get(column.quantity.key)
+def _ties(column: Column, turns: tuple[Turn, ...], where: Where, unit: int) -> TieBits | None:
+    ties = column.quantity.ties
     if ties is None or len(turns) > 1:
         return NEVER_TIES
     assert unit == 1
-    return ties(turns[0], where.half_turns)
+    bits: TieBits = ties(turns[0], where.half_turns)
+    return bits
+
+
+def _shown(column: Column, turns: Sequence[AnyTurn], where: Where, unit: int) -> Any:
+    """The column's value times `unit`; of two turns their difference."""
+    first, *others = (value(column.quantity, turn, where) for turn in turns)
+    return unit * (first - others[0] if others else first)
 
 
 class Estimate(NamedTuple):
@@ -62,25 +66,23 @@ class Estimate(NamedTuple):
     error: float
 
 
-def estimate(column: EngineColumn, turns: Sequence[CardTurn], where: Where, unit: int = 1) -> Estimate:
+def estimate(column: Column, turns: Sequence[CardTurn], where: Where, unit: int = 1) -> Estimate:
     """Return the column's value times `unit` from an indicator card; a fraction is exact."""
 
-    def value(versions: Sequence[CardTurn]) -> Any:
-        first, *others = (column.quantity.value(turn, where) for turn in versions)
-        return unit * (first - others[0] if others else first)
-
-    best = value(turns)
+    best = _shown(column, turns, where, unit)
     if isinstance(best, Fraction):
         return Estimate(best, 0.0)
     quantity = column.quantity
-    if quantity.arc:
-        errors = (turn.place_error(bool(quantity.greatest), where.stroke) for turn in turns)
+    if quantity.minutes:
+        errors = (turn.place_error(EXTREMES[quantity.of], where.stroke) for turn in turns)
         return Estimate(best, unit * 180 * sum(errors))
-    if quantity.scope == "crank":
+    if quantity.of == "crank":
         key = quantity.key.removesuffix("_n")
         of_force = sum(turn.crank_force_error(CRANK_FORCES[key], where.half_turns) for turn in turns)
         return Estimate(best, unit * _newtons(quantity, turns[0]) * of_force + FLOAT_ERROR * (abs(best) + 1))
-    coarser = [value(versions) for versions in zip(*(turn.coarser for turn in turns), strict=True)]
+    coarser = [
+        _shown(column, halves, where, unit) for halves in zip(*(turn.coarser for turn in turns), strict=True)
+    ]
     # A difference may vanish by chance: what the work allows and what it shows, whichever is more.
     shown = max(abs(best - other) for other in coarser)
     allowed = unit * sum(_sensitivity(quantity, turn, best) * turn.work_apart for turn in turns)
@@ -92,7 +94,7 @@ def estimate(column: EngineColumn, turns: Sequence[CardTurn], where: Where, unit
 
 
 def estimated(
-    column: EngineColumn, turns: tuple[CardTurn, ...], where: Where, rounding: str, unit: int = 1
+    column: Column, turns: tuple[CardTurn, ...], where: Where, rounding: str, unit: int = 1
 ) -> Number | None:
     """Return the same to as many decimals as the card supports, None if not one figure."""
     best, error = estimate(column, turns, where, unit)
@@ -100,10 +102,20 @@ def estimated(
         return _given(best, column.decimals, rounding)
     wanted = _decimals(best) if column.decimals is None else column.decimals
     supported = min(wanted, floor(-log10(2 * error)))
-    lost = column.quantity.scope not in AT_ANGLE and error > abs(best)
-    if lost or (column.quantity.arc and supported < 0):
+    lost = column.quantity.of not in AT_ANGLE and error > abs(best)
+    if lost or (column.quantity.minutes and supported < 0):
         return None
     return _to_place(Fraction(best), supported, rounding)
+
+
+def check_card(turn: CardTurn, rounding: str) -> None:
+    """Raise CardError for a card that supports not one figure of the mean force."""
+    mean = engine_registry()["mean_force"]
+    if estimated(bare(mean, turn.method, mean.decimals), (turn,), Where(), rounding) is None:
+        raise CardError(
+            f"{turn.diagram.card.name}: the points are too few or scatter too much for one figure of the mean"
+            " force; give a smoother card, or look for a mistyped pressure"
+        )
 
 
 def error_number(error: float) -> Number:
@@ -114,18 +126,18 @@ def error_number(error: float) -> Number:
     return Number(ceil(error * 10**decimals), decimals)
 
 
-def _sensitivity(quantity: EngineQuantity, turn: CardTurn, value: float) -> float:
+def _sensitivity(quantity: Quantity, turn: CardTurn, value: float) -> float:
     """How far the quantity is off where the work of a stroke is off by 1."""
     work = 2 * len(turn.engine.cranks)
     # An extreme energy 2 A - P α errs by the work twice; δ is the difference of two of them over P.
     irregularity = (4 + 0.64 * turn.irregularity()) * work / 2 / turn.mean_force()
-    if quantity.scope == "flywheel":
+    if quantity.of == "flywheel":
         return irregularity / turn.irregularity() * value if quantity.key in SWINGS else 0.0
     return {"delta": irregularity, "mean_force": work}.get(quantity.key, 2 * work * _newtons(quantity, turn))
 
 
-def _newtons(quantity: EngineQuantity, turn: CardTurn) -> float:
-    return float(SCALES[str(quantity.unit)](turn)) if quantity.needs in ("load", "torque") else 1.0
+def _newtons(quantity: Quantity, turn: CardTurn) -> float:
+    return float(quantity.scale(turn)) if quantity.scale else 1.0
 
 
 def _to_place(value: Fraction, decimals: int, rounding: str) -> Number | None:

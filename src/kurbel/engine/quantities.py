@@ -1,13 +1,17 @@
 """What a table of an engine can show: each quantity with its symbol, unit and evaluation.
 
-Each is a number of a turn: of a stroke of it, of the whole turn, at a crank angle, or of a flywheel.
+Each is a number of a turn: of a stroke of it, of the whole turn, at a crank angle, or of a flywheel. Its
+kernel takes the turn and where in it, and returns a number of the turn's kind or, where it is rational, a
+fraction. What it is `of`: a turn, a stroke, "least" or "greatest" (the extremes of the speed, in a stroke or
+in the turn), an angle (of all cranks), a crank (the first one, at an angle) or a flywheel. It `needs` an
+ideal card, "steam", the "load" or the "torque" that makes newtons, or the "radius" of the flywheel.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
-from functools import cache
+from functools import cache, partial
 from typing import Any, NamedTuple, Protocol
 
 from kurbel.drive.crank_forces import CRANK_FORCES, CrankForce
@@ -15,14 +19,42 @@ from kurbel.drive.flywheel import Flywheel
 from kurbel.exact.numerals import Label
 from kurbel.kernel import turning
 from kurbel.kernel.kinds import Number
+from kurbel.motion.evaluation import Method
+from kurbel.page.quantity import Formula, Quantity, Words, words
 
 # The spans of a turn that have extremes of their own.
 OUTSTROKE, RETURN_STROKE, WHOLE = 0, 1, None
-SPANS: Mapping[int | None, tuple[str, Mapping[str, str]]] = {
-    OUTSTROKE: ("outstroke", {"de": "Hingang", "en": "Outstroke"}),
-    RETURN_STROKE: ("return", {"de": "Rückgang", "en": "Return"}),
-    WHOLE: ("turn", {"de": "Umdrehung", "en": "Whole turn"}),
+SPANS: Mapping[int | None, tuple[str, Words]] = {
+    OUTSTROKE: ("outstroke", words("Hingang|Outstroke")),
+    RETURN_STROKE: ("return", words("Rückgang|Return")),
+    WHOLE: ("turn", words("Umdrehung|Whole turn")),
 }
+ENGINE_METHODS: Mapping[str, Method] = {
+    method.key: method
+    for method in (
+        Method(
+            "exact",
+            words("genaue Formeln|exact formulas, true extremes of the speed"),
+            words("genaue Formeln|exact formulas"),
+        ),
+        Method(
+            "series",
+            words("Näherung erster Ordnung|first-order motion of the piston, true extremes"),
+            words("Näherung erster Ordnung|first-order formulas"),
+        ),
+        Method(
+            "weisbach",
+            words("Weisbachs Gleichungen|first order, angles by the equations of § 150"),
+            words(
+                "nach Weisbachs Gleichungen für $α_1$ und $α_2$|by Weisbach's equations for $α_1$ and $α_2$"
+            ),
+        ),
+    )
+}
+# What the extremes of the speed are called, and which of them is the greatest.
+EXTREMES = {"least": False, "greatest": True}
+# What is of a crank angle has no least and no greatest place.
+AT_ANGLE = ("angle", "crank")
 
 
 class Peak(NamedTuple):
@@ -34,6 +66,8 @@ class Peak(NamedTuple):
 
 class AnyTurn(Protocol):
     """A turn of an engine, in balls or, of an indicator card, in floats with an error."""
+
+    method: str
 
     @property
     def pi(self) -> Number: ...
@@ -56,71 +90,112 @@ class Where(NamedTuple):
     flywheel: Flywheel | None = None
 
 
-# What is of a crank angle has no least and no greatest place.
-AT_ANGLE = ("angle", "crank")
-# Which command prints the quantities of a scope.
-COMMANDS_OF = {
-    "turn": "delta",
-    "span": "delta",
-    "stroke": "delta --detail",
-    "angle": "turning",
-    "crank": "forces",
-    "flywheel": "flywheel",
-}
-Value = Callable[[AnyTurn, Where], Any]
+def value(quantity: Quantity, turn: AnyTurn, where: Where) -> Any:
+    """Return the quantity in its unit, on the kind of number of the turn."""
+    found = quantity.formulas[turn.method].kernel(turn, where)
+    return found * quantity.scale(turn) if quantity.scale else found
 
 
-class EngineQuantity(NamedTuple):
-    """An entry of the registry. `scope` says of what it is: turn, stroke, span (both), angle (of
-    all cranks), crank (the first one, at an angle) or flywheel.
-
-    `arc` is an angle in degrees, printed in degrees and minutes; `decimals` None prints five figures. `needs`
-    names what must be known: an ideal card, "steam", or the "radius" of the flywheel. `greatest` is True for
-    the greatest and False for the least speed. The value is a number of the turn's kind or, where it is
-    rational, a fraction.
-    """
-
-    key: str
-    name: Mapping[str, str]
-    symbol: Label
-    unit: Label
-    scope: str
-    decimals: int | None
-    value: Value
-    arc: bool = False
-    needs: str = ""
-    greatest: bool | None = None
-
-    def applies(self, where: Where) -> bool:
-        if self.scope == "stroke":
-            return where.stroke is not WHOLE
-        return where.stroke is WHOLE or self.scope == "span"
+def applies(quantity: Quantity, where: Where) -> bool:
+    """Whether there is such a number of this span."""
+    if quantity.of == "stroke":
+        return where.stroke is not WHOLE
+    return where.stroke is WHOLE or quantity.of in EXTREMES
 
 
-# What makes newtons of a force in Q, and newton metres of its moment about the shaft.
-SCALES: Mapping[str, Callable[[AnyTurn], Number]] = {
-    "N": lambda turn: turn.force_unit(),
-    "N m": lambda turn: turn.force_unit() * turn.radius(),
-}
+@cache
+def engine_registry() -> Mapping[str, Quantity]:
+    """Return every quantity by its key, in the order in which `kurbel quantities` lists them."""
+    return {entry.key: entry for entry in (*_turn_entries(), *_flywheel_entries(), *_force_entries())}
 
 
-def _force(key: str, unit: str = "") -> Value:
-    def value(turn: AnyTurn, where: Where) -> Number:
-        force = turn.crank_force(CRANK_FORCES[key], where.half_turns)
-        return force * SCALES[unit](turn) if unit else force
+def _entry(
+    key: str, name: str, symbol: Label, unit: Label, of: str, decimals: int | None,
+    kernel: Callable[..., Any], **rest: Any,
+) -> Quantity:  # fmt: skip
+    return Quantity(
+        key=key,
+        name=words(name),
+        symbol=symbol,
+        unit=words(unit),
+        decimals=decimals,
+        formulas=dict.fromkeys(ENGINE_METHODS, Formula(kernel)),
+        heading=words(f"{symbol} in {unit}"),
+        spanners=(words(name),),
+        of=of,
+        **rest,
+    )
 
-    return value
+
+def _ties(rule: str, *force: CrankForce) -> Callable[..., Any]:
+    """Return a rule of ties.py, which needs ball arithmetic, by its name."""
+
+    def ties(turn: Any, half_turns: Fraction) -> Any:
+        from kurbel.engine import ties as rules
+
+        return getattr(rules, rule)(*force, turn, half_turns)
+
+    return ties
 
 
-def _degrees(half_turns: Number) -> Number:
-    return 180 * half_turns
+def _force_unit(turn: AnyTurn) -> Number:
+    """What makes newtons of a force in Q."""
+    return turn.force_unit()
+
+
+def _torque_unit(turn: AnyTurn) -> Number:
+    """What makes newton metres of the moment of a force in Q about the shaft."""
+    return turn.force_unit() * turn.radius()
+
+
+def _extreme(name: str, of: str, index: str) -> Iterator[Quantity]:
+    greatest = EXTREMES[of]
+    de, en = name.split("|")
+    yield _entry(
+        f"alpha_{index}", f"{de} bei|{en} at", f"$α_{1 + greatest}$", "°", of, 3,
+        lambda turn, where: 180 * turn.extreme(greatest, where.stroke).place, minutes=True,
+    )  # fmt: skip
+    yield _entry(
+        f"v_{index}", name, f'$v_"{index}"/v_1 - 1$', "$(Q r)/(m_1 v_1^2)$", of, 4,
+        lambda turn, where: turn.extreme(greatest, where.stroke).energy,
+    )  # fmt: skip
+
+
+def _turn_entries() -> Iterator[Quantity]:
+    yield _entry("delta", "Ungleichförmigkeitsgrad|Degree of irregularity", "$δ$", "$(P r)/(m_1 v_1^2)$",
+                 "turn", 3, lambda turn, where: turn.irregularity())  # fmt: skip
+    yield _entry("mean_force", "mittlere Umfangskraft|Mean tangential force", "$P$", "$Q$", "turn", 5,
+                 lambda turn, where: turn.mean_force())  # fmt: skip
+    yield _entry("back", "Gegendruck|Back pressure", "$R_b$", "$Q$", "turn", 4,
+                 lambda turn, where: turn.back(), needs="steam", ties=_ties("back_ties"))  # fmt: skip
+    yield _entry("exponent", "Exponent der Expansion|Exponent of the expansion", "$n$", "", "turn", None,
+                 lambda turn, where: turn.engine.ideal.exponent, needs="steam")  # fmt: skip
+    yield _entry("clearance", "schädlicher Raum|Clearance", "$κ$", "", "turn", None,
+                 lambda turn, where: turn.engine.ideal.clearance, needs="steam")  # fmt: skip
+    yield _entry("alpha_cutoff", "Absperrung bei|Cut-off at", "$α_ε$", "°", "stroke", 3,
+                 lambda turn, where: 180 * turn.cut_off(where.stroke), minutes=True, needs="steam",
+                 )  # fmt: skip
+    yield from _extreme("kleinste Geschwindigkeit|Least speed", "least", "min")
+    yield from _extreme("größte Geschwindigkeit|Greatest speed", "greatest", "max")
+    yield _entry("tangential", "Tangentialkraft|Tangential force", "$T$", "$Q$", "angle", 4,
+                 lambda turn, where: turn.tangential_force(where.half_turns),
+                 ties=_ties("force_ties"))  # fmt: skip
+    yield _entry("tangential_excess", "Überschuss über die mittlere|Excess over the mean", "$T - P$", "$Q$",
+                 "angle", 4,
+                 lambda turn, where: turn.tangential_force(where.half_turns) - turn.mean_force(),
+                 )  # fmt: skip
+    yield _entry("energy", "Überschussarbeit|Excess energy", "$W$", "$Q r$", "angle", 4,
+                 lambda turn, where: turn.energy_at(where.half_turns), ties=_ties("energy_ties"),
+                 direction=words("$W$ Arbeit des Überschusses seit dem inneren Totpunkt der ersten Kurbel"
+                                 "|$W$ work of the excess since the inner dead centre of the first crank"),
+                 )  # fmt: skip
 
 
 def _mean_torque(turn: AnyTurn, where: Where) -> Any:
     """P r in N m: of the power, rational where the speed is given in radians, or of the steam."""
     wheel = _flywheel(where)
     if wheel.power is None:
-        return turn.mean_force() * SCALES["N m"](turn)
+        return turn.mean_force() * _torque_unit(turn)
     turns = wheel.power / wheel.speed.value
     return turn.of(turns / 2) / turn.pi if wheel.speed.turns else turns
 
@@ -167,81 +242,82 @@ def _flywheel(where: Where) -> Flywheel:
     return where.flywheel
 
 
-_QR = "$(Q r)/(m_1 v_1^2)$"
-_ROWS: tuple[tuple[Any, ...], ...] = (
-    ("delta", "Ungleichförmigkeitsgrad|Degree of irregularity", "$δ$", "$(P r)/(m_1 v_1^2)$", "turn", 3,
-     lambda turn, where: turn.irregularity()),
-    ("mean_force", "mittlere Umfangskraft|Mean tangential force", "$P$", "$Q$", "turn", 5,
-     lambda turn, where: turn.mean_force()),
-    ("back", "Gegendruck|Back pressure", "$R_b$", "$Q$", "turn", 4, lambda turn, where: turn.back(),
-     False, "steam"),
-    ("exponent", "Exponent der Expansion|Exponent of the expansion", "$n$", "", "turn", None,
-     lambda turn, where: turn.engine.ideal.exponent, False, "steam"),
-    ("clearance", "schädlicher Raum|Clearance", "$κ$", "", "turn", None,
-     lambda turn, where: turn.engine.ideal.clearance, False, "steam"),
-    ("alpha_cutoff", "Absperrung bei|Cut-off at", "$α_ε$", "°", "stroke", 3,
-     lambda turn, where: _degrees(turn.cut_off(where.stroke)), True, "steam"),
-    ("alpha_min", "kleinste Geschwindigkeit bei|Least speed at", "$α_1$", "°", "span", 3,
-     lambda turn, where: _degrees(turn.extreme(False, where.stroke).place), True, "", False),
-    ("v_min", "kleinste Geschwindigkeit|Least speed", '$v_"min"/v_1 - 1$', _QR, "span", 4,
-     lambda turn, where: turn.extreme(False, where.stroke).energy, False, "", False),
-    ("alpha_max", "größte Geschwindigkeit bei|Greatest speed at", "$α_2$", "°", "span", 3,
-     lambda turn, where: _degrees(turn.extreme(True, where.stroke).place), True, "", True),
-    ("v_max", "größte Geschwindigkeit|Greatest speed", '$v_"max"/v_1 - 1$', _QR, "span", 4,
-     lambda turn, where: turn.extreme(True, where.stroke).energy, False, "", True),
-    ("tangential", "Tangentialkraft|Tangential force", "$T$", "$Q$", "angle", 4,
-     lambda turn, where: turn.tangential_force(where.half_turns)),
-    ("tangential_excess", "Überschuss über die mittlere|Excess over the mean", "$T - P$", "$Q$", "angle", 4,
-     lambda turn, where: turn.tangential_force(where.half_turns) - turn.mean_force()),
-    ("energy", "Überschussarbeit|Excess energy", "$W$", "$Q r$", "angle", 4,
-     lambda turn, where: turn.energy_at(where.half_turns)),
-    ("power", "Leistung|Power", "$N$", "W", "flywheel", None, _power),
-    ("speed", "Drehzahl|Speed", "$n$", '$"min"^(-1)$', "flywheel", None, _turns_a_minute),
-    ("omega", "Winkelgeschwindigkeit|Angular velocity", "$ω$", "rad/s", "flywheel", None, _speed),
-    ("mean_torque", "mittleres Drehmoment|Mean torque", "$P r$", "N m", "flywheel", None, _mean_torque),
-    ("swing_share", "Arbeitsüberschuss|Energy swing", "$(ΔW)/(P r)$", "", "flywheel", 4,
-     lambda turn, where: turn.irregularity()),
-    ("swing", "Arbeitsüberschuss|Energy swing", "$ΔW$", "J", "flywheel", None, _swing),
-    ("inertia", "Trägheitsmoment|Moment of inertia", "$J$", "kg m²", "flywheel", None, _inertia),
-    ("mass", "Schwungmasse am Halbmesser|Mass at the radius", "$J/ρ^2$", "kg", "flywheel", None, _mass,
-     False, "radius"),
-)  # fmt: skip
+def _flywheel_entries() -> Iterator[Quantity]:
+    swing = "Arbeitsüberschuss|Energy swing"
+    for key, name, symbol, unit, decimals, kernel, needs in (
+        ("power", "Leistung|Power", "$N$", "W", None, _power, ""),
+        ("speed", "Drehzahl|Speed", "$n$", '$"min"^(-1)$', None, _turns_a_minute, ""),
+        ("omega", "Winkelgeschwindigkeit|Angular velocity", "$ω$", "rad/s", None, _speed, ""),
+        ("mean_torque", "mittleres Drehmoment|Mean torque", "$P r$", "N m", None, _mean_torque, ""),
+        ("swing_share", swing, "$(ΔW)/(P r)$", "", 4, lambda turn, where: turn.irregularity(), ""),
+        ("swing", swing, "$ΔW$", "J", None, _swing, ""),
+        ("inertia", "Trägheitsmoment|Moment of inertia", "$J$", "kg m²", None, _inertia, ""),
+        ("mass", "Schwungmasse am Halbmesser|Mass at the radius", "$J/ρ^2$", "kg", None, _mass, "radius"),
+    ):
+        yield _entry(key, name, symbol, unit, "flywheel", decimals, kernel, needs=needs)
 
 
-@cache
-def engine_registry() -> Mapping[str, EngineQuantity]:
-    """Return every quantity by its key, in the order in which `kurbel quantities` lists them."""
-    entries = {}
-    for key, name, *rest in _ROWS:
-        de, en = name.split("|")
-        entries[key] = EngineQuantity(key, {"de": de, "en": en}, *rest)
-    return entries | {entry.key: entry for entry in _force_entries()}
+class _Force(NamedTuple):
+    """A force of CRANK_FORCES in print. A `framed` one counts in the frame of the outstroke."""
+
+    name: str
+    letter: str
+    direction: Words | None = None
+    framed: bool = False
 
 
-_FORCE_NAMES = {
-    "piston_force": ("Kolbenkraft|Piston force", "F"),
-    "rod_force": ("Stangenkraft|Rod force", "S"),
-    "guide_force": ("Führungsdruck|Guide force", "N"),
-    "crosshead_pin_force": ("Kraft am Kreuzkopfzapfen|Crosshead-pin force", "B"),
-    "crank_pin_force": ("Kraft am Kurbelzapfen|Crank-pin force", "K"),
-    "tangential_force": ("Tangentialkraft|Tangential force", "T"),
-    "radial_force": ("Radialkraft|Radial force", "Z"),
-    "bearing_along": ("Lagerkraft längs|Bearing force along", "H_x"),
-    "bearing_across": ("Lagerkraft quer|Bearing force across", "H_y"),
-    "bearing_force": ("Lagerkraft|Bearing force", "H"),
-}
+_BEARING = words(
+    "$H$ auf das Hauptlager, von dieser Kurbel allein|$H$ on the main bearing, of this crank alone"
+)
+# In the order in which pages say their directions. S is a thrust or a pull, which a direction in the frame
+# does not say.
+FORCES: Mapping[str, _Force] = {
+    "piston_force": _Force("Kolbenkraft|Piston force", "F", framed=True),
+    "guide_force": _Force(
+        "Führungsdruck|Guide force", "N", words("$N$ auf den Kreuzkopf|$N$ on the crosshead"), framed=True
+    ),
+    "rod_force": _Force(
+        "Stangenkraft|Rod force", "S",
+        words("$S$ am Kreuzkopf, positiv als Druck|$S$ at the crosshead, positive as thrust"),
+    ),
+    "crosshead_pin_force": _Force(
+        "Kraft am Kreuzkopfzapfen|Crosshead-pin force", "B",
+        words("$B$ Betrag am Kreuzkopfzapfen|$B$ magnitude at the crosshead pin"),
+    ),
+    "crank_pin_force": _Force(
+        "Kraft am Kurbelzapfen|Crank-pin force", "K",
+        words("$K$ Betrag am Kurbelzapfen|$K$ magnitude at the crank pin"),
+    ),
+    "tangential_force": _Force(
+        "Tangentialkraft|Tangential force", "T", words("$T$ in der Drehrichtung|$T$ as the crank turns")
+    ),
+    "radial_force": _Force(
+        "Radialkraft|Radial force", "Z", words("$Z$ nach der Welle hin|$Z$ towards the shaft")
+    ),
+    "bearing_along": _Force("Lagerkraft längs|Bearing force along", "H_x", _BEARING, framed=True),
+    "bearing_across": _Force("Lagerkraft quer|Bearing force across", "H_y", _BEARING, framed=True),
+    "bearing_force": _Force("Lagerkraft|Bearing force", "H", _BEARING),
+}  # fmt: skip
 
 
-def _force_entries() -> Iterator[EngineQuantity]:
-    for key, (name, letter) in _FORCE_NAMES.items():
-        de, en = name.split("|")
-        names, symbol = {"de": de, "en": en}, f"${letter}$"
-        yield EngineQuantity(key, names, symbol, "$Q$", "crank", 4, _force(key))
-        yield EngineQuantity(f"{key}_n", names, symbol, "N", "crank", 1, _force(key, "N"), needs="load")
-    names = {"de": "Drehmoment", "en": "Torque"}
-    yield EngineQuantity("torque_nm", names, "$M_d$", "N m", "angle", 1, _torque, needs="torque")
+def _force_entries() -> Iterator[Quantity]:
+    for key, acting in CRANK_FORCES.items():
+        one = FORCES[key]
+        in_steam = _entry(
+            key, one.name, f"${one.letter}$", "$Q$", "crank", 4, partial(_crank_force, acting),
+            direction=one.direction, ties=_ties("crank_force_ties", acting),
+        )  # fmt: skip
+        yield in_steam
+        yield in_steam._replace(
+            key=f"{key}_n", unit=words("N"), decimals=1, heading=words(f"{in_steam.symbol} in N"),
+            scale=_force_unit, needs="load", ties=_ties("newton_ties", acting),
+        )  # fmt: skip
+    yield _entry(
+        "torque_nm", "Drehmoment|Torque", "$M_d$", "N m", "angle", 1,
+        lambda turn, where: turn.tangential_force(where.half_turns), scale=_torque_unit, needs="torque",
+        direction=words("$M_d$ an der Welle|$M_d$ on the shaft"),
+    )  # fmt: skip
 
 
-def _torque(turn: AnyTurn, where: Where) -> Number:
-    """The torque of all cranks on the shaft."""
-    return turn.tangential_force(where.half_turns) * SCALES["N m"](turn)
+def _crank_force(force: CrankForce, turn: AnyTurn, where: Where) -> Number:
+    return turn.crank_force(force, where.half_turns)

@@ -2,67 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
-from typing import NamedTuple
+from functools import cached_property, lru_cache
+from typing import TYPE_CHECKING
 
 from kurbel.drive.crank import Crank, check_angles
 from kurbel.drive.flywheel import Flywheel
 from kurbel.engine.engine import MOST_CRANKS, Diagram, Engine, Load, Steam
-from kurbel.engine.quantities import OUTSTROKE, RETURN_STROKE, WHOLE, EngineQuantity, engine_registry
+from kurbel.engine.quantities import ENGINE_METHODS, OUTSTROKE, RETURN_STROKE, WHOLE, Where
 from kurbel.errors import ProblemError
-from kurbel.exact.numerals import Label
-from kurbel.motion.evaluation import Method
-from kurbel.page.angles import angle_decimals
-from kurbel.page.layouts import Layout, LayoutColumn
-from kurbel.page.sheet import Sheet
+from kurbel.page.arrange import Place
+from kurbel.page.layouts import LayoutColumn
+from kurbel.page.quantity import Column, Quantity, words
+from kurbel.page.question import Question
+from kurbel.page.table import Field
 from kurbel.reading.choices import choose
-from kurbel.reading.notation import MOST_ROWS
 
-ENGINE_METHODS: Mapping[str, Method] = {
-    method.key: method
-    for method in (
-        Method(
-            "exact",
-            {"de": "genaue Formeln", "en": "exact formulas, true extremes of the speed"},
-            {"de": "genaue Formeln", "en": "exact formulas"},
-        ),
-        Method(
-            "series",
-            {"de": "Näherung erster Ordnung", "en": "first-order motion of the piston, true extremes"},
-            {"de": "Näherung erster Ordnung", "en": "first-order formulas"},
-        ),
-        Method(
-            "weisbach",
-            {"de": "Weisbachs Gleichungen", "en": "first order, angles by the equations of § 150"},
-            {
-                "de": "nach Weisbachs Gleichungen für $α_1$ und $α_2$",
-                "en": "by Weisbach's equations for $α_1$ and $α_2$",
-            },
-        ),
-    )
-}
+if TYPE_CHECKING:
+    from kurbel.engine.card_turn import CardTurn
+    from kurbel.engine.turn import Turn
+
 # What pages of a run of crank angles are about.
 OVER_ANGLE = ("turning", "crank forces", "machine")
-# The quantities that a page can show, by what it is about.
-SCOPES: Mapping[str, tuple[str, ...]] = {
-    "irregularity": ("turn", "span"),
-    "strokes": ("turn", "span", "stroke"),
-    "turning": ("angle", "turn"),
-    **dict.fromkeys(("crank forces", "machine"), ("crank", "angle")),
-    "flywheel": ("flywheel",),
-}
-# The keys of the axes in records, and on the command line.
-ENGINE_AXES: Mapping[str, tuple[str, ...]] = {
-    "irregularity": ("epsilon", "ratio"),
-    "strokes": ("epsilon", "ratio", "stroke"),
-    **dict.fromkeys(OVER_ANGLE, ("epsilon", "ratio", "phi")),
-    "flywheel": ("epsilon", "ratio", "target"),
-}
-
-
 # What a quantity needs to be known.
 UNKNOWN: Mapping[str, str] = {
     "steam": "an ideal card, with an expansion ratio",
@@ -70,21 +33,13 @@ UNKNOWN: Mapping[str, str] = {
     "load": "--bore and, but for a card, --pressure",
     "torque": "--stroke, --bore and, but for a card, --pressure",
 }
-
-
-class EngineColumn(NamedTuple):
-    """A column of the page with all choices made. `methods` are one, or two whose difference is shown."""
-
-    key: str
-    quantity: EngineQuantity
-    methods: tuple[str, ...]
-    decimals: int | None
-    spanners: tuple[Label, ...]
-    heading: tuple[Label, ...]
+# Turns take tens of kilobytes each, and records may be of a million engines. A page has its own at hand.
+KEPT_TURNS = 512
+DIFFERENCE = words(", Unterschied|, difference")
 
 
 @dataclass(frozen=True, kw_only=True)
-class EngineRequest(Sheet):
+class EngineRequest(Question):
     """What is asked for: the engines of all steams or cards (outer) and crank drives (inner).
 
     `double` and `cranks` are those of Engine. `methods` empty leaves them to the layout, or is exact.
@@ -99,30 +54,15 @@ class EngineRequest(Sheet):
     flywheels: tuple[Flywheel, ...] = ()
     load: Load | None = None
 
-    def __post_init__(self) -> None:
-        super().__post_init__()
+    def check(self) -> None:
         self._check_lists()
         check_angles(self.angles)
-        for method in self.methods:
-            choose(method, ENGINE_METHODS, "method")
-        if len(self.methods) > 1 and not self.layout.fixed:
-            compared = self.layout.subject in ("irregularity", "strokes")
-            raise ProblemError(
-                f"layout {self.layout.key} shows one method, and {len(self.methods)} were given;"
-                f" {'use --layout delta-verfahren' if compared else 'leave the others out'}"
-            )
-        if self.layout.subject in OVER_ANGLE and "weisbach" in self.methods:
-            raise ProblemError(
-                'method "weisbach" is about the angles of the extremes, which a turning effort has not;'
-                " use series"
-            )
+        self._check_methods()
         if self.carded and "expansion" in self.layout.across:
             raise ProblemError(
                 f"layout {self.layout.key} is over ε, which an indicator card does not have;"
                 " use --layout delta-detail"
             )
-        if len(self) > MOST_ROWS:
-            raise ProblemError(f"the table would have {len(self)} rows; at most 10^9 are allowed")
 
     def _check_lists(self) -> None:
         if not self.steams:
@@ -142,12 +82,20 @@ class EngineRequest(Sheet):
         if self.layout.subject == "flywheel" and not self.flywheels:
             raise ProblemError("no degree of irregularity was given; write one as 1:100")
 
-    def __len__(self) -> int:
-        """How many records there are."""
-        count = len(self.steams) * len(self.drives)
-        angles = dict.fromkeys(OVER_ANGLE, len(self.angles))
-        spans = {"strokes": len(self.spans), "flywheel": len(self.flywheels), **angles}
-        return count * spans.get(self.layout.subject, 1)
+    def _check_methods(self) -> None:
+        for method in self.methods:
+            choose(method, ENGINE_METHODS, "method")
+        if len(self.methods) > 1 and not self.layout.fixed:
+            compared = self.layout.subject in ("irregularity", "strokes")
+            raise ProblemError(
+                f"layout {self.layout.key} shows one method, and {len(self.methods)} were given;"
+                f" {'use --layout delta-verfahren' if compared else 'leave the others out'}"
+            )
+        if self.layout.subject in OVER_ANGLE and "weisbach" in self.methods:
+            raise ProblemError(
+                'method "weisbach" is about the angles of the extremes, which a turning effort has not;'
+                " use series"
+            )
 
     def engine(self, steam: int, drive: int) -> Engine:
         return Engine(
@@ -163,15 +111,25 @@ class EngineRequest(Sheet):
         return self.engine(0, 0)
 
     @cached_property
-    def angle_decimals(self) -> int | None:
-        """How many decimals write every crank angle exactly, None if no number of them does."""
-        return angle_decimals(self.angles)
+    def turn(self) -> Callable[[int, int, str], Turn | CardTurn]:
+        """Return the turn of an engine by a method; the latest ones are kept."""
+        return lru_cache(KEPT_TURNS)(self._turn)
 
-    @cached_property
-    def expansion_decimals(self) -> int | None:
-        """The same of every ε; None of cards."""
-        expansions = [steam.expansion for steam in self.steams if isinstance(steam, Steam)]
-        return angle_decimals(expansions) if expansions else None
+    def _turn(self, steam: int, drive: int, method: str) -> Turn | CardTurn:
+        from kurbel.engine.digits import check_card
+        from kurbel.engine.turn import Turn, turn_of
+
+        turn = turn_of(self.engine(steam, drive), method)
+        if not isinstance(turn, Turn):
+            check_card(turn, self.rounding)
+        return turn
+
+    def where(self, place: Place) -> Where:
+        return Where(
+            self.spans[place["stroke"]] if "stroke" in place else WHOLE,
+            self.angles[place["angle"]] / 180 if "angle" in place else Fraction(0),
+            self.flywheels[place["target"]] if "target" in place else None,
+        )
 
     @property
     def carded(self) -> bool:
@@ -187,55 +145,44 @@ class EngineRequest(Sheet):
         """The strokes have extremes of their own where one crank turns by one double-acting cylinder."""
         return (OUTSTROKE, RETURN_STROKE, WHOLE) if self.first.plain else (WHOLE,)
 
-    @cached_property
-    def page_columns(self) -> tuple[EngineColumn, ...]:
-        """The columns asked for, or the layout's own as far as they are known."""
-        own = {column.key: column for column in self.layout.columns}
-        shown = [column for column in self.layout.columns if self._shown(column)]
-        if not self.columns:
-            if not shown:
-                raise ProblemError(
-                    f"layout {self.layout.key} has no column by method {', '.join(self.methods)} for this"
-                    " engine; use exact or series"
-                )
-            return tuple(self._column(column) for column in shown)
-        axes = self.axis_keys
-        allowed = (*axes, *engine_column_keys(self.layout)[len(axes) :])
-        keys = [choose(key, allowed, "column") for key in self.columns]
-        chosen = [own.get(key, LayoutColumn(key, key)) for key in dict.fromkeys(keys) if key not in axes]
-        if not chosen:
-            example = (shown or self.layout.columns)[-1].key
-            raise ProblemError(f"there is no column beside the axes; add one, such as {example}")
-        for column in chosen:
-            missing = self._missing(engine_registry()[column.quantity])
-            if missing:
-                raise ProblemError(f"column {column.key} needs {missing}; leave it out, or give that")
-        return tuple(map(self._column, chosen))
-
-    @property
-    def mean_column(self) -> EngineColumn:
-        """The mean force, by the first method."""
-        quantity, methods = engine_registry()["mean_force"], (self.methods or ("exact",))[:1]
-        return EngineColumn("mean_force", quantity, methods, quantity.decimals, (), ())
-
     @property
     def axis_keys(self) -> tuple[str, ...]:
         """The keys of the axes in records: a card stands in the place of ε."""
-        keys = ENGINE_AXES[self.layout.subject]
+        keys = self.subject.axis_keys
         return ("card", *keys[1:]) if self.carded else keys
 
-    def _shown(self, column: LayoutColumn) -> bool:
+    def without_columns(self) -> str:
+        if not self.columns:
+            return (
+                f"layout {self.layout.key} has no column by method {', '.join(self.methods)} for this"
+                " engine; use exact or series"
+            )
+        shown = [column for column in self.layout.columns if self.shows(column)]
+        example = (shown or self.layout.columns)[-1].key
+        return f"there is no column beside the axes; add one, such as {example}"
+
+    def entry(self, key: str) -> Quantity:
+        one = super().entry(key)
+        if not self.layout.unit:
+            return one
+        # The page's last column has the units.
+        named = {lang: f"{name} {one.symbol}" for lang, name in one.name.items()}
+        return one._replace(spanners=(), heading=named)
+
+    def shows(self, column: LayoutColumn) -> bool:
         methods = _methods(column.method)
         if self.carded and "weisbach" in methods:
             return False
         asked = not methods or not self.methods or set(methods) <= set(self.methods)
-        if column.unless and not self._missing(engine_registry()[column.unless]):
-            return False
-        return asked and not self._missing(engine_registry()[column.quantity])
+        return asked and super().shows(column)
 
-    def _missing(self, quantity: EngineQuantity) -> str:
+    def missing(self, quantity: Quantity) -> str:
+        needed = self._unknown(quantity)
+        return f"column {quantity.key} needs {needed}; leave it out, or give that" if needed else ""
+
+    def _unknown(self, quantity: Quantity) -> str:
         """What the quantity needs and this engine does not have, nothing if it is known."""
-        if quantity.scope == "stroke" and not self.first.plain:
+        if quantity.of == "stroke" and not self.first.plain:
             return "one double-acting crank"
         unknown = {
             "steam": self.carded,
@@ -245,29 +192,12 @@ class EngineRequest(Sheet):
         }
         return UNKNOWN[quantity.needs] if unknown.get(quantity.needs) else ""
 
-    def _column(self, column: LayoutColumn) -> EngineColumn:
-        quantity, lang = engine_registry()[column.quantity], self.lang
-        decimals = quantity.decimals if column.decimals is None else column.decimals
-        name = quantity.name[lang]
-        down = "column" in self.layout.down
-        spanners = () if down else (f"{name}",)
-        heading = (f"{name} {quantity.symbol}",) if down else (f"{quantity.symbol} in {quantity.unit}",)
-        return EngineColumn(
-            column.key,
-            quantity,
-            _methods(column.method) or self.methods or ("exact",),
-            decimals if self.digits is None else self.digits,
-            spanners if column.spanners is None else tuple(one[lang] for one in column.spanners),
-            heading if column.heading is None else tuple(one[lang] for one in column.heading),
-        )
+    def methods_of(self, column: LayoutColumn) -> tuple[str, ...]:
+        return _methods(column.method) or self.methods or ("exact",)
 
-
-def engine_column_keys(layout: Layout) -> tuple[str, ...]:
-    """Return what --columns can choose from; a page whose heads state methods has only its own columns."""
-    scopes = SCOPES[layout.subject]
-    own = [column.key for column in layout.columns]
-    fitting = [key for key, quantity in engine_registry().items() if quantity.scope in scopes]
-    return tuple(dict.fromkeys((*ENGINE_AXES[layout.subject], *own, *([] if layout.fixed else fitting))))
+    def field(self, column: Column) -> Field:
+        own = super().field(column)
+        return own._replace(name=own.name + DIFFERENCE[self.lang]) if len(column.methods) > 1 else own
 
 
 def _methods(method: str | None) -> tuple[str, ...]:

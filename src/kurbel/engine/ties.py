@@ -4,19 +4,20 @@ At a rational angle the tangential force is algebraic, and so is the energy, but
 Mariotte's law, and for the moving masses. The logarithms' sum is V₁ ln Z with an algebraic Z: where Z is 1
 the energy is algebraic again, as at ε = 4, 90° and an infinite rod; elsewhere it is transcendental
 (Lindemann) and equals no printed number. What the masses add is in units of Q an algebraic multiple of π or
-of 1/π; where it is not zero, the whole is transcendental.
+of 1/π; where it is not zero, the whole is transcendental. Of roots of equations with π or logarithms no
+rational one is known: quantities made of them, or with the factor π, have no rule here.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
 from math import inf, lcm
 from typing import Any, NamedTuple
 
 import flint
 
-from kurbel.drive.crank_forces import CRANK_FORCES, CrankForce
+from kurbel.drive.crank_forces import CrankForce
 from kurbel.engine.engine import Engine
 from kurbel.engine.turn import MOTIONS, SIGNS, Turn, at_bits
 from kurbel.exact.certify import MOST_TIE_BITS, TieBits, ball, ball_circle, vanishes
@@ -94,59 +95,38 @@ def back_ties(turn: Turn, half_turns: Fraction) -> TieBits:
     return lambda boundary: float((back - Separation.rational(boundary)).bits())
 
 
-def crank_force_ties(key: str) -> Callable[[Turn, Fraction], TieBits]:
+def crank_force_ties(force: CrankForce, turn: Turn, half_turns: Fraction) -> TieBits:
     """Return the same for a force of the first crank in Q."""
-    force = CRANK_FORCES[key]
+    crank = next(_cranks(turn, half_turns))
 
-    def ties(turn: Turn, half_turns: Fraction) -> TieBits:
-        crank = next(_cranks(turn, half_turns))
+    def bits(boundary: Fraction) -> float:
+        if not _weightless(turn, crank, force):
+            return inf
+        circle, ratio = _place(turn, crank, _BOUNDS)
+        alone = _pressure_bounds(turn, crank) * force.bare(circle, ratio, None)
+        return float((alone - Separation.rational(boundary)).bits())
 
-        def bits(boundary: Fraction) -> float:
-            if not _weightless(turn, crank, force):
-                return inf
-            circle, ratio = _place(turn, crank, _BOUNDS)
-            alone = _pressure_bounds(turn, crank) * force.bare(circle, ratio, None)
-            return float((alone - Separation.rational(boundary)).bits())
-
-        return bits
-
-    return ties
+    return bits
 
 
-def newton_ties(key: str) -> Callable[[Turn, Fraction], TieBits]:
+def newton_ties(force: CrankForce, turn: Turn, half_turns: Fraction) -> TieBits:
     """Return the same in newtons: the steam's share has the factor π, that of the masses π² or none."""
-    force = CRANK_FORCES[key]
+    crank = next(_cranks(turn, half_turns))
 
-    def ties(turn: Turn, half_turns: Fraction) -> TieBits:
-        crank = next(_cranks(turn, half_turns))
+    def bits(boundary: Fraction) -> float:
+        drive = turn.engine.crank
+        if drive.moving is None or not _without_steam(turn, crank):
+            return inf
+        assert drive.speed is not None
+        assert drive.radius is not None
+        if drive.speed.turns:
+            return inf
+        weights = drive.moving.weights(_BOUNDS.of, _BOUNDS.of(drive.radius * drive.speed.value**2))
+        circle, ratio = _place(turn, crank, _BOUNDS)
+        alone = force.loaded(circle, ratio, weights, None, Separation.rational(0))
+        return float((alone - Separation.rational(boundary)).bits())
 
-        def bits(boundary: Fraction) -> float:
-            drive = turn.engine.crank
-            if drive.moving is None or not _without_steam(turn, crank):
-                return inf
-            assert drive.speed is not None
-            assert drive.radius is not None
-            if drive.speed.turns:
-                return inf
-            weights = drive.moving.weights(_BOUNDS.of, _BOUNDS.of(drive.radius * drive.speed.value**2))
-            circle, ratio = _place(turn, crank, _BOUNDS)
-            alone = force.loaded(circle, ratio, weights, None, Separation.rational(0))
-            return float((alone - Separation.rational(boundary)).bits())
-
-        return bits
-
-    return ties
-
-
-# By the key of the quantity. Of roots of equations with π or logarithms no rational one is known, nor of what
-# has the factor π: they have no entry.
-TIES: Mapping[str, Callable[[Turn, Fraction], TieBits]] = {
-    "tangential": force_ties,
-    "energy": energy_ties,
-    "back": back_ties,
-    **{key: crank_force_ties(key) for key in CRANK_FORCES},
-    **{f"{key}_n": newton_ties(key) for key in CRANK_FORCES},
-}
+    return bits
 
 
 def _pressure_bounds(turn: Turn, crank: _Crank) -> Separation:

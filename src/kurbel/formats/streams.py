@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING
 from kurbel.motion.digits import MOST_DECIMALS, largest
 from kurbel.motion.rows import CHUNK, RecordRows
 from kurbel.page.angles import angle_decimals, angle_number
-from kurbel.page.build import Asked, build
+from kurbel.page.build import build
+from kurbel.page.question import Question
 from kurbel.reading.notation import Progression, ratio_text
 
 if TYPE_CHECKING:
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
     from kurbel.formats.format import RecordsFormat
 
 
-def record_chunks(request: Asked, form: RecordsFormat, decimal: str) -> Iterator[bytes]:
+def record_chunks(request: Question, form: RecordsFormat, decimal: str) -> Iterator[bytes]:
     """Yield the table's records in a format, a chunk of rows at a time."""
     table = build(request, pages=False)
     rows = table.records.rows

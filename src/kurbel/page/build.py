@@ -2,46 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
-from importlib import import_module
 from itertools import product
-from typing import Any, Protocol
 
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, degrees_text
 from kurbel.page.arrange import Axis, Grid, Place, check_size, panels
-from kurbel.page.layouts import Layout
 from kurbel.page.quantity import Column
 from kurbel.page.question import Question
-from kurbel.page.subject import SUBJECTS
 from kurbel.page.table import Cell, Note, Panel, Records, Table, Value
 
-# By the subject of the layout: who makes pages that are not yet a Subject.
-BUILDERS: Mapping[str, str] = {
-    **dict.fromkeys(
-        ("irregularity", "strokes", "turning", "crank forces", "machine", "flywheel"),
-        "kurbel.engine.page:build_engine",
-    ),
-}
 
-
-class Asked(Protocol):
-    """What is asked for, whatever it is about: the layout, the language, how many records there are."""
-
-    @property
-    def layout(self) -> Layout: ...
-    @property
-    def lang(self) -> str: ...
-    def __len__(self) -> int: ...
-
-
-def build(question: Any, pages: bool = True) -> Table:
+def build(question: Question, pages: bool = True) -> Table:
     """Return the table that was asked for; without `pages` only its records, which need no memory."""
-    if question.layout.subject not in SUBJECTS:
-        module, _, name = BUILDERS[question.layout.subject].partition(":")
-        builder: Callable[[Asked, bool], Table] = getattr(import_module(module), name)
-        return builder(question, pages)
     about, layout = question.subject, question.layout
     return Table(
         key=question.key,

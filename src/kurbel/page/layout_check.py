@@ -10,7 +10,6 @@ from kurbel.errors import KurbelError, LayoutError
 from kurbel.page.folders import LANGUAGES, layout_names
 from kurbel.page.labels import Mark, parse
 from kurbel.page.layouts import SUBJECTS, Layout, LayoutColumn, layout
-from kurbel.page.subject import SUBJECTS as MOVED
 from kurbel.page.subject import subject
 from kurbel.reading import notation
 from kurbel.reading.choices import choose
@@ -84,11 +83,9 @@ def _faults_of_values(page: Layout) -> Iterator[tuple[Place, str]]:
 
 
 def _faults_of_columns(page: Layout) -> Iterator[tuple[Place, str]]:
-    if page.subject not in MOVED:
-        return
     about = subject(page.subject)
     quantities = about.quantities()
-    fitting = [*about.fitting(page, quantities)]
+    fitting = about.fitting()
     keys = [column.key for column in page.columns]
     if not keys:
         yield ("columns",), "columns is an empty list; it must have a column"
@@ -114,6 +111,8 @@ def _faults_of_heads(page: Layout, column: LayoutColumn, place: Place) -> Iterat
 
 def _methods(formulas: Iterable[str]) -> list[str]:
     known = [method for method in METHODS if method in formulas] or ["exact"]
+    if "weisbach" in known:
+        return [*known, *(f"exact-{other}" for other in known if other != "exact")]
     return [*known, *(["difference"] if {"exact", "series"} <= {*known} else [])]
 
 

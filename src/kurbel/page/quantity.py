@@ -32,17 +32,16 @@ class Formula(NamedTuple):
 class Quantity(NamedTuple):
     """An entry: what a column shows, all that is said of it, and how it is computed.
 
-    `symbol`, `unit`, `heading` and `spanners` are labels; a page whose quantities run down prints name and
-    symbol instead of spanners and heading. `part` sets it apart from others of its name: a stroke, a
-    direction, a model. `decimals` None prints five figures; with `minutes` pages print degrees and minutes
-    and records degrees to so many decimals.
+    `symbol`, `unit`, `heading` and `spanners` are labels. `part` sets it apart from others of its name: a
+    stroke, a direction, a model. `decimals` None prints five figures; with `minutes` pages print degrees and
+    minutes and records degrees to so many decimals.
 
     `formulas` are by method; `is_arc` tells that they take an arc of what is algebraic. `scale` makes the
     quantity's unit of the kernel's. `ties` is how near it can come to a rounding boundary where that is not
     the rule of its subject, and `bound` how far a float can lie from the true value, in units of the
-    subject's own bound. `needs` names what must be known of the
-    drive or the load, `of` what it is a number of: a turn, a stroke, an angle. `names` are those under which
-    conditions know it. `direction` says in which direction it counts.
+    subject's own bound. `needs` names what must be known of the drive or the load, `of` what it is a number
+    of: a turn, a stroke, an angle. `names` are those under which conditions know it. `direction` says in
+    which direction it counts.
     """
 
     key: str

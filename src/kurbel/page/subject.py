@@ -25,6 +25,12 @@ SUBJECTS: Mapping[str, str] = {
     "dead centres": "kurbel.linkage.beam_page:SUBJECT",
     "roots": "kurbel.solve.page:SUBJECT",
     "collation": "kurbel.books.collate_page:SUBJECT",
+    "irregularity": "kurbel.engine.page:IRREGULARITY",
+    "strokes": "kurbel.engine.page:STROKES",
+    "turning": "kurbel.engine.page:TURNING",
+    "crank forces": "kurbel.engine.page:CRANK_FORCES",
+    "machine": "kurbel.engine.page:MACHINE",
+    "flywheel": "kurbel.engine.page:FLYWHEEL",
     "harmonics": "kurbel.balance.harmonics_page:SUBJECT",
     "balance": "kurbel.balance.page:SUBJECT",
 }
@@ -42,21 +48,17 @@ def _alone(question: Any, column: Column) -> tuple[Column, ...]:
     return ()
 
 
-def _all(layout: Layout, quantities: Mapping[str, Quantity]) -> Iterable[str]:
-    return quantities
-
-
 @dataclass(frozen=True, kw_only=True)
 class Subject:
     """What pages of one kind are about, as data; grid, records, fields, keys and checks follow from it.
 
     `axes` by their names, outermost first, each made of the question; "column" is that of the quantities.
     `number` is what stands at a place, times a factor; the question keeps what it computed once. `layout` is
-    the default layout, `command` what prints its pages. `fitting` are the quantities that a layout can show
-    beside its own, which stand first in lists unless all come in the order of the quantities. `exists` leaves
-    out places that a grid has too many, `marks` are those of notes at a place, `beside` the columns that
-    follow one in records, `rows` the records where they are long or others than the page's, and `grid` the
-    page where it is that of another layout.
+    the default layout, `command` what prints its pages. `of` is what the quantities are numbers of that a
+    layout can show beside its own, all if it is empty; its own stand first in lists unless all come in the
+    order of the quantities. `exists` leaves out places that a grid has too many, `marks` are those of notes
+    at a place, `beside` the columns that follow one in records, `rows` the records where they are long or
+    others than the page's, and `grid` the page where it is that of another layout.
     """
 
     key: str
@@ -69,17 +71,21 @@ class Subject:
     caption: Callable[[Any], Label]
     notes: Callable[[Any], Iterable[Label | Note]]
     own_first: bool = True
-    fitting: Callable[[Layout, Mapping[str, Quantity]], Iterable[str]] = _all
+    of: tuple[str, ...] = ()
     exists: Callable[[Any, Place], bool] = _everywhere
     marks: Callable[[Any, Column, Place], tuple[str, ...]] = _no_marks
     beside: Callable[[Any, Column], tuple[Column, ...]] = _alone
     rows: Callable[[Any], Records] | None = None
     grid: Callable[[Any], tuple[Layout, Grid]] | None = None
 
+    def fitting(self) -> list[str]:
+        """Return the keys of the quantities that any layout can show."""
+        return [key for key, one in self.quantities().items() if not self.of or one.of in self.of]
+
     def column_keys(self, layout: Layout) -> tuple[str, ...]:
         """Return what --columns can choose from; a page whose heads state formulas has its own only."""
         own = [column.key for column in layout.columns]
-        others = [] if layout.fixed else [*self.fitting(layout, self.quantities())]
+        others = [] if layout.fixed else self.fitting()
         keys = [*own, *others] if self.own_first or layout.fixed else others
         return tuple(dict.fromkeys((*self.axis_keys, *keys)))
 

@@ -8,11 +8,12 @@ from itertools import product
 from math import ceil, floor
 from typing import TYPE_CHECKING, NamedTuple
 
-from kurbel.engine.axes import expansion_label
-from kurbel.engine.quantities import AnyTurn, EngineQuantity, Where
+from kurbel.engine.axes import named_expansion
+from kurbel.engine.quantities import AnyTurn, Where, value
 from kurbel.engine.request import EngineRequest
 from kurbel.engine.turn import Turn, turn_of
 from kurbel.exact.numerals import Label
+from kurbel.page.quantity import Quantity
 from kurbel.plot.panels import Trace, check_drawn, degrees, panels_of
 from kurbel.plot.plotting import Panel
 from kurbel.plot.polar import Vector
@@ -77,16 +78,13 @@ def engine_label(request: EngineRequest, steam: int, drive: int) -> Label:
     """Return what tells an engine from the others."""
     parts = []
     if len(request.steams) > 1:
-        label = expansion_label(request, steam)
-        parts.append(label if request.carded else f"$ε = {label.strip('$')}$")
+        parts.append(named_expansion(request, steam))
     if len(request.drives) > 1:
         parts.append(f"${request.layout.ratio_symbol} = {ratio_text(request.ratios[drive])}$")
     return ", ".join(parts)
 
 
-def course_of(
-    quantities: Sequence[EngineQuantity], turn: Turn | CardTurn, angles: Sequence[Fraction]
-) -> Course:
+def course_of(quantities: Sequence[Quantity], turn: Turn | CardTurn, angles: Sequence[Fraction]) -> Course:
     """Return quantities at the angles, and at the dead centres and the points of cut-off between them.
 
     At a dead centre the steam changes sides: there the first values are those before, the second those after.
@@ -119,26 +117,27 @@ def _turn(request: EngineRequest, steam: int, drive: int) -> Turn | CardTurn:
     return turn_of(request.engine(steam, drive), (request.methods or ("exact",))[0])
 
 
-def _trace(quantity: EngineQuantity, label: Label, turn: Turn | CardTurn, request: EngineRequest) -> Trace:
+def _trace(quantity: Quantity, label: Label, turn: Turn | CardTurn, request: EngineRequest) -> Trace:
     course, name = course_of((quantity,), turn, request.angles), quantity.name[request.lang]
-    heading, unit = _heading(quantity), quantity.unit
+    heading, unit = _heading(quantity), quantity.unit[request.lang]
     return Trace(name, heading, unit, _axis_unit(quantity), (label,), course.angles, course.values[0])
 
 
-def _heading(quantity: EngineQuantity) -> Label:
+def _heading(quantity: Quantity) -> Label:
     """Return $F$ of a force in N, $F/Q$ of one in Q."""
-    if not quantity.unit.startswith("$"):
+    unit = quantity.unit["en"]
+    if not unit.startswith("$"):
         return quantity.symbol
-    letter, unit = (f"({one})" if " " in one else one for one in (quantity.symbol[1:-1], quantity.unit[1:-1]))
+    letter, unit = (f"({one})" if " " in one else one for one in (quantity.symbol[1:-1], unit[1:-1]))
     return f"${letter}/{unit}$"
 
 
-def _axis_unit(quantity: EngineQuantity) -> Label:
-    return "" if quantity.unit.startswith("$") else quantity.unit
+def _axis_unit(quantity: Quantity) -> Label:
+    return "" if quantity.unit["en"].startswith("$") else quantity.unit["en"]
 
 
-def _values(quantities: Sequence[EngineQuantity], turn: AnyTurn, half_turns: Fraction) -> list[float]:
-    return [float(quantity.value(turn, Where(half_turns=half_turns))) for quantity in quantities]
+def _values(quantities: Sequence[Quantity], turn: AnyTurn, half_turns: Fraction) -> list[float]:
+    return [float(value(quantity, turn, Where(half_turns=half_turns))) for quantity in quantities]
 
 
 def _dead_centres(turn: Turn | CardTurn, first: Fraction, last: Fraction) -> Iterator[Fraction]:

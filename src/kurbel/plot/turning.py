@@ -7,9 +7,10 @@ from itertools import product
 from typing import TYPE_CHECKING
 
 from kurbel.engine.captions import inner
-from kurbel.engine.request import EngineColumn, EngineRequest
+from kurbel.engine.request import EngineRequest
 from kurbel.engine.turn import Turn, turn_of
 from kurbel.exact.numerals import Label
+from kurbel.page.quantity import Column
 from kurbel.plot.engine import course_of, engine_label
 from kurbel.plot.panels import check_drawn, degrees
 from kurbel.plot.plotting import Curve, Panel
@@ -45,10 +46,10 @@ def turning_panels(request: EngineRequest) -> list[Panel]:
     return [Panel(forces, heading), Panel(energies, _name(energy, request.lang))]
 
 
-def _name(column: EngineColumn, lang: str) -> Label:
+def _name(column: Column, lang: str) -> Label:
     return f"{column.quantity.name[lang]} {column.heading[0]}"
 
 
-def _curve(column: EngineColumn, label: Label, turn: Turn | CardTurn, request: EngineRequest) -> Curve:
+def _curve(column: Column, label: Label, turn: Turn | CardTurn, request: EngineRequest) -> Curve:
     course = course_of((column.quantity,), turn, request.angles)
     return Curve(label, course.angles, course.values[0])
