@@ -5,7 +5,7 @@
     PYTHON scripts/same_bytes.py list
 
 A recording holds the exit code, standard output and standard error of every command line, and the files that
-it wrote. `compare` shows what differs and ends with 1 if anything does.
+it wrote. `compare` shows what differs, but for what corpus/wanted.toml names, and then ends with 1.
 """
 
 from __future__ import annotations
@@ -21,7 +21,8 @@ import signal
 import sys
 import tempfile
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping
+import tomllib
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, chdir, redirect_stderr, redirect_stdout
 from difflib import unified_diff
 from pathlib import Path
@@ -49,8 +50,6 @@ def main() -> int:
     parser.add_argument("files", nargs="*", type=Path)
     parser.add_argument("--only", default="", metavar="REGEX", help="command lines with this")
     parser.add_argument("--sample", default=1, type=int, metavar="N", help="every Nth of them")
-    parser.add_argument("--except", dest="wanted", action="append", default=[], metavar="REGEX",
-                        help="compare: command lines whose differences are only counted")  # fmt: skip
     parser.add_argument("--lines", default=12, type=int, help="compare: lines shown of each difference")
     parser.add_argument("--shown", default=40, type=int, help="compare: differences shown")
     chosen = parser.parse_args()
@@ -240,12 +239,11 @@ def read(path: Path) -> Recording:
 def compare(old: Recording, new: Recording, chosen: argparse.Namespace) -> int:
     """Print what differs between two recordings; return 1 if there is something that is not wanted."""
     if old.inputs != new.inputs:
-        print(
-            "other files lay beside the commands of the two recordings; make both anew with the same scripts"
-        )
+        print("the two recordings were made with other files; make both anew with the same scripts/corpus")
+    changes = tomllib.loads((CORPUS / "wanted.toml").read_text(encoding="utf-8")).get("change", [])
     lines = [line for line in old.came if line in new.came and re.search(chosen.only, line)]
     different = [line for line in lines if old.came[line] != new.came[line]]
-    left = [line for line in different if not any(re.search(one, line) for one in chosen.wanted)]
+    left = [line for line in different if not is_wanted(old.came[line], new.came[line], changes)]
     for line in left[: chosen.shown]:
         print(f"\n$ {line}", *difference(old.came[line], new.came[line], chosen.lines), sep="\n")
     if len(left) > chosen.shown:
@@ -258,20 +256,28 @@ def compare(old: Recording, new: Recording, chosen: argparse.Namespace) -> int:
     return int(bool(left) or old.inputs != new.inputs or not lines)
 
 
+def is_wanted(old: Came, new: Came, changes: Sequence[Mapping[str, str]]) -> bool:
+    """Tell whether the wanted changes, each a pattern and what takes its place, make the new of the old."""
+    text = "\0".join(said(old))
+    for change in changes:
+        if re.search(change.get("lines", ""), old["line"]):
+            text = re.sub(change["old"], change["new"], text)
+    return text == "\0".join(said(new))
+
+
 def difference(old: Came, new: Came, most: int) -> list[str]:
     """Return the first lines of the difference, of all that came of a command line."""
-    lines = list(unified_diff([*said(old)], [*said(new)], "old", "new", n=1, lineterm=""))
+    texts = [[line for text in said(one) for line in text.split("\n")] for one in (old, new)]
+    lines = list(unified_diff(texts[0], texts[1], "old", "new", n=1, lineterm=""))
     return [line[:300] for line in lines[:most]] + ["..."] * (len(lines) > most)
 
 
 def said(one: Came) -> Iterator[str]:
-    """Yield the lines of a recorded outcome, each behind where it stood."""
+    """Yield the texts of a recorded outcome, each behind where it stood."""
     for code, out, err in one["runs"]:
-        yield f"exit code {code}"
-        yield from (f"out: {line}" for line in out.split("\n"))
-        yield from (f"err: {line}" for line in err.split("\n"))
+        yield from (f"exit code {code}", f"out: {out}", f"err: {err}")
     for name, content in one["files"].items():
-        yield from (f"{name}: {line}" for line in content.split("\n"))
+        yield f"{name}: {content}"
 
 
 if __name__ == "__main__":
