@@ -186,3 +186,12 @@ def test_a_new_format_is_a_folder(tmp_path: Path) -> None:
     assert "written" in said, said
     (page,) = (house.desk / "pages").rglob("*.adoc")
     assert ".Kolbenweg" in page.read_text(encoding="utf-8")
+
+
+def test_a_new_layout_is_a_folder(tmp_path: Path) -> None:
+    house = built("layout", tmp_path)
+    assert "| `hubwege` | Piston paths in strokes, ratios side by side |" in house.reference()
+    assert re.search(
+        r"^hubwege +Kolbenwege in Teilen des Hubes", house.kurbel("kurbel layouts"), re.MULTILINE
+    )
+    assert "in Teilen des Hubes" in house.handbook("table --layout hubwege")
