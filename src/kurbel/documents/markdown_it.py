@@ -10,14 +10,16 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from markdown_it import MarkdownIt
     from markdown_it.rules_inline import StateInline
-    from markdown_it.token import Token
+    from markdown_it.tree import SyntaxTreeNode
 
     Rule = Callable[[StateInline, bool], bool]
 
 
-def tokens_of(text: str) -> list[Token]:
-    """Return the tokens of a text. Those of links, images and formulas say in `meta` where they begin."""
-    return _parser().parse(text)
+def tree_of(text: str) -> SyntaxTreeNode:
+    """Return the tree of a text. Its links, images and formulas say in `meta` where they begin."""
+    from markdown_it.tree import SyntaxTreeNode
+
+    return SyntaxTreeNode(_parser().parse(text))
 
 
 @lru_cache(maxsize=1)

@@ -13,7 +13,7 @@ import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, fields, is_dataclass
 from functools import lru_cache
-from typing import TYPE_CHECKING, Literal, cast
+from typing import TYPE_CHECKING, Literal, NamedTuple, cast
 from urllib.parse import unquote
 
 from kurbel.errors import ProseError
@@ -21,7 +21,7 @@ from kurbel.page.formula import Formula, MalformedError, parse_formula
 from kurbel.page.labels import WHITE, primed
 
 if TYPE_CHECKING:
-    from markdown_it.token import Token
+    from markdown_it.tree import SyntaxTreeNode
 
 Align = Literal["left", "center", "right"]
 
@@ -157,183 +157,137 @@ def parse_prose(text: str) -> Blocks:
     if control := _CONTROL.search(text):
         line = text.count("\n", 0, control.start()) + 1
         raise ProseError(line, f"the character U+{ord(control.group()):04X} is a control and not printed")
-    from kurbel.documents.markdown_it import tokens_of
+    from kurbel.documents.markdown_it import tree_of
 
-    return _Reader(tokens_of(text)).blocks()
-
-
-class _Reader:
-    """Turns the tokens of markdown-it, which open and close, into a tree."""
-
-    def __init__(self, tokens: Iterable[Token]) -> None:
-        self.tokens = iter(tokens)
-        self.line = 1
-        self.depth = 0
-        self.loose = False
-
-    def blocks(self) -> Blocks:
-        """Return the blocks up to the end of the one that is open."""
-        blocks = (self._block(token) for token in self._inside())
-        return tuple(block for block in blocks if block != Paragraph(()))
-
-    def _inside(self) -> Iterator[Token]:
-        for token in self.tokens:
-            if token.nesting < 0:
-                return
-            if token.map:
-                self.line = token.map[0] + 1
-            yield token
-
-    def _block(self, token: Token) -> Block:
-        match token.type:
-            case "paragraph_open":
-                self.loose |= not token.hidden
-                return Paragraph(self._content())
-            case "heading_open":
-                return self._heading(int(token.tag[1]))
-            case "fence" | "code_block":
-                return CodeBlock(_lines(token.content.expandtabs(_TAB)))
-            case "hr":
-                return Rule()
-            case "blockquote_open":
-                return self._quote()
-            case "bullet_list_open" | "ordered_list_open":
-                return self._listing(token)
-            case "table_open":
-                return self._grid()
-        raise AssertionError(token.type)
-
-    def _deeper(self) -> Blocks:
-        self.depth += 1
-        if self.depth > DEEPEST:
-            raise ProseError(self.line, f"lists and quotations are nested more than {DEEPEST} deep")
-        content = self.blocks()
-        self.depth -= 1
-        return content
-
-    def _quote(self) -> Quote:
-        # Only paragraphs that stand directly in an item set the items of a list apart.
-        outside = self.loose
-        quote = Quote(self._deeper())
-        self.loose = outside
-        return quote
-
-    def _content(self) -> Inlines:
-        """Return what the paragraph, heading or cell holds that is open."""
-        content: Inlines = ()
-        for token in self._inside():
-            content = _Line(token, self.line).inlines()
-        return _trimmed(content)
-
-    def _heading(self, level: int) -> Heading:
-        line = self.line
-        content = self._content()
-        if not content:
-            raise ProseError(line, r"a heading has no words; a # in prose is written \#")
-        return Heading(level, content)
-
-    def _listing(self, token: Token) -> Listing:
-        start = int(token.attrs.get("start", 1)) if token.type == "ordered_list_open" else None
-        outside, self.loose = self.loose, False
-        items = tuple(self._deeper() for _ in self._inside())
-        # A single block has nothing to stand apart from.
-        tight = not self.loose or (len(items) == 1 and len(items[0]) == 1)
-        self.loose = outside
-        return Listing(start, tight, items)
-
-    def _grid(self) -> Grid:
-        rows: list[tuple[Inlines, ...]] = []
-        aligns: tuple[Align | None, ...] = ()
-        for _part in self._inside():
-            for _row in self._inside():
-                cells = [(_align(cell), self._content()) for cell in self._inside()]
-                aligns = aligns or tuple(align for align, _ in cells)
-                rows.append(tuple(content for _, content in cells))
-        return Grid(aligns, rows[0], tuple(rows[1:]))
+    return _blocks(tree_of(text), 0)
 
 
-def _trimmed(content: Inlines) -> Inlines:
-    """Drop white space and ends of lines before the first word and after the last."""
+def _blocks(outside: SyntaxTreeNode, depth: int) -> Blocks:
+    """Return the blocks in a node of the tree; so many lists and quotations are around it."""
+    blocks = (_block(node, depth) for node in outside.children)
+    return tuple(block for block in blocks if block != Paragraph(()))
+
+
+def _block(node: SyntaxTreeNode, depth: int) -> Block:
+    match node.type:
+        case "paragraph":
+            return Paragraph(_content(node))
+        case "heading":
+            if content := _content(node):
+                return Heading(int(node.tag[1]), content)
+            raise ProseError(_line(node), r"a heading has no words; a # in prose is written \#")
+        case "fence" | "code_block":
+            return CodeBlock(_lines(node.content.expandtabs(_TAB)))
+        case "hr":
+            return Rule()
+        case "blockquote":
+            return Quote(_deeper(node, depth))
+        case "bullet_list" | "ordered_list":
+            return _listing(node, depth)
+        case "table":
+            return _grid(node)
+    raise AssertionError(node.type)
+
+
+def _deeper(node: SyntaxTreeNode, depth: int) -> Blocks:
+    if depth == DEEPEST:
+        raise ProseError(_line(node), f"lists and quotations are nested more than {DEEPEST} deep")
+    return _blocks(node, depth + 1)
+
+
+def _listing(node: SyntaxTreeNode, depth: int) -> Listing:
+    items = tuple(_deeper(item, depth) for item in node.children)
+    # Only paragraphs that stand directly in an item set the items of a list apart, and a single block has
+    # nothing to stand apart from.
+    loose = any(one.type == "paragraph" and not one.hidden for item in node.children for one in item.children)
+    tight = not loose or (len(items) == 1 and len(items[0]) == 1)
+    return Listing(int(node.attrs.get("start", 1)) if node.type == "ordered_list" else None, tight, items)
+
+
+def _grid(node: SyntaxTreeNode) -> Grid:
+    rows = [row.children for part in node.children for row in part.children]
+    head, *body = [tuple(map(_content, row)) for row in rows]
+    return Grid(tuple(map(_align, rows[0])), head, tuple(body))
+
+
+def _align(cell: SyntaxTreeNode) -> Align | None:
+    found = _ALIGN.match(str(cell.attrs.get("style", "")))
+    return cast("Align", found[1]) if found else None
+
+
+def _content(node: SyntaxTreeNode) -> Inlines:
+    """Return what a paragraph, heading or cell holds, without white space and ends of lines around it."""
+    content = _Run(node.children[0]).inlines(node.children[0], 1) if node.children else ()
     kept = [place for place, inline in enumerate(content) if inline not in (Break(), Text(" "))]
     return content[kept[0] : kept[-1] + 1] if kept else ()
+
+
+def _line(node: SyntaxTreeNode) -> int:
+    """Return the line of the text in which a node begins; what has none begins with what is around it."""
+    while not node.map and node.parent:
+        node = node.parent
+    return node.map[0] + 1 if node.map else 1
 
 
 def _lines(code: str) -> tuple[str, ...]:
     return tuple(code.removesuffix("\n").split("\n")) if code else ()
 
 
-def _align(cell: Token) -> Align | None:
-    found = _ALIGN.match(str(cell.attrs.get("style", "")))
-    return cast("Align", found[1]) if found else None
+class _Run(NamedTuple):
+    """A run of text, whose nodes say where in it they stand."""
 
+    node: SyntaxTreeNode
 
-class _Line:
-    """Turns the tokens of one run of text into inlines."""
+    def inlines(self, outside: SyntaxTreeNode, depth: int) -> Inlines:
+        """Return the inlines in a node, the run itself or emphasis, at a depth from 1."""
+        if depth > _DEEPEST_INLINE:
+            raise ProseError(_line(self.node), f"emphasis is nested more than {_DEEPEST_INLINE} deep")
+        return tuple(_joined(self._inline(node, depth) for node in outside.children))
 
-    def __init__(self, run: Token, line: int) -> None:
-        self.run = run
-        self.first = line
-        self.tokens = iter(run.children or ())
-        self.depth = 0
-
-    def inlines(self) -> Inlines:
-        """Return the inlines up to the end of the one that is open."""
-        self.depth += 1
-        if self.depth > _DEEPEST_INLINE:
-            raise ProseError(self.first, f"emphasis is nested more than {_DEEPEST_INLINE} deep")
-        found: list[Inline] = []
-        for token in self.tokens:
-            if token.nesting < 0:
-                break
-            found.append(self._inline(token))
-        self.depth -= 1
-        return tuple(_joined(found))
-
-    def _inline(self, token: Token) -> Inline:
-        match token.type:
+    def _inline(self, node: SyntaxTreeNode, depth: int) -> Inline:
+        match node.type:
             case "text" | "text_special":
-                return Text(token.content)
+                return Text(node.content)
             case "softbreak":
                 return Text(" ")
             case "hardbreak":
                 return Break()
             case "code_inline":
-                return Code(token.content)
-            case "em_open":
-                return Emphasis(self.inlines())
-            case "strong_open":
-                return Strong(self.inlines())
-            case "link_open":
-                return self._link(token, str(token.attrs["href"]))
+                return Code(node.content)
+            case "em":
+                return Emphasis(self.inlines(node, depth + 1))
+            case "strong":
+                return Strong(self.inlines(node, depth + 1))
+            case "link":
+                return self._link(node, str(node.attrs["href"]), self.inlines(node, depth + 1))
             case "formula":
-                return self._formula(token)
+                return self._formula(node)
             case "image":
-                raise self._refused(token, "a text can hold no images; a figure has its own place")
-        raise AssertionError(token.type)
+                raise self._refused(node, "a text can hold no images; a figure has its own place")
+        raise AssertionError(node.type)
 
-    def _link(self, token: Token, address: str) -> Inline:
-        content = self.inlines()
+    def _link(self, node: SyntaxTreeNode, address: str, content: Inlines) -> Inline:
         if address.startswith("#") and address != "#":
             return Refer(unquote(address[1:]), content)
         if _SCHEME.match(address):
             return Link(address, content or (Text(address),))
         raise self._refused(
-            token,
+            node,
             f'the link to "{address[:60]}" cannot be set; it must begin with http:, https: or mailto:,'
             " or be # and the name of a table, figure or chapter",
         )
 
-    def _formula(self, token: Token) -> Formula:
-        if token.markup == "$":
-            raise self._refused(token, r"a formula needs a second $; a dollar sign in prose is written \$")
+    def _formula(self, node: SyntaxTreeNode) -> Formula:
+        if node.markup == "$":
+            raise self._refused(node, r"a formula needs a second $; a dollar sign in prose is written \$")
         try:
-            return parse_formula(token.content)
+            return parse_formula(node.content)
         except MalformedError as error:
-            written = WHITE.sub(" ", token.content)[:60]
-            raise self._refused(token, f'the formula "{written}" cannot be set: {error}') from None
+            written = WHITE.sub(" ", node.content)[:60]
+            raise self._refused(node, f'the formula "{written}" cannot be set: {error}') from None
 
-    def _refused(self, token: Token, reason: str) -> ProseError:
-        return ProseError(self.first + self.run.content.count("\n", 0, token.meta["at"]), reason)
+    def _refused(self, node: SyntaxTreeNode, reason: str) -> ProseError:
+        return ProseError(_line(self.node) + self.node.content.count("\n", 0, node.meta["at"]), reason)
 
 
 def _joined(inlines: Iterable[Inline]) -> Iterator[Inline]:
