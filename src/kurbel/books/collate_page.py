@@ -139,7 +139,7 @@ def _printed_page(request: CollateRequest) -> tuple[Layout, Grid]:
     try:
         page = layout_of(table.layout, ("motion",))
     except ChoiceError as error:
-        raise SourceError(f"{table.book.path}: {error}") from None
+        raise table.book.file.error(("tables", table.name, "layout"), error) from None
     shown = {column.quantity for column in page.columns}
     by_place: dict[tuple[str, Fraction, Fraction], Collated] = {}
     for one in request.collated:

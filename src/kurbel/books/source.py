@@ -13,23 +13,27 @@ from __future__ import annotations
 
 import os
 import re
-import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Annotated, Any, ClassVar, NamedTuple
+
+from msgspec import Struct
 
 from kurbel.books.expression import Expression
 from kurbel.books.printed_value import Printed, printed_value
 from kurbel.errors import NotationError, SourceError
+from kurbel.page.folders import LANGUAGES
+from kurbel.page.layouts import Notes, Words
 from kurbel.reading.csv_columns import NONE, Head, read_rows, whole_head
 from kurbel.reading.csv_lines import Kind, place, shown
+from kurbel.reading.toml_file import Fault, TomlFile, TomlKind, about
 
 KIND = Kind("source", "cell", SourceError)
+SOURCE = TomlKind("source", SourceError, 200_000, "a source has a citation and tables", "book/source.toml")
 AXES = ("ratio", "phi", "epsilon", "stroke", "arm")
 COLUMNS = ("place", "quantity", *AXES, "method", "formula", "way", "label", "printed")
 NEEDED = ("place", "printed")
-LANGUAGES = ("de", "en")
 # As many cells may build on one another.
 DEEPEST = 50
 _KEY = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]*")
@@ -49,19 +53,78 @@ class SourceCell(NamedTuple):
     line: int
 
 
+def _is_text(entry: object) -> bool:
+    # The no-break space is typography, though it counts as not printable.
+    return isinstance(entry, str) and entry.replace("\u00a0", " ").isprintable()
+
+
+class BookWords(Words):
+    """A line of text in each language, or one for both."""
+
+    MUST = "a line of text, or one each in de and en"
+
+    @classmethod
+    def read(cls, given: Any, name: str) -> BookWords:
+        words = cls(super().read(given, name))
+        if not all(map(_is_text, words.values())):
+            raise Fault(cls.MUST)
+        return words
+
+
+class BookNotes(dict[str, Sequence[str]]):
+    """Lines of text in each language, if there are any."""
+
+    SCHEMA: ClassVar[Mapping[str, Any]] = Notes.SCHEMA
+
+    @classmethod
+    def read(cls, given: Any, _: str) -> BookNotes:
+        notes: dict[str, Any] = {lang: [] for lang in LANGUAGES} | (
+            given if isinstance(given, dict) else {"": 0}
+        )
+        known = all(isinstance(lines, list) and all(map(_is_text, lines)) for lines in notes.values())
+        if not known or len(notes) > len(LANGUAGES):
+            raise Fault("lists of lines, notes.de and notes.en")
+        return cls(notes)
+
+
+class TableFile(Struct, frozen=True, forbid_unknown_fields=True):
+    """What source.toml says of a table."""
+
+    NOUN: ClassVar[str] = "key of a table"
+    SHAPE: ClassVar[str] = "a section, such as [tables.112]"
+
+    title: Annotated[BookWords, about("title")] = BookWords(de="", en="")
+    notes: Annotated[BookNotes, about("lines below the collation")] = BookNotes(de=(), en=())
+    method: Annotated[str, about("method by which the book computes; default: exact")] = "exact"
+    layout: Annotated[str, about("layout that prints the table as the book does")] = ""
+
+
+class BookFile(Struct, frozen=True, forbid_unknown_fields=True):
+    """What source.toml says. `name`, `example` and `ratio` are for worked examples: what the book is called
+    there, what it calls them, and its letters of the crank ratio."""
+
+    NOUN: ClassVar[str] = "key of a source"
+
+    citation: Annotated[BookWords, about("author, title, place")] = BookWords(de="", en="")
+    stated: Annotated[BookWords, about("what the copy says of itself")] = BookWords(de="", en="")
+    inferred: Annotated[BookWords, about("what it does not say")] = BookWords(de="", en="")
+    tables: Annotated[dict[str, TableFile], about("its tables")] = {}
+    name: Annotated[str, about("short name")] = ""
+    example: Annotated[BookWords, about("what it calls an example")] = BookWords(de="", en="")
+    ratio: Annotated[str, about("letters of the crank ratio")] = "R:L"
+
+
 class SourceTable:
     """A table or worked example of a book."""
 
-    def __init__(self, book: Book, name: str, given: Any) -> None:
-        if not isinstance(given, dict) or not _KEY.fullmatch(name):
-            raise SourceError(f"{book.path}: the table {name[:40]!r} must be a section, such as [tables.112]")
+    def __init__(self, book: Book, name: str, given: TableFile) -> None:
         self.book = book
         self.name = name
         self.key = f"{book.key}-{name}"
-        self.title = _words(book, given, "title")
-        self.notes = _notes(book, given)
-        self.method = str(given.get("method", "exact"))
-        self.layout = str(given.get("layout", ""))
+        self.title = given.title
+        self.notes = given.notes
+        self.method = given.method
+        self.layout = given.layout
         self.file = book.folder / f"{name}.csv"
 
     @cached_property
@@ -93,18 +156,18 @@ class Book:
         self.key = folder.name
         if not _KEY.fullmatch(self.key):
             raise SourceError(f"the folder {shown(folder)} names a book; use letters, digits, - and _ alone")
-        given = _toml(folder / "source.toml")
-        self.citation = _words(self, given, "citation")
-        self.stated = _words(self, given, "stated")
-        self.inferred = _words(self, given, "inferred")
-        tables = given.get("tables", {})
-        if not isinstance(tables, dict):
-            raise SourceError(f"{self.path}: tables must be sections, such as [tables.112]")
-        self.tables = [SourceTable(self, name, entry) for name, entry in tables.items()]
-
-    @property
-    def path(self) -> str:
-        return shown(self.folder / "source.toml")
+        self.file = TomlFile(folder / "source.toml", SOURCE)
+        self.given = self.file.read(BookFile)
+        self.citation = self.given.citation
+        self.stated = self.given.stated
+        self.inferred = self.given.inferred
+        for name in self.given.tables:
+            if not _KEY.fullmatch(name):
+                raise self.file.error(
+                    ("tables", name),
+                    f'the table "{name[:40]}" cannot be a file; use letters, digits, - and _',
+                )
+        self.tables = [SourceTable(self, name, entry) for name, entry in self.given.tables.items()]
 
 
 def books(folder: str | os.PathLike[str] | None = None) -> Iterator[Book]:
@@ -122,35 +185,6 @@ def books(folder: str | os.PathLike[str] | None = None) -> Iterator[Book]:
 def source_tables(folder: str | os.PathLike[str] | None = None) -> Mapping[str, SourceTable]:
     """Return every table of every book by its key; the user's go before kurbel's own."""
     return {table.key: table for book in books(folder) for table in book.tables}
-
-
-def _toml(path: Path) -> dict[str, Any]:
-    try:
-        return tomllib.loads(path.read_text(encoding="utf-8-sig"))
-    except (OSError, ValueError, RecursionError) as error:
-        raise SourceError(f"cannot read the source {shown(path)}: {error}") from None
-
-
-def _words(book: Book, given: Mapping[str, Any], key: str) -> Mapping[str, str]:
-    """A text in each language, or one for all."""
-    entry = given.get(key, "")
-    texts = dict.fromkeys(LANGUAGES, entry) if isinstance(entry, str) else entry
-    if not isinstance(texts, dict) or not all(_is_text(texts.get(lang)) for lang in LANGUAGES):
-        raise SourceError(f"{book.path}: {key} must be a line of text, or one each as {key}.de and {key}.en")
-    return {lang: texts[lang] for lang in LANGUAGES}
-
-
-def _is_text(entry: object) -> bool:
-    # The no-break space is typography, though it counts as not printable.
-    return isinstance(entry, str) and entry.replace("\u00a0", " ").isprintable()
-
-
-def _notes(book: Book, given: Mapping[str, Any]) -> Mapping[str, Sequence[str]]:
-    entry = given.get("notes", {})
-    lists: list[Any] = [entry.get(lang, []) for lang in LANGUAGES] if isinstance(entry, dict) else [None]
-    if not all(isinstance(one, list) and all(map(_is_text, one)) for one in lists):
-        raise SourceError(f"{book.path}: notes must be lists of lines, notes.de and notes.en")
-    return dict(zip(LANGUAGES, lists, strict=True))
 
 
 def _at(file: Path, cell: SourceCell) -> str:

@@ -8,23 +8,23 @@ part's `printed` names, else at that of the step's own name.
 from __future__ import annotations
 
 import os
-import tomllib
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
-from kurbel.books.printed_value import Printed, printed_value
-from kurbel.books.source import Book, SourceTable
-from kurbel.errors import LayoutError
+from msgspec import Struct
+
+from kurbel.books.printed_value import Printed
+from kurbel.books.source import SOURCE, Book, SourceTable
 from kurbel.exact.numerals import Label
-from kurbel.page.folders import LANGUAGES
+from kurbel.page.layouts import Notes, Words
 from kurbel.reading.choices import choose
 from kurbel.reading.notation import number, ratio
+from kurbel.reading.toml_file import Fault, TomlFile
 
 FOLDER = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "books", "sources")
-Localised = Mapping[str, str]
 
 
 class Line(NamedTuple):
@@ -39,14 +39,31 @@ class Line(NamedTuple):
     when: str = ""
 
 
-class Step(NamedTuple):
+class Lines(tuple[Line, ...]):
+    """Lines, in a file texts or tables with line, added and when."""
+
+    @classmethod
+    def read(cls, given: Any, _: str) -> Lines:
+        try:
+            return cls(_line(**({"line": one} if isinstance(one, str) else one)) for one in given)
+        except TypeError:
+            raise Fault("a list of texts, or of tables with line, added and when") from None
+
+
+def _line(line: Label, added: bool = False, when: str = "") -> Line:
+    return Line(line, added, when)
+
+
+class Step(Struct, frozen=True, forbid_unknown_fields=True):
     """A number of the working: its symbol, a formula or a quantity, perhaps that of a stroke.
 
     `form` is how it is written where no printed value says so.
     """
 
+    NOUN: ClassVar[str] = "key of a step"
+
     symbol: Label
-    form: Printed
+    form: str
     formula: str = ""
     quantity: str = ""
     stroke: str = ""
@@ -62,8 +79,42 @@ class Part(NamedTuple):
     given: Mapping[str, Fraction]
     lines: tuple[Line, ...]
     printed: Mapping[str, Printed]
-    remarks: Mapping[str, Localised]
-    title: Localised | None = None
+    remarks: Mapping[str, Words]
+    title: Words | None = None
+
+
+class PartFile(Struct, frozen=True, forbid_unknown_fields=True):
+    """A part as the file has it: the numbers that are given are text, and `printed` are places of values."""
+
+    NOUN: ClassVar[str] = "key of a part"
+
+    lines: Lines
+    letter: str = ""
+    title: Words | None = None
+    printed: dict[str, str] | None = None
+    remarks: dict[str, Words] = {}
+    ratio: str | None = None
+    angle: str | None = None
+    beam: str | None = None
+    eps: str | None = None
+
+
+class OwnFile(Struct, frozen=True, forbid_unknown_fields=True):
+    lines: Lines = Lines()
+
+
+class ExampleFile(Struct, frozen=True, forbid_unknown_fields=True):
+    """What the file says; Example says what is what."""
+
+    NOUN: ClassVar[str] = "key of an example"
+
+    title: Words
+    takes: tuple[str, ...]
+    part: tuple[PartFile, ...]
+    notes: Notes = Notes()
+    numbers: dict[str, str] = {}
+    steps: dict[str, Step] = {}
+    own: OwnFile = OwnFile()
 
 
 class Source(NamedTuple):
@@ -71,8 +122,8 @@ class Source(NamedTuple):
 
     key: str
     name: str
-    example: Localised
-    citation: Localised
+    example: Words
+    citation: Words
     ratio: str = "R:L"
 
 
@@ -85,10 +136,10 @@ class Example(NamedTuple):
 
     source: Source
     number: str
-    title: Localised
+    title: Words
     method: str
     takes: tuple[str, ...]
-    notes: tuple[Localised, ...]
+    notes: tuple[Words, ...]
     numbers: Mapping[str, str]
     steps: Mapping[str, Step]
     parts: tuple[Part, ...]
@@ -110,71 +161,42 @@ def numbers_of(key: str) -> tuple[str, ...]:
 @cache
 def source(key: str) -> Source:
     """Return the source of that key; an unknown one is answered with the nearest and the list."""
-    page = _read(choose(key, source_keys(), "source"), "source")
-    example, citation = (_localised(page[name]) for name in ("example", "citation"))
-    return Source(key, page["name"], example, citation, page.get("ratio", "R:L"))
+    book = _book(choose(key, source_keys(), "source"))
+    return Source(key, book.given.name, book.given.example, book.citation, book.given.ratio)
 
 
 @cache
 def example(key: str, number: str) -> Example:
     """Return an example; an unknown one is answered with the nearest and the list."""
     book = source(key)
-    page = _read(key, choose(number, numbers_of(key), f"example of {key}"))
-    notes = page.get("notes", {language: [] for language in LANGUAGES})
-    table = next((one for one in Book(Path(FOLDER, key)).tables if one.name == number), None)
+    name = choose(number, numbers_of(key), f"example of {key}")
+    page = TomlFile(os.path.join(FOLDER, key, f"{name}.toml"), SOURCE).read(ExampleFile)
+    table = next((one for one in _book(key).tables if one.name == number), None)
     return Example(
         source=book,
         number=number,
-        title=_localised(page["title"]),
+        title=page.title,
         method=table.method if table else "",
-        takes=tuple(page["takes"]),
-        notes=tuple({"de": de, "en": en} for de, en in zip(notes["de"], notes["en"], strict=True)),
-        numbers=page.get("numbers", {}),
-        steps={name: _step(**step) for name, step in page.get("steps", {}).items()},
-        parts=tuple(_part(table, page["takes"], **part) for part in page["part"]),
-        own=_lines(page.get("own", {"lines": []})["lines"]),
+        takes=page.takes,
+        notes=page.notes,
+        numbers=page.numbers,
+        steps=page.steps,
+        parts=tuple(_part(table, page.takes, part) for part in page.part),
+        own=page.own.lines,
     )
 
 
-def _read(key: str, name: str) -> dict[str, Any]:
-    try:
-        with open(os.path.join(FOLDER, key, f"{name}.toml"), "rb") as file:
-            return tomllib.load(file)
-    except tomllib.TOMLDecodeError as error:
-        raise LayoutError(f"{key}/{name}.toml cannot be used: {error}") from error
+def _book(key: str) -> Book:
+    return Book(Path(FOLDER, key))
 
 
-def _step(form: str, **step: str) -> Step:
-    return Step(form=printed_value(form), **step)
-
-
-def _part(
-    table: SourceTable | None,
-    takes: Sequence[str],
-    lines: Sequence[Any],
-    letter: str = "",
-    printed: Mapping[str, str] | None = None,
-    remarks: Mapping[str, Localised] | None = None,
-    title: Localised | None = None,
-    **given: str,
-) -> Part:
-    numbers = {name: READERS[name](given[name]) for name in takes if name in given}
+def _part(table: SourceTable | None, takes: tuple[str, ...], part: PartFile) -> Part:
+    given = {name: getattr(part, name, None) for name in takes}
+    numbers = {name: READERS[name](text) for name, text in given.items() if text is not None}
     found = {cell.place: cell.printed for cell in table.cells if cell.printed} if table else {}
-    if printed is not None:
-        found = {step: found[place] for step, place in printed.items()}
-    return Part(letter, numbers, _lines(lines), found, remarks or {}, title)
+    if part.printed is not None:
+        found = {step: found[place] for step, place in part.printed.items()}
+    return Part(part.letter, numbers, part.lines, found, part.remarks, part.title)
 
 
 READERS = {"ratio": ratio, "angle": number, "beam": number, "eps": number}
-
-
-def _lines(lines: Sequence[Any]) -> tuple[Line, ...]:
-    return tuple(_line(**({"line": line} if isinstance(line, str) else line)) for line in lines)
-
-
-def _line(line: Label, added: bool = False, when: str = "") -> Line:
-    return Line(line, added, when)
-
-
-def _localised(text: str | Mapping[str, str]) -> Localised:
-    return dict.fromkeys(LANGUAGES, text) if isinstance(text, str) else {one: text[one] for one in LANGUAGES}

@@ -9,7 +9,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from kurbel.books.expression import Expression
-from kurbel.books.printed_value import Printed
+from kurbel.books.printed_value import Printed, printed_value
 from kurbel.books.truth import FRACTIONS, Truth, formula_truth, kept, quantity_truth
 from kurbel.exact.numerals import Label, degrees_text, finite_decimals
 from kurbel.examples.lines import exact_text, filled, names_in
@@ -100,7 +100,9 @@ class Working:
 
     def _value(self, name: str) -> Printed:
         """Return the true value of a step in the form in which it is printed."""
-        return self._truth(name).written_as(self.part.printed.get(name, self.example.steps[name].form))
+        return self._truth(name).written_as(
+            self.part.printed.get(name) or printed_value(self.example.steps[name].form)
+        )
 
     def _truth(self, name: str) -> Truth:
         if name not in self.truths:

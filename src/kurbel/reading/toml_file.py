@@ -81,13 +81,17 @@ class TomlFile:
 
     @cached_property
     def lines(self) -> Mapping[Place, int]:
-        return key_lines(self.text)
+        """The lines of the keys; of what is only written part by part, as a.b, that of the first."""
+        lines = key_lines(self.text)
+        for place, line in [*lines.items()]:
+            for end in range(1, len(place)):
+                lines.setdefault(place[:end], line)
+        return lines
 
     def line(self, place: Place) -> int:
         """Return the line of a key or, where it has none, of what it lies in."""
         while place and place not in self.lines:
-            # Of a list of sections, the first.
-            place = (*place, 0) if (*place, 0) in self.lines else place[:-1]
+            place = place[:-1]
         return self.lines.get(place, 1)
 
     def error(self, place: Place, said: object) -> KurbelError:
