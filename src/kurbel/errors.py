@@ -10,6 +10,12 @@ class KurbelError(Exception):
     exit_code = 2
 
 
+class FailedError(KurbelError):
+    """A job that failed."""
+
+    exit_code = 1
+
+
 class NotationError(KurbelError):
     """Text that is not a number, an angle, a ratio or a list of them."""
 
@@ -18,80 +24,56 @@ class ProblemError(KurbelError):
     """A crank drive that cannot be built or cannot turn."""
 
 
-class NoRootError(KurbelError):
+class NoRootError(FailedError):
     """A condition that holds at no crank angle."""
-
-    exit_code = 1
 
 
 class ChoiceError(KurbelError):
     """A name that no layout, column, format, language or method has."""
 
 
-class MissingExtraError(KurbelError):
+class MissingExtraError(FailedError):
     """A feature whose library is not installed."""
 
-    exit_code = 1
 
-
-class CardError(KurbelError):
+class CardError(FailedError):
     """A file that is no indicator card."""
 
-    exit_code = 1
 
-
-class MachineError(KurbelError):
+class MachineError(FailedError):
     """A file that describes no machine."""
 
-    exit_code = 1
 
-
-class RodError(KurbelError):
+class RodError(FailedError):
     """A file that describes no connecting rod."""
 
-    exit_code = 1
 
-
-class MarkerError(KurbelError):
+class MarkerError(FailedError):
     """A document whose marked places cannot be found or filled."""
 
-    exit_code = 1
 
-
-class OutputError(KurbelError):
+class OutputError(FailedError):
     """A file or stream that could not be written."""
 
-    exit_code = 1
 
-
-class LayoutError(KurbelError):
+class LayoutError(FailedError):
     """A layout.toml or a template that cannot be used."""
 
-    exit_code = 1
 
-
-class SourceError(KurbelError):
+class SourceError(FailedError):
     """A source of printed values cannot be used."""
 
-    exit_code = 1
 
-
-class HandbookError(KurbelError):
+class HandbookError(FailedError):
     """A manifest, or a folder that a handbook cannot be built into."""
 
-    exit_code = 1
 
-
-class TexError(KurbelError):
+class TexError(FailedError):
     """A PDF that TeX cannot make."""
 
-    exit_code = 1
 
-
-class ProseError(KurbelError):
+class ProseError(FailedError):
     """A text that cannot be set; `line` counts the lines of the text from 1."""
-
-    exit_code = 1
 
     def __init__(self, line: int, reason: str) -> None:
         super().__init__(f"line {line}: {reason}")

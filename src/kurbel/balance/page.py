@@ -13,7 +13,7 @@ from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Label, Number, degrees_text, finite_decimals
 from kurbel.page.arrange import Axis, Place
 from kurbel.page.axes import ColumnAxis, RatioAxis
-from kurbel.page.quantity import Column
+from kurbel.page.quantity import Column, Words, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field
 from kurbel.reading.notation import plain
@@ -34,41 +34,40 @@ ENGINES: Mapping[str, tuple[str, str]] = {
     "boxer-2": ("Zweizylinder-Boxermotor", "flat twin"),
     "boxer-4": ("Vierzylinder-Boxermotor", "flat four"),
 }
-WORDS: Mapping[str, Mapping[str, str]] = {
-    "force": {"de": "Kräfte", "en": "Forces"},
-    "moment": {"de": "Momente", "en": "Moments"},
-    "in": {"de": "{residual} in {unit}", "en": "{residual} in {unit}"},
-    "residual": {"de": "Kraft oder Moment", "en": "Force or moment"},
-    "cylinders": {"de": "{count} Zylinder", "en": "{count} cylinders"},
-    "cranks": {"de": "Kurbeln: ", "en": "Cranks: "},
-    "banks": {"de": "Zylinderachsen: ", "en": "Axes of the cylinders: "},
-    "positions": {"de": "Lagen in $a$: ", "en": "Positions in $a$: "},
-    "symbols": {
-        "de": "$m$ hin- und hergehende Masse eines Zylinders, $R$ Kurbelhalbmesser, $ω$"
-        " Winkelgeschwindigkeit; die umlaufenden Massen gelten als ausgeglichen",
-        "en": "$m$ reciprocating mass of a cylinder, $R$ crank radius, $ω$ angular velocity; rotating masses"
-        " are taken as balanced",
-    },
-    "share": {
-        "de": "Gegengewichte, der Kurbel gegenüber umlaufend, gleichen von jeder Masse $m$ den Teil"
-        " {share} aus",
-        "en": "Counterweights, turning opposite the crank, balance the share {share} of every mass $m$",
-    },
-    "spacing": {"de": "$a$ Abstand benachbarter Kurbeln", "en": "$a$ distance of neighbouring cranks"},
-    "unit": {"de": "$a$ Längeneinheit der Lagen", "en": "$a$ unit of length of the positions"},
-    "middle": {
-        "de": "; Momente um die Mitte, in der Richtung der Kräfte des Paares",
-        "en": "; moments about the middle, in the direction of the forces of the couple",
-    },
-    "angles": {
-        "de": "Winkel zählen im Drehsinn von der Bezugslinie, der Zylinderachse oder beim V der Mittellinie",
-        "en": "Angles count in the sense of rotation from the line of reference, the cylinder axis or of a V"
-        " the middle line",
-    },
-    "zero": {
-        "de": "Beträge enthalten den Faktor $B_k$; 0 ohne Dezimalen ist genau 0",
-        "en": "Magnitudes include the factor $B_k$; 0 without decimals is exactly 0",
-    },
+WORDS: Mapping[str, Words] = {
+    "force": words("Kräfte|Forces"),
+    "moment": words("Momente|Moments"),
+    "in": words("{residual} in {unit}"),
+    "residual": words("Kraft oder Moment|Force or moment"),
+    "cylinders": words("{count} Zylinder|{count} cylinders"),
+    "cranks": words("Kurbeln: |Cranks: "),
+    "banks": words("Zylinderachsen: |Axes of the cylinders: "),
+    "positions": words("Lagen in $a$: |Positions in $a$: "),
+    "symbols": words(
+        "$m$ hin- und hergehende Masse eines Zylinders, $R$ Kurbelhalbmesser, $ω$ Winkelgeschwindigkeit; "
+        "die umlaufenden Massen gelten als ausgeglichen"
+        "|$m$ reciprocating mass of a cylinder, $R$ crank radius, $ω$ angular velocity; rotating masses are "
+        "taken as balanced"
+    ),
+    "share": words(
+        "Gegengewichte, der Kurbel gegenüber umlaufend, gleichen von jeder Masse $m$ den Teil {share} aus"
+        "|Counterweights, turning opposite the crank, balance the share {share} of every mass $m$"
+    ),
+    "spacing": words("$a$ Abstand benachbarter Kurbeln|$a$ distance of neighbouring cranks"),
+    "unit": words("$a$ Längeneinheit der Lagen|$a$ unit of length of the positions"),
+    "middle": words(
+        "; Momente um die Mitte, in der Richtung der Kräfte des Paares"
+        "|; moments about the middle, in the direction of the forces of the couple"
+    ),
+    "angles": words(
+        "Winkel zählen im Drehsinn von der Bezugslinie, der Zylinderachse oder beim V der Mittellinie"
+        "|Angles count in the sense of rotation from the line of reference, the cylinder axis or of a V the "
+        "middle line"
+    ),
+    "zero": words(
+        "Beträge enthalten den Faktor $B_k$; 0 ohne Dezimalen ist genau 0"
+        "|Magnitudes include the factor $B_k$; 0 without decimals is exactly 0"
+    ),
 }
 
 

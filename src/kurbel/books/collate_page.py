@@ -28,53 +28,47 @@ from kurbel.page.arrange import Axis, Grid, Place
 from kurbel.page.axes import PHI, RATIO, ColumnAxis
 from kurbel.page.build import grid_of
 from kurbel.page.layouts import Layout, layout_of
-from kurbel.page.quantity import Column, Formula, Quantity, words
+from kurbel.page.quantity import Column, Formula, Quantity, Words, words
 from kurbel.page.question import Question
 from kurbel.page.subject import Subject
 from kurbel.page.table import Cell, Field, Note, Records, Value
 from kurbel.reading.choices import choose
 from kurbel.reading.notation import angle, number, plain, ratio, ratio_text
 
-WORDS: Mapping[str, Mapping[str, str]] = {
-    "place": {"de": "Stelle", "en": "Place"},
-    "printed": {"de": "gedruckt", "en": "printed"},
-    "recomputed": {"de": "neu berechnet", "en": "recomputed"},
-    "difference": {"de": "Unterschied", "en": "difference"},
-    "verdict": {"de": "Befund", "en": "verdict"},
-    "detail": {"de": "Einzelheit", "en": "detail"},
-    "quantity": {"de": "Größe", "en": "quantity"},
-    "units": {
-        "de": "Unterschied: gedruckter weniger neu berechneter Wert, in Einheiten der letzten Stelle",
-        "en": "Difference: printed less recomputed value, in units of the last place",
-    },
-    "careful": {
-        "de": "Ob Verfasser, Setzer oder Abschrift eine Abweichung verschuldet, zeigt der Vergleich nicht",
-        "en": "Whether author, compositor or transcription caused a deviation the comparison does not show",
-    },
-    "summary": {"de": "{count} gedruckte Werte: {verdicts}", "en": "{count} printed values: {verdicts}"},
-    "one": {"de": "{count} gedruckter Wert: {verdicts}", "en": "{count} printed value: {verdicts}"},
-    "entry": {
-        "de": "{place}: {printed}] {recomputed}, {difference}, {verdict}",
-        "en": "{place}: {printed}] {recomputed}, {difference}, {verdict}",
-    },
-    "for": {"de": "{0} für {1}", "en": "{0} for {1}"},
-    "too_many": {"de": "{0} zu viel", "en": "{0} too many"},
-    "missing": {"de": "{0} fehlt", "en": "{0} missing"},
-    "follows": {
-        "de": "folgt aus den gedruckten Zwischenwerten",
-        "en": "follows from the printed intermediate values",
-    },
-    "table": {"de": "Tafel", "en": "Table"},
-    "outstroke": {"de": "Hingang", "en": "outstroke"},
-    "return": {"de": "Rückgang", "en": "return"},
-    "turn": {"de": "Umdrehung", "en": "turn"},
+WORDS: Mapping[str, Words] = {
+    "place": words("Stelle|Place"),
+    "printed": words("gedruckt|printed"),
+    "recomputed": words("neu berechnet|recomputed"),
+    "difference": words("Unterschied|difference"),
+    "verdict": words("Befund|verdict"),
+    "detail": words("Einzelheit|detail"),
+    "quantity": words("Größe|quantity"),
+    "units": words(
+        "Unterschied: gedruckter weniger neu berechneter Wert, in Einheiten der letzten Stelle"
+        "|Difference: printed less recomputed value, in units of the last place"
+    ),
+    "careful": words(
+        "Ob Verfasser, Setzer oder Abschrift eine Abweichung verschuldet, zeigt der Vergleich nicht"
+        "|Whether author, compositor or transcription caused a deviation the comparison does not show"
+    ),
+    "summary": words("{count} gedruckte Werte: {verdicts}|{count} printed values: {verdicts}"),
+    "one": words("{count} gedruckter Wert: {verdicts}|{count} printed value: {verdicts}"),
+    "entry": words("{place}: {printed}] {recomputed}, {difference}, {verdict}"),
+    "for": words("{0} für {1}|{0} for {1}"),
+    "too_many": words("{0} zu viel|{0} too many"),
+    "missing": words("{0} fehlt|{0} missing"),
+    "follows": words("folgt aus den gedruckten Zwischenwerten|follows from the printed intermediate values"),
+    "table": words("Tafel|Table"),
+    "outstroke": words("Hingang|outstroke"),
+    "return": words("Rückgang|return"),
+    "turn": words("Umdrehung|turn"),
 }
 METHOD_NAMES: Mapping[str, Mapping[str, str]] = {
-    "exact": {"de": "genau", "en": "exact"},
-    "series": {"de": "erste Ordnung", "en": "first order"},
-    "infinite": {"de": "unendliche Stange", "en": "infinite rod"},
-    "weisbach": {"de": "Weisbach", "en": "Weisbach"},
-    "approximate": {"de": "Näherung", "en": "approximate"},
+    "exact": words("genau|exact"),
+    "series": words("erste Ordnung|first order"),
+    "infinite": words("unendliche Stange|infinite rod"),
+    "weisbach": words("Weisbach"),
+    "approximate": words("Näherung|approximate"),
 }
 KEYS = (
     "table", "place", "quantity", *AXES, "method", "printed", "recomputed", "difference", "verdict", "detail",

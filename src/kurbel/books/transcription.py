@@ -27,7 +27,7 @@ from kurbel.errors import ChoiceError, KurbelError, NotationError, ProblemError,
 from kurbel.motion.digits import columns_in_balls, columns_in_floats, is_long
 from kurbel.motion.evaluation import METHODS, is_known
 from kurbel.motion.quantities import registry
-from kurbel.page.quantity import bare
+from kurbel.page.quantity import bare, words
 from kurbel.reading.choices import choose
 from kurbel.reading.csv_columns import Head, read_rows, whole_head
 from kurbel.reading.csv_lines import Kind, place, shown
@@ -47,7 +47,7 @@ class Own:
         self.notes: dict[str, Sequence[str]] = {"de": [], "en": []}
         self.layout = ""
         self.book = self
-        self.citation = {"de": "", "en": ""}
+        self.citation = words("")
 
 
 class _Column(NamedTuple):

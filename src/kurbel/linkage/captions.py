@@ -15,7 +15,7 @@ from kurbel.linkage.quantities import LEFT
 from kurbel.motion.captions import WORDS as MOTION_WORDS
 from kurbel.motion.evaluation import OUT, RETURN
 from kurbel.page import words as page_words
-from kurbel.page.quantity import Formula, Quantity
+from kurbel.page.quantity import Formula, Quantity, Words, words
 from kurbel.page.words import enumerated, filled
 from kurbel.reading.notation import plain, ratio_text
 
@@ -25,37 +25,37 @@ if TYPE_CHECKING:
 # {±} belongs to the stroke, {β±} to the stroke and the side of the pivot, {β+} and {β-} to that side alone.
 CLOSURE = "${lead}R cos φ + L cos ψ = D {β+} B sin θ$, ${lead}R sin φ - L sin ψ = H {β-} B cos θ$"
 SIGNS = {("", 1): "+", ("", -1): "-", ("both", 1): "±", ("both", -1): "∓"}
-WORDS: Mapping[str, Mapping[str, str]] = {
-    "for": {"de": " für {drive}", "en": " for {drive}"},
-    "closure": {
-        "de": "{closure}; Schwinge $B$, ihr Drehpunkt von der Welle $D$ längs und $H$ quer zur Schubrichtung",
-        "en": "{closure}; rocker $B$, its pivot $D$ along and $H$ across the slide direction from the shaft",
-    },
-    "angles": {
-        "de": "$θ$ im Drehsinn der Kurbel von der Lage der Schwinge quer zur Schubrichtung, $ψ$ im"
-        " entgegengesetzten von der Schubrichtung; in $x$ im Bogenmaß",
-        "en": "$θ$ in the crank's sense from the rocker's position square to the slide direction, $ψ$ in the"
-        " opposite one from the slide direction; in $x$ in radians",
-    },
-    "dead_centres": {
-        "de": "{drive}: Totlagen $φ_i = {inner}°$ und $φ_o = {outer}°$, Schwingungswinkel ${swing}°$,"
-        " Hub auf dem Bogen ${stroke} R$, Zeitverhältnis Hingang zu Rückgang ${times}:1$, kleinster"
-        " Übertragungswinkel ${least}°$",
-        "en": "{drive}: dead centres at $φ_i = {inner}°$ and $φ_o = {outer}°$, swing ${swing}°$, stroke along"
-        " the arc ${stroke} R$, times of outstroke and return ${times}:1$, least transmission angle"
-        " ${least}°$",
-    },
-    "coupler": {
-        "de": "Jeder Punkt der Koppel läuft auf einem Kreis vom Halbmesser $R$; $y$ ist zur Seite des"
-        " Kurbelzapfens beim Hingang gerechnet",
-        "en": "Every point of the coupling rod moves on a circle of radius $R$; $y$ counts to the side of the"
-        " crank pin during the outstroke",
-    },
-    "change_points": {
-        "de": "Bei {points} liegen alle Glieder in einer Linie; dort kann die zweite Kurbel umschlagen"
-        " (Antiparallelkurbel)",
-        "en": "At {points} all links lie in line; there the second crank may turn back (antiparallel crank)",
-    },
+WORDS: Mapping[str, Words] = {
+    "for": words(" für {drive}| for {drive}"),
+    "closure": words(
+        "{closure}; Schwinge $B$, ihr Drehpunkt von der Welle $D$ längs und $H$ quer zur Schubrichtung"
+        "|{closure}; rocker $B$, its pivot $D$ along and $H$ across the slide direction from the shaft"
+    ),
+    "angles": words(
+        "$θ$ im Drehsinn der Kurbel von der Lage der Schwinge quer zur Schubrichtung, $ψ$ im "
+        "entgegengesetzten von der Schubrichtung; in $x$ im Bogenmaß"
+        "|$θ$ in the crank's sense from the rocker's position square to the slide direction, $ψ$ in the "
+        "opposite one from the slide direction; in $x$ in radians"
+    ),
+    "dead_centres": words(
+        "{drive}: Totlagen $φ_i = {inner}°$ und $φ_o = {outer}°$, Schwingungswinkel ${swing}°$, Hub auf dem "
+        "Bogen ${stroke} R$, Zeitverhältnis Hingang zu Rückgang ${times}:1$, kleinster Übertragungswinkel "
+        "${least}°$"
+        "|{drive}: dead centres at $φ_i = {inner}°$ and $φ_o = {outer}°$, swing ${swing}°$, stroke along "
+        "the arc ${stroke} R$, times of outstroke and return ${times}:1$, least transmission angle "
+        "${least}°$"
+    ),
+    "coupler": words(
+        "Jeder Punkt der Koppel läuft auf einem Kreis vom Halbmesser $R$; $y$ ist zur Seite des "
+        "Kurbelzapfens beim Hingang gerechnet"
+        "|Every point of the coupling rod moves on a circle of radius $R$; $y$ counts to the side of the "
+        "crank pin during the outstroke"
+    ),
+    "change_points": words(
+        "Bei {points} liegen alle Glieder in einer Linie; dort kann die zweite Kurbel umschlagen "
+        "(Antiparallelkurbel)"
+        "|At {points} all links lie in line; there the second crank may turn back (antiparallel crank)"
+    ),
 }
 
 

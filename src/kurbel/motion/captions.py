@@ -9,7 +9,7 @@ from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Label
 from kurbel.motion.drive_notes import drive_notes, force_note, moving_notes, rod_notes
 from kurbel.motion.evaluation import DIFFERENCE, LOADED, METHODS, OFFSET, OUT, RETURN
-from kurbel.page.quantity import Column, Quantity
+from kurbel.page.quantity import Column, Quantity, words
 from kurbel.page.words import AND, enumerated, filled, for_ratio
 
 if TYPE_CHECKING:
@@ -38,18 +38,17 @@ SYMBOLS = {
 # For columns that the layout's own caption does not know.
 PLAIN_CAPTION = "{quantities}{for_ratio}; {method}"
 WORDS: Mapping[str, Mapping[str, str]] = {
-    "difference": {
-        "de": "Unterschied: genauer Wert weniger Näherung, vor dem Runden gebildet.",
-        "en": "Difference: exact value less first order, taken before rounding.",
-    },
-    "signs": {
-        "de": "oberes Zeichen: Hingang, unteres Zeichen: Rückgang",
-        "en": "upper sign: outstroke, lower sign: return stroke",
-    },
-    "offset_return": {
-        "de": "Rückgang bei $180° + {angle}$, vom äußeren Totpunkt und in Richtung des Rückgangs gerechnet",
-        "en": "Return at $180° + {angle}$, counted from the outer dead centre in the direction of the return",
-    },
+    "difference": words(
+        "Unterschied: genauer Wert weniger Näherung, vor dem Runden gebildet."
+        "|Difference: exact value less first order, taken before rounding."
+    ),
+    "signs": words(
+        "oberes Zeichen: Hingang, unteres Zeichen: Rückgang|upper sign: outstroke, lower sign: return stroke"
+    ),
+    "offset_return": words(
+        "Rückgang bei $180° + {angle}$, vom äußeren Totpunkt und in Richtung des Rückgangs gerechnet"
+        "|Return at $180° + {angle}$, counted from the outer dead centre in the direction of the return"
+    ),
 }
 
 

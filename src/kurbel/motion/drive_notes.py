@@ -11,44 +11,39 @@ from kurbel.exact.kind import Kind, balls, bounds
 from kurbel.exact.numerals import Label, Number, finite_decimals, nearest, number_text
 from kurbel.kernel import kinematics
 from kurbel.motion.evaluation import OUT, RETURN, pin_velocity
+from kurbel.page.quantity import Words, words
 from kurbel.page.words import enumerated_letters
 from kurbel.reading.notation import plain, ratio_text
 
 if TYPE_CHECKING:
     from kurbel.drive.rod import Rod
 
-WORDS: Mapping[str, Mapping[str, str]] = {
-    "offset": {
-        "de": "Geschränkt, $e = {offset} R$, $R:L = {ratio}$:"
-        " Totlagen $φ_i = {inner}°$ und $φ_o = {outer}°$, Hub ${stroke} R$",
-        "en": "Offset $e = {offset} R$, $R:L = {ratio}$:"
-        " dead centres at $φ_i = {inner}°$ and $φ_o = {outer}°$, stroke ${stroke} R$",
-    },
-    "machine": {
-        "de": '$R = {radius} "mm"${rod}{speed}',
-        "en": '$R = {radius} "mm"${rod}{speed}',
-    },
-    "rod": {"de": ', $L = {rod} "mm"$', "en": ', $L = {rod} "mm"$'},
-    "speed": {
-        "de": '; {turns}$v = {pin} "m/s"$, mittlere Kolbengeschwindigkeit $c_m = {mean} "m/s"$,'
-        " $v:c_m = {quotient}$",
-        "en": '; {turns}$v = {pin} "m/s"$, mean piston speed $c_m = {mean} "m/s"$, $v:c_m = {quotient}$',
-    },
-    "masses": {"de": "Massen: ", "en": "Masses: "},
-    "reciprocating": {"de": "Kolben und Kreuzkopf", "en": "piston and crosshead"},
-    "rotating": {
-        "de": "Kurbel weniger Gegengewicht, am Zapfen",
-        "en": "crank less counterweight, at its pin",
-    },
-    "connecting_rod": {
-        "de": "Schubstange: Schwerpunkt $a = {centre} {length}$ vom Kreuzkopfzapfen,"
-        " $k = {gyration} {length}$, $k^2 - a b = {couple} {length}^2${mass}",
-        "en": "Rod: centre of mass $a = {centre} {length}$ from the crosshead pin,"
-        " $k = {gyration} {length}$, $k^2 - a b = {couple} {length}^2${mass}",
-    },
-    "mirrored": {"de": "bei $360° - φ$ ", "en": "at $360° - φ$ "},
-    "same": {"de": "{letters} gleich", "en": "{letters} the same"},
-    "opposite": {"de": "{letters} entgegengesetzt", "en": "{letters} opposite"},
+WORDS: Mapping[str, Words] = {
+    "offset": words(
+        "Geschränkt, $e = {offset} R$, $R:L = {ratio}$: Totlagen $φ_i = {inner}°$ und $φ_o = {outer}°$, Hub "
+        "${stroke} R$"
+        "|Offset $e = {offset} R$, $R:L = {ratio}$: dead centres at $φ_i = {inner}°$ and $φ_o = {outer}°$, "
+        "stroke ${stroke} R$"
+    ),
+    "machine": words('$R = {radius} "mm"${rod}{speed}'),
+    "rod": words(', $L = {rod} "mm"$'),
+    "speed": words(
+        '; {turns}$v = {pin} "m/s"$, mittlere Kolbengeschwindigkeit $c_m = {mean} "m/s"$, $v:c_m = '
+        "{quotient}$"
+        '|; {turns}$v = {pin} "m/s"$, mean piston speed $c_m = {mean} "m/s"$, $v:c_m = {quotient}$'
+    ),
+    "masses": words("Massen: |Masses: "),
+    "reciprocating": words("Kolben und Kreuzkopf|piston and crosshead"),
+    "rotating": words("Kurbel weniger Gegengewicht, am Zapfen|crank less counterweight, at its pin"),
+    "connecting_rod": words(
+        "Schubstange: Schwerpunkt $a = {centre} {length}$ vom Kreuzkopfzapfen, $k = {gyration} {length}$, "
+        "$k^2 - a b = {couple} {length}^2${mass}"
+        "|Rod: centre of mass $a = {centre} {length}$ from the crosshead pin, $k = {gyration} {length}$, "
+        "$k^2 - a b = {couple} {length}^2${mass}"
+    ),
+    "mirrored": words("bei $360° - φ$ |at $360° - φ$ "),
+    "same": words("{letters} gleich|{letters} the same"),
+    "opposite": words("{letters} entgegengesetzt|{letters} opposite"),
 }
 
 

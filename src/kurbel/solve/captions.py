@@ -22,7 +22,7 @@ from kurbel.motion.evaluation import METHODS, RETURN, STROKES
 from kurbel.motion.quantities import registry
 from kurbel.page import words as page_words
 from kurbel.page.layouts import layout
-from kurbel.page.quantity import Column, bare
+from kurbel.page.quantity import Column, Words, bare, words
 from kurbel.reading.notation import ratio_text
 from kurbel.reading.where import ANGLES, DEAD_CENTRE, MAX, MIN, SHARE, Condition, exact_text
 from kurbel.solve.solve import Root, target_of
@@ -32,31 +32,26 @@ if TYPE_CHECKING:
 
 # Of m/s².
 _SQUARE = re.compile(r'(?:²|\^2|\*\*2)"$')
-WORDS: Mapping[str, Mapping[str, str]] = {
-    "for": {"de": " für ", "en": " for "},
-    MAX: {"de": "${symbol}$ am größten", "en": "${symbol}$ greatest"},
-    MIN: {"de": "${symbol}$ am kleinsten", "en": "${symbol}$ least"},
-    DEAD_CENTRE: {
-        "de": "${symbol} = {value}$ des Wertes im Totpunkt",
-        "en": "${symbol} = {value}$ of the value at the dead centre",
-    },
-    "straight": {
-        "de": "$φ$ vom Totpunkt des Hubes, in der Umdrehung vom inneren Totpunkt; $S = 2 R$",
-        "en": "$φ$ from the dead centre of the stroke, over the turn from the inner one; $S = 2 R$",
-    },
-    "oblique": {
-        "de": "$φ$ von der Schubrichtung an; $S$ Hub",
-        "en": "$φ$ from the slide direction; $S$ stroke",
-    },
-    "extremes": {
-        "de": "größte und kleinste Werte: eines jeden Hubes",
-        "en": "greatest and least values: of each stroke",
-    },
-    "form": {"de": "$cos φ = {form}$, also {values}", "en": "$cos φ = {form}$, hence {values}"},
-    "unusable": {"de": "{values} unbrauchbar, jenseits $±1$", "en": "{values} unusable, beyond $±1$"},
-    "condition": {"de": "Bedingung", "en": "Condition"},
-    "stroke": {"de": "Hub", "en": "Stroke"},
-    "path_stroke": {"de": "Weg auf dem Bogen in Teilen des Hubes", "en": "Path along the arc in strokes"},
+WORDS: Mapping[str, Words] = {
+    "for": words(" für | for "),
+    MAX: words("${symbol}$ am größten|${symbol}$ greatest"),
+    MIN: words("${symbol}$ am kleinsten|${symbol}$ least"),
+    DEAD_CENTRE: words(
+        "${symbol} = {value}$ des Wertes im Totpunkt|${symbol} = {value}$ of the value at the dead centre"
+    ),
+    "straight": words(
+        "$φ$ vom Totpunkt des Hubes, in der Umdrehung vom inneren Totpunkt; $S = 2 R$"
+        "|$φ$ from the dead centre of the stroke, over the turn from the inner one; $S = 2 R$"
+    ),
+    "oblique": words("$φ$ von der Schubrichtung an; $S$ Hub|$φ$ from the slide direction; $S$ stroke"),
+    "extremes": words(
+        "größte und kleinste Werte: eines jeden Hubes|greatest and least values: of each stroke"
+    ),
+    "form": words("$cos φ = {form}$, also {values}|$cos φ = {form}$, hence {values}"),
+    "unusable": words("{values} unbrauchbar, jenseits $±1$|{values} unusable, beyond $±1$"),
+    "condition": words("Bedingung|Condition"),
+    "stroke": words("Hub|Stroke"),
+    "path_stroke": words("Weg auf dem Bogen in Teilen des Hubes|Path along the arc in strokes"),
 }
 
 
