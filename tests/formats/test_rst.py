@@ -77,6 +77,8 @@ _LIST = re.compile(r"<(?:li|ol|ul|hr|pre|a)\b")
 
 
 @example("```")
+@example("a::\n\nhttp://b.c/d mailto:e@f\n\n.. g\n\n>>> h\n\n|i| j_ [k]_")
+@example("a[](#delta)b *[](#drive)* `` c`` [](#start)")
 @example("[](HTTP:)0")
 @example("\\\\\\")
 @example("=&#10;=")
