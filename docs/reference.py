@@ -18,7 +18,7 @@ from kurbel.examples.source import example, numbers_of, source_keys
 from kurbel.formats.registry import FORMATS
 from kurbel.linkage.arc_drive import arc_names
 from kurbel.linkage.beam import registry as beam_registry
-from kurbel.linkage.quantities import arc_registry, parallel_registry
+from kurbel.linkage.quantities import arc_registry, page_command, parallel_registry
 from kurbel.motion.drives import slide_names
 from kurbel.motion.evaluation import METHODS, NEEDS
 from kurbel.motion.inertia import inertia_registry
@@ -106,7 +106,8 @@ def _linkage_quantities() -> Iterator[str]:
     for mechanism, linkage in (("arc", arc_registry()), ("parallel", parallel_registry())):
         for key, one in linkage.items():
             name = f"{one.full_name('en')} {plain(one.symbol)}"
-            command = f"table --mechanism {mechanism}"
+            options = "".join(f" {option}" for option in NEEDS[one.needs])
+            command = f"{page_command(one)} --mechanism {mechanism}{options}"
             yield f"| `{key}` | {name} | {one.plain_unit('en')} | {one.decimals} | `{command}` |"
 
 

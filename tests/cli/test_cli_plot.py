@@ -785,7 +785,8 @@ def test_an_engine_is_not_drawn_without_the_offset_of_the_machine(tmp_path: Path
     file.write_text("[crank]\noffset = 0.2\n[steam]\neps = 3\n", encoding="utf-8")
     words = ("plot", "--machine", str(file), "-f", "svg")
     sentence = (
-        "the machine has an offset crank, and engines are drawn with a straight one; leave its offset out"
+        "the offset crank under steam is not computed; steam can act on the straight crank, and the offset"
+        " crank takes a constant force or moving masses"
     )
     for kind in ("--forces", "--polar", "--turning"):
         assert refusal(*words, kind) == sentence
@@ -889,11 +890,7 @@ REFUSALS = [
     ),
     (
         ("--mechanism", "arc", "--rocker", "6", "--polar"),
-        "the forces of the arc crank are not computed; leave --mechanism out",
-    ),
-    (
-        ("--mechanism", "parallel", "--forces"),
-        "the forces of the parallel crank are not computed; leave --mechanism out",
+        "the polar diagram of the arc crank is not drawn; leave --mechanism out",
     ),
     (
         ("--mechanism", "arc", "--polar", "--eps", "4"),

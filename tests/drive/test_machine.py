@@ -196,7 +196,10 @@ def test_an_offset_is_refused_where_the_crank_is_taken_for_straight(tmp_path: Pa
             " leave the offset out of the machine"
         )
     said = refusal("forces", "--machine", str(path))
-    assert said == "the steam engine has a straight crank, and an offset was given; leave it out"
+    assert said == (
+        "the offset crank under steam is not computed; steam can act on the straight crank, and the offset"
+        " crank takes a constant force or moving masses"
+    )
     assert printed("table", "--machine", str(path)).out == printed("table", "--offset", "0.2").out
 
 

@@ -157,7 +157,8 @@ def test_given_back_pressure_stays_as_given() -> None:
 
 def test_offset_crank_is_refused() -> None:
     assert sentence_of_engine(Crank(FIFTH, Fraction(1, 3)), STEAM) == (
-        "the irregularity of an offset crank is not computed; leave the offset out"
+        "the offset crank under steam is not computed; steam can act on the straight crank, and the offset"
+        " crank takes a constant force or moving masses"
     )
 
 

@@ -35,8 +35,8 @@ ROWS = {
     "balance": ("--orders=2",),
 }
 OVER_ANGLES = (
-    "arc", "blau-kolbenwege", "engine-forces", "forces", "inertia", "kinematics", "lueger-kolbenbewegung",
-    "machine-forces", "parallel", "turning", "verfahren",
+    "arc", "blau-kolbenwege", "engine-forces", "forces", "forces-arc", "forces-parallel", "inertia", "kinematics",
+    "lueger-kolbenbewegung", "machine-forces", "parallel", "turning", "verfahren",
 )  # fmt: skip
 ROWS |= {name: ("--angle=0;60",) for name in OVER_ANGLES}
 MACHINE = ("--stroke=600mm", "--rod=1500mm", "--speed=120/min")
@@ -48,6 +48,8 @@ OTHERS = {
     "kinematics-units.en": ("table", *MACHINE, "--angle=60"),
     "kinematics-offset.de": ("table", "--ratio=1:4", "--offset=0,5", "--angle=60"),
     "forces-units.en": ("forces", "--force=10kN", "--stroke=600mm", "--angle=60"),
+    "forces-arc-units.en": ("forces", *BELOW[1:], "--force=10kN", "--stroke=600mm"),
+    "forces-parallel-units.de": ("forces", "--mechanism=parallel", "--force=10kN", "--angle=30"),
     "arc-below.de": (*BELOW, "--columns=phi,path,turn_velocity"),
     "delta-cranks.en": ("delta", "--detail", "--eps=4", "--ratio=1:4;1:5", "--cranks=0;90", *STEAM),
     "harmonics-path.de": ("harmonics", "--quantity=x", "--ratio=1:4;1:5", "--orders=4", "--digits=9"),

@@ -27,7 +27,6 @@ from kurbel.linkage.evaluation import (
     arc_stroke,
     certified,
     dead_angle,
-    dead_centre,
     direct_value,
     lead,
     least_transmission,
@@ -235,12 +234,12 @@ def test_floats_are_within_the_stated_bound(steepest: float, bound: float) -> No
 
 @pytest.mark.parametrize("crank", CRANKS[:4], ids=shown)
 def test_the_path_keeps_its_digits_beside_the_dead_centre(crank: ArcCrank) -> None:
-    arc = dead_centre(crank, OUT, FLOATS)
+    arc = crank.dead_centre(OUT, FLOATS)
     for angle in (1e-3, 1e-8):
         found = kernel.chord(kernel.place(circle(angle), arc), arc)
         with flint.ctx.workprec(300):
             kind = balls()
-            true_arc = dead_centre(crank, OUT, kind)
+            true_arc = crank.dead_centre(OUT, kind)
             place = kernel.place(kind.circle(Fraction(angle)), true_arc)
             assert abs(kind.of(Fraction(found)) / kernel.chord(place, true_arc) - 1) < 3e-15
 
@@ -258,7 +257,7 @@ def test_the_path_keeps_its_place_beside_a_dead_centre_at_any_angle(crank: ArcCr
 
 @pytest.mark.parametrize("formula", FIELDS)
 def test_arrays_give_the_bits_of_scalars(formula: Any) -> None:
-    arc = dead_centre(CRANKS[2], OUT, FLOATS)
+    arc = CRANKS[2].dead_centre(OUT, FLOATS)
 
     def at(angles: Any) -> Any:
         return formula(kernel.place(kernel.from_dead_centre(circle(angles), arc), arc), arc)

@@ -72,7 +72,7 @@ def quantities(lang: str) -> None:
     from kurbel.engine.page import printed_by
     from kurbel.engine.quantities import engine_registry
     from kurbel.linkage.beam import registry as beam_registry
-    from kurbel.linkage.quantities import arc_registry, parallel_registry
+    from kurbel.linkage.quantities import arc_registry, page_command, parallel_registry
     from kurbel.motion.evaluation import NEEDS
     from kurbel.motion.inertia import inertia_registry
     from kurbel.motion.inertia_page import error_columns
@@ -97,9 +97,9 @@ def quantities(lang: str) -> None:
         rows.append((key, column.name[lang], column.plain_unit(lang), "balance"))
     for mechanism, linkage in (("arc", arc_registry()), ("parallel", parallel_registry())):
         for key, motion in linkage.items():
-            rows.append(
-                (key, motion.full_name(lang), motion.plain_unit(lang), f"table --mechanism {mechanism}")
-            )
+            command = f"{page_command(motion)} --mechanism {mechanism}"
+            options = " ".join((command, *NEEDS[motion.needs]))
+            rows.append((key, motion.full_name(lang), motion.plain_unit(lang), options))
     for key, force in inertia_registry().items():
         options = " ".join(("inertia", *NEEDS[force.needs]))
         rows.append((key, force.full_name(lang), force.unit[lang], options))

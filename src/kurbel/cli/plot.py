@@ -18,6 +18,7 @@ from kurbel.commands.machines import MASSES, STEAM
 from kurbel.commands.options import is_given
 from kurbel.commands.shown import Drawing
 from kurbel.commands.subject import Command
+from kurbel.drive import combination
 from kurbel.errors import ProblemError
 from kurbel.reading.given import as_number
 
@@ -129,9 +130,7 @@ def _check_offset_of_machine(given: Given) -> None:
     """Raise ProblemError for an engine whose machine has an offset: none may be drawn without it."""
     from_file = given.sources["offset"] is ParameterSource.DEFAULT_MAP
     if from_file and as_number(given.values["offset"] or "0", "offset"):
-        raise ProblemError(
-            "the machine has an offset crank, and engines are drawn with a straight one; leave its offset out"
-        )
+        combination.check(combination.OFFSET, combination.CARD if given.values["card"] else combination.STEAM)
 
 
 def _formats() -> Mapping[str, Any]:

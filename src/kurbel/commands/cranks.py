@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -64,12 +64,13 @@ def mechanism_of(
     return "straight" if offset is None else "offset"
 
 
-def of_other_mechanisms(name: str) -> dict[str, str]:
-    """Return the options that describe other crank drives alone, each with the sentence that refuses it."""
+def of_other_mechanisms(name: str, shared: Collection[str] = ()) -> dict[str, str]:
+    """Return the options that describe other crank drives alone, each with the sentence that refuses it;
+    those that all of them share in a command are not among them."""
     refused = {}
     for option in {option: None for one in MECHANISMS.values() for option in one.takes}:
         takers = [other for other, one in MECHANISMS.items() if option in one.takes]
-        if name not in takers:
+        if name not in takers and option not in shared:
             unit = ", whose page is in units of R and v" if option in _LENGTHS else ""
             others = " or ".join(filter(None, (", ".join(takers[:-1]), takers[-1])))
             refused[option] = (
@@ -104,7 +105,7 @@ def cranks_of(
         raise ProblemError("--stroke and --rod already give the ratio; leave --ratio out")
     if method == "infinite" and rod is not None and stroke is None:
         raise ProblemError("--rod gives the rod a length, but --method infinite takes none; use --stroke")
-    radius = None if stroke is None else as_length(stroke, "stroke") / 2
+    radius = radius_of(stroke)
     length = None if rod is None else as_length(rod, "rod")
     if length is not None and length <= 0:
         raise ProblemError(f"the length of the rod is {notation.about(length)} m; it must be above 0")
@@ -154,6 +155,8 @@ def arc_cranks(
     rocker: Exact | None,
     pivot: str | tuple[Exact, Exact] | None,
     method: str | None,
+    stroke: Exact | None = None,
+    force: Fraction | None = None,
 ) -> tuple[ArcCrank, ...]:
     """Return the arc cranks that these describe, of the layout's ratios if none are there."""
     from kurbel.linkage.arc import ArcCrank
@@ -167,7 +170,15 @@ def arc_cranks(
     assert rocker is not None
     across = Fraction(0) if offset is None else _radii(offset, "offset")
     arm, places = _radii(rocker, "rocker"), _pivot(pivot)
-    return tuple(ArcCrank(Crank(value, across), arm, *places) for value in ratios_of(page, ratio))
+    radius = radius_of(stroke)
+    return tuple(
+        ArcCrank(Crank(value, across, radius, force=force), arm, *places) for value in ratios_of(page, ratio)
+    )
+
+
+def radius_of(stroke: Exact | None) -> Fraction | None:
+    """Return R in metres of 2R."""
+    return None if stroke is None else as_length(stroke, "stroke") / 2
 
 
 def _pivot(given: str | tuple[Exact, Exact] | None) -> tuple[Fraction, Fraction] | tuple[()]:

@@ -2,10 +2,20 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 from kurbel.commands import parameters as option
-from kurbel.commands.cranks import angles_of, cranks_of
+from kurbel.commands.cranks import (
+    LINKAGES,
+    MECHANISMS,
+    angles_of,
+    arc_cranks,
+    check_needed,
+    cranks_of,
+    mechanism_of,
+    of_other_mechanisms,
+    radius_of,
+)
 from kurbel.commands.machines import (
     MASSES,
     STEAM,
@@ -18,14 +28,39 @@ from kurbel.commands.machines import (
 )
 from kurbel.commands.options import Choice, LayoutName, Option, is_given
 from kurbel.commands.subject import makes_table
+from kurbel.drive import combination
 from kurbel.errors import ProblemError
 from kurbel.page.layouts import layout, layout_of
 from kurbel.page.question import Question
 from kurbel.reading.given import Exact, as_force, as_names, as_number
 
+if TYPE_CHECKING:
+    from kurbel.linkage.arc import ArcCrank
+
 OF_ENGINES = ("crank forces", "machine")
+OF_LINKAGES = tuple(MECHANISMS[name].subject for name in LINKAGES)
 INERTIA = ("inertia", "inertia errors")
 POSITIONS = ("tangent",)
+
+
+def _mechanism(values: Mapping[str, Any]) -> str:
+    """Return which crank drive is meant; layouts tell it that are about the arc or the parallel crank."""
+    name, folder = values["layout"], values["layouts"]
+    if name and layout(name, folder).subject not in OF_LINKAGES:
+        name = None
+    return mechanism_of(values["mechanism"], values["offset"], name, folder)
+
+
+def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
+    """Refuse what describes other crank drives, and the loads and positions that theirs do not have."""
+    name = _mechanism(values)
+    refused = of_other_mechanisms(name, ("stroke",) if name in LINKAGES else ("stroke", "speed"))
+    if name in LINKAGES:
+        of_steam = dict.fromkeys((*STEAM, "bore", "pressure", "cranks"), combination.STEAM)
+        loads = {**of_steam, "card": combination.CARD, **dict.fromkeys(MASSES, combination.MASSES)}
+        refused |= {option: combination.uncomputed(name, load) for option, load in loads.items()}
+        refused["at"] = f"--at does not belong to the {name} crank; it is for --mechanism straight"
+    return {option: said for option, said in refused.items() if option in values}
 
 
 def _about(values: Mapping[str, Any]) -> str:
@@ -66,7 +101,7 @@ def _refused(names: tuple[str, ...], why: str) -> dict[str, str]:
     return {name: f"--{name.replace('_', '-')} {why}" for name in names}
 
 
-@makes_table(needless=_needless)
+@makes_table(foreign=_foreign, needless=_needless)
 def forces_table(
     ratio: option.Ratios = None,
     *,
@@ -80,6 +115,9 @@ def forces_table(
     offset: option.Offset = None,
     stroke: option.Stroke = None,
     rod: option.Rod = None,
+    mechanism: option.Mechanism = None,
+    rocker: option.Rocker = None,
+    pivot: option.Pivot = None,
     force: option.Force = None,
     at: Annotated[
         str | None,
@@ -111,9 +149,9 @@ def forces_table(
     layout: Annotated[
         str | None,
         Option(
-            "Page layout; default: forces; with --eps or --card engine-forces, and with masses"
-            " machine-forces.",
-            kind=LayoutName(("motion", *OF_ENGINES, "tangent")),
+            "Page layout; default: forces; with --eps or --card engine-forces, with masses machine-forces;"
+            " of the arc or parallel crank forces-arc, forces-parallel.",
+            kind=LayoutName(("motion", *OF_ENGINES, "tangent", *OF_LINKAGES)),
         ),
     ] = None,
     digits: option.Digits = None,
@@ -130,6 +168,7 @@ def forces_table(
     kurbel forces --ratio 1:5
     kurbel forces --ratio 1:5 --force 10kN --stroke 600mm
     kurbel forces --ratio 1:5 --at tangent
+    kurbel forces --mechanism arc --ratio 1:5 --rocker 6
     kurbel forces --eps 4 --bore 300mm --pressure 8bar
     kurbel forces --machine engine.toml
     \f
@@ -143,6 +182,24 @@ def forces_table(
     sheet: dict[str, Any] = {"digits": digits, "rounding": rounding, "lang": lang, "label": label}
     masses = Masses(reciprocating, GivenRod(rod_mass, centre, gyration, rod_file), rotating)
     newtons = None if force is None else as_force(force)
+    name = _mechanism({"mechanism": mechanism, "offset": offset, "layout": layout, "layouts": layouts})
+    check_needed(name, offset, rocker)
+    if name in LINKAGES:
+        from kurbel.linkage.page import LinkageRequest
+        from kurbel.linkage.parallel import ParallelCrank
+
+        page = layout_of(layout or f"forces-{name}", (MECHANISMS[name].subject,), layouts)
+        arcs: tuple[ArcCrank, ...] = ()
+        if name == "arc":
+            arcs = arc_cranks(page, ratio, offset, rocker, pivot, None, stroke, newtons)
+        return LinkageRequest(
+            layout=page,
+            cranks=arcs,
+            parallel=ParallelCrank(radius_of(stroke), newtons),
+            angles=angles_of(page, angle, from_, to, step),
+            columns=as_names(columns, "phi,tangential_force"),
+            **sheet,
+        )
     if about == "tangent":
         from kurbel.motion.tangent_page import TangentRequest
 
@@ -156,7 +213,7 @@ def forces_table(
         )
     if about == "engine":
         if offset is not None and as_number(offset, "offset"):
-            raise ProblemError("the steam engine has a straight crank, and an offset was given; leave it out")
+            combination.check(combination.OFFSET, combination.STEAM if card is None else combination.CARD)
         page = layout_of(
             layout or ("machine-forces" if masses.first else "engine-forces"), OF_ENGINES, layouts
         )

@@ -14,6 +14,7 @@ from kurbel.commands.cranks import (
     ends_of,
     mechanism_of,
     of_other_mechanisms,
+    radius_of,
 )
 from kurbel.commands.options import Columns, Option
 from kurbel.commands.shown import Drawing, mark_of
@@ -66,13 +67,18 @@ def _of_motion(values: Mapping[str, Any]) -> dict[str, str]:
     return refused
 
 
+def _of_forces(values: Mapping[str, Any]) -> dict[str, str]:
+    """Refuse what describes other crank drives."""
+    return of_other_mechanisms(mechanism_of(values["mechanism"], values["offset"]), ("stroke",))
+
+
 def _of_sliding(values: Mapping[str, Any]) -> dict[str, str]:
-    """Refuse what a crank drive with a crosshead does not have, the only one whose forces are known."""
+    """Refuse what a crank drive with a crosshead does not have, the only one with a polar diagram."""
     name = values["mechanism"]
     if name not in LINKAGES:
         return of_other_mechanisms(mechanism_of(name, values["offset"]))
     return {
-        "mechanism": f"the forces of the {name} crank are not computed; leave --mechanism out",
+        "mechanism": f"the polar diagram of the {name} crank is not drawn; leave --mechanism out",
         **of_other_mechanisms(mechanism_of(None, values["offset"])),
     }
 
@@ -162,7 +168,7 @@ def plot_mechanism(
     return Drawing.of(made, lang, mark)
 
 
-@draws(foreign=_of_sliding)
+@draws(foreign=_of_forces)
 def plot_forces(
     ratio: option.Ratios = None,
     *,
@@ -186,6 +192,25 @@ def plot_forces(
     from kurbel.plot.drawings import motion_drawing
 
     mark, angles = mark_of(lang, decimal), curve_angles(from_, to, step)
+    name = mechanism_of(mechanism, offset)
+    check_needed(name, offset, rocker)
+    if name in LINKAGES:
+        from kurbel.linkage.page import LinkageRequest
+        from kurbel.linkage.parallel import ParallelCrank
+        from kurbel.page.subject import subject
+
+        page, newtons = page_of(f"forces-{name}"), None if force is None else as_force(force)
+        parallel = ParallelCrank(radius_of(stroke), newtons)
+        arcs: tuple[ArcCrank, ...] = ()
+        if name == "arc":
+            arcs = arc_cranks(page, ratio, offset, rocker, pivot, method, stroke, newtons)
+        known = subject(page.subject).quantities()
+        own = (key for key in force_keys((arcs[0] if arcs else parallel).crank) if key in known)
+        names = as_names(columns, "rod_force,guide_force") or tuple(own)
+        question = LinkageRequest(
+            layout=page, angles=angles, cranks=arcs, parallel=parallel, lang=lang, columns=names
+        )
+        return Drawing.of(motion_drawing(question, mark), lang, mark)
     cranks = _pushed(mechanism, ratio, stroke, rod, offset, method, force)
     request = _request(cranks, angles, columns, force_keys, method, lang)
     return Drawing.of(motion_drawing(request, mark), lang, mark)

@@ -8,6 +8,7 @@ from fractions import Fraction
 from math import floor
 from typing import TYPE_CHECKING, Any
 
+from kurbel.drive import combination
 from kurbel.drive.crank import Crank
 from kurbel.drive.crank_forces import Weights
 from kurbel.errors import ProblemError
@@ -147,7 +148,8 @@ class Engine:
     def __post_init__(self) -> None:
         self._check_load()
         if self.crank.offset:
-            raise ProblemError("the irregularity of an offset crank is not computed; leave the offset out")
+            load = combination.STEAM if isinstance(self.steam, Steam) else combination.CARD
+            combination.check(combination.OFFSET, load)
         if self.crank.ratio > LARGEST_RATIO:
             raise ProblemError("crank ratio R:L is nearer to 1 than 10^-12; no engine is built so")
         if not 1 <= len(self.cranks) <= MOST_CRANKS:

@@ -219,6 +219,41 @@ def rod_acceleration(place: Place[Number], arc: Arc[Number]) -> Number:
     return arc.ratio * (acceleration(place, arc) * place.slant - place.slant_cosine * across)
 
 
+def rod_force(place: Place[Number]) -> Number:
+    """Return the force along the rod, F/cos ψ, a thrust on the outstroke and a pull on the return stroke.
+
+    F is the unit: it acts on the rod's end along the arc, in the direction of the stroke. Neither masses nor
+    friction. Floats: as close as the velocity. Re-derived, as all forces here.
+    """
+    return 1 / place.slant_cosine
+
+
+def rocker_force(place: Place[Number]) -> Number:
+    """Return the force along the rocker, F tan ψ, of the rocker on the rod's end.
+
+    Positive towards the side on which the crank pin is during the stroke: towards the pivot, a pull of the
+    rocker, for β > 0. It is the guide force of the straight crank. Floats: as close as the velocity.
+    """
+    # No zero is to have a sign.
+    return place.slant / place.slant_cosine + 0
+
+
+def tangential_force(place: Place[Number]) -> Number:
+    """Return the force across the crank at its pin in units of F, positive as the crank turns.
+
+    In units of F R it is the torque. It is the velocity over v, by the principle of virtual displacements.
+    """
+    return place.velocity
+
+
+def radial_force(place: Place[Number]) -> Number:
+    """Return the force along the crank at its pin in units of F, positive towards the shaft.
+
+    It is cos(ζ + ψ)/cos ψ with the crank angle ζ from the arc's tangent. Floats: as close as the velocity.
+    """
+    return place.cosine - place.sine * (place.slant / place.slant_cosine)
+
+
 def steepest_slant(ratio: Number, curvature: Number, offset: Number, shift: Number) -> Number:
     """Return the largest |sin ψ| of the turn, which is cos μ of the least transmission angle μ.
 
@@ -266,3 +301,22 @@ def coupler(circle: Circle[Number]) -> Coupler[Number]:
     lie in line, and the second crank may turn back (antiparallel crank) unless a further pair prevents it.
     """
     return Coupler(circle.versine, circle.sine, circle.sine, circle.cosine, circle.cosine, -circle.sine)
+
+
+def coupler_place(circle: Circle[Number]) -> Place[Number]:
+    """Return where the rod of a parallel crank stands, whose way is along the line of shafts.
+
+    The forces that one force F along this line calls up at a crank are those of any place: F sin φ across it
+    and F cos φ along it.
+    """
+    nothing = circle.sine * 0
+    return Place(
+        circle.versine,
+        circle.versine,
+        circle.sine,
+        nothing,
+        nothing + 1,
+        circle.sine,
+        circle.cosine,
+        circle.sine,
+    )

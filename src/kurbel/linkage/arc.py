@@ -5,9 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 from math import isqrt
+from typing import Any
 
+from kurbel.drive.combination import ARC
 from kurbel.drive.crank import LONGEST_ROD, Crank
 from kurbel.errors import ProblemError
+from kurbel.exact.kind import Kind
+from kurbel.kernel import linkage
+from kurbel.kernel.circle import Circle
+from kurbel.kernel.linkage import Arc, Place
 from kurbel.reading.notation import about
 
 # Lengths in a message are multiples of 1/_STEPS R, rounded so that a length changed by as much will do.
@@ -55,6 +61,20 @@ class ArcCrank:
                 f"the pivot is {about(self.distance)} R from the shaft, but the rod is infinite;"
                 " leave the distance out, or give the rod a length"
             )
+
+    @property
+    def name(self) -> str:
+        return ARC
+
+    def dead_centre(self, stroke: int, kind: Kind) -> Arc[Any]:
+        """Return it where the stroke begins, at the inner dead centre (OUT) or the outer (RETURN)."""
+        numbers = self.crank.ratio, self.curvature, self.offset, self.shift
+        return linkage.arc(*(kind.of(stroke * number) for number in numbers))
+
+    def place(self, stroke: int, circle: Circle[Any], kind: Kind) -> Place[Any]:
+        """Return where the rod's end stands on its arc."""
+        arc = self.dead_centre(stroke, kind)
+        return linkage.place(linkage.from_dead_centre(circle, arc), arc)
 
     @property
     def shift(self) -> Fraction:

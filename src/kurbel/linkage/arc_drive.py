@@ -21,7 +21,7 @@ from kurbel.linkage.arc import ArcCrank
 from kurbel.linkage.evaluation import STROKE
 from kurbel.linkage.quantities import arc_registry
 from kurbel.motion.drives import circle, column_named, condition_names, ties_at
-from kurbel.motion.evaluation import OUT, STROKES
+from kurbel.motion.evaluation import OUT, STROKES, is_known
 from kurbel.motion.quantities import registry
 from kurbel.page.quantity import Quantity
 
@@ -64,9 +64,9 @@ class ArcDrive:
         self.ratio = crank.crank.ratio
         self.course = cache(self._course)
 
-    @property
+    @cached_property
     def columns(self) -> Mapping[str, Quantity]:
-        return arc_columns()
+        return {key: one for key, one in arc_columns().items() if is_known(one, self.crank.crank)}
 
     @property
     def names(self) -> Mapping[str, str]:

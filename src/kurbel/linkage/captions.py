@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -11,8 +12,9 @@ from kurbel.exact.numerals import Label, Number, finite_decimals, number_text
 from kurbel.linkage import evaluation as linkage
 from kurbel.linkage.arc import ArcCrank
 from kurbel.linkage.parallel import CHANGE_POINTS
-from kurbel.linkage.quantities import LEFT
+from kurbel.linkage.quantities import FORCE, LEFT
 from kurbel.motion.captions import WORDS as MOTION_WORDS
+from kurbel.motion.drive_notes import drive_notes, force_note
 from kurbel.motion.evaluation import OUT, RETURN
 from kurbel.page import words as page_words
 from kurbel.page.quantity import Formula, Quantity, Words, words
@@ -33,10 +35,11 @@ WORDS: Mapping[str, Words] = {
     ),
     "angles": words(
         "$θ$ im Drehsinn der Kurbel von der Lage der Schwinge quer zur Schubrichtung, $ψ$ im "
-        "entgegengesetzten von der Schubrichtung; in $x$ im Bogenmaß"
+        "entgegengesetzten von der Schubrichtung"
         "|$θ$ in the crank's sense from the rocker's position square to the slide direction, $ψ$ in the "
-        "opposite one from the slide direction; in $x$ in radians"
+        "opposite one from the slide direction"
     ),
+    "radians": words("; in $x$ im Bogenmaß|; in $x$ in radians"),
     "dead_centres": words(
         "{drive}: Totlagen $φ_i = {inner}°$ und $φ_o = {outer}°$, Schwingungswinkel ${swing}°$, Hub auf dem "
         "Bogen ${stroke} R$, Zeitverhältnis Hingang zu Rückgang ${times}:1$, kleinster Übertragungswinkel "
@@ -50,6 +53,14 @@ WORDS: Mapping[str, Words] = {
         "Kurbelzapfens beim Hingang gerechnet"
         "|Every point of the coupling rod moves on a circle of radius $R$; $y$ counts to the side of the "
         "crank pin during the outstroke"
+    ),
+    "arc_force": words(
+        "$F$ längs des Bogens, in der Richtung des Hubes|$F$ along the arc, in the direction of the stroke"
+    ),
+    "coupler_force": words(
+        "$F$ von der Koppel auf den Kurbelzapfen, längs der Wellenlinie, positiv wie der Weg beim Hingang"
+        "|$F$ of the coupling rod on the crank pin, along the line of shafts, positive as the path of the "
+        "outstroke"
     ),
     "change_points": words(
         "Bei {points} liegen alle Glieder in einer Linie; dort kann die zweite Kurbel umschlagen "
@@ -79,9 +90,22 @@ def notes(request: LinkageRequest) -> Iterator[Label]:
     """Yield the lines below the table: the formulas, and what each drive does between its dead centres."""
     if not request.cranks:
         yield from _coupler_notes(request)
+        yield from _force_notes(request)
         return
     yield from _formula_lines(request)
+    yield from _force_notes(request)
     yield from (_dead_centres(crank, request.lang) for crank in request.cranks)
+
+
+def _force_notes(request: LinkageRequest) -> Iterator[Label]:
+    """Yield in which directions forces are positive, and what makes newtons of them."""
+    lang, shown = request.lang, [column.quantity for column in request.page_columns]
+    if any(one.of == FORCE for one in shown):
+        said = WORDS["arc_force" if request.cranks else "coupler_force"][lang]
+        yield "; ".join(dict.fromkeys([said, *(one.direction[lang] for one in shown if one.direction)]))
+    cranks = [replace(drive.crank, offset=Fraction(0)) for drive in request.drives]
+    yield from drive_notes(cranks, lang)
+    yield from dict.fromkeys(force_note(crank.force) for crank in cranks if crank.force is not None)
 
 
 def _coupler_notes(request: LinkageRequest) -> Iterator[Label]:
@@ -89,9 +113,13 @@ def _coupler_notes(request: LinkageRequest) -> Iterator[Label]:
     points = page_words.AND[lang].join(f"${plain(angle)}°$" for angle in CHANGE_POINTS)
     # A page says what its layout shows, though not all of it was chosen.
     own = (request.entry(column.quantity) for column in request.layout.columns)
-    shown = (*own, *(column.quantity for column in request.page_columns))
+    shown = (
+        *(one for one in own if not request.missing(one)),
+        *(column.quantity for column in request.page_columns),
+    )
     yield ", ".join(dict.fromkeys(one.formulas["exact"].printed for one in shown))
-    yield WORDS["coupler"][lang]
+    if any(one.of != FORCE for one in shown):
+        yield WORDS["coupler"][lang]
     yield WORDS["change_points"][lang].format(points=points)
 
 
@@ -108,7 +136,8 @@ def _formula_lines(request: LinkageRequest) -> Iterator[Label]:
         yield _signed(line, strokes, side)
     if any(crank.crank.ratio for crank in request.cranks):
         yield WORDS["closure"][lang].format(closure=_signed(CLOSURE, strokes, side))
-    yield WORDS["angles"][lang]
+    forces = all(column.quantity.of == FORCE for column in columns)
+    yield WORDS["angles"][lang] + ("" if forces else WORDS["radians"][lang])
     if RETURN in strokes:
         yield MOTION_WORDS["offset_return"][lang].replace("{angle}", request.layout.angle_symbol)
     if len(strokes) > 1:

@@ -22,31 +22,26 @@ Linkage: TypeAlias = ArcCrank | ParallelCrank
 STROKE = "stroke"
 
 
-class ArcAt(NamedTuple):
-    """What a kernel call takes: where an arc crank stands, its dead centre, the crank and the kind of
-    number."""
+class At(NamedTuple):
+    """What a kernel call takes: where a drive stands, the drive and the kind of number; of the arc crank also
+    its dead centre, of the parallel crank the circle of its crank angle."""
 
     place: Place[Any]
-    arc: Arc[Any]
-    crank: ArcCrank
+    drive: Linkage
     kind: Kind
-
-
-def dead_centre(crank: ArcCrank, stroke: int, kind: Kind) -> Arc[Any]:
-    """Return the arc crank where the stroke begins, at the inner dead centre (OUT) or the outer (RETURN)."""
-    numbers = crank.crank.ratio, crank.curvature, crank.offset, crank.shift
-    return linkage.arc(*(kind.of(stroke * number) for number in numbers))
+    arc: Any = None
+    circle: Any = None
 
 
 def dead_angle(crank: ArcCrank, stroke: int, kind: Kind) -> Any:
     """Return φ_i, or for RETURN φ_o - 180°, in degrees within ±180°."""
-    arc = dead_centre(crank, stroke, kind)
+    arc = crank.dead_centre(stroke, kind)
     return 2 * kind.arc(linkage.half_sine(arc.sine, arc.cosine))
 
 
 def swing(crank: ArcCrank, kind: Kind) -> Any:
     """Return the rocker's swing in degrees; its way along the arc is `arc_stroke`."""
-    inner, outer = (dead_centre(crank, stroke, kind) for stroke in (OUT, RETURN))
+    inner, outer = (crank.dead_centre(stroke, kind) for stroke in (OUT, RETURN))
     return abs(2 * kind.arc(linkage.swing_half_sine(inner, outer)))
 
 
@@ -57,7 +52,7 @@ def arc_stroke(crank: ArcCrank, kind: Kind) -> Any:
 
 def lead(crank: ArcCrank, kind: Kind) -> Any:
     """Return Δ in degrees, by which the crank turns more than 180° during the outstroke."""
-    inner, outer = (dead_centre(crank, stroke, kind) for stroke in (OUT, RETURN))
+    inner, outer = (crank.dead_centre(stroke, kind) for stroke in (OUT, RETURN))
     return 2 * kind.arc(linkage.lead_half_sine(inner, outer))
 
 
@@ -82,16 +77,16 @@ def value(quantity: Quantity, drive: Linkage, circle: Circle[Any], kind: Kind) -
     from the arc's tangent, rod its angle from the slide direction, both positive as ψ of the straight crank.
     The motion of the parallel crank depends on no length.
     """
+    stroke = quantity.stroke
     if isinstance(drive, ParallelCrank):
-        return _scaled(quantity, drive, linkage.coupler(circle), kind)
-    arc = dead_centre(drive, quantity.stroke, kind)
-    place = linkage.place(linkage.from_dead_centre(circle, arc), arc)
-    return _scaled(quantity, drive, ArcAt(place, arc, drive, kind), kind)
+        return _scaled(quantity, At(drive.place(stroke, circle, kind), drive, kind, circle=circle))
+    arc = drive.dead_centre(stroke, kind)
+    return _scaled(quantity, At(drive.place(stroke, circle, kind), drive, kind, arc))
 
 
-def _scaled(quantity: Quantity, drive: Linkage, at: Any, kind: Kind) -> Any:
+def _scaled(quantity: Quantity, at: At) -> Any:
     found = quantity.formulas["exact"].kernel(at)
-    return found * quantity.scale(drive.crank, kind) if quantity.scale else found
+    return found * quantity.scale(at.drive.crank, at.kind) if quantity.scale else found
 
 
 def certified(
@@ -156,7 +151,7 @@ def _direct(
     velocity = across + facing * turn.slant / turn.slant_cosine
     place = Place(nothing, along, rise, turn.slant, turn.slant_cosine, across, facing, velocity)
     arc = Arc(kind.of(quantity.stroke * crank.crank.ratio), curvature, *5 * [nothing])
-    return _scaled(quantity, crank, ArcAt(place, arc, crank, kind), kind)
+    return _scaled(quantity, At(place, crank, kind, arc))
 
 
 def _direct_turn(crank: ArcCrank, stroke: int, circle: Circle[Any], of: Callable[[Fraction], Any]) -> _Turn:

@@ -14,19 +14,22 @@ from kurbel.linkage.arc import ArcCrank
 from kurbel.linkage.evaluation import Linkage, certified
 from kurbel.linkage.parallel import ParallelCrank
 from kurbel.linkage.quantities import arc_registry, parallel_registry
+from kurbel.motion.evaluation import needed
 from kurbel.page.arrange import Place
 from kurbel.page.axes import AngleAxis, ColumnAxis, RatioAxis
-from kurbel.page.quantity import Column
+from kurbel.page.quantity import Column, Quantity
 from kurbel.page.question import Question
 from kurbel.page.subject import Subject
 
 
 @dataclass(frozen=True, kw_only=True)
 class LinkageRequest(Question):
-    """What is asked for: the arc cranks, alike but for their ratios, or none for the parallel crank."""
+    """What is asked for: the arc cranks, alike but for their ratios, or none for the parallel crank, which
+    may have a size and a force."""
 
     angles: Sequence[Fraction]
     cranks: tuple[ArcCrank, ...] = ()
+    parallel: ParallelCrank | None = None
 
     def check(self) -> None:
         check_angles(self.angles)
@@ -39,7 +42,10 @@ class LinkageRequest(Question):
 
     @property
     def drives(self) -> tuple[Linkage, ...]:
-        return self.cranks or (ParallelCrank(),)
+        return self.cranks or (self.parallel or ParallelCrank(),)
+
+    def missing(self, quantity: Quantity) -> str:
+        return needed(quantity, [drive.crank for drive in self.drives])
 
 
 def _number(question: LinkageRequest, column: Column, place: Place, times: int) -> Number:

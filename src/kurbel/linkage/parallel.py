@@ -4,8 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Any
 
+from kurbel.drive.combination import PARALLEL
 from kurbel.drive.crank import Crank
+from kurbel.exact.kind import Kind
+from kurbel.kernel.circle import Circle
+from kurbel.kernel.linkage import Place, coupler_place
 
 CHANGE_POINTS = (Fraction(0), Fraction(180))
 """The angles from the line of shafts at which a parallel crank may fold into the antiparallel crank."""
@@ -20,6 +25,14 @@ class ParallelCrank:
 
     radius: Fraction | None = None
     force: Fraction | None = None
+
+    @property
+    def name(self) -> str:
+        return PARALLEL
+
+    def place(self, stroke: int, circle: Circle[Any], kind: Kind) -> Place[Any]:
+        """Return where any point of the rod stands, which moves alike on both strokes."""
+        return coupler_place(circle)
 
     @property
     def crank(self) -> Crank:

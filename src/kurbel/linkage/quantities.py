@@ -8,12 +8,16 @@ from typing import Any
 
 from kurbel.exact.numerals import Label
 from kurbel.kernel import linkage
-from kurbel.kernel.linkage import Coupler
-from kurbel.linkage.evaluation import STROKE, ArcAt
+from kurbel.kernel.linkage import Place
+from kurbel.linkage.arc import ArcCrank
+from kurbel.linkage.evaluation import STROKE, At
 from kurbel.motion.evaluation import OUT, RETURN, STROKES
+from kurbel.motion.quantities import newton_metres, newtons
 from kurbel.page.quantity import Formula, Quantity, Words, words
 
 DECIMALS, ANGLE_DECIMALS = 4, 3
+# What quantities are of that one force calls up.
+FORCE = "force"
 # A further formula, as it is printed where the pivot lies on the left of the end's way.
 LEFT = "left"
 Formulas = Mapping[str, Formula]
@@ -22,31 +26,35 @@ Formulas = Mapping[str, Formula]
 _ZETA, _TAU = "$ζ = φ - θ$", "$τ = ψ + θ$"
 
 
-def _half_arc(at: ArcAt, half_sine: Any) -> Any:
+def _half_arc(at: At, half_sine: Any) -> Any:
     return 2 * at.kind.arc(half_sine)
 
 
-def _turned(at: ArcAt) -> Any:
+def _turned(at: At) -> Any:
     return _half_arc(at, linkage.path_half_sine(at.place, at.arc))
 
 
-def _path(at: ArcAt) -> Any:
+def _path(at: At) -> Any:
     return _turned(at) * at.kind.pi / 180 / at.arc.curvature
 
 
-def _rocker(at: ArcAt) -> Any:
+def _rocker(at: At) -> Any:
     return _half_arc(at, linkage.rocker_half_sine(at.arc)) - _turned(at)
 
 
-def _slant(at: ArcAt) -> Any:
+def _slant(at: At) -> Any:
     return at.kind.arc(at.place.slant)
 
 
-def _by_rocker(kernel: Callable[..., Any]) -> Callable[[ArcAt], Any]:
-    return lambda at: kernel(at.place, at.arc) / at.kind.of(at.crank.rocker)
+def _by_rocker(kernel: Callable[..., Any]) -> Callable[[At], Any]:
+    def call(at: At) -> Any:
+        assert isinstance(at.drive, ArcCrank)
+        return kernel(at.place, at.arc) / at.kind.of(at.drive.rocker)
+
+    return call
 
 
-def _of(kernel: Callable[..., Any]) -> Callable[[ArcAt], Any]:
+def _of(kernel: Callable[..., Any]) -> Callable[[At], Any]:
     return lambda at: kernel(at.place, at.arc)
 
 
@@ -69,13 +77,18 @@ _ACCELERATION = Formula(
 @cache
 def arc_registry() -> Mapping[str, Quantity]:
     """Return every quantity of the arc crank by its key, the return stroke's beside the outstroke's."""
-    return {one.key: one for one in _arc_entries()}
+    return {one.key: one for one in (*_arc_entries(), *_arc_forces())}
 
 
 @cache
 def parallel_registry() -> Mapping[str, Quantity]:
     """Return every quantity of the parallel crank by its key."""
-    return {one.key: one for one in _coupler_entries()}
+    return {one.key: one for one in (*_coupler_entries(), *_coupler_forces())}
+
+
+def page_command(quantity: Quantity) -> str:
+    """Return the command whose pages are about the quantity."""
+    return "forces" if quantity.of == FORCE else "table"
 
 
 def _arc_entries() -> Iterator[Quantity]:
@@ -143,10 +156,12 @@ def _both(
     formula: Formula | None = None,
     decimals: int = DECIMALS,
     names: tuple[str, ...] = (),
+    back: str = "",
     **rest: Any,
 ) -> Iterator[Quantity]:
-    """Yield the quantity on the outstroke and on the return; without a formula it is the path."""
-    for each, stroke, path in ((key, OUT, _OUT_PATH), (f"{key}_return", RETURN, _RETURN_PATH)):
+    """Yield the quantity on the outstroke and, perhaps under the key `back`, on the return; without a formula
+    it is the path."""
+    for each, stroke, path in ((key, OUT, _OUT_PATH), (back or f"{key}_return", RETURN, _RETURN_PATH)):
         yield Quantity(
             key=each,
             name=words(name),
@@ -161,6 +176,56 @@ def _both(
             names=names if stroke == OUT else (),
             **rest,
         )
+
+
+# Key, name, letter, printed formula, in which direction it is positive, and the kernel's.
+_FORCES: tuple[tuple[str, str, str, Label, str, Callable[[Place[Any]], Any]], ...] = (
+    (
+        "rod_force", "Stangenkraft|Rod force", "S", "$S/F = 1/(cos τ)$",
+        "$S$ am Stangenende, auf dem Hingang Druck, auf dem Rückgang Zug"
+        "|$S$ at the rod's end, thrust on the outstroke, pull on the return",
+        linkage.rod_force,
+    ),
+    (
+        "guide_force", "Schwingenkraft|Rocker force", "N", "$N/F = tan τ$",
+        "$N$ längs der Schwinge auf das Stangenende, nach der Seite, auf der in diesem Hub der Kurbelzapfen"
+        " läuft"
+        "|$N$ along the rocker on the rod's end, towards the side on which the crank pin runs in that stroke",
+        linkage.rocker_force,
+    ),
+    (
+        "tangential_force", "Tangentialkraft|Tangential force", "T", "$T/F = c/v = (sin(ζ + τ))/(cos τ)$",
+        "$T$ im Drehsinn|$T$ as the crank turns", linkage.tangential_force,
+    ),
+    (
+        "radial_force", "Radialkraft|Radial force", "Z", "$Z/F = (cos(ζ + τ))/(cos τ)$",
+        "$Z$ nach der Welle hin|$Z$ towards the shaft", linkage.radial_force,
+    ),
+)  # fmt: skip
+TORQUE = "Drehmoment|Torque"
+
+
+def _arc_forces() -> Iterator[Quantity]:
+    for key, name, letter, printed, direction, kernel in _FORCES:
+        symbols = (_TAU,) if key in ("rod_force", "guide_force") else (_ZETA, _TAU)
+        formula, said = Formula(_at_place(kernel), printed, symbols), words(direction)
+        yield from _both(
+            key, name, f"${letter}$", f"${letter}/F$", "$F$", formula, names=(key,), direction=said, of=FORCE
+        )
+        yield from _both(
+            f"{key}_n", name, f"${letter}$", f"${letter}$ in N", "N", formula, 1, back=f"{key}_return_n",
+            scale=newtons, needs="force", direction=said, of=FORCE,
+        )  # fmt: skip
+    torque = Formula(_at_place(linkage.tangential_force), "$M_d/(F R) = T/F$")
+    yield from _both("torque", TORQUE, "$M_d$", "$M_d/(F R)$", "$F R$", torque, names=("torque",), of=FORCE)
+    yield from _both(
+        "torque_nm", TORQUE, "$M_d$", "$M_d$ in N m", "N m", torque, 1, back="torque_return_nm",
+        scale=newton_metres, needs="torque", of=FORCE,
+    )  # fmt: skip
+
+
+def _at_place(kernel: Callable[[Place[Any]], Any]) -> Callable[[At], Any]:
+    return lambda at: kernel(at.place)
 
 
 _ALONG = words("längs der Wellenlinie|along the line of shafts")
@@ -192,5 +257,39 @@ def _coupler_entries() -> Iterator[Quantity]:
         )
 
 
-def _field(name: str) -> Callable[[Coupler[Any]], Any]:
-    return lambda coupler: getattr(coupler, name)
+def _coupler_forces() -> Iterator[Quantity]:
+    printed = {"tangential_force": "sin φ", "radial_force": "cos φ"}
+    for key, name, letter, _, direction, kernel in _FORCES:
+        if key in printed:
+            formula = Formula(_at_place(kernel), f"${letter}/F = {printed[key]}$")
+            yield _single(key, name, letter, f"{letter}/F", "$F$", formula, direction=words(direction))
+            yield _single(
+                f"{key}_n", name, letter, "", "N", formula, 1, direction=words(direction), scale=newtons,
+                needs="force",
+            )  # fmt: skip
+    torque = Formula(_at_place(linkage.tangential_force), "$M_d/(F R) = T/F$")
+    yield _single("torque", TORQUE, "M_d", "M_d/(F R)", "$F R$", torque)
+    yield _single("torque_nm", TORQUE, "M_d", "", "N m", torque, 1, scale=newton_metres, needs="torque")
+
+
+def _single(
+    key: str, name: str, letter: str, share: str, unit: str, formula: Formula, decimals: int = DECIMALS,
+    **rest: Any,
+) -> Quantity:  # fmt: skip
+    """A force on the crank, over the whole turn: as a share of F, or in its unit."""
+    return Quantity(
+        key=key,
+        name=words(name),
+        symbol=f"${letter}$",
+        unit=words(unit),
+        decimals=decimals,
+        formulas={"exact": formula},
+        heading=words(f"${share}$" if share else f"${letter}$ in {unit}"),
+        spanners=(words(name),),
+        of=FORCE,
+        **rest,
+    )
+
+
+def _field(name: str) -> Callable[[At], Any]:
+    return lambda at: getattr(linkage.coupler(at.circle), name)

@@ -113,7 +113,7 @@ def _millimetres(crank: Crank, numbers: Kind) -> Any:
     return numbers.of(1000 * crank.radius)
 
 
-def _newtons(crank: Crank, numbers: Kind) -> Any:
+def newtons(crank: Crank, numbers: Kind) -> Any:
     """What makes newtons of a unit force; forces of moving masses are in newtons as they are."""
     if crank.moving is not None:
         return numbers.of(Fraction(1))
@@ -121,9 +121,9 @@ def _newtons(crank: Crank, numbers: Kind) -> Any:
     return numbers.of(crank.force)
 
 
-def _newton_metres(crank: Crank, numbers: Kind) -> Any:
+def newton_metres(crank: Crank, numbers: Kind) -> Any:
     assert crank.radius is not None
-    return _newtons(crank, numbers) * numbers.of(crank.radius)
+    return newtons(crank, numbers) * numbers.of(crank.radius)
 
 
 @cache
@@ -236,7 +236,7 @@ def _force_entries() -> Iterator[Quantity]:
     yield from _both("torque", name, "$M_d$", "$M_d/(F R)$", "$F R$", 4, torque, names=("torque",))
     yield from _both(
         "torque_nm", name, "$M_d$", "$M_d$ in N m", "N m", 1, torque | _loaded("tangential_force"),
-        scale=_newton_metres, needs="torque",
+        scale=newton_metres, needs="torque",
     )  # fmt: skip
 
 
@@ -245,7 +245,7 @@ def _in_newtons(
 ) -> Iterator[Quantity]:
     return _both(
         f"{key}_n", name, f"${letter}$", f"${letter}$ in N", "N", 1, formulas | _loaded(key),
-        f"{key}_return_n", scale=_newtons, needs=needs, direction=words(direction),
+        f"{key}_return_n", scale=newtons, needs=needs, direction=words(direction),
     )  # fmt: skip
 
 
