@@ -23,29 +23,6 @@ lang_option = click.option(
 )  # fmt: skip
 
 
-# By the subject of a layout: what prints its page, with what such a page cannot do without.
-PRINTING = {
-    "motion": "table",
-    "inertia": "inertia --centre 0.65 --gyration 0.35",
-    "inertia errors": "inertia --centre 0.65 --gyration 0.35",
-    "tangent": "forces --at tangent",
-    "irregularity": "delta",
-    "strokes": "delta",
-    "turning": "turning",
-    "collation": "collate roetscher-112",
-    "crank forces": "forces --eps 4",
-    "machine": "forces --eps 4 --bore 300mm --pressure 8bar --stroke 600mm --speed 120/min"
-    " --reciprocating 300kg",
-    "flywheel": "flywheel --power 50kW --speed 120/min --delta 1:100",
-    "dead centres": "deadcentres",
-    "roots": "solve --where p=0",
-    "harmonics": "harmonics",
-    "balance": "balance",
-    "arc crank": "table --rocker 6",
-    "parallel crank": "table",
-}
-
-
 @click.command(params=[click_option(Parameter("layouts", LAYOUTS, None, False))])
 @lang_option
 def layouts(layouts: File | None, lang: str) -> None:
@@ -59,8 +36,11 @@ def layouts(layouts: File | None, lang: str) -> None:
 
 def _printing(layout: Layout, folder: File | None) -> str:
     """Return what prints the layout."""
+    from kurbel.page.subject import subject
+
+    about = subject(layout.subject)
     own = ("--layouts", str(folder)) if layout.folder and folder else ()
-    return shlex.join(("kurbel", *PRINTING[layout.subject].split(), *own, "--layout", layout.key))
+    return shlex.join(("kurbel", *(about.sample or about.command).split(), *own, "--layout", layout.key))
 
 
 @click.command()

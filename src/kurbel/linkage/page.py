@@ -58,6 +58,7 @@ ARC = Subject(
     key="arc crank",
     layout="arc",
     command="table --mechanism arc",
+    sample="table --mechanism arc --rocker 6",
     axes={"ratio": RatioAxis, "angle": AngleAxis, "column": ColumnAxis},
     axis_keys=("ratio", "phi"),
     quantities=arc_registry,

@@ -292,6 +292,7 @@ SUBJECT = Subject(
     key="inertia errors",
     layout=SHEET,
     command=f"inertia --layout {SHEET}",
+    sample="inertia --centre 0.65 --gyration 0.35",
     axes={"ratio": RatioAxis, "force": _ForceAxis, "model": _ModelAxis, "column": ColumnAxis},
     axis_keys=("ratio", "force", "model"),
     own_first=False,

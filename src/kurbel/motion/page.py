@@ -57,6 +57,7 @@ INERTIA = Subject(
     key="inertia",
     layout="inertia",
     command="inertia",
+    sample="inertia --centre 0.65 --gyration 0.35",
     axes=AXES,
     axis_keys=("ratio", "phi"),
     quantities=_with_rods,

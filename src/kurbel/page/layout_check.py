@@ -9,7 +9,7 @@ from typing import Any
 from kurbel.errors import KurbelError, LayoutError
 from kurbel.page.folders import LANGUAGES, layout_names
 from kurbel.page.labels import Mark, parse
-from kurbel.page.layouts import SUBJECTS, Layout, LayoutColumn, layout
+from kurbel.page.layouts import Layout, LayoutColumn, layout
 from kurbel.page.subject import subject
 from kurbel.reading import notation
 from kurbel.reading.choices import choose
@@ -45,7 +45,7 @@ def _faults(page: Layout) -> Iterator[tuple[Place, str]]:
 
 
 def _faults_of_axes(page: Layout) -> Iterator[tuple[Place, str]]:
-    axes = SUBJECTS[page.subject]
+    axes = [*subject(page.subject).axes]
     shared = (*page.down, *page.across)
     for key, names in (("down", page.down), ("across", page.across)):
         for index, name in enumerate(names):
@@ -74,7 +74,7 @@ def _faults_of_values(page: Layout) -> Iterator[tuple[Place, str]]:
         texts: tuple[str, ...] = getattr(page, key)
         for index, text in enumerate(texts):
             yield from _refused((key, index), read, [text])
-        if axis in SUBJECTS[page.subject] and not texts:
+        if axis in subject(page.subject).axes and not texts:
             yield (key,), f"{key} is empty; a page about {page.subject} needs them where none are typed"
     if not _LETTER.fullmatch(page.angle_symbol):
         yield ("angle_symbol",), f'angle_symbol is "{page.angle_symbol[:20]}"; it must be a letter'
@@ -97,7 +97,7 @@ def _faults_of_columns(page: Layout) -> Iterator[tuple[Place, str]]:
         if column.method is not None and column.quantity in quantities:
             allowed = _methods(quantities[column.quantity].formulas)
             yield from _unknown((*place, "method"), column.method, allowed, f"method of {column.quantity}")
-        if not _KEY.fullmatch(column.key) or column.key in about.axis_keys:
+        if not _KEY.fullmatch(column.key) or column.key in {*about.axis_keys} - {column.quantity}:
             yield (*place, "key"), f'the key "{column.key[:40]}" cannot be that of a column; write it as x_2'
         if keys.index(column.key) != index:
             yield place, f"the key {column.key} is there twice; give one of the columns another"
@@ -127,7 +127,7 @@ def _faults_of_words(page: Layout) -> Iterator[tuple[Place, str]]:
         yield from _unknown_places(("caption", lang), page.caption[lang], sorted(known))
         for place, text in _labels(page, lang):
             if place[0] != "caption":
-                heads = ["{ratio}"] if place[0] == "columns" and "ratio" in SUBJECTS[page.subject] else []
+                heads = ["{ratio}"] if place[0] == "columns" and "ratio" in subject(page.subject).axes else []
                 yield from _unknown_places(place, text, heads)
             yield from _refused(place, _check_label, text)
 

@@ -13,30 +13,11 @@ from msgspec.structs import asdict, force_setattr
 from kurbel.errors import ChoiceError, LayoutError
 from kurbel.exact.numerals import MOST_DIGITS, Label
 from kurbel.page.folders import LANGUAGES, Folder, layout_file, layout_names
+from kurbel.page.registry import SUBJECTS
 from kurbel.reading.choices import choose
 from kurbel.reading.toml_file import Choice, Fault, TomlFile, TomlKind, about, schema_of
 
 KIND = TomlKind("layout", LayoutError, 200_000, "a layout has axes and columns", "pages/mine/layout.toml")
-# What a page is about, and the axes that it shares out.
-SUBJECTS: Mapping[str, tuple[str, ...]] = {
-    "motion": ("ratio", "angle", "column"),
-    "inertia": ("ratio", "angle", "column"),
-    "inertia errors": ("ratio", "force", "model", "column"),
-    "tangent": ("ratio", "column"),
-    "irregularity": ("expansion", "ratio", "column"),
-    "strokes": ("expansion", "ratio", "stroke", "column"),
-    "turning": ("expansion", "ratio", "angle", "column"),
-    "collation": ("place", "column"),
-    "crank forces": ("expansion", "ratio", "angle", "column"),
-    "machine": ("expansion", "ratio", "angle", "column"),
-    "flywheel": ("expansion", "ratio", "target", "column"),
-    "dead centres": ("arm", "ratio", "column"),
-    "roots": ("ratio", "condition", "stroke", "root", "column"),
-    "harmonics": ("order", "ratio"),
-    "balance": ("ratio", "residual", "order", "column"),
-    "arc crank": ("ratio", "angle", "column"),
-    "parallel crank": ("angle", "column"),
-}
 
 
 def _of_languages(entry: Mapping[str, Any]) -> Mapping[str, Any]:

@@ -12,28 +12,8 @@ from kurbel.exact.numerals import Label
 from kurbel.page.arrange import Axis, Grid, Place
 from kurbel.page.layouts import Layout
 from kurbel.page.quantity import Column, Quantity
+from kurbel.page.registry import SUBJECTS
 from kurbel.page.table import Note, Records, Value
-
-# By what a layout says that it is about: where its subject stands.
-SUBJECTS: Mapping[str, str] = {
-    "motion": "kurbel.motion.page:MOTION",
-    "inertia": "kurbel.motion.page:INERTIA",
-    "inertia errors": "kurbel.motion.inertia_page:SUBJECT",
-    "tangent": "kurbel.motion.tangent_page:SUBJECT",
-    "arc crank": "kurbel.linkage.page:ARC",
-    "parallel crank": "kurbel.linkage.page:PARALLEL",
-    "dead centres": "kurbel.linkage.beam_page:SUBJECT",
-    "roots": "kurbel.solve.page:SUBJECT",
-    "collation": "kurbel.books.collate_page:SUBJECT",
-    "irregularity": "kurbel.engine.page:IRREGULARITY",
-    "strokes": "kurbel.engine.page:STROKES",
-    "turning": "kurbel.engine.page:TURNING",
-    "crank forces": "kurbel.engine.page:CRANK_FORCES",
-    "machine": "kurbel.engine.page:MACHINE",
-    "flywheel": "kurbel.engine.page:FLYWHEEL",
-    "harmonics": "kurbel.balance.harmonics_page:SUBJECT",
-    "balance": "kurbel.balance.page:SUBJECT",
-}
 
 
 def _everywhere(question: Any, place: Place) -> bool:
@@ -53,12 +33,13 @@ class Subject:
     """What pages of one kind are about, as data; grid, records, fields, keys and checks follow from it.
 
     `axes` by their names, outermost first, each made of the question; "column" is that of the quantities.
-    `number` is what stands at a place, times a factor; the question keeps what it computed once. `layout` is
-    the default layout, `command` what prints its pages. `of` is what the quantities are numbers of that a
-    layout can show beside its own, all if it is empty; its own stand first in lists unless all come in the
-    order of the quantities. `exists` leaves out places that a grid has too many, `marks` are those of notes
-    at a place, `beside` the columns that follow one in records, `rows` the records where they are long or
-    others than the page's, and `grid` the page where it is that of another layout.
+    `number` is what stands at a place, times a factor; the question keeps what it computed once. `layout`
+    is the default layout, `command` what prints its pages, `sample` the same with all that a page needs.
+    `of` is what the quantities are numbers of that a layout can show beside its own, all if it is empty;
+    its own stand first in lists unless all come in the order of the quantities. `exists` leaves out
+    places that a grid has too many, `marks` are those of notes at a place, `beside` the columns that
+    follow one in records, `rows` the records where they are long or others than the page's, and `grid`
+    the page where it is that of another layout.
     """
 
     key: str
@@ -70,6 +51,7 @@ class Subject:
     number: Callable[[Any, Column, Place, int], Value]
     caption: Callable[[Any], Label]
     notes: Callable[[Any], Iterable[Label | Note]]
+    sample: str = ""
     own_first: bool = True
     of: tuple[str, ...] = ()
     exists: Callable[[Any, Place], bool] = _everywhere

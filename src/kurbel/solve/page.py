@@ -227,6 +227,7 @@ SUBJECT = Subject(
     key="roots",
     layout="solve",
     command="solve",
+    sample="solve --where p=0",
     axes={
         "ratio": RatioAxis,
         "condition": _ConditionAxis,
