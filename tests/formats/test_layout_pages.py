@@ -35,8 +35,8 @@ ROWS = {
     "balance": ("--orders=2",),
 }
 OVER_ANGLES = (
-    "arc", "blau-kolbenwege", "engine-forces", "forces", "forces-arc", "forces-parallel", "inertia", "kinematics",
-    "lueger-kolbenbewegung", "machine-forces", "parallel", "turning", "verfahren",
+    "arc", "blau-kolbenwege", "engine-forces", "forces", "forces-arc", "forces-parallel", "inertia",
+    "kinematics", "lueger-kolbenbewegung", "machine-forces", "parallel", "turning", "verfahren",
 )  # fmt: skip
 ROWS |= {name: ("--angle=0;60",) for name in OVER_ANGLES}
 MACHINE = ("--stroke=600mm", "--rod=1500mm", "--speed=120/min")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import cmath
+import functools
 import math
 from fractions import Fraction
 from typing import Any
@@ -35,10 +36,10 @@ from kurbel.linkage.evaluation import (
     value,
 )
 from kurbel.linkage.parallel import CHANGE_POINTS
-from kurbel.linkage.quantities import arc_registry
+from kurbel.linkage.quantities import FORCE, arc_registry
 from kurbel.motion.evaluation import OUT, RETURN
 
-MOTIONS = tuple(key for key, one in arc_registry().items() if one.stroke == OUT)
+MOTIONS = tuple(key for key, one in arc_registry().items() if one.stroke == OUT and one.of != FORCE)
 
 
 @pytest.mark.parametrize("crank", CRANKS, ids=shown)
@@ -202,6 +203,14 @@ def random_crank(random: np.random.Generator) -> ArcCrank:
 
 FIELDS = [kernel.chord, kernel.slide_path, kernel.rise, kernel.velocity, kernel.acceleration]
 FIELDS += [kernel.path_half_sine, kernel.rod_velocity, kernel.rod_acceleration]
+
+
+def of_place(formula: Any) -> Any:
+    """A force, which takes no dead centre, called as the others are."""
+    return functools.wraps(formula)(lambda place, arc: formula(place))
+
+
+FIELDS += map(of_place, (kernel.rod_force, kernel.rocker_force, kernel.radial_force))
 
 
 @pytest.mark.parametrize(("steepest", "bound"), [(0.7, 12), (0.95, 60)])

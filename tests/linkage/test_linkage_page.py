@@ -18,6 +18,7 @@ from kurbel.drive.crank import Crank
 from kurbel.errors import KurbelError, ProblemError
 from kurbel.exact.numerals import Number, number_text
 from kurbel.linkage.arc import ArcCrank
+from kurbel.linkage.quantities import FORCE, arc_registry
 from kurbel.motion.evaluation import OUT, RETURN
 from kurbel.page.folders import LANGUAGES
 from kurbel.page.labels import plain
@@ -208,7 +209,8 @@ def test_both_strokes_have_both_signs_below_the_table() -> None:
 
 @each_language
 def test_every_column_of_the_arc_crank_is_that_of_the_closed_links(lang: str) -> None:
-    keys = [key for key in subject("arc crank").column_keys(layout("arc")) if key not in ("ratio", "phi")]
+    known = subject("arc crank").column_keys(layout("arc"))
+    keys = [key for key in known if key not in ("ratio", "phi") and arc_registry()[key].of != FORCE]
     assert len(keys) == 28
     drive = ("1:3.5", "9", ("3.7", "-9.2"))
     table = page(drive, angle="73.1", columns=keys, lang=lang)
@@ -363,9 +365,13 @@ def test_what_is_typed_goes_before_the_environment() -> None:
         (
             "parallel --columns phi,x",
             'there is no column "x"; choose from phi, coupler_path, coupler_velocity, coupler_acceleration,'
-            " coupler_rise, coupler_rise_velocity, coupler_rise_acceleration",
+            " coupler_rise, coupler_rise_velocity, coupler_rise_acceleration, tangential_force,"
+            " tangential_force_n, radial_force, radial_force_n, torque, torque_nm",
         ),
-        ("arc --layout kinematics --rocker 6", "layout kinematics is about something else; choose from arc"),
+        (
+            "arc --layout kinematics --rocker 6",
+            "layout kinematics is about something else; choose from arc, forces-arc",
+        ),
         (
             "arc --rocker 6 --step 0.001",
             "a page of 3600010 numbers is too long; at most 300000 are set, use -f csv or -f json",
@@ -391,5 +397,5 @@ def test_a_page_of_python_is_refused_in_a_sentence() -> None:
         KurbelError, match=r'pivot "\(5,\)" is not a place; write its distance from the shaft'
     ):
         kurbel.table(mechanism="arc", rocker=6, pivot=(5,))  # type: ignore[arg-type]
-    with pytest.raises(KurbelError, match="layout arc is about something else; choose from parallel"):
+    with pytest.raises(KurbelError, match="layout arc is about something else; choose from forces-par"):
         kurbel.table(mechanism="parallel", layout="arc")
