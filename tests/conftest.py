@@ -1,4 +1,4 @@
-"""What tests share that takes long to start."""
+"""What tests share that takes long to start, or must be ended."""
 
 from __future__ import annotations
 
@@ -6,6 +6,12 @@ from collections.abc import Iterator
 
 import pytest
 from browser import Viewer, launched
+from hypothesis import HealthCheck, settings
+from programs import Programs
+
+# How long an example takes says how busy the machine is.
+settings.register_profile("kurbel", deadline=None, suppress_health_check=[HealthCheck.too_slow])
+settings.load_profile("kurbel")
 
 
 @pytest.fixture(scope="session")
@@ -13,3 +19,10 @@ def viewer() -> Iterator[Viewer]:
     """One browser for all tests of a session."""
     with launched() as viewer:
         yield viewer
+
+
+@pytest.fixture
+def programs() -> Iterator[Programs]:
+    """Starts programs, and ends those that a test leaves running."""
+    with Programs() as programs:
+        yield programs

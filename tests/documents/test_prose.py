@@ -143,11 +143,11 @@ def test_unknown_name_raises_what_the_caller_raises() -> None:
     "piece", [">", "- ", "[", "![", "*a_ ", "**a *b ", "`a", "<", "[](<\n", "a\n", "|a\n|-\n", "$"]
 )
 def test_pathological_text_is_set_or_refused_quickly(piece: str) -> None:
-    start = time.perf_counter()
+    start = time.process_time()
     parsed((piece * 50_000)[:50_000])
     with pytest.raises(ProseError):
         parse_prose(piece * 5_000_000)
-    assert time.perf_counter() - start < 10
+    assert time.process_time() - start < 10
 
 
 @pytest.mark.parametrize(

@@ -108,7 +108,7 @@ def test_the_keyboard_scrolls_a_wide_table(viewer: Viewer) -> None:
     page = viewer.open(document(default_page("roetscher-112")), TELEPHONE)
     page.keyboard.press("Tab")
     page.keyboard.press("ArrowRight")
-    page.wait_for_function("document.querySelector('.scroll').scrollLeft > 0", timeout=10_000)
+    page.wait_for_function("document.querySelector('.scroll').scrollLeft > 0")
     assert page.evaluate("document.activeElement.className") == "scroll"
 
 

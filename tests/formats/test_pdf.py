@@ -7,13 +7,13 @@ import pty
 import re
 import subprocess
 import sys
-import time
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from cli import printed, refusal
 from everything import everything
+from programs import into_the_next_second
 from tools import require_library
 
 import kurbel
@@ -46,7 +46,7 @@ def in_pipe(folder: Path, **environment: str) -> bytes:
 def test_the_same_table_is_the_same_file_on_every_day_in_every_zone_locale_and_folder(tmp_path: Path) -> None:
     first = in_pipe(Path("/"), TZ="Asia/Tokyo", LC_ALL="de_DE.UTF-8")
     # The clock of a PDF counts seconds.
-    time.sleep(1.1)
+    into_the_next_second()
     assert in_pipe(tmp_path, TZ="America/New_York", LC_ALL="C") == first
     assert first.startswith(b"%PDF-")
     assert dates(first) == set()

@@ -6,14 +6,13 @@ import hashlib
 import json
 import os
 import subprocess
-import sys
-import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
 from cli import Result, kurbel
+from programs import Programs, wait_until
 
 from kurbel.formats.pdf import by_tex as pdf_tex
 from kurbel.handbook.pages import PdfTask, PlannedChapter, make_pdf
@@ -260,23 +259,27 @@ def test_a_tex_of_ones_own_templates_is_ended_by_its_own_clock(
     assert counted == [False, True]
 
 
-def test_a_build_that_is_ended_ends_its_tex(tmp_path: Path) -> None:
+def test_a_build_that_is_ended_ends_its_tex(programs: Programs, tmp_path: Path) -> None:
     """In place of TeX a program that says its number and sleeps."""
     manifest = MANIFEST.replace('"markdown", "csv"', '"pdf"')
     folder = book(tmp_path / "book", f'templates = "mine"\n{manifest}\n[pdf]\nengine = "latexmk"\n')
     (folder / "mine").mkdir()
-    program = tmp_path / "latexmk"
-    program.write_text(f"#!/bin/sh\necho $$ > {tmp_path}/number\nexec sleep 60\n")
+    program, number = tmp_path / "latexmk", tmp_path / "number"
+    # The number appears at once and whole.
+    program.write_text(f"#!/bin/sh\necho $$ > {number}.part\nmv {number}.part {number}\nexec sleep 3600\n")
     program.chmod(0o755)
     path = f"{tmp_path}{os.pathsep}{os.environ['PATH']}"
-    words = [sys.executable, "-m", "kurbel", "handbook", "build", str(folder)]
-    process = subprocess.Popen(words, env={**os.environ, "PATH": path}, stderr=subprocess.PIPE)
-    number = tmp_path / "number"
-    end = time.monotonic() + 30
-    while not (number.exists() and number.read_text()) and time.monotonic() < end:
-        time.sleep(0.05)
+    process = programs.kurbel("handbook", "build", str(folder), env={**os.environ, "PATH": path})
+    wait_until(lambda: number.exists() or process.poll() is not None)
     process.terminate()
     process.communicate()
     assert process.returncode == 143
-    with pytest.raises(ProcessLookupError):
-        os.kill(int(number.read_text()), 0)
+    wait_until(lambda: not is_running(int(number.read_text())))
+
+
+def is_running(number: int) -> bool:
+    try:
+        os.kill(number, 0)
+    except ProcessLookupError:
+        return False
+    return True

@@ -9,6 +9,7 @@ from typing import Literal
 
 from places import TESTS
 from playwright.sync_api import Browser, ConsoleMessage, Error, Page, sync_playwright
+from programs import PATIENCE
 from tools import missing, require
 
 AXE = TESTS / "node_modules" / "axe-core" / "axe.min.js"
@@ -44,6 +45,7 @@ class Viewer:
 
     def __init__(self, browser: Browser) -> None:
         self.page: Page = browser.new_page()
+        self.page.set_default_timeout(1000 * PATIENCE)
         # No page may need anything from elsewhere.
         self.page.context.set_offline(True)
         self.complaints: list[str] = []

@@ -6,6 +6,7 @@ import re
 import subprocess
 from pathlib import Path
 
+from programs import PATIENCE
 from tools import require
 
 ENGINES = ("pdflatex", "lualatex")
@@ -21,7 +22,7 @@ def compiled(engine: str, text: str, folder: Path, runs: int = 1) -> str:
             [program, "-interaction=nonstopmode", "-halt-on-error", "page.tex"],
             cwd=folder,
             capture_output=True,
-            timeout=120,
+            timeout=PATIENCE,
             check=False,
         )
     return (folder / "page.log").read_text(encoding="utf-8", errors="replace")

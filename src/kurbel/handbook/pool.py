@@ -120,18 +120,35 @@ def _start() -> None:
 
 @contextmanager
 def deadline(seconds: float, gigabytes: int | None, counts: bool) -> Iterator[None]:
-    """If it `counts`, end this process where the block is not done in time, and perhaps limit its memory.
+    """If it `counts`, end this process where the block takes longer, and perhaps limit its memory.
 
-    For the processes of `worked` only. Too much memory is a MemoryError. A watch in C ends even a process
-    that is inside of one long operation.
+    For the processes of `worked` only. Too much memory is a MemoryError. The seconds are of processor time
+    where the system counts it, so that a busy machine ends nothing; either way even a process that is inside
+    of one long operation is ended.
     """
     if not counts:
         yield
         return
-    import faulthandler
-
     if gigabytes is not None:
         _limit_memory(gigabytes)
+    with _processor_watch(seconds) if hasattr(signal, "setitimer") else _clock_watch(seconds):
+        yield
+
+
+@contextmanager
+def _processor_watch(seconds: float) -> Iterator[None]:
+    signal.signal(signal.SIGPROF, signal.SIG_DFL)
+    signal.setitimer(signal.ITIMER_PROF, seconds)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_PROF, 0)
+
+
+@contextmanager
+def _clock_watch(seconds: float) -> Iterator[None]:
+    import faulthandler
+
     with open(os.devnull, "w") as nowhere:
         faulthandler.dump_traceback_later(seconds, exit=True, file=nowhere)
         try:
