@@ -177,6 +177,10 @@ def forces_table(
     >>> print(kurbel.typeset(page, "csv"), end="")
     phi,rod_force,guide_force
     53.1301,1.2500,0.7500
+    >>> page = kurbel.forces_table("1:5", mechanism="arc", rocker=6, angle=90, columns="rod_force,torque")
+    >>> print(kurbel.typeset(page, "csv"), end="")
+    rod_force,torque
+    1.0172,0.9967
     """
     about = _about({"layout": layout, "layouts": layouts, "at": at, "eps": eps, "card": card})
     sheet: dict[str, Any] = {"digits": digits, "rounding": rounding, "lang": lang, "label": label}
