@@ -3,12 +3,14 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/ready
+# The tests of a file share what they made: they run in one process.
+IN_PARALLEL := -n 2 --dist loadfile
 
 .DEFAULT_GOAL := help
-.PHONY: help demo handbook test check bench docs golden tools clean
+.PHONY: help demo handbook test test-all check bench docs golden tools clean
 
 help: ## list the targets
-	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 $(READY): pyproject.toml
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "kurbel needs Python 3.11 or newer")'
@@ -23,8 +25,11 @@ demo: $(READY) ## print the table for R:L = 1:5
 handbook: $(READY) ## build the example handbook, examples/appendix/pages/handbook.pdf and .html
 	$(BIN)/kurbel handbook build examples/appendix
 
-test: $(READY) check ## run linters, type checks and all tests
-	$(BIN)/python -m pytest -n 2
+test: $(READY) check ## run linters, type checks and the tests, in CI all of them
+	$(BIN)/python -m pytest $(IN_PARALLEL) $(if $(filter true,$(CI)),,-m 'not slow')
+
+test-all: $(READY) check ## run the slow tests too
+	$(BIN)/python -m pytest $(IN_PARALLEL)
 
 check: $(READY)
 	$(BIN)/ruff check .
@@ -46,7 +51,7 @@ docs: $(READY) ## write docs/reference.md and the JSON Schemas anew
 	$(BIN)/python docs/schemas.py
 
 golden: $(READY) ## write the golden files anew; then read the difference
-	KURBEL_PROMOTE=1 $(BIN)/python -m pytest -q -n 2 tests
+	KURBEL_PROMOTE=1 $(BIN)/python -m pytest -q $(IN_PARALLEL) tests
 	git diff --stat -- tests/golden
 
 tools: ## install TeX, Chromium, poppler, fish and axe, which some tests need (Debian, as root)

@@ -186,7 +186,10 @@ def test_thirty_tables_in_a_row_are_not_too_many(tmp_path: Path) -> None:
     assert places == sorted(places)
 
 
-@pytest.mark.parametrize(("first", "second"), [("pdflatex", "latexmk"), ("lualatex", "lualatex")])
+@pytest.mark.parametrize(
+    ("first", "second"),
+    [("pdflatex", "latexmk"), pytest.param("lualatex", "lualatex", marks=pytest.mark.slow)],
+)
 def test_the_same_files_give_the_same_pdf(
     first: str, second: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -205,6 +205,7 @@ def test_a_handbook_without_chapters_subtitle_and_author_compiles(tmp_path: Path
     assert "Titel Inhalt" in read(small(tmp_path, chapters=()))
 
 
+@pytest.mark.slow
 def test_all_layouts_make_a_handbook(tmp_path: Path) -> None:
     tables = {
         name: replace(page, key=name, layout=page.layout or page.key)

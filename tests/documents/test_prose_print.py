@@ -8,9 +8,8 @@ import string
 import subprocess
 from pathlib import Path
 
-import pytest
 from prose_sample import SAMPLE, Parts, parsed, shown
-from tex import ENGINES, compiled, complaints
+from tex import compiled, complaints, each_engine
 from tools import require, require_library
 
 from kurbel.documents.prose import parse_prose
@@ -79,7 +78,7 @@ def typeset(source: str, folder: Path) -> None:
     assert warnings == []
 
 
-@pytest.mark.parametrize("engine", ENGINES)
+@each_engine
 def test_sample_is_printed_by_latex(engine: str, tmp_path: Path) -> None:
     heading = "\n\n# λ \"q\" 'x' \\` ~^\\\\ {}% `a_b` [](#delta)\n"
     text = f"{_LATEX}{latex(SAMPLE + heading)}\\end{{document}}\n"
@@ -147,7 +146,7 @@ def between(page: str, count: int) -> list[str]:
 _LIST = re.compile(r"<(?:li|ol|ul|hr)\b")
 
 
-@pytest.mark.parametrize("engine", ENGINES)
+@each_engine
 def test_nasty_text_is_printed_by_latex(engine: str, tmp_path: Path) -> None:
     texts = [text for text in nasty_texts(120) if not _LIST.search(html(text))]
     pieces = "\n\n".join(f"{latex(text)}\n\nQQ{place}QQ\n" for place, text in enumerate(texts))

@@ -12,7 +12,7 @@ from cli import printed
 from golden import assert_golden
 from places import GOLDEN
 from readers import fragment
-from tex import ENGINES, PREAMBLE, compiled, complaints
+from tex import PREAMBLE, compiled, complaints, each_engine, each_kind_of_table
 
 import kurbel
 from kurbel.examples.source import numbers_of, source_keys
@@ -81,8 +81,8 @@ def pages() -> list[Table]:
     ]
 
 
-@pytest.mark.parametrize("longtable", [False, True], ids=["table", "longtable"])
-@pytest.mark.parametrize("engine", ENGINES)
+@each_kind_of_table
+@each_engine
 def test_examples_compile_in_one_document(engine: str, longtable: bool, tmp_path: Path) -> None:
     inputs = ""
     for page in pages():

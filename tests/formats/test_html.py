@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from browser import TELEPHONE, Viewer, assert_readable, assert_readable_in_the_dark
 from everything import everything
-from pages import default_page, each_layout
+from pages import default_page
 from rows import assert_rows_stand_in
 from tools import require
 
@@ -33,11 +33,14 @@ def document(table: Table) -> str:
     return render(table, "html", standalone=True)
 
 
-@each_layout
+# What the languages do not share is words.
+@pytest.mark.parametrize("lang", ["de", pytest.param("en", marks=pytest.mark.slow)])
+@each_name
 def test_everybody_can_read_every_layout(viewer: Viewer, name: str, lang: str) -> None:
     assert_readable(viewer, default_document(name, lang))
 
 
+@pytest.mark.slow
 @each_name
 def test_every_layout_is_good_in_the_dark(viewer: Viewer, name: str) -> None:
     assert_readable_in_the_dark(viewer, default_document(name))

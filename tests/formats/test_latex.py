@@ -7,13 +7,13 @@ from pathlib import Path
 
 import pytest
 from everything import everything, tall, wide
-from tex import ENGINES, compiled, complaints
+from tex import compiled, complaints, each_engine
 from tools import require
 
 from kurbel.formats.render import render
 
 
-@pytest.mark.parametrize("engine", ENGINES)
+@each_engine
 def test_page_with_every_part_compiles_without_warnings(engine: str, tmp_path: Path) -> None:
     # The label of the table needs a second run.
     log = compiled(engine, render(everything(), "latex", standalone=True), tmp_path, runs=2)

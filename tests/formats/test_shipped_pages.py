@@ -11,7 +11,7 @@ import pytest
 from pages import all_pages
 from readers import fragment
 from rows import assert_rows_stand_in, text_of_pdf
-from tex import ENGINES, PREAMBLE, compiled, complaints
+from tex import PREAMBLE, compiled, complaints, each_engine, each_kind_of_table
 from tools import require_library
 
 from kurbel import table, typeset_pdf
@@ -20,8 +20,8 @@ from kurbel.page.folders import LANGUAGES
 from kurbel.page.table import Table
 
 
-@pytest.mark.parametrize("longtable", [False, True], ids=["table", "longtable"])
-@pytest.mark.parametrize("engine", ENGINES)
+@each_kind_of_table
+@each_engine
 def test_all_shipped_layouts_compile_in_one_document(engine: str, longtable: bool, tmp_path: Path) -> None:
     pages = all_pages()
     assert len(pages) >= 32

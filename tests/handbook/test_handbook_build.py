@@ -259,7 +259,7 @@ SETTINGS: tuple[Mapping[str, str], ...] = (
 )
 
 
-@pytest.mark.parametrize("epoch", ["", "1000000000"])
+@pytest.mark.parametrize("epoch", [pytest.param("", marks=pytest.mark.slow), "1000000000"])
 def test_two_builds_are_the_same_bytes(tmp_path: Path, epoch: str) -> None:
     require_library("typst")
     require_library("matplotlib")
@@ -333,7 +333,7 @@ def test_check_before_any_build_says_that_all_is_missing(tmp_path: Path) -> None
     assert not (tmp_path / "pages").exists()
 
 
-@pytest.mark.parametrize("lang", ["de", "en"])
+@pytest.mark.parametrize("lang", ["de", pytest.param("en", marks=pytest.mark.slow)])
 def test_the_manifest_of_init_builds_at_once(tmp_path: Path, lang: str) -> None:
     assert kurbel("handbook", "init", str(tmp_path / "a/b"), "--lang", lang).code == 0
     result = build(tmp_path / "a/b")
@@ -438,6 +438,7 @@ MANY = 'title = "Tafeln"\nformats = ["latex", "html", "csv"]\n[[chapter]]\ntitle
 )
 
 
+@pytest.mark.slow
 def test_a_build_killed_at_any_moment_leaves_old_or_new_files(programs: Programs, tmp_path: Path) -> None:
     folder = book(tmp_path / "a", MANY.replace("STEP", "45"))
     build(folder)

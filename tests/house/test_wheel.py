@@ -33,6 +33,7 @@ def test_the_wheel_holds_templates_sources_and_types(wheel: Path) -> None:
         assert file.relative_to(ROOT / "src").as_posix() in names
 
 
+@pytest.mark.slow
 def test_an_installed_wheel_prints_a_table_from_another_directory(wheel: Path, tmp_path: Path) -> None:
     environment = tmp_path / "environment"
     subprocess.run([sys.executable, "-m", "venv", "--without-pip", str(environment)], check=True)

@@ -6,10 +6,16 @@ import re
 import subprocess
 from pathlib import Path
 
+import pytest
 from programs import PATIENCE
 from tools import require
 
-ENGINES = ("pdflatex", "lualatex")
+each_engine = pytest.mark.parametrize(
+    "engine", ["pdflatex", pytest.param("lualatex", marks=pytest.mark.slow)]
+)
+each_kind_of_table = pytest.mark.parametrize(
+    "longtable", [False, pytest.param(True, marks=pytest.mark.slow)], ids=["table", "longtable"]
+)
 _COMPLAINT = re.compile(r"^(?:!|.*\b(?:Warning|Overfull|Underfull|Missing character)\b).*", re.MULTILINE)
 
 
