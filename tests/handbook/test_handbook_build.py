@@ -6,6 +6,7 @@ import hashlib
 import json
 import os
 import pty
+import re
 import shutil
 import signal
 import subprocess
@@ -101,6 +102,27 @@ def test_every_table_is_in_every_format_and_every_document_whole(tmp_path: Path)
     assert listed == {
         path: hashlib.sha256(content).hexdigest() for path, content in made.items() if path != "contents.json"
     }
+
+
+def test_a_handbook_in_plain_text_has_its_chapters_texts_and_tables(tmp_path: Path) -> None:
+    folder = book(tmp_path, re.sub("formats = .*", 'formats = ["text"]', MANIFEST))
+    assert build(folder).code == 0
+    made = {path: content.decode() for path, content in files(folder).items()}
+    page = made["handbook.txt"]
+    parts = ("Inhalt", "1  Wege", "Siehe Tabelle 1 und Tabelle 2.", made["tables/wege.txt"], "2  Engine")
+    places = [page.rindex(part.rstrip("\n")) for part in (*parts, made["tables/schwung.txt"])]
+    assert places == sorted(places)
+    assert " Tabelle 1\n Kolbenweg" in page
+    assert " Table 2\n" in page
+
+
+def test_a_handbook_for_sphinx_is_a_project_with_a_page_a_chapter(tmp_path: Path) -> None:
+    folder = book(tmp_path, re.sub("formats = .*", 'formats = ["rst"]', MANIFEST))
+    assert build(folder).code == 0
+    made = files(folder)
+    pages = {f"rst/{name}" for name in ("index.rst", "01-wege.rst", "02-engine.rst", "conf.py", "kurbel.css")}
+    assert set(made) == pages | {"tables/wege.rst", "tables/schwung.rst", "contents.json"}
+    assert b"Siehe :ref:`Tabelle 1 <tab-wege>`" in made["rst/01-wege.rst"]
 
 
 def test_what_a_table_says_is_what_its_command_prints(tmp_path: Path) -> None:
