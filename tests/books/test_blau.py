@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 from fractions import Fraction
 from typing import Any, NamedTuple
 
@@ -10,6 +9,7 @@ import pytest
 from cli import printed
 from mpmath import mp
 from places import SOURCES
+from registers import register
 
 from kurbel.drive.crank import Crank
 from kurbel.exact.certify import NEVER_TIES, rounded
@@ -37,9 +37,10 @@ class Cell(NamedTuple):
 
     place: str
     condition: str
-    printed: str
+    cell: str
     computed: str
     record: str
+    printed: str
 
     @property
     def ratio(self) -> Fraction:
@@ -67,8 +68,7 @@ class Cell(NamedTuple):
 
 
 def cells() -> list[Cell]:
-    with FILE.open(encoding="utf-8", newline="") as lines:
-        return [Cell(**row) for row in csv.DictReader(lines, delimiter=";")]
+    return [Cell(**row) for row in register(FILE)]
 
 
 CELLS = cells()

@@ -200,7 +200,6 @@ def test_motion_of_the_books_is_what_was_worked_out_with_mpmath() -> None:
         for row in rows(f"{key}.csv"):
             _, ratio, angle, quantity = row["place"].split("/")
             one = found[quantity, ratio, angle.split("-")[0]]
-            assert one.printed.text == row["printed"]
             assert one.recomputed == row["computed"]
             assert (one.verdict.kind == RIGHT) == (row["record"] == "agrees")
             count += 1
@@ -212,9 +211,7 @@ def test_weisbach_is_what_was_worked_out_with_mpmath() -> None:
     for name, key in (("weisbach/149.csv", "weisbach-149"), ("weisbach/150.csv", "weisbach-150")):
         found = {one.cell.place: one for one in Collation(TABLES[key])}
         for row in rows(name):
-            *_, epsilon, place = row["place"].split("/")
-            one = found[f"table_{epsilon}" if place == "delta_table" else place]
-            assert one.printed.text == row["printed"]
+            one = found[row["cell"]]
             assert one.recomputed == row["weisbach"]
             count += 1
     assert count == 25

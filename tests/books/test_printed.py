@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import csv
 from dataclasses import dataclass
 from fractions import Fraction
 
 import pytest
 import textbook
 from places import SOURCES
+from registers import register
 
 from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Number, number_text
@@ -29,9 +29,10 @@ class Printed:
 
     place: str
     method: str
-    printed: str
+    cell: str
     computed: str
     record: str
+    printed: str
 
     @property
     def ratio(self) -> Fraction:
@@ -60,10 +61,9 @@ class Printed:
 def printed_values() -> list[Printed]:
     found = []
     for path in sorted(FOLDER.glob("*.csv")):
-        with path.open(encoding="utf-8", newline="") as lines:
-            for row in csv.DictReader(lines, delimiter=";"):
-                assert row["place"].startswith(f"{path.stem}/")
-                found.append(Printed(**row))
+        for row in register(path):
+            assert row["place"].startswith(f"{path.stem}/")
+            found.append(Printed(**row))
     return found
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Iterator
 from decimal import ROUND_HALF_UP, Decimal
 from fractions import Fraction
@@ -16,6 +15,7 @@ import textbook
 from energy_curve import Exact, Plant
 from mpmath import mp
 from places import SOURCES
+from registers import register
 
 from kurbel.drive.crank import Crank
 from kurbel.engine.engine import Engine, Steam
@@ -50,11 +50,12 @@ class Cell(NamedTuple):
     """One printed value, what each method gives to as many places, and the record."""
 
     place: str
-    printed: str
+    cell: str
     exact: str
     series: str
     weisbach: str
     record: str
+    printed: str
 
     @property
     def expansion(self) -> int:
@@ -69,8 +70,7 @@ class Cell(NamedTuple):
 
 
 def cells(section: str) -> list[Cell]:
-    with (FOLDER / f"{section}.csv").open(encoding="utf-8", newline="") as lines:
-        return [Cell(**row) for row in csv.DictReader(lines, delimiter=";")]
+    return [Cell(**row) for row in register(FOLDER / f"{section}.csv")]
 
 
 DEAD_CENTRES, TURNING = cells("149"), cells("150")

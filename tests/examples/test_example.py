@@ -15,6 +15,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from mpmath import mp
 from places import SOURCES
+from registers import register
 from textbook import Drive, evaluate, real, rounded
 
 import kurbel
@@ -381,12 +382,11 @@ def test_every_printed_value_stands_in_its_example() -> None:
     assert counted == 80
 
 
-def test_printed_values_of_both_registers_agree() -> None:
-    with (SOURCES / "weisbach" / "150.csv").open(encoding="utf-8") as lines:
-        register = {row["place"].split("/2/")[-1]: row for row in csv.DictReader(lines, delimiter=";")}
+def test_figures_of_section_150_are_those_of_its_register() -> None:
+    cells = {row["place"].split("/2/")[-1]: row for row in register(SOURCES / "weisbach" / "150.csv")}
     for row in records("weisbach", "150"):
         if row["step"]:
-            cell = register[row["step"]]
+            cell = cells[row["step"]]
             assert row["printed"].replace(".", ",").replace("′", "'") == cell["printed"]
             assert row["recomputed"].replace(".", ",").replace("′", "'") == cell["weisbach"]
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import csv
 import doctest
 import os
 import re
@@ -14,6 +13,7 @@ from pathlib import Path
 import pytest
 from cli import kurbel
 from places import ROOT, SOURCES
+from registers import register
 
 README = ROOT / "README.md"
 BLOCK = re.compile(r"(?<=```console\n).*?(?=```)", re.DOTALL)
@@ -80,8 +80,8 @@ def test_the_python_session_of_the_readme_is_true() -> None:
 
 
 def test_the_tables_of_printed_values_are_those_of_the_sources() -> None:
-    with (SOURCES / "weisbach" / "150.csv").open(encoding="utf-8") as lines:
-        cells = {row["place"].split("/", 2)[2]: row for row in csv.DictReader(lines, delimiter=";")}
+    rows = register(SOURCES / "weisbach" / "150.csv")
+    cells = {row["place"].split("/", 2)[2]: row for row in rows}
     readme = README.read_text(encoding="utf-8")
     for expansion in range(2, 7):
         cell = cells[f"{expansion}/delta_table"]
