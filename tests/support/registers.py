@@ -16,7 +16,7 @@ def printed_values(table: str) -> dict[str, str]:
 
 
 def register(path: Path) -> list[dict[str, str]]:
-    """Return the rows of a file of tests/sources, each with the characters `printed` in the `cell` it names."""
+    """Return the rows of a file of tests/sources, each with what is `printed` in the `cell` that it names."""
     with path.open(encoding="utf-8", newline="") as lines:
         rows = list(csv.DictReader(lines, delimiter=";"))
     return [row | {"printed": printed_values(row["place"].split("/")[0])[row["cell"]]} for row in rows]
