@@ -291,7 +291,7 @@ def card_turn(change: Callable[[float], float] = unchanged, resolution: float = 
     steam = Steam(Fraction(5, 2), Fraction(1, 10))
     forward = tuple(BAR * (pressure_at(steam, share) + change(share)) for share in EVEN)
     card = Card(tuple(EVEN), forward, (BAR / 10,) * len(EVEN), resolution=resolution * BAR)
-    return CardTurn(Engine(Crank(Fraction(1, 5)), Diagram(card)), "exact", BAR)
+    return CardTurn(Engine(Crank(Fraction(1, 5)), Diagram(card, unit=BAR)), "exact")
 
 
 def changes(shares: Sequence[float]) -> Iterator[Callable[[float], float]]:
@@ -314,7 +314,7 @@ def slope(work: Callable[[float], float], share: float) -> float:
 
 def share_at(turn: CardTurn, place: float) -> float:
     """Return the share of its stroke that the piston has travelled, so many half turns into the turn."""
-    return float(turn.motion.path(circle(180.0 * (place % 1)), -0.2 if place >= 1 else 0.2)) / 2
+    return float(turn.cylinder.motion.path(circle(180.0 * (place % 1)), -0.2 if place >= 1 else 0.2)) / 2
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ from math import ceil, floor, log10
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.drive.crank_forces import CRANK_FORCES
-from kurbel.engine.quantities import AT_ANGLE, EXTREMES, AnyTurn, Where, engine_registry, value
+from kurbel.engine.quantities import AT_ANGLE, EXTREMES, Where, engine_registry, value
 from kurbel.engine.turn import Turn, at_bits
 from kurbel.errors import CardError
 from kurbel.exact.certify import NEVER_TIES, TieBits, rounded
@@ -17,6 +17,7 @@ from kurbel.page.quantity import Column, Quantity, bare
 
 if TYPE_CHECKING:
     from kurbel.engine.card_turn import CardTurn
+    from kurbel.engine.cylinder import AnyTurn
 
 # A quantity with no decimals of its own is printed to so many figures.
 FIGURES = 5
@@ -108,8 +109,8 @@ def estimated(
     return _to_place(Fraction(best), supported, rounding)
 
 
-def check_card(turn: CardTurn, rounding: str) -> None:
-    """Raise CardError for a card that supports not one figure of the mean force."""
+def check_card(turn: Any, rounding: str) -> None:
+    """Raise CardError for a card, by its turn, that supports not one figure of the mean force."""
     mean = engine_registry()["mean_force"]
     if estimated(bare(mean, turn.method, mean.decimals), (turn,), Where(), rounding) is None:
         raise CardError(
@@ -130,9 +131,9 @@ def _sensitivity(quantity: Quantity, turn: CardTurn, value: float) -> float:
     """How far the quantity is off where the work of a stroke is off by 1."""
     work = 2 * len(turn.engine.cranks)
     # An extreme energy 2 A - P α errs by the work twice; δ is the difference of two of them over P.
-    irregularity = (4 + 0.64 * turn.irregularity()) * work / 2 / turn.mean_force()
+    irregularity = float((4 + 0.64 * turn.irregularity()) * work / 2 / turn.mean_force())
     if quantity.of == "flywheel":
-        return irregularity / turn.irregularity() * value if quantity.key in SWINGS else 0.0
+        return irregularity / float(turn.irregularity()) * value if quantity.key in SWINGS else 0.0
     return {"delta": irregularity, "mean_force": work}.get(quantity.key, 2 * work * _newtons(quantity, turn))
 
 

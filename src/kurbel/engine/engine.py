@@ -12,11 +12,14 @@ from kurbel.drive import combination
 from kurbel.drive.crank import Crank
 from kurbel.drive.crank_forces import Weights
 from kurbel.errors import ProblemError
-from kurbel.kernel.steam import Expansion, best_back, net_work
+from kurbel.kernel.steam import Expansion, IdleStroke, SteamStroke, best_back, net_work
 from kurbel.reading.notation import about, plain
 
 if TYPE_CHECKING:
     from kurbel.engine.card import Card
+    from kurbel.engine.card_force import CardStroke
+    from kurbel.exact.kind import Kind
+    from kurbel.kernel.turning import Stroke
 
 LARGEST_EXPANSION = 10**6
 LARGEST_EXPONENT = 10
@@ -44,6 +47,11 @@ class Steam:
     back: Fraction | None = None
     exponent: Fraction = Fraction(1)
     clearance: Fraction = Fraction(0)
+
+    def strokes(self, kind: Kind, double: bool) -> tuple[Stroke, Stroke]:
+        """Return the force of both strokes, on a kind of number; single-acting, the return idles."""
+        acting: Stroke = SteamStroke(self.numbers(kind.of, kind.exponent))
+        return acting, acting if double else IdleStroke()
 
     def __post_init__(self) -> None:
         if self.expansion < 1:
@@ -107,10 +115,27 @@ class Steam:
 @dataclass(frozen=True, slots=True)
 class Diagram:
     """An indicator card in place of the ideal one, and the pressure in Pa on a single-acting piston's other
-    face."""
+    face. Q is of the pressure `unit` in Pa, None the card's own greatest."""
 
     card: Card
     other_side: float | None = None
+    unit: float | None = None
+
+    @property
+    def pressure(self) -> float:
+        """The pressure in Pa that Q is of."""
+        return self.card.admission if self.unit is None else self.unit
+
+    def strokes(self, kind: Kind, double: bool) -> tuple[CardStroke, CardStroke]:
+        """Return the force of both strokes, on floats or arrays."""
+        from kurbel.engine.card_force import card_strokes
+
+        return card_strokes(self.card, double, self.other_side, self.pressure)
+
+    def halves(self) -> Iterator[Diagram]:
+        """Yield the cards that have every second point of this one, in the same Q."""
+        for card in self.card.halves():
+            yield Diagram(card, self.other_side, self.pressure)
 
 
 @dataclass(frozen=True, slots=True)
@@ -167,17 +192,25 @@ class Engine:
             stroke = int(since >= 1)
             yield stroke, since - stroke
 
-    def weights(self, of: Callable[[Fraction], Any], pi: Any, pressure: Fraction) -> Weights | None:
-        """Return the masses in units of Q/(R ω²), in a kind of number, where Q is of this pressure in Pa."""
-        crank = self.crank
-        if crank.moving is None:
+    @property
+    def pressure(self) -> Fraction | None:
+        """The pressure in Pa that Q is of, None where it is not known."""
+        if isinstance(self.steam, Diagram):
+            return Fraction(self.steam.pressure)
+        return None if self.load is None else self.load.pressure
+
+    def weights(self, kind: Kind) -> Weights | None:
+        """Return the masses in units of Q/(R ω²), in a kind of number."""
+        crank, pressure = self.crank, self.pressure
+        if crank.moving is None or pressure is None:
             return None
         assert self.load is not None
         assert crank.radius is not None
         assert crank.speed is not None
         # Q = π/4 d² p; ω has the factor 2π where it counts turns.
         scale = 4 * crank.radius * crank.speed.value**2 / (self.load.bore**2 * pressure)
-        return crank.moving.weights(of, of(4 * scale) * pi if crank.speed.turns else of(scale) / pi)
+        turned = kind.of(4 * scale) * kind.pi if crank.speed.turns else kind.of(scale) / kind.pi
+        return crank.moving.weights(kind.of, turned)
 
     def _check_load(self) -> None:
         if self.load is None:

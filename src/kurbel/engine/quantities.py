@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from functools import cache, partial
-from typing import Any, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.drive.crank_forces import CRANK_FORCES, CrankForce
 from kurbel.drive.flywheel import Flywheel
@@ -21,6 +21,9 @@ from kurbel.kernel import turning
 from kurbel.kernel.kinds import Number
 from kurbel.motion.evaluation import Method
 from kurbel.page.quantity import Formula, Quantity, Words, words
+
+if TYPE_CHECKING:
+    from kurbel.engine.cylinder import AnyTurn
 
 # The spans of a turn that have extremes of their own.
 OUTSTROKE, RETURN_STROKE, WHOLE = 0, 1, None
@@ -62,24 +65,6 @@ class Peak(NamedTuple):
 
     place: Number
     energy: Number
-
-
-class AnyTurn(Protocol):
-    """A turn of an engine, in balls or, of an indicator card, in floats with an error."""
-
-    method: str
-
-    @property
-    def pi(self) -> Number: ...
-    def of(self, value: Fraction) -> Number: ...
-    def mean_force(self) -> Number: ...
-    def irregularity(self) -> Number: ...
-    def extreme(self, greatest: bool, stroke: int | None = None) -> Peak: ...
-    def tangential_force(self, half_turns: Fraction) -> Number: ...
-    def crank_force(self, force: CrankForce, half_turns: Fraction) -> Number: ...
-    def force_unit(self) -> Number: ...
-    def radius(self) -> Number: ...
-    def energy_at(self, half_turns: Fraction) -> Number: ...
 
 
 class Where(NamedTuple):

@@ -21,8 +21,7 @@ from kurbel.page.table import Field
 from kurbel.reading.choices import choose
 
 if TYPE_CHECKING:
-    from kurbel.engine.card_turn import CardTurn
-    from kurbel.engine.turn import Turn
+    from kurbel.engine.cylinder import AnyTurn
 
 # What pages of a run of crank angles are about.
 OVER_ANGLE = ("turning", "crank forces", "machine")
@@ -111,16 +110,16 @@ class EngineRequest(Question):
         return self.engine(0, 0)
 
     @cached_property
-    def turn(self) -> Callable[[int, int, str], Turn | CardTurn]:
+    def turn(self) -> Callable[[int, int, str], AnyTurn]:
         """Return the turn of an engine by a method; the latest ones are kept."""
         return lru_cache(KEPT_TURNS)(self._turn)
 
-    def _turn(self, steam: int, drive: int, method: str) -> Turn | CardTurn:
+    def _turn(self, steam: int, drive: int, method: str) -> AnyTurn:
         from kurbel.engine.digits import check_card
-        from kurbel.engine.turn import Turn, turn_of
+        from kurbel.engine.turn import turn_of
 
         turn = turn_of(self.engine(steam, drive), method)
-        if not isinstance(turn, Turn):
+        if self.carded:
             check_card(turn, self.rounding)
         return turn
 

@@ -18,10 +18,12 @@ from typing import Any, NamedTuple
 import flint
 
 from kurbel.drive.crank_forces import CrankForce
+from kurbel.engine.cylinder import MOTIONS, SIGNS
 from kurbel.engine.engine import Engine
-from kurbel.engine.turn import MOTIONS, SIGNS, Turn, at_bits
-from kurbel.exact.certify import MOST_TIE_BITS, TieBits, ball, ball_circle, vanishes
-from kurbel.exact.separation import Separation, circle_separation
+from kurbel.engine.turn import Turn, at_bits
+from kurbel.exact.certify import MOST_TIE_BITS, TieBits, vanishes
+from kurbel.exact.kind import Kind, balls, bounds
+from kurbel.exact.separation import Separation
 from kurbel.kernel import inertia, steam, turning
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.kinds import Number
@@ -30,20 +32,7 @@ from kurbel.kernel.rod import Loaded
 FIRST_BITS = 200
 
 
-class _Kind(NamedTuple):
-    """A kind of number: of a fraction, of a circle in degrees, of an exponent."""
-
-    of: Callable[[Fraction], Number]
-    circle: Callable[[Fraction], Circle[Number]]
-    exponent: Callable[[Fraction], Any]
-
-
-def _circle_separation(degrees: Fraction) -> Circle[Number]:
-    return Circle(*circle_separation(degrees))
-
-
-_BOUNDS = _Kind(Separation.rational, _circle_separation, Fraction)
-_BALLS = _Kind(ball, ball_circle, ball)
+_BOUNDS, _BALLS = bounds(), balls()
 
 
 class _Crank(NamedTuple):
@@ -139,13 +128,13 @@ def _pressure_bounds(turn: Turn, crank: _Crank) -> Separation:
     return beyond
 
 
-def _place(turn: Turn, crank: _Crank, kind: _Kind) -> tuple[Circle[Number], Number]:
+def _place(turn: Turn, crank: _Crank, kind: Kind) -> tuple[Circle[Number], Number]:
     """The circle of the crank's angle and the ratio with the sign of its stroke."""
     ratio = SIGNS[crank.stroke] * turn.engine.crank.ratio
     return kind.circle(180 * crank.angle), kind.of(ratio)
 
 
-def _zero(value: Callable[[_Kind], Any]) -> bool:
+def _zero(value: Callable[[Kind], Any]) -> bool:
     """Whether a sum of what the masses do, in kg, is zero for certain."""
     return vanishes(lambda: value(_BALLS), value(_BOUNDS).bits())
 
@@ -156,7 +145,7 @@ def _weightless(turn: Turn, crank: _Crank, force: CrankForce) -> bool:
     if moving is None:
         return True
 
-    def part(kind: _Kind) -> Any:
+    def part(kind: Kind) -> Any:
         one = kind.of(Fraction(1))
         circle, ratio = _place(turn, crank, kind)
         return force.loaded(circle, ratio, moving.weights(kind.of, one), None, kind.of(Fraction(0)))
@@ -170,7 +159,7 @@ def _balanced(turn: Turn, half_turns: Fraction) -> bool:
     if moving is None:
         return True
 
-    def torque(kind: _Kind) -> Any:
+    def torque(kind: Kind) -> Any:
         masses = moving.weights(kind.of, kind.of(Fraction(1))).masses
         return sum(
             (Loaded(*_place(turn, crank, kind), masses).torque() for crank in _cranks(turn, half_turns)),
@@ -186,7 +175,7 @@ def _same_motion(turn: Turn, cranks: Iterable[_Crank]) -> bool:
     if moving is None:
         return True
 
-    def gain(kind: _Kind) -> Any:
+    def gain(kind: Kind) -> Any:
         masses = moving.weights(kind.of, kind.of(Fraction(1))).masses
         return sum(
             (crank.weight * inertia.kinetic_energy(*_place(turn, crank, kind), masses) for crank in cranks),
@@ -211,7 +200,7 @@ def _without_steam(turn: Turn, crank: _Crank) -> bool:
 def _at_full_pressure(turn: Turn, crank: _Crank) -> bool:
     """Whether the steam is still admitted, or just cut off."""
 
-    def beyond(kind: _Kind) -> Number:
+    def beyond(kind: Kind) -> Number:
         return _share_and_velocity(turn, crank, kind)[0] - kind.of(1 / turn.engine.ideal.expansion)
 
     past = at_bits(FIRST_BITS, lambda: beyond(_BALLS))
@@ -226,7 +215,7 @@ def _cranks(turn: Turn, half_turns: Fraction, weight: int = 1) -> Iterator[_Cran
         yield _Crank(stroke, angle, weight)
 
 
-def _share_and_velocity(turn: Turn, crank: _Crank, kind: _Kind) -> tuple[Number, Number]:
+def _share_and_velocity(turn: Turn, crank: _Crank, kind: Kind) -> tuple[Number, Number]:
     # With an infinite rod the exact formulas have roots of 1, which would count as roots.
     motion = MOTIONS[turn.method] if turn.engine.crank.ratio else turning.FIRST_ORDER
     circle, ratio = kind.circle(180 * crank.angle), kind.of(SIGNS[crank.stroke] * turn.engine.crank.ratio)
@@ -254,7 +243,7 @@ def _strokes(engine: Engine, crank: _Crank) -> Fraction:
 def _logarithms_vanish(turn: Turn, cranks: list[_Crank]) -> bool:
     """Whether Z, the product of all growths of volume with their powers, is 1 for certain."""
 
-    def off_one(kind: _Kind, order: int) -> Number:
+    def off_one(kind: Kind, order: int) -> Number:
         return _product(turn, cranks, kind, order) - 1
 
     order = lcm(*(_strokes(turn.engine, crank).denominator for crank in cranks))
@@ -272,7 +261,7 @@ def _logarithms_vanish(turn: Turn, cranks: list[_Crank]) -> bool:
     return False
 
 
-def _product(turn: Turn, cranks: list[_Crank], kind: _Kind, order: int) -> Number:
+def _product(turn: Turn, cranks: list[_Crank], kind: Kind, order: int) -> Number:
     """Z to the power that makes all exponents whole."""
     engine = turn.engine
     acting = engine.ideal.numbers(kind.of, kind.exponent)

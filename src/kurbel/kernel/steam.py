@@ -28,6 +28,38 @@ class Expansion(NamedTuple, Generic[Kind]):
     clearance: Kind
 
 
+class SteamStroke(NamedTuple):
+    """The net pressure over the share of a stroke, and its work."""
+
+    steam: Expansion[Number]
+
+    def force(self, share: Number) -> Number:
+        return net_pressure(share, self.steam)
+
+    def work(self, share: Number) -> Number:
+        return net_work(share, self.steam)
+
+    def slope(self, share: Number) -> Number:
+        """Return the change of the force with the share, a ball; over the cut-off it holds both sides."""
+        if share < self.steam.cut_off:
+            return share * 0
+        beyond = expansion_slope(share, self.steam)
+        return beyond if share > self.steam.cut_off else beyond.union(share * 0)
+
+
+class IdleStroke(NamedTuple):
+    """A stroke on which no net pressure acts."""
+
+    def force(self, share: Number) -> Number:
+        return share * 0
+
+    def work(self, share: Number) -> Number:
+        return share * 0
+
+    def slope(self, share: Number) -> Number:
+        return share * 0
+
+
 def best_back(cut_off: Number, exponent: Number, clearance: Number) -> Number:
     """Return the pressure of the steam at the end of the stroke, the best back pressure.
 

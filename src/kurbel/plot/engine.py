@@ -9,7 +9,7 @@ from math import ceil, floor
 from typing import TYPE_CHECKING, NamedTuple
 
 from kurbel.engine.axes import named_expansion
-from kurbel.engine.quantities import AnyTurn, Where, value
+from kurbel.engine.quantities import Where, value
 from kurbel.engine.request import EngineRequest
 from kurbel.engine.turn import Turn, turn_of
 from kurbel.exact.numerals import Label
@@ -20,7 +20,7 @@ from kurbel.plot.polar import Vector
 from kurbel.reading.notation import ratio_text
 
 if TYPE_CHECKING:
-    from kurbel.engine.card_turn import CardTurn
+    from kurbel.engine.cylinder import AnyTurn
 
 # What is drawn unless columns are named: as many as have their letters beside them, and without the rod's
 # force, which is nearly the piston's.
@@ -84,7 +84,7 @@ def engine_label(request: EngineRequest, steam: int, drive: int) -> Label:
     return ", ".join(parts)
 
 
-def course_of(quantities: Sequence[Quantity], turn: Turn | CardTurn, angles: Sequence[Fraction]) -> Course:
+def course_of(quantities: Sequence[Quantity], turn: AnyTurn, angles: Sequence[Fraction]) -> Course:
     """Return quantities at the angles, and at the dead centres and the points of cut-off between them.
 
     At a dead centre the steam changes sides: there the first values are those before, the second those after.
@@ -113,11 +113,11 @@ def _jumps(before: Sequence[float], after: Sequence[float], most: Sequence[float
     return any(abs(later - earlier) > NO_JUMP * greatest for earlier, later, greatest in parts)
 
 
-def _turn(request: EngineRequest, steam: int, drive: int) -> Turn | CardTurn:
+def _turn(request: EngineRequest, steam: int, drive: int) -> AnyTurn:
     return turn_of(request.engine(steam, drive), (request.methods or ("exact",))[0])
 
 
-def _trace(quantity: Quantity, label: Label, turn: Turn | CardTurn, request: EngineRequest) -> Trace:
+def _trace(quantity: Quantity, label: Label, turn: AnyTurn, request: EngineRequest) -> Trace:
     course, name = course_of((quantity,), turn, request.angles), quantity.name[request.lang]
     heading, unit = _heading(quantity), quantity.unit[request.lang]
     return Trace(name, heading, unit, _axis_unit(quantity), (label,), course.angles, course.values[0])
@@ -140,13 +140,13 @@ def _values(quantities: Sequence[Quantity], turn: AnyTurn, half_turns: Fraction)
     return [float(value(quantity, turn, Where(half_turns=half_turns))) for quantity in quantities]
 
 
-def _dead_centres(turn: Turn | CardTurn, first: Fraction, last: Fraction) -> Iterator[Fraction]:
+def _dead_centres(turn: AnyTurn, first: Fraction, last: Fraction) -> Iterator[Fraction]:
     """Yield the dead centres of all cranks between two angles."""
     for start in turn.engine.cranks:
         yield from _every(180, start, first, last)
 
 
-def _cut_offs(turn: Turn | CardTurn, first: Fraction, last: Fraction) -> Iterator[Fraction]:
+def _cut_offs(turn: AnyTurn, first: Fraction, last: Fraction) -> Iterator[Fraction]:
     """Yield the angles of cut-off between two: a curve that leaves them out has no sharp tips."""
     if isinstance(turn, Turn):
         for start, stroke in product(turn.engine.cranks, (0, 1)):

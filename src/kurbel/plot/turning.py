@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from kurbel.engine.captions import inner
 from kurbel.engine.request import EngineRequest
-from kurbel.engine.turn import Turn, turn_of
+from kurbel.engine.turn import turn_of
 from kurbel.exact.numerals import Label
 from kurbel.page.quantity import Column
 from kurbel.plot.engine import course_of, engine_label
@@ -16,7 +16,7 @@ from kurbel.plot.panels import check_drawn, degrees
 from kurbel.plot.plotting import Curve, Panel
 
 if TYPE_CHECKING:
-    from kurbel.engine.card_turn import CardTurn
+    from kurbel.engine.cylinder import AnyTurn
 
 # The columns of a request for these panels.
 COLUMNS = ("tangential", "mean_force", "energy")
@@ -50,6 +50,6 @@ def _name(column: Column, lang: str) -> Label:
     return f"{column.quantity.name[lang]} {column.heading[0]}"
 
 
-def _curve(column: Column, label: Label, turn: Turn | CardTurn, request: EngineRequest) -> Curve:
+def _curve(column: Column, label: Label, turn: AnyTurn, request: EngineRequest) -> Curve:
     course = course_of((column.quantity,), turn, request.angles)
     return Curve(label, course.angles, course.values[0])
