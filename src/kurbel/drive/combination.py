@@ -10,6 +10,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.linkage import Place
+from kurbel.kernel.turning import Stroke
 
 STRAIGHT, OFFSET, ARC, PARALLEL, BEAM = "straight", "offset", "arc", "parallel", "beam"
 NOTHING, FORCE, MASSES, STEAM, CARD = "nothing", "force", "masses", "steam", "card"
@@ -34,6 +35,21 @@ class Drive(Protocol):
 
     def place(self, stroke: int, circle: Circle[Any], kind: Kind) -> Place[Any]:
         """Return where the driven end is: its way, its velocity, the slants of rod and crank against it."""
+        ...
+
+
+class Load(Protocol):
+    """What acts on the piston, on any kind of number: nothing is asked of it but its force at a share of the
+    stroke, and the work that it has done there.
+    """
+
+    @property
+    def name(self) -> str:
+        """What it is: a key of LOADS."""
+        ...
+
+    def strokes(self, kind: Kind, double: bool) -> tuple[Stroke, Stroke]:
+        """Return the outstroke and the return; on that a cylinder that is not `double` idles."""
         ...
 
 

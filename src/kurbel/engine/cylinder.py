@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator
 from fractions import Fraction
 from typing import Any, NamedTuple
 
+from kurbel.drive.combination import Load
 from kurbel.drive.crank_forces import CrankForce, Weights
 from kurbel.engine.engine import Engine
 from kurbel.engine.quantities import Peak
@@ -81,7 +82,8 @@ class Cylinder(NamedTuple):
 
 def cylinder_of(engine: Engine, method: str, kind: Kind, circle: Callable[[Any], Circle[Any]]) -> Cylinder:
     """Return what all cylinders of an engine have in common, by a method."""
-    strokes = engine.steam.strokes(kind, engine.double)
+    load: Load = engine.steam
+    strokes = load.strokes(kind, engine.double)
     return Cylinder(
         kind.of(engine.crank.ratio),
         MOTIONS[method],

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from math import floor
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from kurbel.drive import combination
 from kurbel.drive.crank import Crank
@@ -42,6 +42,8 @@ class Steam:
     `back` None is the best back pressure, that of the steam at the end of the stroke: 1/ε for n = 1 without
     clearance. Valid for ε >= 1, 0 <= b <= 1, n > 0, κ >= 0, as long as work is left.
     """
+
+    name: ClassVar[str] = combination.STEAM
 
     expansion: Fraction
     back: Fraction | None = None
@@ -117,6 +119,8 @@ class Diagram:
     """An indicator card in place of the ideal one, and the pressure in Pa on a single-acting piston's other
     face. Q is of the pressure `unit` in Pa, None the card's own greatest."""
 
+    name: ClassVar[str] = combination.CARD
+
     card: Card
     other_side: float | None = None
     unit: float | None = None
@@ -173,8 +177,7 @@ class Engine:
     def __post_init__(self) -> None:
         self._check_load()
         if self.crank.offset:
-            load = combination.STEAM if isinstance(self.steam, Steam) else combination.CARD
-            combination.check(combination.OFFSET, load)
+            combination.check(combination.OFFSET, self.steam.name)
         if self.crank.ratio > LARGEST_RATIO:
             raise ProblemError("crank ratio R:L is nearer to 1 than 10^-12; no engine is built so")
         if not 1 <= len(self.cranks) <= MOST_CRANKS:

@@ -150,7 +150,8 @@ class EngineRequest(Question):
         keys = self.subject.axis_keys
         return ("card", *keys[1:]) if self.carded else keys
 
-    def without_columns(self) -> str:
+    @property
+    def no_column(self) -> str:
         if not self.columns:
             return (
                 f"layout {self.layout.key} has no column by method {', '.join(self.methods)} for this"
