@@ -17,10 +17,8 @@ from kurbel.cli.app import command_of, one_line
 from kurbel.cli.machine import MACHINE, machine_defaults
 from kurbel.cli.making import MakingCommand
 from kurbel.cli.options import Document, FileName
-from kurbel.cli.printing import check_longtable
 from kurbel.cli.rivals import Given
 from kurbel.errors import ChoiceError, ProblemError
-from kurbel.formats.registry import FORMATS
 from kurbel.reading.choices import choose
 from kurbel.reading.files import File
 
@@ -99,10 +97,7 @@ def asked(
         )
         _check(context, SET_ELSEWHERE if format is None else ONLY_PRINTING)
         with augment_usage_errors(context):
-            asked_for = Given.of(context)
-            if format is not None:
-                check_longtable(asked_for, FORMATS[format])
-            made, code = command.made(asked_for)
+            made, code = command.made(Given(context))
     except click.ClickException as error:
         raise ProblemError(one_line(error)) from None
     values = context.params

@@ -29,7 +29,7 @@ class MakingCommand(click.Command):
 
     def invoke(self, ctx: click.Context) -> int:
         with augment_usage_errors(ctx):
-            return self.run(Given.of(ctx))
+            return self.run(Given(ctx))
 
     def get_help_option(self, ctx: click.Context) -> click.Option | None:
         if not ctx.find_object(Document):

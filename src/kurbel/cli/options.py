@@ -158,25 +158,27 @@ class Option(click.Option):
         return None if ctx.find_object(Document) else super().resolve_envvar_value(ctx)
 
 
-_TYPES: Mapping[type, Callable[[Any], click.ParamType[Any] | None]] = {
-    kinds.Text: lambda kind: None,
-    kinds.Flag: lambda kind: None,
-    kinds.Choice: lambda kind: Name(kind.what, kind.names),
-    kinds.Count: lambda kind: Count(kind.what, kind.least, kind.most),
-    kinds.FileName: lambda kind: FileName(),
-    kinds.Columns: lambda kind: Columns(kind.layout),
-    kinds.LayoutName: lambda kind: LayoutName(kind.subjects),
-}
+def _type(kind: kinds.Kind) -> click.ParamType[Any] | None:
+    match kind:
+        case kinds.Choice():
+            return Name(kind.what, kind.names)
+        case kinds.Count():
+            return Count(kind.what, kind.least, kind.most)
+        case kinds.Columns():
+            return Columns(kind.layout)
+        case kinds.LayoutName():
+            return LayoutName(kind.subjects)
+    return FileName() if kind is kinds.FILE else None
 
 
 def click_option(parameter: Parameter) -> click.Parameter:
     """Return a parameter of a function as click's."""
     option, default = parameter.option, parameter.default
-    kind = _TYPES[type(option.kind)](option.kind)
+    kind = _type(option.kind)
     if option.positional:
         return click.Argument([parameter.name], type=kind, required=False)
     names = [parameter.name, parameter.flag, *filter(None, [option.short])]
-    if isinstance(option.kind, kinds.Flag):
+    if option.kind is kinds.FLAG:
         return Option(names, is_flag=True, help=option.help)
     own = {} if option.many or default is None else {"default": default}
     return Option(

@@ -53,15 +53,10 @@ def _format(given: Given) -> Format:
         raise click.UsageError(
             f"--standalone is for {', '.join(documents)} and {last}; {chosen.name} has no documents."
         )
-    check_longtable(given, chosen)
-    return chosen
-
-
-def check_longtable(given: Given, chosen: Format) -> None:
-    """Raise UsageError where tables break by themselves, or never."""
     if given.typed("longtable") and not chosen.breaks:
         breaking = ", ".join(name for name, entry in FORMATS.items() if entry.breaks)
         raise click.UsageError(f"--longtable is for {breaking}; the format is {chosen.name}.")
+    return chosen
 
 
 def print_table(request: Question, printing: Printing) -> None:

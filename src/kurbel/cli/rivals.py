@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import click
@@ -40,18 +39,12 @@ RIVALS: Mapping[str, Rivals] = {
 _LENGTHS = ("ratio", "stroke", "rod")
 
 
-@dataclass
 class Given:
     """The values of a command's options by their names, and where they come from."""
 
-    values: dict[str, Any]
-    sources: Mapping[str, ParameterSource | None]
-
-    @classmethod
-    def of(cls, context: click.Context) -> Given:
-        return cls(
-            dict(context.params), {name: context.get_parameter_source(name) for name in context.params}
-        )
+    def __init__(self, context: click.Context) -> None:
+        self.values: dict[str, Any] = dict(context.params)
+        self.sources = {name: context.get_parameter_source(name) for name in context.params}
 
     def typed(self, name: str) -> bool:
         """Whether an option stands on the command line; a default from elsewhere gives way."""

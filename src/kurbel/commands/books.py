@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from kurbel.books.verdict import ONLY
 from kurbel.commands import parameters as option
-from kurbel.commands.options import Choice, Columns, FileName, Option
+from kurbel.commands.options import FILE, Choice, Columns, Option
 from kurbel.commands.subject import makes_table
 from kurbel.errors import ProblemError
 from kurbel.page.layouts import layout_of
@@ -35,7 +35,7 @@ def collation_table(
     *,
     csv: Annotated[
         option.Path | None,
-        Option("Your own transcription: phi, epsilon or arm, and printed values.", "FILE", FileName()),
+        Option("Your own transcription: phi, epsilon or arm, and printed values.", "FILE", FILE),
     ] = None,
     quantity: Annotated[
         str | None, Option("With --csv: what is printed, such as x, c, p or delta.", "KEY")
@@ -60,7 +60,7 @@ def collation_table(
         ),
     ] = (),
     sources: Annotated[
-        option.Path | None, Option("A folder with books of your own, a folder each.", "DIR", FileName())
+        option.Path | None, Option("A folder with books of your own, a folder each.", "DIR", FILE)
     ] = None,
     layouts: option.Layouts = None,
     layout: Annotated[str, option.layout_option("collation")] = "collation",

@@ -7,7 +7,7 @@ from typing import Annotated, Any
 from kurbel.commands import parameters as option
 from kurbel.commands.cranks import cranks_of, ratios_of
 from kurbel.commands.machines import GivenRod, GivenSteam, Masses, engine_question, for_masses, is_heavy
-from kurbel.commands.options import Columns, Flag, Option, is_given
+from kurbel.commands.options import FLAG, Columns, Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.errors import ProblemError
 from kurbel.page.layouts import layout_of
@@ -56,7 +56,7 @@ def delta_table(
     pressure: option.Pressure = None,
     speed: option.PlainSpeed = None,
     detail: Annotated[
-        bool, Option("All that leads to δ: angles and speeds of both strokes.", kind=Flag())
+        bool, Option("All that leads to δ: angles and speeds of both strokes.", kind=FLAG)
     ] = False,
     columns: Annotated[option.Names, option.columns_option("weisbach-150", "epsilon,delta,mean_force")] = (),
     layouts: option.Layouts = None,
@@ -253,7 +253,7 @@ def dead_centres_table(
     ] = None,
     exact: Annotated[
         bool,
-        Option("From the true geometry of the linkage; default: the formulas of § 149.", kind=Flag()),
+        Option("From the true geometry of the linkage; default: the formulas of § 149.", kind=FLAG),
     ] = False,
     columns: Annotated[
         option.Names,

@@ -14,46 +14,46 @@ from typing import Any, NamedTuple
 from kurbel.reading.choices import choose
 
 
-class Text(NamedTuple):
-    """Text, or in Python a number."""
+class Kind:
+    """How a value is written: as text, which in Python may be a number."""
 
 
-class Flag(NamedTuple):
-    """Said or not."""
+TEXT = Kind()
+# Said or not.
+FLAG = Kind()
+# A file or a folder that is read.
+FILE = Kind()
 
 
-class Choice(NamedTuple):
+class Choice(Kind):
     """One of a few names."""
 
-    what: str
-    names: Callable[[], Iterable[str]]
+    def __init__(self, what: str, names: Callable[[], Iterable[str]]) -> None:
+        self.what = what
+        self.names = names
 
 
-class Count(NamedTuple):
+class Count(Kind):
     """A whole number within bounds."""
 
-    what: str
-    least: int
-    most: int
+    def __init__(self, what: str, least: int, most: int) -> None:
+        self.what = what
+        self.least = least
+        self.most = most
 
 
-class FileName(NamedTuple):
-    """A file or a folder that is read."""
-
-
-class Columns(NamedTuple):
+class Columns(Kind):
     """Names of columns, parted by commas; which there are depends on the layout, by default this one."""
 
-    layout: str
+    def __init__(self, layout: str) -> None:
+        self.layout = layout
 
 
-class LayoutName(NamedTuple):
+class LayoutName(Kind):
     """A layout about one of these subjects."""
 
-    subjects: tuple[str, ...]
-
-
-Kind = Text | Flag | Choice | Count | FileName | Columns | LayoutName
+    def __init__(self, subjects: tuple[str, ...]) -> None:
+        self.subjects = subjects
 
 
 class Option(NamedTuple):
@@ -66,7 +66,7 @@ class Option(NamedTuple):
 
     help: str
     metavar: str | None = None
-    kind: Kind = Text()
+    kind: Kind = TEXT
     short: str = ""
     unit: str = ""
     many: bool = False

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from os import PathLike
 from typing import Annotated, TypeAlias
 
-from kurbel.commands.options import Choice, Columns, Count, FileName, Flag, LayoutName, Option, Text
+from kurbel.commands.options import FILE, FLAG, TEXT, Choice, Columns, Count, LayoutName, Option
 from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS
 from kurbel.page.folders import LANGUAGES
 from kurbel.reading.given import Exact
@@ -67,7 +67,7 @@ LANG = Option(
 
 
 LAYOUTS = Option(
-    "Folder with layouts of your own: DIR/<name>/layout.toml.", "DIR", FileName(),
+    "Folder with layouts of your own: DIR/<name>/layout.toml.", "DIR", FILE,
     environment="KURBEL_LAYOUTS", first=True,
 )  # fmt: skip
 LISTED = "; `kurbel quantities` lists them."
@@ -129,9 +129,7 @@ Exponent = Annotated[Exact | None, Option("n of p Vⁿ = const.; default 1, Mari
 Clearance = Annotated[Exact | None, Option("Clearance as a share of the swept volume: 0.05, 5%.", "C")]
 Card = Annotated[
     Path | Iterable[Path] | None,
-    Option(
-        "Indicator card: CSV with position, p_forward [bar], p_return [bar].", "FILE", FileName(), many=True
-    ),
+    Option("Indicator card: CSV with position, p_forward [bar], p_return [bar].", "FILE", FILE, many=True),
 ]
 OtherSide = Annotated[
     Exact | None,
@@ -141,9 +139,7 @@ OtherSide = Annotated[
 ]
 SingleActing = Annotated[
     bool,
-    Option(
-        "Steam works on the outstroke only; on the return both faces have the back pressure.", kind=Flag()
-    ),
+    Option("Steam works on the outstroke only; on the return both faces have the back pressure.", kind=FLAG),
 ]
 Cranks = Annotated[
     Given | None,
@@ -198,7 +194,7 @@ RodFile = Annotated[
     Option(
         "The rod's masses from a CSV file in place of these: from, to, mass or position, mass, counted from"
         " the crank pin.",
-        "FILE", FileName(),
+        "FILE", FILE,
     ),
 ]  # fmt: skip
 Rotating = Annotated[
@@ -218,7 +214,7 @@ Digits = Annotated[
 ]
 Rounding = Annotated[str, Option("What becomes of a tie.", kind=Choice("rounding", lambda: ROUNDINGS))]
 Label = Annotated[
-    str, Option("Name for cross references: \\label{tab:NAME}; default: the layout's.", "NAME", Text())
+    str, Option("Name for cross references: \\label{tab:NAME}; default: the layout's.", "NAME", TEXT)
 ]
 Decimal = Annotated[
     str | None,

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
 
 
-@dataclass(frozen=True, slots=True)
 class File(os.PathLike[str]):
     """A file by its name, which counts from a folder; no folder is the one in which kurbel runs."""
 
-    name: str
-    folder: str = ""
+    __slots__ = ("folder", "name")
+
+    def __init__(self, name: str, folder: str = "") -> None:
+        self.name = name
+        self.folder = folder
 
     def __fspath__(self) -> str:
         return os.path.join(self.folder, self.name)
