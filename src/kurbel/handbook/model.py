@@ -42,7 +42,8 @@ class Choices(tuple[str, ...]):
     def read(cls, given: Any, name: str) -> Self:
         if not isinstance(given, list) or not all(isinstance(one, str) for one in given):
             raise Fault("a list of texts")
-        return cls(cls.one.read(one, name) for one in given)
+        # Plain texts go to other processes.
+        return cls(str(cls.one.read(one, name)) for one in given)
 
 
 class Formats(Choices, what="format", allowed=FORMATS):

@@ -46,11 +46,14 @@ def _with_rods() -> Mapping[str, Quantity]:
 
 
 def _inertia_notes(question: Request) -> Iterator[Label]:
-    from kurbel.motion.inertia_page import error_notes
-
     yield from captions.notes(question)
     yield from captions.inertia_notes(question)
-    yield from error_notes(question)
+
+
+def _error_notes(question: Request) -> Iterator[Label]:
+    from kurbel.motion.inertia_page import error_notes
+
+    return error_notes(question)
 
 
 INERTIA = Subject(
@@ -64,5 +67,6 @@ INERTIA = Subject(
     number=_number,
     caption=captions.caption,
     notes=_inertia_notes,
+    page_notes=_error_notes,
     rows=motion_records,
 )

@@ -17,6 +17,7 @@ from kurbel.page.table import Cell, Note, Panel, Records, Table, Value
 def build(question: Question, pages: bool = True) -> Table:
     """Return the table that was asked for; without `pages` only its records, which need no memory."""
     about, layout = question.subject, question.layout
+    further = about.page_notes(question) if pages else ()
     return Table(
         key=question.key,
         layout=layout.key,
@@ -24,7 +25,9 @@ def build(question: Question, pages: bool = True) -> Table:
         caption=about.caption(question),
         panels=_panels(question) if pages else (),
         records=about.rows(question) if about.rows else records_of(question),
-        notes=tuple(one if isinstance(one, Note) else Note(one) for one in about.notes(question)),
+        notes=tuple(
+            one if isinstance(one, Note) else Note(one) for one in (*about.notes(question), *further)
+        ),
         source=question.source,
         templates=layout.folder,
     )

@@ -16,6 +16,10 @@ from kurbel.page.registry import SUBJECTS
 from kurbel.page.table import Note, Records, Value
 
 
+def _nothing(question: Any) -> Iterable[Label]:
+    return ()
+
+
 def _everywhere(question: Any, place: Place) -> bool:
     return True
 
@@ -51,6 +55,7 @@ class Subject:
     number: Callable[[Any, Column, Place, int], Value]
     caption: Callable[[Any], Label]
     notes: Callable[[Any], Iterable[Label | Note]]
+    page_notes: Callable[[Any], Iterable[Label]] = _nothing
     sample: str = ""
     own_first: bool = True
     of: tuple[str, ...] = ()
