@@ -142,7 +142,7 @@ class OrderAxis(Axis):
         return Number(self.orders[place["order"]], 0)
 
     def stub_heading(self) -> Label:
-        return self.layout.stub_heading("order", f"{ORDER[self.lang]} $k$", self.lang)
+        return f"{ORDER[self.lang]} $k$"
 
     def heads(self, place: Place) -> tuple[Label, ...]:
         return (f"$k = {self.orders[place['order']]}$",)

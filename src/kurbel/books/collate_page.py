@@ -158,7 +158,7 @@ def _printed_page(request: CollateRequest) -> tuple[Layout, Grid]:
         mark = request.marks.get(found.cell.place)
         return Cell(_printed(found), (mark,) if mark else ())
 
-    return page, Grid(asked.axes, cell)
+    return page, Grid(asked.axes, asked.lang, cell)
 
 
 def _where(cell: SourceCell) -> tuple[str, Fraction, Fraction] | None:

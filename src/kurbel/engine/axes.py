@@ -55,7 +55,7 @@ class ExpansionAxis(Axis):
     def stub_heading(self) -> Label:
         if self.request.carded:
             return CARD[self.lang]
-        return self.request.layout.stub_heading("expansion", f"{EXPANSION[self.lang]} $ε$", self.lang)
+        return f"{EXPANSION[self.lang]} $ε$"
 
     def heads(self, place: Place) -> tuple[Label, ...]:
         return (expansion_label(self.request, place["expansion"]),)

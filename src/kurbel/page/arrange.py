@@ -44,7 +44,8 @@ class Axis:
         raise NotImplementedError
 
     def stub_heading(self) -> Label:
-        raise NotImplementedError
+        """The heading of its column in the stub, unless the layout has another."""
+        return self.field().name
 
     def heads(self, place: Place) -> tuple[Label, ...]:
         """The heads above a column, outermost first."""
@@ -58,7 +59,7 @@ class Axis:
 
 
 class Grid:
-    """The axes of a page by their names, and what stands at a place.
+    """The axes of a page by their names, and what stands at a place, in a language.
 
     `unit` gives a last column with the unit of each row, where the quantities run down; `exists` leaves out
     places of which there are fewer than the axes' sizes say.
@@ -67,11 +68,13 @@ class Grid:
     def __init__(
         self,
         axes: Mapping[str, Axis],
+        lang: str,
         cell: Callable[[Place], Cell],
         unit: Callable[[Place], Label] | None = None,
         exists: Callable[[Place], bool] | None = None,
     ) -> None:
         self.axes = axes
+        self.lang = lang
         self.cell = cell
         self.unit = unit
         self.exists = exists
@@ -117,7 +120,7 @@ def _panel(layout: Layout, grid: Grid, across: list[Place]) -> Panel:
     groups = [list(rows) for _, rows in groupby(down, key=lambda place: [place[name] for name in outer])]
     columns = _merged(tuple(_column(layout, grid, place) for place in across))
     return Panel(
-        stub=tuple(Column(name, (grid.axes[name].stub_heading(),)) for name in layout.stub),
+        stub=tuple(_stub_column(layout, grid, name) for name in layout.stub),
         columns=(*columns, Column(UNIT, ("",))) if grid.unit else columns,
         groups=tuple(
             Group(
@@ -128,6 +131,11 @@ def _panel(layout: Layout, grid: Grid, across: list[Place]) -> Panel:
             for rows in groups
         ),
     )
+
+
+def _stub_column(layout: Layout, grid: Grid, name: str) -> Column:
+    own = layout.stub_headings.get(name)
+    return Column(name, (own[grid.lang] if own else grid.axes[name].stub_heading(),))
 
 
 def _rows(layout: Layout, grid: Grid, rows: list[Place], across: list[Place]) -> Iterator[Row]:

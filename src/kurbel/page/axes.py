@@ -65,7 +65,7 @@ class RatioAxis(Axis):
         return f"${ratio_text(self.ratios[place['ratio']])}$"
 
     def stub_heading(self) -> Label:
-        return self.layout.stub_heading("ratio", f"${self.layout.ratio_symbol}$", self.lang)
+        return f"${self.layout.ratio_symbol}$"
 
     def heads(self, place: Place) -> tuple[Label, ...]:
         return (self.value(place),)
@@ -106,7 +106,7 @@ class AngleAxis(Axis):
 
     def stub_heading(self) -> Label:
         heading = f"${self.layout.angle_symbol}$" + (" in °" if self.decimals is not None else "")
-        return self.layout.stub_heading("angle", heading, self.lang)
+        return heading
 
     def heads(self, place: Place) -> tuple[Label, ...]:
         angle = self.angles[place["angle"]]
@@ -128,7 +128,7 @@ class ColumnAxis(Axis):
         self.ratios: Sequence[Fraction] = getattr(question, "ratios", ())
 
     def stub_heading(self) -> Label:
-        return self.layout.stub_heading("column", "", self.lang)
+        return ""
 
     def heads(self, place: Place) -> tuple[Label, ...]:
         column = self.columns[place["column"]]

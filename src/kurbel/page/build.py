@@ -53,9 +53,10 @@ def grid_of(question: Question) -> Grid:
         quantity = columns[place["column"]].quantity
         return "" if quantity.minutes else quantity.unit[question.lang]
 
-    return Grid(
-        question.axes, cell, unit if layout.unit else None, lambda place: about.exists(question, place)
-    )
+    def exists(place: Place) -> bool:
+        return about.exists(question, place)
+
+    return Grid(question.axes, question.lang, cell, unit if layout.unit else None, exists)
 
 
 def _shown(question: Question, column: Column, place: Place) -> Value:

@@ -54,6 +54,8 @@ def _faults_of_axes(page: Layout) -> Iterator[tuple[Place, str]]:
                 yield (key, index), f"the axis {name} is there twice; down and across share the axes out"
     if missing := [name for name in axes if name not in shared]:
         yield ("down",), f"down and across must share out {', '.join(axes)}; {missing[0]} is missing"
+    if subject(page.subject).whole and page.across != ("column",):
+        yield ("across",), f'across must be ["column"]; the other axes of {page.subject} belong together'
     if not page.across:
         yield ("across",), "across is an empty list; it must have an axis"
     if not page.stub or page.stub != page.down[-len(page.stub) :]:

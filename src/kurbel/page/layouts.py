@@ -160,10 +160,6 @@ class Layout(LayoutFile, frozen=True, kw_only=True):
     key: str
     folder: str = ""
 
-    def stub_heading(self, axis: str, default: Label, lang: str) -> Label:
-        """Return the heading over the stub column of an axis."""
-        return self.stub_headings[axis][lang] if axis in self.stub_headings else default
-
     @property
     def fixed(self) -> bool:
         """Whether the page's heads state formulas, so that neither columns nor method can be chosen."""

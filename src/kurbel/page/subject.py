@@ -65,6 +65,11 @@ class Subject:
     rows: Callable[[Any], Records] | None = None
     grid: Callable[[Any], tuple[Layout, Grid]] | None = None
 
+    @property
+    def whole(self) -> bool:
+        """Whether its axes belong together, for at some of their places there is nothing."""
+        return self.exists is not _everywhere
+
     def fitting(self) -> list[str]:
         """Return the keys of the quantities that any layout can show."""
         return [key for key, one in self.quantities().items() if not self.of or one.of in self.of]
