@@ -8,10 +8,12 @@ from pathlib import Path
 
 import click
 
+import kurbel
 from kurbel.balance.harmonics_page import quantities as harmonics_registry
 from kurbel.balance.request import DECIMALS, balance_registry
 from kurbel.cli import COMMANDS
 from kurbel.cli.app import command_of
+from kurbel.commands.subject import Command
 from kurbel.engine.page import printed_by
 from kurbel.engine.quantities import ENGINE_METHODS, engine_registry
 from kurbel.examples.source import example, numbers_of, source_keys
@@ -37,9 +39,8 @@ PAGE = Path(__file__).with_name("reference.md")
 
 def reference() -> str:
     """Return the whole page."""
-    return (
-        "\n".join([*_commands(), *_quantities(), *_layouts(), *_examples(), *_formats(), *_methods()]) + "\n"
-    )
+    parts = (_commands, _functions, _quantities, _layouts, _examples, _formats, _methods)
+    return "\n".join(line for part in parts for line in part()) + "\n"
 
 
 def _commands() -> Iterator[str]:
@@ -56,6 +57,23 @@ def _help(command: click.Command, name: str) -> str:
     context = click.Context(command, info_name=name, terminal_width=98, max_content_width=98)
     context.help_option_names = ["-h", "--help"]
     return f"```text\n{command.get_help(context)}\n```"
+
+
+def _functions() -> Iterator[str]:
+    yield "\n## Functions\n\nOf `import kurbel`; they return a `Table` or a `Drawing`. Parameters mean what"
+    yield "the options of the same names do, and `help` of a function describes them."
+    yield "\n| function | parameters |\n| --- | --- |"
+    units: dict[str, set[str]] = {}
+    for name in kurbel.__all__:
+        command = getattr(getattr(kurbel, name), "command", None)
+        if isinstance(command, Command):
+            yield f"| `{name}` | {', '.join(f'`{one}`' for one in command.parameters)} |"
+            for key, one in command.parameters.items():
+                if one.option.unit:
+                    units.setdefault(one.option.unit, set()).add(key)
+    yield "\nText is read as on the command line.\n\n| bare numbers of | are in |\n| --- | --- |"
+    for unit, keys in units.items():
+        yield f"| {', '.join(f'`{key}`' for key in sorted(keys))} | {unit} |"
 
 
 def _quantities() -> Iterator[str]:

@@ -70,13 +70,15 @@ def test_the_first_command_prints_a_table() -> None:
     assert re.search(r"^ +90 +1,1010 +0,8990 ", text.split("```")[1], re.MULTILINE)
 
 
-def test_the_python_session_of_the_readme_is_true() -> None:
+def test_the_python_session_of_the_readme_is_true(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
     tests = doctest.DocTestParser().get_doctest(
         "".join(re.findall(r"```pycon\n(.*?)```", README.read_text(encoding="utf-8"), re.DOTALL)),
         {}, "README", str(README), 0,
     )  # fmt: skip
     assert len(tests.examples) >= 4
     assert doctest.DocTestRunner().run(tests).failed == 0
+    assert {path.name for path in tmp_path.iterdir()} == {"table.tex", "turning.svg"}
 
 
 def test_the_tables_of_printed_values_are_those_of_the_sources() -> None:
