@@ -388,13 +388,16 @@ SCALE: dict[str, Any] = {"speed": 2, "bore": 1, "pressure": 1, "stroke": 1}
 @pytest.mark.parametrize(
     ("choices", "sentence"),
     [
-        ({"reciprocating": 3}, "masses need the stroke and the speed to become forces; add these"),
-        ({"reciprocating": 3, "speed": 2}, "masses need the stroke and the speed to become forces"),
+        (
+            {"reciprocating": 3},
+            "--reciprocating needs --stroke, --speed, --bore, --pressure to become a force",
+        ),
+        ({"reciprocating": 3, "speed": 2}, "--reciprocating needs --stroke, --bore, --pressure to become"),
         (
             {"reciprocating": 3, "speed": 2, "stroke": 1},
-            "masses need the bore to be weighed against the steam; add it, for example --bore 300mm",
+            "--reciprocating needs --bore, --pressure to become a force",
         ),
-        ({"bore": 1}, "the bore makes newtons of the steam only with its pressure; add that"),
+        ({"bore": 1}, "newtons need the bore and the steam pressure; add --pressure"),
         ({"bore": 0, "pressure": 1}, "the bore is 0 m; it must be above 0"),
         ({"reciprocating": -1, **SCALE}, "the reciprocating mass is -1 kg; it must lie within 0..10^9 kg"),
         ({"rotating": 1e10, **SCALE}, "the rotating mass is 10000000000 kg; it must lie within -10^9..10^9"),

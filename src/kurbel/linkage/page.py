@@ -36,6 +36,9 @@ class LinkageRequest(Question):
         if "ratio" in self.axis_keys and not self.cranks:
             raise ProblemError("no crank ratio was given; write one as --ratio 1:5")
 
+    def too_long(self) -> str:
+        return f"the table has {len(self)} rows"
+
     @property
     def ratios(self) -> list[Fraction]:
         return [crank.crank.ratio for crank in self.cranks]

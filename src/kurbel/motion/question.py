@@ -58,6 +58,9 @@ class Request(Question):
                 " use --layout kinematics or leave the offset out"
             )
 
+    def too_long(self) -> str:
+        return f"{len(self.cranks)} ratios at {len(self.angles)} angles make a table of {len(self)} rows"
+
     @property
     def ratios(self) -> list[Fraction]:
         return [crank.ratio for crank in self.cranks]

@@ -44,7 +44,11 @@ class Question:
         if not self.page_columns and not self.axes_suffice:
             raise ProblemError(self.no_column)
         if len(self) > MOST_ROWS:
-            raise ProblemError(f"the table would have {len(self)} rows; at most 10^9 are allowed")
+            raise ProblemError(f"{self.too_long()}; at most 10^9 are allowed")
+
+    def too_long(self) -> str:
+        """Return the half of a sentence that refuses so many records."""
+        return f"the table would have {len(self)} rows"
 
     def check(self) -> None:
         """Raise a KurbelError for what the subject cannot answer."""
