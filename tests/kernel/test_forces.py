@@ -19,7 +19,7 @@ from kurbel.drive.crank import Crank
 from kurbel.exact import certify
 from kurbel.kernel import forces
 from kurbel.kernel.circle import Circle, circle
-from kurbel.motion.evaluation import OUT, RETURN, At, certified
+from kurbel.motion.evaluation import OFFSET, OUT, RETURN, At, certified
 from kurbel.page.quantity import Formula, Quantity
 
 # mpmath has no types.
@@ -230,7 +230,7 @@ def quantity(name: str, stroke: int) -> Quantity:
     def kernel(at: At) -> Any:
         return FORMULAS[name](at.circle, at.ratio, at.offset)
 
-    return Quantity(name, {}, "", {}, 1, {"exact": Formula(kernel)}, {}, stroke=stroke)
+    return Quantity(name, {}, "", {}, 1, dict.fromkeys(("exact", OFFSET), Formula(kernel)), {}, stroke=stroke)
 
 
 # At 90° and λ = 3/5 cos ψ is 4/5 and tan ψ is 3/4; with the offset 1/5 and λ = 3/4 likewise.
