@@ -45,6 +45,7 @@ bench: $(READY) ## measure start-up, kernels, δ and CSV against their rivals
 	$(BIN)/python benchmarks/bench_csv.py
 	$(BIN)/python benchmarks/bench_delta.py
 	$(BIN)/python benchmarks/bench_handbook.py
+	$(BIN)/python benchmarks/walk.py
 
 docs: $(READY) ## write docs/reference.md and the JSON Schemas anew
 	$(BIN)/python docs/reference.py
