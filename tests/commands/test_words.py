@@ -15,7 +15,7 @@ from cli import printed, refusal
 
 import kurbel
 from kurbel.cli.app import command_of
-from kurbel.page.question import Question
+from kurbel.page.subject import Question
 
 TABLES: Mapping[str, Callable[..., Any]] = {
     "table": kurbel.table,

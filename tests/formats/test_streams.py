@@ -15,7 +15,6 @@ from kurbel.formats.format import RecordsFormat
 from kurbel.formats.registry import by_name
 from kurbel.motion import digits, rows
 from kurbel.motion.question import Request
-from kurbel.page import angles as page_angles
 from kurbel.page import axes
 from kurbel.page.build import build
 from kurbel.page.layouts import layout
@@ -60,7 +59,7 @@ def test_all_angles_of_a_list_have_the_same_decimals(monkeypatch: pytest.MonkeyP
 
 def test_a_list_of_angles_is_looked_through_a_few_times_only(monkeypatch: pytest.MonkeyPatch) -> None:
     looks: list[int] = []
-    original = page_angles.angle_decimals
+    original = axes.angle_decimals
 
     def counted(angles: Sequence[Fraction]) -> int | None:
         looks.append(len(angles))

@@ -23,8 +23,7 @@ from kurbel.formats.typst.escapes import note_mark as mark_typst
 from kurbel.formats.typst.escapes import string as string_typst
 from kurbel.formats.typst.formula import equation as formula_typst
 from kurbel.page.formula import Formula
-from kurbel.page.labels import parse
-from kurbel.page.plain import formula_plain
+from kurbel.page.labels import formula_plain, parse
 
 require_library("typst")
 

@@ -9,9 +9,8 @@ from hypothesis import strategies as st
 from kurbel.errors import LayoutError
 from kurbel.formats.format import PageFormat
 from kurbel.formats.registry import FORMATS, page_format
-from kurbel.page import plain as page_plain
 from kurbel.page.formula import Formula
-from kurbel.page.labels import Mark, Prose, parse, plain
+from kurbel.page.labels import Mark, Prose, formula_plain, mark_text, parse, plain
 
 
 def formula(source: str) -> Formula:
@@ -48,7 +47,7 @@ def formula(source: str) -> Formula:
     ],
 )
 def test_formula_in_one_line_of_text(source: str, text: str) -> None:
-    assert page_plain.formula_plain(formula(source), ",") == text
+    assert formula_plain(formula(source), ",") == text
 
 
 @pytest.mark.parametrize(
@@ -195,9 +194,9 @@ def test_markdown_prose_starts_no_list(prose: str, escaped: str) -> None:
 
 
 def test_marks_are_raised_where_unicode_can() -> None:
-    assert page_plain.mark_text("a") == "ᵃ⁾"
-    assert page_plain.mark_text("12") == "¹²⁾"
-    assert page_plain.mark_text("*") == "*)"
+    assert mark_text("a") == "ᵃ⁾"
+    assert mark_text("12") == "¹²⁾"
+    assert mark_text("*") == "*)"
     assert page_format("markdown").note_mark("*") == "\\*)"
     assert page_format("latex").note_mark("a") == r"\textsuperscript{a)}"
     assert page_format("typst").note_mark("a") == "#super[a)];"

@@ -11,8 +11,7 @@ from markdown_it import MarkdownIt
 
 from kurbel.exact.numerals import Number, number_text
 from kurbel.formats.render import render
-from kurbel.page.labels import plain
-from kurbel.page.plain import mark_text
+from kurbel.page.labels import mark_text, plain
 from kurbel.page.table import DITTO, Panel, Table
 
 

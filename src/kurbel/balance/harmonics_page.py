@@ -17,14 +17,11 @@ from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel.harmonics import Term
 from kurbel.motion.evaluation import METHODS
-from kurbel.page.arrange import Axis, Place
-from kurbel.page.axes import RatioAxis
+from kurbel.page.axes import Axis, Place, RatioAxis
 from kurbel.page.layouts import Layout, LayoutColumn
-from kurbel.page.quantity import Column, Formula, Quantity, words
-from kurbel.page.question import Question
-from kurbel.page.subject import Subject
+from kurbel.page.quantity import Column, Formula, Quantity, filled, for_ratio, words
+from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
-from kurbel.page.words import filled, for_ratio
 from kurbel.reading.choices import choose
 
 ORDERS = 6

@@ -11,8 +11,7 @@ from kurbel.balance.harmonics_page import EXACT_ZERO, OrderAxis, caption, harmon
 from kurbel.balance.request import FACTOR, RESIDUALS, BalanceRequest, balance_registry
 from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Label, Number, degrees_text, finite_decimals
-from kurbel.page.arrange import Axis, Place
-from kurbel.page.axes import ColumnAxis, RatioAxis
+from kurbel.page.axes import Axis, ColumnAxis, Place, RatioAxis
 from kurbel.page.quantity import Column, Words, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field

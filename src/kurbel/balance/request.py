@@ -23,7 +23,7 @@ from kurbel.balance.harmonics_page import checked_ratios
 from kurbel.errors import ProblemError
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Formula, Quantity, words
-from kurbel.page.question import Question
+from kurbel.page.subject import Question
 from kurbel.reading.choices import choose
 
 DEFAULT_ENGINE = "inline-4"

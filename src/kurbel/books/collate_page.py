@@ -24,13 +24,11 @@ from kurbel.books.verdict import (
 from kurbel.drive.crank import Crank
 from kurbel.errors import ChoiceError, SourceError
 from kurbel.exact.numerals import Label, Number
-from kurbel.page.arrange import Axis, Grid, Place
-from kurbel.page.axes import PHI, RATIO, ColumnAxis
+from kurbel.page.axes import PHI, RATIO, ColumnAxis, Grid, PageAxis, Place
 from kurbel.page.build import grid_of
 from kurbel.page.layouts import Layout, layout_of
 from kurbel.page.quantity import Column, Formula, Quantity, Words, words
-from kurbel.page.question import Question
-from kurbel.page.subject import Subject
+from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Cell, Field, Note, Records, Value
 from kurbel.reading.choices import choose
 from kurbel.reading.notation import angle, number, plain, ratio, ratio_text
@@ -179,7 +177,7 @@ def _characters(text: str) -> Label:
     return f"${text.replace(',', '.').replace('−', '-')}$" if "½" not in text else text.replace("'", "′")
 
 
-class _PlaceAxis(Axis):
+class _PlaceAxis(PageAxis):
     """The places of the printed values."""
 
     def __init__(self, request: CollateRequest) -> None:

@@ -16,7 +16,7 @@ from kurbel.formats.output import whole_file
 from kurbel.formats.registry import DEFAULT, FORMATS, for_suffix
 
 if TYPE_CHECKING:
-    from kurbel.page.question import Question
+    from kurbel.page.subject import Question
     from kurbel.page.table import Table
 
 # Shorter tables are done before a bar could be read.

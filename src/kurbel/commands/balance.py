@@ -9,7 +9,7 @@ from kurbel.commands.cranks import ratios_of
 from kurbel.commands.options import Choice, Count, Option
 from kurbel.commands.subject import makes_table
 from kurbel.page.layouts import layout_of
-from kurbel.page.question import Question
+from kurbel.page.subject import Question
 from kurbel.reading.given import Exact, as_crank_angles, as_names, as_places, as_share
 
 Ratios = Annotated[

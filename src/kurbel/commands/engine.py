@@ -11,7 +11,7 @@ from kurbel.commands.options import FLAG, Columns, Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.errors import ProblemError
 from kurbel.page.layouts import layout_of
-from kurbel.page.question import Question
+from kurbel.page.subject import Question
 from kurbel.reading import notation
 from kurbel.reading.given import (
     Exact,

@@ -31,7 +31,7 @@ from kurbel.commands.subject import makes_table
 from kurbel.drive import combination
 from kurbel.errors import ProblemError
 from kurbel.page.layouts import layout, layout_of
-from kurbel.page.question import Question
+from kurbel.page.subject import Question
 from kurbel.reading.given import Exact, as_force, as_names, as_number
 
 if TYPE_CHECKING:

@@ -15,7 +15,7 @@ from kurbel.commands.cranks import (
 )
 from kurbel.commands.subject import makes_table
 from kurbel.page.layouts import layout_of
-from kurbel.page.question import Question
+from kurbel.page.subject import Question
 from kurbel.reading.given import as_names
 
 

@@ -12,7 +12,7 @@ from kurbel.formats.registry import DEFAULT
 from kurbel.motion.evaluation import METHODS
 from kurbel.motion.quantities import registry
 from kurbel.page.quantity import Quantity, bare
-from kurbel.page.question import check_rounding
+from kurbel.page.subject import check_rounding
 from kurbel.page.table import Table
 from kurbel.reading import notation
 from kurbel.reading.choices import choose

@@ -9,7 +9,7 @@ from kurbel.commands.options import Columns, Option
 from kurbel.commands.subject import makes_table
 from kurbel.errors import NotationError, ProblemError
 from kurbel.page.layouts import layout_of
-from kurbel.page.question import Question
+from kurbel.page.subject import Question
 from kurbel.reading.given import as_names
 
 if TYPE_CHECKING:

@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING
 from kurbel.engine.engine import Diagram, Steam
 from kurbel.engine.quantities import SPANS
 from kurbel.exact.numerals import Label, Number, finite_decimals, nearest
-from kurbel.page.angles import angle_decimals, angle_number
-from kurbel.page.arrange import Axis, Place
+from kurbel.page.axes import Axis, Place, angle_decimals, angle_number
 from kurbel.page.quantity import words
 from kurbel.page.table import Field
 from kurbel.reading.notation import plain, ratio_text

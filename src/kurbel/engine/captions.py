@@ -11,9 +11,8 @@ from kurbel.engine.quantities import AT_ANGLE, ENGINE_METHODS, EXTREMES, FORCES
 from kurbel.engine.request import OVER_ANGLE, EngineRequest
 from kurbel.exact.numerals import Label, Number, number_text
 from kurbel.motion.drive_notes import moving_notes
-from kurbel.page.quantity import Quantity, words
+from kurbel.page.quantity import AND, FOR, Quantity, enumerated_letters, filled, words
 from kurbel.page.table import Note
-from kurbel.page.words import AND, FOR, enumerated_letters, filled
 from kurbel.reading.notation import plain, ratio_text
 
 # The mark of the two extremes that make δ.

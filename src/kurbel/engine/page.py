@@ -10,8 +10,7 @@ from kurbel.engine.axes import ExpansionAxis, StrokeAxis, TargetAxis
 from kurbel.engine.quantities import EXTREMES, WHOLE, applies, engine_registry
 from kurbel.engine.request import EngineRequest
 from kurbel.exact.numerals import Number
-from kurbel.page.arrange import Axis, Place
-from kurbel.page.axes import AngleAxis, ColumnAxis, RatioAxis
+from kurbel.page.axes import AngleAxis, Axis, ColumnAxis, Place, RatioAxis
 from kurbel.page.quantity import Column, Quantity
 from kurbel.page.subject import Subject
 

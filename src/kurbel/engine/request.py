@@ -13,10 +13,10 @@ from kurbel.drive.flywheel import Flywheel
 from kurbel.engine.engine import MOST_CRANKS, Diagram, Engine, Load, Steam
 from kurbel.engine.quantities import ENGINE_METHODS, OUTSTROKE, RETURN_STROKE, WHOLE, Where
 from kurbel.errors import ProblemError
-from kurbel.page.arrange import Place
+from kurbel.page.axes import Place
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, Quantity, words
-from kurbel.page.question import Question
+from kurbel.page.subject import Question
 from kurbel.page.table import Field
 from kurbel.reading.choices import choose
 

@@ -15,7 +15,7 @@ from kurbel.errors import ProblemError
 from kurbel.examples.source import Example, Part, example
 from kurbel.linkage.beam import BeamEngine
 from kurbel.page.folders import LANGUAGES
-from kurbel.page.question import check_label
+from kurbel.page.subject import check_label
 from kurbel.reading.choices import choose
 from kurbel.reading.notation import about
 

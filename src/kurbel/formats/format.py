@@ -142,13 +142,13 @@ class PageFormat(Format):
 
         The name is empty for the mark before the note itself.
         """
-        from kurbel.page.plain import mark_text
+        from kurbel.page.labels import mark_text
 
         return mark_text(mark)
 
     def formula(self, formula: Formula, mark: str = ".", display: bool = False) -> str:
         """Return a formula with a decimal mark, and on wish with fractions of full size."""
-        from kurbel.page.plain import formula_plain
+        from kurbel.page.labels import formula_plain
 
         # No line end may cut it.
         return formula_plain(formula, mark).replace(" ", "\u00a0")

@@ -14,7 +14,7 @@ from kurbel.page.formula import (
     Upright,
     is_function,
 )
-from kurbel.page.plain import beside, is_sum
+from kurbel.page.labels import beside, is_sum
 
 _RELATIONS = frozenset("=<>≤≥≈:")
 

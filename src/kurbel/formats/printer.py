@@ -29,7 +29,7 @@ from kurbel.documents.prose import (
 )
 from kurbel.formats.format import PageFormat
 from kurbel.page.formula import Formula
-from kurbel.page.plain import formula_plain
+from kurbel.page.labels import formula_plain
 
 
 class Reference(NamedTuple):

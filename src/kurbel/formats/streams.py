@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING
 
 from kurbel.motion.digits import MOST_DECIMALS, largest
 from kurbel.motion.rows import CHUNK, RecordRows
-from kurbel.page.angles import angle_decimals, angle_number
+from kurbel.page.axes import angle_decimals, angle_number
 from kurbel.page.build import build
-from kurbel.page.question import Question
+from kurbel.page.subject import Question
 from kurbel.reading.notation import Progression, ratio_text
 
 if TYPE_CHECKING:

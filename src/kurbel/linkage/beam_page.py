@@ -8,15 +8,11 @@ from fractions import Fraction
 
 from kurbel.exact.numerals import Label, Number, nearest
 from kurbel.linkage.beam import APPROXIMATE, EXACT, BeamEngine, certified, registry
-from kurbel.page.angles import angle_decimals
-from kurbel.page.arrange import Axis, Place
-from kurbel.page.axes import ColumnAxis, LetteredRatioAxis
+from kurbel.page.axes import Axis, ColumnAxis, LetteredRatioAxis, Place, angle_decimals
 from kurbel.page.layouts import LayoutColumn
-from kurbel.page.quantity import Column, words
-from kurbel.page.question import Question
-from kurbel.page.subject import Subject
+from kurbel.page.quantity import Column, filled, words
+from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field, Value
-from kurbel.page.words import filled
 from kurbel.reading.notation import plain
 
 METHODS = {

@@ -16,9 +16,7 @@ from kurbel.linkage.quantities import FORCE, LEFT
 from kurbel.motion.captions import WORDS as MOTION_WORDS
 from kurbel.motion.drive_notes import drive_notes, force_note
 from kurbel.motion.evaluation import OUT, RETURN
-from kurbel.page import words as page_words
-from kurbel.page.quantity import Formula, Quantity, Words, words
-from kurbel.page.words import enumerated, filled
+from kurbel.page.quantity import AND, Formula, Quantity, Words, enumerated, filled, words
 from kurbel.reading.notation import plain, ratio_text
 
 if TYPE_CHECKING:
@@ -110,7 +108,7 @@ def _force_notes(request: LinkageRequest) -> Iterator[Label]:
 
 def _coupler_notes(request: LinkageRequest) -> Iterator[Label]:
     lang = request.lang
-    points = page_words.AND[lang].join(f"${plain(angle)}°$" for angle in CHANGE_POINTS)
+    points = AND[lang].join(f"${plain(angle)}°$" for angle in CHANGE_POINTS)
     # A page says what its layout shows, though not all of it was chosen.
     own = (request.entry(column.quantity) for column in request.layout.columns)
     shown = (

@@ -15,11 +15,9 @@ from kurbel.linkage.evaluation import Linkage, certified
 from kurbel.linkage.parallel import ParallelCrank
 from kurbel.linkage.quantities import arc_registry, parallel_registry
 from kurbel.motion.evaluation import needed
-from kurbel.page.arrange import Place
-from kurbel.page.axes import AngleAxis, ColumnAxis, RatioAxis
+from kurbel.page.axes import AngleAxis, ColumnAxis, Place, RatioAxis
 from kurbel.page.quantity import Column, Quantity
-from kurbel.page.question import Question
-from kurbel.page.subject import Subject
+from kurbel.page.subject import Question, Subject
 
 
 @dataclass(frozen=True, kw_only=True)

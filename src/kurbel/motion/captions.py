@@ -9,8 +9,7 @@ from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Label
 from kurbel.motion.drive_notes import drive_notes, force_note, moving_notes, rod_notes
 from kurbel.motion.evaluation import DIFFERENCE, LOADED, METHODS, OFFSET, OUT, RETURN
-from kurbel.page.quantity import Column, Quantity, words
-from kurbel.page.words import AND, enumerated, filled, for_ratio
+from kurbel.page.quantity import AND, Column, Quantity, enumerated, filled, for_ratio, words
 
 if TYPE_CHECKING:
     from kurbel.motion.question import Request

@@ -11,8 +11,7 @@ from kurbel.exact.kind import Kind, balls, bounds
 from kurbel.exact.numerals import Label, Number, finite_decimals, nearest, number_text
 from kurbel.kernel import kinematics
 from kurbel.motion.evaluation import OUT, RETURN, pin_velocity
-from kurbel.page.quantity import Words, words
-from kurbel.page.words import enumerated_letters
+from kurbel.page.quantity import Words, enumerated_letters, words
 from kurbel.reading.notation import plain, ratio_text
 
 if TYPE_CHECKING:

@@ -20,14 +20,11 @@ from kurbel.motion.evaluation import needed
 from kurbel.motion.inertia import ROD_FORCES, ROD_MODELS, RodForce
 from kurbel.motion.inertia_peak import Peak
 from kurbel.motion.question import Request
-from kurbel.page.arrange import Axis, Place
-from kurbel.page.axes import ColumnAxis, RatioAxis
+from kurbel.page.axes import Axis, ColumnAxis, Place, RatioAxis
 from kurbel.page.layouts import layout
-from kurbel.page.quantity import Column, Formula, Quantity, bare, words
-from kurbel.page.question import Question
-from kurbel.page.subject import Subject
+from kurbel.page.quantity import Column, Formula, Quantity, bare, for_ratio, words
+from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
-from kurbel.page.words import for_ratio
 
 FORCES, MODELS = tuple(ROD_FORCES.values()), tuple(ROD_MODELS)
 EXACT = "exact"

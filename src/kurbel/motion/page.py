@@ -10,8 +10,7 @@ from kurbel.motion import captions
 from kurbel.motion.quantities import registry
 from kurbel.motion.question import Request
 from kurbel.motion.rows import motion_records
-from kurbel.page.arrange import Place
-from kurbel.page.axes import AngleAxis, ColumnAxis, RatioAxis
+from kurbel.page.axes import AngleAxis, ColumnAxis, Place, RatioAxis
 from kurbel.page.quantity import Column, Quantity
 from kurbel.page.subject import Subject
 

@@ -15,7 +15,7 @@ from kurbel.motion.evaluation import needed
 from kurbel.page.axes import angle_pairs
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Quantity
-from kurbel.page.question import Question
+from kurbel.page.subject import Question
 
 
 @dataclass(frozen=True, kw_only=True)

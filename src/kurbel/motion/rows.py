@@ -10,7 +10,7 @@ from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Number
 from kurbel.motion.digits import columns_in_balls, columns_in_floats
 from kurbel.motion.question import Request
-from kurbel.page.angles import angle_decimals, angle_number
+from kurbel.page.axes import angle_decimals, angle_number
 from kurbel.page.build import Rows, records_of
 from kurbel.page.table import Records, Value
 from kurbel.reading.notation import ratio_text

@@ -24,11 +24,9 @@ from kurbel.motion.evaluation import (
     value,
 )
 from kurbel.motion.quantities import registry
-from kurbel.page.arrange import Place
-from kurbel.page.axes import PHI, ColumnAxis, LetteredRatioAxis
+from kurbel.page.axes import PHI, ColumnAxis, LetteredRatioAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity
-from kurbel.page.question import Question
-from kurbel.page.subject import Subject
+from kurbel.page.subject import Question, Subject
 
 DEGREE_DECIMALS = 4
 RIGHT_ANGLE = 90

@@ -1,52 +1,93 @@
-"""The axes of pages: crank ratios, crank angles, and columns."""
+"""The axes of pages, such as crank ratios, crank angles and columns, and the grid that they span."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import Protocol
+from itertools import product
+from typing import Any, TypeAlias
 
-from kurbel.exact.numerals import Label, Number, degrees_text, finite_decimals
-from kurbel.page.angles import angle_decimals, angle_number
-from kurbel.page.arrange import Axis, Place
-from kurbel.page.layouts import Layout
-from kurbel.page.quantity import Column, words
-from kurbel.page.table import Field
-from kurbel.reading.notation import plain, ratio_text
+from kurbel.exact.numerals import Label, Number, degrees_text, finite_decimals, nearest
+from kurbel.page.quantity import words
+from kurbel.page.table import Cell, Field, Value
+from kurbel.reading.notation import Progression, plain, ratio_text
 
 RATIO = words("Kurbelverhältnis R:L|Crank ratio R:L")
 PHI = words("Kurbelwinkel|Crank angle")
+# An angle that is no finite decimal, such as 0°20', is given to programs to this many places.
+ANGLE_DECIMALS = 15
+MOST_ANGLE_DECIMALS = 50
+
+# A place on a page: the index on each axis by the axis' name.
+Place: TypeAlias = Mapping[str, int]
 
 
-class OfPage(Protocol):
-    """What has a layout and a language."""
+class PageAxis(ABC):
+    """What varies along a page: its places, and how each is written as a head, in the stub, over a group.
 
-    @property
-    def layout(self) -> Layout: ...
-    @property
-    def lang(self) -> str: ...
+    A page has `size` places of it, records `count`.
+    """
+
+    # How many lines of the heads stay in the heading when the others span several columns.
+    lines = 1
+
+    def __init__(self, size: int, count: int | None = None) -> None:
+        self.size = size
+        self.count = size if count is None else count
+
+    def stub_heading(self) -> Label:
+        """The heading of its column in the stub, unless the layout has another."""
+        return ""
+
+    @abstractmethod
+    def heads(self, place: Place) -> tuple[Label, ...]:
+        """The heads above a column, outermost first."""
+
+    def stub(self, place: Place) -> Number | Label:
+        return self.heads(place)[-1]
+
+    def over_group(self, place: Place) -> Label:
+        return self.heads(place)[0]
 
 
-class OfRatios(OfPage, Protocol):
-    """A question about crank ratios."""
+class Axis(PageAxis):
+    """An axis that is a field of records, under its key."""
 
-    @property
-    def ratios(self) -> Sequence[Fraction]: ...
+    key: str
+
+    @abstractmethod
+    def field(self) -> Field:
+        """What it is in records."""
+
+    @abstractmethod
+    def value(self, place: Place) -> Value:
+        """What stands for a place in records."""
+
+    def stub_heading(self) -> Label:
+        return self.field().name
 
 
-class OfAngles(OfPage, Protocol):
-    """A question about crank angles."""
+@dataclass
+class Grid:
+    """The axes of a page by their names, and what stands at a place, in a language.
 
-    @property
-    def angles(self) -> Sequence[Fraction]: ...
+    `unit` gives a last column with the unit of each row, where the quantities run down; `exists` leaves out
+    places of which there are fewer than the axes' sizes say.
+    """
 
+    axes: Mapping[str, PageAxis]
+    lang: str
+    cell: Callable[[Place], Cell]
+    unit: Callable[[Place], Label] | None = None
+    exists: Callable[[Place], bool] = lambda place: True
 
-class OfColumns(OfPage, Protocol):
-    """A question with columns."""
-
-    @property
-    def page_columns(self) -> Sequence[Column]: ...
+    def places(self, names: Sequence[str]) -> list[Place]:
+        sizes = (range(self.axes[name].size) for name in names)
+        places = (dict(zip(names, place, strict=True)) for place in product(*sizes))
+        return [place for place in places if self.exists(place)]
 
 
 class RatioAxis(Axis):
@@ -54,7 +95,7 @@ class RatioAxis(Axis):
 
     key = "ratio"
 
-    def __init__(self, question: OfRatios) -> None:
+    def __init__(self, question: Any) -> None:
         super().__init__(len(question.ratios))
         self.layout, self.lang, self.ratios = question.layout, question.lang, question.ratios
 
@@ -86,7 +127,7 @@ class AngleAxis(Axis):
 
     key = "phi"
 
-    def __init__(self, question: OfAngles) -> None:
+    def __init__(self, question: Any) -> None:
         self.layout, self.lang = question.layout, question.lang
         self.all = question.angles
         self.angles = angle_pairs(self.all) if self.layout.pairs else self.all
@@ -105,8 +146,7 @@ class AngleAxis(Axis):
         return angle_number(self.all[place["angle"]], self.decimals)
 
     def stub_heading(self) -> Label:
-        heading = f"${self.layout.angle_symbol}$" + (" in °" if self.decimals is not None else "")
-        return heading
+        return f"${self.layout.angle_symbol}$" + (" in °" if self.decimals is not None else "")
 
     def heads(self, place: Place) -> tuple[Label, ...]:
         angle = self.angles[place["angle"]]
@@ -119,16 +159,13 @@ class AngleAxis(Axis):
         return f"${degrees_text(angle)}$" if self.decimals is None else angle_number(angle, self.decimals)
 
 
-class ColumnAxis(Axis):
+class ColumnAxis(PageAxis):
     """The columns with their heads, in which the ratio of the row may stand."""
 
-    def __init__(self, question: OfColumns) -> None:
+    def __init__(self, question: Any) -> None:
         super().__init__(len(question.page_columns))
         self.layout, self.lang, self.columns = question.layout, question.lang, question.page_columns
         self.ratios: Sequence[Fraction] = getattr(question, "ratios", ())
-
-    def stub_heading(self) -> Label:
-        return ""
 
     def heads(self, place: Place) -> tuple[Label, ...]:
         column = self.columns[place["column"]]
@@ -162,3 +199,23 @@ def with_ratio(label: Label, ratio: Fraction) -> Label:
 
 def _angle_label(angle: Fraction) -> Label:
     return f"${plain(angle) if finite_decimals(angle) is not None else degrees_text(angle)}$"
+
+
+def angle_decimals(angles: Sequence[Fraction]) -> int | None:
+    """Return how many decimals write every angle exactly, or None if no number up to 50 of them does."""
+    ends = (angles.start, angles.step) if isinstance(angles, Progression) else angles
+    counts = [_decimals(angle) for angle in ends]
+    known = [count for count in counts if count is not None]
+    return max(known) if len(known) == len(counts) else None
+
+
+def angle_number(angle: Fraction, decimals: int | None) -> Number:
+    """Return the angle to the decimals of its column, or to its own where the column has no common ones."""
+    if decimals is None:
+        decimals = _decimals(angle)
+    return nearest(angle, ANGLE_DECIMALS if decimals is None else decimals)
+
+
+def _decimals(angle: Fraction) -> int | None:
+    count = finite_decimals(angle)
+    return None if count is None or count > MOST_ANGLE_DECIMALS else count

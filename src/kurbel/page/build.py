@@ -4,14 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
-from itertools import product
+from itertools import groupby, pairwise, product
+from math import prod
 
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, degrees_text
-from kurbel.page.arrange import Axis, Grid, Place, check_size, panels
+from kurbel.page.axes import Axis, Grid, Place
+from kurbel.page.layouts import Layout
 from kurbel.page.quantity import Column
-from kurbel.page.question import Question
-from kurbel.page.table import Cell, Note, Panel, Records, Table, Value
+from kurbel.page.subject import Question
+from kurbel.page.table import DITTO, UNIT, Cell, Group, Note, Panel, Records, Row, Table, Value
+from kurbel.page.table import Column as Printed
+
+# A page is held in memory whole; records stream. 300,000 cells take some seconds and 200 MB.
+MOST_CELLS = 300_000
+MOST_COLUMNS = 500
 
 
 def build(question: Question, pages: bool = True) -> Table:
@@ -81,7 +88,7 @@ def records_of(question: Question) -> Records:
         for name in names
         for key in ([one.key for one in _followed(question, own[name])] if name in own else [name])
     ]
-    axes = {axis.key: axis for axis in question.axes.values() if axis.key}
+    axes = {axis.key: axis for axis in question.axes.values() if isinstance(axis, Axis)}
     fields = [axes[key].field() if key in axes else question.field(columns[key]) for key in keys]
     return Records(tuple(fields), Rows(question, axes, columns, keys))
 
@@ -121,3 +128,95 @@ class Rows:
             place = dict(zip(named, indices, strict=True))
             if self.question.subject.exists(self.question, place):
                 yield place
+
+
+def panels(layout: Layout, grid: Grid) -> tuple[Panel, ...]:
+    across = grid.places(layout.across)
+    return tuple(_panel(layout, grid, block) for block in _blocks(across, layout.block))
+
+
+def check_size(layout: Layout, sizes: Mapping[str, int]) -> None:
+    """Raise ProblemError for a page of so many places that it cannot be held."""
+    cells, across = prod(sizes.values()), prod(sizes[name] for name in layout.across)
+    if cells > MOST_CELLS:
+        raise ProblemError(
+            f"a page of {cells} numbers is too long; at most {MOST_CELLS} are set, use -f csv or -f json"
+        )
+    # A panel of a block goes on below.
+    if across > MOST_COLUMNS and not layout.block:
+        raise ProblemError(
+            f"a page of {across} columns is too wide; at most {MOST_COLUMNS} are set, use -f csv or -f json"
+        )
+
+
+def _blocks(places: list[Place], most: int) -> Iterator[list[Place]]:
+    """Split into as few blocks as needed, of equal size, the larger ones last."""
+    count = -(-len(places) // most) if most else 1
+    ends = [len(places) * block // count for block in range(count + 1)]
+    for start, end in pairwise(ends):
+        yield places[start:end]
+
+
+def _panel(layout: Layout, grid: Grid, across: list[Place]) -> Panel:
+    heads = [name for name in layout.down if name not in layout.stub]
+    # Where all heads stand in the stub, the outermost parts the groups.
+    outer = heads or (layout.down[:1] if len(layout.down) > 1 else ())
+    down = grid.places(layout.down)
+    groups = [list(rows) for _, rows in groupby(down, key=lambda place: [place[name] for name in outer])]
+    columns = _merged(tuple(_column(layout, grid, place) for place in across))
+    return Panel(
+        stub=tuple(_stub_column(layout, grid, name) for name in layout.stub),
+        columns=(*columns, Printed(UNIT, ("",))) if grid.unit else columns,
+        groups=tuple(
+            Group(
+                tuple(_rows(layout, grid, rows, across)),
+                # What has one place only stands in the caption.
+                ", ".join(grid.axes[name].over_group(rows[0]) for name in heads if grid.axes[name].size > 1),
+            )
+            for rows in groups
+        ),
+    )
+
+
+def _stub_column(layout: Layout, grid: Grid, name: str) -> Printed:
+    own = layout.stub_headings.get(name)
+    return Printed(name, (own[grid.lang] if own else grid.axes[name].stub_heading(),))
+
+
+def _rows(layout: Layout, grid: Grid, rows: list[Place], across: list[Place]) -> Iterator[Row]:
+    above: list[Cell | None] = [None] * len(layout.stub)
+    for place in rows:
+        stub = [Cell(grid.axes[name].stub(place)) for name in layout.stub]
+        # Only outer heads are carried over several rows.
+        shown = [
+            Cell(DITTO) if cell == before and index < len(stub) - 1 else cell
+            for index, (cell, before) in enumerate(zip(stub, above, strict=True))
+        ]
+        above = list(stub)
+        unit = (Cell(grid.unit(place)),) if grid.unit else ()
+        yield Row(tuple(shown), (*(grid.cell({**place, **other}) for other in across), *unit))
+
+
+def _column(layout: Layout, grid: Grid, place: Place) -> Printed:
+    """A column with all its heads as spanners; `_merged` makes headings of those that span nothing."""
+    labels = [label for name in layout.across for label in grid.axes[name].heads(place)]
+    key = "-".join(str(place[name]) for name in layout.across)
+    lines = max(grid.axes[name].lines for name in layout.across)
+    return Printed(key, tuple(labels[-lines:]), tuple(labels[:-lines]))
+
+
+def _merged(columns: tuple[Printed, ...]) -> tuple[Printed, ...]:
+    """Turn spanners over a single column into lines of its heading."""
+    paths = [column.spanners for column in columns]
+    around = [(), *paths, ()]
+    return tuple(
+        _own_heading(column, before, after)
+        for column, before, after in zip(columns, around, around[2:], strict=False)
+    )
+
+
+def _own_heading(column: Printed, before: tuple[Label, ...], after: tuple[Label, ...]) -> Printed:
+    shared = len(column.spanners)
+    while shared and column.spanners[:shared] not in (before[:shared], after[:shared]):
+        shared -= 1
+    return Printed(column.key, column.spanners[shared:] + column.heading, column.spanners[:shared])

@@ -13,11 +13,30 @@ from msgspec.structs import asdict, force_setattr
 from kurbel.errors import ChoiceError, LayoutError
 from kurbel.exact.numerals import MOST_DIGITS, Label
 from kurbel.page.folders import LANGUAGES, Folder, layout_file, layout_names
-from kurbel.page.registry import SUBJECTS
 from kurbel.reading.choices import choose
 from kurbel.reading.toml_file import Choice, Fault, TomlFile, TomlKind, about, schema_of
 
 KIND = TomlKind("layout", LayoutError, 200_000, "a layout has axes and columns", "pages/mine/layout.toml")
+# What pages can be about: by its name, where each subject stands.
+SUBJECTS: Mapping[str, str] = {
+    "motion": "kurbel.motion.page:MOTION",
+    "inertia": "kurbel.motion.page:INERTIA",
+    "inertia errors": "kurbel.motion.inertia_page:SUBJECT",
+    "tangent": "kurbel.motion.tangent_page:SUBJECT",
+    "arc crank": "kurbel.linkage.page:ARC",
+    "parallel crank": "kurbel.linkage.page:PARALLEL",
+    "dead centres": "kurbel.linkage.beam_page:SUBJECT",
+    "roots": "kurbel.solve.page:SUBJECT",
+    "collation": "kurbel.books.collate_page:SUBJECT",
+    "irregularity": "kurbel.engine.page:IRREGULARITY",
+    "strokes": "kurbel.engine.page:STROKES",
+    "turning": "kurbel.engine.page:TURNING",
+    "crank forces": "kurbel.engine.page:CRANK_FORCES",
+    "machine": "kurbel.engine.page:MACHINE",
+    "flywheel": "kurbel.engine.page:FLYWHEEL",
+    "harmonics": "kurbel.balance.harmonics_page:SUBJECT",
+    "balance": "kurbel.balance.page:SUBJECT",
+}
 
 
 def _of_languages(entry: Mapping[str, Any]) -> Mapping[str, Any]:

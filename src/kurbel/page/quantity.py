@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from fractions import Fraction
 from typing import Any, NamedTuple
 
 from kurbel.exact.numerals import Label
+from kurbel.reading.notation import ratio_text
 
 # A text in every language.
 Words = Mapping[str, str]
@@ -15,6 +17,10 @@ def words(text: str) -> Words:
     """Return "German|English", or one text for both, by language."""
     de, _, en = text.partition("|")
     return {"de": de, "en": en or de}
+
+
+AND = words(" und | and ")
+FOR = words(" für | for ")
 
 
 class Formula(NamedTuple):
@@ -99,3 +105,29 @@ class Column(NamedTuple):
 def bare(quantity: Quantity, method: str, decimals: int | None) -> Column:
     """Return a column without heads, of a number that stands alone."""
     return Column(quantity.key, quantity, (method,), decimals, (), ())
+
+
+def for_ratio(ratio: Fraction, lang: str, symbol: str = "R:L") -> Label:
+    """Return " für $R:L = 1:5$"."""
+    return f"{FOR[lang]}${symbol} = {ratio_text(ratio)}$"
+
+
+def enumerated(quantities: Iterable[str], lang: str) -> str:
+    """Return their names, each once: Kolbenweg, Kolbengeschwindigkeit und Kolbenbeschleunigung."""
+    names = list(dict.fromkeys(quantities))
+    if lang == "en":
+        names[1:] = [name.lower() for name in names[1:]]
+    return AND[lang].join(part for part in (", ".join(names[:-1]), names[-1]) if part)
+
+
+def enumerated_letters(letters: Sequence[str], lang: str) -> Label:
+    """Return "$X$ and $P$"."""
+    *others, last = (f"${letter}$" for letter in letters)
+    return ", ".join(others) + AND[lang] + last if others else last
+
+
+def filled(text: Label, parts: Iterable[tuple[str, str]]) -> Label:
+    """Return a text with its places in braces filled; what braces are left belong to formulas."""
+    for place, part in parts:
+        text = text.replace(place, part)
+    return text

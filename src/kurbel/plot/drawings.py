@@ -11,8 +11,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
 from kurbel.motion import captions
 from kurbel.motion.question import Request
-from kurbel.page.quantity import words
-from kurbel.page.words import for_ratio
+from kurbel.page.quantity import for_ratio, words
 from kurbel.plot.curves import motion_panels, pin_force
 from kurbel.plot.mechanism import mechanism
 from kurbel.plot.plotting import curves

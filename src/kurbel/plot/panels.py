@@ -8,8 +8,7 @@ from typing import NamedTuple
 
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
-from kurbel.page.quantity import Quantity
-from kurbel.page.words import enumerated
+from kurbel.page.quantity import Quantity, enumerated
 from kurbel.plot.plotting import Curve, Panel, check_count
 from kurbel.reading.notation import about
 

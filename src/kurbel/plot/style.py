@@ -17,8 +17,7 @@ from kurbel.errors import ChoiceError, MissingExtraError
 from kurbel.exact.numerals import Label
 from kurbel.formats.tex_math import TexMath
 from kurbel.page.formula import Formula
-from kurbel.page.labels import set_label
-from kurbel.page.plain import mark_text
+from kurbel.page.labels import mark_text, set_label
 from kurbel.reading.choices import choose
 
 if TYPE_CHECKING:

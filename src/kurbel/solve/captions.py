@@ -20,9 +20,8 @@ from kurbel.motion.drive_notes import drive_notes
 from kurbel.motion.drives import Drive, SlideDrive
 from kurbel.motion.evaluation import METHODS, RETURN, STROKES
 from kurbel.motion.quantities import registry
-from kurbel.page import words as page_words
 from kurbel.page.layouts import layout
-from kurbel.page.quantity import Column, Words, bare, words
+from kurbel.page.quantity import AND, Column, Words, bare, words
 from kurbel.reading.notation import ratio_text
 from kurbel.reading.where import ANGLES, DEAD_CENTRE, MAX, MIN, SHARE, Condition, exact_text
 from kurbel.solve.solve import Root, target_of
@@ -163,11 +162,11 @@ def _said(roots: Sequence[Root], lang: str) -> Iterator[Label]:
 def _lines(forms: Sequence[ClosedForm], usable: Sequence[ClosedForm], lang: str) -> Iterator[Label]:
     """Yield cos φ as it is solved, then the values that no angle has."""
     for text, of_text in groupby(usable, key=lambda form: _text(form, forms)):
-        values = page_words.AND[lang].join(f"${form_text(form)}$" for form in of_text)
+        values = AND[lang].join(f"${form_text(form)}$" for form in of_text)
         rational = text == values.strip("$")
         yield f"$cos φ = {text}$" if rational else WORDS["form"][lang].format(form=text, values=values)
     if others := [f"${form_text(form)}$" for form in forms if not form.is_usable]:
-        yield WORDS["unusable"][lang].format(values=page_words.AND[lang].join(others))
+        yield WORDS["unusable"][lang].format(values=AND[lang].join(others))
 
 
 def _text(form: ClosedForm, forms: Sequence[ClosedForm]) -> str:

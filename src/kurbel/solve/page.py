@@ -14,12 +14,10 @@ from kurbel.linkage.arc_drive import PATH_SHARE, arc_columns
 from kurbel.motion.drives import Drive, SlideDrive
 from kurbel.motion.evaluation import NEEDS, OUT, RETURN, STROKES
 from kurbel.motion.quantities import registry
-from kurbel.page.arrange import Axis, Place
-from kurbel.page.axes import PHI, ColumnAxis, RatioAxis
+from kurbel.page.axes import PHI, Axis, ColumnAxis, Place, RatioAxis
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, Quantity, Words, words
-from kurbel.page.question import Question
-from kurbel.page.subject import Subject
+from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
 from kurbel.reading.where import Condition
 from kurbel.solve import captions

@@ -23,7 +23,7 @@ from kurbel.page.formula import (
     Word,
     is_function,
 )
-from kurbel.page.plain import beside
+from kurbel.page.labels import beside
 
 
 def mathml(formula: Formula, mark: str = ".", display: bool = False) -> str:

@@ -34,7 +34,7 @@ class Markdown(PageFormat):
         return self.escape(super().note_mark(mark))
 
     def formula(self, formula: Formula, mark: str = ".", display: bool = False) -> str:
-        from kurbel.page.plain import formula_plain
+        from kurbel.page.labels import formula_plain
 
         # Dollar signs are left alone, since many readers of Markdown print them.
         return self.escape(formula_plain(formula, mark))

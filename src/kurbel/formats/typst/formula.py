@@ -21,7 +21,7 @@ from kurbel.page.formula import (
     Variable,
     Word,
 )
-from kurbel.page.plain import formula_plain
+from kurbel.page.labels import formula_plain
 
 
 def equation(formula: Formula, mark: str = ".", display: bool = False) -> str:
