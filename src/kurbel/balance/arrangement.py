@@ -16,9 +16,10 @@ from typing import Any, NamedTuple, TypeAlias
 from kurbel.balance import harmonics
 from kurbel.drive.crank import LARGEST_ANGLE, Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.numerals import Number, nearest
+from kurbel.exact.kind import Kind, balls
+from kurbel.exact.numerals import Number
 from kurbel.kernel import balance
-from kurbel.kernel.balance import Star, component
+from kurbel.kernel.balance import Star
 from kurbel.reading.notation import about
 
 MOST_CYLINDERS = 24
@@ -82,18 +83,15 @@ def _check_cylinder(number: int, cylinder: Cylinder) -> None:
 
 
 def row(
-    cranks: Sequence[Fraction | int], banks: Sequence[Fraction | int], share: Fraction = Fraction(0)
+    cranks: Sequence[Fraction | int],
+    banks: Sequence[Fraction | int] = (),
+    share: Fraction = Fraction(0),
 ) -> Arrangement:
-    """Return cylinders the unit of length apart, each with a pin and a bank of its own; moments are about
-    the middle."""
-    places = zip(cranks, _positions(len(cranks)), banks, strict=True)
+    """Return cylinders the unit of length apart, each with a pin and a bank of its own, all in one bank
+    without any; moments are about the middle."""
+    places = zip(cranks, _positions(len(cranks)), banks or [0] * len(cranks), strict=True)
     cylinders = (Cylinder(Fraction(crank), position, Fraction(bank)) for crank, position, bank in places)
     return Arrangement(tuple(cylinders), share)
-
-
-def inline(cranks: Sequence[Fraction | int], share: Fraction = Fraction(0)) -> Arrangement:
-    """Return cylinders in one bank, the unit of length apart."""
-    return row(cranks, [0] * len(cranks), share)
 
 
 def vee(
@@ -102,9 +100,9 @@ def vee(
     """Return two cylinders at each pin, in banks on either side of the middle line, from which angles count;
     the pins are the unit of length apart."""
     half = Fraction(bank_angle) / 2
-    places = list(zip(cranks, _positions(len(cranks)), strict=True))
-    pairs = [[Cylinder(Fraction(crank), z, bank) for bank in (-half, half)] for crank, z in places]
-    return Arrangement(tuple(cylinder for pair in pairs for cylinder in pair), share)
+    places = zip(cranks, _positions(len(cranks)), strict=True)
+    cylinders = (Cylinder(Fraction(crank), z, bank) for crank, z in places for bank in (-half, half))
+    return Arrangement(tuple(cylinders), share)
 
 
 def _positions(count: int) -> list[Fraction]:
@@ -120,13 +118,13 @@ def usual() -> Mapping[str, Arrangement]:
     """
     six = (0, 240, 120, 120, 240, 0)
     return {
-        "inline-1": inline((0,)),
-        "inline-2-180": inline((0, 180)),
-        "inline-2-360": inline((0, 0)),
-        "inline-3": inline((0, 240, 120)),
-        "inline-4": inline((0, 180, 180, 0)),
-        "inline-5": inline((0, 216, 144, 72, 288)),
-        "inline-6": inline(six),
+        "inline-1": row((0,)),
+        "inline-2-180": row((0, 180)),
+        "inline-2-360": row((0, 0)),
+        "inline-3": row((0, 240, 120)),
+        "inline-4": row((0, 180, 180, 0)),
+        "inline-5": row((0, 216, 144, 72, 288)),
+        "inline-6": row(six),
         "v2-90": vee((0,), 90),
         "v6-90": vee((0, 240, 120), 90),
         "v8-90": vee((0, 90, 270, 180), 90),
@@ -149,7 +147,7 @@ class Residual(NamedTuple):
     def component(self, degrees: Fraction) -> Star:
         """Return the component in a direction: its magnitude is the amplitude, its angle α the phase of
         cos(kφ + α)."""
-        return component(self.forward, self.backward, degrees)
+        return self.forward.turned(-degrees) + self.backward.turned(-degrees).mirrored()
 
 
 def force(arrangement: Arrangement, order: int) -> Residual:
@@ -187,8 +185,8 @@ def check_order(order: int) -> None:
         )
 
 
-Factor: TypeAlias = Fraction | Callable[[], Any]
-"""|B_k|: exact, or a function that returns a ball around a transcendental number."""
+Factor: TypeAlias = Fraction | Callable[[Kind], Any]
+"""|B_k|: exact, or a transcendental number on balls."""
 
 
 def factor(order: int, crank: Crank, method: str = "exact") -> Factor:
@@ -196,69 +194,49 @@ def factor(order: int, crank: Crank, method: str = "exact") -> Factor:
     check_order(order)
     harmonics.check_straight(crank)
     harmonic = harmonics.HARMONICS["p"]
+    # 1, λ or 0.
     exact = harmonics.rational(harmonic, order, crank, method)
-    if exact is not None:
-        # 1, λ or 0.
-        return exact
-
-    def value() -> Any:
-        from kurbel.exact.certify import ball
-
-        return abs(harmonic.value(order, ball(crank.ratio)))
-
-    return value
+    return (lambda kind: abs(harmonic.value(order, kind.of(crank.ratio)))) if exact is None else exact
 
 
 class Length(NamedTuple):
     """A magnitude of the residual: whether it is 0, its ball, and whether it is a rational number > 0."""
 
     vanishes: Callable[[Residual], bool]
-    value: Callable[[Residual], Any]
+    value: Callable[[Residual, Kind], Any]
     equals: Callable[[Residual, Fraction], bool]
 
 
 def _magnitude(star_of: Callable[[Residual], Star]) -> Length:
     return Length(
         lambda residual: star_of(residual).vanishes(),
-        lambda residual: _ball_length(star_of(residual)),
+        lambda residual, kind: _length(star_of(residual), kind),
         lambda residual, length: (star_of(residual).square() - _real(length**2)).vanishes(),
     )
 
 
-def _ball_length(star: Star) -> Any:
+def _length(star: Star, kind: Kind) -> Any:
     # A ball around 0 has no root.
     if star.vanishes():
-        return _ball(Fraction(0))
-    x, y = _ball_point(star)
+        return kind.of(Fraction(0))
+    x, y = star.point(kind.circle, kind.of)
     return (x * x + y * y) ** 0.5
-
-
-def _ball_point(star: Star) -> tuple[Any, Any]:
-    from kurbel.exact import certify
-
-    return star.point(certify.ball_circle, certify.ball)
-
-
-def _ball(value: Fraction) -> Any:
-    from kurbel.exact import certify
-
-    return certify.ball(value)
 
 
 def _real(value: Fraction) -> Star:
     return Star.ray(Fraction(0), value)
 
 
-def _half_axis(axis: Callable[[Any, Any], Any], sign: int) -> Length:
-    """Return the half axis |f| ± |b| of the ellipse."""
+def _half_axis(sign: int) -> Length:
+    """Return the half axis |f| ± |b| of the ellipse that the two vectors describe; a line's lesser is 0."""
 
     def vanishes(residual: Residual) -> bool:
         if sign > 0:
             return residual.forward.vanishes() and residual.backward.vanishes()
         return (residual.forward.square() - residual.backward.square()).vanishes()
 
-    def value(residual: Residual) -> Any:
-        return axis(_ball_length(residual.forward), _ball_length(residual.backward))
+    def value(residual: Residual, kind: Kind) -> Any:
+        return abs(_length(residual.forward, kind) + sign * _length(residual.backward, kind))
 
     def equals(residual: Residual, length: Fraction) -> bool:
         forward, backward = residual.forward.square(), residual.backward.square()
@@ -276,15 +254,13 @@ def _sign(star: Star) -> int:
     """Return the sign of x of a star that is not 0 and lies along the x-axis."""
     import flint
 
-    before = flint.ctx.prec
-    try:
-        while True:
-            x, _ = _ball_point(star)
-            if x > 0 or x < 0:
-                return 1 if x > 0 else -1
-            flint.ctx.prec *= 2
-    finally:
-        flint.ctx.prec = before
+    kind, bits = balls(), flint.ctx.prec
+    while True:
+        with flint.ctx.workprec(bits):
+            x, _ = star.point(kind.circle, kind.of)
+        if not x.contains(0):
+            return 1 if x > 0 else -1
+        bits *= 2
 
 
 LENGTHS: Mapping[str, Length] = {
@@ -292,8 +268,8 @@ LENGTHS: Mapping[str, Length] = {
     "across": _magnitude(lambda residual: residual.component(Fraction(90))),
     "forward": _magnitude(lambda residual: residual.forward),
     "backward": _magnitude(lambda residual: residual.backward),
-    "greatest": _half_axis(balance.greatest, 1),
-    "least": _half_axis(balance.least, -1),
+    "greatest": _half_axis(1),
+    "least": _half_axis(-1),
 }
 """Amplitudes of the components along and across the line from which angles count; the magnitudes of the
 two turning vectors; the half axes of the ellipse that they describe."""
@@ -311,67 +287,19 @@ def certified_length(
     Magnitudes are algebraic, and whether one is a rational number is decided by exact arithmetic. |B_k|
     is transcendental where it is not rational (`harmonics.certified`), and so is its product with one.
     """
-    from kurbel.exact import certify
+    from kurbel.exact.certify import NEVER_TIES, rounded
 
     if factor == 0 or length.vanishes(residual):
         return Number(0, decimals)
-    scale, ties = _scale_and_ties(length, residual, factor)
-    scaled = certify.rounded(lambda: scale() * length.value(residual), decimals, rounding, ties)
-    return Number(scaled, decimals)
-
-
-def _scale_and_ties(length: Length, residual: Residual, factor: Factor) -> tuple[Callable[[], Any], Any]:
-    """Return the factor as a function that makes balls, and which boundaries the product can lie on."""
-    from kurbel.exact.certify import NEVER_TIES
-
-    if not isinstance(factor, Fraction):
-        return factor, NEVER_TIES
-    exact = factor
-
-    def tie_bits(boundary: Fraction) -> float:
-        return 0.0 if length.equals(residual, boundary / exact) else inf
-
-    return lambda: _ball(exact), tie_bits
-
-
-def phase(star: Star, decimals: int, rounding: str = "half-away") -> Number | None:
-    """Return the angle of a vector in degrees, above -180 and at most 180, correctly rounded; None of 0."""
-    return _angle(star, 1, decimals, rounding)
-
-
-def direction(residual: Residual, decimals: int, rounding: str = "half-away") -> Number | None:
-    """Return the direction of the ellipse's longer axis in degrees, above -90 and at most 90.
-
-    None where there is none, for the ellipse is a circle or nothing.
-    """
-    return _angle(residual.forward * residual.backward, 2, decimals, rounding)
-
-
-def _angle(star: Star, divisor: int, decimals: int, rounding: str) -> Number | None:
-    """Return the angle of a star, divided."""
-    from kurbel.exact import certify
-
-    if star.vanishes():
-        return None
-    straight = Fraction(180, divisor)
-    if _is_real(star):
-        return nearest(Fraction(0) if _sign(star) > 0 else straight, decimals, rounding)
 
     def value() -> Any:
-        import flint
-
-        x, y = _ball_point(star)
-        return flint.arb.atan2(y, x) * 180 / (divisor * certify.pi())
+        kind = balls()
+        scale = kind.of(factor) if isinstance(factor, Fraction) else factor(kind)
+        return scale * length.value(residual, kind)
 
     def tie_bits(boundary: Fraction) -> float:
-        # The angle is known to be near the boundary or its negative, and so not opposite to them.
-        lines = (star.turned(side * divisor * boundary) for side in (1, -1))
-        return 0.0 if any(map(_is_real, lines)) else inf
+        assert isinstance(factor, Fraction)
+        return 0.0 if length.equals(residual, boundary / factor) else inf
 
-    scaled = certify.rounded(value, decimals, rounding, tie_bits)
-    least = nearest(-straight, decimals, rounding).scaled
-    return Number(-least if scaled == least else scaled, decimals)
-
-
-def _is_real(star: Star) -> bool:
-    return (star - star.mirrored()).vanishes()
+    ties = tie_bits if isinstance(factor, Fraction) else NEVER_TIES
+    return Number(rounded(value, decimals, rounding, ties), decimals)

@@ -143,7 +143,7 @@ def arranged(
                 f"the number of {what} is {len(given)} and that of cranks {len(cranks)};"
                 " every cylinder needs one of each"
             )
-    evenly = row(cranks, banks or [0] * len(cranks), share)
+    evenly = row(cranks, banks, share)
     return "", replace(evenly, cylinders=_placed(evenly, positions)) if positions else evenly
 
 

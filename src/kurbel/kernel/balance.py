@@ -81,11 +81,6 @@ class Star:
         return _vanish({int(turn * order): length for turn, length in self.rays}, order)
 
 
-def component(forward: Star, backward: Star, degrees: Fraction) -> Star:
-    """Return the star whose x, turned by kφ, is the component of the two vectors in a direction."""
-    return forward.turned(-degrees) + backward.turned(-degrees).mirrored()
-
-
 def forward(order: int, crank: Fraction, bank: Fraction, weight: Fraction) -> Star:
     """Return a cylinder's vector that turns forward, at φ = 0, in units of m R ω² B_k; angles in degrees."""
     return Star.ray(order * crank - (order - 1) * bank, weight * HALF)
@@ -94,16 +89,6 @@ def forward(order: int, crank: Fraction, bank: Fraction, weight: Fraction) -> St
 def backward(order: int, crank: Fraction, bank: Fraction, weight: Fraction) -> Star:
     """Return a cylinder's vector that turns backward, at φ = 0, in units of m R ω² B_k."""
     return Star.ray((order + 1) * bank - order * crank, weight * HALF)
-
-
-def greatest(forward: Number, backward: Number) -> Number:
-    """Return the longer half axis of the ellipse that two vectors of these magnitudes describe together."""
-    return forward + backward
-
-
-def least(forward: Number, backward: Number) -> Number:
-    """Return the shorter half axis; where it is 0 the force keeps to a line."""
-    return abs(forward - backward)
 
 
 Powers = Mapping[int, Fraction]
