@@ -28,7 +28,8 @@ from kurbel.errors import ChoiceError, KurbelError, NotationError, ProblemError
 from kurbel.kernel import irregularity as kernel
 from kurbel.kernel import kinematics
 from kurbel.kernel.circle import circle
-from kurbel.kernel.irregularity import METHODS, ExactMotion, FirstOrderMotion, WeisbachRelation
+from kurbel.kernel.half_tangent import ExactMotion, FirstOrderMotion, WeisbachRelation, load
+from kurbel.kernel.irregularity import METHODS
 
 # mpmath has no types.
 Real = Any
@@ -281,7 +282,7 @@ def test_few_engines_need_more_steps(motion: Any, monkeypatch: pytest.MonkeyPatc
 
     monkeypatch.setattr(kernel, "_settled", counted)
     eps, ratio, back = many(20_000)
-    kernel.greatest(motion, 0.95 * ratio, kernel.load(eps, back))
+    kernel.greatest(motion, 0.95 * ratio, load(eps, back))
     assert sum(more) < 0.01 * eps.size
 
 
@@ -291,7 +292,7 @@ def test_steps_end_at_the_root_even_where_they_start_far_away(kind: Any) -> None
     eps = np.exp(random.uniform(0.01, 30, 20_000))
     ratio = 1 - 10 ** random.uniform(-15, -1, eps.size)
     back = 10 ** random.uniform(-12, -0.01, eps.size) * (1 + np.log(eps)) / eps
-    forces = kernel.load(eps, back)
+    forces = load(eps, back)
     pull = kind(ratio).pull(kernel.greatest(kind, ratio, forces), forces)
     height = (pull.force - pull.mean) / (pull.force + pull.mean) * pull.margin / pull.growth
     assert float(np.abs(height).max()) < 1e-7
@@ -321,12 +322,12 @@ def test_order_and_blocks_do_not_matter(method: str, monkeypatch: pytest.MonkeyP
     order = np.random.default_rng(0).permutation(5000)
     whole = np.asarray(delta(*engines, method=method))
     assert (np.asarray(delta(*(one[order] for one in engines), method=method)) == whole[order]).all()
-    monkeypatch.setattr(irregularity, "BLOCK", 617)
+    monkeypatch.setattr("kurbel.exact.bulk.BLOCK", 617)
     assert (np.asarray(delta(*engines, method=method)) == whole).all()
 
 
 def test_arrays_broadcast_however_they_lie_in_memory(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(irregularity, "BLOCK", 7)
+    monkeypatch.setattr("kurbel.exact.bulk.BLOCK", 7)
     eps, ratio = np.linspace(1.5, 6, 8)[::2, None], np.linspace(0, 0.4, 5)
     back = np.linspace(0, 0.1, 20).reshape(5, 4).T
     found = np.asarray(delta(eps, ratio, back))
@@ -414,7 +415,7 @@ def test_an_unknown_method_is_answered_with_the_list() -> None:
 
 
 def test_the_first_bad_engine_of_all_blocks_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(irregularity, "BLOCK", 10)
+    monkeypatch.setattr("kurbel.exact.bulk.BLOCK", 10)
     back = np.full(100, 0.3)
     back[[37, 38, 91]] = 0.9
     with pytest.raises(ProblemError, match=r"^back\[37\] leaves no work"):

@@ -149,7 +149,14 @@ RUN = "import sys\nsys.argv[0] = 'kurbel'\nfrom kurbel.cli import main\nmain()"
 
 
 # Modules about arrays and nothing else, which others import inside functions.
-ARRAYS = {"kurbel.exact.bulk", "kurbel.exact.floats", "kurbel.formats.columns"}
+ARRAYS = {
+    "kurbel.engine.irregularity",
+    "kurbel.exact.bulk",
+    "kurbel.exact.floats",
+    "kurbel.formats.columns",
+    "kurbel.kernel.half_tangent",
+    "kurbel.kernel.irregularity",
+}
 
 
 def test_heavy_libraries_are_imported_inside_functions_only() -> None:

@@ -20,8 +20,8 @@ from numpy.testing import assert_allclose
 from kurbel.exact.certify import ball
 from kurbel.kernel import steam, turning
 from kurbel.kernel.circle import circle
-from kurbel.kernel.kinds import larger, logarithm, smaller
 from kurbel.kernel.kinematics import piston_path, piston_path_first_order
+from kurbel.kernel.steam import larger, logarithm, smaller
 
 Kind = Callable[[Fraction], Any]
 

@@ -16,8 +16,7 @@ from kurbel.engine.engine import Engine
 from kurbel.engine.quantities import Peak
 from kurbel.exact.kind import Kind
 from kurbel.kernel import inertia, turning
-from kurbel.kernel.circle import Circle
-from kurbel.kernel.kinds import Number
+from kurbel.kernel.circle import Circle, Number
 from kurbel.kernel.rod import Loaded
 from kurbel.kernel.turning import Motion, Stroke
 from kurbel.motion.evaluation import OUT, RETURN

@@ -2,27 +2,42 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
-from typing import TYPE_CHECKING, Any, TypeAlias, overload
+from collections.abc import Callable, Mapping
+from math import inf
+from typing import Any, TypeAlias, overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from kurbel.errors import NotationError, ProblemError
-from kurbel.kernel.irregularity import METHODS, load
+from kurbel.exact.bulk import in_blocks
+from kurbel.kernel.half_tangent import load
+from kurbel.kernel.irregularity import METHODS
 from kurbel.reading import notation
 from kurbel.reading.choices import choose
 
-if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import ArrayLike, NDArray
-
-    Floats: TypeAlias = NDArray[np.float64]
-
-# A block and its three dozen intermediate columns (18 MB a thread) stay in the last-level cache. Measured for
-# a million engines on two cores, best of six: 96 ms; with 16384 in a block 163 ms, for threads wait for each
-# other between calls.
-BLOCK = 65536
-
+Floats: TypeAlias = NDArray[np.float64]
 Reader: TypeAlias = Callable[[slice], Any]
+
+# Of each the least value, the bound that it does not reach, and why.
+LIMITS: Mapping[str, tuple[float, float, str]] = {
+    "eps": (
+        1,
+        inf,
+        "it must be finite and 1 (no expansion) or more, for the cut-off comes after the share 1/ε of the"
+        " stroke",
+    ),
+    "ratio": (
+        0,
+        1,
+        "it must be 0 (infinite rod) or more and below 1, or the rod is too short to pass the dead centre",
+    ),
+    "back": (
+        0,
+        1.0000000000000002,
+        "it must lie within 0..1, for it is a share of the steam pressure before cut-off",
+    ),
+}
 
 
 @overload
@@ -50,10 +65,10 @@ def delta(
     >>> delta([2, 3], "1:5").round(6).tolist()
     [1.281865, 1.374452]
     """
-    import numpy as np
-
     formula = METHODS[choose(method, METHODS, "method")]
-    given = [_expansions(eps), _ratios(ratio)] + ([] if back is None else [_backs(back)])
+    given = [_checked(eps, "eps")]
+    given += [_checked(float(notation.ratio(ratio)) if isinstance(ratio, str) else ratio, "ratio")]
+    given += [] if back is None else [_checked(back, "back")]
     try:
         shape = np.broadcast_shapes(*(values.shape for values in given))
     except ValueError:
@@ -68,29 +83,12 @@ def delta(
         _check_mean(forces.mean, block.start, shape)
         out.reshape(-1)[block] = formula(crank, forces)
 
-    _fill(fill, out.size)
+    in_blocks(fill, out.size)
     return out if shape else float(out)
-
-
-def _fill(fill: Callable[[slice], None], size: int) -> None:
-    from kurbel.exact import bulk
-
-    bulk.keep_freed_memory()
-    blocks = [slice(start, start + BLOCK) for start in range(0, size, BLOCK)]
-    workers = min(bulk.cores(), len(blocks))
-    if workers < 2:
-        for block in blocks:
-            fill(block)
-        return
-    with ThreadPoolExecutor(workers) as pool:
-        # The list asks for every result in order, so that the first exception is raised here.
-        list(pool.map(fill, blocks))
 
 
 def _reader(values: Floats, shape: tuple[int, ...]) -> Reader:
     """Return what gives a slice of the values, broadcast to the shape and counted in one row."""
-    import numpy as np
-
     if values.size == 1:
         return lambda block: values.reshape(1)
     if values.shape == shape and values.flags.c_contiguous:
@@ -100,25 +98,7 @@ def _reader(values: Floats, shape: tuple[int, ...]) -> Reader:
     return lambda block: spread.flat[block]
 
 
-def _expansions(eps: ArrayLike) -> Floats:
-    why = "it must be finite and 1 (no expansion) or more, for the cut-off comes after the share 1/ε"
-    return _checked(_numbers(eps, "eps"), "eps", (1, float("inf")), f"{why} of the stroke")
-
-
-def _ratios(ratio: ArrayLike) -> Floats:
-    values = _numbers(float(notation.ratio(ratio)) if isinstance(ratio, str) else ratio, "ratio")
-    why = "it must be 0 (infinite rod) or more and below 1, or the rod is too short to pass the dead centre"
-    return _checked(values, "ratio", (0, 1), why)
-
-
-def _backs(back: ArrayLike) -> Floats:
-    why = "it must lie within 0..1, for it is a share of the steam pressure before cut-off"
-    return _checked(_numbers(back, "back"), "back", (0, 1.0000000000000002), why)
-
-
 def _numbers(given: ArrayLike, name: str) -> Floats:
-    import numpy as np
-
     try:
         values = np.asarray(given)
         if values.dtype.kind == "O":
@@ -131,9 +111,10 @@ def _numbers(given: ArrayLike, name: str) -> Floats:
         raise NotationError(f"{name} must be a number or an array of numbers") from None
 
 
-def _checked(values: Floats, name: str, limits: tuple[float, float], why: str) -> Floats:
-    """Return the values if all lie between the limits, of which the upper one is not allowed itself."""
-    least, below = limits
+def _checked(given: ArrayLike, name: str) -> Floats:
+    """Return the numbers of this name if all lie between their limits."""
+    values = _numbers(given, name)
+    least, below, why = LIMITS[name]
     # Extremes make no array. NaN, if there is one, is both of them, and no comparison holds.
     if values.size and not (values.min() >= least and values.max() < below):
         first = int(((values >= least) & (values < below)).argmin())
@@ -154,6 +135,4 @@ def _check_mean(mean: Floats, start: int, shape: tuple[int, ...]) -> None:
 
 def _index(position: int, shape: tuple[int, ...]) -> str:
     """Return the index of an element, as it is written behind the name of the array."""
-    import numpy as np
-
     return f"[{', '.join(str(one) for one in np.unravel_index(position, shape))}]" if shape else ""

@@ -18,7 +18,7 @@ from kurbel.drive.crank_forces import CRANK_FORCES, CrankForce
 from kurbel.drive.flywheel import Flywheel
 from kurbel.exact.numerals import Label
 from kurbel.kernel import turning
-from kurbel.kernel.kinds import Number
+from kurbel.kernel.circle import Number
 from kurbel.motion.evaluation import Method
 from kurbel.page.quantity import Formula, Quantity, Words, words
 

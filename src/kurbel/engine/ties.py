@@ -25,8 +25,7 @@ from kurbel.exact.certify import MOST_TIE_BITS, TieBits, vanishes
 from kurbel.exact.kind import Kind, balls, bounds
 from kurbel.exact.separation import Separation
 from kurbel.kernel import inertia, steam, turning
-from kurbel.kernel.circle import Circle
-from kurbel.kernel.kinds import Number
+from kurbel.kernel.circle import Circle, Number
 from kurbel.kernel.rod import Loaded
 
 FIRST_BITS = 200

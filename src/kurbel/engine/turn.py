@@ -23,8 +23,8 @@ from kurbel.exact.certify import ball, ball_circle
 from kurbel.exact.kind import balls
 from kurbel.exact.roots import ISOLATING_BITS, Function, Root, isolate, refined
 from kurbel.kernel import steam
-from kurbel.kernel.circle import Circle
-from kurbel.kernel.kinds import Number, larger, smaller
+from kurbel.kernel.circle import Circle, Number
+from kurbel.kernel.steam import larger, smaller
 
 CUT_OFF = {
     "exact": steam.crank_versine,

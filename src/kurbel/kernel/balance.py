@@ -18,8 +18,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import gcd, lcm
 
-from kurbel.kernel.circle import Circle
-from kurbel.kernel.kinds import Number
+from kurbel.kernel.circle import Circle, Number
 
 HALF = Fraction(1, 2)
 

@@ -13,8 +13,7 @@ geometry, re-derived here, is a function of q²/r², the square of the half chor
 Source: Weisbach-Herrmann, § 149.
 """
 
-from kurbel.kernel.circle import root
-from kurbel.kernel.kinds import Number
+from kurbel.kernel.circle import Number, root
 
 
 def approximate_lean(arm: Number, ratio: Number) -> Number:

@@ -21,8 +21,7 @@ from fractions import Fraction
 from math import comb
 from typing import NamedTuple
 
-from kurbel.kernel.circle import root
-from kurbel.kernel.kinds import Number
+from kurbel.kernel.circle import Number, root
 
 _NEGLIGIBLE = 2.0**-56
 

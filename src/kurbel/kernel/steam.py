@@ -7,10 +7,10 @@ the stroke begins, 0 to 1. Numbers are floats, arrays or balls.
 
 from __future__ import annotations
 
+import math
 from typing import Generic, NamedTuple, TypeVar
 
-from kurbel.kernel.circle import Circle, root
-from kurbel.kernel.kinds import Number, larger, logarithm, smaller
+from kurbel.kernel.circle import Circle, Number, root
 
 Kind = TypeVar("Kind")
 
@@ -163,3 +163,31 @@ def weisbach_maximum(
     value = pi * bracket * cosine - gain * sine
     slope = pi * (change * cosine - bracket * sine / 2) - gain * cosine / 2
     return value, slope
+
+
+def logarithm(number: Number) -> Number:
+    """Return the natural logarithm of a float, a float64 array or a ball."""
+    if isinstance(number, (int, float)):
+        return math.log(number)
+    if hasattr(number, "log"):
+        return number.log()
+    import numpy as np
+
+    return np.log(number)
+
+
+def larger(one: Number, other: Number) -> Number:
+    """Return the larger of two numbers of a kind; of balls that overlap, one that holds either."""
+    if isinstance(one, (int, float)) and isinstance(other, (int, float)):
+        return max(one, other)
+    for first, second in ((one, other), (other, one)):
+        if hasattr(first, "union"):
+            return first.max(second)
+    import numpy as np
+
+    return np.maximum(one, other)
+
+
+def smaller(one: Number, other: Number) -> Number:
+    """Return the smaller of two numbers of a kind; of balls that overlap, one that holds either."""
+    return -larger(-one, -other)

@@ -10,8 +10,7 @@ from collections.abc import Callable
 from typing import NamedTuple, Protocol
 
 from kurbel.kernel import kinematics
-from kurbel.kernel.circle import Circle
-from kurbel.kernel.kinds import Number
+from kurbel.kernel.circle import Circle, Number
 
 Formula = Callable[[Circle[Number], Number], Number]
 
