@@ -150,6 +150,9 @@ RUN = "import sys\nsys.argv[0] = 'kurbel'\nfrom kurbel.cli import main\nmain()"
 
 # Modules about arrays and nothing else, which others import inside functions.
 ARRAYS = {
+    "kurbel.engine.card_curve",
+    "kurbel.engine.card_force",
+    "kurbel.engine.card_turn",
     "kurbel.engine.irregularity",
     "kurbel.exact.bulk",
     "kurbel.exact.floats",

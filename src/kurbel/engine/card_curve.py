@@ -8,13 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
-if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import CubicHermiteSpline, PPoly
+from scipy.optimize import brentq
 
-    Points: TypeAlias = NDArray[np.float64]
+Points: TypeAlias = NDArray[np.float64]
 
 # Points on one side of a gap by which the curve is continued into it. Five leave 1e-8 of the work at ε = 10;
 # four left 3e-8, three 2e-7.
@@ -53,9 +54,6 @@ def curve(abscissas: Sequence[float], ordinates: Sequence[float]) -> Curve:
     Between two points it is monotone, hence nowhere beyond the ordinates. Its area is exact for the curve.
     For smooth pieces the curve is off by h⁴ of the gap h between points.
     """
-    import numpy as np
-    from scipy.interpolate import CubicHermiteSpline, PPoly
-
     x, y = np.array(abscissas, dtype=float), np.array(ordinates, dtype=float)
     x, y, corners = _with_corners(x, y, _corners(x, y))
     ends = [0, *np.searchsorted(x, corners), len(x) - 1]
@@ -71,8 +69,6 @@ def _slopes(x: Points, y: Points) -> Points:
     Source of the bound, three times the smaller secant: Fritsch and Carlson, SIAM J. Numer. Anal. 17 (1980).
     """
     # SciPy's Pchip takes a mean of two secants, off by h²; at ε = 10 its work is off by 1e-6.
-    import numpy as np
-
     table = _differences(x, y, min(REACH, len(x)))
     first = np.clip(np.arange(len(x)) - REACH // 2, 0, len(x) - len(table))
     _, slope = _continued(table, x, first, x)
@@ -83,8 +79,6 @@ def _slopes(x: Points, y: Points) -> Points:
 
 
 def _sided(bound: Points, towards: Points) -> tuple[Points, Points]:
-    import numpy as np
-
     return np.where(towards < 0, -bound, 0.0), np.where(towards > 0, bound, 0.0)
 
 
@@ -125,8 +119,6 @@ def _corners(x: Points, y: Points) -> list[_Corner]:
 
 def _sharp_gaps(x: Points, y: Points) -> list[int]:
     """Return the gaps, by the point before each, over which the slope jumps beyond all curvature."""
-    import numpy as np
-
     table = _differences(x, y, 3)
     gaps = np.arange(2, len(x) - 3)
     width, middle = x[gaps + 1] - x[gaps], (x[gaps + 1] + x[gaps]) / 2
@@ -141,8 +133,6 @@ def _sharp_gaps(x: Points, y: Points) -> list[int]:
 
 def _cut(x: Points, table: Sequence[Points], gap: int) -> _Corner | None:
     """Return where the curves continued into the gap from left and right cut each other, None if nowhere."""
-    from scipy.optimize import brentq
-
     count = min(REACH, gap + 1, len(x) - gap - 1)
     low, high = x[gap], x[gap + 1]
     width = high - low
@@ -163,8 +153,6 @@ def _cut(x: Points, table: Sequence[Points], gap: int) -> _Corner | None:
 
 def _with_corners(x: Points, y: Points, corners: Sequence[_Corner]) -> tuple[Points, Points, list[float]]:
     """Return the points with those corners that lie between them, and where all corners are."""
-    import numpy as np
-
     between = [corner for corner in corners if corner.depth > NEAR]
     gaps = [corner.gap + 1 for corner in between]
     wider = np.insert(x, gaps, [corner.abscissa for corner in between])

@@ -6,13 +6,13 @@ the whole stroke. The share counts from the dead centre at which the stroke begi
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
+import numpy as np
+
+from kurbel.engine.card import Card
 from kurbel.engine.card_curve import Curve, curve
 from kurbel.errors import ProblemError
-
-if TYPE_CHECKING:
-    from kurbel.engine.card import Card
 
 
 class CardStroke(NamedTuple):
@@ -28,11 +28,6 @@ class CardStroke(NamedTuple):
     def work(self, share: Any) -> Any:
         """Return the work from the dead centre on, the exact integral of the force."""
         return _at(self.behind.area, share) - _at(self.before.area, share)
-
-    @property
-    def corners(self) -> tuple[float, ...]:
-        """The shares at which the slope of the force jumps, rising."""
-        return tuple(sorted({*self.behind.corners, *self.before.corners}))
 
 
 def card_strokes(
@@ -70,6 +65,4 @@ def _at(polynomial: Any, share: Any) -> Any:
     # x/2 may exceed 1 by rounding; outside the card the cubic would go on.
     if isinstance(share, (int, float)):
         return float(polynomial(min(max(share, 0.0), 1.0)))
-    import numpy as np
-
     return polynomial(np.clip(share, 0.0, 1.0))

@@ -12,18 +12,19 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+import numpy as np
+from scipy.optimize import brentq
 
 from kurbel.drive.crank_forces import CrankForce
+from kurbel.engine.card_force import CardStroke
 from kurbel.engine.cylinder import AnyTurn, Cylinder, cylinder_of
 from kurbel.engine.engine import Diagram, Engine
 from kurbel.engine.quantities import Peak
 from kurbel.errors import CardError, ProblemError
 from kurbel.exact.kind import floats
 from kurbel.kernel.circle import Circle, circle
-
-if TYPE_CHECKING:
-    from kurbel.engine.card_force import CardStroke
 
 # Between two samples of half a degree the excess has one zero at most, unless the card is all noise; that a
 # pair of zeros is missed costs less than the interpolation, for the energy hardly changes between them.
@@ -81,8 +82,6 @@ class CardTurn(AnyTurn):
     @cached_property
     def work_apart(self) -> float:
         """The greatest difference of work from the coarser cards', at any share of the strokes, in 2 Q R."""
-        import numpy as np
-
         shares = np.linspace(0, 1, SAMPLES)
         return max(
             float(abs(own.work(shares) - other.work(shares)).max())
@@ -93,8 +92,6 @@ class CardTurn(AnyTurn):
     @cached_property
     def force_apart(self) -> float:
         """The mean difference of force from the coarser cards', and the step of the pressures, in Q."""
-        import numpy as np
-
         shares = np.linspace(0, 1, SAMPLES)
         differences = [
             own.force(shares) - other.force(shares)
@@ -125,8 +122,6 @@ class CardTurn(AnyTurn):
 
     def _excesses(self, places: Any) -> Any:
         """The excess at an array of half turns."""
-        import numpy as np
-
         total = np.full(len(places), -self.mean_force())
         for start in self.engine.cranks:
             since = (places - float(start / 180)) % 2
@@ -146,9 +141,6 @@ class CardTurn(AnyTurn):
     @cached_property
     def extrema(self) -> tuple[Peak, ...]:
         """Every place at which the speed is least or greatest over the turn, in order."""
-        import numpy as np
-        from scipy.optimize import brentq
-
         places = sorted({2 * index / (SAMPLES - 1) for index in range(SAMPLES)} | set(self._dead_centres()))
         forces = self._excesses(np.array(places)).tolist()
         samples = zip(places, forces, strict=True)

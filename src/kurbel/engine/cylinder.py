@@ -15,9 +15,9 @@ from kurbel.drive.crank_forces import CrankForce, Weights
 from kurbel.engine.engine import Engine
 from kurbel.engine.quantities import Peak
 from kurbel.exact.kind import Kind
-from kurbel.kernel import inertia, turning
+from kurbel.kernel import turning
 from kurbel.kernel.circle import Circle, Number
-from kurbel.kernel.rod import Loaded
+from kurbel.kernel.rod import Loaded, kinetic_energy, torque_slope
 from kurbel.kernel.turning import Motion, Stroke
 from kurbel.motion.evaluation import OUT, RETURN
 
@@ -63,7 +63,7 @@ class Cylinder(NamedTuple):
         total = acting.slope(share) * velocity * velocity / 2
         total += acting.force(share) * self.motion.acceleration(*place)
         if self.weights is not None:
-            total += inertia.torque_slope(*place, self.weights.masses)
+            total += torque_slope(*place, self.weights.masses)
         return total * self.kind.pi
 
     def energy(self, stroke: int, angle: Any) -> Number:
@@ -71,7 +71,7 @@ class Cylinder(NamedTuple):
         place = self.at(stroke, angle)
         work = turning.work_done(self.strokes[stroke], self.motion, *place)
         if self.weights is not None:
-            work -= inertia.kinetic_energy(*place, self.weights.masses)
+            work -= kinetic_energy(*place, self.weights.masses)
         before = 2 * self.strokes[0].work(1) if stroke else 0
         turned = angle + stroke
         if isinstance(turned, Fraction):

@@ -24,9 +24,9 @@ from kurbel.engine.turn import Turn, at_bits
 from kurbel.exact.certify import MOST_TIE_BITS, TieBits, vanishes
 from kurbel.exact.kind import Kind, balls, bounds
 from kurbel.exact.separation import Separation
-from kurbel.kernel import inertia, steam, turning
+from kurbel.kernel import steam, turning
 from kurbel.kernel.circle import Circle, Number
-from kurbel.kernel.rod import Loaded
+from kurbel.kernel.rod import Loaded, kinetic_energy
 
 FIRST_BITS = 200
 
@@ -177,7 +177,7 @@ def _same_motion(turn: Turn, cranks: Iterable[_Crank]) -> bool:
     def gain(kind: Kind) -> Any:
         masses = moving.weights(kind.of, kind.of(Fraction(1))).masses
         return sum(
-            (crank.weight * inertia.kinetic_energy(*_place(turn, crank, kind), masses) for crank in cranks),
+            (crank.weight * kinetic_energy(*_place(turn, crank, kind), masses) for crank in cranks),
             kind.of(Fraction(0)),
         )
 
