@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import shlex
 from pathlib import Path
@@ -9,18 +10,18 @@ from pathlib import Path
 import pytest
 from cli import kurbel as kurbel_in
 from cli import printed, refusal
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 import kurbel
 from kurbel.errors import KurbelError, LayoutError
 from kurbel.page.folders import LANGUAGES, layout_file, layout_names
 from kurbel.page.layout_check import check
-from kurbel.page.layouts import KIND, LayoutFile, layout, schema
-from kurbel.page.registry import SUBJECTS
+from kurbel.page.layouts import KIND, SUBJECTS, LayoutFile, layout, schema
 from kurbel.page.subject import subject
 from kurbel.reading.toml_file import TomlFile
 
+FIELDS = [field.name for field in dataclasses.fields(LayoutFile)]
 GOOD = """\
 title = "Winkel|Angle"
 caption = "{quantities}; {method}"
@@ -77,7 +78,10 @@ def test_the_command_of_a_layout_of_ones_own_names_its_folder(tmp_path: Path) ->
 
 @pytest.mark.parametrize("name", layout_names())
 def test_kurbels_own_layouts_could_be_a_users(name: str) -> None:
-    check(TomlFile(layout_file(name), KIND), layout(name))
+    file = TomlFile(layout_file(name), KIND)
+    check(file, layout(name))
+    by_the_model = file.read(LayoutFile)
+    assert [getattr(by_the_model, key) for key in FIELDS] == [getattr(layout(name), key) for key in FIELDS]
 
 
 def test_a_template_beside_a_layout_sets_its_pages(tmp_path: Path) -> None:
@@ -205,7 +209,7 @@ def test_a_layout_is_offered_to_commands_of_its_subject(tmp_path: Path) -> None:
 def test_the_schema_in_the_package_is_that_of_the_reader() -> None:
     path = Path(kurbel.__file__).parent / "page" / "layout.schema.json"
     assert json.loads(path.read_text(encoding="utf-8")) == schema()
-    keys = {*LayoutFile.__struct_fields__}
+    keys = {*FIELDS}
     assert keys == {*schema()["properties"]}
     assert {*schema()["properties"]["subject"]["enum"]} == {*SUBJECTS}
 
@@ -241,9 +245,10 @@ def toml(value: object) -> str:
 
 
 @settings(max_examples=300, deadline=None)
-@given(
-    key=st.sampled_from(LayoutFile.__struct_fields__), value=VALUES.filter(lambda value: value is not None)
-)
+@given(key=st.sampled_from(FIELDS), value=VALUES.filter(lambda value: value is not None))
+@example(key="angle_symbol", value="²")
+@example(key="angle_symbol", value="µ")
+@example(key="ratio_symbol", value="R:²")
 def test_no_value_of_a_key_ends_in_anything_but_a_page_or_a_sentence(
     tmp_path_factory: pytest.TempPathFactory, key: str, value: object
 ) -> None:

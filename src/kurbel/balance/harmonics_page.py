@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache, cached_property
 from math import inf
 from typing import Any
-
-from msgspec.structs import replace
 
 from kurbel.balance.harmonics import HARMONICS, Harmonic, certified, printed_orders, rational, series
 from kurbel.drive.crank import Crank

@@ -5,7 +5,6 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterator
 from contextlib import AbstractContextManager, nullcontext
-from shutil import get_terminal_size
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
@@ -95,7 +94,11 @@ def _rendered(table: Table, printing: Printing) -> Iterator[bytes]:
         return
     from kurbel.formats.render import render
 
-    width = get_terminal_size().columns if output == "-" and sys.stdout.isatty() else None
+    width = None
+    if output == "-" and sys.stdout.isatty():
+        from shutil import get_terminal_size
+
+        width = get_terminal_size().columns
     text = render(table, form.name, decimal=decimal, standalone=standalone, longtable=longtable, width=width)
     yield text.encode()
     if not (standalone or longtable) and form.is_tall(table):

@@ -8,6 +8,7 @@ from typing import Any
 
 from kurbel.errors import KurbelError, LayoutError
 from kurbel.page.folders import LANGUAGES, layout_names
+from kurbel.page.formula import GREEK
 from kurbel.page.labels import Mark, parse
 from kurbel.page.layouts import Layout, LayoutColumn, layout
 from kurbel.page.subject import subject
@@ -25,8 +26,6 @@ VALUES: Mapping[str, tuple[str, Callable[[Sequence[str]], Any]]] = {
 }
 METHODS = ("exact", "series", "infinite", "weisbach")
 _PLACE = re.compile(r"\{[^{}]*\}")
-_LETTER = re.compile(r"[^\W\d_]")
-_RATIO = re.compile(r"[^\W\d_]:[^\W\d_]")
 _KEY = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 
 
@@ -78,10 +77,16 @@ def _faults_of_values(page: Layout) -> Iterator[tuple[Place, str]]:
             yield from _refused((key, index), read, [text])
         if axis in subject(page.subject).axes and not texts:
             yield (key,), f"{key} is empty; a page about {page.subject} needs them where none are typed"
-    if not _LETTER.fullmatch(page.angle_symbol):
+    if not _is_letter(page.angle_symbol):
         yield ("angle_symbol",), f'angle_symbol is "{page.angle_symbol[:20]}"; it must be a letter'
-    if not _RATIO.fullmatch(page.ratio_symbol):
+    first, colon, second = page.ratio_symbol.partition(":")
+    if not (colon and _is_letter(first) and _is_letter(second)):
         yield ("ratio_symbol",), f'ratio_symbol is "{page.ratio_symbol[:20]}"; it must be two letters, as R:L'
+
+
+def _is_letter(text: str) -> bool:
+    """Whether formulas have the letter."""
+    return text in GREEK or (len(text) == 1 and text.isascii() and text.isalpha())
 
 
 def _faults_of_columns(page: Layout) -> Iterator[tuple[Place, str]]:

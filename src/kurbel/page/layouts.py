@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import cache
 from typing import Annotated, Any, ClassVar
-
-from msgspec import Meta, Struct
-from msgspec.structs import asdict, force_setattr
 
 from kurbel.errors import ChoiceError, LayoutError
 from kurbel.exact.numerals import MOST_DIGITS, Label
 from kurbel.page.folders import LANGUAGES, Folder, layout_file, layout_names
 from kurbel.reading.choices import choose
-from kurbel.reading.toml_file import Choice, Fault, TomlFile, TomlKind, about, schema_of
+from kurbel.reading.toml_file import Choice, Fault, TomlFile, TomlKind, about, schema_of, within
 
 KIND = TomlKind("layout", LayoutError, 200_000, "a layout has axes and columns", "pages/mine/layout.toml")
 # What pages can be about: by its name, where each subject stands.
@@ -101,11 +99,13 @@ class Subject(Choice, what="subject", allowed=SUBJECTS):
     """What a page is about."""
 
 
+_MOTION, _NO_NOTES = Subject("motion"), Notes()
 Names = tuple[str, ...]
 LARGEST_BLOCK = 500
 
 
-class LayoutColumn(Struct, frozen=True, forbid_unknown_fields=True):
+@dataclass(frozen=True)
+class LayoutColumn:
     """A column of a layout. `method` None leaves the formulas to the user; spanners and heading None to
     the quantity. It gives way to the quantity `unless` where that is known."""
 
@@ -121,17 +121,18 @@ class LayoutColumn(Struct, frozen=True, forbid_unknown_fields=True):
         tuple[Head, ...] | None, about("heads above the heading; default: the quantity's")
     ] = None
     heading: Annotated[tuple[Head, ...] | None, about("lines of its head; default: the quantity's")] = None
-    decimals: Annotated[
-        Annotated[int, Meta(ge=0, le=MOST_DIGITS)] | None, about("default: the quantity's")
-    ] = None
+    decimals: Annotated[Annotated[int, within(0, MOST_DIGITS)] | None, about("default: the quantity's")] = (
+        None
+    )
     unless: Annotated[str, about("quantity to which it gives way where that is known")] = ""
 
     def __post_init__(self) -> None:
         if not self.key:
-            force_setattr(self, "key", self.quantity)
+            object.__setattr__(self, "key", self.quantity)
 
 
-class LayoutFile(Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
+@dataclass(frozen=True, kw_only=True)
+class LayoutFile:
     """An arrangement of the axes of its subject.
 
     `down` lists the axes that run down, outermost first; those in `stub` are printed in the stub, the
@@ -155,25 +156,30 @@ class LayoutFile(Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
     stub: Annotated[Names, about("those of them in the stub", example=["angle"])]
     across: Annotated[Names, about("axes that run across, the outermost first", example=["column"])]
     columns: Annotated[tuple[LayoutColumn, ...], about("the columns", example=[{"quantity": "x"}])]
-    subject: Annotated[Subject, about("what the page is about; default: motion")] = Subject("motion")
+    subject: Annotated[Subject, about("what the page is about; default: motion")] = _MOTION
     ratios: Annotated[Names, about('crank ratios without --ratio, as "1:5"')] = ()
     angles: Annotated[Names, about('crank angles without --angle and --step, as "0..180:10"')] = ()
     expansions: Annotated[Names, about('expansion ratios without --eps, as "2..6"')] = ()
     arms: Annotated[Names, about('arms of the beam without --arm, as "3"')] = ()
-    source: Annotated[Head, about("line on the source, below the table")] = Head(de="", en="")
-    notes: Annotated[Notes, about("lines below the table, as notes.de and notes.en")] = Notes()
-    stub_headings: Annotated[dict[str, Head], about("heads over the columns of the stub, by their axes")] = {}
+    source: Annotated[Head, about("line on the source, below the table")] = field(
+        default_factory=lambda: Head(Head.texts(""))
+    )
+    notes: Annotated[Notes, about("lines below the table, as notes.de and notes.en")] = _NO_NOTES
+    stub_headings: Annotated[dict[str, Head], about("heads over the columns of the stub, by their axes")] = (
+        field(default_factory=dict)
+    )
     angle_symbol: Annotated[str, about("letter of the crank angle; default: φ")] = "φ"
     ratio_symbol: Annotated[str, about("letters of the crank ratio; default: R:L")] = "R:L"
     block: Annotated[
-        Annotated[int, Meta(ge=0, le=LARGEST_BLOCK)], about("most columns of one panel; 0: no limit")
+        Annotated[int, within(0, LARGEST_BLOCK)], about("most columns of one panel; 0: no limit")
     ] = 0
     pairs: Annotated[bool, about("whether an angle stands over its mirror image")] = False
     formulas: Annotated[bool, about("whether formulas stand below the table")] = True
     unit: Annotated[bool, about("whether a last column has the unit of each row")] = False
 
 
-class Layout(LayoutFile, frozen=True, kw_only=True):
+@dataclass(frozen=True, kw_only=True)
+class Layout(LayoutFile):
     """A layout with its name; `folder` is the user's folder that it lies in, nothing for kurbel's own."""
 
     key: str
@@ -207,18 +213,37 @@ def layout(name: str, folder: Folder | None = None) -> Layout:
     from kurbel.page.layout_check import check
 
     file = TomlFile(layout_file(name, folder), KIND)
-    page = _read(file, name, os.path.abspath(folder))
+    page = Layout(key=name, folder=os.path.abspath(folder), **vars(file.read(LayoutFile)))
     check(file, page)
     return page
 
 
 @cache
 def _own(name: str) -> Layout:
-    return _read(TomlFile(layout_file(choose(name, layout_names(), "layout")), KIND), name)
+    file = TomlFile(layout_file(choose(name, layout_names(), "layout")), KIND)
+    return Layout(key=name, **_values(file.given))
 
 
-def _read(file: TomlFile, name: str, folder: str = "") -> Layout:
-    return Layout(key=name, folder=folder, **asdict(file.read(LayoutFile)))
+def _values(given: Mapping[str, Any]) -> dict[str, Any]:
+    """Return what a file of kurbel's own says, as by its model; to load msgspec costs as much as a page."""
+    return {key: _READ.get(key, _plain)(value) for key, value in given.items()}
+
+
+def _plain(value: Any) -> Any:
+    return tuple(value) if isinstance(value, list) else value
+
+
+def _heads(given: Sequence[Any]) -> tuple[Words, ...]:
+    return tuple(Head.read(one, "") for one in given)
+
+
+_READ: Mapping[str, Callable[[Any], Any]] = {
+    "columns": lambda given: tuple(LayoutColumn(**_values(one)) for one in given),
+    "notes": lambda given: Notes.read(given, ""),
+    "stub_headings": lambda given: dict(zip(given, _heads([*given.values()]), strict=True)),
+    **dict.fromkeys(("title", "caption", "source"), lambda given: Head.read(given, "")),
+    **dict.fromkeys(("spanners", "heading"), _heads),
+}
 
 
 def schema() -> dict[str, Any]:

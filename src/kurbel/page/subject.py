@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cache, cached_property
 from importlib import import_module
 from math import prod
-from typing import Any, ClassVar
+from typing import Any, ClassVar, NamedTuple
 
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS, Label
@@ -35,8 +35,7 @@ def _alone(question: Any, column: Column) -> tuple[Column, ...]:
     return ()
 
 
-@dataclass(frozen=True, kw_only=True)
-class Subject:
+class Subject(NamedTuple):
     """What pages of one kind are about, as data; grid, records, fields, keys and checks follow from it.
 
     `axes` by their names, outermost first, each made of the question; "column" is that of the quantities.

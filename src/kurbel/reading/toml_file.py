@@ -1,13 +1,12 @@
-"""TOML files that users write: read whole into the Structs of one model, with a sentence for what is amiss.
+"""TOML files that users write: read whole into one model, with a sentence for what is amiss.
 
-A model is a msgspec Struct whose fields have a `Meta` that describes them for editors. A field may also be of
-a class with `read`, which makes it of what the file says, and with the SCHEMA of that. A Struct may say what
-its keys are called in NOUN, and what it is in SHAPE.
+A model is a msgspec Struct, or a dataclass, whose fields have a `Meta` that describes them for editors. A
+field may also be of a class with `read`, which makes it of what the file says, and with the SCHEMA of that. A
+model may say what its keys are called in NOUN, and what it is in SHAPE.
 """
 
 from __future__ import annotations
 
-import json
 import os
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -16,10 +15,11 @@ from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Self, TypeVar
 
 from kurbel.errors import KurbelError
 from kurbel.reading.choices import choose
-from kurbel.reading.toml_lines import Place, key_lines
 
 if TYPE_CHECKING:
     from msgspec import Meta, inspect
+
+    from kurbel.reading.toml_lines import Place
 
 Model = TypeVar("Model")
 A_TEXT = "a text in quotation marks"
@@ -52,6 +52,13 @@ def about(text: str, example: Any = None) -> Meta:
     return Meta(description=text) if example is None else Meta(description=text, examples=[example])
 
 
+def within(least: int, most: int) -> Meta:
+    """Return the bounds of a whole number."""
+    from msgspec import Meta
+
+    return Meta(ge=least, le=most)
+
+
 class Choice(str):
     """A text that must be one of a few."""
 
@@ -82,6 +89,8 @@ class TomlFile:
     @cached_property
     def lines(self) -> Mapping[Place, int]:
         """The lines of the keys; of what is only written part by part, as a.b, that of the first."""
+        from kurbel.reading.toml_lines import key_lines
+
         lines = key_lines(self.text)
         for place, line in [*lines.items()]:
             for end in range(1, len(place)):
@@ -103,11 +112,11 @@ class TomlFile:
         """Return what the file says as its model; raise the kind's error for the first thing amiss."""
         import msgspec
 
+        for place, said in self._faults(self.given, msgspec.inspect.type_info(model), ()):
+            raise self.error(place, said)
         try:
             return msgspec.convert(self.given, model, dec_hook=_made)
         except (msgspec.ValidationError, KurbelError) as error:
-            for place, said in self._faults(self.given, msgspec.inspect.type_info(model), ()):
-                raise self.error(place, said) from None
             raise self.kind.error(f"{self.path}: {error}") from None
 
     def _faults(self, given: Any, shape: inspect.Type, place: Place) -> Iterator[tuple[Place, str]]:
@@ -119,7 +128,7 @@ class TomlFile:
                 yield from self._faults(given, shape.type, place)
             case inspect.UnionType():
                 yield from self._faults(given, _left(shape), place)
-            case inspect.StructType() if isinstance(given, dict):
+            case inspect.StructType() | inspect.DataclassType() if isinstance(given, dict):
                 yield from self._faults_of_keys(given, shape, place)
             case inspect.DictType() if isinstance(given, dict):
                 for key, value in given.items():
@@ -139,7 +148,7 @@ class TomlFile:
                     yield place, f"{self._name(place)} is {shown(given)}; {wanted}"
 
     def _faults_of_keys(
-        self, given: Mapping[str, Any], shape: inspect.StructType, place: Place
+        self, given: Mapping[str, Any], shape: inspect.StructType | inspect.DataclassType, place: Place
     ) -> Iterator[tuple[Place, str]]:
         fields = {field.encode_name: field for field in shape.fields}
         for key, value in given.items():
@@ -176,7 +185,7 @@ def _schema(shape: inspect.Type) -> dict[str, Any]:
             return {**(shape.extra_json_schema or {}), **_schema(shape.type)}
         case inspect.UnionType():
             return _schema(_left(shape))
-        case inspect.StructType():
+        case inspect.StructType() | inspect.DataclassType():
             properties = {field.encode_name: _schema(field.type) for field in shape.fields}
             required = [field.encode_name for field in shape.fields if field.required]
             struct = {"type": "object", "additionalProperties": False, "properties": properties}
@@ -209,6 +218,8 @@ def _made(kind: Any, value: Any, name: str = "") -> Any:
 
 def _example(shape: inspect.Type) -> str:
     """Return the first example that a field gives of its value, as TOML."""
+    import json
+
     schema = getattr(shape, "extra_json_schema", None) or {}
     return json.dumps(schema["examples"][0], ensure_ascii=False)
 
@@ -226,11 +237,11 @@ def _wanted(given: Any, shape: inspect.Type, place: Place) -> str:
             type(given) is not int or not least <= given <= most
         ):
             return f"it must be a whole number from {least} to {most}"
-        case inspect.StructType():
+        case inspect.StructType() | inspect.DataclassType():
             return f"it must be {getattr(shape.cls, 'SHAPE', f'a section, [{_dotted(place)}]')}"
         case inspect.DictType():
             return f"write [{_dotted(place)}]"
-        case inspect.VarTupleType(item_type=inspect.StructType()):
+        case inspect.VarTupleType(item_type=inspect.StructType() | inspect.DataclassType()):
             return f"write [[{_dotted(place)}]]"
         case inspect.VarTupleType():
             return "it must be a list of texts"
