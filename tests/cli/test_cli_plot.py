@@ -41,7 +41,7 @@ from kurbel.plot.panels import MOST_POINTS, axis_name
 from kurbel.plot.plotting import Curve, Panel
 from kurbel.plot.style import FORMATS
 from kurbel.plot.turning import COLUMNS, turning_panels
-from kurbel.reading.speed import Speed
+from kurbel.reading.units import Speed
 
 CARD = CARDS / "ideal-2.csv"
 ANGLES = tuple(Fraction(degree) for degree in range(0, 361, 3))

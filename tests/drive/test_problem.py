@@ -9,7 +9,7 @@ import pytest
 from kurbel.drive.crank import Crank, check_angles
 from kurbel.errors import ProblemError
 from kurbel.reading.notation import Progression
-from kurbel.reading.speed import Speed
+from kurbel.reading.units import Speed
 
 FIFTH = Fraction(1, 5)
 

@@ -22,7 +22,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.certify import ball
 from kurbel.kernel.circle import circle
 from kurbel.kernel.rod import Loaded, Masses, kinetic_energy, torque_slope
-from kurbel.reading.speed import Speed
+from kurbel.reading.units import Speed
 
 GRID = 72_001
 # Mass of piston and crosshead, rod, its centre from the crosshead pin and radius of gyration in L.

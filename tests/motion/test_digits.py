@@ -14,7 +14,7 @@ from kurbel.motion.evaluation import LOADED
 from kurbel.motion.quantities import registry
 from kurbel.page.quantity import bare
 from kurbel.reading.notation import Progression
-from kurbel.reading.speed import Speed
+from kurbel.reading.units import Speed
 
 ROD = Rod(Fraction("0.6"), Fraction("0.09"), Fraction(150))
 ONE_A_SECOND = Speed(Fraction(1), turns=False)

@@ -30,7 +30,7 @@ from kurbel.motion.inertia_peak import Peak
 from kurbel.page.quantity import bare
 from kurbel.reading import notation
 from kurbel.reading.notation import Progression
-from kurbel.reading.speed import Speed
+from kurbel.reading.units import Speed
 
 # Names that tests/kernel/test_rod.py gives the forces.
 NEWTON = {"guide": "guide", "pin_x": "along", "pin_y": "across", "pin": "pin", "torque": "torque"}

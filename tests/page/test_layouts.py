@@ -28,7 +28,7 @@ from kurbel.page.folders import LANGUAGES, layout_names
 from kurbel.page.layouts import layout
 from kurbel.page.table import DITTO, Table
 from kurbel.reading import notation
-from kurbel.reading.speed import Speed
+from kurbel.reading.units import Speed
 
 EIGHTEENTH = [str(angle) for angle in range(0, 181, 10)]
 

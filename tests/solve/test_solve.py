@@ -25,7 +25,7 @@ from kurbel.linkage.arc import ArcCrank
 from kurbel.linkage.arc_drive import ArcDrive, arc_names
 from kurbel.motion.drives import Drive, SlideDrive, slide_names
 from kurbel.motion.evaluation import OUT, RETURN
-from kurbel.reading.speed import Speed
+from kurbel.reading.units import Speed
 from kurbel.reading.where import VALUE, Condition, read_condition
 from kurbel.solve.solve import Root, solve, target_of
 

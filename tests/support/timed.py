@@ -10,7 +10,7 @@ from textbook import Drive
 from kurbel.drive.crank import Crank
 from kurbel.motion.evaluation import certified
 from kurbel.motion.quantities import registry
-from kurbel.reading.speed import Speed
+from kurbel.reading.units import Speed
 
 ONE_SECOND = 1.0
 WITHOUT_UNITS = [key for key, quantity in registry().items() if not quantity.needs]

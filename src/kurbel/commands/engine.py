@@ -17,14 +17,13 @@ from kurbel.reading.given import (
     Exact,
     as_angle,
     as_angles,
+    as_irregularities,
     as_length,
     as_names,
     as_numbers,
     as_power,
-    as_ratio,
     as_ratios,
     as_speed,
-    read_values,
 )
 
 # What a page without forces takes for the masses' sake alone.
@@ -231,7 +230,7 @@ def flywheel_table(
     page = layout_of(layout, ("flywheel",), layouts)
     steam = GivenSteam(eps, back, exponent, clearance, card, other_side, single_acting, bore, pressure)
     drives = cranks_of(page, ratio, stroke, rod)
-    targets = read_values(delta, notation.irregularities, as_ratio)
+    targets = as_irregularities(delta)
     wheels = tuple(Flywheel(watts, turns, each, size) for each in targets)
     names = as_names(columns, EXAMPLE)
     sheet = {"digits": digits, "rounding": rounding, "lang": lang, "label": label}

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from kurbel.errors import ProblemError
 from kurbel.reading.notation import Progression, about, ratio_text
-from kurbel.reading.speed import Speed
+from kurbel.reading.units import Speed
 
 if TYPE_CHECKING:
     from kurbel.drive.moving import Moving

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from kurbel.errors import ProblemError
 from kurbel.reading.notation import about
-from kurbel.reading.speed import Speed
+from kurbel.reading.units import Speed
 
 # No engine is beyond these, and figures beyond them do not fit a page.
 LEAST, MOST = Fraction(1, 10**9), Fraction(10**12)

@@ -50,7 +50,7 @@ def is_long(columns: Sequence[Column], cranks: Sequence[Crank], angles: Sequence
 
 def largest(angles: Sequence[Fraction]) -> Fraction:
     """Return the greatest magnitude among the angles."""
-    ends = (angles[0], angles[-1]) if isinstance(angles, Progression) else angles
+    ends: Sequence[Fraction] = (angles[0], angles[-1]) if isinstance(angles, Progression) else angles
     return max(map(abs, ends))
 
 

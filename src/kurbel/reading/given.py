@@ -6,17 +6,19 @@ degrees, or in turns a second.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Sequence
 from decimal import Decimal
 from fractions import Fraction
-from typing import TypeAlias
+from itertools import chain
+from typing import Concatenate, ParamSpec, TypeAlias
 
 from kurbel.errors import NotationError
 from kurbel.reading import notation, units
-from kurbel.reading.speed import Speed
 
 # A float is read by its shortest decimal, so that 0.2 is 1/5; text as on the command line.
 Exact: TypeAlias = str | int | float | Fraction | Decimal
+P = ParamSpec("P")
 
 
 def read_values(
@@ -44,7 +46,7 @@ def as_numbers(given: Exact | Iterable[Exact], what: str) -> tuple[Fraction, ...
 
 def as_crank_angles(given: Exact | Iterable[Exact]) -> Sequence[Fraction]:
     """Read the angles of cranks, several of which may be equal."""
-    return notation.crank_angles(given) if isinstance(given, str) else _each(given, as_angle)
+    return notation.angles([given], repeated=True) if isinstance(given, str) else _each(given, as_angle)
 
 
 def as_places(given: Exact | Iterable[Exact], what: str) -> Sequence[Fraction]:
@@ -56,72 +58,74 @@ def _each(given: Exact | Iterable[Exact], one: Callable[[Exact], Fraction]) -> t
     return tuple(map(one, given if isinstance(given, Iterable) else [given]))
 
 
+def as_irregularities(given: Exact | Iterable[Exact]) -> Sequence[Fraction]:
+    """Read degrees of irregularity: "1:100", "0.01;1/150", "1%"."""
+    return read_values(given, _irregularities, as_ratio)
+
+
+def _irregularities(texts: Iterable[str]) -> Sequence[Fraction]:
+    # None is 0, so that 0,01 can only be a decimal.
+    decimals = (re.sub(r"\b0,(?=\d)", "0.", text) for text in texts)
+    parts = [*notation.parts_of(decimals, _irregularity, "degree of irregularity")]
+    notation.check_length(len(parts), notation.LONGEST_LIST, "degrees of irregularity")
+    return tuple(dict.fromkeys(map(_irregularity, parts)))
+
+
+def _irregularity(text: str) -> Fraction:
+    try:
+        return notation.share(text) if text.strip().endswith("%") else notation.ratio(text)
+    except NotationError:
+        raise NotationError(
+            f"degree of irregularity {notation.quoted(text)} cannot be read; write it as 1:100, 0.01 or 1%"
+        ) from None
+
+
 def as_names(given: str | Iterable[str] | None, example: str = "phi,x,c,p") -> tuple[str, ...]:
-    """Read the names of columns."""
+    """Read the names of columns, each once."""
     if given is None:
         return ()
     if not isinstance(given, Iterable):
         raise NotationError(f"columns is {given!r}; write names as {example} or in a list")
-    names = [given] if isinstance(given, str) else list(given)
-    # What is no text is answered where the columns are chosen.
-    return (
-        notation.names(names, "columns", example) if all(isinstance(one, str) for one in names) else (*names,)
-    )
-
-
-def as_ratio(value: Exact) -> Fraction:
-    return notation.ratio(value) if isinstance(value, str) else as_fraction(value)
-
-
-def as_angle(value: Exact, what: str = "angle") -> Fraction:
-    return notation.angle(value, what) if isinstance(value, str) else as_fraction(value)
+    texts = [given] if isinstance(given, str) else list(given)
+    if not all(isinstance(text, str) for text in texts):
+        # What is no text is answered where the columns are chosen.
+        return (*texts,)
+    parts = {text: [part.strip() for part in text.replace(";", ",").split(",")] for text in texts}
+    for text, names in parts.items():
+        if not all(names):
+            raise NotationError(f"columns {notation.quoted(text)} has an empty place; write it as {example}")
+    return tuple(dict.fromkeys(chain.from_iterable(parts.values())))
 
 
 def as_fraction(value: Exact) -> Fraction:
     return Fraction(value) if isinstance(value, (int, Fraction)) else notation.number(str(value))
 
 
-def as_number(value: Exact, what: str) -> Fraction:
-    return notation.number(value, what) if isinstance(value, str) else as_fraction(value)
+def _exactly(read: Callable[Concatenate[str, P], Fraction]) -> Callable[Concatenate[Exact, P], Fraction]:
+    """Return the reader of a value of either kind that reads text so."""
+
+    def either(value: Exact, /, *what: P.args, **more: P.kwargs) -> Fraction:
+        return read(value, *what, **more) if isinstance(value, str) else as_fraction(value)
+
+    return either
 
 
-def as_share(value: Exact, what: str = "share") -> Fraction:
-    return notation.share(value, what) if isinstance(value, str) else as_fraction(value)
+as_ratio = _exactly(notation.ratio)
+as_angle = _exactly(notation.angle)
+as_number = _exactly(notation.number)
+as_share = _exactly(notation.share)
+# Metres, kilograms, pascals, newtons, watts.
+as_length = _exactly(units.length)
+as_mass = _exactly(units.mass)
+as_signed_mass = _exactly(units.signed_mass)
+as_pressure = _exactly(units.pressure)
+as_force = _exactly(units.force)
+as_power = _exactly(units.power)
 
 
-def as_length(value: Exact, what: str) -> Fraction:
-    """Return metres."""
-    return units.length(value, what) if isinstance(value, str) else as_fraction(value)
-
-
-def as_mass(value: Exact, what: str) -> Fraction:
-    """Return kilograms; those with a unit must be above 0."""
-    return units.mass(value, what) if isinstance(value, str) else as_fraction(value)
-
-
-def as_signed_mass(value: Exact, what: str) -> Fraction:
-    """Return kilograms, which may be below 0."""
-    return units.signed_mass(value, what) if isinstance(value, str) else as_fraction(value)
-
-
-def as_pressure(value: Exact, what: str) -> Fraction:
-    """Return pascals."""
-    return units.pressure(value, what) if isinstance(value, str) else as_fraction(value)
-
-
-def as_force(value: Exact) -> Fraction:
-    """Return newtons."""
-    return units.force(value) if isinstance(value, str) else as_fraction(value)
-
-
-def as_power(value: Exact) -> Fraction:
-    """Return watts."""
-    return units.power(value) if isinstance(value, str) else as_fraction(value)
-
-
-def as_speed(value: Exact) -> Speed:
+def as_speed(value: Exact) -> units.Speed:
     """Return a speed of rotation; a bare number counts turns a second."""
-    return units.speed(value) if isinstance(value, str) else Speed(as_fraction(value))
+    return units.speed(value) if isinstance(value, str) else units.Speed(as_fraction(value))
 
 
 def as_share_or_length(value: Exact, what: str, whole: Fraction | None, unknown: str) -> Fraction:

@@ -1,16 +1,14 @@
-"""Text to exact numbers, and back, as engineers write them: 1:4,5  2..6:0.5  2°30'  0..180:10.
-
-Whether a crank with such a ratio can turn is decided in problem.py.
-"""
+"""Text to exact numbers, and back, as engineers write them: 1:4,5  2..6:0.5  2°30'  0..180:10."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from decimal import Context, Decimal
 from fractions import Fraction
-from typing import overload
+from functools import partial
+from typing import Any
 
 from kurbel.errors import NotationError
 from kurbel.exact.numerals import finite_decimals, nearest, number_text
@@ -45,12 +43,7 @@ class Progression(Sequence[Fraction]):
     def __len__(self) -> int:
         return self.size
 
-    @overload
-    def __getitem__(self, index: int) -> Fraction: ...
-    @overload
-    def __getitem__(self, index: slice) -> Progression: ...
-
-    def __getitem__(self, index: int | slice) -> Fraction | Progression:
+    def __getitem__(self, index: Any) -> Any:
         if isinstance(index, slice):
             rows = range(self.size)[index]
             return Progression(self.start + rows.start * self.step, self.step * rows.step, len(rows))
@@ -64,11 +57,11 @@ def number(text: str, what: str = "number") -> Fraction:
     stripped = text.strip()
     if len(stripped) > LONGEST_NUMBER:
         raise NotationError(
-            f"{what} {_shown(text)} has {len(stripped)} characters; at most {LONGEST_NUMBER} are read"
+            f"{what} {quoted(text)} has {len(stripped)} characters; at most {LONGEST_NUMBER} are read"
         )
     match = _NUMBER.fullmatch(stripped)
     if match is None:
-        raise NotationError(f"{what} {_shown(text)} is not a number; write it as 4.5 or 4,5")
+        raise NotationError(f"{what} {quoted(text)} is not a number; write it as 4.5 or 4,5")
     sign, digits, exponent = match.groups()
     value = Fraction(digits.replace(",", ".")) * Fraction(10) ** int(exponent or 0)
     return -value if sign in _MINUS else value
@@ -88,11 +81,11 @@ def ratio(text: str) -> Fraction:
         if not length:
             raise NotationError("the rod has no length")
         value = number(crank) / length
-        # Two negative lengths are no ratio either; the sign lets problem.py say so.
+        # Two negative lengths are no ratio either; the sign lets the crank say so.
         return -abs(value) if length < 0 else value
     except (NotationError, ValueError):
         raise NotationError(
-            f"crank ratio {_shown(text)} is not a ratio R:L; write it as 1:5, 1:4,5, 1/4.5 or 0.2,"
+            f"crank ratio {quoted(text)} is not a ratio R:L; write it as 1:5, 1:4,5, 1/4.5 or 0.2,"
             " and 1:∞ or 1:inf for an infinite rod"
         ) from None
 
@@ -106,36 +99,31 @@ def angle(text: str, what: str = "angle") -> Fraction:
             return number(text)
         except NotationError:
             raise NotationError(
-                f"{what} {_shown(text)} is not an angle in degrees; write it as 22.5 or 22°30'"
+                f"{what} {quoted(text)} is not an angle in degrees; write it as 22.5 or 22°30'"
             ) from None
     degrees, minutes, seconds = (number(part or "0") for part in match.group("deg", "min", "sec"))
     if minutes >= 60 or seconds >= 60:
-        raise NotationError(f"{what} {_shown(text)} has 60 or more minutes or seconds; carry them over")
+        raise NotationError(f"{what} {quoted(text)} has 60 or more minutes or seconds; carry them over")
     value = degrees + minutes / 60 + seconds / 3600
     return -value if match.group(1) in _MINUS else value
 
 
 def ratios(texts: Iterable[str]) -> tuple[Fraction, ...]:
     """Return the ratios of lists and ranges: "1:5", "1:4;1:4,5", "1:3..6", "1:3..6:0.5", "0.2..0.3:0.05"."""
-    found: list[Fraction] = []
-    for text in texts:
-        for part in _items(text, ratio, "crank ratio"):
-            found.extend(_ratio_range(part) if ".." in part else [ratio(part)])
-            _check_length(len(found), LONGEST_LIST, "crank ratios")
-    return tuple(dict.fromkeys(found))
+    parts = parts_of(texts, ratio, "crank ratio")
+    return tuple(dict.fromkeys(_values(parts, ratio, _ratio_range, LONGEST_LIST, "crank ratios")))
 
 
-def angles(texts: Iterable[str]) -> Sequence[Fraction]:
-    """Return the angles of lists and ranges: "0;30;60", "0..180:10", "2°30'..10°:2°30'"."""
-    parts = [part for text in texts for part in _items(text, angle, "angle")]
+def angles(texts: Iterable[str], repeated: bool = False) -> Sequence[Fraction]:
+    """Return the angles of lists and ranges: "0;30;60", "0..180:10", "2°30'..10°:2°30'".
+
+    Each stands once, but for `repeated` ones, as of several cranks at one angle.
+    """
+    parts = [*parts_of(texts, angle, "angle")]
     if len(parts) == 1 and ".." in parts[0]:
         return _angle_range(parts[0])
-    found: list[Fraction] = []
-    for part in parts:
-        values = _angle_range(part) if ".." in part else [angle(part)]
-        _check_length(len(found) + len(values), LONGEST_ANGLE_LIST, "angles in a list")
-        found.extend(values)
-    return tuple(dict.fromkeys(found))
+    values = _values(parts, angle, _angle_range, LONGEST_ANGLE_LIST, "angles in a list")
+    return values if repeated else tuple(dict.fromkeys(values))
 
 
 def numbers(texts: Iterable[str], what: str) -> tuple[Fraction, ...]:
@@ -145,38 +133,11 @@ def numbers(texts: Iterable[str], what: str) -> tuple[Fraction, ...]:
 
 def each_number(texts: Iterable[str], what: str) -> tuple[Fraction, ...]:
     """Return the numbers of lists and ranges, equal ones too: "0;0;1;1"."""
-
-    def one(text: str) -> Fraction:
-        return number(text, what)
-
-    found: list[Fraction] = []
-    for text in texts:
-        for part in _items(text, one, what):
-            values = _number_range(part, what) if ".." in part else [one(part)]
-            _check_length(len(found) + len(values), LONGEST_LIST, f"{what}s")
-            found.extend(values)
-    return tuple(found)
+    one, several = partial(number, what=what), partial(_number_range, what=what)
+    return _values(parts_of(texts, one, what), one, several, LONGEST_LIST, f"{what}s")
 
 
-def irregularities(texts: Iterable[str]) -> tuple[Fraction, ...]:
-    """Return the degrees of irregularity of lists: "1:100", "0.01;1/150"."""
-    what = "degree of irregularity"
-    # None is 0, so that 0,01 can only be a decimal.
-    decimals = (re.sub(r"\b0,(?=\d)", "0.", text) for text in texts)
-    parts = [part for text in decimals for part in _items(text, _irregularity, what)]
-    _check_length(len(parts), LONGEST_LIST, "degrees of irregularity")
-    return tuple(dict.fromkeys(map(_irregularity, parts)))
-
-
-def crank_angles(text: str) -> Sequence[Fraction]:
-    """Return the angles of a list or a range, also of two cranks at one angle: "0;90", "0;120;240"."""
-    parts = _items(text, angle, "angle")
-    if len(parts) == 1 and ".." in parts[0]:
-        return _angle_range(parts[0])
-    return tuple(each for part in parts for each in (_angle_range(part) if ".." in part else [angle(part)]))
-
-
-def share(text: str, what: str) -> Fraction:
+def share(text: str, what: str = "share") -> Fraction:
     """Return a share: "0.05", "0,05", "5%"."""
     stripped = text.strip()
     if not stripped.endswith("%"):
@@ -184,18 +145,7 @@ def share(text: str, what: str) -> Fraction:
     try:
         return number(stripped[:-1], what) / 100
     except NotationError:
-        raise NotationError(f"{what} {_shown(text)} is not a share; write it as 0.05 or 5%") from None
-
-
-def names(texts: Iterable[str], what: str, example: str) -> tuple[str, ...]:
-    """Return the names of lists such as "phi,x,c,p", each once."""
-    found: dict[str, None] = {}
-    for text in texts:
-        parts = [part.strip() for part in text.replace(";", ",").split(",")]
-        if not all(parts):
-            raise NotationError(f"{what} {_shown(text)} has an empty place; write it as {example}")
-        found |= dict.fromkeys(parts)
-    return tuple(found)
+        raise NotationError(f"{what} {quoted(text)} is not a share; write it as 0.05 or 5%") from None
 
 
 def progression(start: Fraction, stop: Fraction, step: Fraction, what: str = "angle") -> Progression:
@@ -245,17 +195,35 @@ def about(value: Fraction) -> str:
     return f"{shortened.normalize(Context(prec=15)):g}"
 
 
-def _items(text: str, read: Callable[[str], Fraction], what: str) -> list[str]:
-    _check_commas(text, read, what)
-    parts = [part.strip() for part in text.split(";")]
-    if len(parts) > 1 and not all(parts):
-        raise NotationError(f"{what} {_shown(text)} has an empty place; write a list as 2;3;4")
-    longest = max(parts, key=len)
-    if len(longest) > LONGEST_RANGE:
-        raise NotationError(
-            f"{what} {_shown(longest)} has {len(longest)} characters; at most {LONGEST_RANGE} are read"
-        )
-    return parts
+def _values(
+    parts: Iterable[str],
+    one: Callable[[str], Fraction],
+    several: Callable[[str], Sequence[Fraction]],
+    most: int,
+    what: str,
+) -> tuple[Fraction, ...]:
+    """Return the values of all parts, of which some are ranges; raise NotationError for too many."""
+    found: list[Fraction] = []
+    for part in parts:
+        values = several(part) if ".." in part else [one(part)]
+        check_length(len(found) + len(values), most, what)
+        found.extend(values)
+    return tuple(found)
+
+
+def parts_of(texts: Iterable[str], read: Callable[[str], Fraction], what: str) -> Iterator[str]:
+    """Yield the parts of lists, each of which is one value or a range."""
+    for text in texts:
+        _check_commas(text, read, what)
+        parts = [part.strip() for part in text.split(";")]
+        if len(parts) > 1 and not all(parts):
+            raise NotationError(f"{what} {quoted(text)} has an empty place; write a list as 2;3;4")
+        longest = max(parts, key=len)
+        if len(longest) > LONGEST_RANGE:
+            raise NotationError(
+                f"{what} {quoted(longest)} has {len(longest)} characters; at most {LONGEST_RANGE} are read"
+            )
+        yield from parts
 
 
 def _check_commas(text: str, read: Callable[[str], Fraction], what: str) -> None:
@@ -266,12 +234,12 @@ def _check_commas(text: str, read: Callable[[str], Fraction], what: str) -> None
     listed = _clipped(";".join(parts))
     if not _is_read(text, read):
         raise NotationError(
-            f"{what} {_shown(text)} has commas between its values; write the list as {listed}"
+            f"{what} {quoted(text)} has commas between its values; write the list as {listed}"
         )
     if all(_WHOLE.fullmatch(part) for part in parts):
         decimal = ".".join(parts)
         raise NotationError(
-            f"{what} {_shown(text)} can be read as the number {decimal} or the list {listed};"
+            f"{what} {quoted(text)} can be read as the number {decimal} or the list {listed};"
             f" write {decimal} or {listed}"
         )
 
@@ -289,33 +257,24 @@ def _ratio_range(text: str) -> Sequence[Fraction]:
     match = re.fullmatch(r"(?:(1)\s*[:/])?([^:/]+)\.\.(?:1\s*[:/](?=.))?([^:/]+)(?::([^:/]+))?", text)
     if match is None:
         raise NotationError(
-            f"crank ratio {_shown(text)} is not a range; write it as 1:3..6, 1:3..6:0.5 or 0.2..0.3:0.05"
+            f"crank ratio {quoted(text)} is not a range; write it as 1:3..6, 1:3..6:0.5 or 0.2..0.3:0.05"
         )
     by_length, first, last, step = match.groups()
     if by_length is None and step is None:
         raise NotationError(
-            f"crank ratio {_shown(text)} needs a step; write 0.2..0.3:0.05, or 1:3..6 to step the rod length"
+            f"crank ratio {quoted(text)} needs a step; write 0.2..0.3:0.05, or 1:3..6 to step the rod length"
         )
     values = progression(number(first), number(last), number(step or "1"), "ratio")
-    _check_length(len(values), LONGEST_LIST, "crank ratios")
+    check_length(len(values), LONGEST_LIST, "crank ratios")
     if by_length and not all(values):
-        raise NotationError(f"crank ratio {_shown(text)} contains 1:0; the rod must have a length")
+        raise NotationError(f"crank ratio {quoted(text)} contains 1:0; the rod must have a length")
     return [1 / value for value in values] if by_length else values
-
-
-def _irregularity(text: str) -> Fraction:
-    try:
-        return share(text, "") if text.strip().endswith("%") else ratio(text)
-    except NotationError:
-        raise NotationError(
-            f"degree of irregularity {_shown(text)} cannot be read; write it as 1:100, 0.01 or 1%"
-        ) from None
 
 
 def _number_range(text: str, what: str) -> Sequence[Fraction]:
     match = re.fullmatch(r"([^:]+?)\.\.([^:]+)(?::([^:]+))?", text)
     if match is None:
-        raise NotationError(f"{what} {_shown(text)} is not a range; write it as 2..6 or 2..6:0.5")
+        raise NotationError(f"{what} {quoted(text)} is not a range; write it as 2..6 or 2..6:0.5")
     first, last, step = match.groups()
     return progression(number(first, what), number(last, what), number(step or "1", "step"), what)
 
@@ -323,17 +282,17 @@ def _number_range(text: str, what: str) -> Sequence[Fraction]:
 def _angle_range(text: str) -> Progression:
     match = re.fullmatch(r"(.+?)\.\.(.+?)(?::(.+))?", text)
     if match is None:
-        raise NotationError(f"angle {_shown(text)} is not a range; write it as 0..180:10")
+        raise NotationError(f"angle {quoted(text)} is not a range; write it as 0..180:10")
     first, last, step = match.groups()
     return progression(angle(first), angle(last), angle(step or "1"))
 
 
-def _check_length(count: int, most: int, what: str) -> None:
+def check_length(count: int, most: int, what: str) -> None:
     if count > most:
         raise NotationError(f"{count} {what} were given; at most {most} are allowed")
 
 
-def _shown(text: str) -> str:
+def quoted(text: str) -> str:
     return f'"{_clipped(text)}"'
 
 

@@ -6,13 +6,13 @@ Needs the extra `units`.
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache
 from typing import Any
 
-from kurbel.errors import MissingExtraError, NotationError
-from kurbel.reading.notation import number
-from kurbel.reading.speed import Speed
+from kurbel.errors import MissingExtraError, NotationError, ProblemError
+from kurbel.reading.notation import about, number
 
 # The number is read by kurbel, for pint would evaluate 9**9**9; the unit may not compute either.
 _MEASURE = re.compile(
@@ -31,14 +31,53 @@ _GERMAN = {
 _SQUARES = ("s²", "s^2", "s**2")
 
 
-def length(text: str, what: str) -> Fraction:
-    """Return a length in metres, above 0: "600mm", "0,6 m", "23.5 inch"."""
-    return _checked(displacement(text, what), text, what, "m")
+@dataclass(frozen=True, slots=True)
+class Speed:
+    """Angular velocity ω = value (2π)^turns in 1/s: turns per second are exact, and so are radians."""
+
+    value: Fraction
+    turns: bool = True
+
+    def __post_init__(self) -> None:
+        if self.value <= 0:
+            raise ProblemError(f"the speed is {about(self.value)}/s; it must be above 0")
 
 
-def displacement(text: str, what: str) -> Fraction:
-    """Return a length in metres that may be 0 or negative: "-20mm"."""
-    return Fraction(_quantity(text, what, "a length such as 600mm", "[length]").to("m").magnitude)
+@dataclass(frozen=True, slots=True)
+class Measure:
+    """A kind of quantity, which reads texts of its own: an example, pint's dimension, the unit it is read in.
+
+    What has a `most` must be above 0 and not above that; else it may be 0 or negative. `name` is what errors
+    call it unless they are told.
+    """
+
+    example: str
+    dimension: str
+    unit: str
+    most: int = 0
+    name: str = ""
+
+    def __call__(self, text: str, what: str = "") -> Fraction:
+        """Return the exact value in the unit."""
+        what = what or self.name
+        value = Fraction(_quantity(text, what, self.example, self.dimension).to(self.unit).magnitude)
+        return _checked(value, text, what, self.unit, self.most) if self.most else value
+
+
+# "600mm", "0,6 m", "23.5 inch"; "-20mm"
+length = Measure("a length such as 600mm", "[length]", "m", _LARGEST)
+displacement = replace(length, most=0)
+velocity = Measure("a velocity such as 3 m/s", "[length]/[time]", "m/s")
+acceleration = Measure("an acceleration such as 50 m/s²", "[length]/[time]**2", "m/s**2")
+# "50kW", "68 PS"
+power = Measure("a power such as 50kW or 68PS", "[power]", "W", 10**12, "power")
+# "200kg", "0.3 t"; "-40kg" where a counterweight outweighs it
+mass = Measure("a mass such as 200kg", "[mass]", "kg", _LARGEST)
+signed_mass = Measure("a mass such as -40kg", "[mass]", "kg")
+# "10kN", "1000 kgf"
+force = Measure("a force such as 10kN", "[force]", "N", 10**12, "force")
+# "1.013bar"; below 0 where it counts from the atmosphere
+pressure = Measure("a pressure such as 1bar", "[pressure]", "Pa")
 
 
 def speed(text: str) -> Speed:
@@ -54,46 +93,6 @@ def speed(text: str) -> Speed:
     # Degrees and revolutions are a rational part of pint's turn, though its π is not exact.
     per_second = "1/s" if root == "1 / second" else "turn/s"
     return Speed(_checked(quantity.to(per_second).magnitude, text, "speed", "turns a second"))
-
-
-def velocity(text: str, what: str) -> Fraction:
-    """Return a velocity in m/s: "3 m/s", "500 ft/min"."""
-    found = _quantity(text, what, "a velocity such as 3 m/s", "[length]/[time]")
-    return Fraction(found.to("m/s").magnitude)
-
-
-def acceleration(text: str, what: str) -> Fraction:
-    """Return an acceleration in m/s²: "50 m/s²", "50 m/s^2"."""
-    found = _quantity(text, what, "an acceleration such as 50 m/s²", "[length]/[time]**2")
-    return Fraction(found.to("m/s**2").magnitude)
-
-
-def power(text: str) -> Fraction:
-    """Return a power in watts, above 0: "50kW", "68 PS"."""
-    watts = _quantity(text, "power", "a power such as 50kW or 68PS", "[power]").to("W").magnitude
-    return _checked(Fraction(watts), text, "power", "W", 10**12)
-
-
-def mass(text: str, what: str) -> Fraction:
-    """Return a mass in kilograms, above 0: "200kg", "0.3 t"."""
-    kilograms = _quantity(text, what, "a mass such as 200kg", "[mass]").to("kg").magnitude
-    return _checked(Fraction(kilograms), text, what, "kg")
-
-
-def signed_mass(text: str, what: str) -> Fraction:
-    """Return a mass in kilograms, which is negative where a counterweight outweighs it: "-40kg"."""
-    return Fraction(_quantity(text, what, "a mass such as -40kg", "[mass]").to("kg").magnitude)
-
-
-def force(text: str) -> Fraction:
-    """Return a force in newtons, above 0: "10kN", "1000 kgf"."""
-    newtons = _quantity(text, "force", "a force such as 10kN", "[force]").to("N").magnitude
-    return _checked(Fraction(newtons), text, "force", "N", 10**12)
-
-
-def pressure(text: str, what: str) -> Fraction:
-    """Return a pressure in pascals, which may be below 0 where it counts from the atmosphere: "1.013bar"."""
-    return Fraction(_quantity(text, what, "a pressure such as 1bar", "[pressure]").to("Pa").magnitude)
 
 
 def is_measure(text: str) -> bool:
