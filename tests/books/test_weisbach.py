@@ -19,7 +19,7 @@ from registers import register
 
 from kurbel.drive.crank import Crank
 from kurbel.engine.engine import Engine, Steam
-from kurbel.engine.turn import Turn, at_bits, turn_of
+from kurbel.engine.turn import Turn, turn_of
 from kurbel.exact.numerals import degrees_text, number_text
 from kurbel.linkage import beam
 from kurbel.linkage.beam import BeamEngine
@@ -222,7 +222,8 @@ def test_record_says_who_agrees_with_the_book(cell: Cell) -> None:
 def test_kurbel_gives_every_cell_of_section_150(cell: Cell, method: str) -> None:
     turn = turn_of(Engine(Crank(FIFTH), Steam(Fraction(cell.expansion))), method)
     assert isinstance(turn, Turn)
-    ball = at_bits(BITS, lambda: kurbel(turn, cell.key))
+    with flint.ctx.workprec(BITS):
+        ball = kurbel(turn, cell.key)
     number = mp.mpf(ball.mid().str(DIGITS + 2, radius=False))
     assert cell.computed(method) == shown(number, cell.printed)
 

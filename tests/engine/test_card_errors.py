@@ -16,6 +16,7 @@ from pathlib import Path
 from random import Random
 from typing import NamedTuple
 
+import flint
 import pytest
 from cli import printed, refusal
 from places import CARDS
@@ -29,7 +30,7 @@ from kurbel.engine.engine import Diagram, Engine, Steam
 from kurbel.engine.quantities import OUTSTROKE, RETURN_STROKE, WHOLE, Where, applies
 from kurbel.engine.quantities import value as value_of
 from kurbel.engine.request import EngineRequest
-from kurbel.engine.turn import at_bits, turn_of
+from kurbel.engine.turn import turn_of
 from kurbel.errors import CardError
 from kurbel.exact.numerals import Number
 from kurbel.kernel.circle import circle
@@ -118,7 +119,8 @@ def measured(seed: int, kind: str, folder: Path) -> Iterator[tuple[Column, Measu
         for stroke in (WHOLE, OUTSTROKE, RETURN_STROKE):
             where = Where(stroke)
             if applies(column.quantity, where):
-                true = at_bits(80, partial(value_of, column.quantity, ideal, where))
+                with flint.ctx.workprec(80):
+                    true = value_of(column.quantity, ideal, where)
                 value, error = estimate(column, [turn], where)  # type: ignore[list-item]
                 number = estimated(column, (turn,), where, "half-away")  # type: ignore[arg-type]
                 yield column, Measured(float(value), error, number, float(true) * unit)

@@ -17,7 +17,7 @@ from mpmath import mp
 
 from kurbel.drive.crank import Crank
 from kurbel.engine.engine import Engine, Steam
-from kurbel.engine.turn import Turn, at_bits, place, turn_of
+from kurbel.engine.turn import Turn, place, turn_of
 from kurbel.errors import ProblemError
 
 FIFTH = Fraction(1, 5)
@@ -185,8 +185,10 @@ def test_force_and_energy_at_an_angle_are_those_of_sixty_digits(plant: Plant, de
 @pytest.mark.parametrize("plant", HARD, ids=str)
 def test_precision_narrows_the_balls_and_keeps_what_they_hold(plant: Plant) -> None:
     found = turn(plant)
-    wide = at_bits(100, found.irregularity)
-    narrow = at_bits(500, found.irregularity)
+    with flint.ctx.workprec(100):
+        wide = found.irregularity()
+    with flint.ctx.workprec(500):
+        narrow = found.irregularity()
     assert wide.contains(narrow)
     assert narrow.rad() < flint.arb("1e-140")
 

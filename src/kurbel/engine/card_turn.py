@@ -150,19 +150,14 @@ class CardTurn(AnyTurn):
             if before * after < 0
         ]
         zeros += [place for place, force in zip(places, forces, strict=True) if force == 0]
-        return tuple(Peak(zero, float(self.energy_at(Fraction(zero)))) for zero in sorted(zeros))
+        return tuple(Peak(zero, float(self.energy_at(Fraction(zero))), int(zero)) for zero in sorted(zeros))
 
     def _dead_centres(self) -> Iterator[float]:
         for start in self.engine.cranks:
             yield from (float(start / 180 % 2), float((start / 180 + 1) % 2))
 
-    def extreme(self, greatest: bool, stroke: int | None = None) -> Peak:
-        first = self._extremes(greatest, stroke)[0]
-        return Peak(first.place - (stroke or 0), first.energy)
-
-    def _extremes(self, greatest: bool, stroke: int | None) -> list[Peak]:
-        """The extremes of a span, several where theirs cannot be told apart, as with an infinite rod."""
-        within = [peak for peak in self.extrema if stroke is None or int(peak.place) == stroke]
+    def peaks(self, greatest: bool, stroke: int | None = None) -> list[Peak]:
+        within = [peak for peak in self.extrema if stroke in (None, peak.stroke)]
         if not within:
             raise CardError(
                 f"{self.diagram.card.name}: the tangential force passes its mean in a peak too narrow to be"
@@ -171,9 +166,6 @@ class CardTurn(AnyTurn):
         energies = [peak.energy for peak in within]
         chosen = max(energies) if greatest else min(energies)
         return [peak for peak in within if abs(peak.energy - chosen) < EQUAL_ENERGY]
-
-    def extreme_strokes(self, greatest: bool) -> frozenset[int]:
-        return frozenset(int(peak.place) for peak in self._extremes(greatest, None))
 
 
 def _circle(half_turns: Any) -> Circle[Any]:

@@ -6,8 +6,10 @@ there. Forces are in units of Q, energies in Q R; angles are half turns.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Sequence
 from fractions import Fraction
+from functools import reduce
 from typing import Any, NamedTuple
 
 from kurbel.drive.combination import Load
@@ -18,6 +20,7 @@ from kurbel.exact.kind import Kind
 from kurbel.kernel import turning
 from kurbel.kernel.circle import Circle, Number
 from kurbel.kernel.rod import Loaded, kinetic_energy, torque_slope
+from kurbel.kernel.steam import larger, smaller
 from kurbel.kernel.turning import Motion, Stroke
 from kurbel.motion.evaluation import OUT, RETURN
 
@@ -94,7 +97,7 @@ def cylinder_of(engine: Engine, method: str, kind: Kind, circle: Callable[[Any],
     )
 
 
-class AnyTurn:
+class AnyTurn(ABC):
     """A turn of an engine by a method: in balls or, of an indicator card, in floats with an error.
 
     Angles are half turns from the inner dead centre of the first crank.
@@ -105,20 +108,25 @@ class AnyTurn:
         self.method = method
 
     @property
+    @abstractmethod
     def cylinder(self) -> Cylinder:
         """The cylinders' common formulas, of balls at the precision in force."""
-        raise NotImplementedError
+
+    @abstractmethod
+    def peaks(self, greatest: bool, stroke: int | None = None) -> Sequence[Peak]:
+        """Return where in the turn, or in a stroke of the one crank, the speed is least or greatest.
+
+        Several where they cannot be told apart, as with an infinite rod.
+        """
 
     def extreme(self, greatest: bool, stroke: int | None = None) -> Peak:
-        """Return where in the turn, or in a stroke of the one crank, the speed is least or greatest.
+        """Return the first of the peaks with what all of their energies may be.
 
         The place is in half turns from the beginning of the turn or of the stroke.
         """
-        raise NotImplementedError
-
-    def extreme_strokes(self, greatest: bool) -> frozenset[int]:
-        """Return the strokes of the one crank in which the turn's least or greatest speed lies."""
-        raise NotImplementedError
+        peaks = self.peaks(greatest, stroke)
+        energy = reduce(larger if greatest else smaller, (one.energy for one in peaks))
+        return peaks[0]._replace(place=peaks[0].place - (stroke or 0), energy=energy)
 
     @property
     def pi(self) -> Number:
@@ -145,7 +153,7 @@ class AnyTurn:
 
     def tangential_force(self, half_turns: Fraction) -> Number:
         """The tangential force T/Q of all cranks."""
-        return self._total(self.cylinder.effort, half_turns)
+        return sum(self.cylinder.effort(*one) for one in self.engine.positions(half_turns))
 
     def crank_force(self, force: CrankForce, half_turns: Fraction) -> Number:
         """A force of the first crank in Q."""
@@ -157,13 +165,10 @@ class AnyTurn:
 
     def energy_at(self, half_turns: Fraction) -> Number:
         """The excess work W/(Q R) since the first crank's inner dead centre."""
-        energy = self.cylinder.energy
-        return self._total(energy, half_turns) - self._total(energy, Fraction(0))
+        energy, positions = self.cylinder.energy, self.engine.positions
+        since = sum(energy(*one) for one in positions(half_turns))
+        return since - sum(energy(*one) for one in positions(Fraction(0)))
 
     def irregularity(self) -> Number:
         """Return δ in units of P R/(m₁ v₁²)."""
         return (self.extreme(greatest=True).energy - self.extreme(greatest=False).energy) / self.mean_force()
-
-    def _total(self, value: Callable[[int, Fraction], Number], half_turns: Fraction) -> Number:
-        values: Iterator[Number] = (value(*one) for one in self.engine.positions(half_turns))
-        return sum(values, self.of(Fraction(0)))

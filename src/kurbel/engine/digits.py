@@ -7,9 +7,11 @@ from fractions import Fraction
 from math import ceil, floor, log10
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+import flint
+
 from kurbel.drive.crank_forces import CRANK_FORCES
 from kurbel.engine.quantities import AT_ANGLE, EXTREMES, Where, engine_registry, value
-from kurbel.engine.turn import Turn, at_bits
+from kurbel.engine.turn import Turn
 from kurbel.errors import CardError
 from kurbel.exact.certify import NEVER_TIES, TieBits, rounded
 from kurbel.exact.numerals import Number, finite_decimals, nearest
@@ -37,7 +39,8 @@ def settled(column: Column, turns: tuple[Turn, ...], where: Where, rounding: str
 
     decimals = column.decimals
     if column.quantity.decimals is None:
-        near = at_bits(ESTIMATE_BITS, shown)
+        with flint.ctx.workprec(ESTIMATE_BITS):
+            near = shown()
         if isinstance(near, Fraction):
             return _given(near, decimals, rounding)
         decimals = _decimals(float(near)) if decimals is None else decimals

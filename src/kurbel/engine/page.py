@@ -39,7 +39,7 @@ def _marks(request: EngineRequest, column: Column, place: Place) -> tuple[str, .
     if quantity.of not in EXTREMES or quantity.minutes or stroke is WHOLE:
         return ()
     turn = request.turn(place["expansion"], place["ratio"], column.methods[0])
-    marked = stroke in turn.extreme_strokes(EXTREMES[quantity.of])
+    marked = stroke in (one.stroke for one in turn.peaks(EXTREMES[quantity.of]))
     return (captions.MAKES_DELTA,) if marked and request.number(column, place) is not None else ()
 
 

@@ -61,10 +61,12 @@ AT_ANGLE = ("angle", "crank")
 
 
 class Peak(NamedTuple):
-    """Where the speed is least or greatest, in half turns, and its excess energy there, in Q R."""
+    """Where the speed is least or greatest, in half turns, its excess energy there, in Q R, and the stroke
+    of the one crank."""
 
     place: Number
     energy: Number
+    stroke: int
 
 
 class Where(NamedTuple):

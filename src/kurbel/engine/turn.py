@@ -7,9 +7,9 @@ cut-offs; such a piece is where zeros are searched.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from functools import cached_property, partial, reduce
+from functools import cache, cached_property, partial
 from itertools import pairwise
 from typing import NamedTuple, TypeAlias
 
@@ -24,7 +24,6 @@ from kurbel.exact.kind import balls
 from kurbel.exact.roots import ISOLATING_BITS, Function, Root, isolate, refined
 from kurbel.kernel import steam
 from kurbel.kernel.circle import Circle, Number
-from kurbel.kernel.steam import larger, smaller
 
 CUT_OFF = {
     "exact": steam.crank_versine,
@@ -62,7 +61,7 @@ class Turn(AnyTurn):
     def __init__(self, engine: Engine, method: str) -> None:
         super().__init__(engine, method)
         self._cylinders: dict[int, Cylinder] = {}
-        self._chosen: dict[tuple[bool, int | None], tuple[Extremum, ...]] = {}
+        self._extremes = cache(self._choose)
 
     @property
     def cylinder(self) -> Cylinder:
@@ -93,18 +92,17 @@ class Turn(AnyTurn):
     def excess(self, piece: Piece, place: Angle) -> Number:
         effort = self.cylinder.effort
         return (
-            _total(effort(stroke, _since(place, begun)) for stroke, begun in piece.strokes)
-            - self.mean_force()
+            sum(effort(stroke, _since(place, begun)) for stroke, begun in piece.strokes) - self.mean_force()
         )
 
     def slope(self, piece: Piece, place: Angle) -> Number:
         slope = self.cylinder.slope
-        return _total(slope(stroke, _since(place, begun)) for stroke, begun in piece.strokes)
+        return sum(slope(stroke, _since(place, begun)) for stroke, begun in piece.strokes)
 
     def energy(self, piece: Piece, place: Angle) -> Number:
         """The excess work W/(Q R) since the first crank's inner dead centre."""
         energy, first = self.cylinder.energy, self.pieces[0].strokes
-        return _total(
+        return sum(
             energy(stroke, _since(place, begun)) - energy(at_zero, -zero)
             for (stroke, begun), (at_zero, zero) in zip(piece.strokes, first, strict=True)
         )
@@ -117,18 +115,9 @@ class Turn(AnyTurn):
     def _stationary(self, piece: Piece) -> Iterator[Extremum]:
         yield from _zeros(piece, partial(self.excess, piece), partial(self.slope, piece))
 
-    def extreme(self, greatest: bool, stroke: int | None = None) -> Peak:
-        chosen = self._extremes(greatest, stroke)
-        energies = [self.energy(one.piece, place(one)) for one in chosen]
-        return Peak(place(chosen[0]) - (stroke or 0), reduce(larger if greatest else smaller, energies))
-
-    def extreme_strokes(self, greatest: bool) -> frozenset[int]:
-        return frozenset(int(one.piece.start) for one in self._extremes(greatest, None))
-
-    def _extremes(self, greatest: bool, stroke: int | None) -> tuple[Extremum, ...]:
-        if (greatest, stroke) not in self._chosen:
-            self._chosen[greatest, stroke] = self._choose(greatest, stroke)
-        return self._chosen[greatest, stroke]
+    def peaks(self, greatest: bool, stroke: int | None = None) -> list[Peak]:
+        found = [(one, place(one)) for one in self._extremes(greatest, stroke)]
+        return [Peak(at, self.energy(one.piece, at), int(one.piece.start)) for one, at in found]
 
     def _choose(self, greatest: bool, stroke: int | None) -> tuple[Extremum, ...]:
         within = [one for one in self.extrema if stroke is None or one.piece.start == stroke]
@@ -141,7 +130,8 @@ class Turn(AnyTurn):
         left = tuple(extrema)
         for bits in (ISOLATING_BITS, EQUAL_BITS):
             if len(left) > 1:
-                energies = [sign * at_bits(bits, partial(self._energy_of, one)) for one in left]
+                with flint.ctx.workprec(bits):
+                    energies = [sign * self.energy(one.piece, place(one)) for one in left]
                 left = tuple(
                     one
                     for one, energy in zip(left, energies, strict=True)
@@ -150,9 +140,6 @@ class Turn(AnyTurn):
         if any(one.root.rising is None for one in left):
             raise ProblemError("the speed rests where it should turn; its extremes cannot be told apart")
         return left
-
-    def _energy_of(self, extremum: Extremum) -> Number:
-        return self.energy(extremum.piece, place(extremum))
 
 
 class WeisbachTurn(Turn):
@@ -179,7 +166,8 @@ class WeisbachTurn(Turn):
 
     def _turns_beyond_cut_off(self, piece: Piece) -> bool:
         (stroke, begun) = piece.strokes[0]
-        return bool(at_bits(EQUAL_BITS, lambda: self.excess(piece, self.cut_off(stroke) + ball(begun))) > 0)
+        with flint.ctx.workprec(EQUAL_BITS):
+            return bool(self.excess(piece, self.cut_off(stroke) + ball(begun)) > 0)
 
     def _relation(self, piece: Piece, part: int, at: Number) -> Number:
         """His equation for α₂ as a function with that zero, or its slope over the half turns."""
@@ -217,16 +205,6 @@ def place(extremum: Extremum) -> Number:
     return refined(extremum.function, extremum.slope, extremum.root)
 
 
-def at_bits(bits: int, value: Callable[[], Number]) -> Number:
-    """Return the value computed at a precision of its own."""
-    before = flint.ctx.prec
-    try:
-        flint.ctx.prec = bits
-        return value()
-    finally:
-        flint.ctx.prec = before
-
-
 def _zeros(piece: Piece, function: Function, slope: Function) -> Iterator[Extremum]:
     for root in isolate(function, slope, piece.start, piece.end):
         yield Extremum(piece, root, function, slope)
@@ -250,7 +228,3 @@ def _piece(starts: Sequence[Fraction], low: Fraction, high: Fraction) -> Piece:
         stroke = int((low - start) % 2)
         strokes.append((stroke, low - (low - start) % 1))
     return Piece(low, high, tuple(strokes))
-
-
-def _total(values: Iterator[Number]) -> Number:
-    return sum(values, flint.arb(0))
