@@ -77,6 +77,7 @@ _LIST = re.compile(r"<(?:li|ol|ul|hr|pre|a)\b")
 
 
 @example("```")
+@example("    \xa0")
 @example("a::\n\nhttp://b.c/d mailto:e@f\n\n.. g\n\n>>> h\n\n|i| j_ [k]_")
 @example("a[](#delta)b *[](#drive)* `` c`` [](#start)")
 @example("[](HTTP:)0")

@@ -52,7 +52,7 @@ class Printer(ProsePrinter):
         return underlined(title, level)
 
     def code_block(self, lines: tuple[str, ...]) -> str:
-        if not any(lines):
+        if not any(line.strip() for line in lines):
             return ""
         return "\n".join((".. code-block:: text", "", *(f"{_INDENT}{line}".rstrip() for line in lines)))
 
