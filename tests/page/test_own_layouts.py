@@ -18,7 +18,7 @@ from kurbel.errors import KurbelError, LayoutError
 from kurbel.page.folders import LANGUAGES, layout_file, layout_names
 from kurbel.page.layout_check import check
 from kurbel.page.layouts import KIND, SUBJECTS, LayoutFile, layout, schema
-from kurbel.page.subject import SUBJECTS, subject
+from kurbel.page.subject import subject
 from kurbel.reading.toml_file import TomlFile
 
 FIELDS = [field.name for field in dataclasses.fields(LayoutFile)]
