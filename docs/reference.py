@@ -27,9 +27,8 @@ from kurbel.motion.inertia import inertia_registry
 from kurbel.motion.inertia_page import SUBJECT as ERRORS
 from kurbel.motion.inertia_page import UNITS, error_columns
 from kurbel.motion.quantities import registry
-from kurbel.page.folders import layout_names
 from kurbel.page.labels import plain
-from kurbel.page.layouts import layout
+from kurbel.page.layouts import layout, layout_names
 from kurbel.plot.style import FORMATS as DRAWINGS
 from kurbel.reading.notation import ratio_text, ratios
 from kurbel.solve.page import own_columns

@@ -20,8 +20,8 @@ from kurbel.balance.request import balance_registry
 from kurbel.errors import KurbelError
 from kurbel.exact.numerals import Number
 from kurbel.motion.evaluation import METHODS
-from kurbel.page.folders import LANGUAGES
 from kurbel.page.labels import plain
+from kurbel.page.layouts import LANGUAGES
 from kurbel.page.table import Table
 
 STEPS = 256

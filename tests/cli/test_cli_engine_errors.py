@@ -13,7 +13,7 @@ from pages import DRIVES, about
 from places import CARDS
 
 from kurbel.formats.registry import FORMATS
-from kurbel.page.folders import layout_names
+from kurbel.page.layouts import layout_names
 from kurbel.reading import units
 
 TOO_SHORT = "it must be below 1, or the rod is too short to pass the dead centre"

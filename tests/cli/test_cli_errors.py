@@ -13,7 +13,7 @@ from pages import DRIVES as TABLES
 from kurbel.cli import COMMANDS
 from kurbel.formats.registry import FORMATS
 from kurbel.motion.quantities import registry
-from kurbel.page.folders import LANGUAGES
+from kurbel.page.layouts import LANGUAGES
 
 TOO_SHORT = "it must be below 1, or the rod is too short to pass the dead centre"
 NO_RATIO = "is not a ratio R:L; write it as 1:5, 1:4,5, 1/4.5 or 0.2, and 1:∞ or 1:inf for an infinite rod"

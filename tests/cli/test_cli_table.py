@@ -23,7 +23,7 @@ from kurbel.linkage.quantities import arc_registry, parallel_registry
 from kurbel.motion.inertia import inertia_registry
 from kurbel.motion.inertia_page import error_columns
 from kurbel.motion.quantities import registry
-from kurbel.page.folders import layout_names
+from kurbel.page.layouts import layout_names
 from kurbel.solve.page import own_columns
 
 NINTHS = Fraction(2, 9)

@@ -19,8 +19,7 @@ from kurbel.formats.registry import FORMATS
 from kurbel.linkage.quantities import arc_registry
 from kurbel.motion.evaluation import METHODS
 from kurbel.motion.quantities import registry
-from kurbel.page.folders import LANGUAGES
-from kurbel.page.layouts import layout
+from kurbel.page.layouts import LANGUAGES, layout
 
 SHELLS = ("bash", "zsh", "fish")
 

@@ -24,7 +24,7 @@ from kurbel.documents.prose_levels import stepwise
 from kurbel.formats.documents import document_files
 from kurbel.formats.pdf.by_typst import Standard, compile_typst
 from kurbel.formats.render import render
-from kurbel.page.folders import layout_names
+from kurbel.page.layouts import layout_names
 from kurbel.page.table import Table
 
 require_library("typst")

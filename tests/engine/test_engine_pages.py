@@ -18,8 +18,7 @@ from kurbel.engine.quantities import engine_registry
 from kurbel.errors import KurbelError
 from kurbel.exact.numerals import degrees_text
 from kurbel.formats.render import render
-from kurbel.page.folders import LANGUAGES
-from kurbel.page.layouts import layout
+from kurbel.page.layouts import LANGUAGES, layout
 from kurbel.page.subject import subject
 from kurbel.page.table import DITTO, Table
 

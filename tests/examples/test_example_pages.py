@@ -18,7 +18,7 @@ import kurbel
 from kurbel.examples.source import numbers_of, source_keys
 from kurbel.formats.registry import FORMATS
 from kurbel.formats.render import render
-from kurbel.page.folders import LANGUAGES
+from kurbel.page.layouts import LANGUAGES
 from kurbel.page.table import Table
 
 EXAMPLES = [(key, number) for key in source_keys() for number in numbers_of(key)]

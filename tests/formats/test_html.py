@@ -15,7 +15,7 @@ from tools import require
 
 import kurbel
 from kurbel.formats.render import render
-from kurbel.page.folders import LANGUAGES, layout_names
+from kurbel.page.layouts import LANGUAGES, layout_names
 from kurbel.page.table import Table
 
 EXAMPLES = [("blau", "33"), ("uebung", "12"), ("weisbach", "149")]

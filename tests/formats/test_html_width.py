@@ -12,7 +12,7 @@ from kurbel.documents.document import Chapter, Document, Item
 from kurbel.formats.html.document import NAME, files
 from kurbel.formats.html.width import width_in_ems
 from kurbel.formats.render import render
-from kurbel.page.folders import layout_names
+from kurbel.page.layouts import layout_names
 
 LETTER, BETWEEN = 0.64, 1.1
 

@@ -21,7 +21,7 @@ from places import GOLDEN
 
 from kurbel.formats.registry import FORMATS
 from kurbel.formats.render import render
-from kurbel.page.folders import LANGUAGES, layout_names
+from kurbel.page.layouts import LANGUAGES, layout_names
 
 # Two rows show how a page is laid out; that its figures are right is tested where they are computed.
 ROWS = {

@@ -12,8 +12,8 @@ from readers import markdown_tables, model_cells
 import kurbel
 from kurbel.examples.source import numbers_of, source_keys
 from kurbel.formats.render import render
-from kurbel.page.folders import LANGUAGES
 from kurbel.page.labels import plain
+from kurbel.page.layouts import LANGUAGES
 from kurbel.page.table import Panel, Table
 
 EXAMPLES = [(key, number) for key in source_keys() for number in numbers_of(key)]

@@ -7,7 +7,7 @@ from pages import MOTION, default_page
 
 from kurbel import table
 from kurbel.formats.render import render
-from kurbel.page.folders import layout_names
+from kurbel.page.layouts import layout_names
 from kurbel.page.table import Table
 
 MACHINE = {"stroke": 2, "speed": 3}

@@ -24,8 +24,8 @@ from kurbel.examples.source import numbers_of, source_keys
 from kurbel.formats.csv.rows import csv_rows
 from kurbel.formats.json.rows import json_rows
 from kurbel.formats.render import render
-from kurbel.page.folders import layout_names
 from kurbel.page.labels import plain
+from kurbel.page.layouts import layout_names
 from kurbel.page.table import Field, Records, Table
 
 

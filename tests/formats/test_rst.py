@@ -33,8 +33,8 @@ from kurbel.formats.registry import page_format
 from kurbel.formats.render import render
 from kurbel.formats.rst.escapes import escape, finish, role
 from kurbel.formats.rst.grid import GridCell, grid_lines
-from kurbel.page.folders import LANGUAGES, layout_names
 from kurbel.page.labels import plain
+from kurbel.page.layouts import LANGUAGES, layout_names
 
 
 def _reference(name: str, raw: str, text: str, *others: Any, **more: Any) -> Any:

@@ -16,7 +16,7 @@ from tools import require_library
 
 from kurbel import table, typeset_pdf
 from kurbel.formats.render import render
-from kurbel.page.folders import LANGUAGES
+from kurbel.page.layouts import LANGUAGES
 from kurbel.page.table import Table
 
 

@@ -9,7 +9,7 @@ from kurbel.books.source import books
 from kurbel.cli.asking import asked
 from kurbel.examples.source import numbers_of, source_keys
 from kurbel.handbook.manifest import Manifest, Part, read_manifest
-from kurbel.page.folders import LANGUAGES, layout_names
+from kurbel.page.layouts import LANGUAGES, layout_names
 from kurbel.page.table import Table
 
 FOLDER = ROOT / "examples" / "appendix"

@@ -20,9 +20,8 @@ from kurbel.exact.numerals import Number, number_text
 from kurbel.linkage.arc import ArcCrank
 from kurbel.linkage.quantities import FORCE, arc_registry
 from kurbel.motion.evaluation import OUT, RETURN
-from kurbel.page.folders import LANGUAGES
 from kurbel.page.labels import plain
-from kurbel.page.layouts import layout
+from kurbel.page.layouts import LANGUAGES, layout
 from kurbel.page.subject import subject
 from kurbel.page.table import Table
 

@@ -24,8 +24,7 @@ from kurbel.motion.quantities import registry
 from kurbel.motion.question import Request
 from kurbel.motion.rows import RecordRows
 from kurbel.page.build import build
-from kurbel.page.folders import LANGUAGES, layout_names
-from kurbel.page.layouts import layout
+from kurbel.page.layouts import LANGUAGES, layout, layout_names
 from kurbel.page.table import DITTO, Table
 from kurbel.reading import notation
 from kurbel.reading.units import Speed

@@ -15,9 +15,18 @@ from hypothesis import strategies as st
 
 import kurbel
 from kurbel.errors import KurbelError, LayoutError
-from kurbel.page.folders import LANGUAGES, layout_file, layout_names
 from kurbel.page.layout_check import check
-from kurbel.page.layouts import KIND, SUBJECTS, LayoutFile, layout, schema
+from kurbel.page.layouts import (
+    KIND,
+    LANGUAGES,
+    SUBJECTS,
+    LayoutFile,
+    layout,
+    layout_file,
+    layout_names,
+    schema,
+    template_folder,
+)
 from kurbel.page.subject import subject
 from kurbel.reading.toml_file import TomlFile
 
@@ -78,7 +87,7 @@ def test_the_command_of_a_layout_of_ones_own_names_its_folder(tmp_path: Path) ->
 
 @pytest.mark.parametrize("name", layout_names())
 def test_kurbels_own_layouts_could_be_a_users(name: str) -> None:
-    file = TomlFile(layout_file(name), KIND)
+    file = TomlFile(layout_file(template_folder(), name), KIND)
     check(file, layout(name))
     by_the_model = file.read(LayoutFile)
     assert [getattr(by_the_model, key) for key in FIELDS] == [getattr(layout(name), key) for key in FIELDS]
@@ -274,7 +283,7 @@ def test_every_way_to_share_out_the_axes_makes_a_page(
     tmp_path_factory: pytest.TempPathFactory, data: st.DataObject, key: str
 ) -> None:
     about = subject(key)
-    usual = Path(str(layout_file(about.layout))).read_text(encoding="utf-8")
+    usual = Path(str(layout_file(template_folder(), about.layout))).read_text(encoding="utf-8")
     axes = data.draw(st.permutations([*about.axes]))
     end = data.draw(st.integers(1, len(axes) - 1))
     first = data.draw(st.integers(0, end - 1))

@@ -10,8 +10,7 @@ import pytest
 
 import kurbel
 from kurbel.exact.numerals import Number, number_text
-from kurbel.page.folders import LANGUAGES, layout_names
-from kurbel.page.layouts import layout
+from kurbel.page.layouts import LANGUAGES, layout, layout_names
 from kurbel.page.table import DITTO, Panel, Table
 
 Address = tuple[str, ...]

@@ -23,8 +23,7 @@ from msgspec import Struct
 from kurbel.books.expression import Expression
 from kurbel.books.printed_value import Printed, printed_value
 from kurbel.errors import NotationError, SourceError
-from kurbel.page.folders import LANGUAGES
-from kurbel.page.layouts import Notes, Words
+from kurbel.page.layouts import LANGUAGES, Notes, Words
 from kurbel.reading.csv_columns import NONE, Head, read_rows, whole_head
 from kurbel.reading.csv_lines import Kind, place, shown
 from kurbel.reading.toml_file import Fault, TomlFile, TomlKind, about

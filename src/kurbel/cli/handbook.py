@@ -14,7 +14,7 @@ import click
 from kurbel.cli.options import Count, Name
 from kurbel.handbook.keys import ENGINES
 from kurbel.handbook.pool import MOST_PROCESSES
-from kurbel.page.folders import LANGUAGES
+from kurbel.page.layouts import LANGUAGES
 
 if TYPE_CHECKING:
     from kurbel.handbook.build import Build

@@ -11,7 +11,7 @@ import click
 from kurbel.cli.options import Name, click_option
 from kurbel.commands.options import Parameter
 from kurbel.commands.parameters import LAYOUTS
-from kurbel.page.folders import LANGUAGES
+from kurbel.page.layouts import LANGUAGES
 
 if TYPE_CHECKING:
     from kurbel.page.layouts import Layout
@@ -27,8 +27,7 @@ lang_option = click.option(
 @lang_option
 def layouts(layouts: File | None, lang: str) -> None:
     """List the page layouts, each with a command that prints it."""
-    from kurbel.page.folders import layout_names
-    from kurbel.page.layouts import layout
+    from kurbel.page.layouts import layout, layout_names
 
     found = [layout(name, layouts) for name in layout_names(layouts)]
     _print([(one.key, one.title[lang], _printing(one, layouts)) for one in found])

@@ -14,7 +14,7 @@ from kurbel.commands import options as kinds
 from kurbel.commands.options import Parameter
 from kurbel.errors import NotationError
 from kurbel.formats.registry import DECIMALS, FORMATS
-from kurbel.page.folders import layout_names
+from kurbel.page.layouts import layout_names
 from kurbel.reading.choices import choose
 from kurbel.reading.files import File
 

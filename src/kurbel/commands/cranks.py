@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import NotationError, ProblemError
-from kurbel.page.folders import Folder
-from kurbel.page.layouts import Layout, layout_of
+from kurbel.page.layouts import Folder, Layout, layout_of
 from kurbel.reading import notation, units
 from kurbel.reading.given import (
     Exact,

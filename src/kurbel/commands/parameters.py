@@ -6,7 +6,7 @@ from typing import Annotated, TypeAlias
 
 from kurbel.commands.options import FILE, FLAG, TEXT, Choice, Columns, Count, LayoutName, Option
 from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS
-from kurbel.page.folders import LANGUAGES
+from kurbel.page.layouts import LANGUAGES
 from kurbel.reading.given import Exact
 
 # One value or several, each text or a number.

@@ -14,7 +14,7 @@ from kurbel.drive.crank import Crank, check_angles
 from kurbel.errors import ProblemError
 from kurbel.examples.source import Example, Part, example
 from kurbel.linkage.beam import BeamEngine
-from kurbel.page.folders import LANGUAGES
+from kurbel.page.layouts import LANGUAGES
 from kurbel.page.subject import check_label
 from kurbel.reading.choices import choose
 from kurbel.reading.notation import about

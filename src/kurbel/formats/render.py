@@ -16,8 +16,8 @@ from kurbel.errors import ChoiceError
 from kurbel.formats.format import PageFormat, RecordsFormat
 from kurbel.formats.page import blank, page
 from kurbel.formats.registry import by_name
-from kurbel.page.folders import template_folder
 from kurbel.page.labels import plain
+from kurbel.page.layouts import template_folder
 from kurbel.page.table import Table
 
 if TYPE_CHECKING:

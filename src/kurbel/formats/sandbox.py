@@ -16,7 +16,7 @@ from jinja2.loaders import split_template_path
 from jinja2.sandbox import ImmutableSandboxedEnvironment
 
 from kurbel.errors import KurbelError, LayoutError
-from kurbel.page.folders import template_folder
+from kurbel.page.layouts import template_folder
 
 LONGEST_FILE, LONGEST_PAGE = 1_000_000, 10_000_000
 

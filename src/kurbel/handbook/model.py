@@ -11,8 +11,8 @@ from msgspec import Meta, Struct
 from kurbel.errors import LayoutError
 from kurbel.formats.registry import DECIMALS, FORMATS
 from kurbel.handbook.keys import ENGINES, STANDARDS
-from kurbel.page.folders import LANGUAGES
 from kurbel.page.labels import Mark, parse
+from kurbel.page.layouts import LANGUAGES
 from kurbel.reading.toml_file import A_TEXT, Choice, Fault, about, schema_of
 
 

@@ -109,7 +109,7 @@ def fingerprint() -> str:
     them: to ask for the versions one by one takes longer than to build nothing.
     """
     package = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-    from kurbel.page.folders import template_folder
+    from kurbel.page.layouts import template_folder
 
     return key_of(sys.version, [*_files(package)], [*_files(template_folder())], [*_installed()])
 

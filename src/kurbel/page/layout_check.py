@@ -7,10 +7,9 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from kurbel.errors import KurbelError, LayoutError
-from kurbel.page.folders import LANGUAGES, layout_names
 from kurbel.page.formula import GREEK
 from kurbel.page.labels import Mark, parse
-from kurbel.page.layouts import Layout, LayoutColumn, layout
+from kurbel.page.layouts import LANGUAGES, Layout, LayoutColumn, layout, layout_names
 from kurbel.page.subject import subject
 from kurbel.reading import notation
 from kurbel.reading.choices import choose

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any, ClassVar, TypeAlias
 
 from kurbel.errors import ChoiceError, LayoutError
 from kurbel.exact.numerals import MOST_DIGITS, Label
-from kurbel.page.folders import LANGUAGES, Folder, layout_file, layout_names
 from kurbel.reading.choices import choose
+from kurbel.reading.files import File
 from kurbel.reading.toml_file import Choice, Fault, TomlFile, TomlKind, about, schema_of, within
 
+LANGUAGES = ("de", "en")
+Folder: TypeAlias = str | os.PathLike[str]
 KIND = TomlKind("layout", LayoutError, 200_000, "a layout has axes and columns", "pages/mine/layout.toml")
 # What pages can be about: by its name, where each subject stands.
 SUBJECTS: Mapping[str, str] = {
@@ -56,9 +59,8 @@ class Words(dict[str, Label]):
     @classmethod
     def read(cls, given: Any, _: str) -> Words:
         texts = cls.texts(given) if isinstance(given, str) else given
-        if not isinstance(texts, dict) or sorted(texts) != sorted(LANGUAGES):
-            raise Fault(cls.MUST)
-        if not all(isinstance(text, str) for text in texts.values()):
+        kinds = {key: type(text) for key, text in texts.items()} if isinstance(texts, dict) else {}
+        if kinds != dict.fromkeys(LANGUAGES, str):
             raise Fault(cls.MUST)
         return cls(texts)
 
@@ -102,6 +104,7 @@ class Subject(Choice, what="subject", allowed=SUBJECTS):
 _MOTION, _NO_NOTES = Subject("motion"), Notes()
 Names = tuple[str, ...]
 LARGEST_BLOCK = 500
+_NAME = re.compile(r"[A-Za-z0-9]+(?:-+[A-Za-z0-9]+)*")
 
 
 @dataclass(frozen=True)
@@ -191,6 +194,52 @@ class Layout(LayoutFile):
         return all(column.method is not None for column in self.columns)
 
 
+@cache
+def template_folder() -> str:
+    """Return the folder of templates: in the installed package, else in the checkout.
+
+    An editable install holds no copy of the templates; the checkout's folder serves it.
+    """
+    package = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+    for folder in (f"{package}/templates", f"{package}/../../templates"):
+        if os.path.isdir(folder):
+            return os.path.normpath(folder)
+    raise LayoutError(f"there are no templates beside {package}; the installation is not complete")
+
+
+def layout_names(folder: Folder | None = None) -> tuple[str, ...]:
+    """Return the names of kurbel's layouts, and of those in a folder of the user's.
+
+    Raises LayoutError for a folder that has none, or one that is called as kurbel's own: what a page says by
+    its layout's name shall not depend on where it is made.
+    """
+    own = _names(template_folder())
+    if folder is None:
+        return own
+    if not os.path.isdir(folder):
+        raise LayoutError(f"cannot read the layouts {folder}: there is no such folder")
+    theirs = _names(folder)
+    if not theirs:
+        raise LayoutError(f"{folder} has no layouts: no folder in it has a layout.toml")
+    for name in theirs:
+        file = layout_file(folder, name)
+        if name in own:
+            raise LayoutError(f"{file} has the name of a layout of kurbel's; give it another")
+        if not _NAME.fullmatch(name):
+            raise LayoutError(f"{file}: the folder {name[:60]} names the layout; use letters, digits and -")
+    return tuple(sorted(own + theirs))
+
+
+def _names(folder: Folder) -> tuple[str, ...]:
+    return tuple(sorted(name for name in os.listdir(folder) if os.path.exists(layout_file(folder, name))))
+
+
+def layout_file(folder: Folder, name: str) -> Folder:
+    """Return where the layout of that name in a folder is described."""
+    file = os.path.join(str(folder), name, "layout.toml")
+    return File(file, folder.folder) if isinstance(folder, File) else file
+
+
 def layout_of(name: str, subjects: Sequence[str], folder: Folder | None = None) -> Layout:
     """Return the layout of that name if it is about one of the subjects; `folder` is as in `layout`."""
     page = layout(name, folder)
@@ -206,13 +255,11 @@ def layout(name: str, folder: Folder | None = None) -> Layout:
     `folder` is one of the user's, whose layouts stand beside kurbel's own. Raises LayoutError with file and
     line for one that cannot be used.
     """
-    if folder is None:
-        return _own(name)
-    if choose(name, layout_names(folder), "layout") in layout_names():
+    if folder is None or choose(name, layout_names(folder), "layout") in layout_names():
         return _own(name)
     from kurbel.page.layout_check import check
 
-    file = TomlFile(layout_file(name, folder), KIND)
+    file = TomlFile(layout_file(folder, name), KIND)
     page = Layout(key=name, folder=os.path.abspath(folder), **vars(file.read(LayoutFile)))
     check(file, page)
     return page
@@ -220,7 +267,7 @@ def layout(name: str, folder: Folder | None = None) -> Layout:
 
 @cache
 def _own(name: str) -> Layout:
-    file = TomlFile(layout_file(choose(name, layout_names(), "layout")), KIND)
+    file = TomlFile(layout_file(template_folder(), choose(name, layout_names(), "layout")), KIND)
     return Layout(key=name, **_values(file.given))
 
 
