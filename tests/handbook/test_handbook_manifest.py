@@ -146,6 +146,7 @@ def test_a_mistake_is_answered_with_file_line_and_reason(
         (b"x = " + b"[" * 5000, "nested too deeply"),
         (b".".join([b"a"] * 100_000) + b" = 1", "a key of very many parts"),
         (b'title = "x"\nchapter = 3', "chapter is 3; write [[chapter]]"),
+        (b'title = "x"\n[[chapter]]\ntitle = "a"\npart = 3', "line 4: part is 3; write [[chapter.part]]"),
         (b'title = "x"\nchapter = [3]', "chapter is 3; it must be a section"),
         (b'title = "x"\n[chapter]\ntitle = "y"', "chapter is a table; write [[chapter]]"),
     ],

@@ -241,7 +241,11 @@ def _wanted(given: Any, shape: inspect.Type, place: Place) -> str:
             return f"it must be {getattr(shape.cls, 'SHAPE', f'a section, [{_dotted(place)}]')}"
         case inspect.DictType():
             return f"write [{_dotted(place)}]"
-        case inspect.VarTupleType(item_type=inspect.StructType() | inspect.DataclassType()):
+        case inspect.VarTupleType(
+            item_type=inspect.StructType()
+            | inspect.DataclassType()
+            | inspect.Metadata(type=inspect.StructType())
+        ):
             return f"write [[{_dotted(place)}]]"
         case inspect.VarTupleType():
             return "it must be a list of texts"
