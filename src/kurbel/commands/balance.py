@@ -1,6 +1,6 @@
 """The harmonics of the piston's motion, and what engines leave unbalanced."""
 
-from typing import Annotated
+from typing import Annotated, Unpack
 
 from kurbel.balance.arrangement import usual
 from kurbel.balance.harmonics import HARMONICS, MOST_ORDERS
@@ -44,10 +44,7 @@ def harmonics_table(
     method: Method = "exact",
     layouts: option.Layouts = None,
     layout: Annotated[str, option.layout_option("harmonics")] = "harmonics",
-    digits: option.Digits = None,
-    rounding: option.Rounding = "half-away",
-    lang: option.Lang = "de",
-    label: option.Label = "",
+    **sheet: Unpack[option.Sheet],
 ) -> Question:
     """Print the harmonics of the piston's motion: coefficients of cos φ, cos 2φ, cos 4φ, ...
 
@@ -71,10 +68,7 @@ def harmonics_table(
         quantity=quantity or "",
         last_order=orders,
         method=method,
-        digits=digits,
-        rounding=rounding,
-        lang=lang,
-        label=label,
+        **sheet,
     )
 
 
@@ -119,10 +113,7 @@ def balance_table(
     columns: Annotated[option.Names, option.columns_option("balance", "order,along,forward")] = (),
     layouts: option.Layouts = None,
     layout: Annotated[str, option.layout_option("balance")] = "balance",
-    digits: option.Digits = None,
-    rounding: option.Rounding = "half-away",
-    lang: option.Lang = "de",
-    label: option.Label = "",
+    **sheet: Unpack[option.Sheet],
 ) -> Question:
     """Print the free forces and moments of an engine by orders.
 
@@ -158,8 +149,5 @@ def balance_table(
         last_order=orders,
         method=method,
         columns=as_names(columns, "order,along"),
-        digits=digits,
-        rounding=rounding,
-        lang=lang,
-        label=label,
+        **sheet,
     )

@@ -2,11 +2,11 @@
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from typing import Annotated, Any
+from typing import Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
-from kurbel.commands.cranks import cranks_of, ratios_of
-from kurbel.commands.machines import GivenRod, GivenSteam, Masses, engine_question, for_masses, is_heavy
+from kurbel.commands.cranks import ratios_of
+from kurbel.commands.machines import engine_of, for_masses, is_heavy
 from kurbel.commands.options import FLAG, Columns, Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.errors import ProblemError
@@ -35,24 +35,6 @@ EXAMPLE = "epsilon,delta"
 def delta_table(
     eps: option.Eps = None,
     *,
-    ratio: option.EngineRatios = None,
-    back: option.Back = None,
-    exponent: option.Exponent = None,
-    clearance: option.Clearance = None,
-    card: option.Card = None,
-    other_side: option.OtherSide = None,
-    single_acting: option.SingleActing = False,
-    cranks: option.Cranks = None,
-    method: option.EngineMethods = (),
-    reciprocating: option.Reciprocating = None,
-    rod_mass: option.RodMass = None,
-    centre: option.Centre = None,
-    gyration: option.Gyration = None,
-    rod_file: option.RodFile = None,
-    stroke: option.Stroke2R = None,
-    rod: option.Rod = None,
-    bore: option.Bore = None,
-    pressure: option.Pressure = None,
     speed: option.PlainSpeed = None,
     detail: Annotated[
         bool, Option("All that leads to δ: angles and speeds of both strokes.", kind=FLAG)
@@ -60,10 +42,7 @@ def delta_table(
     columns: Annotated[option.Names, option.columns_option("weisbach-150", "epsilon,delta,mean_force")] = (),
     layouts: option.Layouts = None,
     layout: Annotated[str | None, option.layout_option("irregularity", "strokes")] = None,
-    digits: option.Digits = None,
-    rounding: option.Rounding = "half-away",
-    lang: option.Lang = "de",
-    label: option.Label = "",
+    **given: Unpack[option.Engine],
 ) -> Question:
     """Print the degree of irregularity δ of a steam engine over the expansion ratio ε.
 
@@ -81,44 +60,23 @@ def delta_table(
     3,1:5,1.374
     4,1:5,1.423
     """
-    names = as_names(columns, EXAMPLE)
-    several = len(set((method,) if isinstance(method, str) else method or ())) > 1
+    names, method = as_names(columns, EXAMPLE), given["method"] or ()
+    several = len({method} if isinstance(method, str) else {*method}) > 1
     if detail and layout not in (None, "delta-detail"):
         raise ProblemError(f"--detail is layout delta-detail, and --layout names {layout}; leave one out")
     if layout is None:
-        by_stroke = detail or ((is_given(card) or "alpha_cutoff" in names) and not several)
+        by_stroke = detail or ((is_given(given["card"]) or "alpha_cutoff" in names) and not several)
+        ratio = given["ratio"]
         many = "delta-tafel" if len(as_ratios(() if ratio is None else ratio)) > 1 else "weisbach-150"
         layout = "delta-detail" if by_stroke else "delta-verfahren" if several else many
     page = layout_of(layout, ("irregularity", "strokes"), layouts)
-    steam = GivenSteam(eps, back, exponent, clearance, card, other_side, single_acting, bore, pressure)
-    masses = Masses(reciprocating, GivenRod(rod_mass, centre, gyration, rod_file))
-    drives = cranks_of(page, ratio, stroke, rod)
-    sheet = {"digits": digits, "rounding": rounding, "lang": lang, "label": label}
-    return engine_question(page, steam, masses, drives, speed, cranks, method, columns=names, **sheet)
+    return engine_of(page, {**given, "eps": eps, "speed": speed}, columns=names)
 
 
 @makes_table(needless=for_masses("speed", *ONLY_MASSES))
 def turning_table(
     eps: option.Eps = None,
     *,
-    ratio: option.EngineRatios = None,
-    back: option.Back = None,
-    exponent: option.Exponent = None,
-    clearance: option.Clearance = None,
-    card: option.Card = None,
-    other_side: option.OtherSide = None,
-    single_acting: option.SingleActing = False,
-    cranks: option.Cranks = None,
-    method: option.EngineMethods = (),
-    reciprocating: option.Reciprocating = None,
-    rod_mass: option.RodMass = None,
-    centre: option.Centre = None,
-    gyration: option.Gyration = None,
-    rod_file: option.RodFile = None,
-    stroke: option.Stroke2R = None,
-    rod: option.Rod = None,
-    bore: option.Bore = None,
-    pressure: option.Pressure = None,
     speed: option.PlainSpeed = None,
     angle: Annotated[
         option.Given | None,
@@ -131,10 +89,7 @@ def turning_table(
     columns: Annotated[option.Names, option.columns_option("turning", "phi,tangential,energy")] = (),
     layouts: option.Layouts = None,
     layout: Annotated[str, option.layout_option("turning")] = "turning",
-    digits: option.Digits = None,
-    rounding: option.Rounding = "half-away",
-    lang: option.Lang = "de",
-    label: option.Label = "",
+    **given: Unpack[option.Engine],
 ) -> Question:
     """Print the turning effort of a steam engine: tangential force and excess energy over the crank angle.
 
@@ -152,14 +107,8 @@ def turning_table(
         angles: Sequence[Fraction] = notation.progression(Fraction(0), Fraction(360), as_angle(step, "step"))
     else:
         angles = as_angles(page.angles if angle is None else angle)
-    steam = GivenSteam(eps, back, exponent, clearance, card, other_side, single_acting, bore, pressure)
-    masses = Masses(reciprocating, GivenRod(rod_mass, centre, gyration, rod_file))
-    drives = cranks_of(page, ratio, stroke, rod)
-    names = as_names(columns, EXAMPLE)
-    sheet = {"digits": digits, "rounding": rounding, "lang": lang, "label": label}
-    return engine_question(
-        page, steam, masses, drives, speed, cranks, method, angles=angles, columns=names, **sheet
-    )
+    about = {**given, "eps": eps, "speed": speed}
+    return engine_of(page, about, angles=angles, columns=as_names(columns, EXAMPLE))
 
 
 def _power_of_steam(values: Mapping[str, Any]) -> Mapping[str, str]:
@@ -174,24 +123,6 @@ def _power_of_steam(values: Mapping[str, Any]) -> Mapping[str, str]:
 def flywheel_table(
     eps: option.Eps = None,
     *,
-    ratio: option.EngineRatios = None,
-    back: option.Back = None,
-    exponent: option.Exponent = None,
-    clearance: option.Clearance = None,
-    card: option.Card = None,
-    other_side: option.OtherSide = None,
-    single_acting: option.SingleActing = False,
-    cranks: option.Cranks = None,
-    method: option.EngineMethods = (),
-    reciprocating: option.Reciprocating = None,
-    rod_mass: option.RodMass = None,
-    centre: option.Centre = None,
-    gyration: option.Gyration = None,
-    rod_file: option.RodFile = None,
-    stroke: option.Stroke2R = None,
-    rod: option.Rod = None,
-    bore: option.Bore = None,
-    pressure: option.Pressure = None,
     power: Annotated[
         Exact | None,
         Option("Power of the engine: 50kW, 68PS; with masses it follows from the steam.", "POWER", unit="W"),
@@ -208,10 +139,7 @@ def flywheel_table(
     columns: Annotated[option.Names, option.columns_option("flywheel", "target,swing,inertia")] = (),
     layouts: option.Layouts = None,
     layout: Annotated[str, option.layout_option("flywheel")] = "flywheel",
-    digits: option.Digits = None,
-    rounding: option.Rounding = "half-away",
-    lang: option.Lang = "de",
-    label: option.Label = "",
+    **given: Unpack[option.Engine],
 ) -> Question:
     """Print the flywheel that keeps a steam engine even: energy swing, moment of inertia, mass.
 
@@ -221,22 +149,17 @@ def flywheel_table(
     """
     from kurbel.drive.flywheel import Flywheel
 
-    masses = Masses(reciprocating, GivenRod(rod_mass, centre, gyration, rod_file))
-    if power is None and not masses.first:
+    heavy = is_heavy(given)
+    if power is None and not heavy:
         raise ProblemError("a flywheel needs the power of the engine; add --power, for example --power 50kW")
     # With masses it follows from the steam, against which they are weighed.
-    watts = None if power is None or masses.first else as_power(power)
+    watts = None if power is None or heavy else as_power(power)
     turns, size = as_speed(speed), None if radius is None else as_length(radius, "radius")
     page = layout_of(layout, ("flywheel",), layouts)
-    steam = GivenSteam(eps, back, exponent, clearance, card, other_side, single_acting, bore, pressure)
-    drives = cranks_of(page, ratio, stroke, rod)
     targets = as_irregularities(delta)
     wheels = tuple(Flywheel(watts, turns, each, size) for each in targets)
-    names = as_names(columns, EXAMPLE)
-    sheet = {"digits": digits, "rounding": rounding, "lang": lang, "label": label}
-    return engine_question(
-        page, steam, masses, drives, speed, cranks, method, flywheels=wheels, columns=names, **sheet
-    )
+    about = {**given, "eps": eps, "speed": speed}
+    return engine_of(page, about, flywheels=wheels, columns=as_names(columns, EXAMPLE))
 
 
 @makes_table(machine=False)
@@ -260,10 +183,7 @@ def dead_centres_table(
     ] = (),
     layouts: option.Layouts = None,
     layout: Annotated[str, option.layout_option("dead centres")] = "weisbach-149",
-    digits: option.Digits = None,
-    rounding: option.Rounding = "half-away",
-    lang: option.Lang = "de",
-    label: option.Label = "",
+    **sheet: Unpack[option.Sheet],
 ) -> Question:
     """Print the dead centres of a beam engine: angles μ and ν of the rod, their distance, the small paths.
 
@@ -286,8 +206,5 @@ def dead_centres_table(
         ratios=ratios_of(page, ratio),
         exact=exact,
         columns=as_names(columns, "mu,nu"),
-        digits=digits,
-        rounding=rounding,
-        lang=lang,
-        label=label,
+        **sheet,
     )

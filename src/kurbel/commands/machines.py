@@ -8,7 +8,9 @@ from fractions import Fraction
 from os import PathLike
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from kurbel.commands.cranks import cranks_of
 from kurbel.commands.options import is_given
+from kurbel.commands.parameters import Sheet
 from kurbel.errors import ProblemError
 from kurbel.page.layouts import Layout
 from kurbel.reading.given import (
@@ -66,6 +68,11 @@ class Masses(NamedTuple):
     reciprocating: Exact | None = None
     rod: GivenRod = GivenRod()
     rotating: Exact | None = None
+
+    @classmethod
+    def of(cls, given: Mapping[str, Any]) -> Masses:
+        rod = GivenRod(*(given[name] for name in GivenRod._fields))
+        return cls(given["reciprocating"], rod, given.get("rotating"))
 
     @property
     def first(self) -> str:
@@ -142,6 +149,10 @@ class GivenSteam(NamedTuple):
     single_acting: bool = False
     bore: Exact | None = None
     pressure: Exact | None = None
+
+    @classmethod
+    def of(cls, given: Mapping[str, Any]) -> GivenSteam:
+        return cls(*(given[name] for name in cls._fields))
 
     @property
     def carded(self) -> bool:
@@ -228,4 +239,15 @@ def engine_question(
         methods=tuple(dict.fromkeys(several)),
         load=steam.load,
         **rest,
+    )
+
+
+def engine_of(page: Layout, given: Mapping[str, Any], **rest: Any) -> EngineRequest:
+    """Return the same of the engines that options describe, by their names."""
+    steam = GivenSteam.of(given)
+    drives = cranks_of(page, given["ratio"], given["stroke"], given["rod"])
+    sheet = {name: given[name] for name in Sheet.__annotations__ if name in given}
+    cranks, methods = given.get("cranks"), given["method"]
+    return engine_question(
+        page, steam, Masses.of(given), drives, given["speed"], cranks, methods, **sheet, **rest
     )

@@ -2,14 +2,16 @@
 
     ratio: Annotated[Given | None, Option("Crank ratio: 1:5.", "R:L", short="-r", many=True)] = None
 
-The parameter gives the name, `--ratio`, the default and the place in the help.
+The parameter gives the name, `--ratio`, the default and the place in the help. Options that functions share
+are the keys of a TypedDict, and each function has them as `**given: Unpack[Shared]`: before its own keywords,
+or behind them if they are `last`. Their default is in the Option.
 """
 
 from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, get_args
 
 from kurbel.reading.choices import choose
 
@@ -61,7 +63,7 @@ class Option(NamedTuple):
 
     `unit` is that of bare numbers in Python; `many` options may be repeated. A positional one has no dashes.
     `environment` is a variable for all commands, beside that of the command's own option. What is `first` is
-    read before the others, which need it.
+    read before the others, which need it. `default` and `last` are for options that functions share.
     """
 
     help: str
@@ -73,6 +75,8 @@ class Option(NamedTuple):
     positional: bool = False
     environment: str = ""
     first: bool = False
+    default: Any = None
+    last: bool = False
 
 
 class Parameter(NamedTuple):
@@ -88,13 +92,37 @@ class Parameter(NamedTuple):
         return f"--{self.name.replace('_', '-')}"
 
 
-def parameters_of(function: Callable[..., Any]) -> Mapping[str, Parameter]:
+def signature_of(function: Callable[..., Any]) -> inspect.Signature:
+    """Return the signature of a function, with the options that it shares one by one."""
+    signature = inspect.signature(function)
+    own = [*signature.parameters.values()]
+    if own[-1].kind is not inspect.Parameter.VAR_KEYWORD:
+        return signature
+    (group,) = get_args(own.pop().annotation)
+    shared = [
+        inspect.Parameter(
+            name, inspect.Parameter.KEYWORD_ONLY, default=_option(kind).default, annotation=kind
+        )
+        for name, kind in group.__annotations__.items()
+    ]
+    keywords = sum(one.kind is inspect.Parameter.KEYWORD_ONLY for one in own)
+    place = len(own) - keywords
+    own[place:place] = [one for one in shared if not _option(one.annotation).last]
+    return signature.replace(parameters=[*own, *(one for one in shared if one not in own)])
+
+
+def _option(annotation: Any) -> Option:
+    (option,) = (one for one in annotation.__metadata__ if isinstance(one, Option))
+    return option
+
+
+def parameters_of(signature: inspect.Signature) -> Mapping[str, Parameter]:
     """Return the options of a function by its parameters' names, in their order."""
     found = {}
-    for name, one in inspect.signature(function).parameters.items():
-        (option,) = (each for each in one.annotation.__metadata__ if isinstance(each, Option))
+    for name, one in signature.parameters.items():
         required = one.default is one.empty
-        found[name] = Parameter(name.rstrip("_"), option, None if required else one.default, required)
+        default = None if required else one.default
+        found[name] = Parameter(name.rstrip("_"), _option(one.annotation), default, required)
     return found
 
 

@@ -2,9 +2,9 @@
 
 from collections.abc import Iterable
 from os import PathLike
-from typing import Annotated, TypeAlias
+from typing import Annotated, TypeAlias, TypedDict
 
-from kurbel.commands.options import FILE, FLAG, TEXT, Choice, Columns, Count, LayoutName, Option
+from kurbel.commands.options import FILE, FLAG, Choice, Columns, Count, LayoutName, Option
 from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS
 from kurbel.page.layouts import LANGUAGES
 from kurbel.reading.given import Exact
@@ -62,10 +62,8 @@ BACK = Option(
 )
 LANG = Option(
     "Language of headings and captions: de or en.", kind=Choice("language", lambda: LANGUAGES),
-    environment="KURBEL_LANG",
+    environment="KURBEL_LANG", default="de", last=True,
 )  # fmt: skip
-
-
 LAYOUTS = Option(
     "Folder with layouts of your own: DIR/<name>/layout.toml.", "DIR", FILE,
     environment="KURBEL_LAYOUTS", first=True,
@@ -139,7 +137,11 @@ OtherSide = Annotated[
 ]
 SingleActing = Annotated[
     bool,
-    Option("Steam works on the outstroke only; on the return both faces have the back pressure.", kind=FLAG),
+    Option(
+        "Steam works on the outstroke only; on the return both faces have the back pressure.",
+        kind=FLAG,
+        default=False,
+    ),
 ]
 Cranks = Annotated[
     Given | None,
@@ -156,7 +158,7 @@ EngineMethods = Annotated[
     Names | None,
     Option(
         "exact (default), series (first order) or weisbach (his equations of § 150).",
-        kind=Choice("method", _engine_methods), many=True,
+        kind=Choice("method", _engine_methods), many=True, default=(),
     ),
 ]  # fmt: skip
 Bore = Annotated[Exact | None, Option("Bore of the cylinder: 300mm.", "LENGTH", unit="m")]
@@ -210,16 +212,56 @@ Layouts = Annotated[Path | None, LAYOUTS]
 Lang = Annotated[str, LANG]
 Digits = Annotated[
     int | None,
-    Option(f"Decimals of every column, 0 to {MOST_DIGITS}.", "N", Count("digits", 0, MOST_DIGITS)),
+    Option(f"Decimals of every column, 0 to {MOST_DIGITS}.", "N", Count("digits", 0, MOST_DIGITS), last=True),
 ]
-Rounding = Annotated[str, Option("What becomes of a tie.", kind=Choice("rounding", lambda: ROUNDINGS))]
+Rounding = Annotated[
+    str,
+    Option(
+        "What becomes of a tie.", kind=Choice("rounding", lambda: ROUNDINGS), default="half-away", last=True
+    ),
+]
 Label = Annotated[
-    str, Option("Name for cross references: \\label{tab:NAME}; default: the layout's.", "NAME", TEXT)
+    str,
+    Option(
+        "Name for cross references: \\label{tab:NAME}; default: the layout's.", "NAME", default="", last=True
+    ),
 ]
 Decimal = Annotated[
     str | None,
     Option(
         "comma or point; default: by the language.", kind=Choice("decimal mark", lambda: ("comma", "point")),
-        environment="KURBEL_DECIMAL",
+        environment="KURBEL_DECIMAL", last=True,
     ),
 ]  # fmt: skip
+
+
+class Sheet(TypedDict, total=False):
+    """How a page is printed."""
+
+    digits: Digits
+    rounding: Rounding
+    lang: Lang
+    label: Label
+
+
+class Engine(Sheet, total=False):
+    """A steam engine, under which masses and at which cranks."""
+
+    ratio: EngineRatios
+    back: Back
+    exponent: Exponent
+    clearance: Clearance
+    card: Card
+    other_side: OtherSide
+    single_acting: SingleActing
+    cranks: Cranks
+    method: EngineMethods
+    reciprocating: Reciprocating
+    rod_mass: RodMass
+    centre: Centre
+    gyration: Gyration
+    rod_file: RodFile
+    stroke: Stroke2R
+    rod: Rod
+    bore: Bore
+    pressure: Pressure

@@ -8,7 +8,7 @@ from functools import wraps
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple, ParamSpec, Protocol, TypeVar, cast
 
-from kurbel.commands.options import Parameter, check_choices, described, is_given, parameters_of
+from kurbel.commands.options import Parameter, check_choices, described, is_given, parameters_of, signature_of
 from kurbel.errors import ProblemError
 
 if TYPE_CHECKING:
@@ -37,11 +37,17 @@ class Command(NamedTuple):
     """
 
     ask: Callable[..., Any]
+    signature: inspect.Signature
     parameters: Mapping[str, Parameter]
     foreign: Refusals
     needless: Refusals = _none
     machine: bool = True
     builder: str = ""
+
+    @classmethod
+    def of(cls, ask: Callable[..., Any], *about: Any) -> Command:
+        signature = signature_of(ask)
+        return cls(ask, signature, parameters_of(signature), *about)
 
     def built(self, question: Any) -> Page:
         """Return the table that was asked for."""
@@ -84,7 +90,7 @@ def makes_table(
     """Make of what returns a question a function that returns its table."""
 
     def decorate(ask: Callable[Words, Question]) -> Asking[Words, Question]:
-        command = Command(ask, parameters_of(ask), foreign, needless, machine, build)
+        command = Command.of(ask, foreign, needless, machine, build)
         question = _checked(command)
 
         @wraps(ask)
@@ -102,7 +108,7 @@ def draws(*, foreign: Refusals = _none) -> Callable[[Callable[Words, Drawn]], Dr
     """Check what a function is given that draws."""
 
     def decorate(ask: Callable[Words, Drawn]) -> Drawing[Words, Drawn]:
-        command = Command(ask, parameters_of(ask), foreign)
+        command = Command.of(ask, foreign)
         return cast("Drawing[Words, Drawn]", _documented(_checked(command), command))
 
     return decorate
@@ -113,7 +119,7 @@ def _checked(command: Command) -> Callable[..., Any]:
 
     @wraps(command.ask)
     def asked(*args: Any, **kwargs: Any) -> Any:
-        bound = inspect.signature(command.ask).bind(*args, **kwargs)
+        bound = command.signature.bind(*args, **kwargs)
         bound.apply_defaults()
         values = {command.parameters[name].name: value for name, value in bound.arguments.items()}
         check_choices(command.parameters.values(), values)
@@ -125,5 +131,5 @@ def _checked(command: Command) -> Callable[..., Any]:
 
 def _documented(function: Callable[..., Any], command: Command, **more: Any) -> Callable[..., Any]:
     function.__doc__ = described(command.ask.__doc__ or "", command.parameters)
-    vars(function).update(command=command, **more)
+    vars(function).update(command=command, __signature__=command.signature, **more)
     return function
