@@ -148,8 +148,8 @@ def interpreted(code: str, *arguments: str) -> subprocess.CompletedProcess[str]:
 RUN = "import sys\nsys.argv[0] = 'kurbel'\nfrom kurbel.cli import main\nmain()"
 
 
-# Modules about arrays and nothing else, which others import inside functions.
-ARRAYS = {
+# Modules about arrays or drawings and nothing else, which others import inside functions.
+ARRAYS = within("kurbel.plot", set(MODULES)) - {"kurbel.plot", "kurbel.plot.style", "kurbel.plot.ticks"} | {
     "kurbel.engine.card_curve",
     "kurbel.engine.card_force",
     "kurbel.engine.card_turn",

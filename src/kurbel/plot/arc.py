@@ -15,28 +15,7 @@ from kurbel.linkage.evaluation import dead_angle, value
 from kurbel.linkage.quantities import arc_registry
 from kurbel.motion.evaluation import OUT, RETURN
 from kurbel.plot.mechanism import LARGEST_RADIUS, LEFT, LONGEST_ROD
-from kurbel.plot.sketch import (
-    CHAIN,
-    DEAD_CENTRES,
-    Point,
-    Position,
-    Sketch,
-    arc,
-    beside_link,
-    beside_points,
-    crank_circle,
-    crank_dimensions,
-    dead_tick,
-    dimension,
-    joints,
-    laid_out,
-    light_links,
-    line,
-    pin_texts,
-    polar_point,
-    strong_links,
-    write,
-)
+from kurbel.plot.sketch import CHAIN, DEAD_CENTRES, Point, Position, Sketch, laid_out, pin_texts, polar_point
 from kurbel.plot.style import GREY, MEDIUM, WIDTH, arrowhead, style, text_of
 from kurbel.reading.notation import about
 
@@ -85,14 +64,14 @@ def arc_mechanism(crank: ArcCrank, angles: Sequence[float | Fraction], lang: str
         sketch = _laid_out(drive)
         _fixed_lines(sketch, drive)
         for one in positions[1:]:
-            light_links(sketch, (0, 0), one.pin, one.head, drive.pivot)
+            sketch.light_links((0, 0), one.pin, one.head, drive.pivot)
         _pivot_dimensions(sketch, drive)
         _position_dimensions(sketch, drive, positions[0])
         _strong(sketch, drive, positions[0])
         dead = [(drive.inner, DEAD_CENTRES["inner"][lang]), (drive.outer, DEAD_CENTRES["outer"][lang])]
         leader = LEADER * sketch.mm
         names = [(drive.beyond(one.head, leader), drive.away(one.head), name) for one, name in dead]
-        beside_points(sketch, [*names, *pin_texts([one.pin for one in positions], angles, mark)])
+        sketch.beside_points([*names, *pin_texts([one.pin for one in positions], angles, mark)])
     return sketch.figure
 
 
@@ -150,21 +129,21 @@ def _fixed_lines(sketch: Sketch, drive: _Drive) -> None:
     """Draw centre lines, the crank circle, the arc and the dead centres on both."""
     mm = sketch.mm
     beyond, (x, y) = 1 + 3.5 * mm, drive.pivot
-    line(sketch, (0, -beyond), (0, beyond), linestyle=CHAIN)
-    line(sketch, (-beyond, 0), (drive.high[0] + 4 * mm, 0), linestyle=CHAIN)
-    line(sketch, (x, y + sketch.side * 4 * mm), (x, _lowest(sketch, drive)), linestyle=CHAIN)
-    crank_circle(sketch)
+    sketch.line((0, -beyond), (0, beyond), linestyle=CHAIN)
+    sketch.line((-beyond, 0), (drive.high[0] + 4 * mm, 0), linestyle=CHAIN)
+    sketch.line((x, y + sketch.side * 4 * mm), (x, _lowest(sketch, drive)), linestyle=CHAIN)
+    sketch.crank_circle()
     turns = _swept(drive.pivot, drive.inner.head, drive.outer.head)
     more = math.degrees(OVERRUN * mm / drive.rocker)
     path = [
         polar_point(drive.pivot, drive.rocker, one) for one in (turns[0] - more, *turns, turns[-1] + more)
     ]
-    line(sketch, *path, color=GREY, linewidth=MEDIUM, zorder=2).set_gid("arc")
+    sketch.line(*path, color=GREY, linewidth=MEDIUM, zorder=2).set_gid("arc")
     for dead in (drive.inner, drive.outer):
-        dead_tick(sketch, dead.pin)
+        sketch.dead_tick(dead.pin)
         near, far, end = (drive.beyond(dead.head, way * mm) for way in (-1.6, 1.6, LEADER))
-        line(sketch, near, far, linewidth=MEDIUM, zorder=3)
-        line(sketch, far, end)
+        sketch.line(near, far, linewidth=MEDIUM, zorder=3)
+        sketch.line(far, end)
 
 
 def _lowest(sketch: Sketch, drive: _Drive) -> float:
@@ -178,20 +157,20 @@ def _pivot_dimensions(sketch: Sketch, drive: _Drive) -> None:
     mm, (x, y) = sketch.mm, drive.pivot
     level = _lowest(sketch, drive) - sketch.side * 2 * mm
     for place, start in ((0.0, -sketch.side * (1 + 4.5 * mm)), (x, _lowest(sketch, drive))):
-        line(sketch, (place, start), (place, level - sketch.side * mm))
-    dimension(sketch, (0, level), (x, level), "$D$")
+        sketch.line((place, start), (place, level - sketch.side * mm))
+    sketch.dimension((0, level), (x, level), "$D$")
     if abs(y) > 3 * mm:
         right = drive.high[0] + 8 * mm
         for height, start in ((0.0, right - 4 * mm), (y, x + 3 * mm)):
-            line(sketch, (start, height), (right + mm, height))
-        dimension(sketch, (right, 0), (right, y), "$H$")
+            sketch.line((start, height), (right + mm, height))
+        sketch.dimension((right, 0), (right, y), "$H$")
 
 
 def _position_dimensions(sketch: Sketch, drive: _Drive, one: Position) -> None:
     """Draw φ, θ, R, L, B and the path x along the arc."""
-    crank_dimensions(sketch, one.pin, one.angle % 360)
-    beside_link(sketch, one.pin, one.head, "$L$", 0.45, 1 if one.pin[1] >= one.head[1] else -1)
-    beside_link(sketch, drive.pivot, one.head, "$B$", 0.45, -1 if one.lean < 0 else 1)
+    sketch.crank_dimensions(one.pin, one.angle % 360)
+    sketch.beside_link(one.pin, one.head, "$L$", 0.45, 1 if one.pin[1] >= one.head[1] else -1)
+    sketch.beside_link(drive.pivot, one.head, "$B$", 0.45, -1 if one.lean < 0 else 1)
     _rocker_angle(sketch, drive, one)
     _path(sketch, drive, one)
 
@@ -203,8 +182,8 @@ def _rocker_angle(sketch: Sketch, drive: _Drive, one: Position) -> None:
     if abs(math.radians(one.lean)) * radius < 2 * mm:
         return
     first, last = sorted((square, square + one.lean))
-    arc(sketch, drive.pivot, radius, first, last, arrow=False)
-    write(sketch, polar_point(drive.pivot, radius + 2.6 * mm, (first + last) / 2), THETA, zorder=5)
+    sketch.arc(drive.pivot, radius, first, last, arrow=False)
+    sketch.write(polar_point(drive.pivot, radius + 2.6 * mm, (first + last) / 2), THETA, zorder=5)
 
 
 def _path(sketch: Sketch, drive: _Drive, one: Position) -> None:
@@ -215,15 +194,15 @@ def _path(sketch: Sketch, drive: _Drive, one: Position) -> None:
         return
     radius = drive.rocker + OUTWARD * mm
     points = [polar_point(drive.pivot, radius, turn) for turn in turns]
-    line(sketch, *points, zorder=4)
+    sketch.line(*points, zorder=4)
     for number, other in ((0, 1), (-1, -2)):
         tip, near = points[number], points[other]
         arrowhead(sketch.axes, tip, (tip[0] - near[0], tip[1] - near[1]), mm)
-    line(sketch, drive.beyond(one.head, 1.6 * mm), drive.beyond(one.head, (OUTWARD + 1) * mm), zorder=4)
-    write(sketch, points[len(points) // 2], "$x$")
+    sketch.line(drive.beyond(one.head, 1.6 * mm), drive.beyond(one.head, (OUTWARD + 1) * mm), zorder=4)
+    sketch.write(points[len(points) // 2], "$x$")
 
 
 def _strong(sketch: Sketch, drive: _Drive, one: Position) -> None:
     pivot = drive.pivot
-    strong_links(sketch, crank=((0, 0), one.pin), rod=(one.pin, one.head), rocker=(one.head, pivot))
-    joints(sketch, [(0, 0), pivot], [one.pin, one.head])
+    sketch.strong_links(crank=((0, 0), one.pin), rod=(one.pin, one.head), rocker=(one.head, pivot))
+    sketch.joints([(0, 0), pivot], [one.pin, one.head])

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+import numpy as np
+
 from kurbel.drive.crank import Crank
 from kurbel.exact.kind import floats
 from kurbel.exact.numerals import Label
@@ -87,8 +89,6 @@ def pin_force(request: Request) -> tuple[Vector, tuple[Label, Label], Label]:
 
 def _of_cranks(request: Any, angles: Sequence[float]) -> list[list[list[float]]]:
     """Return the values of every column for every crank."""
-    import numpy as np
-
     from kurbel.exact.bulk import evaluate
 
     columns, at = request.page_columns, np.asarray(angles)
@@ -98,8 +98,6 @@ def _of_cranks(request: Any, angles: Sequence[float]) -> list[list[list[float]]]
 
 def _of_linkages(request: Any, angles: Sequence[float]) -> list[list[list[float]]]:
     """Return the same for every arc crank, or for the parallel crank."""
-    import numpy as np
-
     from kurbel.linkage.evaluation import value
 
     at, kind = circle(np.asarray(angles)), floats()

@@ -16,21 +16,9 @@ from kurbel.plot.sketch import (
     LEAST_DIMENSION,
     Position,
     Sketch,
-    arc,
-    beside_link,
-    beside_points,
-    crank_circle,
-    crank_dimensions,
-    dead_tick,
-    dimension,
-    joints,
     laid_out,
-    light_links,
-    line,
     pin_texts,
     polar_point,
-    strong_links,
-    write,
 )
 from kurbel.plot.style import BLACK, GREY, MEDIUM, PALE, SMALL_TEXT, WIDTH, size_of, style, text_of
 
@@ -71,11 +59,11 @@ def mechanism(
         _lines_and_circle(sketch, drive)
         _guides(sketch, drive)
         for one in positions[1:]:
-            light_links(sketch, (0, 0), one.pin, one.head)
+            sketch.light_links((0, 0), one.pin, one.head)
         _dimensions_of_drive(sketch, drive, lang)
         _dimensions_of_position(sketch, drive, positions[0])
         _strong(sketch, positions[0])
-        beside_points(sketch, pin_texts([one.pin for one in positions], angles, mark))
+        sketch.beside_points(pin_texts([one.pin for one in positions], angles, mark))
     return sketch.figure
 
 
@@ -117,13 +105,13 @@ def _lines_and_circle(sketch: Sketch, drive: _Drive) -> None:
     mm = sketch.mm
     beyond = 1 + 3.5 * mm
     end = drive.inner.head[0] + (HEAD_LENGTH / 2 + OVERRUN + 2) * mm
-    line(sketch, (0, -beyond), (0, beyond), linestyle=CHAIN)
-    line(sketch, (-beyond, 0), (beyond if drive.offset else end, 0), linestyle=CHAIN)
+    sketch.line((0, -beyond), (0, beyond), linestyle=CHAIN)
+    sketch.line((-beyond, 0), (beyond if drive.offset else end, 0), linestyle=CHAIN)
     if drive.offset:
-        line(sketch, (-beyond, drive.offset), (end, drive.offset), linestyle=CHAIN)
-    crank_circle(sketch)
+        sketch.line((-beyond, drive.offset), (end, drive.offset), linestyle=CHAIN)
+    sketch.crank_circle()
     for dead in (drive.inner, drive.outer):
-        dead_tick(sketch, dead.pin)
+        sketch.dead_tick(dead.pin)
 
 
 def _guides(sketch: Sketch, drive: _Drive) -> None:
@@ -134,11 +122,11 @@ def _guides(sketch: Sketch, drive: _Drive) -> None:
     count = int((end - start) / (1.5 * mm))
     for side in (-1, 1):
         y = drive.offset + side * HEAD_HEIGHT / 2 * mm
-        line(sketch, (start, y), (end, y), linewidth=MEDIUM, zorder=2)
+        sketch.line((start, y), (end, y), linewidth=MEDIUM, zorder=2)
         for number in range(count):
             x = start + (number + 0.9) * (end - start) / count
             across = (x - 1.1 * mm, y + 1.1 * mm) if side > 0 else (x - 1.1 * mm, y - 1.1 * mm)
-            line(sketch, (x, y), across, color=GREY, zorder=1)
+            sketch.line((x, y), across, color=GREY, zorder=1)
 
 
 def _strong(sketch: Sketch, one: Position) -> None:
@@ -149,8 +137,8 @@ def _strong(sketch: Sketch, one: Position) -> None:
     box = Rectangle(corner, HEAD_LENGTH * mm, HEAD_HEIGHT * mm, zorder=5)
     box.set(facecolor=PALE, edgecolor=BLACK, linewidth=MEDIUM)
     sketch.axes.add_patch(box)
-    strong_links(sketch, crank=((0, 0), one.pin), rod=(one.pin, one.head))
-    joints(sketch, [(0, 0)], [one.pin, one.head])
+    sketch.strong_links(crank=((0, 0), one.pin), rod=(one.pin, one.head))
+    sketch.joints([(0, 0)], [one.pin, one.head])
 
 
 def _dimensions_of_drive(sketch: Sketch, drive: _Drive, lang: str) -> None:
@@ -158,36 +146,36 @@ def _dimensions_of_drive(sketch: Sketch, drive: _Drive, lang: str) -> None:
     mm, side = sketch.mm, sketch.side
     level = _level(sketch, drive, 2)
     inner, outer = drive.inner.head[0], drive.outer.head[0]
-    dimension(sketch, (outer, level), (inner, level), "$S$")
+    sketch.dimension((outer, level), (inner, level), "$S$")
     names = [
         (inner, DEAD_CENTRES["inner"][lang], "left", 1),
         (outer, DEAD_CENTRES["outer"][lang], "right", -1),
     ]
     widest = max(size_of(name, SMALL_TEXT)[0] for _, name, _, _ in names) + 2
     for x, name, towards, way in names:
-        line(sketch, (x, drive.offset - side * 1.2 * mm), (x, level + side * 1 * mm), zorder=4)
+        sketch.line((x, drive.offset - side * 1.2 * mm), (x, level + side * 1 * mm), zorder=4)
         look: dict[str, Any] = {}
         if inner - outer < widest * mm:
             x, look = (inner + outer) / 2 + way * mm, {"ha": towards}
-        write(sketch, (x, level + side * 3.2 * mm), name, fontsize=SMALL_TEXT, **look)
+        sketch.write((x, level + side * 3.2 * mm), name, fontsize=SMALL_TEXT, **look)
     if drive.offset:
         x = -1 - 6 * mm
         for y in (0.0, drive.offset):
-            line(sketch, (x - 1 * mm, y), (-1 - 3 * mm, y))
-        dimension(sketch, (x, 0), (x, drive.offset), "$e$")
+            sketch.line((x - 1 * mm, y), (-1 - 3 * mm, y))
+        sketch.dimension((x, 0), (x, drive.offset), "$e$")
 
 
 def _dimensions_of_position(sketch: Sketch, drive: _Drive, one: Position) -> None:
     """Draw φ, ψ, R, L and the piston path x."""
     mm = sketch.mm
     # The rod is at the right of the crank, its label at the left.
-    crank_dimensions(sketch, one.pin, one.angle % 360)
-    beside_link(sketch, one.pin, one.head, "$L$", 0.4, 1 if sketch.side < 0 else -1)
+    sketch.crank_dimensions(one.pin, one.angle % 360)
+    sketch.beside_link(one.pin, one.head, "$L$", 0.4, 1 if sketch.side < 0 else -1)
     _rod_angle(sketch, drive, one)
     level, start = _level(sketch, drive, 1), drive.inner.head[0]
     if (start - one.head[0]) / mm > LEAST_DIMENSION:
-        line(sketch, one.head, (one.head[0], level + sketch.side * mm), zorder=4)
-        dimension(sketch, (start, level), (one.head[0], level), "$x$")
+        sketch.line(one.head, (one.head[0], level + sketch.side * mm), zorder=4)
+        sketch.dimension((start, level), (one.head[0], level), "$x$")
 
 
 def _level(sketch: Sketch, drive: _Drive, row: int) -> float:
@@ -202,9 +190,9 @@ def _rod_angle(sketch: Sketch, drive: _Drive, one: Position) -> None:
     radius = min(max(one.head[0] - start, 16 * mm), 0.7 / drive.ratio)
     if abs(math.radians(turn)) * radius < 1.2 * mm:
         return
-    arc(sketch, one.head, radius, 180 - max(turn, 0), 180 - min(turn, 0), arrow=False)
+    sketch.arc(one.head, radius, 180 - max(turn, 0), 180 - min(turn, 0), arrow=False)
     place = polar_point(one.head, radius + 2.3 * mm, 180 - turn / 2)
     if abs(math.radians(turn)) * (radius + 2.3 * mm) < 3.6 * mm:
         place = (one.head[0] - radius, one.head[1] + sketch.side * 2.6 * mm)
     # The rod passes over the background of the letter, which would cut it.
-    write(sketch, place, PSI, zorder=5)
+    sketch.write(place, PSI, zorder=5)

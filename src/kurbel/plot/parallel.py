@@ -7,22 +7,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from kurbel.kernel.circle import circle
-from kurbel.plot.sketch import (
-    CHAIN,
-    Point,
-    Sketch,
-    beside_link,
-    beside_points,
-    crank_circle,
-    crank_dimensions,
-    dimension,
-    joints,
-    laid_out,
-    light_links,
-    line,
-    pin_texts,
-    strong_links,
-)
+from kurbel.plot.sketch import CHAIN, Point, Sketch, laid_out, pin_texts
 from kurbel.plot.style import WIDTH, style
 
 if TYPE_CHECKING:
@@ -45,10 +30,10 @@ def parallel_mechanism(angles: Sequence[float | Fraction], mark: str) -> Figure:
         sketch = _laid_out()
         _fixed_lines(sketch)
         for pin in pins[1:]:
-            light_links(sketch, (0, 0), pin, _second(pin), (SHAFTS, 0))
+            sketch.light_links((0, 0), pin, _second(pin), (SHAFTS, 0))
         _dimensions(sketch, pins[0], float(angles[0]) % 360)
         _strong(sketch, pins[0])
-        beside_points(sketch, pin_texts(pins, angles, mark))
+        sketch.beside_points(pin_texts(pins, angles, mark))
     return sketch.figure
 
 
@@ -71,26 +56,26 @@ def _laid_out() -> Sketch:
 
 def _fixed_lines(sketch: Sketch) -> None:
     beyond = 1 + 3.5 * sketch.mm
-    line(sketch, (-beyond, 0), (SHAFTS + beyond, 0), linestyle=CHAIN)
+    sketch.line((-beyond, 0), (SHAFTS + beyond, 0), linestyle=CHAIN)
     for x in (0.0, SHAFTS):
-        line(sketch, (x, -beyond), (x, beyond), linestyle=CHAIN)
-        crank_circle(sketch, (x, 0))
+        sketch.line((x, -beyond), (x, beyond), linestyle=CHAIN)
+        sketch.crank_circle((x, 0))
 
 
 def _dimensions(sketch: Sketch, pin: Point, turn: float) -> None:
     """Draw φ, R of both cranks, L of the rod, which is as long as the shafts are apart."""
     mm = sketch.mm
-    crank_dimensions(sketch, pin, turn)
+    sketch.crank_dimensions(pin, turn)
     side = 1 if pin[1] >= 0 else -1
-    beside_link(sketch, (SHAFTS, 0), _second(pin), "$R$", 0.68, side)
-    beside_link(sketch, pin, _second(pin), "$L$", 0.5, side)
+    sketch.beside_link((SHAFTS, 0), _second(pin), "$R$", 0.68, side)
+    sketch.beside_link(pin, _second(pin), "$L$", 0.5, side)
     level = -1 - (ABOVE + 4) * mm
     for x in (0.0, SHAFTS):
-        line(sketch, (x, -1 - 4.5 * mm), (x, level - mm))
-    dimension(sketch, (0, level), (SHAFTS, level), "$L$")
+        sketch.line((x, -1 - 4.5 * mm), (x, level - mm))
+    sketch.dimension((0, level), (SHAFTS, level), "$L$")
 
 
 def _strong(sketch: Sketch, pin: Point) -> None:
     second = _second(pin)
-    strong_links(sketch, crank=((0, 0), pin), second_crank=((SHAFTS, 0), second), rod=(pin, second))
-    joints(sketch, [(0, 0), (SHAFTS, 0)], [pin, second])
+    sketch.strong_links(crank=((0, 0), pin), second_crank=((SHAFTS, 0), second), rod=(pin, second))
+    sketch.joints([(0, 0), (SHAFTS, 0)], [pin, second])

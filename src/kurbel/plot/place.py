@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
+from typing import NamedTuple, TypeAlias
 
-if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
+import numpy as np
+from numpy.typing import NDArray
 
-    Points: TypeAlias = NDArray[np.float64]
-else:
-    Points = Any
+Points: TypeAlias = NDArray[np.float64]
 
 # Left, bottom, right, top.
 Box: TypeAlias = tuple[float, float, float, float]
@@ -35,8 +32,6 @@ DIRECTIONS, DISTANCES = 32, (0.0, 0.8, 1.6, 3.0)
 
 def densely(points: Points, spacing: float = 0.5) -> Points:
     """Return points on the line through the given ones, about so far apart; gaps (NaN) are left out."""
-    import numpy as np
-
     pieces = [np.empty((0, 2))]
     for start, end in pairwise(points):
         length = float(np.hypot(*(end - start)))
@@ -51,8 +46,6 @@ def densely(points: Points, spacing: float = 0.5) -> Points:
 
 def beside(line: Points, size: tuple[float, float]) -> Points:
     """Return the centres of a box of this size that touches a line, at both sides of every point."""
-    import numpy as np
-
     slope = np.gradient(line, axis=0)
     length = np.hypot(*slope.T)[:, None]
     normal = np.stack((-slope[:, 1], slope[:, 0]), axis=1) / np.where(length, length, 1)
@@ -64,8 +57,6 @@ def around(point: Points, size: tuple[float, float], outward: Points) -> Points:
 
     They begin in the direction outward and go on to both sides of it.
     """
-    import numpy as np
-
     step = 2 * np.pi / DIRECTIONS
     turns = np.arange(DIRECTIONS) * step * np.resize((1, -1), DIRECTIONS)
     angles = np.arctan2(outward[1], outward[0]) + np.cumsum(turns)
@@ -75,8 +66,6 @@ def around(point: Points, size: tuple[float, float], outward: Points) -> Points:
 
 def _reach(direction: Points, size: tuple[float, float]) -> Points:
     """Return how far the centre of a box must be from a line square to the direction."""
-    import numpy as np
-
     return np.asarray((np.abs(direction) @ np.asarray(size) / 2 + GAP)[..., None])
 
 
@@ -87,8 +76,6 @@ def freest(
 
     own is the line to which the label belongs: it may be near, but not within the box.
     """
-    import numpy as np
-
     half = np.asarray(size) / 2
     edges = np.minimum(centres - half - np.asarray(frame[:2]), np.asarray(frame[2:]) - centres - half)
     clear = np.minimum(edges.min(axis=1), _distances(centres, half, others))
@@ -101,16 +88,12 @@ def freest(
 
 def _distances(centres: Points, half: Points, points: Points) -> Points:
     """Return how far the nearest of the points is from each box."""
-    import numpy as np
-
     away = np.maximum(np.abs(centres[:, None] - points[None]) - half, 0)
     return np.asarray(np.hypot(away[..., 0], away[..., 1]).min(axis=1, initial=np.inf))
 
 
 def box_points(centre: Points, size: tuple[float, float], spacing: float = 1.0) -> Points:
     """Return points all over a box, about so close together, which then is taken."""
-    import numpy as np
-
     across, up = (np.linspace(-side / 2, side / 2, 2 + int(side / spacing)) for side in size)
     grid = np.stack(np.meshgrid(across, up), axis=-1).reshape(-1, 2)
     return np.asarray(centre + grid)

@@ -8,6 +8,8 @@ from collections.abc import Sequence
 from itertools import chain, pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
+import numpy as np
+
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
 from kurbel.page.axes import PHI
@@ -191,8 +193,6 @@ def _with_legend(plan: _Plan) -> _Plan:
 
 def _places(plan: _Plan) -> Sequence[Points] | None:
     """Return where labels beside the curves have room, or None unless all have."""
-    import numpy as np
-
     lines = [densely(_on_paper(_broken(curve), plan)) for curve in plan.panel.curves]
     zero = Curve("", plan.span, (0, 0))
     labels = [densely(_on_paper(one, plan)) for one in (zero, *map(_jumps, plan.panel.curves))]
@@ -210,8 +210,6 @@ def _places(plan: _Plan) -> Sequence[Points] | None:
 
 def _on_paper(curve: Curve, plan: _Plan) -> Points:
     """Return the points of a curve in mm from the panel's lower left corner."""
-    import numpy as np
-
     points = np.stack((np.asarray(curve.angles, float), np.asarray(_with_gaps(curve.values))), axis=1)
     low, high = (np.asarray(ends) for ends in zip(plan.span, plan.limits, strict=True))
     return np.asarray((points - low) / (high - low) * (PANEL_WIDTH, plan.height))

@@ -8,6 +8,8 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
+import numpy as np
+
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
 from kurbel.plot.place import AROUND, Box, Points, around, box_points, densely, freest
@@ -73,8 +75,6 @@ class _Piece(NamedTuple):
 
     def at(self, angle: float) -> Points:
         """Return the head at an angle; between two given ones, on the line between their heads."""
-        import numpy as np
-
         return np.asarray([np.interp(angle, self.angles, component) for component in self.path.T])
 
 
@@ -89,8 +89,6 @@ class _Plan(NamedTuple):
     above: float = ABOVE
 
     def on_paper(self, points: Points) -> Points:
-        import numpy as np
-
         return np.asarray((points - np.asarray(self.frame[:2])) * self.scale)
 
     def size(self) -> tuple[float, float]:
@@ -107,8 +105,6 @@ def polar(
     the curve points where the angle rises. Where the force jumps the curve ends and begins anew; a dashed
     chord leads from the one end to the other. Raises ProblemError if no vector is finite.
     """
-    import numpy as np
-
     with style():
         path = np.stack((np.asarray(vector.across, float), np.asarray(vector.up, float)), axis=1)
         path[~np.isfinite(path).all(axis=1)] = np.nan
@@ -132,15 +128,11 @@ def polar(
 
 def _pieces(angles: Points, path: Points) -> list[_Piece]:
     """Return what lies between two jumps."""
-    import numpy as np
-
     jumps = np.flatnonzero(np.diff(angles) == 0) + 1
     return [_Piece(*one) for one in zip(np.split(angles, jumps), np.split(path, jumps), strict=True)]
 
 
 def _plan(path: Points) -> _Plan:
-    import numpy as np
-
     finite = path[np.isfinite(path[:, 0])]
     if not finite.any():
         raise ProblemError("the force is nowhere finite and other than 0, so nothing can be drawn")
@@ -205,16 +197,12 @@ def _curve(axes: Axes, pieces: Sequence[_Piece]) -> None:
 
 
 def _with_gaps(paths: Sequence[Points]) -> Points:
-    import numpy as np
-
     gap = np.full((1, 2), np.nan)
     return np.concatenate([row for path in paths for row in (gap, path)][1:])
 
 
 def _chords(axes: Axes, plan: _Plan, pieces: Sequence[_Piece]) -> list[Points]:
     """Draw what the force leaps over: between two pieces, and after a whole turn back to its beginning."""
-    import numpy as np
-
     ends = list(pairwise(pieces))
     if (pieces[-1].angles[-1] - pieces[0].angles[0]) % 360 == 0:
         ends.append((pieces[-1], pieces[0]))
@@ -235,8 +223,6 @@ def _chords(axes: Axes, plan: _Plan, pieces: Sequence[_Piece]) -> list[Points]:
 
 def _marks(axes: Axes, plan: _Plan, pieces: Sequence[_Piece], chords: Sequence[Points]) -> None:
     """Draw the vectors at every 30° and write their angles where there is room."""
-    import numpy as np
-
     heads = _heads(pieces)
     for _, head in heads:
         axes.plot((0, head[0]), (0, head[1]), color=GREY, linewidth=THIN, zorder=3)
@@ -252,8 +238,6 @@ def _marks(axes: Axes, plan: _Plan, pieces: Sequence[_Piece], chords: Sequence[P
 
 def _mark(axes: Axes, plan: _Plan, text: str, head: Points, line: Points, taken: Sequence[Points]) -> Points:
     """Write the angle beside its mark, at best outward, and return the points that it takes."""
-    import numpy as np
-
     size, at = size_of(text, SMALL_TEXT), plan.on_paper(head)
     others = np.concatenate(taken)
     # Its own vector ends at the mark and may touch the label.
@@ -268,8 +252,6 @@ def _mark(axes: Axes, plan: _Plan, text: str, head: Points, line: Points, taken:
 
 def _heads(pieces: Sequence[_Piece]) -> list[tuple[int, Points]]:
     """Return the vectors at every 30°, two where the force jumps, none of no length."""
-    import numpy as np
-
     heads = [(angle, piece.at(angle)) for piece in pieces for angle in _marked(piece)]
     if len(heads) > 1 and _same(heads[0][1], heads[-1][1]):
         del heads[-1]
@@ -283,15 +265,11 @@ def _marked(piece: _Piece) -> list[int]:
 
 
 def _same(one: Points, other: Points) -> bool:
-    import numpy as np
-
     return float(np.hypot(*(one - other))) <= NOTHING * float(np.hypot(*one))
 
 
 def _arrow(axes: Axes, plan: _Plan, pieces: Sequence[_Piece]) -> None:
     """Draw an arrow on the longest piece between two marks, pointing where the angle rises."""
-    import numpy as np
-
     half = MARK_STEP / 2
     stretches = [
         [piece.at(middle + way) for way in (-half, 0, 0.5)]
