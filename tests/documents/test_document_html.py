@@ -16,7 +16,7 @@ from tools import require
 
 import kurbel
 from kurbel.documents.document import Chapter, Document, Item
-from kurbel.documents.prose import parse_prose
+from kurbel.documents.markdown import parse_prose
 from kurbel.errors import ChoiceError
 from kurbel.formats.documents import document_files
 from kurbel.formats.html.document import NAME, css_string

@@ -14,7 +14,7 @@ from tex import compiled, complaints
 from tools import require
 
 from kurbel.documents.document import Chapter, Document, Item
-from kurbel.documents.prose import parse_prose
+from kurbel.documents.markdown import parse_prose
 from kurbel.errors import TexError
 from kurbel.exact.numerals import Number
 from kurbel.formats.documents import document_files

@@ -13,7 +13,7 @@ from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
 from kurbel.documents.document import Chapter, Document, Item
-from kurbel.documents.prose import parse_prose
+from kurbel.documents.markdown import parse_prose
 from kurbel.errors import ChoiceError
 from kurbel.formats.documents import document_files
 from kurbel.formats.page import page
@@ -126,7 +126,7 @@ def test_every_cell_is_the_tables() -> None:
     found = {tuple(row) for row in rows}
     form = page_format("text")
     for name in ("weg", "path", "feinweg", "delta"):
-        ready = page(table(name), form, form.decimal_mark(table(name).lang))
+        ready = page(table(name), form.writer, form.decimal_mark(table(name).lang))
         for panel in ready.panels:
             for group in panel.groups:
                 for row in group.rows:

@@ -19,8 +19,8 @@ from tools import require, require_library
 
 import kurbel
 from kurbel.documents.document import Chapter, Document, Item
-from kurbel.documents.prose import Heading, Listing, Paragraph, Quote, Text, parse_prose
-from kurbel.documents.prose_levels import stepwise
+from kurbel.documents.markdown import parse_prose
+from kurbel.documents.prose import Heading, Listing, Paragraph, Quote, Text, stepwise
 from kurbel.formats.documents import document_files
 from kurbel.formats.pdf.by_typst import Standard, compile_typst
 from kurbel.formats.render import render

@@ -11,6 +11,7 @@ from markdown_it import MarkdownIt
 from places import ROOT
 from prose_sample import SAMPLE, TEXTS, Parts, parsed, shown
 
+from kurbel.documents.markdown import parse_prose
 from kurbel.documents.prose import (
     Blocks,
     Break,
@@ -28,7 +29,6 @@ from kurbel.documents.prose import (
     Rule,
     Strong,
     Text,
-    parse_prose,
 )
 from kurbel.errors import ChoiceError, ProseError
 from kurbel.formats.printer import set_prose

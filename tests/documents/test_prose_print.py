@@ -12,7 +12,7 @@ from prose_sample import SAMPLE, Parts, parsed, shown
 from tex import compiled, complaints, each_engine
 from tools import require, require_library
 
-from kurbel.documents.prose import parse_prose
+from kurbel.documents.markdown import parse_prose
 from kurbel.formats.printer import set_prose
 from kurbel.formats.registry import page_format
 

@@ -13,8 +13,7 @@ from cli import printed
 
 import kurbel.formats
 from kurbel.errors import ChoiceError
-from kurbel.formats.format import PageFormat
-from kurbel.formats.registry import FORMATS, by_name, for_suffix
+from kurbel.formats.registry import FORMATS, PageFormat, by_name, for_suffix
 
 
 def test_every_format_is_found_by_each_of_its_suffixes() -> None:
@@ -75,8 +74,7 @@ OTHERS = {
     "cli.handbook": {"text"},
     "commands.shown": {"html", "latex", "markdown"},
     "documents.document": {"text"},
-    "documents.markdown_it": {"html"},
-    "documents.prose": {"text"},
+    "documents.markdown": {"html", "text"},
     "formats.documents": {"text"},
     # What is printed where nobody asks for a format.
     "formats.registry": {"text"},
@@ -127,28 +125,23 @@ def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]
     """A folder of formats with one, `tabs`."""
     (tmp_path / "tabs" / "templates").mkdir(parents=True)
     (tmp_path / "tabs" / "__init__.py").write_text(TABS)
+    (tmp_path / "tabs" / "writer.py").write_text(WRITER)
     (tmp_path / "tabs" / "templates" / "tabs.jinja").write_text(
         "{% for group in page.panels[0].groups %}{% for row in group.rows %}\n"
         "{{ row|map(attribute='text')|join('\\t') }}\n{% endfor %}{% endfor %}"
     )
     monkeypatch.setattr(kurbel.formats, "__path__", [*kurbel.formats.__path__, str(tmp_path)])
     yield
-    sys.modules.pop("kurbel.formats.tabs", None)
+    for name in ("tabs", "tabs.writer"):
+        sys.modules.pop(f"kurbel.formats.{name}", None)
 
 
 TABS = """
-from kurbel.formats.format import PageFormat
+from kurbel.formats.registry import PageFormat
 
-
-class Tabs(PageFormat):
-    name = "tabs"
-    rank = 15
-    suffixes = (".tab",)
-    media = "rows"
-
-
-FORMAT = Tabs()
+FORMAT = PageFormat(name="tabs", rank=15, suffixes=(".tab",), media="rows")
 """
+WRITER = "from kurbel.formats.writer import PageWriter as Writer\n"
 
 
 @pytest.mark.usefixtures("elsewhere")

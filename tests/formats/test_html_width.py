@@ -9,7 +9,8 @@ from browser import Viewer
 from pages import default_page
 
 from kurbel.documents.document import Chapter, Document, Item
-from kurbel.formats.html.document import NAME, files
+from kurbel.formats.documents import document_files
+from kurbel.formats.html.document import NAME
 from kurbel.formats.html.width import width_in_ems
 from kurbel.formats.render import render
 from kurbel.page.layouts import layout_names
@@ -59,7 +60,7 @@ def test_no_layout_is_wider_than_the_paper_or_smaller_than_one_can_read(viewer: 
     chapters = (Chapter("Alle", "alle", 1, tuple(items)),)
     tables = {name: replace(default_page(name), key=name, layout=name) for name in names}
     fragments = {name: render(table, "html") for name, table in tables.items()}
-    page = files(Document("Tafeln", "de", "comma", chapters), fragments)[NAME]
+    page = document_files(Document("Tafeln", "de", "comma", chapters), "html", fragments)[NAME]
     viewer.open(page, TYPE_AREA, media="print")
     assert viewer.page.locator("table").count() >= len(names) > 20
     assert viewer.page.evaluate(OUTSIDE) == []

@@ -21,8 +21,8 @@ from pages import command
 from kurbel.books.source import source_tables
 from kurbel.exact.numerals import Number
 from kurbel.examples.source import numbers_of, source_keys
-from kurbel.formats.csv.rows import csv_rows
-from kurbel.formats.json.rows import json_rows
+from kurbel.formats.csv.writer import Writer as CsvWriter
+from kurbel.formats.json.writer import Writer as JsonWriter
 from kurbel.formats.render import render
 from kurbel.page.labels import plain
 from kurbel.page.layouts import layout_names
@@ -122,7 +122,8 @@ def test_no_text_in_csv_is_a_formula(text: str, decimal: str) -> None:
 
 def cell_of_csv(text: str, decimal: str = "point") -> str:
     records = Records((Field("remark", "Bemerkung"), Field("x", "Weg")), ((text, Number(-5, 1)),))
-    lines = io.StringIO("".join(csv_rows(records, decimal)), newline="")
+    table = Table("t", "de", "", (), records)
+    lines = io.StringIO("".join(CsvWriter().rows(table, decimal)), newline="")
     cell, number = list(csv.reader(lines, delimiter=";" if decimal == "comma" else ","))[1]
     # A number is never changed.
     assert number == {"comma": "-0,5", "point": "-0.5"}[decimal]
@@ -165,7 +166,7 @@ def test_lines_of_an_example_begin_with_an_apostrophe_where_they_begin_with_an_e
 
 def test_records_are_streamed() -> None:
     table = endless()
-    assert list(islice(csv_rows(table.records), 3)) == ["x\n", "0.1\n", "0.2\n"]
+    assert list(islice(CsvWriter().rows(table, "point"), 3)) == ["x\n", "0.1\n", "0.2\n"]
     assert isinstance(table.records.rows, Endless)
     assert table.records.rows.asked == 2
-    assert '{"x": 0.3},\n{"x": 0.4}' in "".join(islice(json_rows(table), 20))
+    assert '{"x": 0.3},\n{"x": 0.4}' in "".join(islice(JsonWriter().rows(table, "point"), 20))

@@ -269,7 +269,7 @@ def test_ditto_at_the_start_of_a_group_begins_anew() -> None:
     rows = (Row((Cell("a"),), (n(1),)), Row((Cell(DITTO),), (n(2),)))
     panel = Panel((Column("s", ("S",)),), (Column("x", ("x",)),), tuple(Group((row,)) for row in rows))
     table = replace(table_of(()), panels=(panel,))
-    stubs = [group.rows[0][0] for group in page(table, page_format("text"), ",").panels[0].groups]
+    stubs = [group.rows[0][0] for group in page(table, page_format("text").writer, ",").panels[0].groups]
     assert [(cell.text, cell.down) for cell in stubs] == [("a", 1), ("a", 1)]
 
 
@@ -279,7 +279,7 @@ def test_columns_of_figures_are_right_and_columns_of_words_left() -> None:
         Row((), (n(1), Cell("2°30'"), Cell("$1:5$"), Cell(None))),
         Row((), (Cell(None), Cell("15 %"), n(1), Cell(None))),
     )
-    (panel,) = page(table_of(columns, *rows), page_format("text"), ",").panels
+    (panel,) = page(table_of(columns, *rows), page_format("text").writer, ",").panels
     assert [column.align for column in panel.columns] == ["right", "right", "left", "right"]
 
 
@@ -289,5 +289,5 @@ def test_only_neighbours_under_the_same_outer_spanner_share_an_inner_one() -> No
         Column("b", ("b",), ("B", "x")),
         Column("c", ("c",), ("B", "x")),
     )
-    (panel,) = page(table_of(columns, Row((), (n(1), n(2), n(3)))), page_format("text"), ",").panels
+    (panel,) = page(table_of(columns, Row((), (n(1), n(2), n(3)))), page_format("text").writer, ",").panels
     assert [[(cell.first, cell.last) for cell in row] for row in panel.spanners] == [[(0, 0), (1, 2)]] * 2

@@ -25,14 +25,14 @@ from prose_sample import SAMPLE, TEXTS, Parts, parsed, shown
 from readers import model_cells
 
 from kurbel.documents.document import Chapter, Document, Item
-from kurbel.documents.prose import parse_prose
+from kurbel.documents.markdown import parse_prose
 from kurbel.formats.documents import document_files
 from kurbel.formats.page import head_rows
 from kurbel.formats.printer import set_prose
 from kurbel.formats.registry import page_format
 from kurbel.formats.render import render
-from kurbel.formats.rst.escapes import escape, finish, role
 from kurbel.formats.rst.grid import GridCell, grid_lines
+from kurbel.formats.rst.writer import escape, finish, role
 from kurbel.page.labels import plain
 from kurbel.page.layouts import LANGUAGES, layout_names
 

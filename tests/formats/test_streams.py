@@ -11,8 +11,7 @@ from cli import printed
 
 from kurbel.drive.crank import Crank
 from kurbel.formats import streams
-from kurbel.formats.format import RecordsFormat
-from kurbel.formats.registry import by_name
+from kurbel.formats.registry import RecordsFormat, by_name
 from kurbel.motion import digits, rows
 from kurbel.motion.question import Request
 from kurbel.page import axes

@@ -18,14 +18,15 @@ from tools import require_library
 
 from kurbel.errors import LayoutError
 from kurbel.formats.render import render
-from kurbel.formats.typst.escapes import escape as escape_typst
-from kurbel.formats.typst.escapes import note_mark as mark_typst
-from kurbel.formats.typst.escapes import string as string_typst
-from kurbel.formats.typst.formula import equation as formula_typst
+from kurbel.formats.typst.writer import Writer
+from kurbel.formats.typst.writer import escape as escape_typst
+from kurbel.formats.typst.writer import string as string_typst
 from kurbel.page.formula import Formula
 from kurbel.page.labels import formula_plain, parse
 
 require_library("typst")
+
+WRITER = Writer()
 
 HEAD = (
     '#set text(font: "Libertinus Serif")\n#show math.equation: set text(font: "New Computer Modern Math")\n'
@@ -95,7 +96,7 @@ def test_no_prose_is_obeyed(texts: list[str]) -> None:
 @given(st.lists(_PROSE, min_size=1, max_size=20))
 def test_no_prose_is_obeyed_beside_marks_and_formulas(texts: list[str]) -> None:
     prose = [re.sub(r"[ \u2028\u2029]+", " ", text) for text in texts]
-    before, after = mark_typst("a"), formula_typst(formula("x"))
+    before, after = WRITER.note_mark("a"), WRITER.formula(formula("x"))
     pieces = [f"{before}{escape_typst(one)}{after}" for one in prose]
     contents = queried("".join(f"#metadata([{piece}]) <found>\n" for piece in pieces))
     for one, content in zip(prose, contents, strict=True):
@@ -133,7 +134,7 @@ def formula(source: str) -> Formula:
 )
 def test_formula_in_typst(source: str, typst: str) -> None:
     alternative = string_typst(formula_plain(formula(source), ","))
-    assert formula_typst(formula(source), ",") == f"#math.equation(alt: {alternative}, ${typst}$);"
+    assert WRITER.formula(formula(source), ",") == f"#math.equation(alt: {alternative}, ${typst}$);"
 
 
 _PIECES = st.sampled_from(
@@ -145,7 +146,7 @@ _PIECES = st.sampled_from(
 @given(st.lists(st.lists(_PIECES, min_size=1, max_size=8).map("".join), min_size=10))
 def test_any_formula_is_understood_and_has_its_text(sources: list[str]) -> None:
     formulas = list(understood(sources))
-    document = "\n".join(formula_typst(one, ",", display) for one in formulas for display in (False, True))
+    document = "\n".join(WRITER.formula(one, ",", display) for one in formulas for display in (False, True))
     texts = [formula_plain(one, ",") for one in formulas]
     assert queried(document, "math.equation", "alt") == [text for text in texts for _ in range(2)]
 

@@ -7,8 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kurbel.errors import LayoutError
-from kurbel.formats.format import PageFormat
-from kurbel.formats.registry import FORMATS, page_format
+from kurbel.formats.registry import FORMATS, PageFormat, page_format
 from kurbel.page.formula import Formula
 from kurbel.page.labels import Mark, Prose, formula_plain, mark_text, parse, plain
 
@@ -74,18 +73,20 @@ def test_formula_in_one_line_of_text(source: str, text: str) -> None:
     ],
 )
 def test_formula_in_latex(source: str, latex: str) -> None:
-    assert page_format("latex").formula(formula(source), ",") == f"${latex}$"
+    assert page_format("latex").writer.formula(formula(source), ",") == f"${latex}$"
 
 
 def test_only_a_formula_with_a_bar_needs_height_of_its_own() -> None:
-    assert "displaystyle" not in page_format("latex").formula(formula("x/R"), display=True)
-    assert "displaystyle" not in page_format("html").formula(formula("x/R"), display=True)
+    assert "displaystyle" not in page_format("latex").writer.formula(formula("x/R"), display=True)
+    assert "displaystyle" not in page_format("html").writer.formula(formula("x/R"), display=True)
     assert (
-        page_format("latex").formula(formula("1/4 cos φ"), display=True).startswith(r"$\displaystyle \frac")
+        page_format("latex")
+        .writer.formula(formula("1/4 cos φ"), display=True)
+        .startswith(r"$\displaystyle \frac")
     )
     assert (
         page_format("html")
-        .formula(formula("R (1/4 cos φ)"), display=True)
+        .writer.formula(formula("R (1/4 cos φ)"), display=True)
         .startswith('<math displaystyle="true">')
     )
 
@@ -114,7 +115,7 @@ def test_only_a_formula_with_a_bar_needs_height_of_its_own() -> None:
     ],
 )
 def test_formula_in_mathml(source: str, mathml: str) -> None:
-    assert page_format("html").formula(formula(source), ",") == f"<math>{mathml}</math>"
+    assert page_format("html").writer.formula(formula(source), ",") == f"<math>{mathml}</math>"
 
 
 def test_label_falls_into_prose_formulas_and_marks() -> None:
@@ -165,16 +166,16 @@ def test_any_label_is_set_in_every_notation_or_refused(label: str) -> None:
         parts = parse(label)
     except LayoutError:
         return
-    pages = [entry for entry in FORMATS.values() if isinstance(entry, PageFormat)]
+    writers = [entry.writer for entry in FORMATS.values() if isinstance(entry, PageFormat)]
     for part in parts:
         if isinstance(part, Formula):
-            assert all(entry.formula(part, ",", True) for entry in pages)
+            assert all(writer.formula(part, ",", True) for writer in writers)
     assert "\n" not in plain(label)
 
 
 @given(st.text(alphabet="-,'<>` a"))
 def test_latex_prose_has_no_ligatures(prose: str) -> None:
-    escaped = page_format("latex").escape(prose)
+    escaped = page_format("latex").writer.escape(prose)
     assert not any(pair in escaped for pair in ("--", ",,", "''", "<<", ">>", "`"))
 
 
@@ -190,14 +191,14 @@ def test_latex_prose_has_no_ligatures(prose: str) -> None:
     ],
 )
 def test_markdown_prose_starts_no_list(prose: str, escaped: str) -> None:
-    assert page_format("markdown").escape(prose) == escaped
+    assert page_format("markdown").writer.escape(prose) == escaped
 
 
 def test_marks_are_raised_where_unicode_can() -> None:
     assert mark_text("a") == "ᵃ⁾"
     assert mark_text("12") == "¹²⁾"
     assert mark_text("*") == "*)"
-    assert page_format("markdown").note_mark("*") == "\\*)"
-    assert page_format("latex").note_mark("a") == r"\textsuperscript{a)}"
-    assert page_format("typst").note_mark("a") == "#super[a)];"
-    assert page_format("html").note_mark("a", "t-1") == '<sup><a href="#t-1">a)</a></sup>'
+    assert page_format("markdown").writer.note_mark("*") == "\\*)"
+    assert page_format("latex").writer.note_mark("a") == r"\textsuperscript{a)}"
+    assert page_format("typst").writer.note_mark("a") == "#super[a)];"
+    assert page_format("html").writer.note_mark("a", "t-1") == '<sup><a href="#t-1">a)</a></sup>'

@@ -11,7 +11,7 @@ from typing import Any
 from kurbel.cli.asking import asked
 from kurbel.commands.shown import Drawing
 from kurbel.documents.document import Chapter, Document, Item
-from kurbel.documents.prose import parse_prose
+from kurbel.documents.markdown import parse_prose
 from kurbel.formats.registry import by_name
 from kurbel.formats.render import render
 from kurbel.page.table import Table

@@ -7,10 +7,8 @@ from typing import Literal
 
 from hypothesis import strategies as st
 
-from kurbel.documents.prose import (
-    Blocks,
-    parse_prose,
-)
+from kurbel.documents.markdown import parse_prose
+from kurbel.documents.prose import Blocks
 from kurbel.errors import ChoiceError, ProseError
 from kurbel.formats.printer import Reference
 

@@ -14,8 +14,7 @@ from kurbel.cli import say
 from kurbel.cli.asking import Asked, asked
 from kurbel.documents.inject import Kind, Place, content, filled, places
 from kurbel.errors import KurbelError, MarkerError
-from kurbel.formats.format import PageFormat
-from kurbel.formats.registry import kind_of
+from kurbel.formats.registry import PageFormat, kind_of
 
 
 class Document(NamedTuple):
@@ -177,7 +176,7 @@ def _text(one: Asked, form: PageFormat, kind: Kind, identifier: str, where: str)
         )
     from kurbel.plot.style import image
 
-    return form.drawing(image(one.made.figure, "svg").decode(), identifier, one.made.plain_title)
+    return form.writer.drawing(image(one.made.figure, "svg").decode(), identifier, one.made.plain_title)
 
 
 def _check_encoding(old: bytes, contents: Sequence[bytes], name: str) -> None:

@@ -13,7 +13,8 @@ from click.shell_completion import CompletionItem
 from kurbel.commands import options as kinds
 from kurbel.commands.options import Parameter
 from kurbel.errors import NotationError
-from kurbel.formats.registry import DECIMALS, FORMATS
+from kurbel.exact.numerals import DECIMALS
+from kurbel.formats.registry import FORMATS
 from kurbel.page.layouts import layout_names
 from kurbel.reading.choices import choose
 from kurbel.reading.files import File

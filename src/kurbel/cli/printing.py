@@ -10,9 +10,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import click
 
 from kurbel.cli.rivals import Given
-from kurbel.formats.format import CompiledFormat, Format, RecordsFormat
 from kurbel.formats.output import whole_file
-from kurbel.formats.registry import DEFAULT, FORMATS, for_suffix
+from kurbel.formats.registry import DEFAULT, FORMATS, CompiledFormat, Format, RecordsFormat, for_suffix
 
 if TYPE_CHECKING:
     from kurbel.page.subject import Question
@@ -90,7 +89,7 @@ def _write(pieces: Iterator[bytes], output: str, rows: int) -> None:
 def _rendered(table: Table, printing: Printing) -> Iterator[bytes]:
     form, output, decimal, standalone, longtable = printing
     if isinstance(form, CompiledFormat):
-        yield form.compiled(table, decimal)
+        yield form.writer.compiled(table, decimal)
         return
     from kurbel.formats.render import render
 

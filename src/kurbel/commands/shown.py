@@ -6,7 +6,8 @@ import os
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any
 
-from kurbel.formats.registry import DECIMAL_OF_LANGUAGE, DECIMALS, DEFAULT, for_suffix
+from kurbel.exact.numerals import DECIMAL_OF_LANGUAGE, DECIMALS
+from kurbel.formats.registry import DEFAULT, CompiledFormat, for_suffix
 from kurbel.page.labels import plain
 from kurbel.page.table import Table as Page
 
@@ -60,12 +61,11 @@ class Table(Page):
 
         Raises KurbelError.
         """
-        from kurbel.formats.format import CompiledFormat
         from kurbel.formats.output import whole_file
 
         form = for_suffix(os.fspath(path))
         if isinstance(form, CompiledFormat):
-            content = form.compiled(self, decimal)
+            content = form.writer.compiled(self, decimal)
         else:
             content = self.typeset(
                 form.name, decimal=decimal, standalone=standalone, longtable=longtable

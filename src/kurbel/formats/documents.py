@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
 from functools import partial
-from typing import Literal
+from typing import Any, ClassVar, Literal, NamedTuple
 
 from kurbel.documents.document import WORDS, Chapter, Document, Item
 from kurbel.exact.numerals import Label
-from kurbel.formats.format import PageFormat
 from kurbel.formats.printer import Reference, set_prose
-from kurbel.formats.registry import FORMATS
+from kurbel.formats.registry import FORMATS, PageFormat
+from kurbel.formats.render import render_document
 from kurbel.page.labels import plain, set_label
 from kurbel.reading.choices import choose
 
@@ -29,58 +30,124 @@ def document_files(
     for a template that cannot be used.
     """
     whole = {name: form for name, form in FORMATS.items() if isinstance(form, PageFormat) and form.figures}
-    return whole[choose(format, whole, "format of documents")].documents(document, fragments, templates)
+    form = whole[choose(format, whole, "format of documents")]
+    maker: DocumentMaker = form.module("document").Maker(form, document, fragments, templates)
+    return maker.files()
 
 
-def titled(document: Document, label: Label, form: PageFormat, lang: str = "") -> str:
-    """Return a title or a caption of a language in a format."""
-    mark = document.mark(lang)
-    return set_label(label, form.escape, lambda formula: form.formula(formula, mark, False), lambda note: "")
+class DocumentPart(NamedTuple):
+    """A text; or a table or a figure with its number, "Table 3". `alt` is the caption as plain text."""
+
+    kind: str
+    name: str = ""
+    label: str = ""
+    number: str = ""
+    caption: str = ""
+    alt: str = ""
+    text: str = ""
 
 
-def head_of(document: Document, label: Label, form: PageFormat, lang: str = "") -> str:
-    """Return a title for a running head: one too long for it is cut, its formulas in one line."""
-    words = plain(label, document.mark(lang))
-    if len(words) <= HEAD:
-        return titled(document, label, form, lang)
-    return form.escape(f"{words[: HEAD - 1].rstrip()}…")
+class DocumentMaker(ABC):
+    """Makes the whole documents in a format.
 
-
-def label_of(part: Chapter | Item, joint: str) -> str:
-    """Return the label of a chapter, a table or a figure: tab:delta or, joined by a hyphen, tab-delta."""
-    return f"{PREFIXES[_kind(part)]}{joint}{part.name}"
-
-
-def text_setter(
-    document: Document,
-    form: PageFormat,
-    joint: str,
-    level: int,
-    page: Callable[[Chapter], str] = lambda one: "",
-) -> Callable[[Item], str]:
-    """Return what sets the texts of the document in a format, with headings below those of so many levels.
-
-    What a text refers to is the label, with this joint, behind what `page` returns for its chapter, such as
-    "#" or "02-paths.md#", and is called as the text's language calls it. A name that nothing has is a
-    ChoiceError with the nearest.
+    The labels of chapters, tables and figures are joined by `joint`: tab:delta, tab-delta. `level` is how
+    many levels of headings stand above those of the texts.
     """
-    homes = document.homes()
 
-    def find(lang: str, name: str) -> Reference:
-        chapter, item = homes[choose(name, homes, "table, figure or chapter")]
+    joint: ClassVar[str] = "-"
+    level: ClassVar[int] = 1
+
+    def __init__(
+        self, form: PageFormat, document: Document, fragments: Mapping[str, str], templates: str | None
+    ) -> None:
+        self.form = form
+        self.writer = form.writer
+        self.document = document
+        self.fragments = fragments
+        self.templates = templates
+        self.homes = document.homes()
+
+    @abstractmethod
+    def files(self) -> dict[str, str]:
+        """Return the documents as texts by their paths in the output folder."""
+
+    def filled(self, name: str, values: Mapping[str, object]) -> str:
+        """Return what the template of that name makes of the values."""
+        return render_document(self.form, name, values, self.templates)
+
+    def page(self, chapter: Chapter) -> str:
+        """Return what stands before the label in a reference to a part of a chapter: "02-paths.md#"."""
+        return ""
+
+    def titled(self, label: Label, lang: str = "") -> str:
+        """Return a title or a caption of a language in the format."""
+        writer, mark = self.writer, self.document.mark(lang)
+        return set_label(label, writer.escape, lambda formula: writer.formula(formula, mark), lambda note: "")
+
+    def plain(self, label: Label, lang: str = "") -> str:
+        """Return a title or a caption as plain text."""
+        return plain(label, self.document.mark(lang))
+
+    def head(self, label: Label, lang: str = "") -> str:
+        """Return a title for a running head: one too long for it is cut, its formulas in one line."""
+        words = self.plain(label, lang)
+        if len(words) <= HEAD:
+            return self.titled(label, lang)
+        return self.writer.escape(f"{words[: HEAD - 1].rstrip()}…")
+
+    def label(self, part: Chapter | Item) -> str:
+        """Return the label of a chapter, a table or a figure."""
+        return f"{PREFIXES[_kind(part)]}{self.joint}{part.name}"
+
+    def number(self, item: Item) -> str:
+        """Return what stands over a table or under a figure, in its own language: "Table 3"."""
+        return f"{WORDS[item.lang][item.kind]} {item.number}"
+
+    def other(self, lang: str) -> str:
+        """Return a language where it is not the document's."""
+        return "" if lang == self.document.lang else lang
+
+    def file(self, chapter: Chapter) -> str:
+        """Return the name of a chapter's own page without its suffix: "02-paths"."""
+        digits = max(2, len(str(len(self.document.chapters))))
+        return f"{chapter.number:0{digits}}-{chapter.name}"
+
+    def text(self, item: Item) -> str:
+        """Return a text in the format.
+
+        What it refers to is called as the text's language calls it. A name that nothing has is a ChoiceError
+        with the nearest.
+        """
+        find = partial(self._find, item.lang)
+        return set_prose(tuple(item.blocks), self.form, self.document.mark(item.lang), find, self.level)
+
+    def _find(self, lang: str, name: str) -> Reference:
+        chapter, item = self.homes[choose(name, self.homes, "table, figure or chapter")]
         part = item or chapter
-        return Reference(_kind(part), page(chapter) + label_of(part, joint), document.title_of(part, lang))
+        target = self.page(chapter) + self.label(part)
+        return Reference(_kind(part), target, self.document.title_of(part, lang))
 
-    def text(item: Item) -> str:
-        blocks, mark = tuple(item.blocks), document.mark(item.lang)
-        return set_prose(blocks, form, mark, partial(find, item.lang), level)
+    def parts(self, chapter: Chapter) -> tuple[Any, ...]:
+        """Return the parts of a chapter as the templates read them."""
+        return tuple(
+            self.text_part(item) if item.kind == "text" else self.part(item) for item in chapter.items
+        )
 
-    return text
+    def text_part(self, item: Item) -> Any:
+        """Return a text as the templates read it."""
+        return DocumentPart("text", text=self.text(item))
 
-
-def number_of(item: Item) -> str:
-    """Return what stands over a table or under a figure, in its own language: "Table 3"."""
-    return f"{WORDS[item.lang][item.kind]} {item.number}"
+    def part(self, item: Item) -> Any:
+        """Return a table or a figure as the templates read it; the text of a figure is empty."""
+        return DocumentPart(
+            item.kind,
+            item.name,
+            self.label(item),
+            self.number(item),
+            self.titled(item.caption, item.lang),
+            self.plain(item.caption, item.lang),
+            self.fragments[item.name] if item.kind == "table" else "",
+        )
 
 
 def _kind(part: Chapter | Item) -> Literal["table", "figure", "chapter"]:

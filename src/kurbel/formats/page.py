@@ -12,7 +12,7 @@ from itertools import accumulate, groupby, islice, pairwise, zip_longest
 from typing import Literal, NamedTuple
 
 from kurbel.exact.numerals import Label, Number, number_text
-from kurbel.formats.format import PageFormat
+from kurbel.formats.writer import PageWriter
 from kurbel.page.labels import plain, set_label
 from kurbel.page.table import DITTO, Cell, Column, Panel, Table
 
@@ -117,13 +117,13 @@ class Page(NamedTuple):
     words: dict[str, str]
 
 
-def page(table: Table, form: PageFormat, mark: str) -> Page:
+def page(table: Table, writer: PageWriter, mark: str) -> Page:
     """Return the table as text in one format, with the given decimal mark."""
-    setter = Setter(table, form, mark)
+    setter = Setter(table, writer, mark)
     panels = tuple(setter.panel(panel) for panel in table.panels)
     return Page(
-        key=form.escape(table.key),
-        lang=form.escape(table.lang),
+        key=writer.escape(table.key),
+        lang=writer.escape(table.lang),
         caption=setter.label(table.caption),
         panels=panels,
         widths=tuple(map(max, zip_longest(*map(_figure_widths, panels), fillvalue=0))),
@@ -148,33 +148,32 @@ def words(lang: str) -> dict[str, str]:
 class Setter:
     """Sets the parts of one table in one format."""
 
-    def __init__(self, table: Table, form: PageFormat, mark: str) -> None:
+    def __init__(self, table: Table, writer: PageWriter, mark: str) -> None:
         self.table = table
-        self.form = form
+        self.writer = writer
         self.mark = mark
         # Notes are numbered, since a mark such as * cannot be part of every kind of link.
         self.targets = {note.mark: f"{table.key}-note-{place}" for place, note in enumerate(table.notes, 1)}
 
     def label(self, label: Label, display: bool = False) -> str:
-        form = self.form
-        return form.finish(
-            set_label(
-                label, form.escape, lambda formula: form.formula(formula, self.mark, display), self.note_mark
-            )
+        writer = self.writer
+        text = set_label(
+            label, writer.escape, lambda formula: writer.formula(formula, self.mark, display), self.note_mark
         )
+        return writer.finish(text)
 
     def labels(self, labels: Iterable[Label]) -> tuple[str, ...]:
         return tuple(self.label(label) for label in labels)
 
     def note_mark(self, mark: str) -> str:
-        return self.form.note_mark(mark, self.targets.get(mark, ""))
+        return self.writer.note_mark(mark, self.targets.get(mark, ""))
 
     def notes(self) -> Iterator[PageNote]:
         for place, note in enumerate(self.table.notes, 1):
-            mark = self.form.note_mark(note.mark, "") if note.mark else ""
+            mark = self.writer.note_mark(note.mark, "") if note.mark else ""
             # Readers calculate with the formulas below a table: small fractions are no help.
             text = self.label(note.text, display=True)
-            yield PageNote(text, mark, self.form.escape(f"{self.table.key}-note-{place}"))
+            yield PageNote(text, mark, self.writer.escape(f"{self.table.key}-note-{place}"))
 
     def panel(self, panel: Panel) -> PagePanel:
         model = panel.stub + panel.columns
@@ -222,12 +221,12 @@ class Setter:
         marks = "".join(self.note_mark(mark) for mark in cell.notes)
         match cell.value:
             case Number() as number:
-                text = number_text(number, self.mark, self.form.minus)
+                text = number_text(number, self.mark, self.writer.minus)
                 return PageCell(text, marks, "number", self.tail(number, decimals))
             case str() as label:
                 return PageCell(self.label(label, display=True), marks, "label")
             case None:
-                return PageCell(self.form.missing, marks, "missing")
+                return PageCell(self.writer.missing, marks, "missing")
             case _:
                 return PageCell("", marks, "label")
 

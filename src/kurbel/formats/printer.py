@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable
-from typing import Literal, NamedTuple
+from typing import ClassVar, Literal, NamedTuple
 from urllib.parse import unquote
 
 from kurbel.documents.prose import (
@@ -27,7 +27,8 @@ from kurbel.documents.prose import (
     Strong,
     Text,
 )
-from kurbel.formats.format import PageFormat
+from kurbel.formats.registry import PageFormat
+from kurbel.formats.writer import PageWriter
 from kurbel.page.formula import Formula
 from kurbel.page.labels import formula_plain
 
@@ -53,14 +54,24 @@ def set_prose(blocks: Blocks, form: PageFormat, mark: str, refer: Find, level: i
     `mark` is the decimal mark of numbers in formulas; `refer` returns what a name refers to, or raises;
     `level` is how many levels of headings stand above the text: at 1 its # is a section below a chapter.
     """
-    return form.printer()(form, mark, refer, level).document(blocks)
+    printer: ProsePrinter = form.module("prose").Printer(form.writer, mark, refer, level)
+    return printer.document(blocks)
 
 
 class ProsePrinter(ABC):
-    """Sets blocks and inlines; each format says how."""
+    """Sets blocks and inlines; each format says how.
 
-    def __init__(self, form: PageFormat, mark: str, refer: Find, level: int) -> None:
-        self.form = form
+    `emphasised` and `strong` are what stands before and behind such words, `rule` is a line across the page,
+    `line_end` the end of a line that the author asked for.
+    """
+
+    emphasised: ClassVar[tuple[str, str]] = ("", "")
+    strong: ClassVar[tuple[str, str]] = ("", "")
+    rule: str
+    line_end: str = "\n"
+
+    def __init__(self, writer: PageWriter, mark: str, refer: Find, level: int) -> None:
+        self.writer = writer
         self.mark = mark
         self.refer = refer
         self.level = level
@@ -87,7 +98,7 @@ class ProsePrinter(ABC):
             case Listing():
                 return self.listing(block)
             case Rule():
-                return self.rule()
+                return self.rule
             case Grid():
                 return self.grid(block)
 
@@ -101,15 +112,15 @@ class ProsePrinter(ABC):
             case Text(text):
                 return self.text(text)
             case Formula():
-                return self.form.formula(inline, self.mark, False)
+                return self.writer.formula(inline, self.mark)
             case Code(text):
                 return self.code(text)
             case Break():
-                return self.line_break()
+                return self.line_end
             case Emphasis(content):
-                return self.emphasis(content)
+                return self.inlines(content).join(self.emphasised)
             case Strong(content):
-                return self.strong(content)
+                return self.inlines(content).join(self.strong)
             case Link(address, content):
                 return self.link(address, content)
             case Refer(name, content):
@@ -134,7 +145,7 @@ class ProsePrinter(ABC):
 
     def text(self, text: str) -> str:
         """Return words."""
-        return self.form.escape(text)
+        return self.writer.escape(text)
 
     def paragraph(self, content: Inlines) -> str:
         """Return a paragraph."""
@@ -157,10 +168,6 @@ class ProsePrinter(ABC):
         """Return a list."""
 
     @abstractmethod
-    def rule(self) -> str:
-        """Return a line across the page."""
-
-    @abstractmethod
     def grid(self, grid: Grid) -> str:
         """Return a table."""
 
@@ -169,24 +176,12 @@ class ProsePrinter(ABC):
         """Return characters of code."""
 
     @abstractmethod
-    def line_break(self) -> str:
-        """Return the end of a line."""
-
-    @abstractmethod
-    def emphasis(self, content: Inlines) -> str:
-        """Return emphasised words."""
-
-    @abstractmethod
-    def strong(self, content: Inlines) -> str:
-        """Return words of strong emphasis."""
-
-    @abstractmethod
     def link(self, address: str, content: Inlines) -> str:
         """Return a link to another site."""
 
-    @abstractmethod
     def reference(self, reference: Reference, content: Inlines) -> str:
         """Return a reference to a part of the handbook."""
+        return self.link(reference.target, content or (Text(reference.text),))
 
 
 def is_own(address: str, content: Inlines) -> bool:

@@ -1,25 +1,128 @@
-"""The registry of output formats: the folders beside this file, each with its `FORMAT`."""
+"""The registry of output formats: the folders beside this file, each with its `FORMAT`.
+
+A `FORMAT` states facts and is cheap to import: the help text and shell completion read it. How the format is
+written stands in other modules of its folder: see `Format.module`.
+"""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from functools import cache
 from importlib import import_module
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 import kurbel.formats
 from kurbel.errors import ChoiceError
-from kurbel.exact.numerals import DECIMAL_OF_LANGUAGE as DECIMAL_OF_LANGUAGE
-from kurbel.exact.numerals import DECIMALS as DECIMALS
-from kurbel.formats.format import CompiledFormat, PageFormat
-from kurbel.formats.format import Format as Format
+from kurbel.exact.numerals import DECIMAL_OF_LANGUAGE, DECIMALS
 
 if TYPE_CHECKING:
     from kurbel.documents.inject import Kind
+    from kurbel.formats.writer import CompiledWriter, PageWriter, RecordsWriter
+    from kurbel.page.table import Table
 
 # What is printed where nobody asks for a format.
 DEFAULT = "text"
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Format:
+    """What all formats state.
+
+    `rank` is its place where formats are listed, `media` what it is in a few words. `decimal` is "language"
+    or "point": where the decimal mark comes from unless the user sets it. `usual` formats are built by a
+    handbook that names none. Of several, the `legible` one of the lowest number, from 1, shows a reader best
+    what changed. What only pages have is empty here: see `PageFormat`.
+    """
+
+    kind: ClassVar[Literal["page", "records", "compiled"]]
+    name: str
+    rank: int
+    suffixes: tuple[str, ...]
+    media: str
+    decimal: Literal["language", "point"] = "language"
+    usual: bool = False
+    legible: int = 0
+    standalone: bool = False
+    breaks: bool = False
+    figures: str = ""
+    folder: str = ""
+
+    def decimal_name(self, lang: str, decimal: str | None = None) -> str:
+        """Return "comma" or "point": what the user asks for, else the rule of the format."""
+        if decimal is not None:
+            if decimal not in DECIMALS:
+                raise ChoiceError(f"decimal mark is {decimal!r}; it must be {' or '.join(DECIMALS)}")
+            return decimal
+        return DECIMAL_OF_LANGUAGE.get(lang, "point") if self.decimal == "language" else "point"
+
+    def decimal_mark(self, lang: str, decimal: str | None = None) -> str:
+        """Return the character "," or "."."""
+        return DECIMALS[self.decimal_name(lang, decimal)]
+
+    def is_tall(self, table: Table) -> bool:
+        """Tell whether a table is longer than a page and must be told to break."""
+        return False
+
+    def module(self, name: str = "") -> Any:
+        """Return a module of the format's folder.
+
+        `writer` has a `Writer` of tables; where there are `figures`, `prose` has a `Printer` of free text and
+        `document` a `Maker` of whole documents; where an author's documents are `marked`, `marked` has their
+        `KIND`.
+        """
+        return import_module(f"kurbel.formats.{self.name}.{name}".rstrip("."))
+
+
+class RecordsFormat(Format):
+    """A format of records, which need not fit in memory."""
+
+    kind = "records"
+
+    @property
+    def writer(self) -> RecordsWriter:
+        writer: RecordsWriter = self.module("writer").Writer()
+        return writer
+
+
+class CompiledFormat(Format):
+    """A format of bytes, made of the document in another format."""
+
+    kind = "compiled"
+
+    @property
+    def writer(self) -> CompiledWriter:
+        writer: CompiledWriter = self.module("writer").Writer()
+        return writer
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class PageFormat(Format):
+    """A format of pages.
+
+    `standalone` tells that a whole page differs from a fragment, `breaks` that a table longer than a page can
+    be told to break. A format of whole documents has their `figures` as files of that suffix, and a `folder`
+    if a document is many files. An author's own documents can be `marked` with places for tables, and have
+    drawings there if the format `draws`.
+    """
+
+    kind = "page"
+    marked: bool = False
+    draws: bool = False
+
+    @property
+    def writer(self) -> PageWriter:
+        writer: PageWriter = self.module("writer").Writer()
+        return writer
+
+    @property
+    def templates(self) -> str:
+        """The folder of the format's templates."""
+        return os.path.join(os.path.dirname(self.module().__file__), "templates")
+
+    def is_tall(self, table: Table) -> bool:
+        return self.breaks and self.writer.is_tall(table)
 
 
 class _Formats(Mapping[str, Format]):
@@ -31,7 +134,8 @@ class _Formats(Mapping[str, Format]):
     def __getitem__(self, name: str) -> Format:
         if name not in _folders(*kurbel.formats.__path__):
             raise KeyError(name)
-        return _format(name)
+        form: Format = import_module(f"kurbel.formats.{name}").FORMAT
+        return form
 
     def __iter__(self) -> Iterator[str]:
         return iter(_in_order(*kurbel.formats.__path__))
@@ -52,11 +156,7 @@ def _folders(*path: str) -> frozenset[str]:
 
 @cache
 def _in_order(*path: str) -> tuple[str, ...]:
-    return tuple(sorted(_folders(*path), key=lambda name: _format(name).rank))
-
-
-def _format(name: str) -> Format:
-    return cast("Format", import_module(f"kurbel.formats.{name}").FORMAT)
+    return tuple(sorted(_folders(*path), key=lambda name: FORMATS[name].rank))
 
 
 FORMATS: Mapping[str, Format] = _Formats()
@@ -94,8 +194,8 @@ def for_suffix(path: str) -> Format:
 
 def kinds() -> list[tuple[PageFormat, Kind]]:
     """Return the formats whose documents can have marked places; those whose comments have an end first."""
-    pages = [form for form in FORMATS.values() if isinstance(form, PageFormat)]
-    found = [(form, kind) for form in pages if (kind := form.marked())]
+    marked = [form for form in FORMATS.values() if isinstance(form, PageFormat) and form.marked]
+    found: list[tuple[PageFormat, Kind]] = [(form, form.module("marked").KIND) for form in marked]
     return sorted(found, key=lambda one: not one[1].right)
 
 

@@ -13,9 +13,8 @@ from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from kurbel.errors import ChoiceError
-from kurbel.formats.format import PageFormat, RecordsFormat
 from kurbel.formats.page import blank, page
-from kurbel.formats.registry import by_name
+from kurbel.formats.registry import PageFormat, RecordsFormat, by_name
 from kurbel.page.labels import plain
 from kurbel.page.layouts import template_folder
 from kurbel.page.table import Table
@@ -47,16 +46,16 @@ def render(
     """
     form, templates = by_name(format), templates or table.templates or None
     if isinstance(form, RecordsFormat):
-        return "".join(form.rows(table, form.decimal_name(table.lang, decimal)))
+        return "".join(form.writer.rows(table, form.decimal_name(table.lang, decimal)))
     if not isinstance(form, PageFormat):
         raise ChoiceError(f"a {form.name} is bytes and no text; make it with kurbel.typeset_{form.name}")
-    mark = form.decimal_mark(table.lang, decimal)
+    mark, writer = form.decimal_mark(table.lang, decimal), form.writer
     if not _own_template(table, form.name, templates):
-        written = form.written(table, mark, width)
+        written = writer.written(table, mark, width)
         if written is not None:
             return written
-    ready = page(table, form, mark)
-    values = {"page": ready, **form.values(table, ready, mark, longtable, standalone)}
+    ready = page(table, writer, mark)
+    values = {"page": ready, **writer.values(table, ready, mark, longtable, standalone)}
 
     def filled(name: str, more: dict[str, str]) -> str:
         template = _own_template(table, name, templates) or f"base/{name}.jinja"
@@ -64,7 +63,7 @@ def render(
 
     fragment = filled(form.name, {})
     if standalone and form.standalone:
-        title = form.escape(plain(table.caption, mark))
+        title = writer.escape(plain(table.caption, mark))
         return filled(f"{form.name}.document", {"fragment": fragment, "title": title})
     return fragment
 
@@ -121,8 +120,8 @@ def _prepared(kind: type[Environment], form: PageFormat, **options: Any) -> Envi
         trim_blocks=True,
         lstrip_blocks=True,
         keep_trailing_newline=True,
-        **form.delimiters,
+        **form.writer.delimiters,
         **options,
     )
-    environment.filters.update(blank=blank, **form.filters())
+    environment.filters.update(blank=blank, **form.writer.filters())
     return environment

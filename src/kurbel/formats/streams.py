@@ -17,7 +17,7 @@ from kurbel.reading.notation import Progression, ratio_text
 
 if TYPE_CHECKING:
     from kurbel.formats.columns import Scaled
-    from kurbel.formats.format import RecordsFormat
+    from kurbel.formats.registry import RecordsFormat
 
 
 def record_chunks(request: Question, form: RecordsFormat, decimal: str) -> Iterator[bytes]:
@@ -25,9 +25,9 @@ def record_chunks(request: Question, form: RecordsFormat, decimal: str) -> Itera
     table = build(request, pages=False)
     rows = table.records.rows
     if isinstance(rows, RecordRows) and rows.question.bulk and _fits(rows.question.angles):
-        yield from form.bulk(table, rows.keys, partial(_fields, rows), decimal)
+        yield from form.writer.bulk(table, rows.keys, partial(_fields, rows), decimal)
         return
-    lines = form.rows(table, decimal)
+    lines = form.writer.rows(table, decimal)
     for line in lines:
         yield "".join(chain([line], islice(lines, CHUNK - 1))).encode()
 

@@ -11,7 +11,7 @@ from kurbel.formats.registry import compiled_format
 
 SCHEMA = "handbook.schema.json"
 COMPILED = compiled_format()
-ENGINES = COMPILED.engines()
+ENGINES = COMPILED.writer.engines
 STANDARDS = tuple(dict.fromkeys(one for engine in ENGINES.values() for one in engine.standards))
 
 

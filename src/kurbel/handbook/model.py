@@ -9,7 +9,8 @@ from unicodedata import category
 from msgspec import Meta, Struct
 
 from kurbel.errors import LayoutError
-from kurbel.formats.registry import DECIMALS, FORMATS
+from kurbel.exact.numerals import DECIMALS
+from kurbel.formats.registry import FORMATS
 from kurbel.handbook.keys import ENGINES, STANDARDS
 from kurbel.page.labels import Mark, parse
 from kurbel.page.layouts import LANGUAGES

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from functools import partial
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from kurbel.documents.document import Chapter, Document, Item
 from kurbel.errors import HandbookError, KurbelError
@@ -14,7 +14,11 @@ from kurbel.handbook.folder import LARGEST
 from kurbel.handbook.keys import COMPILED, ENGINES
 from kurbel.handbook.manifest import ChapterPlan, Manifest, Part
 from kurbel.handbook.parts import GIGABYTES, PATIENCE, PDF, PDF_PATIENCE, Made
+from kurbel.page.labels import primed
 from kurbel.reading.choices import did_you_mean
+
+if TYPE_CHECKING:
+    from kurbel.documents.prose import Blocks
 
 WORDS = {"de": "Fehlt", "en": "Missing"}
 
@@ -60,7 +64,8 @@ def entry_of_text(manifest: Manifest, part: Part, names: Sequence[str]) -> Entry
 
     It may refer to these names only.
     """
-    from kurbel.documents.prose import LONGEST, parse_prose, references
+    from kurbel.documents.markdown import LONGEST, parse_prose
+    from kurbel.documents.prose import references
 
     try:
         text = _text_of(os.path.join(manifest.folder, part.file), LONGEST) if part.file else part.text
@@ -101,12 +106,12 @@ def document_of(manifest: Manifest, chapters: Sequence[PlannedChapter]) -> Docum
 
 
 def _item(entry: Entry, counts: dict[str, int], above: list[int]) -> Item:
-    from kurbel.documents.prose import parse_prose
-    from kurbel.documents.prose_levels import stepwise
+    from kurbel.documents.markdown import parse_prose
+    from kurbel.documents.prose import stepwise
 
     if not entry.about:
         lang = str(entry.part.options["lang"])
-        blocks = stepwise(parse_prose(_missing(entry, lang) if entry.said else entry.text), above)
+        blocks = _missing(entry, lang) if entry.said else stepwise(parse_prose(entry.text), above)
         # With a name it is what should have been a table or a figure, and references lead to its chapter.
         return Item("text", entry.part.name, lang=lang, blocks=blocks)
     kind, caption, own_lang = entry.about
@@ -114,13 +119,13 @@ def _item(entry: Entry, counts: dict[str, int], above: list[int]) -> Item:
     return Item("table" if kind == "table" else "figure", entry.part.name, counts[kind], own_lang, caption)
 
 
-def _missing(entry: Entry, lang: str) -> str:
+def _missing(entry: Entry, lang: str) -> Blocks:
     """Return a text that nobody overlooks in place of what is not there."""
-    from kurbel.documents.markdown_it import escaped
+    from kurbel.documents.prose import Paragraph, Quote, Strong, Text
 
     what = entry.part.shown if entry.part.words else entry.part.file or entry.part.text[:40]
-    what, said = (escaped(_printable(text)) for text in (what, entry.said))
-    return f"> **{WORDS[lang]}: {what}.** {said}"
+    head = Strong((Text(primed(f"{WORDS[lang]}: {_printable(what)}.")),))
+    return (Quote((Paragraph((head, Text(primed(f" {_printable(entry.said)}")))),)),)
 
 
 def _printable(text: str) -> str:
@@ -159,7 +164,9 @@ def make_pdf(task: PdfTask) -> Made | str:
         # A TeX is a process of its own, with a time of its own: it would outlive this one.
         with deadline(PDF_PATIENCE, None, task.limited and ENGINES[task.engine].grows):
             read = partial(_document_in, task.folder)
-            return Made({f"handbook.{PDF}": COMPILED.whole(task.folder, task.engine, task.standards, read)})
+            return Made(
+                {f"handbook.{PDF}": COMPILED.writer.whole(task.folder, task.engine, task.standards, read)}
+            )
     except KurbelError as error:
         return str(error)
 

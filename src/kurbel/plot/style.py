@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.errors import ChoiceError, MissingExtraError
 from kurbel.exact.numerals import Label
-from kurbel.formats.tex_math import TexMath
+from kurbel.formats.formula import TexMath
 from kurbel.page.formula import Formula
 from kurbel.page.labels import mark_text, set_label
 from kurbel.reading.choices import choose

@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Mapping
 from typing import NamedTuple
 
-from kurbel.documents.document import Document, Item
-from kurbel.formats.documents import label_of, number_of, text_setter, titled
-from kurbel.formats.html import FORMAT
+from kurbel.documents.document import Chapter, Item
+from kurbel.formats.documents import DocumentMaker
 from kurbel.formats.html.svg import inline
 from kurbel.formats.html.width import width_in_ems
-from kurbel.formats.render import render_document
-from kurbel.page.labels import plain
 
 NAME = "handbook.html"
 WORDS: Mapping[str, Mapping[str, str]] = {
@@ -57,29 +54,51 @@ class Section(NamedTuple):
         return tuple(part for part in self.parts if part.kind != "text")
 
 
-def files(document: Document, fragments: Mapping[str, str], templates: str | None = None) -> dict[str, str]:
-    """Return the page by the name of its file.
+class Maker(DocumentMaker):
+    # The page has one heading above the chapters.
+    level = 2
 
-    `fragments` has the HTML of each table and the SVG file of each figure by its name.
-    """
-    mark = document.mark()
-    page = render_document(
-        FORMAT,
-        "handbook",
-        {
+    def files(self) -> dict[str, str]:
+        """Return the page by the name of its file."""
+        document, title = self.document, self.plain(self.document.title)
+        values = {
             "document": document,
-            "title": titled(document, document.title, FORMAT),
-            "subtitle": titled(document, document.subtitle, FORMAT),
-            "author": titled(document, document.author, FORMAT),
-            "plain_title": FORMAT.escape(plain(document.title, mark)),
-            "plain_author": FORMAT.escape(plain(document.author, mark)),
-            "head": css_string(plain(document.title, mark)),
-            "sections": [*_sections(document, fragments)],
+            "title": self.titled(document.title),
+            "subtitle": self.titled(document.subtitle),
+            "author": self.titled(document.author),
+            "plain_title": self.writer.escape(title),
+            "plain_author": self.writer.escape(self.plain(document.author)),
+            "head": css_string(title),
+            "sections": [self.section(chapter) for chapter in document.chapters],
             "words": {**document.words, **WORDS[document.lang]},
-        },
-        templates,
-    )
-    return {NAME: page}
+        }
+        return {NAME: self.filled("handbook", values)}
+
+    def page(self, chapter: Chapter) -> str:
+        return "#"
+
+    def section(self, chapter: Chapter) -> Section:
+        return Section(
+            chapter.number,
+            self.label(chapter),
+            self.titled(chapter.title, chapter.lang),
+            css_string(self.plain(chapter.title, chapter.lang)),
+            self.other(chapter.lang),
+            self.parts(chapter),
+        )
+
+    def text_part(self, item: Item) -> Part:
+        return Part("text", "", "", "", self.other(item.lang), self.text(item))
+
+    def part(self, item: Item) -> Part:
+        target, number, fragment = self.label(item), self.number(item), self.fragments[item.name]
+        if item.kind == "table":
+            content, ems = _numbered(_REMARK.sub("", fragment), target), width_in_ems(fragment)
+        else:
+            title = f"{number}: {self.plain(item.caption, item.lang)}"
+            content, ems = inline(fragment, target, title, own_page=True), 0.0
+        caption = self.titled(item.caption, item.lang)
+        return Part(item.kind, target, number, caption, self.other(item.lang), content, ems)
 
 
 def css_string(text: str) -> str:
@@ -87,39 +106,6 @@ def css_string(text: str) -> str:
     return "".join(
         one if one.isascii() and one.isalnum() else f"\\{ord(one):06x}" for one in text if one != "\0"
     )
-
-
-def _sections(document: Document, fragments: Mapping[str, str]) -> Iterator[Section]:
-    # The page has one heading above the chapters.
-    text = text_setter(document, FORMAT, "-", 2, lambda chapter: "#")
-    for chapter in document.chapters:
-        yield Section(
-            chapter.number,
-            label_of(chapter, "-"),
-            titled(document, chapter.title, FORMAT, chapter.lang),
-            css_string(plain(chapter.title, document.mark(chapter.lang))),
-            _other(document, chapter.lang),
-            tuple(_part(document, item, fragments, text) for item in chapter.items),
-        )
-
-
-def _other(document: Document, lang: str) -> str:
-    """Return a language where it is not the document's."""
-    return "" if lang == document.lang else lang
-
-
-def _part(document: Document, item: Item, fragments: Mapping[str, str], text: Callable[[Item], str]) -> Part:
-    lang = _other(document, item.lang)
-    if item.kind == "text":
-        return Part("text", "", "", "", lang, text(item))
-    target, number = label_of(item, "-"), number_of(item)
-    caption = titled(document, item.caption, FORMAT, item.lang)
-    fragment = fragments[item.name]
-    if item.kind == "table":
-        content = _numbered(_REMARK.sub("", fragment), target)
-        return Part("table", target, number, caption, lang, content, width_in_ems(fragment))
-    title = f"{number}: {plain(item.caption, document.mark(item.lang))}"
-    return Part("figure", target, number, caption, lang, inline(fragment, target, title, own_page=True))
 
 
 def _numbered(fragment: str, target: str) -> str:

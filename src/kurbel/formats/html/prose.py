@@ -5,11 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from kurbel.documents.prose import Align, Blocks, Grid, Inlines, Listing, Paragraph
-from kurbel.formats.html.escapes import escape
-from kurbel.formats.printer import ProsePrinter, Reference
+from kurbel.formats.html.writer import escape
+from kurbel.formats.printer import ProsePrinter
 
 
 class Printer(ProsePrinter):
+    emphasised, strong = ("<em>", "</em>"), ("<strong>", "</strong>")
+    rule, line_end = "<hr>", "<br>\n"
+
     def paragraph(self, content: Inlines) -> str:
         return f"<p>{self.inlines(content)}</p>"
 
@@ -43,9 +46,6 @@ class Printer(ProsePrinter):
         content = "\n".join(blocks)
         return f"<li>{content}</li>"
 
-    def rule(self) -> str:
-        return "<hr>"
-
     def grid(self, grid: Grid) -> str:
         head = self._row(grid.head, grid.aligns, "th", ' scope="col"')
         rows = "\n".join(self._row(row, grid.aligns, "td") for row in grid.rows)
@@ -65,21 +65,8 @@ class Printer(ProsePrinter):
     def code(self, text: str) -> str:
         return f"<code>{escape(text)}</code>"
 
-    def line_break(self) -> str:
-        return "<br>\n"
-
-    def emphasis(self, content: Inlines) -> str:
-        return f"<em>{self.inlines(content)}</em>"
-
-    def strong(self, content: Inlines) -> str:
-        return f"<strong>{self.inlines(content)}</strong>"
-
     def link(self, address: str, content: Inlines) -> str:
         return f'<a href="{escape(address)}">{self.inlines(content)}</a>'
-
-    def reference(self, reference: Reference, content: Inlines) -> str:
-        text = self.inlines(content) or escape(reference.text)
-        return f'<a href="{escape(reference.target)}">{text}</a>'
 
 
 def _style(align: Align | None) -> str:

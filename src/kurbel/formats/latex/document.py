@@ -7,15 +7,12 @@ that inputs it, and its lists are made of references, so that they hold what is 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
 
-from kurbel.documents.document import WORDS, Chapter, Document, Item
-from kurbel.formats.documents import head_of, label_of, text_setter, titled
-from kurbel.formats.latex import FORMAT
-from kurbel.formats.latex.escapes import string
-from kurbel.formats.render import render_document
-from kurbel.page.labels import plain
+from kurbel.documents.document import WORDS, Item
+from kurbel.exact.numerals import Label
+from kurbel.formats.documents import DocumentMaker
+from kurbel.formats.latex.writer import string
 
 
 class TexTitle(NamedTuple):
@@ -46,57 +43,47 @@ class TexChapter(NamedTuple):
     parts: tuple[TexPart, ...]
 
 
-def files(document: Document, fragments: Mapping[str, str], templates: str | None = None) -> dict[str, str]:
-    """Return appendix.tex and handbook.tex; `fragments` are the tables that they input."""
+class Maker(DocumentMaker):
+    joint = ":"
     # A chapter is a section, and what stands below it a subsection.
-    text = text_setter(document, FORMAT, ":", 2)
-    chapters = tuple(_chapter(document, chapter, fragments, text) for chapter in document.chapters)
-    values = {
-        "document": document,
-        "title": _title(document, document.title),
-        "subtitle": titled(document, document.subtitle, FORMAT),
-        "author": _title(document, document.author),
-        "words": document.words,
-        "languages": _languages(document),
-        "chapters": chapters,
-        "long": any(part.long for chapter in chapters for part in chapter.parts),
-        "linked": any(document.items("text")),
-    }
-    return {
-        f"{name}.tex": render_document(FORMAT, name, values, templates) for name in ("appendix", "handbook")
-    }
+    level = 2
 
+    def files(self) -> dict[str, str]:
+        """Return appendix.tex and handbook.tex, which input the fragments."""
+        document = self.document
+        chapters = tuple(
+            TexChapter(self.title(one.title, one.lang), self.label(one), self.parts(one))
+            for one in document.chapters
+        )
+        values = {
+            "document": document,
+            "title": self.title(document.title),
+            "subtitle": self.titled(document.subtitle),
+            "author": self.title(document.author),
+            "words": document.words,
+            "languages": self.languages(),
+            "chapters": chapters,
+            "long": any(part.long for chapter in chapters for part in chapter.parts),
+            "linked": any(document.items("text")),
+        }
+        return {f"{name}.tex": self.filled(name, values) for name in ("appendix", "handbook")}
 
-def _chapter(
-    document: Document, chapter: Chapter, fragments: Mapping[str, str], text: Callable[[Item], str]
-) -> TexChapter:
-    title = _title(document, chapter.title, chapter.lang)
-    return TexChapter(title, label_of(chapter, ":"), tuple(_parts(document, chapter, fragments, text)))
+    def text_part(self, item: Item) -> TexPart:
+        return TexPart("text", "", "", self.text(item), self.language(item), False)
 
+    def part(self, item: Item) -> TexPart:
+        long = item.kind == "table" and r"\begin{longtable}" in self.fragments[item.name]
+        caption = self.titled(item.caption, item.lang)
+        return TexPart(item.kind, item.name, self.label(item), caption, self.language(item), long)
 
-def _parts(
-    document: Document, chapter: Chapter, fragments: Mapping[str, str], text: Callable[[Item], str]
-) -> Iterator[TexPart]:
-    for item in chapter.items:
-        language = _language(document, item)
-        if item.kind == "text":
-            yield TexPart("text", "", "", text(item), language, False)
-        else:
-            long = item.kind == "table" and r"\begin{longtable}" in fragments[item.name]
-            caption = titled(document, item.caption, FORMAT, item.lang)
-            yield TexPart(item.kind, item.name, label_of(item, ":"), caption, language, long)
+    def language(self, item: Item) -> str:
+        lang = self.other(item.lang)
+        return WORDS[lang]["babel"] if lang else ""
 
+    def languages(self) -> str:
+        """Return the options of babel, the document's own language last."""
+        others = {self.language(item) for item in self.document.items("text", "table", "figure")} - {""}
+        return ",".join([*sorted(others), f"main={self.document.words['babel']}"])
 
-def _language(document: Document, item: Item) -> str:
-    return "" if item.lang in ("", document.lang) else WORDS[item.lang]["babel"]
-
-
-def _languages(document: Document) -> str:
-    """Return the options of babel, the document's own language last."""
-    others = sorted({_language(document, item) for item in document.items("text", "table", "figure")} - {""})
-    return ",".join([*others, f"main={document.words['babel']}"])
-
-
-def _title(document: Document, label: str, lang: str = "") -> TexTitle:
-    words = string(plain(label, document.mark(lang)))
-    return TexTitle(titled(document, label, FORMAT, lang), words, head_of(document, label, FORMAT, lang))
+    def title(self, label: Label, lang: str = "") -> TexTitle:
+        return TexTitle(self.titled(label, lang), string(self.plain(label, lang)), self.head(label, lang))

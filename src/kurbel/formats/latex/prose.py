@@ -19,7 +19,7 @@ from kurbel.documents.prose import (
     Refer,
     Strong,
 )
-from kurbel.formats.latex.escapes import escape, string
+from kurbel.formats.latex.writer import escape, string
 from kurbel.formats.printer import ProsePrinter, Reference, is_own
 
 _SECTIONS = ("chapter", "section", "subsection", "subsubsection", "paragraph")
@@ -42,6 +42,8 @@ _ADDRESS = str.maketrans(
 
 
 class Printer(ProsePrinter):
+    emphasised, strong = (r"\emph{", "}"), (r"\textbf{", "}")
+    rule, line_end = r"\par\noindent\rule{\linewidth}{0.4pt}\par", "\\newline\n"
     numbered = 0
 
     def heading(self, level: int, content: Inlines) -> str:
@@ -82,9 +84,6 @@ class Printer(ProsePrinter):
                 return self.blocks(item)
         return rf"\mbox{{}}{self.blocks(item)}"
 
-    def rule(self) -> str:
-        return r"\par\noindent\rule{\linewidth}{0.4pt}\par"
-
     def grid(self, grid: Grid) -> str:
         columns = "".join(self._columns(grid))
         rows = "".join(f"{self._row(row)}\n" for row in grid.rows)
@@ -119,15 +118,6 @@ class Printer(ProsePrinter):
 
     def code(self, text: str) -> str:
         return rf"\texttt{{{_code(text)}}}"
-
-    def line_break(self) -> str:
-        return "\\newline\n"
-
-    def emphasis(self, content: Inlines) -> str:
-        return rf"\emph{{{self.inlines(content)}}}"
-
-    def strong(self, content: Inlines) -> str:
-        return rf"\textbf{{{self.inlines(content)}}}"
 
     def link(self, address: str, content: Inlines) -> str:
         return rf"\href{{{address.translate(_ADDRESS)}}}{{{self._shown(address, content)}}}"

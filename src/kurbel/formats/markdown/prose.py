@@ -17,7 +17,7 @@ from kurbel.documents.prose import (
     Strong,
     Text,
 )
-from kurbel.formats.printer import ProsePrinter, Reference, indented
+from kurbel.formats.printer import ProsePrinter, indented
 
 # What would begin a list, a heading, a rule, or underline the line before as a heading or a table.
 _START = re.compile(r"^(?:[-+=#:]|[0-9]{1,9}(?=[.)]))", re.MULTILINE)
@@ -32,7 +32,8 @@ _DASHES = {None: "---", "left": ":---", "center": ":---:", "right": "---:"}
 class Printer(ProsePrinter):
     # Two lists in a row, or a list that begins another, need different marks: "- - -" is a rule.
     depth = 0
-    break_mark = "\\\n"
+    emphasised, strong = ("<em>", "</em>"), ("<strong>", "</strong>")
+    rule, line_end = "___", "\\\n"
     bar = "|"
 
     def paragraph(self, content: Inlines) -> str:
@@ -55,9 +56,9 @@ class Printer(ProsePrinter):
 
     def _line(self, content: Inlines) -> str:
         """Return inlines where no line may end."""
-        self.break_mark = "<br>"
+        self.line_end = "<br>"
         text = self.inlines(content)
-        self.break_mark = Printer.break_mark
+        self.line_end = Printer.line_end
         return text.strip(" ")
 
     def code_block(self, lines: tuple[str, ...]) -> str:
@@ -82,9 +83,6 @@ class Printer(ProsePrinter):
             items.append(indented(self.blocks(item, between), f"{mark} ", " " * (len(mark) + 1)))
         self.depth -= 1
         return between.join(items)
-
-    def rule(self) -> str:
-        return "___"
 
     def grid(self, grid: Grid) -> str:
         dashes = " | ".join(_DASHES[align] for align in grid.aligns)
@@ -116,20 +114,8 @@ class Printer(ProsePrinter):
         padded = text[:1] == "`" or text[-1:] == "`" or (text[:1] == text[-1:] == " " and text.strip(" "))
         return f"{ticks} {text} {ticks}" if padded else f"{ticks}{text}{ticks}"
 
-    def line_break(self) -> str:
-        return self.break_mark
-
-    def emphasis(self, content: Inlines) -> str:
-        return f"<em>{self.inlines(content)}</em>"
-
-    def strong(self, content: Inlines) -> str:
-        return f"<strong>{self.inlines(content)}</strong>"
-
     def link(self, address: str, content: Inlines) -> str:
         return f"[{self.inlines(content)}](<{_ENTITY.sub('&amp;', address)}>)"
-
-    def reference(self, reference: Reference, content: Inlines) -> str:
-        return self.link(reference.target, content or (Text(reference.text),))
 
 
 def _is_free(inline: Inline, before: Inline | None, after: Inline | None) -> bool:

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from unicodedata import combining, east_asian_width
 
 from kurbel.formats.page import PagePanel
-from kurbel.formats.rst.escapes import finish
+from kurbel.formats.rst.writer import finish
 
 
 class GridCell(NamedTuple):

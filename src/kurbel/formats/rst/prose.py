@@ -17,8 +17,8 @@ from kurbel.documents.prose import (
     Text,
 )
 from kurbel.formats.printer import ProsePrinter, Reference, indented
-from kurbel.formats.rst.escapes import escape, finish, role
 from kurbel.formats.rst.grid import GridCell, grid_lines, width_of
+from kurbel.formats.rst.writer import escape, finish, role
 
 _LINES = "=-~^\"'"
 _INDENT = " " * 3
@@ -31,6 +31,8 @@ _LAST_LINE = re.compile(r"_(?=$)")
 class Printer(ProsePrinter):
     # Headings are sections outside of lists and quotations only.
     depth = 0
+    # A transition may neither begin nor end a section, nor stand in a list.
+    rule = ".. container:: kurbel-rule\n\n   \\* \\* \\*"
 
     def blocks(self, blocks: Blocks, between: str = "\n\n") -> str:
         pieces: list[str] = []
@@ -73,10 +75,6 @@ class Printer(ProsePrinter):
         self.depth -= 1
         return inner
 
-    def rule(self) -> str:
-        # A transition may neither begin nor end a section, nor stand in a list.
-        return ".. container:: kurbel-rule\n\n   \\* \\* \\*"
-
     def grid(self, grid: Grid) -> str:
         rows = (grid.head, *grid.rows)
         cells = [
@@ -114,15 +112,6 @@ class Printer(ProsePrinter):
         if "``" in inner or "`" in (inner[0], inner[-1]):
             return role("literal", inner.replace("\\", r"\\").replace("`", r"\`"))
         return f"\\ ``{inner}``\\ "
-
-    def line_break(self) -> str:
-        return "\n"
-
-    def emphasis(self, content: Inlines) -> str:
-        return "".join(self.pieces(content, "*"))
-
-    def strong(self, content: Inlines) -> str:
-        return "".join(self.pieces(content, "**"))
 
     def link(self, address: str, content: Inlines) -> str:
         target = _LAST_LINE.sub(r"\\_", address)

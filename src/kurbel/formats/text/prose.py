@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from textwrap import fill
 
-from kurbel.documents.prose import Blocks, Grid, Inlines, Listing
+from kurbel.documents.prose import Block, Blocks, Grid, Inlines, Listing, Rule
 from kurbel.formats.printer import ProsePrinter, Reference, indented, is_own
 
 _WIDTH = 78
@@ -14,6 +14,9 @@ _NARROWEST = 40
 
 class Printer(ProsePrinter):
     room = _WIDTH
+
+    def block(self, block: Block) -> str:
+        return "─" * self.room if isinstance(block, Rule) else super().block(block)
 
     def document(self, blocks: Blocks) -> str:
         # The spaces of a formula are no-break spaces until its line is found.
@@ -58,9 +61,6 @@ class Printer(ProsePrinter):
         self.room = outside
         return indented(inner, first, rest)
 
-    def rule(self) -> str:
-        return "─" * self.room
-
     def grid(self, grid: Grid) -> str:
         from tabulate import tabulate
 
@@ -77,15 +77,6 @@ class Printer(ProsePrinter):
 
     def code(self, text: str) -> str:
         return text.replace(" ", "\u00a0")
-
-    def line_break(self) -> str:
-        return "\n"
-
-    def emphasis(self, content: Inlines) -> str:
-        return self.inlines(content)
-
-    def strong(self, content: Inlines) -> str:
-        return self.inlines(content)
 
     def link(self, address: str, content: Inlines) -> str:
         text = self.inlines(content)

@@ -6,7 +6,7 @@ import re
 
 from kurbel.documents.prose import Blocks, Grid, Inlines, Listing
 from kurbel.formats.printer import ProsePrinter, Reference
-from kurbel.formats.typst.escapes import string
+from kurbel.formats.typst.writer import string
 
 _ALIGNS = {None: "left", "left": "left", "center": "center", "right": "right"}
 _LONG_WORD = re.compile(r"\S{30}")
@@ -14,6 +14,9 @@ _BREAK = r'show regex("\S{30,}"): it => it.text.clusters().join(box())'
 
 
 class Printer(ProsePrinter):
+    emphasised, strong = ("#emph[", "];"), ("#strong[", "];")
+    rule, line_end = "#line(length: 100%);", "#linebreak();\n"
+
     # A semicolon ends each call: an opening parenthesis or a full stop after it would belong to it.
     def heading(self, level: int, content: Inlines) -> str:
         return f"#heading(level: {max(level, 1)})[{self.inlines(content)}];"
@@ -30,9 +33,6 @@ class Printer(ProsePrinter):
         items = ",\n".join(f"[{self.blocks(item)}]" for item in listing.items)
         return f"#{kind}tight: {tight},\n{items},\n);"
 
-    def rule(self) -> str:
-        return "#line(length: 100%);"
-
     def grid(self, grid: Grid) -> str:
         aligns = "".join(f"{_ALIGNS[align]}, " for align in grid.aligns)
         rows = "".join(f"{self._row(row)},\n" for row in grid.rows)
@@ -47,15 +47,6 @@ class Printer(ProsePrinter):
 
     def code(self, text: str) -> str:
         return _raw(text)
-
-    def line_break(self) -> str:
-        return "#linebreak();\n"
-
-    def emphasis(self, content: Inlines) -> str:
-        return f"#emph[{self.inlines(content)}];"
-
-    def strong(self, content: Inlines) -> str:
-        return f"#strong[{self.inlines(content)}];"
 
     def link(self, address: str, content: Inlines) -> str:
         return f"#link({string(address)})[{self.inlines(content)}];"

@@ -1,9 +1,11 @@
-"""Formulas in MathML."""
+"""Labels in HTML, with formulas in MathML."""
 
 from __future__ import annotations
 
-from kurbel.formats.formula_shape import has_bar, has_stroke, is_seen
-from kurbel.formats.html.escapes import escape
+import re
+
+from kurbel.formats.formula import has_bar, has_stroke, is_seen
+from kurbel.formats.writer import PageWriter
 from kurbel.page.formula import (
     CAPITALS,
     SIGNS,
@@ -26,10 +28,44 @@ from kurbel.page.formula import (
 from kurbel.page.labels import beside
 
 
-def mathml(formula: Formula, mark: str = ".", display: bool = False) -> str:
-    """Return a formula in MathML; `display` gives fractions their full size."""
-    style = ' displaystyle="true"' if display and has_bar(formula.content) else ""
-    return f"<math{style}>{_mathml(formula.content, mark)}</math>"
+class Writer(PageWriter):
+    def escape(self, prose: str) -> str:
+        return escape(prose)
+
+    def note_mark(self, mark: str, target: str = "") -> str:
+        text = f"{escape(mark)})"
+        return f'<sup><a href="#{escape(target)}">{text}</a></sup>' if target else f"<sup>{text}</sup>"
+
+    def formula(self, formula: Formula, mark: str = ".", display: bool = False) -> str:
+        style = ' displaystyle="true"' if display and has_bar(formula.content) else ""
+        return f"<math{style}>{_mathml(formula.content, mark)}</math>"
+
+    def finish(self, label: str) -> str:
+        """Return a label that was set, with every formula on one line with the signs that touch it."""
+        return _BESIDE_FORMULA.sub(_kept, label)
+
+    def drawing(self, svg: str, name: str, title: str) -> str:
+        from kurbel.formats.html.svg import inline
+
+        return inline(svg, name, title, own_page=False)
+
+
+_HTML = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;"})
+
+
+def escape(prose: str) -> str:
+    """Return prose of which every character is printed and none obeyed."""
+    return prose.translate(_HTML)
+
+
+# Browsers break a line between a formula and a sign beside it, whatever the sign.
+_BESIDE_FORMULA = re.compile(r"(?<![^\s<>])(?:[^\s<>]*<math.*?</math>)+[^\s<>]*")
+
+
+def _kept(match: re.Match[str]) -> str:
+    text = match[0]
+    alone = text.startswith("<math") and text.endswith("</math>")
+    return text if alone else f'<span class="kept">{text}</span>'
 
 
 def _mathml(nodes: Nodes, mark: str) -> str:

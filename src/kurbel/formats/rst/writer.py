@@ -1,4 +1,4 @@
-r"""Prose and marks of labels in reStructuredText.
+r"""Labels in reStructuredText, and what its templates read.
 
 Markup stands apart from letters beside it. What is set here has an escaped space, which is not printed, on
 both sides; `finish` removes those that are not needed: "x\ :math:`R`\ , y" becomes "x\ :math:`R`, y".
@@ -7,6 +7,50 @@ both sides; `finish` removes those that are not needed: "x\ :math:`R`\ , y" beco
 from __future__ import annotations
 
 import re
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from kurbel.formats.formula import TexMath, has_bar
+from kurbel.formats.page import Page
+from kurbel.formats.writer import PageWriter
+from kurbel.page.formula import Formula
+from kurbel.page.table import Table
+
+
+class Writer(PageWriter):
+    def escape(self, prose: str) -> str:
+        return escape(prose)
+
+    def note_mark(self, mark: str, target: str = "") -> str:
+        """Return a raised mark without a link: a name of a note could be used but once in a document."""
+        return role("sup", f"{escape(mark)})")
+
+    def formula(self, formula: Formula, mark: str = ".", display: bool = False) -> str:
+        r"""Return a formula in TeX's notation in its role: :math:`x/R`, :math:`\frac{1}{4{,}5}\cos\varphi`.
+
+        `display` gives fractions their full size.
+        """
+        size = r"\displaystyle " if display and has_bar(formula.content) else ""
+        tex = TexMath(mark, lambda text: text.translate(_UPRIGHT))
+        return role("math", size + tex.set(formula.content))
+
+    def finish(self, label: str) -> str:
+        return finish(label)
+
+    def filters(self) -> Mapping[str, Callable[..., Any]]:
+        from kurbel.formats.rst.grid import grid_table, left_columns
+
+        return {"finish": finish, "grid_table": grid_table, "left_columns": left_columns}
+
+    def values(self, table: Table, ready: Page, mark: str, longtable: bool, alone: bool) -> dict[str, Any]:
+        # The value of an option is no prose.
+        return {"name": table.key}
+
+
+_UPRIGHT = str.maketrans(
+    {character: f"\\{character}" for character in "#$%&_{}"}
+    | {"\\": r"\textbackslash{}", "`": "‘", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}"}
+)
 
 _OBEYED = re.compile(r"[\\*`|_]|:(?=:)|(?<=\S)@(?=\S)|(?<=http|ttps|ilto|:ftp|file):(?=\S)")
 # At the start of a line these make a list, a field, an option, a comment or a line across the page.
@@ -31,11 +75,6 @@ def escape(prose: str) -> str:
 def role(name: str, text: str) -> str:
     """Return text in a role, such as sup, apart from what stands beside it."""
     return f"\\ :{name}:`{text}`\\ "
-
-
-def note_mark(mark: str) -> str:
-    """Return a raised mark without a link: a name of a note could be used but once in a document."""
-    return role("sup", f"{escape(mark)})")
 
 
 def finish(text: str) -> str:

@@ -1,6 +1,6 @@
-"""Pipe tables: what Markdown, as GitHub reads it, can show of a page.
+"""Labels in Markdown, and pipe tables: what Markdown, as GitHub reads it, can show of a page.
 
-It knows one heading row and no spans. So spanners are written before the headings under them, stub cells
+They know one heading row and no spans. So spanners are written before the headings under them, stub cells
 are repeated, and every labelled group is a table of its own under its label: a label row among the figures
 would sit in the first column, which is narrow, and an extra column would repeat it on every line.
 """
@@ -8,12 +8,46 @@ would sit in the first column, which is narrow, and an extra column would repeat
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
 
 from kurbel.formats.page import PageCell, PagePanel
+from kurbel.formats.writer import PageWriter
+from kurbel.page.formula import Formula
+from kurbel.page.labels import formula_plain, mark_text
 
 _FIGURES = re.compile(r"[0-9][0-9.,]*°?")
+
+
+class Writer(PageWriter):
+    def escape(self, prose: str) -> str:
+        return escape(prose)
+
+    def note_mark(self, mark: str, target: str = "") -> str:
+        # An anchor in Markdown is HTML, which many readers drop: there is no link.
+        return escape(mark_text(mark))
+
+    def formula(self, formula: Formula, mark: str = ".", display: bool = False) -> str:
+        # Dollar signs are left alone, since many readers of Markdown print them.
+        return escape(formula_plain(formula, mark))
+
+    def filters(self) -> Mapping[str, Callable[..., Any]]:
+        return {"pipe_tables": pipe_tables}
+
+
+_OBEYED = re.compile(r"[\\`*_\[\]<>|~$]|&(?=[#A-Za-z])")
+# At the start of a line these make a list or a heading.
+_START = re.compile(r"^( *)([-+=]|#+|[0-9]+(?=[.)](?: |$)))(?=[ .)]|$)")
+
+
+def escape(prose: str) -> str:
+    """Return prose of which every character is printed and none obeyed."""
+    return _START.sub(_escape_start, _OBEYED.sub(r"\\\g<0>", prose))
+
+
+def _escape_start(match: re.Match[str]) -> str:
+    space, start = match.groups()
+    return f"{space}{start}\\" if start.isdigit() else f"{space}\\{start}"
 
 
 class PipeTable(NamedTuple):

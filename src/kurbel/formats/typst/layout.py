@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from kurbel.formats.page import Page, PageCell, PagePanel
-from kurbel.formats.typst.escapes import string
+from kurbel.formats.typst.writer import string
 from kurbel.formats.widths import column_widths, em, spare_widths
 
 

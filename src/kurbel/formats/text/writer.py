@@ -1,4 +1,4 @@
-"""The grid of a table in plain text: widths, centred spanners, rules, aligned decimal marks.
+"""A table in plain text, a grid: widths, centred spanners, rules, aligned decimal marks.
 
 Widths count characters; labels have no combining or double-width ones.
 """
@@ -10,7 +10,9 @@ from itertools import accumulate, islice, zip_longest
 from textwrap import fill
 from typing import NamedTuple
 
-from kurbel.formats.page import HeadCell, Page, PageCell, PagePanel
+from kurbel.formats.page import HeadCell, Page, PageCell, PagePanel, page
+from kurbel.formats.writer import PageWriter
+from kurbel.page.table import Table
 
 GAP = 2
 SPANNER_GAP = 3
@@ -18,6 +20,15 @@ WIDEST = 100
 # A caption above a small table is not squeezed into its width.
 NARROWEST = 60
 HEAVY, LIGHT = "━", "─"
+
+
+class Writer(PageWriter):
+    def written(self, table: Table, mark: str, width: int | None) -> str:
+        if width is not None:
+            from kurbel.formats.text.narrow import narrowed
+
+            table = narrowed(table, lambda parted: grid_of(page(parted, self, mark)).total <= width)
+        return text_page(page(table, self, mark), width)
 
 
 class Grid(NamedTuple):

@@ -1,0 +1,261 @@
+r"""Markdown (CommonMark and the tables of GitHub), in which texts are written, with formulas and references.
+
+The crank turns *evenly* at $v = R ω$      a formula in the grammar of `formula.py`
+[](#delta), [the table](#delta)            a reference to a table, a figure or a chapter
+5 \$                                       a dollar sign
+
+Raw HTML is text like any other. What cannot be set, such as an image, is a ProseError.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator
+from functools import lru_cache
+from typing import TYPE_CHECKING, NamedTuple, cast
+from urllib.parse import unquote
+
+from kurbel.documents.prose import (
+    Align,
+    Block,
+    Blocks,
+    Break,
+    Code,
+    CodeBlock,
+    Emphasis,
+    Grid,
+    Heading,
+    Inline,
+    Inlines,
+    Link,
+    Listing,
+    Paragraph,
+    Quote,
+    Refer,
+    Rule,
+    Strong,
+    Text,
+)
+from kurbel.errors import ProseError
+from kurbel.page.formula import Formula, MalformedError, parse_formula
+from kurbel.page.labels import WHITE, primed
+
+if TYPE_CHECKING:
+    from markdown_it import MarkdownIt
+    from markdown_it.rules_inline import StateInline
+    from markdown_it.tree import SyntaxTreeNode
+
+    InlineRule = Callable[[StateInline, bool], bool]
+
+
+LONGEST = 200_000
+# LaTeX numbers lists four deep.
+DEEPEST = 4
+_DEEPEST_INLINE = 10
+_TAB = 4
+_CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\ud800-\udfff]")
+_SCHEME = re.compile(r"(?:https?:|mailto:)", re.IGNORECASE)
+_ALIGN = re.compile(r"text-align:(left|center|right)")
+
+
+@lru_cache(maxsize=64)
+def parse_prose(text: str) -> Blocks:
+    """Return the blocks of a text.
+
+    Raises ProseError, with the line, for images, links to other schemes than http, https and mailto,
+    malformed formulas, control characters, and more text or deeper nesting than any page has.
+    """
+    if len(text) > LONGEST:
+        raise ProseError(1, f"the text has {len(text)} characters; {LONGEST} are allowed")
+    if control := _CONTROL.search(text):
+        line = text.count("\n", 0, control.start()) + 1
+        raise ProseError(line, f"the character U+{ord(control.group()):04X} is a control and not printed")
+    from markdown_it.tree import SyntaxTreeNode
+
+    return _blocks(SyntaxTreeNode(_parser().parse(text)), 0)
+
+
+@lru_cache(maxsize=1)
+def _parser() -> MarkdownIt:
+    from markdown_it import MarkdownIt
+    from markdown_it.rules_inline import autolink, image, link
+
+    # Beyond its nesting the parser drops text: what a text may have must lie well below.
+    parser = MarkdownIt("commonmark", {"html": False, "maxNesting": 20}).enable("table")
+    # What links may be is said in a sentence; an address that is refused here would only be printed.
+    parser.validateLink = lambda url: True  # type: ignore[method-assign]
+    parser.inline.ruler.push("formula", _placed(_formula))
+    for name, rule in (("link", link), ("autolink", autolink), ("image", image)):
+        parser.inline.ruler.at(name, _placed(rule))
+    return parser
+
+
+def _placed(rule: InlineRule) -> InlineRule:
+    """Return the rule, which then notes in its first token where it was found: links, images, formulas."""
+
+    def placed(state: StateInline, silent: bool) -> bool:
+        start, count = state.pos, len(state.tokens)
+        found = rule(state, silent)
+        for token in state.tokens[count:] if found and not silent else ():
+            if token.type in ("link_open", "image", "formula"):
+                token.meta["at"] = start
+                break
+        return found
+
+    return placed
+
+
+def _formula(state: StateInline, silent: bool) -> bool:
+    """Read a formula between dollar signs, in which no character is Markdown. A lone sign is one, too."""
+    start = state.pos
+    if state.src[start] != "$":
+        return False
+    end = state.src.find("$", start + 1, state.posMax)
+    if not silent:
+        token = state.push("formula", "", 0)
+        token.markup = "$" if end < 0 else "$$"
+        token.content = state.src[start + 1 : end] if end >= 0 else ""
+    state.pos = start + 1 if end < 0 else end + 1
+    return True
+
+
+def _blocks(outside: SyntaxTreeNode, depth: int) -> Blocks:
+    """Return the blocks in a node of the tree; so many lists and quotations are around it."""
+    blocks = (_block(node, depth) for node in outside.children)
+    return tuple(block for block in blocks if block != Paragraph(()))
+
+
+def _block(node: SyntaxTreeNode, depth: int) -> Block:
+    match node.type:
+        case "paragraph":
+            return Paragraph(_content(node))
+        case "heading":
+            if content := _content(node):
+                return Heading(int(node.tag[1]), content)
+            raise ProseError(_line(node), r"a heading has no words; a # in prose is written \#")
+        case "fence" | "code_block":
+            return CodeBlock(_lines(node.content.expandtabs(_TAB)))
+        case "hr":
+            return Rule()
+        case "blockquote":
+            return Quote(_deeper(node, depth))
+        case "bullet_list" | "ordered_list":
+            return _listing(node, depth)
+        case "table":
+            return _grid(node)
+    raise AssertionError(node.type)
+
+
+def _deeper(node: SyntaxTreeNode, depth: int) -> Blocks:
+    if depth == DEEPEST:
+        raise ProseError(_line(node), f"lists and quotations are nested more than {DEEPEST} deep")
+    return _blocks(node, depth + 1)
+
+
+def _listing(node: SyntaxTreeNode, depth: int) -> Listing:
+    items = tuple(_deeper(item, depth) for item in node.children)
+    # Only paragraphs that stand directly in an item set the items of a list apart, and a single block has
+    # nothing to stand apart from.
+    loose = any(one.type == "paragraph" and not one.hidden for item in node.children for one in item.children)
+    tight = not loose or (len(items) == 1 and len(items[0]) == 1)
+    return Listing(int(node.attrs.get("start", 1)) if node.type == "ordered_list" else None, tight, items)
+
+
+def _grid(node: SyntaxTreeNode) -> Grid:
+    rows = [row.children for part in node.children for row in part.children]
+    head, *body = [tuple(map(_content, row)) for row in rows]
+    return Grid(tuple(map(_align, rows[0])), head, tuple(body))
+
+
+def _align(cell: SyntaxTreeNode) -> Align | None:
+    found = _ALIGN.match(str(cell.attrs.get("style", "")))
+    return cast("Align", found[1]) if found else None
+
+
+def _content(node: SyntaxTreeNode) -> Inlines:
+    """Return what a paragraph, heading or cell holds, without white space and ends of lines around it."""
+    content = _Run(node.children[0]).inlines(node.children[0], 1) if node.children else ()
+    kept = [place for place, inline in enumerate(content) if inline not in (Break(), Text(" "))]
+    return content[kept[0] : kept[-1] + 1] if kept else ()
+
+
+def _line(node: SyntaxTreeNode) -> int:
+    """Return the line of the text in which a node begins; what has none begins with what is around it."""
+    while not node.map and node.parent:
+        node = node.parent
+    return node.map[0] + 1 if node.map else 1
+
+
+def _lines(code: str) -> tuple[str, ...]:
+    return tuple(code.removesuffix("\n").split("\n")) if code else ()
+
+
+class _Run(NamedTuple):
+    """A run of text, whose nodes say where in it they stand."""
+
+    node: SyntaxTreeNode
+
+    def inlines(self, outside: SyntaxTreeNode, depth: int) -> Inlines:
+        """Return the inlines in a node, the run itself or emphasis, at a depth from 1."""
+        if depth > _DEEPEST_INLINE:
+            raise ProseError(_line(self.node), f"emphasis is nested more than {_DEEPEST_INLINE} deep")
+        return tuple(_joined(self._inline(node, depth) for node in outside.children))
+
+    def _inline(self, node: SyntaxTreeNode, depth: int) -> Inline:
+        match node.type:
+            case "text" | "text_special":
+                return Text(node.content)
+            case "softbreak":
+                return Text(" ")
+            case "hardbreak":
+                return Break()
+            case "code_inline":
+                return Code(node.content)
+            case "em":
+                return Emphasis(self.inlines(node, depth + 1))
+            case "strong":
+                return Strong(self.inlines(node, depth + 1))
+            case "link":
+                return self._link(node, str(node.attrs["href"]), self.inlines(node, depth + 1))
+            case "formula":
+                return self._formula(node)
+            case "image":
+                raise self._refused(node, "a text can hold no images; a figure has its own place")
+        raise AssertionError(node.type)
+
+    def _link(self, node: SyntaxTreeNode, address: str, content: Inlines) -> Inline:
+        if address.startswith("#") and address != "#":
+            return Refer(unquote(address[1:]), content)
+        if _SCHEME.match(address):
+            return Link(address, content or (Text(address),))
+        raise self._refused(
+            node,
+            f'the link to "{address[:60]}" cannot be set; it must begin with http:, https: or mailto:,'
+            " or be # and the name of a table, figure or chapter",
+        )
+
+    def _formula(self, node: SyntaxTreeNode) -> Formula:
+        if node.markup == "$":
+            raise self._refused(node, r"a formula needs a second $; a dollar sign in prose is written \$")
+        try:
+            return parse_formula(node.content)
+        except MalformedError as error:
+            written = WHITE.sub(" ", node.content)[:60]
+            raise self._refused(node, f'the formula "{written}" cannot be set: {error}') from None
+
+    def _refused(self, node: SyntaxTreeNode, reason: str) -> ProseError:
+        return ProseError(_line(self.node) + self.node.content.count("\n", 0, node.meta["at"]), reason)
+
+
+def _joined(inlines: Iterable[Inline]) -> Iterator[Inline]:
+    """Yield the inlines, neighbouring pieces of text as one."""
+    pieces: list[str] = []
+    for inline in (*inlines, None):
+        if isinstance(inline, Text):
+            pieces.append(inline.text)
+            continue
+        if text := primed(WHITE.sub(" ", "".join(pieces))):
+            yield Text(text)
+        pieces.clear()
+        if inline is not None:
+            yield inline

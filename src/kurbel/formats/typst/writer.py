@@ -1,0 +1,138 @@
+"""Labels in Typst, and what its templates read."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+from kurbel.formats.formula import has_bar, has_stroke, is_seen
+from kurbel.formats.page import Page, page
+from kurbel.formats.writer import PERCENT_DELIMITERS, PLAIN, PageWriter
+from kurbel.page.formula import (
+    SIGNS,
+    SYMBOLS,
+    Formula,
+    Fraction,
+    Group,
+    Nodes,
+    Numeral,
+    Root,
+    Script,
+    Sign,
+    Space,
+    Symbol,
+    Upright,
+    Variable,
+    Word,
+)
+from kurbel.page.labels import formula_plain
+from kurbel.page.table import Table
+
+
+class Writer(PageWriter):
+    # Typst has hash signs, braces and dollar signs, but no percent signs.
+    delimiters = PERCENT_DELIMITERS
+
+    def escape(self, prose: str) -> str:
+        return escape(prose)
+
+    def note_mark(self, mark: str, target: str = "") -> str:
+        """Return a mark without a link: a document that prints a table twice would not compile with it."""
+        return f"#super[{escape(mark)})];"
+
+    def formula(self, formula: Formula, mark: str = ".", display: bool = False) -> str:
+        """Return a formula with a text for readers that do not see it, which PDF/UA asks for.
+
+        `display` gives fractions their full size, and the line the height for it.
+        """
+        content = _typst(formula.content, mark)
+        alternative = string(formula_plain(formula, mark))
+        if display and has_bar(formula.content):
+            # The empty box is as high above the middle of the digits beside it as it is deep below.
+            content = f"display({content})#box(height: 2.9em, baseline: 1.12em)"
+        return f"#math.equation(alt: {alternative}, ${content}$);"
+
+    def values(self, table: Table, ready: Page, mark: str, longtable: bool, alone: bool) -> dict[str, Any]:
+        from kurbel.formats.typst.layout import typst_layout
+
+        return {"typst": typst_layout(page(table, PLAIN, mark), ready)}
+
+
+# Characters that Typst obeys anywhere.
+_ANYWHERE = re.compile(r"[\\#$*_@<`~\[\]\"']")
+# A hyphen stays before a letter only: with another one, ?, a digit or a space it makes a dash, a break, a
+# minus sign or a list. Points make an ellipsis, strokes a comment or, after a colon, a link.
+_PAIRS = re.compile(r"-(?![^\W\d_])|\.(?=\.)|(?<=\.)\.|/(?=[/*])|(?<=/)/")
+# At the start of a line these make a heading, a list or a term.
+_START = re.compile(r"^( *)([=+/])|^( *[0-9]+)(\.)")
+
+
+def escape(prose: str) -> str:
+    """Return prose of which every character is printed and none obeyed."""
+    escaped = _PAIRS.sub(r"\\\g<0>", _ANYWHERE.sub(r"\\\g<0>", prose))
+    return _START.sub(r"\1\3\\\2\4", escaped)
+
+
+_STRING = str.maketrans({"\\": r"\\", '"': r"\"", "\n": r"\n"})
+
+
+def string(text: str) -> str:
+    """Return a text as a string of Typst's code, quotation marks included."""
+    return f'"{text.translate(_STRING)}"'
+
+
+# Beside these nothing runs together; a space beside quotation marks would be printed.
+_TYPST_CLOSED = frozenset('()[]"')
+
+
+def _typst(nodes: Nodes, mark: str) -> str:
+    result = ""
+    for place in range(len(nodes)):
+        piece = _typst_node(nodes, place, mark)
+        result += " " * _would_join(result[-1:], piece[:1]) + piece
+    return result
+
+
+def _would_join(before: str, after: str) -> bool:
+    """Tell whether two characters would be read as one word or, as -> is, one sign."""
+    if not before or not after or {before, after} & _TYPST_CLOSED:
+        return False
+    return _in_word(before) == _in_word(after)
+
+
+def _in_word(character: str) -> bool:
+    """Tell whether Typst reads a character behind a letter as part of the word, as it does with a · too."""
+    return f"x{character}".isidentifier()
+
+
+def _typst_node(nodes: Nodes, place: int, mark: str) -> str:
+    node = nodes[place]
+    match node:
+        case Word(text) | Variable(text):
+            return text
+        case Numeral(text):
+            # A comma in quotes, for else it is set with the space of a list.
+            return text.replace(".", '","' if mark == "," else mark)
+        case Sign(":"):
+            return '":"'
+        case Sign(text):
+            return SIGNS[text][0]
+        case Symbol(text):
+            return f'"{SYMBOLS[text][0]}"'
+        case Upright(text):
+            return string(text)
+        case Space():
+            return "thin" * is_seen(nodes, place)
+        case Group(content, fences):
+            return f"{fences[0]}{_typst(content, mark)}{fences[1]}"
+        case Root(content):
+            return f"sqrt({_typst(content, mark)})"
+        case Fraction(top, bottom) if has_stroke(nodes, place):
+            below = _typst(bottom if len(bottom) == 1 else (Group(bottom),), mark)
+            return f"{_typst(top, mark)}\\/{below}"
+        case Fraction(top, bottom):
+            return f"frac({_typst(top, mark)}, {_typst(bottom, mark)})"
+        case Script(base, index, power):
+            below = f"_({_typst(index, mark)})" if index else ""
+            above = f"^({_typst(power, mark)})" if power else ""
+            return _typst((base,), mark) + below + above
