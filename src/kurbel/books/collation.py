@@ -10,20 +10,11 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from kurbel.books.printed_value import Printed, Units
+from kurbel.books.quantities import AXES, methods_of, quantity_truth
 from kurbel.books.source import SourceCell, SourceTable
-from kurbel.books.truth import Truth, constant, formula_truth, kept, methods_of, quantity_truth
+from kurbel.books.truth import Truth, constant, formula_truth, kept
 from kurbel.books.verdict import RIGHT, Evidence, Verdict, verdict
 from kurbel.errors import KurbelError, SourceError
-from kurbel.reading.notation import angle, number, ratio
-
-# How the axes of a cell are read.
-READERS: Mapping[str, Callable[[str], Fraction | str]] = {
-    "ratio": ratio,
-    "phi": lambda text: angle(text, "angle"),
-    "epsilon": lambda text: number(text, "expansion ratio"),
-    "arm": lambda text: number(text, "beam arm"),
-    "stroke": str,
-}
 
 
 class Collated(NamedTuple):
@@ -159,6 +150,5 @@ def others_of(cell: SourceCell) -> Mapping[str, Callable[[], Truth | None]]:
 
 def cell_truth(cell: SourceCell, method: str) -> Truth:
     """Return what the quantity of a cell is by a method."""
-    return quantity_truth(
-        cell.quantity, method, {axis: READERS[axis](text) for axis, text in cell.axes.items()}
-    )
+    at = {axis: AXES[axis].read(text) for axis, text in cell.axes.items()}
+    return quantity_truth(cell.quantity, method, at)

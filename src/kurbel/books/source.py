@@ -30,8 +30,8 @@ from kurbel.reading.toml_file import Fault, TomlFile, TomlKind, about
 
 KIND = Kind("source", "cell", SourceError)
 SOURCE = TomlKind("source", SourceError, 200_000, "a source has a citation and tables", "book/source.toml")
-AXES = ("ratio", "phi", "epsilon", "stroke", "arm")
-COLUMNS = ("place", "quantity", *AXES, "method", "formula", "way", "label", "printed")
+AXIS_KEYS = ("ratio", "phi", "epsilon", "stroke", "arm")
+COLUMNS = ("place", "quantity", *AXIS_KEYS, "method", "formula", "way", "label", "printed")
 NEEDED = ("place", "printed")
 # As many cells may build on one another.
 DEEPEST = 50
@@ -46,10 +46,10 @@ class SourceCell(NamedTuple):
     quantity: str
     axes: Mapping[str, str]
     method: str
-    formula: Expression | None
-    way: Expression | None
-    label: str
     line: int
+    formula: Expression | None = None
+    way: Expression | None = None
+    label: str = ""
 
 
 def _is_text(entry: object) -> bool:
@@ -245,10 +245,10 @@ def _cell(row: Mapping[str, str], method: str, line: int) -> SourceCell:
         known["place"],
         printed_value(known["printed"]) if known["printed"] else None,
         known["quantity"],
-        {axis: known[axis] for axis in AXES if known[axis]},
+        {axis: known[axis] for axis in AXIS_KEYS if known[axis]},
         known["method"] or method,
+        line,
         Expression(known["formula"]) if known["formula"] else None,
         Expression(known["way"]) if known["way"] else None,
         known["label"] or ("" if known["quantity"] else known["place"].replace("_", " ")),
-        line,
     )

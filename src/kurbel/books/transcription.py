@@ -13,15 +13,15 @@ a decimal comma is read where commas do not part. Empty fields are values that t
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from kurbel.books.collation import Collated, cell_truth, collate, collated_units, others_of
+from kurbel.books.collation import Collated, Collation, cell_truth, collate, collated_units, others_of
 from kurbel.books.printed_value import Printed, printed_value
-from kurbel.books.source import SourceCell
-from kurbel.books.truth import methods_of
+from kurbel.books.quantities import AXES, FAMILIES, keys_by, methods_of
+from kurbel.books.source import SourceCell, source_tables
 from kurbel.drive.crank import Crank
 from kurbel.errors import ChoiceError, KurbelError, NotationError, ProblemError, SourceError
 from kurbel.motion.digits import columns_in_balls, columns_in_floats, is_long
@@ -31,7 +31,7 @@ from kurbel.page.quantity import bare, words
 from kurbel.reading.choices import choose
 from kurbel.reading.csv_columns import Head, read_rows, whole_head
 from kurbel.reading.csv_lines import Kind, place, shown
-from kurbel.reading.notation import angle, number, ratio, ratio_text
+from kurbel.reading.notation import ratio, ratio_text
 
 _METHODS = (*METHODS, "weisbach", "approximate")
 KIND = Kind("transcription", "angle", SourceError)
@@ -53,43 +53,12 @@ class Own:
 class _Column(NamedTuple):
     """A column of printed values: whose quantity and ratio it is."""
 
-    head: str
     quantity: str
     ratio: Fraction
 
 
-class _Axis(NamedTuple):
-    """What the first column counts: its heads, what a value is called and how it is read, its quantities."""
-
-    key: str
-    heads: tuple[str, ...]
-    name: str
-    read: Callable[[str], Fraction]
-    quantities: Callable[[], Collection[str]]
-
-
-def _of_motion() -> Collection[str]:
-    return [name for name, one in registry().items() if is_known(one, Crank(Fraction(1, 5)))]
-
-
-def _of_engines() -> Collection[str]:
-    from kurbel.engine.quantities import engine_registry
-
-    return engine_registry()
-
-
-def _of_beams() -> Collection[str]:
-    from kurbel.linkage.beam import registry as beam_registry
-
-    return beam_registry()
-
-
-_AXES = (
-    _Axis("phi", ("phi", "φ"), "angle", lambda text: angle(text, "angle"), _of_motion),
-    _Axis("epsilon", ("epsilon", "eps", "ε"), "expansion ratio",
-          lambda text: number(text, "expansion ratio"), _of_engines),
-    _Axis("arm", ("arm", "beam", "a:r"), "beam arm", lambda text: number(text, "beam arm"), _of_beams),
-)  # fmt: skip
+# The heads of a first column, by the axis that it has.
+_HEADS = {"phi": ("phi", "φ"), "epsilon": ("epsilon", "eps", "ε"), "arm": ("arm", "beam", "a:r")}
 
 
 class _Point(NamedTuple):
@@ -108,9 +77,6 @@ def collated_table(
     folder: str | os.PathLike[str] | None,
 ) -> tuple[Any, tuple[Collated, ...]]:
     """Return a book's table, or what stands for one's own, with its collated values."""
-    from kurbel.books.collation import Collation
-    from kurbel.books.source import source_tables
-
     if file is not None:
         if folder is not None:
             raise ProblemError("--sources is for tables of books, and --csv is your own; leave one out")
@@ -146,21 +112,12 @@ def collated_file(
 
 
 def _collated(
-    path: str | os.PathLike[str], axis: _Axis, column: _Column, points: Sequence[_Point], method: str
+    path: str | os.PathLike[str], axis: str, column: _Column, points: Sequence[_Point], method: str
 ) -> Iterator[Collated]:
-    rights = _rights(column, points, method) if axis.key == "phi" else {}
+    rights = _rights(column, points, method) if axis == "phi" else {}
     for index, point in enumerate(points):
-        cell = SourceCell(
-            f"line_{point.line}",
-            point.printed,
-            column.quantity,
-            {"ratio": ratio_text(column.ratio), axis.key: point.text},
-            method,
-            None,
-            None,
-            "",
-            point.line,
-        )
+        at = {"ratio": ratio_text(column.ratio), axis: point.text}
+        cell = SourceCell(f"line_{point.line}", point.printed, column.quantity, at, method, point.line)
         try:
             if index in rights:
                 wrong = rights[index] != point.printed.scaled
@@ -206,9 +163,9 @@ class _Read:
 
     def row(self, texts: list[str], head: Head, line: int) -> None:
         first, *others = texts
-        at = self.axis.read(first)
+        at = AXES[self.axis].read(first)
         if at in self.seen:
-            raise NotationError(f"the {self.axis.name} {first} stands in line {self.seen[at]} already")
+            raise NotationError(f"the {AXES[self.axis].name} {first} stands in line {self.seen[at]} already")
         self.seen[at] = line
         for values, text in zip(self.points, others, strict=True):
             if text:
@@ -217,7 +174,7 @@ class _Read:
 
 def _read(
     path: str | os.PathLike[str], quantity: str | None, crank_ratio: Fraction | None
-) -> tuple[_Axis, list[_Column], list[list[_Point]]]:
+) -> tuple[str, list[_Column], list[list[_Point]]]:
     read, starts = _Read(quantity, crank_ratio), "it starts with its heads, phi and a ratio or a quantity"
     for _ in read_rows(path, KIND, read.head, read.row, starts, slice(1, None), ChoiceError):
         pass
@@ -228,12 +185,12 @@ def known_quantity(key: str) -> str:
     """Return the key of a quantity that its axis and the ratio settle."""
     if key in registry() and not is_known(registry()[key], Crank(Fraction(1, 5))):
         raise ProblemError(f"the quantity {key} has a unit, and no lengths are known; choose one without")
-    return choose(key, [name for axis in _AXES for name in axis.quantities()], "quantity")
+    return choose(key, [name for axis in FAMILIES for name in keys_by(axis)], "quantity")
 
 
-def _axis(head: str) -> _Axis:
-    for axis in _AXES:
-        if head.casefold() in axis.heads:
+def _axis(head: str) -> str:
+    for axis, heads in _HEADS.items():
+        if head.casefold() in heads:
             return axis
     raise NotationError(
         f'the first head is "{head[:40]}"; it must be phi, the crank angle, epsilon, the expansion ratio,'
@@ -242,31 +199,29 @@ def _axis(head: str) -> _Axis:
 
 
 def _columns(
-    axis: _Axis, heads: Sequence[str], quantity: str | None, crank_ratio: Fraction | None
+    axis: str, heads: Sequence[str], quantity: str | None, crank_ratio: Fraction | None
 ) -> list[_Column]:
     if len(heads) < 2:
         raise NotationError(f"there is no column of printed values beside {heads[0]}")
     columns = [_column(axis, head, len(heads) == 2, quantity, crank_ratio) for head in heads[1:]]
     for column in columns:
-        if [(one.quantity, one.ratio) for one in columns].count((column.quantity, column.ratio)) > 1:
+        if columns.count(column) > 1:
             said = f"{column.quantity} at R:L = {ratio_text(column.ratio)}"
             raise NotationError(f"there are two columns of {said}")
     return columns
 
 
-def _column(
-    axis: _Axis, head: str, alone: bool, quantity: str | None, crank_ratio: Fraction | None
-) -> _Column:
+def _column(axis: str, head: str, alone: bool, quantity: str | None, crank_ratio: Fraction | None) -> _Column:
     """Return whose column it is; what the head says must be what was given."""
     own_ratio = ratio(head) if ":" in head else None
-    own_quantity = known_quantity(head) if head in (*registry(), *axis.quantities()) else None
+    own_quantity = known_quantity(head) if head in (*registry(), *keys_by(axis)) else None
     if own_ratio is None and own_quantity is None and not alone:
         raise NotationError(f'the head "{head[:40]}" is neither a crank ratio nor a quantity, such as p')
     key = own_quantity or quantity
     if key is None:
         raise ProblemError("what is printed is not known; add --quantity, for example --quantity p")
-    if key not in axis.quantities():
-        raise ProblemError(f"the quantity {key} does not go by {axis.name}s, as the file does")
+    if key not in keys_by(axis):
+        raise ProblemError(f"the quantity {key} does not go by {AXES[axis].name}s, as the file does")
     if quantity not in (None, key):
         raise ProblemError(f"the file has a column headed {key}, and --quantity is {quantity}; leave one out")
     value = crank_ratio if own_ratio is None else own_ratio
@@ -275,4 +230,4 @@ def _column(
     if crank_ratio not in (None, value):
         raise ProblemError(f"the file has a column headed {head}, and --ratio is another; leave one out")
     Crank(value)
-    return _Column(head, key, value)
+    return _Column(key, value)

@@ -1,21 +1,19 @@
-"""What a value of a book is: by a formula, or as a quantity of kurbel's, with every digit certified."""
+"""What a value of a book is, with every digit certified: a number, or what a formula makes of others."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable
 from fractions import Fraction
 from functools import cache
 from math import inf
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from kurbel.books.expression import Expression, IrrationalError, Kind, fraction_root, irrational
 from kurbel.books.printed_value import Printed, Units
 from kurbel.errors import NotationError
 from kurbel.exact.certify import NEVER_TIES, TieBits, ball, ball_circle, ball_degrees, rounded, vanishes
-from kurbel.exact.kind import balls, bounds
 from kurbel.exact.separation import Separation, circle_separation
 from kurbel.kernel.circle import Circle
-from kurbel.reading.choices import choose
 
 if TYPE_CHECKING:
     from flint import arb
@@ -117,112 +115,3 @@ def kept(truth: Truth) -> Truth:
 
     at = cache(lambda precision: truth.value())
     return Truth(lambda: at(ctx.prec), truth.bound and cache(truth.bound), truth.rational)
-
-
-def methods_of(quantity: str) -> tuple[str, ...]:
-    """Return the methods by which a quantity can be recomputed."""
-    from kurbel.engine.quantities import engine_registry
-    from kurbel.linkage.beam import registry as beam_registry
-    from kurbel.motion.evaluation import METHODS
-
-    if quantity in beam_registry():
-        return ("exact", "approximate")
-    return ("exact", "series", "weisbach") if quantity in engine_registry() else tuple(METHODS)
-
-
-def quantity_truth(quantity: str, method: str, at: Mapping[str, Any]) -> Truth:
-    """Return a quantity of the motion, of an engine or of a beam engine.
-
-    `at` has the numbers by axis: ratio and phi; ratio and epsilon, perhaps the back pressure and the name of
-    a stroke; or ratio and arm.
-    """
-    from kurbel.engine.quantities import engine_registry
-    from kurbel.linkage.beam import registry as beam_registry
-    from kurbel.motion.quantities import registry
-
-    if "epsilon" in at:
-        choose(quantity, engine_registry(), "quantity")
-        _check_axes(quantity, at, ("ratio", "epsilon"), ("back", "stroke"))
-        return _engine_truth(quantity, method, **at)
-    if "arm" in at:
-        choose(quantity, beam_registry(), "quantity")
-        _check_axes(quantity, at, ("ratio", "arm"))
-        return _beam_truth(quantity, method, **at)
-    choose(quantity, registry(), "quantity")
-    _check_axes(quantity, at, ("ratio", "phi"))
-    return _motion_truth(quantity, method, **at)
-
-
-def _check_axes(
-    quantity: str, at: Mapping[str, Any], needed: Sequence[str], free: Sequence[str] = ()
-) -> None:
-    for axis in needed:
-        if axis not in at:
-            raise NotationError(f"there is no {axis}, which the quantity {quantity} needs")
-    for axis in at:
-        if axis not in (*needed, *free):
-            raise NotationError(f"the quantity {quantity} has no {axis}; leave it out")
-
-
-def _motion_truth(key: str, method: str, ratio: Fraction, phi: Fraction) -> Truth:
-    from kurbel.drive.crank import Crank
-    from kurbel.motion.evaluation import METHODS, is_known, is_transcendental, kernel_of, value
-    from kurbel.motion.quantities import registry
-
-    quantity, crank = registry()[key], Crank(ratio)
-    choose(method, METHODS, "method")
-    if not is_known(quantity, crank):
-        raise NotationError(f"the quantity {key} has a unit, and no lengths are known; choose one without")
-
-    def run(kind: Any) -> Any:
-        return value(quantity, method, crank, kind.circle(phi), kind)
-
-    # A method without a formula is told here, before anything is computed.
-    kernel_of(quantity, method, crank)
-    bound = None
-    if not is_transcendental(quantity, crank):
-        bound = cache(lambda: run(bounds()))
-    return Truth(lambda: run(balls()), bound)
-
-
-def _engine_truth(
-    key: str,
-    method: str,
-    ratio: Fraction,
-    epsilon: Fraction,
-    back: Fraction | None = None,
-    stroke: str = "turn",
-) -> Truth:
-    from kurbel.engine.quantities import SPANS, Where, applies, engine_registry
-    from kurbel.engine.quantities import value as value_of
-
-    quantity, spans = engine_registry()[key], {name: span for span, (name, _) in SPANS.items()}
-    where, turn = Where(spans[choose(stroke, spans, "stroke")]), engine_turn(ratio, epsilon, back, method)
-    if not applies(quantity, where):
-        raise NotationError(f"{key} is no quantity of {stroke}")
-
-    def value() -> Any:
-        found = value_of(quantity, turn, where)
-        return ball(found) if isinstance(found, Fraction) else found
-
-    return Truth(value)
-
-
-@cache
-def engine_turn(ratio: Fraction, epsilon: Fraction, back: Fraction | None, method: str) -> Any:
-    """Return the turn of an engine by a method."""
-    from kurbel.drive.crank import Crank
-    from kurbel.engine.engine import Engine, Steam
-    from kurbel.engine.quantities import ENGINE_METHODS
-    from kurbel.engine.turn import turn_of
-
-    choose(method, ENGINE_METHODS, "method")
-    return turn_of(Engine(Crank(ratio), Steam(epsilon, back)), method)
-
-
-def _beam_truth(key: str, method: str, ratio: Fraction, arm: Fraction) -> Truth:
-    from kurbel.linkage.beam import BeamEngine, registry, value
-
-    choose(method, ("exact", "approximate"), "method")
-    engine = BeamEngine(arm, ratio)
-    return Truth(lambda: value(registry()[key], engine, method))

@@ -9,7 +9,7 @@ from functools import cached_property
 from itertools import product
 from math import prod
 
-from kurbel.books.truth import engine_turn
+from kurbel.books.quantities import engine_turn
 from kurbel.drive.crank import Crank, check_angles
 from kurbel.errors import ProblemError
 from kurbel.examples.source import Example, Part, example

@@ -10,7 +10,8 @@ from typing import NamedTuple
 
 from kurbel.books.expression import Expression
 from kurbel.books.printed_value import Printed, printed_value
-from kurbel.books.truth import FRACTIONS, Truth, formula_truth, kept, quantity_truth
+from kurbel.books.quantities import quantity_truth
+from kurbel.books.truth import FRACTIONS, Truth, formula_truth, kept
 from kurbel.exact.numerals import Label, degrees_text, finite_decimals
 from kurbel.examples.lines import exact_text, filled, names_in
 from kurbel.examples.source import Example, Line, Part
