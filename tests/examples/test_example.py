@@ -23,10 +23,9 @@ from kurbel.books.expression import Expression
 from kurbel.books.printed_value import printed_value
 from kurbel.books.source import source_tables
 from kurbel.errors import KurbelError
-from kurbel.examples.lines import names_in
 from kurbel.examples.source import example, numbers_of, source_keys
 from kurbel.examples.words import WORDS
-from kurbel.examples.working import arc_text
+from kurbel.examples.working import arc_text, names_in
 
 BOOKS = SOURCES / "examples"
 EXAMPLES = [(key, number) for key in source_keys() for number in numbers_of(key)]

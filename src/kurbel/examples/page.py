@@ -7,11 +7,10 @@ from fractions import Fraction
 
 from kurbel.books.printed_value import Printed
 from kurbel.exact.numerals import Label, Number
-from kurbel.examples.lines import exact_text
 from kurbel.examples.request import ExampleRequest
 from kurbel.examples.source import Example, Part
 from kurbel.examples.words import WORDS
-from kurbel.examples.working import Entry, Working, angle_text
+from kurbel.examples.working import Entry, Working, angle_text, exact_text
 from kurbel.page.table import DITTO, Cell, Column, Field, Group, Note, Panel, Records, Row, Table, Value
 from kurbel.reading.notation import plain, ratio_text
 
@@ -96,7 +95,7 @@ def _varied(request: ExampleRequest) -> list[str]:
 
 
 def _given_text(example: Example, part: Part, names: Sequence[str]) -> Label:
-    symbols = {**SYMBOLS, "ratio": example.source.ratio}
+    symbols = {**SYMBOLS, "ratio": example.source.given.ratio}
     return ", ".join(f"${symbols[name]} = {GIVEN_TEXTS[name](part.given[name])}$" for name in names)
 
 
@@ -110,7 +109,8 @@ def _caption(request: ExampleRequest) -> Label:
     example, lang = request.example, request.lang
     part, varied = request.parts[0], _varied(request)
     common = _given_text(example, part, [name for name in part.given if name not in varied])
-    head = f"{example.source.name}, {example.source.example[lang]} {example.number}: {example.title[lang]}"
+    book = example.source.given
+    head = f"{book.name}, {book.example[lang]} {example.number}: {example.title[lang]}"
     return f"{head}; {common}" if common else head
 
 
@@ -130,7 +130,8 @@ def _notes(request: ExampleRequest, marks: Mapping[Label, str], kind: str) -> It
 
 def _source(request: ExampleRequest, kind: str) -> Label:
     example, lang = request.example, request.lang
-    place = f"{example.source.citation[lang]}, {example.source.example[lang]}\u00a0{example.number}"
+    book = example.source.given
+    place = f"{book.citation[lang]}, {book.example[lang]}\u00a0{example.number}"
     return f"{place}; {WORDS[kind + '_source'][lang]}."
 
 

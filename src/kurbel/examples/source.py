@@ -117,16 +117,6 @@ class ExampleFile(Struct, frozen=True, forbid_unknown_fields=True):
     own: OwnFile = OwnFile()
 
 
-class Source(NamedTuple):
-    """A book: its name, what it calls its examples, how it is cited, its letters of the ratio."""
-
-    key: str
-    name: str
-    example: Words
-    citation: Words
-    ratio: str = "R:L"
-
-
 class Example(NamedTuple):
     """A worked example: its lines, its steps, and the exact numbers that follow from given ones.
 
@@ -134,7 +124,7 @@ class Example(NamedTuple):
     for these; without lines the book's serve.
     """
 
-    source: Source
+    source: Book
     number: str
     title: Words
     method: str
@@ -159,10 +149,9 @@ def numbers_of(key: str) -> tuple[str, ...]:
 
 
 @cache
-def source(key: str) -> Source:
-    """Return the source of that key; an unknown one is answered with the nearest and the list."""
-    book = _book(choose(key, source_keys(), "source"))
-    return Source(key, book.given.name, book.given.example, book.citation, book.given.ratio)
+def source(key: str) -> Book:
+    """Return the book of that key; an unknown one is answered with the nearest and the list."""
+    return Book(Path(FOLDER, choose(key, source_keys(), "source")))
 
 
 @cache
@@ -171,7 +160,7 @@ def example(key: str, number: str) -> Example:
     book = source(key)
     name = choose(number, numbers_of(key), f"example of {key}")
     page = TomlFile(os.path.join(FOLDER, key, f"{name}.toml"), SOURCE).read(ExampleFile)
-    table = next((one for one in _book(key).tables if one.name == number), None)
+    table = next((one for one in book.tables if one.name == number), None)
     return Example(
         source=book,
         number=number,
@@ -184,10 +173,6 @@ def example(key: str, number: str) -> Example:
         parts=tuple(_part(table, page.takes, part) for part in page.part),
         own=page.own.lines,
     )
-
-
-def _book(key: str) -> Book:
-    return Book(Path(FOLDER, key))
 
 
 def _part(table: SourceTable | None, takes: tuple[str, ...], part: PartFile) -> Part:

@@ -1,4 +1,11 @@
-"""A part of a worked example worked out: line by line, each new figure as printed and as it is."""
+"""A part of a worked example worked out: line by line, each new figure as printed and as it is.
+
+Lines are templates: {path} is a figure of a step, {-path} the same with the other sign before it.
+
+{half}       a step, or an exact number: 0.125, 1/9
+{+c} {-c}    sign and amount: + 0.707; {-c} turns the sign
+{(c)}        in parentheses if it is negative or a fraction
+"""
 
 from __future__ import annotations
 
@@ -12,12 +19,14 @@ from kurbel.books.expression import Expression
 from kurbel.books.printed_value import Printed, printed_value
 from kurbel.books.quantities import quantity_truth
 from kurbel.books.truth import FRACTIONS, Truth, formula_truth, kept
-from kurbel.exact.numerals import Label, degrees_text, finite_decimals
-from kurbel.examples.lines import exact_text, filled, names_in
+from kurbel.exact.numerals import Label, degrees_text, finite_decimals, nearest, number_text
 from kurbel.examples.source import Example, Line, Part
 from kurbel.examples.words import WORDS
 from kurbel.reading.notation import plain
 
+_PLACE = re.compile(r"\{(?P<sign>[+-]?)(?P<open>\(?)(?P<name>\w+)\)?\}")
+# An exact number with more decimals is written as a fraction.
+MOST_DECIMALS = 4
 INDENT = "\u00a0\u00a0"
 CONTINUED = ("$=", "$- ")
 
@@ -150,3 +159,30 @@ def arc_text(arc: Printed) -> Label:
 def angle_text(angle: Fraction) -> str:
     """Return an angle for a formula: 45°, 22.5°, 0°20'."""
     return degrees_text(angle) if finite_decimals(angle) is None else f"{plain(angle)}°"
+
+
+def names_in(text: Label) -> Iterator[str]:
+    """Yield the names in a template, each once."""
+    yield from dict.fromkeys(match["name"] for match in _PLACE.finditer(text))
+
+
+def filled(text: Label, figure_of: Callable[[str], str]) -> Label:
+    """Return the line with its figures; `figure_of` returns the text of a name."""
+
+    def place(match: re.Match[str]) -> str:
+        shown = figure_of(match["name"])
+        negative = shown.startswith("-")
+        amount = shown.removeprefix("-")
+        if match["sign"]:
+            return f"{'+' if negative == (match['sign'] == '-') else '-'} {amount}"
+        return f"({shown})" if match["open"] and (negative or "/" in shown) else shown
+
+    return _PLACE.sub(place, text)
+
+
+def exact_text(value: Fraction) -> str:
+    """Return an exact number for a formula: 5, 0.125, -5/12."""
+    decimals = finite_decimals(value)
+    if decimals is None or decimals > MOST_DECIMALS:
+        return str(value)
+    return number_text(nearest(value, decimals))
