@@ -77,7 +77,7 @@ def test_values_keep_their_distance_from_the_best_fractions(
 
 
 def separations(angle: Fraction) -> Circle[Separation]:
-    return Circle(*circle_separation(angle))
+    return circle_separation(angle)
 
 
 Expression = tuple[Any, Separation]
@@ -88,7 +88,7 @@ Expression = tuple[Any, Separation]
 def expressions(draw: st.DrawFn) -> Expression:
     """Numbers made by sums, products, quotients and roots from fractions and the sines of one angle."""
     angle = draw(st.sampled_from([Fraction(n) for n in (30, 36, 45, 60, 72, 90, 120)]))
-    circle, bounds = certify.ball_circle(angle)[:3], circle_separation(angle)
+    circle, bounds = certify.ball_circle(angle)[:3], circle_separation(angle)[:3]
     leaves: list[Expression] = list(zip(circle, bounds, strict=True))
     for fraction in draw(st.lists(st.fractions(-3, 3, max_denominator=5), min_size=1, max_size=3)):
         leaves.append((certify.ball(fraction), Separation.rational(fraction)))

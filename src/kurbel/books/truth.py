@@ -13,16 +13,13 @@ from kurbel.books.printed_value import Printed, Units
 from kurbel.errors import NotationError
 from kurbel.exact.certify import NEVER_TIES, TieBits, ball, ball_circle, ball_degrees, rounded, vanishes
 from kurbel.exact.separation import Separation, circle_separation
-from kurbel.kernel.circle import Circle
 
 if TYPE_CHECKING:
     from flint import arb
 
 BALLS = Kind(ball, ball_circle, lambda value: value.log(), lambda value: 90 - ball_degrees(value))
 FRACTIONS = Kind(lambda value: value, irrational, irrational, irrational, fraction_root)
-BOUNDS = Kind(
-    Separation.rational, lambda degrees: Circle(*circle_separation(degrees)), irrational, irrational
-)
+BOUNDS = Kind(Separation.rational, circle_separation, irrational, irrational)
 
 
 class Truth(NamedTuple):

@@ -19,7 +19,7 @@ from kurbel.engine.cylinder import SIGNS, AnyTurn, Cylinder, cylinder_of
 from kurbel.engine.engine import Engine
 from kurbel.engine.quantities import Peak
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import ball, ball_circle
+from kurbel.exact.certify import ball, ball_circle, half_turn_circle
 from kurbel.exact.kind import balls
 from kurbel.exact.roots import ISOLATING_BITS, Function, Root, isolate, refined
 from kurbel.kernel import steam
@@ -218,8 +218,7 @@ def circle(half_turns: Angle) -> Circle[Number]:
     """Return sine, cosine and versine of half turns, exact ones or a ball."""
     if isinstance(half_turns, Fraction):
         return ball_circle(180 * half_turns)
-    sine, cosine = half_turns.sin_cos_pi()
-    return Circle(sine, cosine, 2 * (half_turns / 2).sin_pi() ** 2)
+    return half_turn_circle(half_turns)
 
 
 def _piece(starts: Sequence[Fraction], low: Fraction, high: Fraction) -> Piece:

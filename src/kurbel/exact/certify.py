@@ -50,6 +50,11 @@ def _ball_circle(degrees: Fraction, precision: int) -> Circle[arb]:
     return Circle(sine, cosine, 2 * flint.arb.sin_pi_fmpq(turn / 2) ** 2)
 
 
+def half_turn_circle(half_turns: arb) -> Circle[arb]:
+    """Return the same of half turns, a ball."""
+    return Circle(*half_turns.sin_cos_pi(), 2 * (half_turns / 2).sin_pi() ** 2)
+
+
 def ball_degrees(sine: arb) -> arb:
     """Return the angle in degrees, within -90..90, that has this sine."""
     return sine.asin() * 180 / flint.arb.pi()

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from kurbel.exact.certify import half_turn_circle
 from kurbel.kernel.circle import Circle
 
 if TYPE_CHECKING:
@@ -64,11 +65,12 @@ def _jet(number: Any) -> Jet:
     return number if isinstance(number, Jet) else Jet(number, 0, 0)
 
 
-def jets(sine: Any, cosine: Any, versine: Any) -> Circle[Jet]:
+def jets(circle: Circle[Any]) -> Circle[Jet]:
     """Return the circle of an angle with its slopes over the angle in radians."""
+    sine, cosine, versine, *_ = circle
     return Circle(Jet(sine, cosine, -sine), Jet(cosine, -sine, -cosine), Jet(versine, sine, cosine))
 
 
 def ball_jets(half_turns: arb) -> Circle[Jet]:
     """Return the same of an angle in half turns, a ball."""
-    return jets(*half_turns.sin_cos_pi(), 2 * (half_turns / 2).sin_pi() ** 2)
+    return jets(half_turn_circle(half_turns))

@@ -37,9 +37,8 @@ def balls() -> Kind:
 def bounds() -> Kind:
     """Return separation bounds."""
     from kurbel.exact.separation import Separation, circle_separation
-    from kurbel.kernel.circle import Circle
 
-    return Kind(Separation.rational, lambda degrees: Circle(*circle_separation(degrees)), exponent=Fraction)
+    return Kind(Separation.rational, circle_separation, exponent=Fraction)
 
 
 def floats() -> Kind:

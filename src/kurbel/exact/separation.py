@@ -14,6 +14,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import lcm, log2, prod
 
+from kurbel.kernel.circle import Circle
+
 
 @dataclass(frozen=True, slots=True)
 class Separation:
@@ -86,7 +88,7 @@ class Separation:
         return Separation(upper, lower, lcm(self.order, other.order), self.roots | other.roots)
 
 
-def circle_separation(degrees: Fraction) -> tuple[Separation, Separation, Separation]:
+def circle_separation(degrees: Fraction) -> Circle[Separation]:
     """Return the bounds of sine, cosine and versine of a rational number of degrees.
 
     2 sin φ and 2 cos φ are algebraic integers with conjugates up to 2, in the cyclotomic field of order
@@ -95,7 +97,7 @@ def circle_separation(degrees: Fraction) -> tuple[Separation, Separation, Separa
     denominator = (degrees / 360).denominator
     order = lcm(4, denominator)
     half = Separation(1, 1, order)
-    return half, half, Separation(2, 1, order)
+    return Circle(half, half, Separation(2, 1, order))
 
 
 def _separation(value: Separation | int) -> Separation:

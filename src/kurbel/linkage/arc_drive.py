@@ -8,7 +8,7 @@ from functools import cache, cached_property
 from math import pi, tan
 from typing import TYPE_CHECKING, Any
 
-from kurbel.exact.certify import NEVER_TIES, ball, rounded
+from kurbel.exact.certify import NEVER_TIES, ball, half_turn_circle, rounded
 from kurbel.exact.certify import pi as ball_pi
 from kurbel.exact.course import Course
 from kurbel.exact.jet import Jet, ball_jets, jets
@@ -20,7 +20,7 @@ from kurbel.linkage import evaluation as linkage
 from kurbel.linkage.arc import ArcCrank
 from kurbel.linkage.evaluation import STROKE
 from kurbel.linkage.quantities import arc_registry
-from kurbel.motion.drives import circle, column_named, condition_names, ties_at
+from kurbel.motion.drives import column_named, condition_names, ties_at
 from kurbel.motion.evaluation import OUT, STROKES, is_known
 from kurbel.motion.quantities import registry
 from kurbel.page.quantity import Quantity
@@ -83,7 +83,10 @@ class ArcDrive:
         if self._is_free(column):
             ties = ties_at(place, self._jet(column, stroke).value)
         return rounded(
-            lambda: self._value(column, stroke, circle(place.half_turns())), decimals, rounding, ties
+            lambda: self._value(column, stroke, half_turn_circle(place.half_turns())),
+            decimals,
+            rounding,
+            ties,
         )
 
     @cached_property
@@ -111,7 +114,7 @@ class ArcDrive:
 
     def _jet(self, column: str, stroke: int) -> Jet:
         field = Field()
-        at = jets(*field.circle(self.centre.tangent)[:3])
+        at = jets(field.circle(self.centre.tangent))
         found = linkage.direct_value(self._quantity(column, stroke), self.crank, at, surds(field))
         assert isinstance(found, Jet)
         return found
@@ -133,7 +136,7 @@ class ArcDrive:
         begin, end = (Place(one, self.centre, velocity) for one in self._dead_centres(stroke))
 
         def at(half_turns: arb) -> arb:
-            found: arb = self._value(column, stroke, circle(half_turns))
+            found: arb = self._value(column, stroke, half_turn_circle(half_turns))
             return found
 
         if self._is_free(column):
@@ -147,7 +150,9 @@ class ArcDrive:
             return Course(at, slope, begin, end, jet.value, jet.slope)
 
         def rise(half_turns: arb) -> arb:
-            found: arb = self._value("velocity", stroke, circle(half_turns)) * self._gauge(column, stroke)
+            found: arb = self._value("velocity", stroke, half_turn_circle(half_turns)) * self._gauge(
+                column, stroke
+            )
             return found
 
         ends = {"path": (Fraction(0), None), PATH_SHARE: (Fraction(0), Fraction(1))}

@@ -20,6 +20,7 @@ from kurbel.exact.certify import (
     ball,
     ball_circle,
     ball_degrees,
+    half_turn_circle,
     pi,
     rounded,
 )
@@ -118,7 +119,9 @@ class SlideDrive:
         ties = NEVER_TIES
         if not is_transcendental(quantity, self.crank):
             ties = ties_at(place, self._surd(column, stroke))
-        return rounded(lambda: formula(circle(place.half_turns()), balls()), decimals, rounding, ties)
+        return rounded(
+            lambda: formula(half_turn_circle(place.half_turns()), balls()), decimals, rounding, ties
+        )
 
     def _formula(self, quantity: Quantity) -> Formula:
         return lambda circle, numbers: value(quantity, self.method, self.crank, circle, numbers)
@@ -138,7 +141,7 @@ class SlideDrive:
         formula = self._asked(quantity, stroke)
 
         def at(half_turns: arb) -> arb:
-            found: arb = formula(circle(half_turns), balls())
+            found: arb = formula(half_turn_circle(half_turns), balls())
             return found
 
         def slope(half_turns: arb) -> arb:
@@ -205,11 +208,6 @@ def slide_drives(cranks: Sequence[Crank], method: str) -> tuple[SlideDrive, ...]
     return tuple(SlideDrive(crank, method) for crank in cranks)
 
 
-def circle(half_turns: arb) -> Circle[Any]:
-    """Return the circle of half turns, a ball."""
-    return Circle(*(one.value for one in ball_jets(half_turns)[:3]))
-
-
 def ties_at(place: Place, surd: Surd | None) -> TieBits | None:
     """Return what proves that a value at the place lies on a rounding boundary, or NEVER_TIES."""
     if surd is None or place.polynomial is None:
@@ -229,7 +227,7 @@ def _of_stroke(column: str, stroke: int) -> Quantity:
 def _as_surds(formula: Formula) -> Jet:
     """Return a formula and its slopes as functions of tan ½(φ - 90°)."""
     field = Field()
-    found = formula(jets(*field.circle(SQUARE.tangent)[:3]), surds(field))
+    found = formula(jets(field.circle(SQUARE.tangent)), surds(field))
     assert isinstance(found, Jet)
     return found
 

@@ -17,7 +17,7 @@ import flint
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import GUARD_BITS, MOST_BITS, MOST_TIE_BITS, ball, ball_circle, pi
+from kurbel.exact.certify import GUARD_BITS, MOST_BITS, MOST_TIE_BITS, ball, ball_circle, half_turn_circle, pi
 from kurbel.exact.jet import Jet, ball_jets, jets
 from kurbel.exact.roots import ISOLATING_BITS, Root, interval, isolate, refined
 from kurbel.exact.separation import Separation, circle_separation
@@ -121,7 +121,7 @@ class Peak:
         return reduce(Separation.union, bounds)
 
     def _bound(self, degrees: Fraction) -> Separation:
-        circle = Circle(*circle_separation(degrees))
+        circle = circle_separation(degrees)
         bound = self._run(self.force.formula, circle, Separation.rational)
         assert isinstance(bound, Separation)
         return bound
@@ -179,7 +179,7 @@ class Peak:
 
     def _is_level(self, quarter: Fraction) -> bool:
         """Whether the slope at a quarter of the turn is zero, proved by its separation bound."""
-        circle = jets(*circle_separation(180 * quarter))
+        circle = jets(circle_separation(180 * quarter))
         bits = self._run(self.force.smooth, circle, _constant).slope.bits()
         if bits > MOST_TIE_BITS:
             return False
@@ -199,7 +199,7 @@ class Peak:
 
     def _value_at(self, place: Place) -> arb:
         at = self._half_turns(place)
-        circle = ball_circle(180 * place.low) if place.is_exact else _balls(at)
+        circle = ball_circle(180 * place.low) if place.is_exact else half_turn_circle(at)
         value: arb = abs(self._run(self.force.formula, circle, ball))
         if place.is_exact or place.rising is not None:
             return value
@@ -218,10 +218,6 @@ class Peak:
         away = (at - at.mid()) * pi()
         value: arb = middle.value + away * (middle.slope + away * wide.bend)
         return value
-
-
-def _balls(half_turns: arb) -> Circle[Any]:
-    return Circle(*(jet.value for jet in ball_jets(half_turns)[:3]))
 
 
 def _constant(value: Fraction) -> Jet:
