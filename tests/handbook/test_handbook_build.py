@@ -609,3 +609,43 @@ def test_a_template_of_ones_own_sets_its_tables(tmp_path: Path) -> None:
     own.write_text("My other: {{ page.caption }}\n")
     assert build(folder).code == 0
     assert files(folder)["tables/wege.md"].startswith(b"My other: Kolbenweg")
+
+
+LAYOUT = """\
+title = "Winkel|Angle"
+caption = "Stangenwinkel"
+ratios = ["1:4", "1:5"]
+angles = ["0..180:60"]
+down = ["angle"]
+stub = ["angle"]
+across = ["column", "ratio"]
+stub_headings = { angle = "$φ$" }
+columns = [{ quantity = "psi", heading = ["$ψ$"], decimals = 1 }]
+"""
+
+
+@pytest.mark.slow
+def test_a_layout_of_ones_own_makes_its_tables_and_makes_them_anew_when_it_changes(tmp_path: Path) -> None:
+    text = MANIFEST.replace('title = "Tafeln"', 'title = "Tafeln"\nlayouts = "mine"')
+    folder = book(tmp_path, text.replace("--ratio 1:5 --step 45", "--layout angle"))
+    own = folder / "mine" / "angle" / "layout.toml"
+    own.parent.mkdir(parents=True)
+    own.write_text(LAYOUT)
+    assert build(folder).code == 0
+    # sin ψ = λ sin φ: at 60° 12.5039° for 1:4 and 9.9741° for 1:5.
+    assert "12,5" in files(folder)["tables/wege.txt"].decode()
+    assert kurbel("handbook", "check", str(folder)).code == 0
+    own.write_text(LAYOUT.replace("decimals = 1", "decimals = 3"))
+    assert kurbel("handbook", "check", str(folder)).code == 1
+    assert build(folder).code == 0
+    assert "12,504" in files(folder)["tables/wege.txt"].decode()
+    own.write_text(LAYOUT.replace('"psi"', '"pso"'))
+    came = build(folder)
+    assert came.code == 1
+    assert "mine/angle/layout.toml, line 9: " in came.err
+    assert '"pso" (did you mean psi?)' in came.err
+    shutil.rmtree(folder / "mine")
+    came = build(folder)
+    assert came.code == 1
+    assert "handbook.toml, line " in came.err
+    assert "mine" in came.err
