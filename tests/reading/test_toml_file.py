@@ -1,4 +1,4 @@
-"""Files of users in TOML: whatever stands in one, it is read or answered with a sentence that names the file."""
+"""Files of users in TOML: whatever stands in one, it is read or answered with a sentence naming the file."""
 
 from __future__ import annotations
 
