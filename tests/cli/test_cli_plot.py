@@ -36,11 +36,10 @@ from kurbel.motion.quantities import registry
 from kurbel.motion.question import Request
 from kurbel.page.layouts import layout
 from kurbel.plot.curves import motion_keys, motion_panels, pin_force, pin_force_keys
-from kurbel.plot.engine import PIN_FORCE, engine_pin_force, force_panels
+from kurbel.plot.engine import PIN_FORCE, TURNING, engine_pin_force, force_panels, turning_panels
 from kurbel.plot.panels import MOST_POINTS, axis_name
 from kurbel.plot.plotting import Curve, Panel
 from kurbel.plot.style import FORMATS
-from kurbel.plot.turning import COLUMNS, turning_panels
 from kurbel.reading.units import Speed
 
 CARD = CARDS / "ideal-2.csv"
@@ -77,7 +76,7 @@ def turning(
         drives=[Crank(ratio) for ratio in ratios],
         cranks=[Fraction(one) for one in cranks],
         angles=ANGLES,
-        columns=COLUMNS,
+        columns=TURNING,
     )
     return turning_panels(request)
 
@@ -412,7 +411,7 @@ def test_the_polar_diagram_leaps_at_the_dead_centres_along_the_crank() -> None:
 def test_the_turning_effort_with_the_masses_has_theirs_besides_the_steams() -> None:
     heavy_crank = replace(SIZED, speed=Speed(Fraction(2)), moving=Moving(Fraction(200)))
     request = EngineRequest(
-        layout=layout("turning"), steams=[STEAM], drives=[heavy_crank], angles=ANGLES, columns=COLUMNS,
+        layout=layout("turning"), steams=[STEAM], drives=[heavy_crank], angles=ANGLES, columns=TURNING,
         load=LOAD,
     )  # fmt: skip
     phi, heavy = curve_at(turning_panels(request)[0].curves[0])

@@ -52,36 +52,36 @@ def plot_engine_forces(
     eps: option.Eps = None, *, columns: DrawnColumns = (), **given: Unpack[Drawn]
 ) -> Drawing:
     """Draw the forces in the crank drive of a steam engine, those of the first crank."""
-    from kurbel.plot.drawings import engine_forces_drawing
-    from kurbel.plot.engine import FORCES
+    from kurbel.plot.drawings import curves_drawing
+    from kurbel.plot.engine import FORCES, force_panels
 
     mark = mark_of(given["lang"], given["decimal"])
     question = _force_question({**given, "eps": eps}, FORCES, columns)
-    return Drawing.of(engine_forces_drawing(question, mark), given["lang"], mark)
+    return Drawing.of(curves_drawing(question, force_panels(question), mark), given["lang"], mark)
 
 
 @draws()
 def plot_engine_polar(eps: option.Eps = None, **given: Unpack[Drawn]) -> Drawing:
     """Draw the polar diagram of the force on the crank pin of a steam engine."""
-    from kurbel.plot.drawings import engine_polar_drawing
-    from kurbel.plot.engine import PIN_FORCE
+    from kurbel.plot.drawings import polar_drawing
+    from kurbel.plot.engine import PIN_FORCE, engine_pin_force
 
     mark = mark_of(given["lang"], given["decimal"])
     question = _force_question({**given, "eps": eps}, PIN_FORCE)
     only(question.steams, "polar", "cards" if question.carded else "expansion ratios")
     only(question.drives, "polar", "ratios")
-    return Drawing.of(engine_polar_drawing(question, mark), given["lang"], mark)
+    return Drawing.of(polar_drawing(question, engine_pin_force(question), mark), given["lang"], mark)
 
 
 @draws()
 def plot_turning(eps: option.Eps = None, *, cranks: option.Cranks = None, **given: Unpack[Drawn]) -> Drawing:
     """Draw the turning effort of a steam engine: tangential force, its mean and the excess energy."""
-    from kurbel.plot.drawings import turning_drawing
-    from kurbel.plot.turning import COLUMNS
+    from kurbel.plot.drawings import curves_drawing
+    from kurbel.plot.engine import TURNING, turning_panels
 
     mark = mark_of(given["lang"], given["decimal"])
-    question = _question("turning", {**given, "eps": eps, "cranks": cranks}, COLUMNS)
-    return Drawing.of(turning_drawing(question, mark), given["lang"], mark)
+    question = _question("turning", {**given, "eps": eps, "cranks": cranks}, TURNING)
+    return Drawing.of(curves_drawing(question, turning_panels(question), mark), given["lang"], mark)
 
 
 def _force_question(

@@ -104,8 +104,8 @@ def plot_motion(
     decimal: option.Decimal = None,
 ) -> Drawing:
     """Draw path, velocity and acceleration over the crank angle, or what the columns name."""
-    from kurbel.plot.curves import motion_keys
-    from kurbel.plot.drawings import motion_drawing
+    from kurbel.plot.curves import motion_keys, motion_panels
+    from kurbel.plot.drawings import curves_drawing
 
     mark, angles = mark_of(lang, decimal), curve_angles(from_, to, step)
     name = mechanism_of(mechanism, offset)
@@ -120,12 +120,12 @@ def plot_motion(
             cranks = arc_cranks(page, ratio, offset, rocker, pivot, method)
         names = as_names(columns, "path,velocity") or (ARC_MOTION if name == "arc" else ())
         question = LinkageRequest(layout=page, angles=angles, cranks=cranks, lang=lang, columns=names)
-        return Drawing.of(motion_drawing(question, mark), lang, mark)
+        return Drawing.of(curves_drawing(question, motion_panels(question), mark), lang, mark)
     across = offset if name == "offset" else None
     newtons = None if force is None else as_force(force)
     drives = cranks_of(page_of(LAYOUT), ratio, stroke, rod, across, speed, method=method, force=newtons)
     request = _request(drives, angles, columns, motion_keys, method, lang)
-    return Drawing.of(motion_drawing(request, mark), lang, mark)
+    return Drawing.of(curves_drawing(request, motion_panels(request), mark), lang, mark)
 
 
 @draws(foreign=lambda values: of_other_mechanisms(mechanism_of(values["mechanism"], values["offset"])))
@@ -188,8 +188,8 @@ def plot_forces(
     decimal: option.Decimal = None,
 ) -> Drawing:
     """Draw the forces in the crank drive under a constant piston force."""
-    from kurbel.plot.curves import force_keys
-    from kurbel.plot.drawings import motion_drawing
+    from kurbel.plot.curves import force_keys, motion_panels
+    from kurbel.plot.drawings import curves_drawing
 
     mark, angles = mark_of(lang, decimal), curve_angles(from_, to, step)
     name = mechanism_of(mechanism, offset)
@@ -210,10 +210,10 @@ def plot_forces(
         question = LinkageRequest(
             layout=page, angles=angles, cranks=arcs, parallel=parallel, lang=lang, columns=names
         )
-        return Drawing.of(motion_drawing(question, mark), lang, mark)
+        return Drawing.of(curves_drawing(question, motion_panels(question), mark), lang, mark)
     cranks = _pushed(mechanism, ratio, stroke, rod, offset, method, force)
     request = _request(cranks, angles, columns, force_keys, method, lang)
-    return Drawing.of(motion_drawing(request, mark), lang, mark)
+    return Drawing.of(curves_drawing(request, motion_panels(request), mark), lang, mark)
 
 
 @draws(foreign=_of_sliding)
@@ -235,13 +235,13 @@ def plot_polar(
     decimal: option.Decimal = None,
 ) -> Drawing:
     """Draw the polar diagram of the force on the crank pin under a constant piston force."""
-    from kurbel.plot.curves import pin_force_keys
+    from kurbel.plot.curves import pin_force, pin_force_keys
     from kurbel.plot.drawings import polar_drawing
 
     mark, angles = mark_of(lang, decimal), curve_angles(from_, to, step)
     crank = only(_pushed(mechanism, ratio, stroke, rod, offset, method, force), "polar", "ratios")
     request = _request((crank,), angles, (), pin_force_keys, method, lang)
-    return Drawing.of(polar_drawing(request, mark), lang, mark)
+    return Drawing.of(polar_drawing(request, pin_force(request), mark), lang, mark)
 
 
 def _pushed(

@@ -16,7 +16,7 @@ from kurbel.motion.digits import on_floats
 from kurbel.motion.evaluation import STROKES, is_known
 from kurbel.motion.quantities import registry
 from kurbel.motion.question import Request
-from kurbel.plot.panels import axis_name, check_drawn, degrees, panels_of, trace
+from kurbel.plot.panels import check_drawn, degrees, panels_of, trace, vector
 from kurbel.plot.plotting import Panel
 from kurbel.plot.polar import Vector
 from kurbel.reading.notation import ratio_text
@@ -82,9 +82,8 @@ def pin_force(request: Request) -> tuple[Vector, tuple[Label, Label], Label]:
     """
     check_drawn(request.angles, 1)
     angles = degrees(request.angles)
-    (across,), (up,) = _of_cranks(request, angles)
-    names = [axis_name(column.quantity, request.lang) for column in request.page_columns]
-    return Vector(angles, across, up), (" ".join(names[0][:2]), " ".join(names[1][:2])), names[0][2]
+    values = [of_crank for (of_crank,) in _of_cranks(request, angles)]
+    return vector([column.quantity for column in request.page_columns], request.lang, angles, values)
 
 
 def _of_cranks(request: Any, angles: Sequence[float]) -> list[list[list[float]]]:

@@ -12,18 +12,16 @@ from kurbel.exact.numerals import Label
 from kurbel.motion import captions
 from kurbel.motion.question import Request
 from kurbel.page.quantity import for_ratio, words
-from kurbel.plot.curves import motion_panels, pin_force
+from kurbel.page.subject import Question
 from kurbel.plot.mechanism import mechanism
-from kurbel.plot.plotting import curves
+from kurbel.plot.plotting import Panel, curves
 from kurbel.plot.polar import Vector, polar
 from kurbel.reading.notation import plain
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from kurbel.engine.request import EngineRequest
     from kurbel.linkage.arc import ArcCrank
-    from kurbel.linkage.page import LinkageRequest
 
 MOST_POSITIONS = 36
 WORDS = {
@@ -45,36 +43,22 @@ class Drawing(NamedTuple):
     title: Label
 
 
-def motion_drawing(question: Request | LinkageRequest, mark: str) -> Drawing:
-    """Return the curves of all columns over the crank angle."""
-    return Drawing(curves(motion_panels(question), question.lang, mark), _title(question))
+def curves_drawing(question: Question, panels: Sequence[Panel], mark: str) -> Drawing:
+    """Return the curves of what was asked for over the crank angle."""
+    return Drawing(curves(panels, question.lang, mark), _title(question))
 
 
-def polar_drawing(request: Request, mark: str) -> Drawing:
-    """Return the polar diagram of the force on the crank pin of a request for `pin_force_keys`."""
-    return _polar(pin_force(request), _title(request), request.lang, mark)
-
-
-def engine_polar_drawing(request: EngineRequest, mark: str) -> Drawing:
-    """Return the polar diagram of the force on the crank pin of an engine, for `plot_engine.PIN_FORCE`."""
-    from kurbel.engine.captions import caption
-    from kurbel.plot.engine import engine_pin_force
-
-    return _polar(engine_pin_force(request), caption(request), request.lang, mark)
-
-
-def _polar(force: tuple[Vector, tuple[Label, Label], Label], title: Label, lang: str, mark: str) -> Drawing:
+def polar_drawing(question: Question, force: tuple[Vector, tuple[Label, Label], Label], mark: str) -> Drawing:
+    """Return the polar diagram of the force on the crank pin, of which names and unit are given."""
     vector, (across, up), unit = force
-    figure = polar(vector, across, up, unit, mark, POLAR_WAYS[lang])
-    return Drawing(figure, f"{POLAR_TITLE[lang]}: {title}")
+    figure = polar(vector, across, up, unit, mark, POLAR_WAYS[question.lang])
+    return Drawing(figure, f"{POLAR_TITLE[question.lang]}: {_title(question)}")
 
 
-def engine_forces_drawing(request: EngineRequest, mark: str) -> Drawing:
-    """Return the curves of an engine's forces over the crank angle."""
-    from kurbel.engine.captions import caption
-    from kurbel.plot.engine import force_panels
-
-    return Drawing(curves(force_panels(request), request.lang, mark), caption(request))
+def _title(question: Question) -> Label:
+    if isinstance(question, Request):
+        return captions.caption(question, chosen=True)
+    return question.subject.caption(question)
 
 
 def mechanism_drawing(crank: Crank, angles: Sequence[Fraction], lang: str, mark: str) -> Drawing:
@@ -109,17 +93,3 @@ def _check_positions(angles: Sequence[Fraction]) -> None:
             f" at most {MOST_POSITIONS} can be told apart"
         )
     check_angles(angles)
-
-
-def turning_drawing(request: EngineRequest, mark: str) -> Drawing:
-    """Return the turning effort of the engines of a request for `plot_turning.COLUMNS`."""
-    from kurbel.engine.captions import caption
-    from kurbel.plot.turning import turning_panels
-
-    return Drawing(curves(turning_panels(request), request.lang, mark), caption(request))
-
-
-def _title(question: Request | LinkageRequest) -> Label:
-    if isinstance(question, Request):
-        return captions.caption(question, chosen=True)
-    return question.subject.caption(question)

@@ -1,4 +1,4 @@
-"""What drawings show of the forces in a steam engine: curves over the turn, the force on the crank pin."""
+"""What drawings show of a steam engine: its forces and turning effort over the turn, the force on the pin."""
 
 from __future__ import annotations
 
@@ -9,13 +9,14 @@ from math import ceil, floor
 from typing import TYPE_CHECKING, NamedTuple
 
 from kurbel.engine.axes import named_expansion
+from kurbel.engine.captions import inner
 from kurbel.engine.quantities import Where, value
 from kurbel.engine.request import EngineRequest
 from kurbel.engine.turn import Turn, turn_of
 from kurbel.exact.numerals import Label
-from kurbel.page.quantity import Quantity
-from kurbel.plot.panels import Trace, check_drawn, degrees, panels_of
-from kurbel.plot.plotting import Panel
+from kurbel.page.quantity import Column, Quantity
+from kurbel.plot.panels import check_drawn, degrees, panels_of, trace, vector
+from kurbel.plot.plotting import Curve, Panel
 from kurbel.plot.polar import Vector
 from kurbel.reading.notation import ratio_text
 
@@ -27,6 +28,8 @@ if TYPE_CHECKING:
 FORCES = ("piston_force", "guide_force", "tangential_force", "radial_force")
 # Across and up in the polar diagram.
 PIN_FORCE = ("tangential_force", "radial_force")
+# The columns of a request for the turning effort.
+TURNING = ("tangential", "mean_force", "energy")
 # Half turns before a dead centre at which a force still has the value from which it jumps there.
 BEFORE = Fraction(1, 10**12)
 # A jump of so small a share of the greatest value is none.
@@ -51,15 +54,34 @@ def force_panels(request: EngineRequest) -> list[Panel]:
     The curves have the dead centres and the points of cut-off besides the angles of the request. Raises
     ProblemError for one angle, or more than can be drawn.
     """
-    engines = list(product(range(len(request.steams)), range(len(request.drives))))
-    check_drawn(request.angles, len(engines))
-    turns = [(engine_label(request, *place), _turn(request, *place)) for place in engines]
+    turns = _turns(request)
     traces = (
-        _trace(column.quantity, label, turn, request)
+        trace(column.quantity, request.lang, (label,), *_course(column, turn, request))
         for column in request.page_columns
         for label, turn in turns
     )
-    return panels_of(traces, request.lang, apart=len(engines) > 1)
+    return panels_of(traces, request.lang, apart=len(turns) > 1)
+
+
+def turning_panels(request: EngineRequest) -> list[Panel]:
+    """Return a panel of the tangential force, of a single engine with its mean, and one of the excess energy.
+
+    The request has the columns `TURNING`. The curves have the dead centres and the points of cut-off besides
+    those at its angles. Raises ProblemError for one angle, or more than can be drawn.
+    """
+    turns, lang = _turns(request), request.lang
+    effort, mean, energy = request.page_columns
+    forces, energies = (
+        [Curve(label, *_course(column, turn, request)) for label, turn in turns]
+        for column in (effort, energy)
+    )
+    force, level, excess = (f"{one.quantity.name[lang]} {one.heading[0]}" for one in request.page_columns)
+    if len(turns) == 1:
+        ends = degrees([request.angles[0], request.angles[-1]])
+        line = Curve(mean.heading[0], ends, [float(turns[0][1].mean_force())] * 2)
+        forces = [forces[0]._replace(label=effort.heading[0]), line]
+        force += f", {inner(level, lang)}"
+    return [Panel(forces, force), Panel(energies, excess)]
 
 
 def engine_pin_force(request: EngineRequest) -> tuple[Vector, tuple[Label, Label], Label]:
@@ -67,11 +89,22 @@ def engine_pin_force(request: EngineRequest) -> tuple[Vector, tuple[Label, Label
 
     The request has one engine and the columns of `PIN_FORCE`.
     """
-    check_drawn(request.angles, 1)
-    across, up = (column.quantity for column in request.page_columns)
-    course = course_of((across, up), _turn(request, 0, 0), request.angles)
-    names = [f"{one.name[request.lang]} {_heading(one)}" for one in (across, up)]
-    return Vector(course.angles, *course.values), (names[0], names[1]), _axis_unit(across)
+    ((_, turn),) = _turns(request)
+    quantities = [column.quantity for column in request.page_columns]
+    return vector(quantities, request.lang, *course_of(quantities, turn, request.angles))
+
+
+def _turns(request: EngineRequest) -> list[tuple[Label, AnyTurn]]:
+    """Return the engines, each with what tells it from the others."""
+    places = [*product(range(len(request.steams)), range(len(request.drives)))]
+    check_drawn(request.angles, len(places))
+    method = (request.methods or ("exact",))[0]
+    return [(engine_label(request, *place), turn_of(request.engine(*place), method)) for place in places]
+
+
+def _course(column: Column, turn: AnyTurn, request: EngineRequest) -> tuple[list[float], list[float]]:
+    angles, (values,) = course_of((column.quantity,), turn, request.angles)
+    return angles, values
 
 
 def engine_label(request: EngineRequest, steam: int, drive: int) -> Label:
@@ -111,29 +144,6 @@ def course_of(quantities: Sequence[Quantity], turn: AnyTurn, angles: Sequence[Fr
 def _jumps(before: Sequence[float], after: Sequence[float], most: Sequence[float]) -> bool:
     parts = zip(before, after, most, strict=True)
     return any(abs(later - earlier) > NO_JUMP * greatest for earlier, later, greatest in parts)
-
-
-def _turn(request: EngineRequest, steam: int, drive: int) -> AnyTurn:
-    return turn_of(request.engine(steam, drive), (request.methods or ("exact",))[0])
-
-
-def _trace(quantity: Quantity, label: Label, turn: AnyTurn, request: EngineRequest) -> Trace:
-    course, name = course_of((quantity,), turn, request.angles), quantity.name[request.lang]
-    heading, unit = _heading(quantity), quantity.unit[request.lang]
-    return Trace(name, heading, unit, _axis_unit(quantity), (label,), course.angles, course.values[0])
-
-
-def _heading(quantity: Quantity) -> Label:
-    """Return $F$ of a force in N, $F/Q$ of one in Q."""
-    unit = quantity.unit["en"]
-    if not unit.startswith("$"):
-        return quantity.symbol
-    letter, unit = (f"({one})" if " " in one else one for one in (quantity.symbol[1:-1], unit[1:-1]))
-    return f"${letter}/{unit}$"
-
-
-def _axis_unit(quantity: Quantity) -> Label:
-    return "" if quantity.unit["en"].startswith("$") else quantity.unit["en"]
 
 
 def _values(quantities: Sequence[Quantity], turn: AnyTurn, half_turns: Fraction) -> list[float]:

@@ -10,6 +10,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
 from kurbel.page.quantity import Quantity, enumerated
 from kurbel.plot.plotting import Curve, Panel, check_count
+from kurbel.plot.polar import Vector
 from kurbel.reading.notation import about
 
 # Four points to each dot of a printer with 1200 dpi, over the width of a panel.
@@ -48,11 +49,24 @@ def trace(
 def axis_name(quantity: Quantity, lang: str) -> tuple[str, Label, Label]:
     """Return what an axis calls a quantity, Kolbenweg and $x/R$, and its unit; a share has none.
 
-    The heading is that of a column without a unit that the axis can have: $x$ of $x$ in mm.
+    The heading is that of a column without a unit that the axis can have: $x$ of $x$ in mm. A unit in letters
+    is part of it: $F/Q$ of $F$ in $Q$.
     """
+    name, heading, unit = quantity.name[lang], quantity.heading[lang], quantity.unit[lang]
+    if unit.startswith("$") and heading == f"{quantity.symbol} in {unit}":
+        letter, letters = (f"({one})" if " " in one else one for one in (quantity.symbol[1:-1], unit[1:-1]))
+        return name, f"${letter}/{letters}$", ""
     unit = quantity.plain_unit(lang)
-    heading = quantity.heading[lang].removesuffix(f" in {unit}")
-    return quantity.name[lang], heading, unit if heading == quantity.symbol else ""
+    heading = heading.removesuffix(f" in {unit}")
+    return name, heading, unit if heading == quantity.symbol else ""
+
+
+def vector(
+    quantities: Sequence[Quantity], lang: str, angles: Sequence[float], values: Sequence[Sequence[float]]
+) -> tuple[Vector, tuple[Label, Label], Label]:
+    """Return a force of two components, across and up, with their names and their unit."""
+    across, up = (axis_name(quantity, lang) for quantity in quantities)
+    return Vector(angles, *values), (f"{across[0]} {across[1]}", f"{up[0]} {up[1]}"), across[2]
 
 
 def panels_of(traces: Iterable[Trace], lang: str, apart: bool) -> list[Panel]:
