@@ -9,29 +9,19 @@ from pathlib import Path
 import click
 
 import kurbel
-from kurbel.balance.harmonics_page import quantities as harmonics_registry
-from kurbel.balance.request import DECIMALS, balance_registry
 from kurbel.cli import COMMANDS
 from kurbel.cli.app import command_of
 from kurbel.commands.subject import Command
-from kurbel.engine.page import printed_by
-from kurbel.engine.quantities import ENGINE_METHODS, engine_registry
+from kurbel.engine.quantities import ENGINE_METHODS
 from kurbel.examples.source import example, numbers_of, source_keys
 from kurbel.formats.registry import FORMATS
 from kurbel.linkage.arc_drive import arc_names
-from kurbel.linkage.beam import registry as beam_registry
-from kurbel.linkage.quantities import arc_registry, page_command, parallel_registry
 from kurbel.motion.drives import slide_names
-from kurbel.motion.evaluation import METHODS, NEEDS
-from kurbel.motion.inertia import inertia_registry
-from kurbel.motion.inertia_page import SUBJECT as ERRORS
-from kurbel.motion.inertia_page import UNITS, error_columns
-from kurbel.motion.quantities import registry
-from kurbel.page.labels import plain
-from kurbel.page.layouts import layout, layout_names
+from kurbel.motion.evaluation import METHODS
+from kurbel.page.layouts import SUBJECTS, layout, layout_names
+from kurbel.page.subject import subject
 from kurbel.plot.style import FORMATS as DRAWINGS
 from kurbel.reading.notation import ratio_text, ratios
-from kurbel.solve.page import own_columns
 
 PAGE = Path(__file__).with_name("reference.md")
 
@@ -76,83 +66,27 @@ def _functions() -> Iterator[str]:
 
 
 def _quantities() -> Iterator[str]:
-    yield "\n## Quantities\n\nKeys of `--columns`, of CSV headers and of JSON; they stay stable.\n"
-    yield "| key | quantity | unit | decimals | needs |\n| --- | --- | --- | ---: | --- |"
-    yield "| `ratio` | Crank ratio R:L | | | |"
-    yield "| `phi` | Crank angle from the dead centre of the stroke | ° | | |"
-    for key, quantity in registry().items():
-        name, unit = quantity.full_name("en"), quantity.plain_unit("en")
-        options = " ".join(f"`{option}`" for option in NEEDS[quantity.needs])
-        yield f"| `{key}` | {name} | {unit} | {quantity.decimals} | {options} |"
-    yield from _engine_quantities()
-    yield from _rod_quantities()
-    yield from _solved()
-
-
-def _engine_quantities() -> Iterator[str]:
-    yield "\n### Of engines\n"
-    yield "Beside them stand `epsilon` or `card`, `ratio`, and `stroke`, `phi` or `target`.\n"
-    yield "| key | quantity | unit | decimals | command |\n| --- | --- | --- | ---: | --- |"
-    for key, one in engine_registry().items():
-        decimals = "5 figures" if one.decimals is None else one.decimals
-        name, unit = f"{one.name['en']} {plain(one.symbol)}", one.plain_unit("en")
-        yield f"| `{key}` | {name} | {unit} | {decimals} | `{printed_by(one)}` |"
-    for key, beam in beam_registry().items():
-        name = f"{beam.name['en']} {plain(beam.symbol)}"
-        yield f"| `{key}` | {name} | {beam.plain_unit('en')} | {beam.decimals} | `deadcentres` |"
-    yield from _balance_quantities()
-
-
-def _balance_quantities() -> Iterator[str]:
-    yield "\n### Of harmonics and balance\n"
-    yield "Beside them stand `order` and `ratio`, for `balance` also `residual`: `force`, or `moment` in that"
-    yield "unit times a.\n"
-    yield "| key | quantity | unit | decimals | command |\n| --- | --- | --- | ---: | --- |"
-    decimals = layout("harmonics").columns[0].decimals
-    for key, harmonic in harmonics_registry().items():
-        name, unit = f"{harmonic.name['en']} {plain(harmonic.symbol)}", harmonic.plain_unit("en")
-        yield f"| `value` | {name} | {unit} | {decimals} | `harmonics --quantity {key}` |"
-    for key, column in balance_registry().items():
-        yield f"| `{key}` | {column.name['en']} | {column.plain_unit('en')} | {DECIMALS} | `balance` |"
-    yield from _linkage_quantities()
-
-
-def _linkage_quantities() -> Iterator[str]:
-    yield "\n### Of the arc crank and the parallel crank\n"
-    yield "Beside them stand `ratio`, for the arc crank, and `phi`.\n"
-    for mechanism, linkage in (("arc", arc_registry()), ("parallel", parallel_registry())):
-        for key, one in linkage.items():
-            name = f"{one.full_name('en')} {plain(one.symbol)}"
-            options = "".join(f" {option}" for option in NEEDS[one.needs])
-            command = f"{page_command(one)} --mechanism {mechanism}{options}"
-            yield f"| `{key}` | {name} | {one.plain_unit('en')} | {one.decimals} | `{command}` |"
-
-
-def _rod_quantities() -> Iterator[str]:
-    yield "\n### Of the connecting rod\n"
-    yield "Printed by `kurbel inertia`, with a rod of `--centre` and `--gyration` or `--rod-file`.\n"
-    yield "| key | quantity | unit | decimals | needs |\n| --- | --- | --- | ---: | --- |"
-    for key, quantity in inertia_registry().items():
-        options = " ".join(f"`{option}`" for option in NEEDS[quantity.needs])
-        name = quantity.full_name("en")
-        yield f"| `{key}` | {name} | {quantity.plain_unit('en')} | {quantity.decimals} | {options} |"
-    axes = ", ".join(f"`{key}`" for key in ERRORS.axis_keys)
-    yield f"\nOf the layout `inertia-errors`, beside {axes}:\n"
-    yield "| key | quantity | unit | decimals | needs |\n| --- | --- | --- | ---: | --- |"
-    for key, column in error_columns().items():
-        options = " ".join(f"`{option}`" for option in NEEDS[column.needs])
-        unit = column.plain_unit("en") or UNITS
-        yield f"| `{key}` | {column.full_name('en')} | {unit} | {column.decimals} | {options} |"
-
-
-def _solved() -> Iterator[str]:
-    yield "\n### Of solved conditions\n"
-    yield "Printed by `kurbel solve` beside `ratio`, `phi` and keys from above without `_return`, which stand"
-    yield "there for either stroke.\n"
-    yield "| key | quantity |\n| --- | --- |"
-    for key, name in own_columns().items():
-        yield f"| `{key}` | {name['en']} |"
-    yield "\nConditions, by the mechanism, are about:\n"
+    yield "\n## Quantities\n"
+    yield "Keys of `--columns`, of CSV headers and of JSON; they stay stable. `ratio` is the crank ratio"
+    yield "R:L, `phi` the crank angle in degrees from the dead centre of its stroke. `card` stands in place"
+    yield "of `epsilon` where there is one, and the unit of a residual `moment` is that of a `force` times"
+    yield "a. Beside its own keys `kurbel solve` has those of `kurbel table` without `_return`, which stand"
+    yield "for either stroke."
+    rows: dict[str, list[str]] = {}
+    axes: dict[str, list[str]] = {}
+    for about in map(subject, SUBJECTS):
+        for one, command in about.entries():
+            name, unit = about.name_of(one, "en"), one.plain_unit("en")
+            decimals = "" if not one.formulas else "5 figures" if one.decimals is None else one.decimals
+            row = f"| `{one.key}` | {name} | {unit} | {decimals} | `{command}` |"
+            rows.setdefault(command.split()[0], []).append(row)
+        axes.setdefault(about.command.split()[0], []).extend(about.axis_keys)
+    for command, lines in rows.items():
+        keys = ", ".join(f"`{key}`" for key in dict.fromkeys(axes[command]))
+        yield f"\n### Of kurbel {command}\n\nBeside {keys}:\n"
+        yield "| key | quantity | unit | decimals | command |\n| --- | --- | --- | ---: | --- |"
+        yield from lines
+    yield "\nConditions of `kurbel solve`, by the mechanism, are about:\n"
     for mechanism, names in (("straight and offset", slide_names()), ("arc", arc_names())):
         yield f"- {mechanism} crank: {', '.join(f'`{name}`' for name in names)}"
 

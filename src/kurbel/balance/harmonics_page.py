@@ -232,6 +232,11 @@ def _term(term: Term) -> str:
     return f"{'-' if term.coefficient < 0 else '+'} {product}"
 
 
+def _listed() -> Iterator[tuple[str, Quantity]]:
+    for key, one in quantities().items():
+        yield f"harmonics --quantity {key}", one._replace(key="value")
+
+
 SUBJECT = Subject(
     key="harmonics",
     layout="harmonics",
@@ -239,6 +244,8 @@ SUBJECT = Subject(
     axes={"ratio": _HeadedRatioAxis, "order": OrderAxis},
     axis_keys=("order", "ratio"),
     quantities=quantities,
+    listed=_listed,
+    letters=True,
     number=_number,
     caption=_caption,
     notes=_notes,

@@ -219,6 +219,7 @@ SUBJECT = Subject(
     axis_keys=KEYS,
     own_first=False,
     quantities=quantities,
+    listed=tuple,
     number=_shown,
     caption=_caption,
     notes=_notes,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
 from kurbel.engine import captions
@@ -53,6 +53,12 @@ def _error_of(request: EngineRequest, column: Column) -> tuple[Column, ...]:
     )
 
 
+def _listed() -> Iterator[tuple[str, Quantity]]:
+    """Yield the quantities of all these pages in their order, each with the first command that prints it."""
+    for one in engine_registry().values():
+        yield next(page.command for page in PAGES if one.of in page.of), one
+
+
 def _subject(
     key: str, layout: str, command: str, sample: str, of: tuple[str, ...], **inner: type[Axis]
 ) -> Subject:
@@ -71,6 +77,8 @@ def _subject(
         of=of,
         marks=_marks,
         beside=_error_of,
+        listed=_listed if key == "irregularity" else tuple,
+        letters=True,
     )
 
 
@@ -83,9 +91,4 @@ TURNING = _subject("turning", "turning", "turning", "", ("angle", "turn"), angle
 CRANK_FORCES = _subject("crank forces", "engine-forces", "forces", _STEAM, _OF_CRANKS, angle=AngleAxis)
 MACHINE = _subject("machine", "machine-forces", "forces", _MASSES, _OF_CRANKS, angle=AngleAxis)
 FLYWHEEL = _subject("flywheel", "flywheel", "flywheel", _WORK, ("flywheel",), target=TargetAxis)
-
-
-def printed_by(quantity: Quantity) -> str:
-    """Return the command that prints a quantity."""
-    all_pages = (IRREGULARITY, STROKES, TURNING, CRANK_FORCES, FLYWHEEL)
-    return next(one.command for one in all_pages if quantity.of in one.of)
+PAGES = (IRREGULARITY, STROKES, TURNING, CRANK_FORCES, MACHINE, FLYWHEEL)

@@ -108,6 +108,7 @@ SUBJECT = Subject(
     axes={"arm": _ArmAxis, "ratio": LetteredRatioAxis, "column": ColumnAxis},
     axis_keys=("arm", "ratio"),
     quantities=registry,
+    letters=True,
     number=_number,
     caption=_caption,
     notes=_notes,

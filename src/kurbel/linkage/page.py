@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -13,8 +13,8 @@ from kurbel.linkage import captions
 from kurbel.linkage.arc import ArcCrank
 from kurbel.linkage.evaluation import Linkage, certified
 from kurbel.linkage.parallel import ParallelCrank
-from kurbel.linkage.quantities import arc_registry, parallel_registry
-from kurbel.motion.evaluation import needed
+from kurbel.linkage.quantities import arc_registry, page_command, parallel_registry
+from kurbel.motion.evaluation import NEEDS, needed
 from kurbel.page.axes import AngleAxis, ColumnAxis, Place, RatioAxis
 from kurbel.page.quantity import Column, Quantity
 from kurbel.page.subject import Question, Subject
@@ -55,6 +55,10 @@ def _number(question: LinkageRequest, column: Column, place: Place, times: int) 
     return Number(scaled * times, column.places)
 
 
+def _listed(mechanism: str, quantities: Mapping[str, Quantity]) -> Iterator[tuple[str, Quantity]]:
+    return ((f"{page_command(one)} --mechanism {mechanism}", one) for one in quantities.values())
+
+
 ARC = Subject(
     key="arc crank",
     layout="arc",
@@ -66,6 +70,8 @@ ARC = Subject(
     number=_number,
     caption=captions.caption,
     notes=captions.notes,
+    listed=lambda: _listed("arc", arc_registry()),
+    options=NEEDS,
 )
 PARALLEL = Subject(
     key="parallel crank",
@@ -77,4 +83,6 @@ PARALLEL = Subject(
     number=_number,
     caption=captions.caption,
     notes=captions.notes,
+    listed=lambda: _listed("parallel", parallel_registry()),
+    options=NEEDS,
 )

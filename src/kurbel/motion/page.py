@@ -7,6 +7,7 @@ from functools import cache
 
 from kurbel.exact.numerals import Label, Number
 from kurbel.motion import captions
+from kurbel.motion.evaluation import NEEDS
 from kurbel.motion.quantities import registry
 from kurbel.motion.question import Request
 from kurbel.motion.rows import motion_records
@@ -33,6 +34,7 @@ MOTION = Subject(
     caption=captions.caption,
     notes=captions.notes,
     rows=motion_records,
+    options=NEEDS,
 )
 
 
@@ -42,6 +44,12 @@ def _with_rods() -> Mapping[str, Quantity]:
     from kurbel.motion.inertia import inertia_registry
 
     return {**registry(), **inertia_registry()}
+
+
+def _of_rods() -> Iterator[tuple[str, Quantity]]:
+    from kurbel.motion.inertia import inertia_registry
+
+    return (("inertia", one) for one in inertia_registry().values())
 
 
 def _inertia_notes(question: Request) -> Iterator[Label]:
@@ -68,4 +76,6 @@ INERTIA = Subject(
     notes=_inertia_notes,
     page_notes=_error_notes,
     rows=motion_records,
+    listed=_of_rods,
+    options=NEEDS,
 )

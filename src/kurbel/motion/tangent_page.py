@@ -120,6 +120,7 @@ SUBJECT = Subject(
     axis_keys=("ratio",),
     own_first=False,
     quantities=quantities,
+    listed=tuple,
     number=_number,
     caption=lambda question: question.layout.caption[question.lang],
     notes=_notes,

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
 from importlib import import_module
 from math import prod
+from types import MappingProxyType
 from typing import Any, ClassVar, NamedTuple
 
 from kurbel.errors import ProblemError
@@ -46,6 +47,10 @@ class Subject(NamedTuple):
     places that a grid has too many, `marks` are those of notes at a place, `beside` the columns that
     follow one in records, `rows` the records where they are long or others than the page's, and `grid`
     the page where it is that of another layout.
+
+    Lists of quantities name those that are `listed`, each with the command that prints it, by default all
+    that any of its layouts can show; with `letters` the symbol stands beside the name. `options` tell what
+    quantities need, by their `needs`.
     """
 
     key: str
@@ -66,6 +71,9 @@ class Subject(NamedTuple):
     beside: Callable[[Any, Column], tuple[Column, ...]] = _alone
     rows: Callable[[Any], Records] | None = None
     grid: Callable[[Any], tuple[Layout, Grid]] | None = None
+    listed: Callable[[], Iterable[tuple[str, Quantity]]] | None = None
+    letters: bool = False
+    options: Mapping[str, tuple[str, ...]] = MappingProxyType({})
 
     @property
     def whole(self) -> bool:
@@ -75,6 +83,19 @@ class Subject(NamedTuple):
     def fitting(self) -> list[str]:
         """Return the keys of the quantities that any layout can show."""
         return [key for key, one in self.quantities().items() if not self.of or one.of in self.of]
+
+    def entries(self) -> Iterator[tuple[Quantity, str]]:
+        """Yield the quantities that lists name here, each with what prints it, and its options."""
+        fitting = ((self.command, self.quantities()[key]) for key in self.fitting())
+        for command, one in self.listed() if self.listed else fitting:
+            yield one, " ".join((command, *self.options.get(one.needs, ())))
+
+    def name_of(self, quantity: Quantity, lang: str) -> str:
+        """Return what lists call a quantity."""
+        from kurbel.page.labels import plain
+
+        name = quantity.full_name(lang)
+        return f"{name} {plain(quantity.symbol)}" if self.letters else name
 
     def column_keys(self, layout: Layout) -> tuple[str, ...]:
         """Return what --columns can choose from; a page whose heads state formulas has its own only."""

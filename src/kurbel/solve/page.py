@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property
@@ -16,7 +16,7 @@ from kurbel.motion.evaluation import NEEDS, OUT, RETURN, STROKES
 from kurbel.motion.quantities import registry
 from kurbel.page.axes import PHI, Axis, ColumnAxis, Place, RatioAxis
 from kurbel.page.layouts import LayoutColumn
-from kurbel.page.quantity import Column, Quantity, Words, words
+from kurbel.page.quantity import Column, Quantity, words
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
 from kurbel.reading.where import Condition
@@ -46,10 +46,12 @@ def quantities() -> Mapping[str, Quantity]:
     return {TURN.key: TURN, **of_slide, **of_arc, PATH_SHARE: arc_columns()[PATH_SHARE]}
 
 
-def own_columns() -> Mapping[str, Words]:
-    """Return the columns that no other page has, with their names."""
-    named = {key: captions.WORDS[key] for key in ("condition", "stroke")}
-    return {**named, TURN.key: TURN.name, PATH_SHARE: captions.WORDS[PATH_SHARE]}
+def own_columns() -> Iterator[tuple[str, Quantity]]:
+    """Yield what no other page has, with the command that prints it."""
+    nothing = words("")
+    for key in ("condition", "stroke", TURN.key, PATH_SHARE):
+        named = Quantity(key, captions.WORDS.get(key, nothing), "", nothing, None, {}, nothing)
+        yield "solve", TURN if key == TURN.key else named
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -240,4 +242,5 @@ SUBJECT = Subject(
     caption=captions.caption,
     notes=captions.notes,
     exists=_exists,
+    listed=own_columns,
 )
