@@ -6,16 +6,15 @@ from collections.abc import Callable
 from fractions import Fraction
 from functools import cache
 from math import inf
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
+
+from flint import arb
 
 from kurbel.books.expression import Expression, IrrationalError, Kind, fraction_root, irrational
 from kurbel.books.printed_value import Printed, Units
 from kurbel.errors import NotationError
 from kurbel.exact.certify import NEVER_TIES, TieBits, ball, ball_circle, ball_degrees, rounded, vanishes
 from kurbel.exact.separation import Separation, circle_separation
-
-if TYPE_CHECKING:
-    from flint import arb
 
 BALLS = Kind(ball, ball_circle, lambda value: value.log(), lambda value: 90 - ball_degrees(value))
 FRACTIONS = Kind(lambda value: value, irrational, irrational, irrational, fraction_root)

@@ -19,9 +19,8 @@ from scipy.optimize import brentq
 
 from kurbel.drive.crank_forces import CrankForce
 from kurbel.engine.card_force import CardStroke
-from kurbel.engine.cylinder import AnyTurn, Cylinder, cylinder_of
+from kurbel.engine.cylinder import AnyTurn, Cylinder, Peak, cylinder_of
 from kurbel.engine.engine import Diagram, Engine
-from kurbel.engine.quantities import Peak
 from kurbel.errors import CardError, ProblemError
 from kurbel.exact.kind import floats
 from kurbel.kernel.circle import Circle, circle

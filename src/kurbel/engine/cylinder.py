@@ -15,7 +15,6 @@ from typing import Any, NamedTuple
 from kurbel.drive.combination import Load
 from kurbel.drive.crank_forces import CrankForce, Weights
 from kurbel.engine.engine import Engine
-from kurbel.engine.quantities import Peak
 from kurbel.exact.kind import Kind
 from kurbel.kernel import turning
 from kurbel.kernel.circle import Circle, Number
@@ -26,6 +25,15 @@ from kurbel.motion.evaluation import OUT, RETURN
 
 MOTIONS = {"exact": turning.EXACT, "series": turning.FIRST_ORDER, "weisbach": turning.FIRST_ORDER}
 SIGNS = (OUT, RETURN)
+
+
+class Peak(NamedTuple):
+    """Where the speed is least or greatest, in half turns, its excess energy there, in Q R, and the stroke
+    of the one crank."""
+
+    place: Number
+    energy: Number
+    stroke: int
 
 
 class Cylinder(NamedTuple):

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import flint
 
 from kurbel.drive.crank_forces import CRANK_FORCES
+from kurbel.engine.cylinder import AnyTurn
 from kurbel.engine.quantities import AT_ANGLE, EXTREMES, Where, engine_registry, value
 from kurbel.engine.turn import Turn
 from kurbel.errors import CardError
@@ -19,7 +20,6 @@ from kurbel.page.quantity import Column, Quantity, bare
 
 if TYPE_CHECKING:
     from kurbel.engine.card_turn import CardTurn
-    from kurbel.engine.cylinder import AnyTurn
 
 # A quantity with no decimals of its own is printed to so many figures.
 FIGURES = 5

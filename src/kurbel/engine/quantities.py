@@ -12,18 +12,16 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from functools import cache, partial
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 from kurbel.drive.crank_forces import CRANK_FORCES, CrankForce
 from kurbel.drive.flywheel import Flywheel
+from kurbel.engine.cylinder import AnyTurn
 from kurbel.exact.numerals import Label
 from kurbel.kernel import turning
 from kurbel.kernel.circle import Number
 from kurbel.motion.evaluation import Method
 from kurbel.page.quantity import Formula, Quantity, Words, words
-
-if TYPE_CHECKING:
-    from kurbel.engine.cylinder import AnyTurn
 
 # The spans of a turn that have extremes of their own.
 OUTSTROKE, RETURN_STROKE, WHOLE = 0, 1, None
@@ -58,15 +56,6 @@ ENGINE_METHODS: Mapping[str, Method] = {
 EXTREMES = {"least": False, "greatest": True}
 # What is of a crank angle has no least and no greatest place.
 AT_ANGLE = ("angle", "crank")
-
-
-class Peak(NamedTuple):
-    """Where the speed is least or greatest, in half turns, its excess energy there, in Q R, and the stroke
-    of the one crank."""
-
-    place: Number
-    energy: Number
-    stroke: int
 
 
 class Where(NamedTuple):

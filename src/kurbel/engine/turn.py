@@ -15,9 +15,8 @@ from typing import NamedTuple, TypeAlias
 
 import flint
 
-from kurbel.engine.cylinder import SIGNS, AnyTurn, Cylinder, cylinder_of
+from kurbel.engine.cylinder import SIGNS, AnyTurn, Cylinder, Peak, cylinder_of
 from kurbel.engine.engine import Engine
-from kurbel.engine.quantities import Peak
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import ball, ball_circle, half_turn_circle
 from kurbel.exact.kind import balls

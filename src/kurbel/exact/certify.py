@@ -11,16 +11,13 @@ from collections.abc import Callable
 from fractions import Fraction
 from functools import cache, lru_cache
 from math import inf
-from typing import TYPE_CHECKING
 
 import flint
+from flint import arb
 
 from kurbel.errors import ProblemError
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.kinematics import rod_sine
-
-if TYPE_CHECKING:
-    from flint import arb
 
 # A page has up to 50 decimals, and no product of formulas here loses more than a few bits.
 GUARD_BITS = 40
@@ -80,12 +77,10 @@ def rounded(value: Callable[[], arb], decimals: int, rounding: str, tie_bits: Ti
     """
     unit = 10**decimals
     precision = GUARD_BITS + (10 * decimals) // 3
-    before = flint.ctx.prec
-    bits_of = cache(tie_bits or _never)
-    try:
-        while True:
-            precision *= 2
-            flint.ctx.prec = precision
+    bits_of = cache(tie_bits or (lambda boundary: inf))
+    while True:
+        precision *= 2
+        with flint.ctx.workprec(precision):
             scaled = value() * unit
             raised = abs(scaled) + flint.arb(0.5)
             nearest = raised.floor().unique_fmpz()
@@ -105,8 +100,6 @@ def rounded(value: Callable[[], arb], decimals: int, rounding: str, tie_bits: Ti
                 )
             if precision > bits and scaled.rad() * 2 < unit * flint.arb(2) ** -int(bits + 1):
                 return _signed(_half(int(odd), rounding), scaled)
-    finally:
-        flint.ctx.prec = before
 
 
 def vanishes(value: Callable[[], arb], bits: float) -> bool:
@@ -114,11 +107,10 @@ def vanishes(value: Callable[[], arb], bits: float) -> bool:
 
     A value that is not told from zero within MOST_TIE_BITS is not taken for it.
     """
-    before, precision = flint.ctx.prec, GUARD_BITS
-    try:
-        while precision < MOST_TIE_BITS:
-            precision *= 2
-            flint.ctx.prec = precision
+    precision = GUARD_BITS
+    while precision < MOST_TIE_BITS:
+        precision *= 2
+        with flint.ctx.workprec(precision):
             near = value()
             if not near.contains(0):
                 return False
@@ -126,13 +118,7 @@ def vanishes(value: Callable[[], arb], bits: float) -> bool:
                 return True
             if bits >= MOST_TIE_BITS:
                 return False
-    finally:
-        flint.ctx.prec = before
     return False
-
-
-def _never(boundary: Fraction) -> float:
-    return inf
 
 
 def _half(odd: int, rounding: str) -> int:

@@ -9,18 +9,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 from math import gcd
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import flint
+from flint import arb, fmpz_poly
 
 from kurbel.exact.certify import NEVER_TIES, ball, rounded
 from kurbel.exact.course import Target
 from kurbel.exact.numerals import Number, number_text
 from kurbel.exact.place import FIRST_BITS, Place
 from kurbel.exact.surd import Surd
-
-if TYPE_CHECKING:
-    from flint import arb, fmpz_poly
 
 DECIMALS = 4
 # Longer forms say nothing.

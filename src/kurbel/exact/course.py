@@ -13,9 +13,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import flint
+from flint import arb, fmpz_poly
 
 from kurbel.exact.certify import ball, pi
 from kurbel.exact.place import (
@@ -30,9 +31,6 @@ from kurbel.exact.place import (
 )
 from kurbel.exact.roots import Function, Root, interval, refined
 from kurbel.exact.surd import Surd
-
-if TYPE_CHECKING:
-    from flint import arb, fmpz_poly
 
 # A middle at which no round angle lies.
 CUT = Fraction(5, 11)

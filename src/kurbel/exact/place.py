@@ -6,16 +6,14 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import comb
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import flint
+from flint import arb, fmpz_poly
 
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import ball, pi
 from kurbel.exact.surd import Surd, squarefree
-
-if TYPE_CHECKING:
-    from flint import arb, fmpz_poly
 
 PRECISIONS = tuple(128 << step for step in range(6))
 FIRST_BITS, MOST_BITS = PRECISIONS[0], PRECISIONS[-1]

@@ -9,16 +9,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 from itertools import pairwise
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import flint
+from flint import arb
 
 from kurbel.exact.certify import ball
 
-if TYPE_CHECKING:
-    from flint import arb
-
-Function = Callable[["arb"], "arb"]
+Function = Callable[[arb], arb]
 
 # What is undecided below this width, 2e-10 of a stroke, is a double zero or lies on a kink or an end.
 LEAST_WIDTH = Fraction(1, 2**32)
@@ -42,13 +40,9 @@ def isolate(function: Function, slope: Function, start: Fraction, end: Fraction)
 
     The function is continuous; where it has kinks the ball of its slope holds both sides.
     """
-    before = flint.ctx.prec
-    try:
-        flint.ctx.prec = ISOLATING_BITS
-        ends = [start + (end - start) * part / PARTS for part in range(PARTS + 1)]
+    ends = [start + (end - start) * part / PARTS for part in range(PARTS + 1)]
+    with flint.ctx.workprec(ISOLATING_BITS):
         return [root for low, high in pairwise(ends) for root in _isolated(function, slope, low, high)]
-    finally:
-        flint.ctx.prec = before
 
 
 def _isolated(function: Function, slope: Function, low: Fraction, high: Fraction) -> Iterator[Root]:

@@ -10,14 +10,12 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from fractions import Fraction
 from math import isqrt
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import flint
+from flint import arb, fmpz_poly
 
 from kurbel.kernel.circle import Circle
-
-if TYPE_CHECKING:
-    from flint import arb, fmpz_poly
 
 
 class SecondRootError(Exception):
