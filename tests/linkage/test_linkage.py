@@ -23,6 +23,7 @@ from kurbel.exact.kind import balls
 from kurbel.kernel import kinematics
 from kurbel.kernel import linkage as kernel
 from kurbel.kernel.circle import Circle, circle
+from kurbel.kernel.parallel import coupler
 from kurbel.linkage.arc import ArcCrank
 from kurbel.linkage.evaluation import (
     arc_stroke,
@@ -387,7 +388,7 @@ def parallel_rod(phi: float, apart: float, share: float) -> complex:
 def test_all_points_of_the_parallel_crank_move_as_its_pin(apart: float, share: float) -> None:
     step = 1e-4
     for degrees in (12.3, 101.7, 255.5):
-        motion = kernel.coupler(circle(degrees))
+        motion = coupler(circle(degrees))
         phi = math.radians(degrees)
         start, before, here, after = (
             parallel_rod(angle, apart, share) for angle in (0, phi - step, phi, phi + step)
@@ -414,6 +415,6 @@ def test_the_parallel_crank_can_fold_at_its_change_points_alone() -> None:
 
 def test_certified_digits_of_the_parallel_crank() -> None:
     with flint.ctx.workprec(200):
-        motion = kernel.coupler(balls().circle(Fraction(60)))
+        motion = coupler(balls().circle(Fraction(60)))
         assert motion.path == flint.arb(0.5)
-    assert kernel.coupler(Circle(0.6, 0.8, 0.2)) == (0.2, 0.6, 0.6, 0.8, 0.8, -0.6)
+    assert coupler(Circle(0.6, 0.8, 0.2)) == (0.2, 0.6, 0.6, 0.8, 0.8, -0.6)

@@ -16,6 +16,7 @@ from numpy.testing import assert_allclose
 from kurbel.drive.crank import Crank
 from kurbel.kernel import forces, linkage
 from kurbel.kernel.circle import circle
+from kurbel.kernel.parallel import coupler_place
 from kurbel.linkage.arc import ArcCrank
 from kurbel.linkage.evaluation import certified, value
 from kurbel.linkage.parallel import ParallelCrank
@@ -139,7 +140,7 @@ def test_a_tie_of_the_rod_force_is_told() -> None:
 
 @pytest.mark.parametrize("key", ["rod_force", "rocker_force", "tangential_force", "radial_force"])
 def test_the_parallel_crank_has_the_forces_of_any_place(key: str) -> None:
-    place = linkage.coupler_place(circle(33.0))
+    place = coupler_place(circle(33.0))
     straight = {
         "rod_force": 1.0,
         "rocker_force": 0.0,

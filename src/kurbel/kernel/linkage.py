@@ -1,4 +1,4 @@
-"""Kinematics of the arc crank (Bogenschubkurbel), whose rod moves a rocker, and of the parallel crank.
+"""Kinematics of the arc crank (Bogenschubkurbel), whose rod moves a rocker.
 
 The arc crank is the crank drive with its slide line bent to the arc of a rocker of length B. Its numbers
 are the crank ratio λ = R/L, the curvature β = R/B of the arc, the offset η and the shift σ: where the rocker
@@ -21,7 +21,7 @@ distance G of shaft and pivot, and for L + σR > 0.
 Floats, with χ taken from φ: at most 12 ulp of max(|value|, 1) from the true value while `steepest_slant` is
 at most 0.7, 60 ulp while it is at most 0.95, for |η| and |σ| up to 12.
 
-Rötscher names the drives (Abb. 1043, 1045) without formulas; all are re-derived here.
+Rötscher names the drive (Abb. 1043) without formulas; all are re-derived here.
 """
 
 from typing import Generic, NamedTuple
@@ -126,8 +126,7 @@ def path_half_sine(place: Place[Number], arc: Arc[Number]) -> Number:
 
     ϑ has the sign of β: the rocker turns against the crank's sense for β > 0.
     """
-    tangent = arc.curvature * place.half / 2
-    return tangent / root(1 + tangent * tangent)
+    return _half_angle_sine(arc.curvature * place.half / 2)
 
 
 def chord(place: Place[Number], arc: Arc[Number]) -> Number:
@@ -156,20 +155,14 @@ def rocker_half_sine(arc: Arc[Number]) -> Number:
 
     θ is positive in the sense in which the crank turns; elsewhere it is less by ϑ, on both strokes.
     """
-    tangent = arc.curvature * arc.half / 2
-    return tangent / root(1 + tangent * tangent)
+    return _half_angle_sine(arc.curvature * arc.half / 2)
 
 
 def swing_half_sine(inner: Arc[Number], outer: Arc[Number]) -> Number:
     """Return the sine of half the swing; the stroke along the arc is the swing over β, whose sign it has."""
-    tangent = inner.curvature * swing_half(inner, outer) / 2
-    return tangent / root(1 + tangent * tangent)
-
-
-def swing_half(inner: Arc[Number], outer: Arc[Number]) -> Number:
-    """Return 2/β times the tangent of half the swing, as `Place.half`; 2 for the straight crank."""
     curvature = inner.curvature
-    return (inner.half + outer.half) / (1 - curvature * curvature * inner.half * outer.half / 4)
+    half = (inner.half + outer.half) / (1 - curvature * curvature * inner.half * outer.half / 4)
+    return _half_angle_sine(curvature * half / 2)
 
 
 def lead_half_sine(inner: Arc[Number], outer: Arc[Number]) -> Number:
@@ -270,53 +263,11 @@ def _cosine(sine: Number) -> Number:
     return root((1 - sine) * (1 + sine))
 
 
+def _half_angle_sine(tangent: Number) -> Number:
+    return tangent / root(1 + tangent * tangent)
+
+
 def _turn(tangent: Number) -> tuple[Number, Number]:
     """Return sine and cosine of an angle from the tangent of its half."""
     scale = 1 + tangent * tangent
     return 2 * tangent / scale, (1 - tangent) * (1 + tangent) / scale
-
-
-class Coupler(NamedTuple, Generic[Kind]):
-    """The motion of any point of the rod of a parallel crank, in units of R, v and v²/R.
-
-    The rod is as long as the shafts are apart and the cranks are equal: the second turns with the first,
-    angle for angle, the rod stays parallel to the line of the shafts, and all its points move on circles of
-    radius R, as the crank pin does. `path` is the way along the line of shafts from φ = 0, positive as the
-    piston path, `rise` that square to it; velocities and accelerations are theirs.
-    """
-
-    path: Kind
-    rise: Kind
-    velocity: Kind
-    rise_velocity: Kind
-    acceleration: Kind
-    rise_acceleration: Kind
-
-
-def coupler(circle: Circle[Number]) -> Coupler[Number]:
-    """Return the motion of the rod of a parallel crank, φ counted from the line of shafts.
-
-    The piston's motion with an infinite rod, and that square to it; for the return stroke likewise. Exact but
-    for what the circle rounded. The angle between rod and crank is φ itself: at 0° and 180° all four links
-    lie in line, and the second crank may turn back (antiparallel crank) unless a further pair prevents it.
-    """
-    return Coupler(circle.versine, circle.sine, circle.sine, circle.cosine, circle.cosine, -circle.sine)
-
-
-def coupler_place(circle: Circle[Number]) -> Place[Number]:
-    """Return where the rod of a parallel crank stands, whose way is along the line of shafts.
-
-    The forces that one force F along this line calls up at a crank are those of any place: F sin φ across it
-    and F cos φ along it.
-    """
-    nothing = circle.sine * 0
-    return Place(
-        circle.versine,
-        circle.versine,
-        circle.sine,
-        nothing,
-        nothing + 1,
-        circle.sine,
-        circle.cosine,
-        circle.sine,
-    )

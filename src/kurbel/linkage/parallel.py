@@ -10,7 +10,8 @@ from kurbel.drive.combination import PARALLEL
 from kurbel.drive.crank import Crank
 from kurbel.exact.kind import Kind
 from kurbel.kernel.circle import Circle
-from kurbel.kernel.linkage import Place, coupler_place
+from kurbel.kernel.linkage import Place
+from kurbel.kernel.parallel import coupler_place
 
 CHANGE_POINTS = (Fraction(0), Fraction(180))
 """The angles from the line of shafts at which a parallel crank may fold into the antiparallel crank."""

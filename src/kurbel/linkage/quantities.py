@@ -9,6 +9,7 @@ from typing import Any
 from kurbel.exact.numerals import Label
 from kurbel.kernel import linkage
 from kurbel.kernel.linkage import Place
+from kurbel.kernel.parallel import coupler
 from kurbel.linkage.arc import ArcCrank
 from kurbel.linkage.evaluation import STROKE, At
 from kurbel.motion.evaluation import OUT, RETURN, STROKES
@@ -292,4 +293,4 @@ def _single(
 
 
 def _field(name: str) -> Callable[[At], Any]:
-    return lambda at: getattr(linkage.coupler(at.circle), name)
+    return lambda at: getattr(coupler(at.circle), name)
