@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Sequence
-from itertools import chain, pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
@@ -47,10 +47,6 @@ LEGEND_ROW, SAMPLE, SAMPLE_GAP, LEGEND_GAP = 4.2, 9.0, 1.5, 4.0
 MOST_LABELS = 4
 
 
-# A crank angle and a value.
-Point = tuple[float, float]
-
-
 class Curve(NamedTuple):
     """Values at rising angles in degrees; a value that is no finite number is a gap in the line.
 
@@ -70,10 +66,38 @@ class Panel(NamedTuple):
     unit: Label = ""
 
 
+class _Line(NamedTuple):
+    """The angles and values of a curve, with NaN for what is not finite."""
+
+    angles: Points
+    values: Points
+
+    @classmethod
+    def of(cls, curve: Curve) -> _Line:
+        values = np.asarray(curve.values, float)
+        return cls(np.asarray(curve.angles, float), np.where(np.isfinite(values), values, np.nan))
+
+    def broken(self) -> _Line:
+        """Return the line with a gap in every jump."""
+        after = self._after_jumps()
+        gaps = np.insert(self.values, after, np.nan)
+        return _Line(np.insert(self.angles, after, self.angles[after]), gaps)
+
+    def jumps(self) -> _Line:
+        """Return the jumps alone, with gaps between them."""
+        after = self._after_jumps()
+        ends = (self.values[after - 1], self.values[after], np.full(len(after), np.nan))
+        return _Line(np.repeat(self.angles[after], 3), np.stack(ends, axis=1).ravel())
+
+    def _after_jumps(self) -> NDArray[np.intp]:
+        """Return the numbers of the points after jumps, at the angles of those before."""
+        return np.flatnonzero(np.diff(self.angles) == 0) + 1
+
+
 class _Plan(NamedTuple):
     """A panel with all that must be known before the page is laid out; places in mm from its lower left."""
 
-    panel: Panel
+    lines: Sequence[_Line]
     span: tuple[float, float]
     limits: tuple[float, float]
     height: float
@@ -93,10 +117,6 @@ class _Plan(NamedTuple):
         rows = math.ceil(len(self.texts) / self.columns)
         return heading + LEGEND_ROW * (rows if self.apart else rows - 1)
 
-    def bare(self) -> _Plan:
-        """Return the same without the names of its curves."""
-        return self._replace(places=None, columns=0)
-
 
 def curves(panels: Sequence[Panel], lang: str, mark: str) -> Figure:
     """Return a drawing 120 mm wide of panels above each other that share the axis of the crank angle.
@@ -109,7 +129,7 @@ def curves(panels: Sequence[Panel], lang: str, mark: str) -> Figure:
     """
     for panel in panels:
         _check(panel)
-    angles = [*chain.from_iterable(curve.angles for panel in panels for curve in panel.curves)]
+    angles = [angle for panel in panels for curve in panel.curves for angle in curve.angles]
     span = (min(angles), max(angles))
     if span[0] == span[1]:
         raise ProblemError(f"the only crank angle is {span[0]:.6g}°; a curve needs two")
@@ -134,21 +154,19 @@ def check_count(count: int) -> None:
 
 def _check(panel: Panel) -> None:
     check_count(len(panel.curves))
-    if not _finite(panel):
+    if not any(np.isfinite(curve.values).any() for curve in panel.curves):
         raise ProblemError(f'the panel "{panel.label[:40]}" has no finite value, so nothing can be drawn')
 
 
-def _finite(panel: Panel) -> list[float]:
-    values = chain.from_iterable(curve.values for curve in panel.curves)
-    return [value for value in values if math.isfinite(value)]
-
-
 def _plan(panel: Panel, span: tuple[float, float], height: float, mark: str) -> _Plan:
-    values = _finite(panel)
-    power = power_of_thousand(values)
+    lines = [_Line.of(curve) for curve in panel.curves]
+    values = np.concatenate([line.values for line in lines])
+    low, high = float(np.nanmin(values)), float(np.nanmax(values))
+    room = 0.05 * (high - low) or 0.1 * abs(high) or 1.0
+    power = power_of_thousand(values[np.isfinite(values)])
     heading = _in_rows(text_of(axis_label(panel.label, panel.unit, power), mark))
     texts = tuple(text_of(curve.label, mark) for curve in panel.curves)
-    plan = _Plan(panel, span, _limits(values), height, heading, power, texts, None, 0)
+    plan = _Plan(lines, span, (low - room, high + room), height, heading, power, texts, None, 0)
     if not any(texts):
         return plan
     places = _places(plan) if len(texts) <= MOST_LABELS else None
@@ -171,14 +189,7 @@ def _with_one_legend(plans: list[_Plan]) -> list[_Plan]:
     """Return the plans with a legend in the first panel alone, where one of like panels needs one."""
     if len({plan.texts for plan in plans}) > 1 or not any(plan.columns for plan in plans):
         return plans
-    return [_with_legend(plans[0]), *(plan.bare() for plan in plans[1:])]
-
-
-def _limits(values: Sequence[float]) -> tuple[float, float]:
-    """Return the ends of the axis: those of the values and some room."""
-    low, high = min(values), max(values)
-    room = 0.05 * (high - low) or 0.1 * abs(high) or 1.0
-    return low - room, high + room
+    return [_with_legend(plans[0]), *(plan._replace(places=None, columns=0) for plan in plans[1:])]
 
 
 def _with_legend(plan: _Plan) -> _Plan:
@@ -193,9 +204,9 @@ def _with_legend(plan: _Plan) -> _Plan:
 
 def _places(plan: _Plan) -> Sequence[Points] | None:
     """Return where labels beside the curves have room, or None unless all have."""
-    lines = [densely(_on_paper(_broken(curve), plan)) for curve in plan.panel.curves]
-    zero = Curve("", plan.span, (0, 0))
-    labels = [densely(_on_paper(one, plan)) for one in (zero, *map(_jumps, plan.panel.curves))]
+    lines = [densely(_on_paper(line.broken(), plan)) for line in plan.lines]
+    zero = _Line(np.asarray(plan.span), np.zeros(2))
+    labels = [densely(_on_paper(one, plan)) for one in (zero, *(line.jumps() for line in plan.lines))]
     places = []
     for line, text in zip(lines, plan.texts, strict=True):
         size = size_of(text)
@@ -208,37 +219,11 @@ def _places(plan: _Plan) -> Sequence[Points] | None:
     return places
 
 
-def _on_paper(curve: Curve, plan: _Plan) -> Points:
-    """Return the points of a curve in mm from the panel's lower left corner."""
-    points = np.stack((np.asarray(curve.angles, float), np.asarray(_with_gaps(curve.values))), axis=1)
+def _on_paper(line: _Line, plan: _Plan) -> Points:
+    """Return the points of a line in mm from the panel's lower left corner."""
+    points = np.stack(line, axis=1)
     low, high = (np.asarray(ends) for ends in zip(plan.span, plan.limits, strict=True))
     return np.asarray((points - low) / (high - low) * (PANEL_WIDTH, plan.height))
-
-
-def _with_gaps(values: Sequence[float]) -> list[float]:
-    return [float(value) if math.isfinite(value) else math.nan for value in values]
-
-
-def _broken(curve: Curve) -> Curve:
-    """Return the curve with a gap in every jump."""
-    places = [place for place, _ in _jumping(curve)]
-    angles, values = list(curve.angles), list(curve.values)
-    for place in reversed(places):
-        angles.insert(place, angles[place])
-        values.insert(place, math.nan)
-    return curve._replace(angles=angles, values=values)
-
-
-def _jumps(curve: Curve) -> Curve:
-    """Return the jumps of the curve alone, with gaps between them."""
-    ends = [end for _, jump in _jumping(curve) for end in (*jump, (jump[1][0], math.nan))]
-    return curve._replace(angles=[angle for angle, _ in ends], values=[value for _, value in ends])
-
-
-def _jumping(curve: Curve) -> list[tuple[int, tuple[Point, Point]]]:
-    """Return where a curve jumps: the number of the point after it, and both points."""
-    points = list(zip(curve.angles, curve.values, strict=True))
-    return [(place, ends) for place, ends in enumerate(pairwise(points), 1) if ends[0][0] == ends[1][0]]
 
 
 def _laid_out(plans: Sequence[_Plan]) -> tuple[Figure, list[Axes]]:
@@ -255,28 +240,23 @@ def _laid_out(plans: Sequence[_Plan]) -> tuple[Figure, list[Axes]]:
 
 def _draw(axes: Axes, plan: _Plan, number: int) -> None:
     drawn = []
-    for curve, line in zip(plan.panel.curves, LINES, strict=False):
-        whole = _broken(curve)
-        artist = axes.plot(whole.angles, _with_gaps(whole.values))[0]
-        artist.set(color=line.colour, linewidth=line.width, zorder=3, clip_on=False)
-        artist.set_linestyle((0, line.dashes) if line.dashes else "-")
+    for count, (line, look) in enumerate(zip(plan.lines, LINES, strict=False), 1):
+        artist = axes.plot(*line.broken())[0]
+        artist.set(color=look.colour, linewidth=look.width, zorder=3, clip_on=False)
+        artist.set_linestyle((0, look.dashes) if look.dashes else "-")
+        artist.set_gid(f"curve-{number}-{count}")
         drawn.append(artist)
-        artist.set_gid(f"curve-{number}-{len(drawn)}")
-        _draw_jumps(axes, curve, line.colour, f"jumps-{number}-{len(drawn)}")
+        jumps = line.jumps()
+        if len(jumps.angles):
+            artist = axes.plot(*jumps, color=look.colour, linewidth=THIN, zorder=3)[0]
+            artist.set(clip_on=False, gid=f"jumps-{number}-{count}")
     axes.set(xlim=plan.span, ylim=plan.limits)
     if plan.places:
-        for place, text, line in zip(plan.places, plan.texts, LINES, strict=False):
+        for place, text, look in zip(plan.places, plan.texts, LINES, strict=False):
             x, y = place / (PANEL_WIDTH, plan.height)
-            axes.text(x, y, text, color=line.colour, transform=axes.transAxes, ha="center", va="center")
+            axes.text(x, y, text, color=look.colour, transform=axes.transAxes, ha="center", va="center")
     elif plan.columns:
         _legend(axes, drawn, plan)
-
-
-def _draw_jumps(axes: Axes, curve: Curve, colour: str, name: str) -> None:
-    jumps = _jumps(curve)
-    if jumps.angles:
-        artist = axes.plot(jumps.angles, _with_gaps(jumps.values), color=colour, linewidth=THIN, zorder=3)[0]
-        artist.set(clip_on=False, gid=name)
 
 
 def _legend(axes: Axes, drawn: Sequence[Line2D], plan: _Plan) -> None:
