@@ -12,12 +12,13 @@ import kurbel
 from kurbel.cli import COMMANDS
 from kurbel.cli.app import command_of
 from kurbel.commands.subject import Command
+from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.engine.quantities import ENGINE_METHODS
 from kurbel.examples.source import example, numbers_of, source_keys
 from kurbel.formats.registry import FORMATS
-from kurbel.linkage.arc_drive import arc_names
-from kurbel.motion.drives import slide_names
+from kurbel.motion.drives import condition_names
 from kurbel.motion.evaluation import METHODS
+from kurbel.motion.mechanism import mechanism
 from kurbel.page.layouts import SUBJECTS, layout, layout_names
 from kurbel.page.subject import subject
 from kurbel.plot.style import FORMATS as DRAWINGS
@@ -87,8 +88,12 @@ def _quantities() -> Iterator[str]:
         yield "| key | quantity | unit | decimals | command |\n| --- | --- | --- | ---: | --- |"
         yield from lines
     yield "\nConditions of `kurbel solve`, by the mechanism, are about:\n"
-    for mechanism, names in (("straight and offset", slide_names()), ("arc", arc_names())):
-        yield f"- {mechanism} crank: {', '.join(f'`{name}`' for name in names)}"
+    asked: dict[tuple[str, ...], list[str]] = {}
+    for drive in map(mechanism, MECHANISMS):
+        if names := tuple(condition_names(drive.conditions().values())):
+            asked.setdefault(names, []).append(drive.title.removeprefix("the "))
+    for names, titles in asked.items():
+        yield f"- {' and '.join(titles)}: {', '.join(f'`{name}`' for name in names)}"
 
 
 def _layouts() -> Iterator[str]:

@@ -15,7 +15,7 @@ from kurbel.drive.crank import Crank
 from kurbel.exact.certify import NEVER_TIES, rounded
 from kurbel.exact.closed_form import ClosedForm, closed_forms, form_text
 from kurbel.exact.numerals import Number, number_text
-from kurbel.motion.drives import SlideDrive, slide_names
+from kurbel.motion.drives import SlideDrive, condition_names, slide_columns
 from kurbel.motion.evaluation import OUT
 from kurbel.reading.notation import ratio
 from kurbel.reading.where import read_condition
@@ -54,13 +54,17 @@ class Cell(NamedTuple):
         """Return the root on the outstroke."""
         drive = SlideDrive(Crank(self.ratio), "series")
         return next(
-            root for root in solve(drive, read_condition(self.condition, slide_names())) if root.stroke == OUT
+            root
+            for root in solve(
+                drive, read_condition(self.condition, condition_names(slide_columns().values()))
+            )
+            if root.stroke == OUT
         )
 
     def forms(self) -> list[ClosedForm]:
         drive, condition = (
             SlideDrive(Crank(self.ratio), "series"),
-            read_condition(self.condition, slide_names()),
+            read_condition(self.condition, condition_names(slide_columns().values())),
         )
         formula = drive.course("p", OUT).formula
         assert formula is not None
@@ -148,7 +152,10 @@ def test_quadratic_equations_are_solved_as_in_the_book() -> None:
     ],
 )
 def test_equations_with_rational_roots_are_solved_too(text: str, forms: list[ClosedForm]) -> None:
-    drive, condition = SlideDrive(Crank(Fraction(1, 5)), "series"), read_condition(text, slide_names())
+    drive, condition = (
+        SlideDrive(Crank(Fraction(1, 5)), "series"),
+        read_condition(text, condition_names(slide_columns().values())),
+    )
     formula = drive.course(condition.quantity, OUT).formula
     assert formula is not None
     assert closed_forms(formula, target_of(drive, condition, OUT)) == forms

@@ -30,10 +30,12 @@ from kurbel.drive.rod import Rod
 from kurbel.engine.engine import Engine, Load, Steam
 from kurbel.engine.request import EngineRequest
 from kurbel.engine.turn import Turn
-from kurbel.linkage.arc import ArcCrank
-from kurbel.linkage.page import LinkageRequest
+from kurbel.linkage.arc.crank import ArcCrank
+from kurbel.linkage.parallel.crank import ParallelCrank
+from kurbel.linkage.question import LinkageRequest
 from kurbel.motion.quantities import registry
 from kurbel.motion.question import Request
+from kurbel.motion.slide import STRAIGHT
 from kurbel.page.layouts import layout
 from kurbel.plot.curves import motion_keys, motion_panels, pin_force, pin_force_keys
 from kurbel.plot.engine import PIN_FORCE, TURNING, engine_pin_force, force_panels, turning_panels
@@ -120,8 +122,8 @@ def test_each_ratio_has_a_curve_in_the_panel_of_each_quantity() -> None:
 
 
 def test_forces_of_one_crank_share_a_panel_and_are_in_newtons_where_the_piston_force_is_known() -> None:
-    assert motion_keys(Crank(FIFTH)) == ("x", "c", "p")
-    keys = motion_keys(MACHINE)
+    assert motion_keys(STRAIGHT, Crank(FIFTH)) == ("x", "c", "p")
+    keys = motion_keys(STRAIGHT, MACHINE)
     forces, torque = motion_panels(asked(keys, MACHINE, lang="en"))
     assert (forces.unit, torque.unit) == ("N", "N m")
     assert forces.label == "Rod force, guide force, tangential force and radial force"
@@ -137,9 +139,11 @@ def test_forces_of_one_crank_share_a_panel_and_are_in_newtons_where_the_piston_f
 
 def test_a_machine_is_drawn_in_its_units() -> None:
     machine = Crank(FIFTH, radius=Fraction(3, 10), speed=Speed(Fraction(2)))
-    assert motion_keys(machine) == ("x_mm", "c_mps", "p_mps2")
-    assert motion_keys(Crank(FIFTH, radius=Fraction(1))) == ("x_mm", "c", "p")
-    units = [(panel.label, panel.unit) for panel in motion_panels(asked(motion_keys(machine), machine))]
+    assert motion_keys(STRAIGHT, machine) == ("x_mm", "c_mps", "p_mps2")
+    assert motion_keys(STRAIGHT, Crank(FIFTH, radius=Fraction(1))) == ("x_mm", "c", "p")
+    units = [
+        (panel.label, panel.unit) for panel in motion_panels(asked(motion_keys(STRAIGHT, machine), machine))
+    ]
     assert units == [
         ("Kolbenweg $x$", "mm"), ("Kolbengeschwindigkeit $c$", "m/s"), ("Kolbenbeschleunigung $p$", "m/s²"),
     ]  # fmt: skip
@@ -165,7 +169,7 @@ def test_every_quantity_has_an_axis_that_names_it_with_its_unit_once(lang: str) 
 
 def test_the_pin_force_is_the_rod_force_turned_by_the_crank() -> None:
     ratio = 0.25
-    vector, (across, up), unit = pin_force(asked(pin_force_keys(Crank(QUARTER)), Crank(QUARTER)))
+    vector, (across, up), unit = pin_force(asked(pin_force_keys(STRAIGHT, Crank(QUARTER)), Crank(QUARTER)))
     assert (across, up, unit) == ("Tangentialkraft $T/F$", "Radialkraft $Z/F$", "")
     phi = np.radians(FLOATS)
     psi = np.arcsin(ratio * np.sin(phi))
@@ -428,8 +432,9 @@ def test_the_turning_effort_with_the_masses_has_theirs_besides_the_steams() -> N
 
 
 def linkage(name: str, *columns: str, ratios: Sequence[Fraction] = (FIFTH,), lang: str = "de") -> list[Panel]:
-    cranks = tuple(ArcCrank(Crank(ratio), Fraction(3)) for ratio in ratios) if name == "arc" else ()
-    request = LinkageRequest(layout=layout(name), angles=ANGLES, cranks=cranks, columns=columns, lang=lang)
+    arcs = tuple(ArcCrank(Crank(ratio), Fraction(3)) for ratio in ratios)
+    drives = arcs if name == "arc" else (ParallelCrank(),)
+    request = LinkageRequest(layout=layout(name), angles=ANGLES, drives=drives, columns=columns, lang=lang)
     return motion_panels(request)
 
 

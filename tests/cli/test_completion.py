@@ -16,7 +16,7 @@ from tools import require
 from kurbel.cli import COMMANDS
 from kurbel.engine.quantities import ENGINE_METHODS, engine_registry
 from kurbel.formats.registry import FORMATS
-from kurbel.linkage.quantities import arc_registry
+from kurbel.linkage.arc.quantities import arc_registry
 from kurbel.motion.evaluation import METHODS
 from kurbel.motion.quantities import registry
 from kurbel.page.layouts import LANGUAGES, layout

@@ -24,20 +24,19 @@ from kurbel.kernel import kinematics
 from kurbel.kernel import linkage as kernel
 from kurbel.kernel.circle import Circle, circle
 from kurbel.kernel.parallel import coupler
-from kurbel.linkage.arc import ArcCrank
-from kurbel.linkage.evaluation import (
+from kurbel.linkage.arc.crank import ArcCrank
+from kurbel.linkage.arc.evaluation import (
     arc_stroke,
-    certified,
     dead_angle,
-    direct_value,
     lead,
     least_transmission,
     swing,
     time_ratio,
-    value,
 )
-from kurbel.linkage.parallel import CHANGE_POINTS
-from kurbel.linkage.quantities import FORCE, arc_registry
+from kurbel.linkage.arc.quantities import arc_registry
+from kurbel.linkage.linkage import certified, direct_value, value
+from kurbel.linkage.parallel.crank import CHANGE_POINTS
+from kurbel.linkage.quantities import FORCE
 from kurbel.motion.evaluation import OUT, RETURN
 
 MOTIONS = tuple(key for key, one in arc_registry().items() if one.stroke == OUT and one.of != FORCE)

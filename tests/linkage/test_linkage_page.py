@@ -17,8 +17,9 @@ import kurbel
 from kurbel.drive.crank import Crank
 from kurbel.errors import KurbelError, ProblemError
 from kurbel.exact.numerals import Number, number_text
-from kurbel.linkage.arc import ArcCrank
-from kurbel.linkage.quantities import FORCE, arc_registry
+from kurbel.linkage.arc.crank import ArcCrank
+from kurbel.linkage.arc.quantities import arc_registry
+from kurbel.linkage.quantities import FORCE
 from kurbel.motion.evaluation import OUT, RETURN
 from kurbel.page.labels import plain
 from kurbel.page.layouts import LANGUAGES, layout

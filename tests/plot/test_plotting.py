@@ -23,12 +23,13 @@ from tools import require_library
 import kurbel
 from kurbel.drive.crank import Crank
 from kurbel.errors import ChoiceError, MissingExtraError, ProblemError
-from kurbel.linkage.arc import ArcCrank
+from kurbel.linkage.arc.crank import ArcCrank
+from kurbel.linkage.parallel.crank import SHAFTS, ParallelCrank
 from kurbel.page.formula import FUNCTIONS, GREEK, SIGNS, SYMBOLS
 from kurbel.plot import style as plot_style
 from kurbel.plot.arc import arc_mechanism, arc_position
+from kurbel.plot.links import outlined
 from kurbel.plot.mechanism import LONGEST_ROD, mechanism, position
-from kurbel.plot.parallel import SHAFTS, parallel_mechanism
 from kurbel.plot.place import BESIDE, around, beside, densely, freest
 from kurbel.plot.plotting import Curve, Panel, curves
 from kurbel.plot.polar import Vector, polar
@@ -83,7 +84,7 @@ def arc_sketch() -> Figure:
 
 
 def parallel_sketch() -> Figure:
-    return parallel_mechanism([Fraction(75), 150, 300], ",")
+    return outlined(ParallelCrank().outline(), [Fraction(75), 150, 300], ",")
 
 
 DRAWINGS: dict[str, Callable[[], Figure]] = {
@@ -789,7 +790,7 @@ def test_nothing_written_of_an_arc_crank_leaves_the_page(crank: ArcCrank) -> Non
 @drawn
 @pytest.mark.parametrize("angle", [0, 37, 90, 180, 201.5, 340])
 def test_the_two_cranks_of_a_parallel_crank_turn_angle_for_angle(angle: float) -> None:
-    figure = parallel_mechanism([angle, 20], ".")
+    figure = outlined(ParallelCrank().outline(), [angle, 20], ".")
     (shaft, pin), (other, second), rod = (ends(figure, name) for name in ("crank", "second-crank", "rod"))
     way = (math.cos(math.radians(angle)), math.sin(math.radians(angle)))
     assert (shaft, other, rod) == ((0, 0), (SHAFTS, 0), (pin, second))

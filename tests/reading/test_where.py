@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kurbel.errors import KurbelError, NotationError
-from kurbel.linkage.arc_drive import arc_names
-from kurbel.motion.drives import slide_names
+from kurbel.linkage.arc.drive import arc_columns
+from kurbel.motion.drives import condition_names, slide_columns
 from kurbel.reading.where import (
     ACCELERATIONS,
     ANGLES,
@@ -52,15 +52,19 @@ from kurbel.reading.where import (
     ],
 )
 def test_conditions_are_read(text: str, condition: Condition) -> None:
-    assert read_condition(text, slide_names()) == condition
+    assert read_condition(text, condition_names(slide_columns().values())) == condition
 
 
 def test_letters_stand_for_the_motion_of_the_arc_crank() -> None:
-    assert read_condition("p=0", arc_names()) == read_condition("acceleration = 0", arc_names())
-    assert read_condition("θ = 1°", arc_names()) == Condition("rocker", VALUE, Fraction(1))
+    assert read_condition("p=0", condition_names(arc_columns().values())) == read_condition(
+        "acceleration = 0", condition_names(arc_columns().values())
+    )
+    assert read_condition("θ = 1°", condition_names(arc_columns().values())) == Condition(
+        "rocker", VALUE, Fraction(1)
+    )
 
 
-quantities = st.sampled_from(sorted({*slide_names().values()}))
+quantities = st.sampled_from(sorted({*condition_names(slide_columns().values()).values()}))
 small = st.fractions(-1000, 1000, max_denominator=9999)
 
 
@@ -83,12 +87,17 @@ def conditions(draw: st.DrawFn) -> Condition:
 
 @given(conditions())
 def test_a_condition_that_is_written_out_is_read_again(condition: Condition) -> None:
-    assert read_condition(str(condition), slide_names()) == condition
+    assert read_condition(str(condition), condition_names(slide_columns().values())) == condition
 
 
 @given(conditions())
 def test_a_decimal_comma_is_read_as_a_point(condition: Condition) -> None:
-    assert read_condition(f"{condition.quantity}={condition.right_side(',')}", slide_names()) == condition
+    assert (
+        read_condition(
+            f"{condition.quantity}={condition.right_side(',')}", condition_names(slide_columns().values())
+        )
+        == condition
+    )
 
 
 pieces = st.sampled_from([*"xspc=0123456789.,/-+eE% °'", "max", "min", " of dead centre", "mm", "m/s", "psi"])
@@ -96,7 +105,7 @@ pieces = st.sampled_from([*"xspc=0123456789.,/-+eE% °'", "max", "min", " of dea
 
 @given(st.one_of(st.text(max_size=30), st.lists(pieces, max_size=12).map("".join)))
 def test_any_text_is_a_condition_or_an_error_in_a_sentence(text: str) -> None:
-    for names in (slide_names(), arc_names()):
+    for names in (condition_names(slide_columns().values()), condition_names(arc_columns().values())):
         try:
             found = read_condition(text, names)
         except KurbelError as error:
@@ -127,10 +136,10 @@ def test_any_text_is_a_condition_or_an_error_in_a_sentence(text: str) -> None:
 )
 def test_a_malformed_condition_is_answered_with_the_grammar(text: str, said: str) -> None:
     with pytest.raises(KurbelError) as caught:
-        read_condition(text, slide_names())
+        read_condition(text, condition_names(slide_columns().values()))
     assert str(caught.value).startswith(said)
 
 
 def test_the_arc_crank_takes_no_units() -> None:
     with pytest.raises(NotationError, match="only x, c and p of the straight or offset crank"):
-        read_condition("x = 200 mm", arc_names())
+        read_condition("x = 200 mm", condition_names(arc_columns().values()))

@@ -21,9 +21,9 @@ from kurbel.errors import NoRootError, ProblemError
 from kurbel.exact.certify import ball
 from kurbel.exact.course import Course, Target
 from kurbel.exact.place import SQUARE, exact_place
-from kurbel.linkage.arc import ArcCrank
-from kurbel.linkage.arc_drive import ArcDrive, arc_names
-from kurbel.motion.drives import Drive, SlideDrive, slide_names
+from kurbel.linkage.arc.crank import ArcCrank
+from kurbel.linkage.arc.drive import ArcDrive, arc_columns
+from kurbel.motion.drives import Drive, SlideDrive, condition_names, slide_columns
 from kurbel.motion.evaluation import OUT, RETURN
 from kurbel.reading.units import Speed
 from kurbel.reading.where import VALUE, Condition, read_condition
@@ -166,7 +166,7 @@ def _compare_with_floats(
     import numpy as np
 
     from kurbel.kernel.circle import circle
-    from kurbel.linkage import evaluation as linkage
+    from kurbel.linkage import linkage
 
     course = ArcDrive(crank).course(quantity, stroke)
     begin, end = (float((180 * place.half_turns()).mid()) for place in (course.begin, course.end))
@@ -186,9 +186,10 @@ def test_the_rocker_and_shares_of_the_stroke_are_had_once_on_a_stroke(crank: Arc
         assert [root.stroke for root in found] == [OUT, RETURN]
         for root in found:
             share = drive.digits("path_stroke", root.stroke, root.place, 12, "half-away")
-            assert abs(Fraction(share, 10**12) - read_condition(text, slide_names()).value) <= Fraction(
-                1, 10**12
-            )
+            assert abs(
+                Fraction(share, 10**12)
+                - read_condition(text, condition_names(slide_columns().values())).value
+            ) <= Fraction(1, 10**12)
     middle = drive.course("rocker", OUT)
     with flint.ctx.workprec(64):
         theta = sum(float(middle.value(place.half_turns()).mid()) for place in (middle.begin, middle.end)) / 2
@@ -321,7 +322,10 @@ def test_a_stroke_of_whole_sides_ends_exactly() -> None:
         found = solved(drive, text)
         assert [root.stroke for root in found] == [OUT, RETURN]
         assert all(
-            root.place is drive.course(read_condition(text, slide_names()).quantity, root.stroke).end
+            root.place
+            is drive.course(
+                read_condition(text, condition_names(slide_columns().values())).quantity, root.stroke
+            ).end
             for root in found
         )
     with pytest.raises(NoRootError):
@@ -454,7 +458,11 @@ def test_a_quantity_that_never_changes_is_named() -> None:
 
 
 @settings(deadline=None, max_examples=25)
-@given(ratios, st.sampled_from(sorted(set(slide_names().values()))), st.fractions(-2, 2, max_denominator=50))
+@given(
+    ratios,
+    st.sampled_from(sorted(set(condition_names(slide_columns().values()).values()))),
+    st.fractions(-2, 2, max_denominator=50),
+)
 def test_a_condition_put_back_is_fulfilled(ratio: Fraction, quantity: str, value: Fraction) -> None:
     drive = SlideDrive(Crank(ratio))
     condition = Condition(quantity, VALUE, value)
@@ -488,8 +496,10 @@ def test_a_place_is_not_taken_for_another_so_near() -> None:
 
 
 def test_names_of_conditions_are_quantities_of_their_drives() -> None:
-    assert {SlideDrive(FIFTH).column_of(name) for name in slide_names().values()} <= set(
-        SlideDrive(FIFTH).columns
-    )
+    assert {
+        SlideDrive(FIFTH).column_of(name) for name in condition_names(slide_columns().values()).values()
+    } <= set(SlideDrive(FIFTH).columns)
     arc = ArcDrive(CRANKS[0])
-    assert {arc.column_of(name) for name in arc_names().values()} <= set(arc.columns)
+    assert {arc.column_of(name) for name in condition_names(arc_columns().values()).values()} <= set(
+        arc.columns
+    )

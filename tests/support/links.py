@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from kurbel.drive.crank import Crank
 from kurbel.exact.kind import Kind
 from kurbel.kernel.circle import arcsine, circle
-from kurbel.linkage.arc import ArcCrank
-from kurbel.linkage.quantities import arc_registry
+from kurbel.linkage.arc.crank import ArcCrank
+from kurbel.linkage.arc.quantities import arc_registry
 from kurbel.motion.evaluation import OUT
 from kurbel.page.quantity import Quantity
 

@@ -89,9 +89,9 @@ class Columns(click.ParamType):  # type: ignore[type-arg]
     def _default(self, typed: Mapping[str, Any]) -> str:
         """The layout that the other options choose."""
         if mechanism := typed.get("mechanism"):
-            from kurbel.commands.cranks import MECHANISMS
+            from kurbel.motion.mechanism import mechanism as mechanism_of
 
-            return MECHANISMS[mechanism].layout
+            return mechanism_of(mechanism).layout
         if typed.get("forces") and (typed.get("eps") or typed.get("card")):
             from kurbel.commands.engine_plots import ENGINE_LAYOUT
 

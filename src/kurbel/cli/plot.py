@@ -18,8 +18,9 @@ from kurbel.commands.machines import MASSES, STEAM
 from kurbel.commands.options import is_given
 from kurbel.commands.shown import Drawing
 from kurbel.commands.subject import Command
-from kurbel.drive import combination
+from kurbel.drive import load
 from kurbel.errors import ProblemError
+from kurbel.motion.mechanism import check_load
 from kurbel.reading.given import as_number
 
 HELP = """\
@@ -129,8 +130,8 @@ def _refusal(name: str, kind: Kind, flag: str) -> str:
 def _check_offset_of_machine(given: Given) -> None:
     """Raise ProblemError for an engine whose machine has an offset: none may be drawn without it."""
     from_file = given.sources["offset"] is ParameterSource.DEFAULT_MAP
-    if from_file and as_number(given.values["offset"] or "0", "offset"):
-        combination.check(combination.OFFSET, combination.CARD if given.values["card"] else combination.STEAM)
+    if from_file and (offset := as_number(given.values["offset"] or "0", "offset")):
+        check_load(offset, load.CARD if given.values["card"] else load.STEAM)
 
 
 def _formats() -> Mapping[str, Any]:

@@ -2,20 +2,10 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated, Any
 
 from kurbel.commands import parameters as option
-from kurbel.commands.cranks import (
-    LINKAGES,
-    MECHANISMS,
-    angles_of,
-    arc_cranks,
-    check_needed,
-    cranks_of,
-    mechanism_of,
-    of_other_mechanisms,
-    radius_of,
-)
+from kurbel.commands.cranks import angles_of, mechanism_of, of_other_mechanisms
 from kurbel.commands.machines import (
     MASSES,
     STEAM,
@@ -28,39 +18,42 @@ from kurbel.commands.machines import (
 )
 from kurbel.commands.options import Choice, LayoutName, Option, is_given
 from kurbel.commands.subject import makes_table
-from kurbel.drive import combination
+from kurbel.drive import load
+from kurbel.drive.described import Described
+from kurbel.drive.mechanisms import SUBJECTS
 from kurbel.errors import ProblemError
+from kurbel.motion.mechanism import Mechanism, check_load, uncomputed
 from kurbel.page.layouts import layout, layout_of
 from kurbel.page.subject import Question
 from kurbel.reading.given import Exact, as_force, as_names, as_number
 
-if TYPE_CHECKING:
-    from kurbel.linkage.arc import ArcCrank
-
 OF_ENGINES = ("crank forces", "machine")
-OF_LINKAGES = tuple(MECHANISMS[name].subject for name in LINKAGES)
 INERTIA = ("inertia", "inertia errors")
 POSITIONS = ("tangent",)
+_LOADS = {
+    **dict.fromkeys((*STEAM, "bore", "pressure", "cranks"), load.STEAM),
+    "card": load.CARD,
+    **dict.fromkeys(MASSES, load.MASSES),
+}
 
 
-def _mechanism(values: Mapping[str, Any]) -> str:
+def _mechanism(values: Mapping[str, Any]) -> Mechanism:
     """Return which crank drive is meant; layouts tell it that are about the arc or the parallel crank."""
     name, folder = values["layout"], values["layouts"]
-    if name and layout(name, folder).subject not in OF_LINKAGES:
+    if name and layout(name, folder).subject not in SUBJECTS:
         name = None
     return mechanism_of(values["mechanism"], values["offset"], name, folder)
 
 
 def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
     """Refuse what describes other crank drives, and the loads and positions that theirs do not have."""
-    name = _mechanism(values)
-    refused = of_other_mechanisms(name, ("stroke",) if name in LINKAGES else ("stroke", "speed"))
-    if name in LINKAGES:
-        of_steam = dict.fromkeys((*STEAM, "bore", "pressure", "cranks"), combination.STEAM)
-        loads = {**of_steam, "card": combination.CARD, **dict.fromkeys(MASSES, combination.MASSES)}
-        refused |= {option: combination.uncomputed(name, load) for option, load in loads.items()}
-        refused["at"] = f"--at does not belong to the {name} crank; it is for --mechanism straight"
-    return {option: said for option, said in refused.items() if option in values}
+    chosen = _mechanism(values)
+    refused = of_other_mechanisms(values, chosen, ("stroke",))
+    if not chosen.crosshead:
+        loads = {name: one for name, one in _LOADS.items() if is_given(values[name])}
+        refused |= {name: said for name, one in loads.items() if (said := uncomputed(chosen, one))}
+        refused["at"] = f"--at does not belong to {chosen.title}; it is for --mechanism straight"
+    return refused
 
 
 def _about(values: Mapping[str, Any]) -> str:
@@ -151,7 +144,7 @@ def forces_table(
         Option(
             "Page layout; default: forces; with --eps or --card engine-forces, with masses machine-forces;"
             " of the arc or parallel crank forces-arc, forces-parallel.",
-            kind=LayoutName(("motion", *OF_ENGINES, "tangent", *OF_LINKAGES)),
+            kind=LayoutName(("motion", *OF_ENGINES, "tangent", *SUBJECTS)),
         ),
     ] = None,
     digits: option.Digits = None,
@@ -186,61 +179,51 @@ def forces_table(
     sheet: dict[str, Any] = {"digits": digits, "rounding": rounding, "lang": lang, "label": label}
     masses = Masses(reciprocating, GivenRod(rod_mass, centre, gyration, rod_file), rotating)
     newtons = None if force is None else as_force(force)
-    name = _mechanism({"mechanism": mechanism, "offset": offset, "layout": layout, "layouts": layouts})
-    check_needed(name, offset, rocker)
-    if name in LINKAGES:
-        from kurbel.linkage.page import LinkageRequest
-        from kurbel.linkage.parallel import ParallelCrank
-
-        page = layout_of(layout or f"forces-{name}", (MECHANISMS[name].subject,), layouts)
-        arcs: tuple[ArcCrank, ...] = ()
-        if name == "arc":
-            arcs = arc_cranks(page, ratio, offset, rocker, pivot, None, stroke, newtons)
-        return LinkageRequest(
+    chosen = _mechanism({"mechanism": mechanism, "offset": offset, "layout": layout, "layouts": layouts})
+    said = Described(ratio, stroke, rod, None, None, offset, rocker, pivot, newtons)
+    chosen.check(said)
+    if not chosen.crosshead:
+        page = layout_of(layout or chosen.forces_layout, (chosen.subject,), layouts)
+        return chosen.question(
+            chosen.drives(said, page.ratios),
             layout=page,
-            cranks=arcs,
-            parallel=ParallelCrank(radius_of(stroke), newtons),
             angles=angles_of(page, angle, from_, to, step),
-            columns=as_names(columns, "phi,tangential_force"),
+            columns=as_names(columns, chosen.examples["forces"]),
             **sheet,
         )
     if about == "tangent":
         from kurbel.motion.tangent_page import TangentRequest
 
         page = layout_of(layout or "forces-tangent", ("tangent",), layouts)
-        drives = cranks_of(page, ratio, stroke, rod, offset)
         return TangentRequest(
             layout=page,
-            cranks=tuple(replace(crank, force=newtons) for crank in drives),
+            cranks=said.cranks(page.ratios),
             columns=as_names(columns, "phi,rod_force"),
             **sheet,
         )
     if about == "engine":
         if offset is not None and as_number(offset, "offset"):
-            combination.check(combination.OFFSET, combination.STEAM if card is None else combination.CARD)
+            check_load(as_number(offset, "offset"), load.STEAM if card is None else load.CARD)
         page = layout_of(
             layout or ("machine-forces" if masses.first else "engine-forces"), OF_ENGINES, layouts
         )
         angles = angles_of(page, angle, from_, to, step)
         steam = GivenSteam(eps, back, exponent, clearance, card, other_side, single_acting, bore, pressure)
-        drives = cranks_of(page, ratio, stroke, rod, offset)
+        drives = said._replace(force=None).cranks(page.ratios)
         names = as_names(columns, "epsilon,delta")
         return engine_question(
             page, steam, masses, drives, speed, cranks, (), angles=angles, columns=names, **sheet
         )
-    from kurbel.motion.question import Request
-
-    name = layout or "forces"
+    name = layout or chosen.forces_layout
     page = layout_of(name, ("motion", *OF_ENGINES), layouts)
     if page.subject in OF_ENGINES:
         raise ProblemError(f"layout {name} is of a steam engine; add --eps or --card")
     # A speed alone makes no force.
-    drives = cranks_of(page, ratio, stroke, rod, offset, force=newtons)
-    return Request(
+    return chosen.question(
+        masses.on(said.cranks(page.ratios), speed),
         layout=page,
-        cranks=tuple(masses.on(drives, speed)),
         angles=angles_of(page, angle, from_, to, step),
-        columns=as_names(columns),
+        columns=as_names(columns, chosen.examples["forces"]),
         **sheet,
     )
 
@@ -294,7 +277,7 @@ def inertia_table(
     given = GivenRod(rod_mass, centre, gyration, rod_file)
     cranks = tuple(
         replace(crank, rod=given.between_pins(crank.rod_length))
-        for crank in cranks_of(page, ratio, stroke, rod, offset, speed)
+        for crank in Described(ratio, stroke, rod, speed, None, offset).cranks(page.ratios)
     )
     sheet: dict[str, Any] = {"digits": digits, "rounding": rounding, "lang": lang, "label": label}
     if page.subject == "inertia errors":

@@ -3,27 +3,16 @@
 from typing import Annotated
 
 from kurbel.commands import parameters as option
-from kurbel.commands.cranks import (
-    LINKAGES,
-    MECHANISMS,
-    angles_of,
-    arc_cranks,
-    check_needed,
-    cranks_of,
-    mechanism_of,
-    of_other_mechanisms,
-)
+from kurbel.commands.cranks import angles_of, mechanism_of, of_other_mechanisms
 from kurbel.commands.subject import makes_table
+from kurbel.drive.described import Described
+from kurbel.drive.mechanisms import MOTIONS
 from kurbel.page.layouts import layout_of
 from kurbel.page.subject import Question
 from kurbel.reading.given import as_names
 
 
-@makes_table(
-    foreign=lambda values: of_other_mechanisms(
-        mechanism_of(values["mechanism"], values["offset"], values["layout"], values["layouts"])
-    )
-)
+@makes_table(foreign=of_other_mechanisms)
 def table(
     ratio: option.Ratios = None,
     *,
@@ -41,7 +30,7 @@ def table(
     rocker: option.Rocker = None,
     pivot: option.Pivot = None,
     layouts: option.Layouts = None,
-    layout: Annotated[str | None, option.layout_option("motion", "arc crank", "parallel crank")] = None,
+    layout: Annotated[str | None, option.layout_option(*MOTIONS)] = None,
     digits: option.Digits = None,
     rounding: option.Rounding = "half-away",
     lang: option.Lang = "de",
@@ -69,31 +58,16 @@ def table(
     0,0.0001,9.587
     90,1.1049,-0.963
     """
-    name = mechanism_of(mechanism, offset, layout, layouts)
-    check_needed(name, offset, rocker)
-    page = layout_of(layout or MECHANISMS[name].layout, [MECHANISMS[name].subject], layouts)
-    if name in LINKAGES:
-        from kurbel.linkage.page import LinkageRequest
-
-        return LinkageRequest(
-            layout=page,
-            angles=angles_of(page, angle, from_, to, step),
-            cranks=arc_cranks(page, ratio, offset, rocker, pivot, method) if name == "arc" else (),
-            columns=as_names(columns, "phi,path,rocker"),
-            digits=digits,
-            rounding=rounding,
-            lang=lang,
-            label=label,
-        )
-    from kurbel.motion.question import Request
-
-    across = offset if name == "offset" else None
-    return Request(
+    chosen = mechanism_of(mechanism, offset, layout, layouts)
+    said = Described(ratio, stroke, rod, speed, method, offset, rocker, pivot)
+    chosen.check(said)
+    page = layout_of(layout or chosen.layout, (chosen.subject,), layouts)
+    return chosen.question(
+        chosen.drives(said, page.ratios),
+        method,
         layout=page,
-        cranks=cranks_of(page, ratio, stroke, rod, across, speed, method=method),
         angles=angles_of(page, angle, from_, to, step),
-        method=method,
-        columns=as_names(columns),
+        columns=as_names(columns, chosen.examples["table"]),
         digits=digits,
         rounding=rounding,
         lang=lang,

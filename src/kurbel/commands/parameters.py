@@ -5,6 +5,7 @@ from os import PathLike
 from typing import Annotated, TypeAlias, TypedDict
 
 from kurbel.commands.options import FILE, FLAG, Choice, Columns, Count, LayoutName, Option
+from kurbel.drive import mechanisms
 from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS
 from kurbel.page.layouts import LANGUAGES
 from kurbel.reading.given import Exact
@@ -19,12 +20,6 @@ def _methods() -> Iterable[str]:
     from kurbel.motion.evaluation import METHODS
 
     return METHODS
-
-
-def _mechanisms() -> Iterable[str]:
-    from kurbel.commands.cranks import MECHANISMS
-
-    return MECHANISMS
 
 
 def _engine_methods() -> Iterable[str]:
@@ -106,10 +101,7 @@ NeededSpeed = Annotated[Exact, SPEED._replace(help="Speed: 120/min, 12.5rad/s.")
 Force = Annotated[Exact | None, FORCE]
 Mechanism = Annotated[
     str | None,
-    Option(
-        "straight (default), offset, arc (the rod moves a rocker) or parallel (two equal cranks).",
-        kind=Choice("mechanism", _mechanisms),
-    ),
+    Option(mechanisms.described(), kind=Choice("mechanism", lambda: mechanisms.MECHANISMS)),
 ]
 Rocker = Annotated[Exact | None, Option("Arc crank: length of the rocker in units of R.", "B", unit="R")]
 Pivot = Annotated[

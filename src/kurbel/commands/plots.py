@@ -2,32 +2,23 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
+from importlib import import_module
 from typing import TYPE_CHECKING, Annotated, Any
 
 from kurbel.commands import parameters as option
-from kurbel.commands.cranks import (
-    LINKAGES,
-    MECHANISMS,
-    arc_cranks,
-    check_needed,
-    cranks_of,
-    ends_of,
-    mechanism_of,
-    of_other_mechanisms,
-    radius_of,
-)
+from kurbel.commands.cranks import ends_of, meant, mechanism_of, of_other_mechanisms
 from kurbel.commands.options import Columns, Option
 from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import draws
+from kurbel.drive.described import Described
 from kurbel.errors import ProblemError
-from kurbel.page.layouts import Layout, layout_of
+from kurbel.motion.mechanism import Mechanism
+from kurbel.page.layouts import Layout
 from kurbel.reading import notation
 from kurbel.reading.given import Exact, as_angle, as_angles, as_force, as_names
 
 if TYPE_CHECKING:
     from kurbel.drive.crank import Crank
-    from kurbel.linkage.arc import ArcCrank
-    from kurbel.motion.question import Request
 
 # The page whose quantities can be drawn.
 LAYOUT = "kinematics"
@@ -60,26 +51,26 @@ LabelLang = Annotated[str, option.LANG._replace(help="Language of the labels: de
 
 
 def _of_motion(values: Mapping[str, Any]) -> dict[str, str]:
-    name = mechanism_of(values["mechanism"], values["offset"])
-    refused = of_other_mechanisms(name)
-    if name in LINKAGES:
-        refused["force"] = f"--force says nothing about the {name} crank; leave it out"
+    chosen = meant(values)
+    refused = of_other_mechanisms(values, chosen)
+    if not chosen.crosshead:
+        refused["force"] = f"--force says nothing about {chosen.title}; leave it out"
     return refused
 
 
 def _of_forces(values: Mapping[str, Any]) -> dict[str, str]:
     """Refuse what describes other crank drives."""
-    return of_other_mechanisms(mechanism_of(values["mechanism"], values["offset"]), ("stroke",))
+    return of_other_mechanisms(values, shared=("stroke",))
 
 
 def _of_sliding(values: Mapping[str, Any]) -> dict[str, str]:
     """Refuse what a crank drive with a crosshead does not have, the only one with a polar diagram."""
-    name = values["mechanism"]
-    if name not in LINKAGES:
-        return of_other_mechanisms(mechanism_of(name, values["offset"]))
+    chosen = meant(values)
+    if chosen.crosshead:
+        return of_other_mechanisms(values, chosen)
     return {
-        "mechanism": f"the polar diagram of the {name} crank is not drawn; leave --mechanism out",
-        **of_other_mechanisms(mechanism_of(None, values["offset"])),
+        "mechanism": f"the polar diagram of {chosen.title} is not drawn; leave --mechanism out",
+        **of_other_mechanisms(values, mechanism_of(None, values["offset"])),
     }
 
 
@@ -104,31 +95,13 @@ def plot_motion(
     decimal: option.Decimal = None,
 ) -> Drawing:
     """Draw path, velocity and acceleration over the crank angle, or what the columns name."""
-    from kurbel.plot.curves import motion_keys, motion_panels
-    from kurbel.plot.drawings import curves_drawing
+    from kurbel.plot.curves import motion_keys
 
-    mark, angles = mark_of(lang, decimal), curve_angles(from_, to, step)
-    name = mechanism_of(mechanism, offset)
-    check_needed(name, offset, rocker)
-    if name in LINKAGES:
-        from kurbel.linkage.page import LinkageRequest
-        from kurbel.plot.curves import ARC_MOTION
-
-        page = page_of(MECHANISMS[name].layout)
-        cranks: tuple[ArcCrank, ...] = ()
-        if name == "arc":
-            cranks = arc_cranks(page, ratio, offset, rocker, pivot, method)
-        names = as_names(columns, "path,velocity") or (ARC_MOTION if name == "arc" else ())
-        question = LinkageRequest(layout=page, angles=angles, cranks=cranks, lang=lang, columns=names)
-        return Drawing.of(curves_drawing(question, motion_panels(question), mark), lang, mark)
-    across = offset if name == "offset" else None
-    newtons = None if force is None else as_force(force)
-    drives = cranks_of(page_of(LAYOUT), ratio, stroke, rod, across, speed, method=method, force=newtons)
-    request = _request(drives, angles, columns, motion_keys, method, lang)
-    return Drawing.of(curves_drawing(request, motion_panels(request), mark), lang, mark)
+    said = Described(ratio, stroke, rod, speed, method, offset, rocker, pivot, _newtons(force))
+    return _drawn(mechanism, said, columns, motion_keys, curve_angles(from_, to, step), lang, decimal, "plot")
 
 
-@draws(foreign=lambda values: of_other_mechanisms(mechanism_of(values["mechanism"], values["offset"])))
+@draws(foreign=of_other_mechanisms)
 def plot_mechanism(
     positions: Annotated[
         option.Given,
@@ -151,21 +124,13 @@ def plot_mechanism(
     decimal: option.Decimal = None,
 ) -> Drawing:
     """Draw the mechanism to scale at crank angles, the first one strong."""
-    from kurbel.plot.drawings import arc_drawing, mechanism_drawing, parallel_drawing
-
     mark, angles = mark_of(lang, decimal), as_angles(positions)
-    name = mechanism_of(mechanism, offset)
-    check_needed(name, offset, rocker)
-    if name == "parallel":
-        made = parallel_drawing(angles, lang, mark)
-    elif name == "arc":
-        arcs = arc_cranks(page_of(MECHANISMS[name].layout), ratio, offset, rocker, pivot, None)
-        made = arc_drawing(only(arcs, "positions", "ratios"), angles, lang, mark)
-    else:
-        across = offset if name == "offset" else None
-        crank = only(cranks_of(page_of(LAYOUT), ratio, stroke, rod, across), "positions", "ratios")
-        made = mechanism_drawing(crank, angles, lang, mark)
-    return Drawing.of(made, lang, mark)
+    chosen = mechanism_of(mechanism, offset)
+    said = Described(ratio, stroke, rod, None, None, offset, rocker, pivot)
+    chosen.check(said)
+    drive = only(chosen.drives(said, page_of(chosen.layout).ratios), "positions", "ratios")
+    module, _, name = chosen.drawing.partition(":")
+    return Drawing.of(getattr(import_module(module), name)(drive, angles, lang, mark), lang, mark)
 
 
 @draws(foreign=_of_forces)
@@ -188,32 +153,12 @@ def plot_forces(
     decimal: option.Decimal = None,
 ) -> Drawing:
     """Draw the forces in the crank drive under a constant piston force."""
-    from kurbel.plot.curves import force_keys, motion_panels
-    from kurbel.plot.drawings import curves_drawing
+    from kurbel.plot.curves import force_keys
 
-    mark, angles = mark_of(lang, decimal), curve_angles(from_, to, step)
-    name = mechanism_of(mechanism, offset)
-    check_needed(name, offset, rocker)
-    if name in LINKAGES:
-        from kurbel.linkage.page import LinkageRequest
-        from kurbel.linkage.parallel import ParallelCrank
-        from kurbel.page.subject import subject
-
-        page, newtons = page_of(f"forces-{name}"), None if force is None else as_force(force)
-        parallel = ParallelCrank(radius_of(stroke), newtons)
-        arcs: tuple[ArcCrank, ...] = ()
-        if name == "arc":
-            arcs = arc_cranks(page, ratio, offset, rocker, pivot, method, stroke, newtons)
-        known = subject(page.subject).quantities()
-        own = (key for key in force_keys((arcs[0] if arcs else parallel).crank) if key in known)
-        names = as_names(columns, "rod_force,guide_force") or tuple(own)
-        question = LinkageRequest(
-            layout=page, angles=angles, cranks=arcs, parallel=parallel, lang=lang, columns=names
-        )
-        return Drawing.of(curves_drawing(question, motion_panels(question), mark), lang, mark)
-    cranks = _pushed(mechanism, ratio, stroke, rod, offset, method, force)
-    request = _request(cranks, angles, columns, force_keys, method, lang)
-    return Drawing.of(curves_drawing(request, motion_panels(request), mark), lang, mark)
+    said = Described(ratio, stroke, rod, None, method, offset, rocker, pivot, _newtons(force))
+    return _drawn(
+        mechanism, said, columns, force_keys, curve_angles(from_, to, step), lang, decimal, "plot forces"
+    )
 
 
 @draws(foreign=_of_sliding)
@@ -239,42 +184,42 @@ def plot_polar(
     from kurbel.plot.drawings import polar_drawing
 
     mark, angles = mark_of(lang, decimal), curve_angles(from_, to, step)
-    crank = only(_pushed(mechanism, ratio, stroke, rod, offset, method, force), "polar", "ratios")
-    request = _request((crank,), angles, (), pin_force_keys, method, lang)
-    return Drawing.of(polar_drawing(request, pin_force(request), mark), lang, mark)
+    chosen = mechanism_of(mechanism, offset)
+    said = Described(ratio, stroke, rod, None, method, offset, force=_newtons(force))
+    chosen.check(said)
+    page = page_of(chosen.layout)
+    crank = only(chosen.drives(said, page.ratios), "polar", "ratios")
+    names = pin_force_keys(chosen, crank)
+    question = chosen.question((crank,), method, layout=page, angles=angles, lang=lang, columns=names)
+    return Drawing.of(polar_drawing(question, pin_force(question), mark), lang, mark)
 
 
-def _pushed(
+def _newtons(force: Exact | None) -> Fraction | None:
+    return None if force is None else as_force(force)
+
+
+def _drawn(
     mechanism: str | None,
-    ratio: option.Given | None,
-    stroke: Exact | None,
-    rod: Exact | None,
-    offset: Exact | None,
-    method: str | None,
-    force: Exact | None,
-) -> tuple["Crank", ...]:
-    """Return the cranks under a piston force."""
-    name = mechanism_of(mechanism, offset)
-    check_needed(name, offset, None)
-    across = offset if name == "offset" else None
-    newtons = None if force is None else as_force(force)
-    return cranks_of(page_of(LAYOUT), ratio, stroke, rod, across, method=method, force=newtons)
-
-
-def _request(
-    cranks: tuple["Crank", ...],
-    angles: Sequence[Fraction],
+    said: Described,
     columns: option.Names,
-    keys: Callable[["Crank"], tuple[str, ...]],
-    method: str | None,
+    keys: Callable[[Mechanism, "Crank"], tuple[str, ...]],
+    angles: Sequence[Fraction],
     lang: str,
-) -> "Request":
-    """Return what is asked for of the columns named, or of those that a crank has by itself."""
-    from kurbel.motion.question import Request
+    decimal: str | None,
+    command: str,
+) -> Drawing:
+    """Draw the columns named, or those that a drive has by itself."""
+    from kurbel.plot.curves import motion_panels
+    from kurbel.plot.drawings import curves_drawing
 
-    names = as_names(columns, "x,c,p") or keys(cranks[0])
-    page = layout_of(LAYOUT, ("motion",))
-    return Request(layout=page, cranks=cranks, angles=angles, method=method, lang=lang, columns=names)
+    mark, chosen = mark_of(lang, decimal), mechanism_of(mechanism, said.offset)
+    chosen.check(said)
+    forces = command == "plot forces" and not chosen.crosshead
+    page = page_of(chosen.forces_layout if forces else chosen.layout)
+    drives = chosen.drives(said, page.ratios)
+    names = as_names(columns, chosen.examples[command]) or keys(chosen, chosen.crank(drives[0]))
+    question = chosen.question(drives, said.method, layout=page, angles=angles, lang=lang, columns=names)
+    return Drawing.of(curves_drawing(question, motion_panels(question), mark), lang, mark)
 
 
 def page_of(name: str) -> Layout:

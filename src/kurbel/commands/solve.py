@@ -1,22 +1,25 @@
 """The crank angles at which path, velocity, acceleration and the like fulfil a condition."""
 
-from collections.abc import Iterable
-from typing import TYPE_CHECKING, Annotated
+from collections.abc import Iterable, Mapping
+from typing import Annotated, Any
 
 from kurbel.commands import parameters as option
-from kurbel.commands.cranks import arc_cranks, check_needed, cranks_of, mechanism_of, of_other_mechanisms
+from kurbel.commands.cranks import mechanism_of, of_other_mechanisms
 from kurbel.commands.options import Columns, Option
 from kurbel.commands.subject import makes_table
+from kurbel.drive.described import Described
 from kurbel.errors import NotationError, ProblemError
 from kurbel.page.layouts import layout_of
 from kurbel.page.subject import Question
 from kurbel.reading.given import as_names
 
-if TYPE_CHECKING:
-    from kurbel.motion.drives import Drive
+
+def _of_drives(values: Mapping[str, Any]) -> Mapping[str, str]:
+    # No layout tells the mechanism.
+    return of_other_mechanisms(values, mechanism_of(values["mechanism"], values["offset"]))
 
 
-@makes_table(foreign=lambda values: of_other_mechanisms(mechanism_of(values["mechanism"], values["offset"])))
+@makes_table(foreign=_of_drives)
 def solve_table(
     where: Annotated[
         str | Iterable[str],
@@ -75,24 +78,10 @@ def solve_table(
     from kurbel.solve.page import SolveRequest
 
     page = layout_of(layout, ("roots",), layouts)
-    name = mechanism_of(mechanism, offset)
-    check_needed(name, offset, rocker)
-    if name == "parallel":
-        raise ProblemError(
-            "the rod of the parallel crank moves as the piston with a rod of infinite length;"
-            " use --method infinite"
-        )
-    drives: tuple[Drive, ...]
-    if name == "arc":
-        from kurbel.linkage.arc_drive import ArcDrive
-
-        drives = tuple(map(ArcDrive, arc_cranks(page, ratio, offset, rocker, pivot, method)))
-    else:
-        from kurbel.motion.drives import slide_drives
-
-        across = offset if name == "offset" else None
-        cranks = cranks_of(page, ratio, stroke, rod, across, speed, method=method)
-        drives = slide_drives(cranks, method or "exact")
+    chosen = mechanism_of(mechanism, offset)
+    said = Described(ratio, stroke, rod, speed, method, offset, rocker, pivot)
+    chosen.check(said)
+    drives = chosen.solved(chosen.drives(said, page.ratios), method)
     if not drives:
         raise ProblemError("no crank ratio was given; give one, such as 1:5")
     texts = [where] if isinstance(where, str) else list(where)

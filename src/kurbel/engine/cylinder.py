@@ -12,8 +12,8 @@ from fractions import Fraction
 from functools import reduce
 from typing import Any, NamedTuple
 
-from kurbel.drive.combination import Load
 from kurbel.drive.crank_forces import CrankForce, Weights
+from kurbel.drive.load import Load
 from kurbel.engine.engine import Engine
 from kurbel.exact.kind import Kind
 from kurbel.kernel import turning

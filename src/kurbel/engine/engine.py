@@ -8,11 +8,12 @@ from fractions import Fraction
 from math import floor
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from kurbel.drive import combination
 from kurbel.drive.crank import Crank
 from kurbel.drive.crank_forces import Weights
+from kurbel.drive.load import CARD, STEAM
 from kurbel.errors import ProblemError
 from kurbel.kernel.steam import Expansion, IdleStroke, SteamStroke, best_back, net_work
+from kurbel.motion.mechanism import check_load
 from kurbel.reading.notation import about, plain
 
 if TYPE_CHECKING:
@@ -43,7 +44,7 @@ class Steam:
     clearance. Valid for ε >= 1, 0 <= b <= 1, n > 0, κ >= 0, as long as work is left.
     """
 
-    name: ClassVar[str] = combination.STEAM
+    name: ClassVar[str] = STEAM
 
     expansion: Fraction
     back: Fraction | None = None
@@ -119,7 +120,7 @@ class Diagram:
     """An indicator card in place of the ideal one, and the pressure in Pa on a single-acting piston's other
     face. Q is of the pressure `unit` in Pa, None the card's own greatest."""
 
-    name: ClassVar[str] = combination.CARD
+    name: ClassVar[str] = CARD
 
     card: Card
     other_side: float | None = None
@@ -177,7 +178,7 @@ class Engine:
     def __post_init__(self) -> None:
         self._check_load()
         if self.crank.offset:
-            combination.check(combination.OFFSET, self.steam.name)
+            check_load(self.crank.offset, self.steam.name)
         if self.crank.ratio > LARGEST_RATIO:
             raise ProblemError("crank ratio R:L is nearer to 1 than 10^-12; no engine is built so")
         if not 1 <= len(self.cranks) <= MOST_CRANKS:

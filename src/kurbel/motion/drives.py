@@ -1,13 +1,17 @@
-"""The straight or offset crank as courses of its quantities over both strokes, with certified digits."""
+"""Drives as conditions see them: courses of their quantities over both strokes, with certified digits.
+
+The straight or offset crank is one of them; the others stand in their packages.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache, cached_property
 from math import inf
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 import flint
 
@@ -27,20 +31,19 @@ from kurbel.exact.certify import (
 from kurbel.exact.course import Course
 from kurbel.exact.jet import Jet, ball_jets, jets
 from kurbel.exact.kind import Kind, balls, bounds, surds
-from kurbel.exact.place import SQUARE, Place, exact_place
+from kurbel.exact.numerals import Label
+from kurbel.exact.place import SQUARE, Centre, Place, exact_place
 from kurbel.exact.surd import Field, SecondRootError, Surd
 from kurbel.kernel import kinematics
 from kurbel.kernel.circle import Circle
-from kurbel.motion.evaluation import OUT, is_known, is_transcendental, value
-from kurbel.motion.evaluation import certified as certified_of_slide
+from kurbel.motion.captions import Formulated, formula_lines
+from kurbel.motion.drive_notes import drive_notes
+from kurbel.motion.evaluation import OUT, certified, is_known, is_transcendental, value
 from kurbel.motion.quantities import registry
-from kurbel.page.quantity import Quantity
+from kurbel.page.quantity import Column, Formula, Quantity
 
 if TYPE_CHECKING:
     from flint import arb
-
-# From a circle and a kind of number to a value of that kind.
-Formula = Callable[[Circle[Any], Kind], Any]
 
 
 def condition_names(entries: Iterable[Quantity]) -> Mapping[str, str]:
@@ -49,152 +52,206 @@ def condition_names(entries: Iterable[Quantity]) -> Mapping[str, str]:
     return {names[0]: names[0] for names in known} | {name: names[0] for names in known for name in names[1:]}
 
 
-def column_named(columns: Mapping[str, Quantity], name: str) -> str:
-    """Return the column that shows what a condition calls by its first name."""
-    return next(key for key, entry in columns.items() if entry.names[:1] == (name,))
-
-
-class Drive(Protocol):
+class Drive(ABC):
     """A crank drive by one method: what can be asked of it, and what can be shown where it holds.
 
     A stroke is OUT or RETURN; everything on it counts from the dead centre where it begins, in its direction.
+    `entries` are the outstroke's quantities, which stand for either stroke.
     """
 
-    method: str
+    method = "exact"
+    # An angle about the middle of both strokes.
+    centre: Centre = SQUARE
 
-    @property
-    def ratio(self) -> Fraction: ...
-    @property
-    def names(self) -> Mapping[str, str]:
-        """The names of quantities in conditions, and what they stand for."""
-        ...
-
-    @property
-    def columns(self) -> Mapping[str, Quantity]: ...
-    def column_of(self, quantity: str) -> str:
-        """Return the column that shows a quantity of conditions."""
-        ...
-
-    def course(self, quantity: str, stroke: int) -> Course: ...
-    def digits(self, column: str, stroke: int, place: Place, decimals: int, rounding: str) -> int:
-        """Return the column's value at a place times 10**decimals, rounded correctly."""
-        ...
-
-
-class SlideDrive:
-    """The straight or offset crank."""
-
-    def __init__(self, crank: Crank, method: str = "exact") -> None:
-        self.crank = crank
-        self.method = method
-        self.ratio = crank.ratio
+    def __init__(self, crank: Crank, entries: Mapping[str, Quantity]) -> None:
+        self.crank, self.entries = crank, entries
         self.course = cache(self._course)
         self._surd = cache(self._surd_of)
 
     @property
+    def ratio(self) -> Fraction:
+        return self.crank.ratio
+
+    @property
     def is_straight(self) -> bool:
         """Whether both dead centres lie on the slide direction."""
-        return not (self.crank.offset and self.crank.ratio)
+        return True
 
     @property
     def names(self) -> Mapping[str, str]:
-        return slide_names()
+        """The names of quantities in conditions, and what they stand for."""
+        return condition_names(self.entries.values())
 
     @cached_property
     def columns(self) -> Mapping[str, Quantity]:
+        """What can be shown, as far as it is known."""
         return {
             key: one
-            for key, one in registry().items()
-            if one.stroke == OUT and is_known(one, self.crank) and self.method in one.formulas
+            for key, one in self.entries.items()
+            if is_known(one, self.crank) and self.method in one.formulas
         }
 
     def column_of(self, quantity: str) -> str:
-        return column_named(registry(), quantity)
+        """Return the column that shows a quantity of conditions."""
+        return next(key for key, entry in self.entries.items() if entry.names[:1] == (quantity,))
 
     def digits(self, column: str, stroke: int, place: Place, decimals: int, rounding: str) -> int:
-        quantity = _of_stroke(column, stroke)
+        """Return the column's value at a place times 10**decimals, rounded correctly."""
+        quantity = self.entries[column]._replace(stroke=stroke)
         if place.degrees is not None:
-            return certified_of_slide(quantity, self.method, self.crank, place.degrees, decimals, rounding)
-        formula = self._formula(quantity)
-        ties = NEVER_TIES
-        if not is_transcendental(quantity, self.crank):
-            ties = ties_at(place, self._surd(column, stroke))
+            return self.certified(quantity, place.degrees, decimals, rounding)
+        ties = ties_at(place, self._surd(column, stroke))
         return rounded(
-            lambda: formula(half_turn_circle(place.half_turns()), balls()), decimals, rounding, ties
+            lambda: self.value(quantity, half_turn_circle(place.half_turns()), balls()),
+            decimals,
+            rounding,
+            ties,
         )
 
-    def _formula(self, quantity: Quantity) -> Formula:
-        return lambda circle, numbers: value(quantity, self.method, self.crank, circle, numbers)
+    @abstractmethod
+    def value(self, quantity: Quantity, circle: Circle[Any], numbers: Kind) -> Any:
+        """Return a quantity of a stroke on any kind of number."""
 
-    def _asked(self, quantity: str, stroke: int) -> Formula:
-        """Return the formula that a condition is about: of the rod angle its sine."""
-        if quantity != "psi":
-            return self._formula(_of_stroke(self.column_of(quantity), stroke))
+    @abstractmethod
+    def certified(self, quantity: Quantity, degrees: Fraction, decimals: int, rounding: str) -> int:
+        """Return it at an exact angle times 10**decimals, rounded correctly."""
 
-        def rod_sine(circle: Circle[Any], numbers: Kind) -> Any:
-            ratio, offset = numbers.of(stroke * self.crank.ratio), numbers.of(stroke * self.crank.offset)
-            return kinematics.rod_sine(circle, ratio, offset)
+    def direct(self, quantity: Quantity, circle: Circle[Any], numbers: Kind) -> Any:
+        """Return an algebraic quantity by formulas with as few roots as there are."""
+        return self.value(quantity, circle, numbers)
 
-        return rod_sine
+    def is_free(self, quantity: Quantity) -> bool:
+        """Whether it is algebraic and needs no root for the dead centre."""
+        return not is_transcendental(quantity, self.crank)
+
+    def ends(self, stroke: int) -> tuple[Place, Place]:
+        """Return the dead centres of the stroke, from that where it begins."""
+        begin, end = (exact_place(Fraction(at), SQUARE, flint.fmpz_poly([1 - 2 * at, 1])) for at in (0, 1))
+        return begin, end
+
+    def formula_lines(self, question: Formulated, columns: Sequence[Column]) -> Iterator[Label]:
+        """Yield the formulas that stand before what was found."""
+        return iter(())
+
+    @abstractmethod
+    def closing_lines(self, question: Any) -> Iterable[Label]:
+        """Return what a page says of the drives below all else."""
+
+    def asked(self, quantity: str, stroke: int) -> Quantity:
+        """Return what a condition on a quantity is about."""
+        return self.entries[self.column_of(quantity)]._replace(stroke=stroke)
+
+    def unclosed(self, quantity: Quantity, course: Course) -> Course:
+        """Return the course of a quantity of which algebra decides nothing between the dead centres."""
+        return course
+
+    def jet(self, quantity: Quantity) -> Jet | None:
+        """Return the quantity and its slopes as functions of tan ½(φ - φ₀), None if it takes two roots."""
+        if not self.is_free(quantity):
+            return None
+        field = Field()
+        try:
+            found = self.direct(quantity, jets(field.circle(self.centre.tangent)), surds(field))
+        except SecondRootError:
+            return None
+        assert isinstance(found, Jet)
+        return found
+
+    def _surd_of(self, column: str, stroke: int) -> Surd | None:
+        jet = self.jet(self.entries[column]._replace(stroke=stroke))
+        return None if jet is None else jet.value
 
     def _course(self, quantity: str, stroke: int) -> Course:
-        formula = self._asked(quantity, stroke)
+        one = self.asked(quantity, stroke)
 
         def at(half_turns: arb) -> arb:
-            found: arb = formula(half_turn_circle(half_turns), balls())
+            found: arb = self.value(one, half_turn_circle(half_turns), balls())
             return found
 
         def slope(half_turns: arb) -> arb:
-            found: arb = formula(ball_jets(half_turns), balls()).slope * pi()
+            found: arb = self.value(one, ball_jets(half_turns), balls()).slope * pi()
             return found
 
-        begin, end = self._ends(stroke)
-        try:
-            jet = _as_surds(formula)
-        except SecondRootError:
-            # A stroke √a - √b with an irrational root is irrational.
-            ends = (Fraction(0), Fraction(1) if self.column_of(quantity) == "x_stroke" else None)
-            return Course(at, slope, begin, end, ends=ends, is_exactly=self._exactly(formula))
+        begin, end = self.ends(stroke)
+        jet = self.jet(one)
+        if jet is None:
+            return self.unclosed(one, Course(at, slope, begin, end))
         return Course(at, slope, begin, end, jet.value, jet.slope)
 
-    def _ends(self, stroke: int) -> tuple[Place, Place]:
+
+class SlideDrive(Drive):
+    """The straight or offset crank."""
+
+    def __init__(self, crank: Crank, method: str = "exact") -> None:
+        super().__init__(crank, slide_columns())
+        self.method = method
+
+    @property
+    def is_straight(self) -> bool:
+        return not (self.crank.offset and self.crank.ratio)
+
+    def value(self, quantity: Quantity, circle: Circle[Any], numbers: Kind) -> Any:
+        return value(quantity, self.method, self.crank, circle, numbers)
+
+    def certified(self, quantity: Quantity, degrees: Fraction, decimals: int, rounding: str) -> int:
+        return certified(quantity, self.method, self.crank, degrees, decimals, rounding)
+
+    def asked(self, quantity: str, stroke: int) -> Quantity:
+        """Return what a condition is about: of the rod angle its sine."""
+        found = super().asked(quantity, stroke)
+        if quantity != "psi":
+            return found
+        return found._replace(formulas=dict.fromkeys(found.formulas, Formula(_rod_sine)), is_arc=False)
+
+    def unclosed(self, quantity: Quantity, course: Course) -> Course:
+        # A stroke √a - √b with an irrational root is irrational.
+        ends = (Fraction(0), Fraction(1) if quantity.key == "x_stroke" else None)
+        return replace(course, ends=ends, is_exactly=self._exactly(quantity))
+
+    def ends(self, stroke: int) -> tuple[Place, Place]:
         if self.is_straight:
-            return _straight_ends()
-        velocity = _as_surds(self._asked("c", stroke)).value.norm()
+            return super().ends(stroke)
+        velocity = self.jet(self.asked("c", stroke))
+        assert velocity is not None
+        still = velocity.value.norm()
 
         def dead_centre(side: int) -> arb:
             numbers = (ball(side * one) for one in (self.crank.ratio, self.crank.offset))
             return ball_degrees(kinematics.dead_centre_sine(*numbers)) / 180
 
         return (
-            Place(lambda: dead_centre(stroke), SQUARE, velocity),
-            Place(lambda: 1 + dead_centre(-stroke), SQUARE, velocity),
+            Place(lambda: dead_centre(stroke), SQUARE, still),
+            Place(lambda: 1 + dead_centre(-stroke), SQUARE, still),
         )
 
-    def _exactly(self, formula: Formula) -> Callable[[Fraction, Fraction], bool]:
+    def formula_lines(self, question: Formulated, columns: Sequence[Column]) -> Iterator[Label]:
+        return formula_lines(question, columns)
+
+    def closing_lines(self, question: Formulated) -> Iterable[Label]:
+        return drive_notes(question.cranks, question.lang)
+
+    def _exactly(self, quantity: Quantity) -> Callable[[Fraction, Fraction], bool]:
         def is_exactly(half_turns: Fraction, wanted: Fraction) -> bool:
             kind = bounds()
-            bits = (formula(kind.circle(180 * half_turns), kind) - kind.of(wanted)).bits()
+            bits = (self.value(quantity, kind.circle(180 * half_turns), kind) - kind.of(wanted)).bits()
             if bits > MOST_TIE_BITS:
                 return False
             with flint.ctx.workprec(int(bits) + 64):
-                apart = formula(ball_circle(180 * half_turns), balls()) - ball(wanted)
+                apart = self.value(quantity, ball_circle(180 * half_turns), balls()) - ball(wanted)
                 return bool(abs(apart) < ball(2) ** -int(bits + 1))
 
         return is_exactly
 
-    def _surd_of(self, column: str, stroke: int) -> Surd | None:
-        try:
-            found: Surd = _as_surds(self._formula(_of_stroke(column, stroke))).value
-            return found
-        except SecondRootError:
-            return None
-
 
 @cache
-def slide_names() -> Mapping[str, str]:
-    """Return the names that conditions on the straight or offset crank may give quantities."""
-    return condition_names(registry().values())
+def slide_columns() -> Mapping[str, Quantity]:
+    """Return what can be shown of a place of the straight or offset crank."""
+    return {key: one for key, one in registry().items() if one.stroke == OUT}
+
+
+def _rod_sine(at: Any) -> Any:
+    offset = at.numbers.of(Fraction(0)) if at.offset is None else at.offset
+    return kinematics.rod_sine(at.circle, at.ratio, offset)
 
 
 def slide_drives(cranks: Sequence[Crank], method: str) -> tuple[SlideDrive, ...]:
@@ -218,20 +275,3 @@ def ties_at(place: Place, surd: Surd | None) -> TieBits | None:
         return 0.0 if place.vanishes(surd - boundary) or place.vanishes(surd + boundary) else inf
 
     return tie_bits
-
-
-def _of_stroke(column: str, stroke: int) -> Quantity:
-    return registry()[column]._replace(stroke=stroke)
-
-
-def _as_surds(formula: Formula) -> Jet:
-    """Return a formula and its slopes as functions of tan ½(φ - 90°)."""
-    field = Field()
-    found = formula(jets(field.circle(SQUARE.tangent)), surds(field))
-    assert isinstance(found, Jet)
-    return found
-
-
-def _straight_ends() -> tuple[Place, Place]:
-    begin, end = (exact_place(Fraction(at), SQUARE, flint.fmpz_poly([1 - 2 * at, 1])) for at in (0, 1))
-    return begin, end

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from functools import cache
@@ -27,6 +28,8 @@ from kurbel.page.quantity import Formula, Quantity, words
 
 Formulas = Mapping[str, Formula]
 Scale = Callable[[Crank, Kind], Any]
+# What keys say of their unit at their end.
+_UNIT = re.compile(r"_(?:mm|mps2?|nm?|stroke|percent)$")
 
 # In printed formulas {±} is the sign that the return stroke changes, {ψ} the same where ψ itself is printed
 # (cos ψ knows no sign), {angle} the letter of the crank angle.
@@ -223,8 +226,8 @@ def _force_entries() -> Iterator[Quantity]:
     for key, name, letter, printed, oblique, closed, kernel, direction in _FORCES:
         unloaded = _unloaded(kernel, printed, oblique, closed)
         yield from _both(
-            key, name, f"${letter}$", f"${letter}/F$", "$F$", 4, unloaded, f"{key}_return",
-            names=(key,), direction=words(direction),
+            key, name, f"${letter}$", f"${letter}/F$", "$F$", 4, unloaded, names=(key,),
+            direction=words(direction),
         )  # fmt: skip
         yield from _in_newtons(key, name, letter, "force", unloaded, direction)
     for key, name, letter, direction in _PIN_FORCES:
@@ -245,7 +248,7 @@ def _in_newtons(
 ) -> Iterator[Quantity]:
     return _both(
         f"{key}_n", name, f"${letter}$", f"${letter}$ in N", "N", 1, formulas | _loaded(key),
-        f"{key}_return_n", scale=newtons, needs=needs, direction=words(direction),
+        scale=newtons, needs=needs, direction=words(direction),
     )  # fmt: skip
 
 
@@ -272,7 +275,7 @@ def _loaded(key: str) -> dict[str, Formula]:
     return {LOADED: Formula(call)}
 
 
-def _both(
+def entry(
     key: str,
     name: str,
     symbol: Label,
@@ -280,25 +283,35 @@ def _both(
     unit: str,
     decimals: int,
     formulas: Formulas,
-    back: str = "",
-    names: tuple[str, ...] = (),
     **rest: Any,
-) -> Iterator[Quantity]:
-    """Yield the quantity on the outstroke and, as x_return_mm or under the key `back`, on the return."""
-    stem, _, tail = key.partition("_")
-    returning = back or "_".join(filter(None, (stem, "return", tail)))
-    for each, stroke in ((key, OUT), (returning, RETURN)):
-        yield Quantity(
-            key=each,
-            name=words(name),
-            symbol=symbol,
-            unit=words(unit),
-            decimals=decimals,
-            formulas=formulas,
-            heading=words(heading),
-            spanners=(words(name), STROKES[stroke]),
-            part=STROKES[stroke],
+) -> Quantity:
+    """Return an entry, whose texts are "German|English", under its name."""
+    return Quantity(
+        key=key,
+        name=words(name),
+        symbol=symbol,
+        unit=words(unit),
+        decimals=decimals,
+        formulas=formulas,
+        heading=words(heading),
+        spanners=(words(name),),
+        **rest,
+    )
+
+
+def on_strokes(one: Quantity) -> Iterator[Quantity]:
+    """Yield the quantity on the outstroke and, as x_return_mm, on the return."""
+    stem = _UNIT.sub("", one.key)
+    for key, stroke in ((one.key, OUT), (f"{stem}_return{one.key.removeprefix(stem)}", RETURN)):
+        part = STROKES[stroke]
+        yield one._replace(
+            key=key,
+            spanners=(*one.spanners, part),
+            part=part,
             stroke=stroke,
-            names=names if stroke == OUT else (),
-            **rest,
+            names=one.names if stroke == OUT else (),
         )
+
+
+def _both(*said: Any, **rest: Any) -> Iterator[Quantity]:
+    return on_strokes(entry(*said, **rest))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -10,7 +11,7 @@ from typing import Any
 
 from kurbel.drive.crank import Crank, check_angles
 from kurbel.errors import ProblemError
-from kurbel.motion.digits import columns_in_balls, columns_in_floats, is_long
+from kurbel.motion.digits import columns_in_balls, columns_in_floats, is_long, on_floats
 from kurbel.motion.evaluation import needed
 from kurbel.page.axes import angle_pairs
 from kurbel.page.layouts import LayoutColumn
@@ -19,14 +20,29 @@ from kurbel.page.subject import Question
 
 
 @dataclass(frozen=True, kw_only=True)
-class Request(Question):
+class AngleQuestion(Question, ABC):
+    """What is asked for of drives at crank angles."""
+
+    angles: Sequence[Fraction]
+
+    @property
+    @abstractmethod
+    def ratios(self) -> list[Fraction]:
+        """The ratios of the drives, where they have one."""
+
+    @abstractmethod
+    def curves(self, degrees: Any) -> list[list[list[float]]]:
+        """Return the values of every column for every drive at an array of angles, in floats."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Request(AngleQuestion):
     """What is asked for of these cranks at these angles. `method` None leaves it to the layout.
 
     By the method of the infinite rod all ratios are 1:∞, but for a page that also has other formulas.
     """
 
     cranks: tuple[Crank, ...]
-    angles: Sequence[Fraction]
     method: str | None = None
 
     no_column = "--columns names no quantity; add one, for example --columns phi,x,c,p"
@@ -90,3 +106,12 @@ class Request(Question):
         compute = columns_in_floats if self.bulk else columns_in_balls
         angles = angle_pairs(self.angles) if self.layout.pairs else self.angles
         return [compute(self.page_columns, crank, angles, self.rounding) for crank in self.cranks]
+
+    def curves(self, degrees: Any) -> list[list[list[float]]]:
+        from kurbel.exact.bulk import evaluate
+
+        found = [
+            evaluate([on_floats(column, crank) for column in self.page_columns], degrees)
+            for crank in self.cranks
+        ]
+        return [[one.tolist() for one in of_cranks] for of_cranks in zip(*found, strict=True)]

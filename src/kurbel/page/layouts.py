@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from functools import cache
 from typing import Annotated, Any, ClassVar, TypeAlias
 
+from kurbel.drive import mechanisms
 from kurbel.errors import ChoiceError, LayoutError
 from kurbel.exact.numerals import MOST_DIGITS, Label
 from kurbel.reading.choices import choose
@@ -31,8 +32,7 @@ SUBJECTS: Mapping[str, str] = {
     "dead centres": "kurbel.linkage.beam_page:SUBJECT",
     "harmonics": "kurbel.balance.harmonics_page:SUBJECT",
     "balance": "kurbel.balance.page:SUBJECT",
-    "arc crank": "kurbel.linkage.page:ARC",
-    "parallel crank": "kurbel.linkage.page:PARALLEL",
+    **mechanisms.SUBJECTS,
     "inertia": "kurbel.motion.page:INERTIA",
     "inertia errors": "kurbel.motion.inertia_page:SUBJECT",
     "roots": "kurbel.solve.page:SUBJECT",

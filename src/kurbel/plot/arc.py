@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, NamedTuple
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import floats
 from kurbel.kernel.circle import circle
-from kurbel.linkage.arc import ArcCrank
-from kurbel.linkage.evaluation import dead_angle, value
-from kurbel.linkage.quantities import arc_registry
+from kurbel.linkage.arc.crank import ArcCrank
+from kurbel.linkage.arc.evaluation import dead_angle
+from kurbel.linkage.arc.quantities import arc_registry
+from kurbel.linkage.linkage import value
 from kurbel.motion.evaluation import OUT, RETURN
 from kurbel.plot.mechanism import LARGEST_RADIUS, LEFT, LONGEST_ROD
 from kurbel.plot.sketch import CHAIN, DEAD_CENTRES, Point, Position, Sketch, laid_out, pin_texts, polar_point

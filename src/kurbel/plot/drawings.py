@@ -21,13 +21,13 @@ from kurbel.reading.notation import plain
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from kurbel.linkage.arc import ArcCrank
+    from kurbel.linkage.arc.crank import ArcCrank
+    from kurbel.linkage.outline import Outlined
 
 MOST_POSITIONS = 36
 WORDS = {
     "drive": words("Kurbeltrieb|Crank drive"),
     "arc": words("Bogenschubkurbel|Arc crank"),
-    "parallel": words("Parallelkurbel|Parallel crank"),
 }
 # The diagram turns with the crank.
 POLAR_TITLE = words(
@@ -78,12 +78,13 @@ def arc_drawing(crank: ArcCrank, angles: Sequence[Fraction], lang: str, mark: st
     return Drawing(arc_mechanism(crank, angles, lang, mark), title)
 
 
-def parallel_drawing(angles: Sequence[Fraction], lang: str, mark: str) -> Drawing:
-    """Return the parallel crank to scale, likewise."""
-    from kurbel.plot.parallel import parallel_mechanism
+def links_drawing(drive: Outlined, angles: Sequence[Fraction], lang: str, mark: str) -> Drawing:
+    """Return a drive to scale by its outline, likewise."""
+    from kurbel.plot.links import outlined
 
     _check_positions(angles)
-    return Drawing(parallel_mechanism(angles, mark), WORDS["parallel"][lang])
+    outline = drive.outline()
+    return Drawing(outlined(outline, angles, mark), outline.title[lang])
 
 
 def _check_positions(angles: Sequence[Fraction]) -> None:

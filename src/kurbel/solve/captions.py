@@ -11,16 +11,9 @@ from typing import TYPE_CHECKING
 from kurbel.exact.closed_form import ClosedForm, closed_forms, form_text, is_at
 from kurbel.exact.course import Target
 from kurbel.exact.numerals import Label, degrees_text, finite_decimals
-from kurbel.linkage import captions as linkage_captions
-from kurbel.linkage.arc_drive import ArcDrive
-from kurbel.linkage.page import LinkageRequest
-from kurbel.linkage.quantities import arc_registry
-from kurbel.motion import captions
-from kurbel.motion.drive_notes import drive_notes
-from kurbel.motion.drives import Drive, SlideDrive
+from kurbel.motion.drives import Drive
 from kurbel.motion.evaluation import METHODS, RETURN, STROKES
 from kurbel.motion.quantities import registry
-from kurbel.page.layouts import layout
 from kurbel.page.quantity import AND, Column, Words, bare, words
 from kurbel.reading.notation import ratio_text
 from kurbel.reading.where import ANGLES, DEAD_CENTRE, MAX, MIN, SHARE, Condition, exact_text
@@ -91,28 +84,13 @@ def condition_label(condition: Condition, drive: Drive, lang: str) -> Label:
 def notes(request: SolveRequest) -> Iterator[Label]:
     """Yield the lines below the table: angles, formulas, closed forms, lengths."""
     lang = request.lang
-    straight = all(isinstance(one, SlideDrive) and one.is_straight for one in request.drives)
+    straight = all(one.is_straight for one in request.drives)
     yield WORDS["straight" if straight else "oblique"][lang]
     if any(condition.kind in (MAX, MIN) for condition in request.conditions):
         yield WORDS["extremes"][lang]
-    if request.cranks:
-        yield from captions.formula_lines(request, list(_digits(request)))
+    yield from request.drives[0].formula_lines(request, list(_digits(request)))
     yield from _forms(request)
-    yield from drive_notes(request.cranks, lang)
-    yield from _arc_notes(request)
-
-
-def _arc_notes(request: SolveRequest) -> Iterator[Label]:
-    """Yield what pages of the arc crank say of it, on both strokes."""
-    arcs = tuple(drive.crank for drive in request.drives if isinstance(drive, ArcDrive))
-    if not arcs:
-        return
-    keys = [column.key for column in request.page_columns if column.key in arc_registry()]
-    both = tuple(each for key in keys or ["path"] for each in (key, f"{key}_return"))
-    page = LinkageRequest(
-        layout=layout("arc"), angles=(Fraction(0),), cranks=arcs, columns=both, lang=request.lang
-    )
-    yield from linkage_captions.notes(page)
+    yield from request.drives[0].closing_lines(request)
 
 
 def _digits(request: SolveRequest) -> Iterator[Column]:
@@ -141,7 +119,7 @@ def _forms(request: SolveRequest) -> Iterator[Label]:
 
 def _said(roots: Sequence[Root], lang: str) -> Iterator[Label]:
     drive, condition, stroke = roots[0].drive, roots[0].condition, roots[0].stroke
-    if not (isinstance(drive, SlideDrive) and drive.is_straight):
+    if not drive.is_straight:
         return
     course = drive.course(condition.quantity, stroke)
     extreme = condition.kind in (MAX, MIN)

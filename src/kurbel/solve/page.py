@@ -8,16 +8,17 @@ from fractions import Fraction
 from functools import cache, cached_property
 
 from kurbel.drive.crank import Crank
+from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, degrees_text
-from kurbel.linkage.arc_drive import PATH_SHARE, arc_columns
-from kurbel.motion.drives import Drive, SlideDrive
+from kurbel.motion.drives import Drive
 from kurbel.motion.evaluation import NEEDS, OUT, RETURN, STROKES
+from kurbel.motion.mechanism import mechanism
 from kurbel.motion.quantities import registry
 from kurbel.page.axes import PHI, Axis, ColumnAxis, Place, RatioAxis
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, Quantity, words
-from kurbel.page.subject import Question, Subject
+from kurbel.page.subject import Question, Subject, subject
 from kurbel.page.table import Field
 from kurbel.reading.where import Condition
 from kurbel.solve import captions
@@ -41,17 +42,29 @@ TURN = Quantity(
 @cache
 def quantities() -> Mapping[str, Quantity]:
     """Return what pages can show of all drives; everything counts from the dead centre of its stroke."""
-    of_slide = {key: one for key, one in registry().items() if one.stroke == OUT}
-    of_arc = {key: one for key, one in arc_columns().items() if key != PATH_SHARE}
-    return {TURN.key: TURN, **of_slide, **of_arc, PATH_SHARE: arc_columns()[PATH_SHARE]}
+    found = {key: one for name in MECHANISMS for key, one in mechanism(name).conditions().items()}
+    return {TURN.key: TURN, **{key: one for key, one in found.items() if key not in _own()}, **_own()}
+
+
+@cache
+def _own() -> Mapping[str, Quantity]:
+    """Return what pages of the mechanisms themselves do not show."""
+    return {
+        key: one
+        for name in MECHANISMS
+        for key, one in mechanism(name).conditions().items()
+        if key not in subject(mechanism(name).subject).quantities()
+    }
 
 
 def own_columns() -> Iterator[tuple[str, Quantity]]:
     """Yield what no other page has, with the command that prints it."""
-    nothing = words("")
-    for key in ("condition", "stroke", TURN.key, PATH_SHARE):
-        named = Quantity(key, captions.WORDS.get(key, nothing), "", nothing, None, {}, nothing)
-        yield "solve", TURN if key == TURN.key else named
+    nothing, own = words(""), _own()
+    named = {key: captions.WORDS[key] for key in ("condition", "stroke")}
+    for key, name in (named | {key: captions.WORDS.get(key, one.name) for key, one in own.items()}).items():
+        yield "solve", Quantity(key, name, "", nothing, None, {}, nothing)
+        if key == "stroke":
+            yield "solve", TURN
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -85,8 +98,8 @@ class SolveRequest(Question):
 
     @property
     def cranks(self) -> tuple[Crank, ...]:
-        """The straight or offset cranks."""
-        return tuple(drive.crank for drive in self.drives if isinstance(drive, SlideDrive))
+        """What is known of their cranks."""
+        return tuple(drive.crank for drive in self.drives)
 
     @cached_property
     def page_columns(self) -> tuple[Column, ...]:

@@ -14,7 +14,7 @@ from kurbel.exact.closed_form import closed_forms, form_text
 from kurbel.exact.course import Course, Target
 from kurbel.exact.numerals import MOST_DIGITS, Number, nearest, number_text
 from kurbel.exact.place import Place
-from kurbel.motion.drives import Drive, SlideDrive
+from kurbel.motion.drives import Drive
 from kurbel.motion.evaluation import OUT, RETURN
 from kurbel.reading import units
 from kurbel.reading.notation import plain, ratio_text
@@ -111,7 +111,6 @@ def target_of(drive: Drive, condition: Condition, stroke: int) -> Target:
     if condition.quantity == "psi":
         return _sine(value)
     if condition.unit:
-        assert isinstance(drive, SlideDrive)
         return MEASURES[condition.quantity].target(drive.crank, condition)
     return Target.rational(value)
 
@@ -120,7 +119,7 @@ def _share_at_dead_centre(drive: Drive, condition: Condition, stroke: int) -> Ta
     share, course = condition.value, drive.course(condition.quantity, stroke)
     if not share:
         return Target.rational(share)
-    if isinstance(drive, SlideDrive) and drive.is_straight:
+    if drive.is_straight:
         # p = 1 ± λ by every formula.
         return Target.rational(share * (1 + stroke * drive.ratio))
     return Target(lambda: ball(share) * course.value(course.begin.half_turns()), None, share == 1)
@@ -196,7 +195,7 @@ def _unusable(drive: Drive, condition: Condition) -> str:
     said = []
     for stroke in STROKES:
         formula = drive.course(condition.quantity, stroke).formula
-        if not isinstance(drive, SlideDrive) or formula is None or not formula.is_rational:
+        if not drive.is_straight or formula is None or not formula.is_rational:
             return ""
         forms = closed_forms(formula, target_of(drive, condition, stroke))
         if forms:

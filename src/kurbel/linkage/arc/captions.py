@@ -1,26 +1,22 @@
-"""What a page of the arc crank or the parallel crank says of itself, in both languages."""
+"""What a page of the arc crank says of itself, in both languages."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import replace
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from kurbel.exact.kind import Kind, balls
 from kurbel.exact.numerals import Label, Number, finite_decimals, number_text
-from kurbel.linkage import evaluation as linkage
-from kurbel.linkage.arc import ArcCrank
-from kurbel.linkage.parallel import CHANGE_POINTS
-from kurbel.linkage.quantities import FORCE, LEFT
+from kurbel.linkage.arc import evaluation
+from kurbel.linkage.arc.crank import ArcCrank
+from kurbel.linkage.arc.quantities import LEFT
+from kurbel.linkage.quantities import FORCE
+from kurbel.linkage.question import LinkageRequest, captioned, force_lines
 from kurbel.motion.captions import WORDS as MOTION_WORDS
-from kurbel.motion.drive_notes import drive_notes, force_note
 from kurbel.motion.evaluation import OUT, RETURN
-from kurbel.page.quantity import AND, Formula, Quantity, Words, enumerated, filled, words
+from kurbel.page.quantity import Formula, Quantity, Words, filled, words
 from kurbel.reading.notation import plain, ratio_text
-
-if TYPE_CHECKING:
-    from kurbel.linkage.page import LinkageRequest
 
 # {±} belongs to the stroke, {β±} to the stroke and the side of the pivot, {β+} and {β-} to that side alone.
 CLOSURE = "${lead}R cos φ + L cos ψ = D {β+} B sin θ$, ${lead}R sin φ - L sin ψ = H {β-} B cos θ$"
@@ -46,85 +42,35 @@ WORDS: Mapping[str, Words] = {
         "the arc ${stroke} R$, times of outstroke and return ${times}:1$, least transmission angle "
         "${least}°$"
     ),
-    "coupler": words(
-        "Jeder Punkt der Koppel läuft auf einem Kreis vom Halbmesser $R$; $y$ ist zur Seite des "
-        "Kurbelzapfens beim Hingang gerechnet"
-        "|Every point of the coupling rod moves on a circle of radius $R$; $y$ counts to the side of the "
-        "crank pin during the outstroke"
-    ),
-    "arc_force": words(
+    "force": words(
         "$F$ längs des Bogens, in der Richtung des Hubes|$F$ along the arc, in the direction of the stroke"
-    ),
-    "coupler_force": words(
-        "$F$ von der Koppel auf den Kurbelzapfen, längs der Wellenlinie, positiv wie der Weg beim Hingang"
-        "|$F$ of the coupling rod on the crank pin, along the line of shafts, positive as the path of the "
-        "outstroke"
-    ),
-    "change_points": words(
-        "Bei {points} liegen alle Glieder in einer Linie; dort kann die zweite Kurbel umschlagen "
-        "(Antiparallelkurbel)"
-        "|At {points} all links lie in line; there the second crank may turn back (antiparallel crank)"
     ),
 }
 
 
 def caption(request: LinkageRequest) -> Label:
     """Return the layout's caption with its quantities and the lengths that all drives have in common."""
-    lang = request.lang
-    parts = {
-        "{quantities}": enumerated((one.quantity.name[lang] for one in request.page_columns), lang),
-        "{for_drive}": WORDS["for"][lang].format(drive=_common(request)) if request.cranks else "",
-    }
-    return filled(request.layout.caption[lang], parts.items())
-
-
-def _common(request: LinkageRequest) -> Label:
-    crank = request.cranks[0]
-    ratio = [f"$R:L = {ratio_text(crank.crank.ratio)}$"] if len(request.cranks) == 1 else []
-    return ", ".join([*ratio, f"$B = {_length(crank.rocker)} R$"])
+    drives = _cranks(request)
+    ratio = [f"$R:L = {ratio_text(drives[0].crank.ratio)}$"] if len(drives) == 1 else []
+    common = ", ".join([*ratio, f"$B = {_length(drives[0].rocker)} R$"])
+    return captioned(request, for_drive=WORDS["for"][request.lang].format(drive=common))
 
 
 def notes(request: LinkageRequest) -> Iterator[Label]:
     """Yield the lines below the table: the formulas, and what each drive does between its dead centres."""
-    if not request.cranks:
-        yield from _coupler_notes(request)
-        yield from _force_notes(request)
-        return
     yield from _formula_lines(request)
-    yield from _force_notes(request)
-    yield from (_dead_centres(crank, request.lang) for crank in request.cranks)
+    yield from force_lines(request, WORDS["force"])
+    yield from (_dead_centres(crank, request.lang) for crank in _cranks(request))
 
 
-def _force_notes(request: LinkageRequest) -> Iterator[Label]:
-    """Yield in which directions forces are positive, and what makes newtons of them."""
-    lang, shown = request.lang, [column.quantity for column in request.page_columns]
-    if any(one.of == FORCE for one in shown):
-        said = WORDS["arc_force" if request.cranks else "coupler_force"][lang]
-        yield "; ".join(dict.fromkeys([said, *(one.direction[lang] for one in shown if one.direction)]))
-    cranks = [replace(drive.crank, offset=Fraction(0)) for drive in request.drives]
-    yield from drive_notes(cranks, lang)
-    yield from dict.fromkeys(force_note(crank.force) for crank in cranks if crank.force is not None)
-
-
-def _coupler_notes(request: LinkageRequest) -> Iterator[Label]:
-    lang = request.lang
-    points = AND[lang].join(f"${plain(angle)}°$" for angle in CHANGE_POINTS)
-    # A page says what its layout shows, though not all of it was chosen.
-    own = (request.entry(column.quantity) for column in request.layout.columns)
-    shown = (
-        *(one for one in own if not request.missing(one)),
-        *(column.quantity for column in request.page_columns),
-    )
-    yield ", ".join(dict.fromkeys(one.formulas["exact"].printed for one in shown))
-    if any(one.of != FORCE for one in shown):
-        yield WORDS["coupler"][lang]
-    yield WORDS["change_points"][lang].format(points=points)
+def _cranks(request: LinkageRequest) -> list[ArcCrank]:
+    return [drive for drive in request.drives if isinstance(drive, ArcCrank)]
 
 
 def _formula_lines(request: LinkageRequest) -> Iterator[Label]:
     lang, columns = request.lang, request.page_columns
     strokes = {column.quantity.stroke for column in columns}
-    side = 1 if request.cranks[0].curvature > 0 else -1
+    side = 1 if _cranks(request)[0].curvature > 0 else -1
     shown = [(column.quantity, _formula(column.quantity, side)) for column in columns]
     printed = [_with_stroke(formula.printed, one, lang) for one, formula in shown if formula.printed]
     # The path's, which tells the strokes apart by name, comes first.
@@ -132,7 +78,7 @@ def _formula_lines(request: LinkageRequest) -> Iterator[Label]:
     symbols = (symbol for _, formula in shown for symbol in formula.symbols)
     if line := ", ".join(dict.fromkeys((*printed, *symbols))):
         yield _signed(line, strokes, side)
-    if any(crank.crank.ratio for crank in request.cranks):
+    if any(crank.crank.ratio for crank in _cranks(request)):
         yield WORDS["closure"][lang].format(closure=_signed(CLOSURE, strokes, side))
     forces = all(column.quantity.of == FORCE for column in columns)
     yield WORDS["angles"][lang] + ("" if forces else WORDS["radians"][lang])
@@ -169,12 +115,12 @@ def _dead_centres(crank: ArcCrank, lang: str) -> Label:
     angle, share = 3, 4
     return WORDS["dead_centres"][lang].format(
         drive=", ".join(_links(crank)),
-        inner=_printed(lambda kind: linkage.dead_angle(crank, OUT, kind), angle),
-        outer=_printed(lambda kind: linkage.dead_angle(crank, RETURN, kind) + 180, angle),
-        swing=_printed(lambda kind: linkage.swing(crank, kind), angle),
-        stroke=_printed(lambda kind: linkage.arc_stroke(crank, kind), share),
-        times=_printed(lambda kind: linkage.time_ratio(crank, kind), share),
-        least=_printed(lambda kind: linkage.least_transmission(crank, kind), angle),
+        inner=_printed(lambda kind: evaluation.dead_angle(crank, OUT, kind), angle),
+        outer=_printed(lambda kind: evaluation.dead_angle(crank, RETURN, kind) + 180, angle),
+        swing=_printed(lambda kind: evaluation.swing(crank, kind), angle),
+        stroke=_printed(lambda kind: evaluation.arc_stroke(crank, kind), share),
+        times=_printed(lambda kind: evaluation.time_ratio(crank, kind), share),
+        least=_printed(lambda kind: evaluation.least_transmission(crank, kind), angle),
     )
 
 

@@ -7,21 +7,25 @@ from fractions import Fraction
 from math import isqrt
 from typing import Any
 
-from kurbel.drive.combination import ARC
 from kurbel.drive.crank import LONGEST_ROD, Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.kernel import linkage
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.linkage import Arc, Place
+from kurbel.linkage.arc.direct import direct
+from kurbel.linkage.linkage import At, Linkage
+from kurbel.page.quantity import Quantity
 from kurbel.reading.notation import about
 
+# What quantities are of that count from the dead centre where the stroke begins.
+STROKE = "stroke"
 # Lengths in a message are multiples of 1/_STEPS R, rounded so that a length changed by as much will do.
 _STEPS = 10**6
 
 
 @dataclass(frozen=True, slots=True)
-class ArcCrank:
+class ArcCrank(Linkage):
     """An arc crank: the rod of the crank drive moves a rocker of length B, in units of R as all lengths here.
 
     The pivot lies `distance` from the shaft along the slide direction, from which φ counts, and `height` to
@@ -62,19 +66,38 @@ class ArcCrank:
                 " leave the distance out, or give the rod a length"
             )
 
-    @property
-    def name(self) -> str:
-        return ARC
-
     def dead_centre(self, stroke: int, kind: Kind) -> Arc[Any]:
         """Return it where the stroke begins, at the inner dead centre (OUT) or the outer (RETURN)."""
-        numbers = self.crank.ratio, self.curvature, self.offset, self.shift
-        return linkage.arc(*(kind.of(stroke * number) for number in numbers))
+        return linkage.arc(*map(kind.of, self.numbers(stroke)))
+
+    def numbers(self, stroke: int) -> tuple[Fraction, Fraction, Fraction, Fraction]:
+        """Return λ, β, η and σ with the sign of the stroke."""
+        return (
+            stroke * self.crank.ratio,
+            stroke * self.curvature,
+            stroke * self.offset,
+            stroke * self.shift,
+        )
 
     def place(self, stroke: int, circle: Circle[Any], kind: Kind) -> Place[Any]:
         """Return where the rod's end stands on its arc."""
+        return self.at(stroke, circle, kind).place
+
+    def at(self, stroke: int, circle: Circle[Any], kind: Kind) -> At:
+        """Return the same, with the dead centre.
+
+        path, chord, turn, slide_path, rise, velocity and acceleration count from the dead centre where the
+        stroke begins and are positive away from it, rise towards the side of the crank pin during the stroke.
+        rocker is θ from the position square to the slide direction, in the crank's sense; slant is ψ, the
+        angle of the rod from the arc's tangent, rod its angle from the slide direction, both positive as ψ of
+        the straight crank.
+        """
         arc = self.dead_centre(stroke, kind)
-        return linkage.place(linkage.from_dead_centre(circle, arc), arc)
+        return At(linkage.place(linkage.from_dead_centre(circle, arc), arc), self, kind, circle, arc)
+
+    def direct(self, quantity: Quantity, circle: Circle[Any], kind: Kind) -> At:
+        place, arc = direct(self.numbers(quantity.stroke), circle, quantity.of == STROKE, kind)
+        return At(place, self, kind, circle, arc)
 
     @property
     def shift(self) -> Fraction:

@@ -1,0 +1,1 @@
+"""The arc crank, whose rod moves a rocker."""

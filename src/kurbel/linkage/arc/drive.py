@@ -1,0 +1,114 @@
+"""The arc crank as conditions see it: dead centres off the slide direction, and paths that are arcs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from fractions import Fraction
+from functools import cache
+from math import pi, tan
+from typing import TYPE_CHECKING
+
+from kurbel.exact.certify import ball, half_turn_circle
+from kurbel.exact.certify import pi as ball_pi
+from kurbel.exact.course import Course
+from kurbel.exact.kind import balls
+from kurbel.exact.place import SQUARE, Centre, Place
+from kurbel.linkage.arc import evaluation
+from kurbel.linkage.arc.crank import STROKE, ArcCrank
+from kurbel.linkage.arc.quantities import arc_registry
+from kurbel.linkage.drive import LinkageDrive
+from kurbel.linkage.linkage import At
+from kurbel.motion.evaluation import OUT, STROKES
+from kurbel.motion.quantities import registry
+from kurbel.page.quantity import Formula, Quantity
+
+if TYPE_CHECKING:
+    from flint import arb
+
+PATH_SHARE = "path_stroke"
+# Half turns about the middle of the stroke within which t = tan ½(φ - 90°) stays far from infinity.
+HALF_REACH = 0.45
+
+
+@cache
+def arc_columns() -> Mapping[str, Quantity]:
+    """Return what can be shown of a place: the outstroke's quantities, which stand for either stroke."""
+    found = {}
+    for key, one in arc_registry().items():
+        if one.stroke == OUT:
+            found[key] = one
+            if key == "path":
+                share, path = registry()["x_stroke"], one.formulas["exact"].kernel
+                found[PATH_SHARE] = one._replace(
+                    key=PATH_SHARE,
+                    heading=share.heading,
+                    unit=share.unit,
+                    names=share.names,
+                    formulas={"exact": Formula(_share(path))},
+                )
+    return found
+
+
+def _share(path: Callable[[At], arb]) -> Callable[[At], arb]:
+    return lambda at: path(at) / evaluation.arc_stroke(at.drive, at.kind)
+
+
+class ArcDrive(LinkageDrive):
+    """The arc crank."""
+
+    def __init__(self, crank: ArcCrank) -> None:
+        super().__init__(crank, arc_columns(), "arc")
+        self.arc = crank
+        self.centre = self._centre()
+
+    @property
+    def is_straight(self) -> bool:
+        return False
+
+    def _centre(self) -> Centre:
+        ends = [float(place().mid()) for stroke in STROKES for place in self._dead_angles(stroke)]
+        if min(ends) > -HALF_REACH and max(ends) < 1 + HALF_REACH:
+            return SQUARE
+        middle = (min(ends) + max(ends)) / 2
+        turns = round(middle / 2)
+        return Centre(Fraction(tan(pi * (middle / 2 - turns))).limit_denominator(10), turns)
+
+    def is_free(self, quantity: Quantity) -> bool:
+        return quantity.of != STROKE and super().is_free(quantity)
+
+    def ends(self, stroke: int) -> tuple[Place, Place]:
+        velocity = self.jet(self.asked("velocity", stroke))
+        assert velocity is not None
+        begin, end = (Place(one, self.centre, velocity.value.norm()) for one in self._dead_angles(stroke))
+        return begin, end
+
+    def unclosed(self, quantity: Quantity, course: Course) -> Course:
+        velocity = self.asked("velocity", quantity.stroke)
+
+        def rise(half_turns: arb) -> arb:
+            found: arb = self.value(velocity, half_turn_circle(half_turns), balls()) * self._gauge(quantity)
+            return found
+
+        ends = {"path": (Fraction(0), None), PATH_SHARE: (Fraction(0), Fraction(1))}
+        return replace(course, slope=rise, ends=ends.get(quantity.key, (None, None)))
+
+    def _dead_angles(self, stroke: int) -> tuple[Callable[[], arb], Callable[[], arb]]:
+        def begin() -> arb:
+            found: arb = evaluation.dead_angle(self.arc, stroke, balls()) / 180
+            return found
+
+        def end() -> arb:
+            found: arb = begin() + 1 + stroke * evaluation.lead(self.arc, balls()) / 180
+            return found
+
+        return begin, end
+
+    def _gauge(self, quantity: Quantity) -> arb:
+        """Return by how much the path, its share or the rocker's angle grows in half a turn at v = 1."""
+        if quantity.key == "path":
+            return ball_pi()
+        if quantity.key == PATH_SHARE:
+            share: arb = ball_pi() / evaluation.arc_stroke(self.arc, balls())
+            return share
+        return ball(-180 * quantity.stroke * self.arc.curvature)

@@ -1,0 +1,88 @@
+"""The arc crank as a mechanism, and what its pages are about."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+from kurbel.drive.crank import Crank
+from kurbel.drive.described import Described, radii
+from kurbel.errors import NotationError, ProblemError
+from kurbel.linkage.arc import captions
+from kurbel.linkage.arc.crank import ArcCrank
+from kurbel.linkage.arc.quantities import arc_registry
+from kurbel.linkage.mechanism import LinkageMechanism
+from kurbel.linkage.question import linkage_subject
+from kurbel.page.quantity import Quantity
+
+if TYPE_CHECKING:
+    from kurbel.linkage.arc.drive import ArcDrive
+
+SUBJECT = linkage_subject(
+    "arc crank",
+    layout="arc",
+    command="table --mechanism arc",
+    sample="table --mechanism arc --rocker 6",
+    quantities=arc_registry,
+    caption=captions.caption,
+    notes=captions.notes,
+    ratios=True,
+)
+
+
+class Arc(LinkageMechanism):
+    name = "arc"
+    title = "the arc crank"
+    layout = "arc"
+    forces_layout = "forces-arc"
+    takes = ("ratio", "offset", "rocker", "pivot", "method")
+    motion = (("path", "path"), ("velocity", "velocity"), ("acceleration", "acceleration"))
+    drawing = "kurbel.plot.drawings:arc_drawing"
+
+    def lacking(self, said: Described) -> str:
+        if said.rocker is not None:
+            return ""
+        return "the arc crank needs the length of its rocker; add --rocker, for example --rocker 6"
+
+    def drives(self, said: Described, ratios: Sequence[str]) -> tuple[ArcCrank, ...]:
+        if said.method not in (None, "exact"):
+            raise ProblemError(
+                f'method "{said.method}" has no formulas for the arc crank; use exact,'
+                " with --ratio 1:∞ for the infinite rod"
+            )
+        assert said.rocker is not None
+        across = Fraction(0) if said.offset is None else radii(said.offset, "offset")
+        rocker, places, radius = radii(said.rocker, "rocker"), _pivot(said), said.radius
+        return tuple(
+            ArcCrank(Crank(value, across, radius, force=said.force), rocker, *places)
+            for value in said.ratios(ratios)
+        )
+
+    def solved(self, drives: Sequence[Any], method: str | None) -> tuple[ArcDrive, ...]:
+        from kurbel.linkage.arc.drive import ArcDrive
+
+        return tuple(map(ArcDrive, drives))
+
+    def conditions(self) -> Mapping[str, Quantity]:
+        from kurbel.linkage.arc.drive import arc_columns
+
+        return arc_columns()
+
+
+def _pivot(said: Described) -> tuple[Fraction, Fraction] | tuple[()]:
+    """D and H from "5;6" or a pair."""
+    given = said.pivot
+    if given is None:
+        return ()
+    parts = given.split(";") if isinstance(given, str) else given
+    if not isinstance(parts, Sequence) or len(parts) != 2:
+        raise NotationError(
+            f'pivot "{str(given)[:40]}" is not a place; write its distance from the shaft along and across'
+            " the slide in units of R as D;H, for example 5;6"
+        )
+    distance, height = (radii(part, "pivot") for part in parts)
+    return distance, height
+
+
+MECHANISM = Arc()

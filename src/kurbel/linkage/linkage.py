@@ -1,0 +1,86 @@
+"""A crank drive without a crosshead at a crank angle, on any kind of number, and its certified digits."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+from kurbel.exact.kind import Kind, balls, bounds
+from kurbel.kernel.circle import Circle
+from kurbel.kernel.linkage import Place
+from kurbel.page.quantity import Quantity
+
+
+class At(NamedTuple):
+    """What a kernel call takes: where a drive stands, the drive, the kind of number and the circle of the
+    crank angle; of the arc crank also its dead centre."""
+
+    place: Place[Any]
+    drive: Any
+    kind: Kind
+    circle: Any
+    arc: Any = None
+
+
+class Linkage(ABC):
+    """A crank drive without a crosshead: what moves, on any kind of number.
+
+    A stroke is OUT (1) or RETURN (-1); everything on it counts from the dead centre where it begins and in
+    its direction. The circle is that of the crank angle φ, on RETURN of φ less 180°.
+    """
+
+    __slots__ = ()
+
+    crank: Any
+
+    @abstractmethod
+    def place(self, stroke: int, circle: Circle[Any], kind: Kind) -> Place[Any]:
+        """Return where the driven end is: its way, its velocity, the slants of rod and crank against it."""
+
+    def at(self, stroke: int, circle: Circle[Any], kind: Kind) -> At:
+        """Return what the kernel calls of its quantities take."""
+        return At(self.place(stroke, circle, kind), self, kind, circle)
+
+    def direct(self, quantity: Quantity, circle: Circle[Any], kind: Kind) -> At:
+        """Return the same, for an algebraic quantity, by formulas with small separation bounds."""
+        return self.at(quantity.stroke, circle, kind)
+
+
+def value(quantity: Quantity, drive: Linkage, circle: Circle[Any], kind: Kind) -> Any:
+    """Return the quantity where the crank stands at φ, on RETURN at 180° + φ; the circle is that of φ."""
+    return _scaled(quantity, drive.at(quantity.stroke, circle, kind))
+
+
+def direct_value(quantity: Quantity, drive: Linkage, circle: Circle[Any], kind: Kind) -> Any:
+    """Return the same, of an algebraic quantity, with a small separation bound."""
+    return _scaled(quantity, drive.direct(quantity, circle, kind))
+
+
+def _scaled(quantity: Quantity, at: At) -> Any:
+    found = quantity.formulas["exact"].kernel(at)
+    return found * quantity.scale(at.drive.crank, at.kind) if quantity.scale else found
+
+
+def certified(
+    quantity: Quantity, drive: Linkage, angle: Fraction, decimals: int, rounding: str = "half-away"
+) -> int:
+    """Return the quantity times 10**decimals at an exact angle in degrees, rounded correctly.
+
+    The path is an arc with an algebraic sine, hence transcendental or zero (Lindemann). sin ψ is
+    p + q cos φ + r sin φ with rational p, q, r and q² + r² < 1; where ψ is a rational number of degrees that
+    is one of 0, ±30°, ±45° and ±60° (Conway and Jones, Acta Arithmetica 30, 1976, theorem 7). Rocker and rod
+    angles on a boundary are not excluded; `certify.rounded` then raises ProblemError.
+    """
+    from kurbel.exact import certify
+
+    def as_ball() -> Any:
+        kind = balls()
+        return value(quantity, drive, kind.circle(angle), kind)
+
+    def tie_bits(boundary: Fraction) -> float:
+        kind = bounds()
+        bound = direct_value(quantity, drive, kind.circle(angle), kind)
+        return float((bound - kind.of(boundary)).bits())
+
+    return certify.rounded(as_ball, decimals, rounding, certify.NEVER_TIES if quantity.is_arc else tie_bits)

@@ -1,0 +1,137 @@
+"""What is asked for of crank drives without a crosshead, and what their pages have in common."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import partial
+from typing import Any
+
+from kurbel.drive.crank import check_angles
+from kurbel.errors import ProblemError
+from kurbel.exact.kind import floats
+from kurbel.exact.numerals import Label, Number
+from kurbel.kernel.circle import circle
+from kurbel.linkage.linkage import Linkage, certified, value
+from kurbel.linkage.quantities import FORCE
+from kurbel.motion.drive_notes import drive_notes, force_note
+from kurbel.motion.evaluation import NEEDS, needed
+from kurbel.motion.question import AngleQuestion
+from kurbel.page.axes import AngleAxis, ColumnAxis, Place, RatioAxis
+from kurbel.page.quantity import Column, Quantity, Words, enumerated, filled
+from kurbel.page.subject import Subject
+
+
+@dataclass(frozen=True, kw_only=True)
+class LinkageRequest(AngleQuestion):
+    """What is asked for of these drives, alike but for their ratios, at these angles."""
+
+    drives: tuple[Linkage, ...]
+
+    def check(self) -> None:
+        check_angles(self.angles)
+        if not self.drives:
+            raise ProblemError("no crank ratio was given; write one as --ratio 1:5")
+        if self.layout.pairs:
+            raise ProblemError(
+                f"layout {self.layout.key} sets an angle over its mirror image, and {self.subject.key}s"
+                " do not stand alike at both; leave pairs out"
+            )
+
+    def too_long(self) -> str:
+        return f"the table has {len(self)} rows"
+
+    @property
+    def ratios(self) -> list[Fraction]:
+        return [drive.crank.ratio for drive in self.drives] if "ratio" in self.subject.axes else []
+
+    def missing(self, quantity: Quantity) -> str:
+        return needed(quantity, [drive.crank for drive in self.drives])
+
+    def curves(self, degrees: Any) -> list[list[list[float]]]:
+        at, kind = circle(degrees), floats()
+        return [
+            [value(column.quantity, drive, at, kind).tolist() for drive in self.drives]
+            for column in self.page_columns
+        ]
+
+
+def linkage_subject(
+    key: str,
+    layout: str,
+    command: str,
+    quantities: Callable[[], Mapping[str, Quantity]],
+    notes: Callable[[LinkageRequest], Iterator[Label]],
+    caption: Callable[[LinkageRequest], Label] | None = None,
+    sample: str = "",
+    ratios: bool = False,
+) -> Subject:
+    """Return what pages of a drive are about; `ratios` if it has a rod."""
+    over_angle = {"angle": AngleAxis, "column": ColumnAxis}
+    return Subject(
+        key=key,
+        layout=layout,
+        command=command,
+        sample=sample,
+        axes={"ratio": RatioAxis, **over_angle} if ratios else over_angle,
+        axis_keys=("ratio", "phi") if ratios else ("phi",),
+        quantities=quantities,
+        number=_number,
+        caption=caption or captioned,
+        notes=notes,
+        listed=partial(_listed, command.removeprefix("table"), quantities),
+        options=NEEDS,
+    )
+
+
+def _listed(command: str, quantities: Callable[[], Mapping[str, Quantity]]) -> Iterator[tuple[str, Quantity]]:
+    for one in quantities().values():
+        yield f"{'forces' if one.of == FORCE else 'table'}{command}", one
+
+
+def _number(question: LinkageRequest, column: Column, place: Place, times: int) -> Number:
+    drive, angle = question.drives[place.get("ratio", 0)], question.angles[place["angle"]]
+    scaled = certified(column.quantity, drive, angle, column.places, question.rounding)
+    return Number(scaled * times, column.places)
+
+
+def captioned(question: LinkageRequest, **parts: Label) -> Label:
+    """Return the layout's caption with its quantities and, under their names, further parts."""
+    lang = question.lang
+    names = enumerated((one.quantity.name[lang] for one in question.page_columns), lang)
+    own = {"{quantities}": names, **{f"{{{name}}}": part for name, part in parts.items()}}
+    return filled(question.layout.caption[lang], own.items())
+
+
+def plain_notes(force: Words, motion: Words, *further: Words) -> Callable[[LinkageRequest], Iterator[Label]]:
+    """Return what yields the lines below the pages of a drive without a rod: its formulas, what is to be said
+    of its motion and of all its pages, and which force it is that acts on it."""
+    return partial(_plain_notes, force, motion, further)
+
+
+def _plain_notes(
+    force: Words, motion: Words, further: Sequence[Words], question: LinkageRequest
+) -> Iterator[Label]:
+    # A page says what its layout shows, though not all of it was chosen.
+    own = (question.entry(column.quantity) for column in question.layout.columns)
+    shown = (
+        *(one for one in own if not question.missing(one)),
+        *(column.quantity for column in question.page_columns),
+    )
+    yield ", ".join(dict.fromkeys(one.formulas["exact"].printed for one in shown))
+    if any(one.of != FORCE for one in shown):
+        yield motion[question.lang]
+    yield from (one[question.lang] for one in further)
+    yield from force_lines(question, force)
+
+
+def force_lines(question: LinkageRequest, force: Words) -> Iterator[Label]:
+    """Yield in which directions forces are positive, and what makes newtons of them."""
+    lang, shown = question.lang, [column.quantity for column in question.page_columns]
+    if any(one.of == FORCE for one in shown):
+        said = (one.direction[lang] for one in shown if one.direction)
+        yield "; ".join(dict.fromkeys([force[lang], *said]))
+    cranks = [replace(drive.crank, offset=Fraction(0)) for drive in question.drives]
+    yield from drive_notes(cranks, lang)
+    yield from dict.fromkeys(force_note(crank.force) for crank in cranks if crank.force is not None)

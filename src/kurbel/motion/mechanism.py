@@ -1,0 +1,131 @@
+"""What commands ask of a crank drive, whichever it is: its description, pages, conditions and drawings."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Collection, Mapping, Sequence
+from fractions import Fraction
+from functools import cache
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from kurbel.drive.crank import Crank
+from kurbel.drive.described import Described
+from kurbel.drive.load import LOADS
+from kurbel.drive.mechanisms import MECHANISMS
+from kurbel.errors import ProblemError
+
+if TYPE_CHECKING:
+    from kurbel.motion.drives import Drive
+    from kurbel.motion.question import AngleQuestion
+    from kurbel.page.quantity import Quantity
+
+_LENGTHS = ("stroke", "rod", "speed")
+
+
+class Mechanism(ABC):
+    """A crank drive: what its pages are about, the options that describe it, and what it makes of them.
+
+    What it makes of a description are its drives, alike but for their ratios. `takes` are the options that
+    describe it on its pages of motion; those of forces also take the stroke. `motion` and `forces` are what
+    is drawn unless columns are named: each quantity, and what stands for it where its unit is known.
+    `examples` are columns for messages, by command. `drawing` makes the drawing to scale, of a drive, angles,
+    language and decimal mark. A drive with a `crosshead` has its pages of forces in common with engines, and
+    a polar diagram.
+    """
+
+    name: ClassVar[str]
+    title: ClassVar[str]
+    layout: ClassVar[str]
+    forces_layout: ClassVar[str]
+    takes: ClassVar[tuple[str, ...]] = ()
+    loads: ClassVar[tuple[str, ...]] = ()
+    motion: ClassVar[tuple[tuple[str, str], ...]] = ()
+    forces: ClassVar[tuple[tuple[str, str], ...]] = ()
+    examples: ClassVar[Mapping[str, str]]
+    drawing: ClassVar[str]
+    crosshead: ClassVar[bool] = False
+
+    @property
+    def subject(self) -> str:
+        return MECHANISMS[self.name].subject
+
+    def check(self, said: Described) -> None:
+        """Raise ProblemError for a description without what makes it this drive."""
+        if sentence := self.lacking(said):
+            raise ProblemError(sentence)
+
+    def lacking(self, said: Described) -> str:
+        """Return the sentence that refuses such a description, nothing for others."""
+        return ""
+
+    @abstractmethod
+    def drives(self, said: Described, ratios: Sequence[str]) -> tuple[Any, ...]:
+        """Return the drives that were described, of a layout's ratios if nothing gives one."""
+
+    def crank(self, drive: Any) -> Crank:
+        """Return what is known of a drive's radius, speed and force."""
+        found: Crank = drive.crank
+        return found
+
+    @abstractmethod
+    def question(self, drives: Sequence[Any], method: str | None = None, **asked: Any) -> AngleQuestion:
+        """Return what is asked for of drives at crank angles."""
+
+    @abstractmethod
+    def solved(self, drives: Sequence[Any], method: str | None) -> tuple[Drive, ...]:
+        """Return the drives for conditions; raise ProblemError where there are none."""
+
+    @abstractmethod
+    def conditions(self) -> Mapping[str, Quantity]:
+        """Return what can be shown where a condition holds, and can be asked for by its names."""
+
+
+def mechanism(name: str) -> Mechanism:
+    """Return the mechanism of that name."""
+    return _at(MECHANISMS[name].place)
+
+
+@cache
+def _at(place: str) -> Mechanism:
+    module, _, name = place.partition(":")
+    found = getattr(import_module(module), name)
+    assert isinstance(found, Mechanism)
+    return found
+
+
+def of_other_mechanisms(
+    chosen: Mechanism, given: Collection[str], shared: Collection[str] = ()
+) -> dict[str, str]:
+    """Return the options among those given that describe other crank drives alone, each with the sentence
+    that refuses it; those that all of them share in a command are not among them."""
+    refused = {}
+    for option in Described._fields:
+        if option not in given or option in shared or option in chosen.takes:
+            continue
+        takers = [other for other in MECHANISMS if option in mechanism(other).takes]
+        if takers:
+            unit = ", whose page is in units of R and v" if option in _LENGTHS else ""
+            others = " or ".join(filter(None, (", ".join(takers[:-1]), takers[-1])))
+            refused[option] = (
+                f"--{option} does not belong to {chosen.title}{unit}; it is for --mechanism {others}"
+            )
+    return refused
+
+
+def uncomputed(chosen: Mechanism, load: str) -> str:
+    """Return the sentence that refuses a mechanism under a load, nothing where it is computed."""
+    if load in chosen.loads:
+        return ""
+    known = [LOADS[one] for one in chosen.loads] or ["no load"]
+    takers = [one.title for one in map(mechanism, MECHANISMS) if load in one.loads]
+    return (
+        f"{chosen.title} under {LOADS[load]} is not computed;"
+        f" {LOADS[load]} can act on {' or '.join(takers)}, and {chosen.title} takes {' or '.join(known)}"
+    )
+
+
+def check_load(offset: Fraction, load: str) -> None:
+    """Raise ProblemError for a load that is not computed of the straight crank, or of one with an offset."""
+    if sentence := uncomputed(mechanism("offset" if offset else "straight"), load):
+        raise ProblemError(sentence)

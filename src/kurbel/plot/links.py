@@ -1,0 +1,79 @@
+"""A drive true to scale by what it says of its outline: its shafts and, at given angles, its links."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from kurbel.kernel.circle import circle
+from kurbel.linkage.outline import Outline, Point, Stand
+from kurbel.plot.sketch import CHAIN, Sketch, laid_out, pin_texts
+from kurbel.plot.style import GREY, MEDIUM, WIDTH, style
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+# In mm.
+BESIDE, ABOVE, DIMENSIONS = 9.0, 7.0, 9.0
+
+
+def outlined(outline: Outline, angles: Sequence[float | Fraction], mark: str) -> Figure:
+    """Return a drawing of the drive, true to scale and 120 mm wide.
+
+    Cranks turn counter-clockwise from the line of shafts. The first angle is drawn strong, with its
+    dimensions, the others light.
+    """
+    pins = [_pin(float(angle)) for angle in angles]
+    first, *others = map(outline.stand, pins)
+    with style():
+        sketch = _laid_out(outline)
+        _fixed_lines(sketch, outline)
+        for one in others:
+            _light(sketch, one)
+        _dimensions(sketch, first, pins[0], float(angles[0]) % 360)
+        sketch.strong_links(**first.links)
+        sketch.joints(outline.shafts, first.pins)
+        sketch.beside_points(pin_texts(pins, angles, mark))
+    return sketch.figure
+
+
+def _pin(angle: float) -> Point:
+    point = circle(angle)
+    return point.cosine, point.sine
+
+
+def _laid_out(outline: Outline) -> Sketch:
+    mm = (outline.right - outline.left) / (WIDTH - 2 * BESIDE)
+    left, right = outline.left - BESIDE * mm, outline.right + BESIDE * mm
+    return laid_out((left, -1 - (ABOVE + DIMENSIONS) * mm), (right, 1 + ABOVE * mm), mm)
+
+
+def _fixed_lines(sketch: Sketch, outline: Outline) -> None:
+    beyond = 3.5 * sketch.mm
+    sketch.line((outline.left - beyond, 0), (outline.right + beyond, 0), linestyle=CHAIN)
+    for x, y in outline.shafts:
+        sketch.line((x, y - 1 - beyond), (x, y + 1 + beyond), linestyle=CHAIN)
+        sketch.crank_circle((x, y))
+
+
+def _light(sketch: Sketch, stand: Stand) -> None:
+    for chain in stand.chains:
+        sketch.line(*chain, color=GREY, linewidth=MEDIUM, zorder=3)
+    for pin in stand.pins:
+        sketch.joint(pin, 0.7, GREY, MEDIUM)
+
+
+def _dimensions(sketch: Sketch, stand: Stand, pin: Point, turn: float) -> None:
+    """Draw φ and R of the first crank, the letters of links, and lengths along the line of shafts."""
+    mm = sketch.mm
+    sketch.crank_dimensions(pin, turn)
+    side = 1 if pin[1] >= 0 else -1
+    for name, letter, share in stand.letters:
+        sketch.beside_link(*stand.links[name], letter, share, side)
+    level = -1 - (ABOVE + 4) * mm
+    for start, end, letter in stand.lengths:
+        if abs(end - start) > mm:
+            for x in (start, end):
+                sketch.line((x, -1 - 4.5 * mm), (x, level - mm))
+            sketch.dimension((start, level), (end, level), letter)
