@@ -15,7 +15,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel.harmonics import Term
 from kurbel.motion.evaluation import METHODS
-from kurbel.page.axes import Axis, Place, RatioAxis
+from kurbel.page.axes import ListAxis, Place, RatioAxis
 from kurbel.page.layouts import Layout, LayoutColumn
 from kurbel.page.quantity import Column, Formula, Quantity, filled, for_ratio, words
 from kurbel.page.subject import Question, Subject
@@ -119,31 +119,21 @@ def _caption(question: HarmonicsRequest) -> Label:
     return text.replace("{quantity}", question.page_columns[0].quantity.name[question.lang])
 
 
-class OrderAxis(Axis):
+class OrderAxis(ListAxis):
     """The orders of harmonics."""
 
-    key = "order"
-
     def __init__(self, question: Any) -> None:
-        super().__init__(len(question.orders))
-        self.layout: Layout = question.layout
-        self.lang: str = question.lang
-        self.orders: tuple[int, ...] = question.orders
-
-    def field(self) -> Field:
-        return Field("order", ORDER[self.lang], "$k$", "", 0)
-
-    def value(self, place: Place) -> Number:
-        return Number(self.orders[place["order"]], 0)
-
-    def stub_heading(self) -> Label:
-        return f"{ORDER[self.lang]} $k$"
-
-    def heads(self, place: Place) -> tuple[Label, ...]:
-        return (f"$k = {self.orders[place['order']]}$",)
+        name = ORDER[question.lang]
+        super().__init__(
+            question.orders,
+            Field("order", name, "$k$", "", 0),
+            lambda order: Number(order, 0),
+            lambda order: f"$k = {order}$",
+            f"{name} $k$",
+        )
 
     def stub(self, place: Place) -> Number:
-        return self.value(place)
+        return Number(self._things[place["order"]], 0)
 
 
 class _HeadedRatioAxis(RatioAxis):

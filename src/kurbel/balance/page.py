@@ -11,7 +11,7 @@ from kurbel.balance.harmonics_page import EXACT_ZERO, OrderAxis, caption, harmon
 from kurbel.balance.request import FACTOR, RESIDUALS, BalanceRequest, balance_registry
 from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Label, Number, degrees_text, finite_decimals
-from kurbel.page.axes import Axis, ColumnAxis, Place, RatioAxis
+from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.quantity import Column, Words, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field
@@ -70,24 +70,15 @@ WORDS: Mapping[str, Words] = {
 }
 
 
-class _ResidualAxis(Axis):
+def _residual_axis(question: BalanceRequest) -> ListAxis:
     """Forces and moments, with their units."""
-
-    key = "residual"
-
-    def __init__(self, question: BalanceRequest) -> None:
-        super().__init__(len(RESIDUALS))
-        self.lang = question.lang
-
-    def field(self) -> Field:
-        return Field("residual", WORDS["residual"][self.lang])
-
-    def value(self, place: Place) -> str:
-        return RESIDUALS[place["residual"]]
-
-    def heads(self, place: Place) -> tuple[Label, ...]:
-        key = self.value(place)
-        return (WORDS["in"][self.lang].format(residual=WORDS[key][self.lang], unit=UNITS[key]),)
+    lang = question.lang
+    return ListAxis(
+        RESIDUALS,
+        Field("residual", WORDS["residual"][lang]),
+        str,
+        lambda key: WORDS["in"][lang].format(residual=WORDS[key][lang], unit=UNITS[key]),
+    )
 
 
 def _number(question: BalanceRequest, column: Column, place: Place, times: int) -> Number:
@@ -148,7 +139,7 @@ SUBJECT = Subject(
     key="balance",
     layout="balance",
     command="balance",
-    axes={"ratio": RatioAxis, "residual": _ResidualAxis, "order": OrderAxis, "column": ColumnAxis},
+    axes={"ratio": RatioAxis, "residual": _residual_axis, "order": OrderAxis, "column": ColumnAxis},
     axis_keys=("ratio", "residual", "order"),
     own_first=False,
     quantities=balance_registry,

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from kurbel.engine.engine import Diagram, Steam
 from kurbel.engine.quantities import SPANS
 from kurbel.exact.numerals import Label, Number, finite_decimals, nearest
-from kurbel.page.axes import Axis, Place, angle_decimals, angle_number
+from kurbel.page.axes import Axis, ListAxis, Place, angle_decimals, angle_number
 from kurbel.page.quantity import words
 from kurbel.page.table import Field
 from kurbel.reading.notation import plain, ratio_text
@@ -63,42 +63,20 @@ class ExpansionAxis(Axis):
         return named_expansion(self.request, place["expansion"])
 
 
-class StrokeAxis(Axis):
+def stroke_axis(request: EngineRequest) -> ListAxis:
     """Outstroke, return stroke and the whole turn, as far as they have extremes of their own."""
-
-    key = "stroke"
-
-    def __init__(self, request: EngineRequest) -> None:
-        super().__init__(len(request.spans))
-        self.spans, self.lang = request.spans, request.lang
-
-    def field(self) -> Field:
-        return Field("stroke", STROKE[self.lang])
-
-    def value(self, place: Place) -> str:
-        return SPANS[self.spans[place["stroke"]]][0]
-
-    def heads(self, place: Place) -> tuple[Label, ...]:
-        return (SPANS[self.spans[place["stroke"]]][1][self.lang],)
+    spans, lang = [SPANS[span] for span in request.spans], request.lang
+    return ListAxis(spans, Field("stroke", STROKE[lang]), lambda one: one[0], lambda one: one[1][lang])
 
 
-class TargetAxis(Axis):
+def target_axis(request: EngineRequest) -> ListAxis:
     """The degrees of irregularity that flywheels are to keep."""
-
-    key = "target"
-
-    def __init__(self, request: EngineRequest) -> None:
-        super().__init__(len(request.flywheels))
-        self.targets, self.lang = [one.irregularity for one in request.flywheels], request.lang
-
-    def field(self) -> Field:
-        return Field("target", TARGET[self.lang], "$δ$")
-
-    def value(self, place: Place) -> Number:
-        return angle_number(self.targets[place["target"]], None)
-
-    def heads(self, place: Place) -> tuple[Label, ...]:
-        return (irregularity_label(self.targets[place["target"]]),)
+    return ListAxis(
+        [one.irregularity for one in request.flywheels],
+        Field("target", TARGET[request.lang], "$δ$"),
+        lambda target: angle_number(target, None),
+        irregularity_label,
+    )
 
 
 def irregularity_label(irregularity: Fraction) -> Label:

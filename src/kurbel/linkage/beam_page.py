@@ -8,11 +8,11 @@ from fractions import Fraction
 
 from kurbel.exact.numerals import Label, Number, nearest
 from kurbel.linkage.beam import APPROXIMATE, EXACT, BeamEngine, certified, registry
-from kurbel.page.axes import Axis, ColumnAxis, LetteredRatioAxis, Place, angle_decimals
+from kurbel.page.axes import ColumnAxis, LetteredRatioAxis, ListAxis, Place, angle_decimals
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, filled, words
 from kurbel.page.subject import Question, Subject
-from kurbel.page.table import Field, Value
+from kurbel.page.table import Field
 from kurbel.reading.notation import plain
 
 METHODS = {
@@ -59,25 +59,15 @@ class BeamRequest(Question):
         return (self.method,)
 
 
-class _ArmAxis(Axis):
+def _arm_axis(question: BeamRequest) -> ListAxis:
     """The arms of the beam in crank radii."""
-
-    key = "arm"
-
-    def __init__(self, question: BeamRequest) -> None:
-        super().__init__(len(question.arms))
-        self.arms, self.lang = question.arms, question.lang
-        self.decimals = angle_decimals(self.arms)
-
-    def field(self) -> Field:
-        return Field("arm", ARM[self.lang], "$a$", "r", self.decimals)
-
-    def value(self, place: Place) -> Value:
-        arm = self.arms[place["arm"]]
-        return f"${plain(arm)}$" if self.decimals is None else nearest(arm, self.decimals)
-
-    def heads(self, place: Place) -> tuple[Label, ...]:
-        return (f"$a = {plain(self.arms[place['arm']])} r$",)
+    decimals = angle_decimals(question.arms)
+    return ListAxis(
+        question.arms,
+        Field("arm", ARM[question.lang], "$a$", "r", decimals),
+        lambda arm: f"${plain(arm)}$" if decimals is None else nearest(arm, decimals),
+        lambda arm: f"$a = {plain(arm)} r$",
+    )
 
 
 def _number(question: BeamRequest, column: Column, place: Place, times: int) -> Number:
@@ -105,7 +95,7 @@ SUBJECT = Subject(
     key="dead centres",
     layout="weisbach-149",
     command="deadcentres",
-    axes={"arm": _ArmAxis, "ratio": LetteredRatioAxis, "column": ColumnAxis},
+    axes={"arm": _arm_axis, "ratio": LetteredRatioAxis, "column": ColumnAxis},
     axis_keys=("arm", "ratio"),
     quantities=registry,
     letters=True,

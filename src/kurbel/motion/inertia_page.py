@@ -20,7 +20,7 @@ from kurbel.motion.evaluation import needed
 from kurbel.motion.inertia import ROD_FORCES, ROD_MODELS, RodForce
 from kurbel.motion.inertia_peak import Peak
 from kurbel.motion.question import Request
-from kurbel.page.axes import Axis, ColumnAxis, Place, RatioAxis
+from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.layouts import layout
 from kurbel.page.quantity import Column, Formula, Quantity, bare, for_ratio, words
 from kurbel.page.subject import Question, Subject
@@ -177,46 +177,21 @@ def error_notes(request: Request) -> Iterator[Label]:
         yield WORDS["errors"][request.lang].format(where=where) + "; ".join(said)
 
 
-class _ForceAxis(Axis):
+def _force_axis(question: ErrorsRequest) -> ListAxis:
     """The forces with their letters and units."""
-
-    key = "force"
-
-    def __init__(self, question: ErrorsRequest) -> None:
-        super().__init__(len(FORCES))
-        self.lang = question.lang
-
-    def field(self) -> Field:
-        return Field("force", WORDS["force"][self.lang])
-
-    def value(self, place: Place) -> str:
-        return FORCES[place["force"]].key
-
-    def heads(self, place: Place) -> tuple[Label, ...]:
-        force = FORCES[place["force"]]
-        return (f"{force.name[self.lang]} ${force.letter}/({force.unit})$",)
+    lang = question.lang
+    return ListAxis(
+        FORCES,
+        Field("force", WORDS["force"][lang]),
+        lambda force: force.key,
+        lambda force: f"{force.name[lang]} ${force.letter}/({force.unit})$",
+    )
 
 
-class _ModelAxis(Axis):
+def _model_axis(question: ErrorsRequest) -> ListAxis:
     """The rod itself and what stands in for it."""
-
-    key = "model"
-
-    def __init__(self, question: ErrorsRequest) -> None:
-        super().__init__(len(MODELS))
-        self.lang = question.lang
-
-    def field(self) -> Field:
-        return Field("model", WORDS["model"][self.lang])
-
-    def value(self, place: Place) -> str:
-        return MODELS[place["model"]]
-
-    def stub_heading(self) -> Label:
-        return ""
-
-    def heads(self, place: Place) -> tuple[Label, ...]:
-        return (ROD_MODELS[self.value(place)][self.lang],)
+    field = Field("model", WORDS["model"][question.lang])
+    return ListAxis(MODELS, field, str, lambda model: ROD_MODELS[model][question.lang], "")
 
 
 def _caption(question: ErrorsRequest) -> Label:
@@ -290,7 +265,7 @@ SUBJECT = Subject(
     layout=SHEET,
     command=f"inertia --layout {SHEET}",
     sample="inertia --centre 0.65 --gyration 0.35",
-    axes={"ratio": RatioAxis, "force": _ForceAxis, "model": _ModelAxis, "column": ColumnAxis},
+    axes={"ratio": RatioAxis, "force": _force_axis, "model": _model_axis, "column": ColumnAxis},
     axis_keys=("ratio", "force", "model"),
     own_first=False,
     quantities=error_columns,

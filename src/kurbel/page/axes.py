@@ -70,6 +70,38 @@ class Axis(PageAxis):
         return self.field().name
 
 
+class ListAxis(Axis):
+    """An axis of things in a list, under one key on pages and in records.
+
+    `value` is what stands for a thing in records, `head` how it is written above a column, `heading` what
+    heads their column, where that is not the name of the field.
+    """
+
+    def __init__(
+        self,
+        things: Sequence[Any],
+        field: Field,
+        value: Callable[[Any], Value],
+        head: Callable[[Any], Label],
+        heading: Label | None = None,
+    ) -> None:
+        super().__init__(len(things))
+        self.key, self.heading = field.key, field.name if heading is None else heading
+        self._things, self._field, self._value, self._head = things, field, value, head
+
+    def field(self) -> Field:
+        return self._field
+
+    def value(self, place: Place) -> Value:
+        return self._value(self._things[place[self.key]])
+
+    def stub_heading(self) -> Label:
+        return self.heading
+
+    def heads(self, place: Place) -> tuple[Label, ...]:
+        return (self._head(self._things[place[self.key]]),)
+
+
 @dataclass
 class Grid:
     """The axes of a page by their names, and what stands at a place, in a language.

@@ -15,7 +15,7 @@ from kurbel.motion.drives import Drive
 from kurbel.motion.evaluation import NEEDS, OUT, RETURN, STROKES
 from kurbel.motion.mechanism import mechanism
 from kurbel.motion.quantities import registry
-from kurbel.page.axes import PHI, Axis, ColumnAxis, Place, RatioAxis
+from kurbel.page.axes import PHI, Axis, ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, Quantity, words
 from kurbel.page.subject import Question, Subject, subject
@@ -156,46 +156,22 @@ class SolveRequest(Question):
             raise ProblemError(f'method "{self.method}" has no formula for {quantity}; use exact')
 
 
-class _ConditionAxis(Axis):
+def _condition_axis(question: SolveRequest) -> ListAxis:
     """The conditions in letters."""
-
-    key = "condition"
-
-    def __init__(self, question: SolveRequest) -> None:
-        super().__init__(len(question.conditions))
-        self.question = question
-
-    def field(self) -> Field:
-        return Field("condition", captions.WORDS["condition"][self.question.lang])
-
-    def value(self, place: Place) -> str:
-        return str(self.question.conditions[place["condition"]])
-
-    def heads(self, place: Place) -> tuple[Label, ...]:
-        condition = self.question.conditions[place["condition"]]
-        return (captions.condition_label(condition, self.question.drives[0], self.question.lang),)
+    return ListAxis(
+        question.conditions,
+        Field("condition", captions.WORDS["condition"][question.lang]),
+        str,
+        lambda one: captions.condition_label(one, question.drives[0], question.lang),
+    )
 
 
-class _StrokeAxis(Axis):
+def _stroke_axis(question: SolveRequest) -> ListAxis:
     """Outstroke and return stroke."""
-
-    key = "stroke"
-
-    def __init__(self, question: SolveRequest) -> None:
-        super().__init__(len(STROKES))
-        self.lang = question.lang
-
-    def field(self) -> Field:
-        return Field("stroke", captions.WORDS["stroke"][self.lang])
-
-    def value(self, place: Place) -> str:
-        return STROKE_KEYS[tuple(STROKES)[place["stroke"]]]
-
-    def stub_heading(self) -> Label:
-        return ""
-
-    def heads(self, place: Place) -> tuple[Label, ...]:
-        return (STROKES[tuple(STROKES)[place["stroke"]]][self.lang],)
+    field = Field("stroke", captions.WORDS["stroke"][question.lang])
+    return ListAxis(
+        tuple(STROKES), field, STROKE_KEYS.__getitem__, lambda one: STROKES[one][question.lang], ""
+    )
 
 
 class _RootAxis(Axis):
@@ -243,8 +219,8 @@ SUBJECT = Subject(
     sample="solve --where p=0",
     axes={
         "ratio": RatioAxis,
-        "condition": _ConditionAxis,
-        "stroke": _StrokeAxis,
+        "condition": _condition_axis,
+        "stroke": _stroke_axis,
         "root": _RootAxis,
         "column": ColumnAxis,
     },
