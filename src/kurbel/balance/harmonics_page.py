@@ -20,7 +20,7 @@ from kurbel.page.layouts import Layout, LayoutColumn
 from kurbel.page.quantity import Column, Formula, Quantity, filled, for_ratio, words
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
-from kurbel.reading.choices import choose
+from kurbel.reading.given import choose
 
 ORDERS = 6
 DECIMALS = 6

@@ -24,7 +24,7 @@ from kurbel.errors import ProblemError
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Formula, Quantity, words
 from kurbel.page.subject import Question
-from kurbel.reading.choices import choose
+from kurbel.reading.given import choose
 
 DEFAULT_ENGINE = "inline-4"
 ORDERS = 2

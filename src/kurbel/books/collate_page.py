@@ -22,7 +22,7 @@ from kurbel.page.layouts import Layout, layout_of
 from kurbel.page.quantity import Column, Formula, Quantity, words
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Cell, Field, Note, Records, Value
-from kurbel.reading.choices import choose
+from kurbel.reading.given import choose
 from kurbel.reading.notation import angle, ratio
 
 KEYS = (

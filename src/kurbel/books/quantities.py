@@ -21,7 +21,7 @@ from kurbel.linkage import beam
 from kurbel.motion import evaluation
 from kurbel.motion.quantities import registry as motion_registry
 from kurbel.page.quantity import Quantity, words
-from kurbel.reading.choices import choose
+from kurbel.reading.given import choose
 from kurbel.reading.notation import angle, number, plain, ratio, ratio_text
 
 STROKES = {

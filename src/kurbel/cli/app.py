@@ -45,7 +45,7 @@ class LazyGroup(click.Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        from kurbel.reading.choices import choose
+        from kurbel.reading.given import choose
 
         # The help text is the answer to an option in place of a command.
         if not args[0].startswith("-") and not ctx.resilient_parsing:
@@ -84,7 +84,7 @@ def run() -> tuple[int, str]:
 def one_line(error: click.ClickException) -> str:
     """Return click's sentences as one of ours."""
     if isinstance(error, click.NoSuchOption):
-        from kurbel.reading.choices import did_you_mean
+        from kurbel.reading.given import did_you_mean
 
         hint = did_you_mean(error.option_name, error.possibilities or ())
         message = f'there is no option "{error.option_name}"{hint}'

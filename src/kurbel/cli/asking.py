@@ -19,8 +19,7 @@ from kurbel.cli.making import MakingCommand
 from kurbel.cli.options import Document, FileName
 from kurbel.cli.rivals import Given
 from kurbel.errors import ChoiceError, ProblemError
-from kurbel.reading.choices import choose
-from kurbel.reading.files import File
+from kurbel.reading.given import File, choose
 
 if TYPE_CHECKING:
     from kurbel.commands.shown import Drawing

@@ -16,7 +16,7 @@ from kurbel.cli.tables import CollateCommand, TableCommand
 from kurbel.commands import motion
 from kurbel.commands.books import collation_table, example_table
 from kurbel.errors import ProblemError
-from kurbel.reading.files import File
+from kurbel.reading.given import File
 
 # Of what a source says about itself.
 WORDS = {

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kurbel.reading.files import File
+from kurbel.reading.given import File
 
 
 def column_keys(name: str, folder: File | None = None) -> tuple[str, ...]:

@@ -37,7 +37,7 @@ class _Group(click.Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        from kurbel.reading.choices import choose
+        from kurbel.reading.given import choose
 
         if not args[0].startswith("-") and not ctx.resilient_parsing:
             choose(args[0], self.commands, "command of kurbel handbook")

@@ -15,7 +15,7 @@ from kurbel.page.layouts import LANGUAGES
 
 if TYPE_CHECKING:
     from kurbel.page.layouts import Layout
-    from kurbel.reading.files import File
+    from kurbel.reading.given import File
 
 lang_option = click.option(
     "--lang", type=Name("language", lambda: LANGUAGES), default="de", show_default=True, envvar="KURBEL_LANG",

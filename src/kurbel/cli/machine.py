@@ -8,7 +8,7 @@ import click
 
 from kurbel.cli.options import FileName, Option
 from kurbel.errors import MachineError
-from kurbel.reading.files import File
+from kurbel.reading.given import File
 
 # Where a context keeps the name of the file.
 MACHINE = "kurbel.drive.machine"

@@ -16,8 +16,7 @@ from kurbel.errors import NotationError
 from kurbel.exact.numerals import DECIMALS
 from kurbel.formats.registry import FORMATS
 from kurbel.page.layouts import layout_names
-from kurbel.reading.choices import choose
-from kurbel.reading.files import File
+from kurbel.reading.given import File, choose
 
 
 # Generic from click 8.5 on, and not to be subscripted before.

@@ -15,8 +15,7 @@ from kurbel.page.quantity import Quantity, bare
 from kurbel.page.subject import check_rounding
 from kurbel.page.table import Table
 from kurbel.reading import notation
-from kurbel.reading.choices import choose
-from kurbel.reading.given import Exact, as_angle, as_fraction, as_names, as_ratio
+from kurbel.reading.given import Exact, as_angle, as_fraction, as_names, as_ratio, choose
 
 if TYPE_CHECKING:
     import numpy as np

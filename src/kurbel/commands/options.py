@@ -13,7 +13,7 @@ import inspect
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, NamedTuple, get_args
 
-from kurbel.reading.choices import choose
+from kurbel.reading.given import choose
 
 
 class Kind:

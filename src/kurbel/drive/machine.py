@@ -26,7 +26,7 @@ from msgspec import Struct, field
 from msgspec.structs import asdict
 
 from kurbel.errors import MachineError
-from kurbel.reading import files
+from kurbel.reading.given import File as NamedFile
 from kurbel.reading.toml_file import MOST_BITS, Fault, TomlFile, TomlKind, about, schema_of
 
 KIND = TomlKind(
@@ -140,7 +140,7 @@ class Machine(Section):
     flywheel: Flywheel | None = None
 
 
-def read_machine(path: str | files.File) -> dict[str, Any]:
+def read_machine(path: str | NamedFile) -> dict[str, Any]:
     """Return the options that the file gives, by their names: text or a file, several of them, or whether.
 
     Raises MachineError with the file's name for anything that is no machine.
@@ -152,7 +152,7 @@ def read_machine(path: str | files.File) -> dict[str, Any]:
             raise file.error((key,), f"{key} stands outside of the sections; write it under [{homes[0]}]")
     machine = file.read(Machine)
     given = {name: value for one in asdict(machine).values() if one for name, value in asdict(one).items()}
-    own = path if isinstance(path, files.File) else files.File(path)
+    own = path if isinstance(path, NamedFile) else NamedFile(path)
     return {name: _option(own, value) for name, value in given.items() if value is not None}
 
 
@@ -164,7 +164,7 @@ SECTIONS: Mapping[str, type[Section]] = {
 }
 
 
-def _option(machine: files.File, value: Any) -> Any:
+def _option(machine: NamedFile, value: Any) -> Any:
     """Return a value as its option takes it; files beside the machine's."""
     if isinstance(value, File | Files):
         beside = [machine.beside(name) for name in value]

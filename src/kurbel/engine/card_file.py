@@ -29,7 +29,6 @@ from typing import NamedTuple
 
 from kurbel.engine.card import LEAST_STEP, Card
 from kurbel.errors import CardError, NotationError
-from kurbel.reading.choices import did_you_mean
 from kurbel.reading.csv_columns import (
     Column,
     Head,
@@ -41,6 +40,7 @@ from kurbel.reading.csv_columns import (
     read_rows,
 )
 from kurbel.reading.csv_lines import Kind, shown
+from kurbel.reading.given import did_you_mean
 
 KIND = Kind("card", "point", CardError)
 LEAST_POINTS = 8

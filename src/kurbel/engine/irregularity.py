@@ -14,7 +14,7 @@ from kurbel.exact.bulk import in_blocks
 from kurbel.kernel.half_tangent import load
 from kurbel.kernel.irregularity import METHODS
 from kurbel.reading import notation
-from kurbel.reading.choices import choose
+from kurbel.reading.given import choose
 
 Floats: TypeAlias = NDArray[np.float64]
 Reader: TypeAlias = Callable[[slice], Any]

@@ -18,7 +18,7 @@ from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, Quantity, words
 from kurbel.page.subject import Question
 from kurbel.page.table import Field
-from kurbel.reading.choices import choose
+from kurbel.reading.given import choose
 
 if TYPE_CHECKING:
     from kurbel.engine.cylinder import AnyTurn

@@ -16,7 +16,7 @@ from kurbel.examples.source import Example, Part, example
 from kurbel.linkage.beam import BeamEngine
 from kurbel.page.layouts import LANGUAGES
 from kurbel.page.subject import check_label
-from kurbel.reading.choices import choose
+from kurbel.reading.given import choose
 from kurbel.reading.notation import about
 
 MOST = 100

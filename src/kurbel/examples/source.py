@@ -20,7 +20,7 @@ from kurbel.books.printed_value import Printed
 from kurbel.books.source import SOURCE, Book, SourceTable
 from kurbel.exact.numerals import Label
 from kurbel.page.layouts import Notes, Words
-from kurbel.reading.choices import choose
+from kurbel.reading.given import choose
 from kurbel.reading.notation import number, ratio
 from kurbel.reading.toml_file import Fault, TomlFile
 

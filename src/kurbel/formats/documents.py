@@ -13,7 +13,7 @@ from kurbel.formats.printer import Reference, set_prose
 from kurbel.formats.registry import FORMATS, PageFormat
 from kurbel.formats.render import render_document
 from kurbel.page.labels import plain, set_label
-from kurbel.reading.choices import choose
+from kurbel.reading.given import choose
 
 PREFIXES = {"table": "tab", "figure": "fig", "chapter": "sec"}
 # What fits one side of a running head.

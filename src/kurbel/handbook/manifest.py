@@ -35,7 +35,7 @@ from kurbel.formats.registry import FORMATS
 from kurbel.handbook.keys import ENGINES, default_options
 from kurbel.handbook.model import ChapterKeys, HandbookKeys, PartKeys, PdfKeys
 from kurbel.page.layouts import LANGUAGES
-from kurbel.reading.choices import choose
+from kurbel.reading.given import choose
 from kurbel.reading.toml_file import TomlFile, TomlKind, shown
 from kurbel.reading.toml_lines import Place
 

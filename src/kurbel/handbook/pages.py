@@ -15,7 +15,7 @@ from kurbel.handbook.keys import COMPILED, ENGINES
 from kurbel.handbook.manifest import ChapterPlan, Manifest, Part
 from kurbel.handbook.parts import GIGABYTES, PATIENCE, PDF, PDF_PATIENCE, Made
 from kurbel.page.labels import primed
-from kurbel.reading.choices import did_you_mean
+from kurbel.reading.given import did_you_mean
 
 if TYPE_CHECKING:
     from kurbel.documents.prose import Blocks

@@ -12,7 +12,7 @@ from kurbel.page.labels import Mark, parse
 from kurbel.page.layouts import LANGUAGES, Layout, LayoutColumn, layout, layout_names
 from kurbel.page.subject import subject
 from kurbel.reading import notation
-from kurbel.reading.choices import choose
+from kurbel.reading.given import choose
 from kurbel.reading.toml_file import TomlFile
 from kurbel.reading.toml_lines import Place
 

@@ -12,8 +12,7 @@ from typing import Annotated, Any, ClassVar, TypeAlias
 from kurbel.drive import mechanisms
 from kurbel.errors import ChoiceError, LayoutError
 from kurbel.exact.numerals import MOST_DIGITS, Label
-from kurbel.reading.choices import choose
-from kurbel.reading.files import File
+from kurbel.reading.given import File, choose
 from kurbel.reading.toml_file import Choice, Fault, TomlFile, TomlKind, about, schema_of, within
 
 LANGUAGES = ("de", "en")

@@ -16,7 +16,7 @@ from kurbel.page.axes import Grid, PageAxis, Place
 from kurbel.page.layouts import SUBJECTS, Layout, LayoutColumn
 from kurbel.page.quantity import Column, Quantity
 from kurbel.page.table import Field, Note, Records, Value
-from kurbel.reading.choices import choose
+from kurbel.reading.given import choose
 from kurbel.reading.notation import MOST_ROWS
 
 

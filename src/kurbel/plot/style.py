@@ -18,7 +18,7 @@ from kurbel.exact.numerals import Label
 from kurbel.formats.formula import TexMath
 from kurbel.page.formula import Formula
 from kurbel.page.labels import mark_text, set_label
-from kurbel.reading.choices import choose
+from kurbel.reading.given import choose
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -1,11 +1,12 @@
-"""Values that were typed, or given in Python, to exact numbers: text, integers, fractions, floats.
+"""What was typed, or given in Python: names of files, names that must be one of a few, exact numbers.
 
-A parameter of either kind goes through one of these functions. Bare numbers are in units of the SI, in
-degrees, or in turns a second.
+A number may be text, an integer, a fraction or a float; bare numbers are in units of the SI, in degrees, or
+in turns a second.
 """
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Callable, Iterable, Sequence
 from decimal import Decimal
@@ -13,12 +14,55 @@ from fractions import Fraction
 from itertools import chain
 from typing import Concatenate, ParamSpec, TypeAlias
 
-from kurbel.errors import NotationError
+from kurbel.errors import ChoiceError, NotationError
 from kurbel.reading import notation, units
 
 # A float is read by its shortest decimal, so that 0.2 is 1/5; text as on the command line.
 Exact: TypeAlias = str | int | float | Fraction | Decimal
 P = ParamSpec("P")
+
+
+class File(os.PathLike[str]):
+    """A file by its name, which counts from a folder; no folder is the one in which kurbel runs."""
+
+    __slots__ = ("folder", "name")
+
+    def __init__(self, name: str, folder: str = "") -> None:
+        self.name = name
+        self.folder = folder
+
+    def __fspath__(self) -> str:
+        return os.path.join(self.folder, self.name)
+
+    def __bool__(self) -> bool:
+        return bool(self.name)
+
+    def __str__(self) -> str:
+        return self.name
+
+    def beside(self, name: str) -> File:
+        """Return the file of a name that counts from where this one lies."""
+        return File(os.path.join(os.path.dirname(self.name), name), self.folder)
+
+
+def choose(name: str, allowed: Iterable[str], what: str) -> str:
+    """Return the name if it is allowed, else raise ChoiceError with the nearest name and the list."""
+    names = list(allowed)
+    if not isinstance(name, str):
+        raise ChoiceError(f"{what} is {name!r}; choose from {', '.join(names)}")
+    if name in names:
+        return name
+    raise ChoiceError(
+        f'there is no {what} "{name[:60]}"{did_you_mean(name, names)}; choose from {", ".join(names)}'
+    )
+
+
+def did_you_mean(name: str, names: Sequence[str]) -> str:
+    """Return a question with the nearest of the names, or nothing if none is near."""
+    from difflib import get_close_matches
+
+    near = get_close_matches(name[:60].lower(), names, n=1, cutoff=0.5)
+    return f" (did you mean {near[0]}?)" if near else ""
 
 
 def read_values(

@@ -14,7 +14,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Self, TypeVar
 
 from kurbel.errors import KurbelError
-from kurbel.reading.choices import choose
+from kurbel.reading.given import choose
 
 if TYPE_CHECKING:
     from msgspec import Meta, inspect

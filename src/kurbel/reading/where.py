@@ -10,7 +10,7 @@ from fractions import Fraction
 from kurbel.errors import NotationError
 from kurbel.exact.numerals import degrees_text, finite_decimals
 from kurbel.reading import notation
-from kurbel.reading.choices import choose
+from kurbel.reading.given import choose
 from kurbel.reading.notation import LONGEST_NUMBER, plain
 
 GRAMMAR = 'write it as p=0, s=25%, x=1.1, "x = 200 mm", c=max, p=min or "p = 1/6 of dead centre"'

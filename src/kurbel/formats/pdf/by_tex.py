@@ -14,7 +14,7 @@ from tempfile import TemporaryDirectory
 from time import monotonic
 
 from kurbel.errors import TexError
-from kurbel.reading.choices import choose
+from kurbel.reading.given import choose
 
 _SAFE = ("-interaction=nonstopmode", "-halt-on-error", "-file-line-error", "-no-shell-escape")
 # latexmk counts its own runs, and reads no commands from files named latexmkrc.
