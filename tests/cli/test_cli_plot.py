@@ -558,6 +558,7 @@ def commands(root: ET.Element, name: str) -> str:
 
 
 @drawn
+@pytest.mark.slow
 @pytest.mark.parametrize("name", DRAWINGS)
 def test_every_drawing_is_written_in_both_languages_and_the_same_bytes_twice(
     name: str, tmp_path: Path

@@ -154,6 +154,7 @@ Siehe \cref{tab:path}, \cref{fig:stellung} und \cref{sec:kurz}.
 """
 
 
+@pytest.mark.slow
 def test_the_appendix_goes_into_a_report_from_another_folder(tmp_path: Path) -> None:
     written(small(), tmp_path / "tafeln")
     log = compiled("pdflatex", HOST, tmp_path, runs=3)
@@ -186,9 +187,10 @@ def test_thirty_tables_in_a_row_are_not_too_many(tmp_path: Path) -> None:
     assert places == sorted(places)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("first", "second"),
-    [("pdflatex", "latexmk"), pytest.param("lualatex", "lualatex", marks=pytest.mark.slow)],
+    [("pdflatex", "latexmk"), ("lualatex", "lualatex")],
 )
 def test_the_same_files_give_the_same_pdf(
     first: str, second: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

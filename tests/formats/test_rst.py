@@ -242,6 +242,7 @@ class Page(HTMLParser):
         self.links.setdefault(data.strip(), self.link)
 
 
+@pytest.mark.slow
 def test_sphinx_builds_every_page_and_its_references_lead_to_their_parts(site: Path) -> None:
     first = Page(site / "01-bewegung.html")
     assert first.links["Tabelle 2"] == "#tab-zusammenstellung"

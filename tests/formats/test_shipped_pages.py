@@ -20,6 +20,7 @@ from kurbel.page.layouts import LANGUAGES
 from kurbel.page.table import Table
 
 
+@pytest.mark.slow
 @each_kind_of_table
 @each_engine
 def test_all_shipped_layouts_compile_in_one_document(engine: str, longtable: bool, tmp_path: Path) -> None:

@@ -173,6 +173,7 @@ def compiled(document: str, folder: Path, *standards: str) -> list[str]:
     return text_of_pdf(folder).split("\f")[:-1]
 
 
+@pytest.mark.slow
 def test_all_shipped_layouts_compile_in_one_archivable_and_accessible_handbook(tmp_path: Path) -> None:
     pages = all_pages()
     assert len(pages) >= 32

@@ -39,6 +39,7 @@ def test_every_source_is_collated_and_every_example_worked(manifest: Manifest) -
     assert worked == {(key, number) for key in source_keys() for number in numbers_of(key)}
 
 
+@pytest.mark.slow
 def test_every_kind_of_drawing_is_there(manifest: Manifest) -> None:
     drawn = " ".join(" ".join(part.words) for part in manifest.parts() if part.words[:1] == ("plot",))
     for option in ("--positions", "--forces", "--polar", "--turning", "--columns", "--mechanism"):

@@ -505,6 +505,7 @@ def test_a_build_waits_for_another_of_the_same_handbook(programs: Programs, tmp_
     assert b"19 written" in process.communicate()[1]
 
 
+@pytest.mark.slow
 def test_two_builds_at_once_do_not_disturb_one_another(programs: Programs, tmp_path: Path) -> None:
     folder = book(tmp_path / "a", MANY.replace("STEP", "45"))
     both = [run(programs, folder), run(programs, folder)]
@@ -569,9 +570,10 @@ def test_a_bar_shows_on_a_terminal_how_far_it_is(programs: Programs, tmp_path: P
 @pytest.mark.parametrize(
     ("template", "said"),
     [
-        (
+        pytest.param(
             "{% for i in range(99999) %}{% for j in range(99999) %}{% endfor %}{% endfor %}",
             "were stopped after",
+            marks=pytest.mark.slow,
         ),
         # One long operation, which no watch in Python would end.
         ("{{ 10 ** (10 ** 10) }}", "were stopped after"),

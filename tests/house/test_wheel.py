@@ -22,6 +22,7 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return built
 
 
+@pytest.mark.slow
 def test_the_wheel_holds_templates_sources_and_types(wheel: Path) -> None:
     names = zipfile.ZipFile(wheel).namelist()
     assert "kurbel/py.typed" in names

@@ -277,6 +277,7 @@ def test_no_value_of_a_key_ends_in_anything_but_a_page_or_a_sentence(
         assert key in ("ratios", "angles", "subject"), error
 
 
+@pytest.mark.slow
 @settings(max_examples=60, deadline=None)
 @given(data=st.data(), key=st.sampled_from([*SUBJECTS]))
 def test_every_way_to_share_out_the_axes_makes_a_page(

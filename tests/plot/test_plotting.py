@@ -142,6 +142,7 @@ def file_of(name: str, form: str) -> bytes:
     return image(DRAWINGS[name](), form, TITLE)
 
 
+@pytest.mark.slow
 @drawn
 def test_a_drawing_is_the_same_bytes_wherever_and_whenever_it_is_made(tmp_path: Path) -> None:
     paths = (Path(kurbel.__file__).parents[1], Path(__file__).parent, SUPPORT)
