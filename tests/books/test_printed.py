@@ -13,8 +13,8 @@ from registers import register
 from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Number, number_text
 from kurbel.motion.evaluation import certified
+from kurbel.motion.page import Request
 from kurbel.motion.quantities import registry
-from kurbel.motion.question import Request
 from kurbel.page.build import build
 from kurbel.page.layouts import layout
 from kurbel.reading.notation import angles, ratio

@@ -33,9 +33,9 @@ from kurbel.engine.turn import Turn
 from kurbel.linkage.arc.crank import ArcCrank
 from kurbel.linkage.parallel.crank import ParallelCrank
 from kurbel.linkage.question import LinkageRequest
+from kurbel.motion.mechanism import STRAIGHT
+from kurbel.motion.page import Request
 from kurbel.motion.quantities import registry
-from kurbel.motion.question import Request
-from kurbel.motion.slide import STRAIGHT
 from kurbel.page.layouts import layout
 from kurbel.plot.curves import motion_keys, motion_panels, pin_force, pin_force_keys
 from kurbel.plot.engine import PIN_FORCE, TURNING, engine_pin_force, force_panels, turning_panels

@@ -12,8 +12,9 @@ from cli import printed
 from kurbel.drive.crank import Crank
 from kurbel.formats import streams
 from kurbel.formats.registry import RecordsFormat, by_name
-from kurbel.motion import digits, rows
-from kurbel.motion.question import Request
+from kurbel.motion import digits
+from kurbel.motion import page as motion_page
+from kurbel.motion.page import Request
 from kurbel.page import axes
 from kurbel.page.build import build
 from kurbel.page.layouts import layout
@@ -41,7 +42,7 @@ def asked(angles: Sequence[Fraction], digits: int | None = None) -> Request:
 def test_columns_of_floats_and_lines_of_balls_are_the_same_bytes(
     angles: Sequence[Fraction], format_name: str, decimal: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(rows, "CHUNK", 1000)
+    monkeypatch.setattr(motion_page, "CHUNK", 1000)
     one_by_one = streamed(asked(angles), format_name, decimal)
     monkeypatch.setattr(digits, "PAGE_CELLS", 0)
     assert asked(angles).angles is angles
@@ -51,7 +52,7 @@ def test_columns_of_floats_and_lines_of_balls_are_the_same_bytes(
 
 def test_all_angles_of_a_list_have_the_same_decimals(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(digits, "PAGE_CELLS", 0)
-    monkeypatch.setattr(rows, "CHUNK", 10)
+    monkeypatch.setattr(motion_page, "CHUNK", 10)
     lines = streamed(asked(notation.angles(["0..50;0.5"])), "csv").decode().splitlines()[1:]
     assert {len(line.split(",")[1].partition(".")[2]) for line in lines} == {1}
 
@@ -64,7 +65,7 @@ def test_a_list_of_angles_is_looked_through_a_few_times_only(monkeypatch: pytest
         looks.append(len(angles))
         return original(angles)
 
-    for module in (rows, axes, streams):
+    for module in (motion_page, axes, streams):
         monkeypatch.setattr(module, "angle_decimals", counted)
     request = asked(notation.angles(["0..200;0.5"]))
     streamed(request, "csv")

@@ -20,9 +20,8 @@ from kurbel.errors import ChoiceError, ProblemError
 from kurbel.exact.numerals import Number, number_text
 from kurbel.motion import page as motion_page
 from kurbel.motion.evaluation import DIFFERENCE, certified
+from kurbel.motion.page import RecordRows, Request
 from kurbel.motion.quantities import registry
-from kurbel.motion.question import Request
-from kurbel.motion.rows import RecordRows
 from kurbel.page.build import build
 from kurbel.page.layouts import LANGUAGES, layout, layout_names
 from kurbel.page.table import DITTO, Table

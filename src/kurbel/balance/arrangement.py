@@ -16,7 +16,7 @@ from typing import Any, NamedTuple, TypeAlias
 from kurbel.balance import harmonics
 from kurbel.drive.crank import LARGEST_ANGLE, Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.kind import Kind, balls
+from kurbel.exact.certify import Kind, balls
 from kurbel.exact.numerals import Number
 from kurbel.kernel import balance
 from kurbel.kernel.balance import Star

@@ -111,7 +111,7 @@ class _NoBar:
 
 def _bar(rows: int) -> AbstractContextManager[Any]:
     """A bar on the terminal for long tables, counted in chunks of rows."""
-    from kurbel.motion.rows import CHUNK
+    from kurbel.motion.page import CHUNK
 
     if rows < BAR_ROWS or not sys.stderr.isatty():
         return nullcontext(_NoBar())

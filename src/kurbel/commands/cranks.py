@@ -7,8 +7,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from kurbel.commands.options import is_given
-from kurbel.drive.crank import Crank
-from kurbel.drive.described import Described
+from kurbel.drive.crank import Crank, Described
 from kurbel.drive.mechanisms import MECHANISMS, MOTIONS
 from kurbel.errors import ProblemError
 from kurbel.motion import mechanism as mechanisms

@@ -19,7 +19,7 @@ from kurbel.commands.machines import (
 from kurbel.commands.options import Choice, LayoutName, Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.drive import load
-from kurbel.drive.described import Described
+from kurbel.drive.crank import Described
 from kurbel.drive.mechanisms import SUBJECTS
 from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import Mechanism, check_load, uncomputed
@@ -289,7 +289,7 @@ def inertia_table(
         return ErrorsRequest(
             layout=page, cranks=cranks, columns=as_names(columns, "greatest,error_percent"), **sheet
         )
-    from kurbel.motion.question import Request
+    from kurbel.motion.page import Request
 
     angles = angles_of(page, angle, from_, to, step)
     return Request(layout=page, cranks=cranks, angles=angles, columns=as_names(columns), **sheet)

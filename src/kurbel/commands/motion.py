@@ -5,7 +5,7 @@ from typing import Annotated
 from kurbel.commands import parameters as option
 from kurbel.commands.cranks import angles_of, mechanism_of, of_other_mechanisms
 from kurbel.commands.subject import makes_table
-from kurbel.drive.described import Described
+from kurbel.drive.crank import Described
 from kurbel.drive.mechanisms import MOTIONS
 from kurbel.page.layouts import layout_of
 from kurbel.page.subject import Question

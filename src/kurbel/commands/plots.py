@@ -10,7 +10,7 @@ from kurbel.commands.cranks import ends_of, meant, mechanism_of, of_other_mechan
 from kurbel.commands.options import Columns, Option
 from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import draws
-from kurbel.drive.described import Described
+from kurbel.drive.crank import Described
 from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import Mechanism
 from kurbel.page.layouts import Layout

@@ -7,7 +7,7 @@ from kurbel.commands import parameters as option
 from kurbel.commands.cranks import mechanism_of, of_other_mechanisms
 from kurbel.commands.options import Columns, Option
 from kurbel.commands.subject import makes_table
-from kurbel.drive.described import Described
+from kurbel.drive.crank import Described
 from kurbel.errors import NotationError, ProblemError
 from kurbel.page.layouts import layout_of
 from kurbel.page.subject import Question

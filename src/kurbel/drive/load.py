@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Protocol
 
-from kurbel.exact.kind import Kind
+from kurbel.exact.certify import Kind
 from kurbel.kernel.turning import Stroke
 
 FORCE, MASSES, STEAM, CARD = "force", "masses", "steam", "card"

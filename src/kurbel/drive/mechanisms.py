@@ -18,8 +18,8 @@ class Registered(NamedTuple):
 
 
 MECHANISMS: Mapping[str, Registered] = {
-    "straight": Registered("motion", "kurbel.motion.slide:STRAIGHT", "default"),
-    "offset": Registered("motion", "kurbel.motion.slide:OFFSET"),
+    "straight": Registered("motion", "kurbel.motion.mechanism:STRAIGHT", "default"),
+    "offset": Registered("motion", "kurbel.motion.mechanism:OFFSET"),
     "arc": Registered("arc crank", "kurbel.linkage.arc.mechanism:MECHANISM", "the rod moves a rocker"),
     "parallel": Registered(
         "parallel crank", "kurbel.linkage.parallel.mechanism:MECHANISM", "two equal cranks"

@@ -9,7 +9,7 @@ from itertools import chain, islice
 from typing import TYPE_CHECKING
 
 from kurbel.motion.digits import MOST_DECIMALS, largest
-from kurbel.motion.rows import CHUNK, RecordRows
+from kurbel.motion.page import CHUNK, RecordRows
 from kurbel.page.axes import angle_decimals, angle_number
 from kurbel.page.build import build
 from kurbel.page.subject import Question

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from typing import Any
 
-from kurbel.exact.kind import Kind
+from kurbel.exact.certify import Kind
 from kurbel.exact.numerals import Label
 from kurbel.kernel.circle import Circle
 from kurbel.linkage import linkage

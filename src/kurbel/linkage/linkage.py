@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from kurbel.exact.kind import Kind, balls, bounds
+from kurbel.exact.certify import Kind, balls, bounds
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.linkage import Place
 from kurbel.page.quantity import Quantity

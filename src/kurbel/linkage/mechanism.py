@@ -10,8 +10,7 @@ from kurbel.linkage.drive import LinkageDrive
 from kurbel.linkage.linkage import Linkage
 from kurbel.linkage.question import LinkageRequest
 from kurbel.motion.evaluation import OUT
-from kurbel.motion.mechanism import Mechanism
-from kurbel.motion.slide import FORCES
+from kurbel.motion.mechanism import FORCES, Mechanism
 from kurbel.page.quantity import Quantity
 from kurbel.page.subject import subject
 

@@ -10,14 +10,14 @@ from typing import Any
 
 from kurbel.drive.crank import check_angles
 from kurbel.errors import ProblemError
-from kurbel.exact.kind import floats
+from kurbel.exact.certify import floats
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel.circle import circle
 from kurbel.linkage.linkage import Linkage, certified, value
 from kurbel.linkage.quantities import FORCE
 from kurbel.motion.drive_notes import drive_notes, force_note
 from kurbel.motion.evaluation import NEEDS, needed
-from kurbel.motion.question import AngleQuestion
+from kurbel.motion.page import AngleQuestion
 from kurbel.page.axes import AngleAxis, ColumnAxis, Place, RatioAxis
 from kurbel.page.quantity import Column, Quantity, Words, enumerated, filled
 from kurbel.page.subject import Subject

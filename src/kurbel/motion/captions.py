@@ -12,7 +12,7 @@ from kurbel.motion.evaluation import DIFFERENCE, LOADED, METHODS, OFFSET, OUT, R
 from kurbel.page.quantity import AND, Column, Quantity, enumerated, filled, for_ratio, words
 
 if TYPE_CHECKING:
-    from kurbel.motion.question import Request
+    from kurbel.motion.page import Request
     from kurbel.page.layouts import Layout
 
 

@@ -9,7 +9,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from kurbel.drive.crank import Crank
-from kurbel.exact.kind import floats
+from kurbel.exact.certify import floats
 from kurbel.motion.evaluation import LOADED, certified, greatest_load, value
 from kurbel.page.quantity import Column
 from kurbel.reading.notation import Progression

@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from kurbel.drive.crank import Crank
-from kurbel.exact.kind import Kind, balls, bounds
+from kurbel.exact.certify import Kind, balls, bounds
 from kurbel.exact.numerals import Label, Number, finite_decimals, nearest, number_text
 from kurbel.kernel import kinematics
 from kurbel.motion.evaluation import OUT, RETURN, pin_velocity

@@ -20,17 +20,20 @@ from kurbel.errors import ProblemError
 from kurbel.exact.certify import (
     MOST_TIE_BITS,
     NEVER_TIES,
+    Kind,
     TieBits,
     ball,
     ball_circle,
     ball_degrees,
+    balls,
+    bounds,
     half_turn_circle,
     pi,
     rounded,
+    surds,
 )
 from kurbel.exact.course import Course
 from kurbel.exact.jet import Jet, ball_jets, jets
-from kurbel.exact.kind import Kind, balls, bounds, surds
 from kurbel.exact.numerals import Label
 from kurbel.exact.place import SQUARE, Centre, Place, exact_place
 from kurbel.exact.surd import Field, SecondRootError, Surd

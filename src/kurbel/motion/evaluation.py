@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.kind import Kind, balls, bounds
+from kurbel.exact.certify import Kind, balls, bounds
 from kurbel.page.quantity import Quantity, Words, words
 
 # What of the crank a quantity needs to be known, and the options that tell it.

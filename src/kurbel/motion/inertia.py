@@ -8,7 +8,7 @@ from functools import cache
 from typing import Any, NamedTuple
 
 from kurbel.drive.crank import Crank
-from kurbel.exact.kind import Kind
+from kurbel.exact.certify import Kind
 from kurbel.exact.numerals import Label
 from kurbel.kernel import rod
 from kurbel.kernel.rod import Loaded, Masses

@@ -10,8 +10,7 @@ from typing import Any
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import NEVER_TIES, TieBits, rounded
-from kurbel.exact.kind import Kind, balls, bounds
+from kurbel.exact.certify import NEVER_TIES, Kind, TieBits, balls, bounds, rounded
 from kurbel.exact.numerals import Label, Number, nearest, number_text
 from kurbel.exact.separation import Separation
 from kurbel.kernel.rod import Masses
@@ -19,7 +18,7 @@ from kurbel.motion.drive_notes import drive_notes, rod_notes
 from kurbel.motion.evaluation import needed
 from kurbel.motion.inertia import ROD_FORCES, ROD_MODELS, RodForce
 from kurbel.motion.inertia_peak import Peak
-from kurbel.motion.question import Request
+from kurbel.motion.page import Request
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.layouts import layout
 from kurbel.page.quantity import Column, Formula, Quantity, bare, for_ratio, words

@@ -1,4 +1,4 @@
-"""What commands ask of a crank drive, whichever it is: its description, pages, conditions and drawings."""
+"""What commands ask of a crank drive, whichever it is; the straight and the offset crank."""
 
 from __future__ import annotations
 
@@ -9,15 +9,14 @@ from functools import cache
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from kurbel.drive.crank import Crank
-from kurbel.drive.described import Described
-from kurbel.drive.load import LOADS
+from kurbel.drive.crank import Crank, Described
+from kurbel.drive.load import CARD, FORCE, LOADS, MASSES, STEAM
 from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.errors import ProblemError
 
 if TYPE_CHECKING:
-    from kurbel.motion.drives import Drive
-    from kurbel.motion.question import AngleQuestion
+    from kurbel.motion.drives import Drive, SlideDrive
+    from kurbel.motion.page import AngleQuestion, Request
     from kurbel.page.quantity import Quantity
 
 _LENGTHS = ("stroke", "rod", "speed")
@@ -79,6 +78,71 @@ class Mechanism(ABC):
     @abstractmethod
     def conditions(self) -> Mapping[str, Quantity]:
         """Return what can be shown where a condition holds, and can be asked for by its names."""
+
+
+MOTION = (("x", "x_mm"), ("c", "c_mps"), ("p", "p_mps2"))
+FORCES = (
+    ("rod_force", "rod_force_n"),
+    ("guide_force", "guide_force_n"),
+    ("tangential_force", "tangential_force_n"),
+    ("radial_force", "radial_force_n"),
+    ("torque", "torque_nm"),
+)
+
+
+class StraightCrank(Mechanism):
+    name = "straight"
+    title = "the straight crank"
+    layout = "kinematics"
+    forces_layout = "forces"
+    takes: ClassVar[tuple[str, ...]] = ("ratio", "stroke", "rod", "speed", "method")
+    loads: ClassVar[tuple[str, ...]] = (FORCE, MASSES, STEAM, CARD)
+    motion = MOTION
+    forces = FORCES
+    examples: ClassVar[Mapping[str, str]] = {
+        "table": "phi,x,c,p",
+        "forces": "phi,x,c,p",
+        "plot": "x,c,p",
+        "plot forces": "x,c,p",
+    }
+    drawing = "kurbel.plot.drawings:mechanism_drawing"
+    crosshead = True
+
+    def drives(self, said: Described, ratios: Sequence[str]) -> tuple[Crank, ...]:
+        return said.cranks(ratios)
+
+    def crank(self, drive: Crank) -> Crank:
+        return drive
+
+    def question(self, drives: Sequence[Crank], method: str | None = None, **asked: Any) -> Request:
+        from kurbel.motion.page import Request
+
+        return Request(cranks=tuple(drives), method=method, **asked)
+
+    def solved(self, drives: Sequence[Crank], method: str | None) -> tuple[SlideDrive, ...]:
+        from kurbel.motion.drives import slide_drives
+
+        return slide_drives(drives, method or "exact")
+
+    def conditions(self) -> Mapping[str, Quantity]:
+        from kurbel.motion.drives import slide_columns
+
+        return slide_columns()
+
+
+class OffsetCrank(StraightCrank):
+    name = "offset"
+    title = "the offset crank"
+    takes = (*StraightCrank.takes, "offset")
+    loads = (FORCE, MASSES)
+
+    def lacking(self, said: Described) -> str:
+        if said.offset is not None:
+            return ""
+        return "the offset crank needs the offset e; add --offset, for example --offset 0.5"
+
+
+STRAIGHT, OFFSET = StraightCrank(), OffsetCrank()
 
 
 def mechanism(name: str) -> Mechanism:

@@ -10,8 +10,7 @@ from typing import Any
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import NEVER_TIES, TieBits, ball, pi, rounded
-from kurbel.exact.kind import Kind, balls, bounds
+from kurbel.exact.certify import NEVER_TIES, Kind, TieBits, ball, balls, bounds, pi, rounded
 from kurbel.exact.numerals import Label, Number
 from kurbel.exact.separation import Separation
 from kurbel.kernel.forces import square_position

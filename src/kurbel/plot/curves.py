@@ -10,7 +10,7 @@ from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Label
 from kurbel.motion.evaluation import STROKES, is_known
 from kurbel.motion.mechanism import Mechanism
-from kurbel.motion.question import AngleQuestion
+from kurbel.motion.page import AngleQuestion
 from kurbel.page.subject import subject
 from kurbel.plot.panels import check_drawn, degrees, panels_of, trace, vector
 from kurbel.plot.plotting import Panel

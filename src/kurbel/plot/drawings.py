@@ -10,7 +10,7 @@ from kurbel.drive.crank import Crank, check_angles
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
 from kurbel.motion import captions
-from kurbel.motion.question import Request
+from kurbel.motion.page import Request
 from kurbel.page.quantity import for_ratio, words
 from kurbel.page.subject import Question
 from kurbel.plot.mechanism import mechanism

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
-from kurbel.exact.kind import Kind, balls
+from kurbel.exact.certify import Kind, balls
 from kurbel.exact.numerals import Label, Number, finite_decimals, number_text
 from kurbel.linkage.arc import evaluation
 from kurbel.linkage.arc.crank import ArcCrank

@@ -9,10 +9,9 @@ from functools import cache
 from math import pi, tan
 from typing import TYPE_CHECKING
 
-from kurbel.exact.certify import ball, half_turn_circle
+from kurbel.exact.certify import ball, balls, half_turn_circle
 from kurbel.exact.certify import pi as ball_pi
 from kurbel.exact.course import Course
-from kurbel.exact.kind import balls
 from kurbel.exact.place import SQUARE, Centre, Place
 from kurbel.linkage.arc import evaluation
 from kurbel.linkage.arc.crank import STROKE, ArcCrank

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from kurbel.exact.kind import Kind
+from kurbel.exact.certify import Kind
 from kurbel.kernel import linkage
 from kurbel.linkage.arc.crank import ArcCrank
 from kurbel.motion.evaluation import OUT, RETURN

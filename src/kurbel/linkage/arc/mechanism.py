@@ -6,8 +6,7 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from kurbel.drive.crank import Crank
-from kurbel.drive.described import Described, radii
+from kurbel.drive.crank import Crank, Described, radii
 from kurbel.errors import NotationError, ProblemError
 from kurbel.linkage.arc import captions
 from kurbel.linkage.arc.crank import ArcCrank

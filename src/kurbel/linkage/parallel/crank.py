@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Any
 
 from kurbel.drive.crank import Crank
-from kurbel.exact.kind import Kind
+from kurbel.exact.certify import Kind
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.linkage import Place
 from kurbel.kernel.parallel import coupler_place

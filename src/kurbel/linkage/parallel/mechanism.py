@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cache
 from typing import Any, NoReturn
 
-from kurbel.drive.described import Described
+from kurbel.drive.crank import Described
 from kurbel.errors import ProblemError
 from kurbel.kernel.parallel import coupler
 from kurbel.linkage.linkage import At
