@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache, cached_property
@@ -16,13 +16,12 @@ from kurbel.exact.numerals import Label, Number
 from kurbel.kernel.harmonics import Term
 from kurbel.motion.evaluation import METHODS
 from kurbel.page.axes import ListAxis, Place, RatioAxis
-from kurbel.page.layouts import Layout, LayoutColumn
+from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, Formula, Quantity, filled, for_ratio, words
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
 from kurbel.reading.given import choose
 
-ORDERS = 6
 DECIMALS = 6
 # A note has so many terms of each series, and series up to this order.
 TERMS = 3
@@ -64,38 +63,51 @@ def quantities() -> Mapping[str, Quantity]:
 
 
 @dataclass(frozen=True, kw_only=True)
-class HarmonicsRequest(Question):
-    """What is asked for: the harmonics up to an order of the path (x), velocity (c) or acceleration (p).
+class OrdersRequest(Question):
+    """A question about the harmonics up to an order, of one of the quantities that they add up to.
 
-    `quantity` empty leaves it to the layout. By the method of the infinite rod all ratios are 1:∞.
+    By the method of the infinite rod all ratios are 1:∞.
     """
 
     ratios: tuple[Fraction, ...]
-    quantity: str = ""
-    last_order: int = ORDERS
-    method: str = "exact"
+    last_order: int
+    method: str
 
     def check(self) -> None:
         printed_orders(self.harmonic, self.last_order)
-        object.__setattr__(self, "ratios", checked_ratios(self.ratios, self.method))
+        object.__setattr__(self, "ratios", _checked_ratios(self.ratios, self.method))
 
     @property
     def harmonic(self) -> Harmonic:
-        return HARMONICS[choose(self.quantity or self.layout.columns[0].quantity, HARMONICS, "quantity")]
+        return HARMONICS["p"]
 
     @property
     def orders(self) -> tuple[int, ...]:
         return printed_orders(self.harmonic, self.last_order)
 
-    @cached_property
-    def page_columns(self) -> tuple[Column, ...]:
-        return (self.column(replace(self.layout.columns[0], quantity=self.harmonic.key)),)
-
     def methods_of(self, column: LayoutColumn) -> tuple[str, ...]:
         return (self.method,)
 
 
-def checked_ratios(ratios: tuple[Fraction, ...], method: str) -> tuple[Fraction, ...]:
+@dataclass(frozen=True, kw_only=True)
+class HarmonicsRequest(OrdersRequest):
+    """What is asked for: the harmonics of the path (x), velocity (c) or acceleration (p).
+
+    `quantity` empty leaves it to the layout.
+    """
+
+    quantity: str = ""
+
+    @property
+    def harmonic(self) -> Harmonic:
+        return HARMONICS[choose(self.quantity or self.layout.columns[0].quantity, HARMONICS, "quantity")]
+
+    @cached_property
+    def page_columns(self) -> tuple[Column, ...]:
+        return (self.column(replace(self.layout.columns[0], quantity=self.harmonic.key)),)
+
+
+def _checked_ratios(ratios: tuple[Fraction, ...], method: str) -> tuple[Fraction, ...]:
     """Return the ratios by the method; raise a KurbelError for one that no crank may have."""
     if not ratios:
         raise ProblemError("no crank ratio was given; write one as --ratio 1:5")
@@ -104,8 +116,9 @@ def checked_ratios(ratios: tuple[Fraction, ...], method: str) -> tuple[Fraction,
     return (Fraction(0),) if choose(method, METHODS, "method") == "infinite" else ratios
 
 
-def caption(layout: Layout, lang: str, ratios: Sequence[Fraction], method: str) -> Label:
+def caption(question: OrdersRequest) -> Label:
     """Return the layout's caption with the ratio, if there is only one, and the method."""
+    layout, lang, ratios, method = question.layout, question.lang, question.ratios, question.method
     shown = len(ratios) == 1 and method != "infinite"
     parts = {
         "{method}": METHODS[method].caption[lang],
@@ -115,8 +128,7 @@ def caption(layout: Layout, lang: str, ratios: Sequence[Fraction], method: str) 
 
 
 def _caption(question: HarmonicsRequest) -> Label:
-    text = caption(question.layout, question.lang, question.ratios, question.method)
-    return text.replace("{quantity}", question.page_columns[0].quantity.name[question.lang])
+    return caption(question).replace("{quantity}", question.page_columns[0].quantity.name[question.lang])
 
 
 class OrderAxis(ListAxis):
@@ -163,22 +175,19 @@ def _number(question: HarmonicsRequest, column: Column, place: Place, times: int
 
 def _notes(question: HarmonicsRequest) -> Iterator[Label]:
     yield _sum_formula(question.harmonic, question.method)
-    yield from series_notes(
-        question.harmonic, question.orders, question.method, question.layout, question.lang
-    )
+    yield from series_notes(question)
     if question.last_order > 1:
         yield ODD[question.lang]
 
 
-def series_notes(
-    harmonic: Harmonic, orders: Sequence[int], method: str, layout: Layout, lang: str
-) -> Iterator[Label]:
+def series_notes(question: OrdersRequest) -> Iterator[Label]:
     """Yield the note that gives the coefficients by powers of λ, if the rod is finite."""
-    if method == "infinite":
+    if question.method == "infinite":
         return
-    formulas = (series_formula(harmonic, order, method) for order in orders if order <= LAST_SERIES)
-    ratio = layout.ratio_symbol.replace(":", "/")
-    yield SERIES[lang].replace("{ratio}", ratio) + "; ".join(f"${one}$" for one in formulas if one)
+    orders = (order for order in question.orders if order <= LAST_SERIES)
+    formulas = (series_formula(question.harmonic, order, question.method) for order in orders)
+    ratio = question.layout.ratio_symbol.replace(":", "/")
+    yield SERIES[question.lang].replace("{ratio}", ratio) + "; ".join(f"${one}$" for one in formulas if one)
 
 
 def _sum_formula(harmonic: Harmonic, method: str) -> Label:

@@ -94,8 +94,7 @@ def _number(question: BalanceRequest, column: Column, place: Place, times: int) 
 
 
 def _caption(question: BalanceRequest) -> Label:
-    text = caption(question.layout, question.lang, question.ratios, question.method)
-    return text.replace("{engine}", _engine(question))
+    return caption(question).replace("{engine}", _engine(question))
 
 
 def _engine(request: BalanceRequest) -> Label:
@@ -118,7 +117,7 @@ def _notes(request: BalanceRequest) -> Iterator[Label]:
     if request.arrangement.share:
         yield WORDS["share"][lang].format(share=f"${_exact(request.arrangement.share)}$")
     yield WORDS["zero"][lang]
-    yield from series_notes(HARMONICS["p"], request.orders, request.method, request.layout, lang)
+    yield from series_notes(request)
 
 
 def _list(values: Iterable[str]) -> Label:

@@ -18,16 +18,13 @@ from kurbel.balance.arrangement import (
     row,
     usual,
 )
-from kurbel.balance.harmonics import HARMONICS, printed_orders
-from kurbel.balance.harmonics_page import checked_ratios
+from kurbel.balance.harmonics import HARMONICS
+from kurbel.balance.harmonics_page import OrdersRequest
 from kurbel.errors import ProblemError
-from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Formula, Quantity, words
-from kurbel.page.subject import Question
 from kurbel.reading.given import choose
 
 DEFAULT_ENGINE = "inline-4"
-ORDERS = 2
 DECIMALS = 4
 RESIDUALS = ("force", "moment")
 FACTOR = "factor"
@@ -80,31 +77,16 @@ def balance_registry() -> Mapping[str, Quantity]:
 
 
 @dataclass(frozen=True, kw_only=True)
-class BalanceRequest(Question):
+class BalanceRequest(OrdersRequest):
     """What is asked for: the forces and moments of an arrangement with several crank ratios.
 
-    `engine` is its name, empty where the cranks were given one by one. By the method of the infinite rod
-    all ratios are 1:∞.
+    `engine` is its name, empty where the cranks were given one by one.
     """
 
     arrangement: Arrangement
-    ratios: tuple[Fraction, ...]
     engine: str = ""
-    last_order: int = ORDERS
-    method: str = "exact"
 
     no_column = "there is no column beside the axes; add one, such as along"
-
-    def check(self) -> None:
-        printed_orders(HARMONICS["p"], self.last_order)
-        object.__setattr__(self, "ratios", checked_ratios(self.ratios, self.method))
-
-    @property
-    def orders(self) -> tuple[int, ...]:
-        return printed_orders(HARMONICS["p"], self.last_order)
-
-    def methods_of(self, column: LayoutColumn) -> tuple[str, ...]:
-        return (self.method,)
 
     @cached_property
     def residuals(self) -> Mapping[tuple[str, int], Residual]:
