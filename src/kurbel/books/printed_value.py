@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from kurbel.errors import NotationError
-from kurbel.exact.numerals import Label, Number
+from kurbel.exact.numerals import Label, Number, number_text
 
 LONGEST = 100
 _DECIMAL = re.compile(r"([-−]?)([0-9]+)(?:([.,])([0-9]+))?")
@@ -44,13 +44,10 @@ class Printed(NamedTuple):
         if self.exact:
             return self.text if scaled == self.scaled else str(scaled * self.unit)
         assert isinstance(scaled, int)
+        if self.form in (",", "."):
+            return number_text(Number(scaled, self.decimals), self.form)
         sign = "-" if scaled < 0 else ""
         size = abs(scaled)
-        if self.form in (",", "."):
-            digits = str(size).rjust(self.decimals + 1, "0")
-            mark = self.form if self.decimals else ""
-            point = len(digits) - self.decimals
-            return f"{sign}{digits[:point]}{mark}{digits[point:]}"
         if self.form == "°":
             return f"{sign}{size}°"
         halves = 2 if self.form == "½'" else 1

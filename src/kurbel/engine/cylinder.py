@@ -150,10 +150,10 @@ class AnyTurn(ABC):
         assert pressure is not None
         return self.of(pressure * load.bore**2 / 4) * self.pi
 
-    def radius(self) -> Number:
-        """The crank radius in metres."""
+    def torque_unit(self) -> Number:
+        """The moment Q R about the shaft in newton metres."""
         assert self.engine.crank.radius is not None
-        return self.of(self.engine.crank.radius)
+        return self.force_unit() * self.of(self.engine.crank.radius)
 
     def mean_force(self) -> Number:
         """P/Q, the mean tangential force of all cranks together."""

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
-from functools import cache, partial
+from functools import cache
 from typing import Any, NamedTuple
 
 from kurbel.drive.crank_forces import CRANK_FORCES, CrankForce
@@ -114,16 +114,6 @@ def _ties(rule: str, *force: CrankForce) -> Callable[..., Any]:
     return ties
 
 
-def _force_unit(turn: AnyTurn) -> Number:
-    """What makes newtons of a force in Q."""
-    return turn.force_unit()
-
-
-def _torque_unit(turn: AnyTurn) -> Number:
-    """What makes newton metres of the moment of a force in Q about the shaft."""
-    return turn.force_unit() * turn.radius()
-
-
 def _extreme(name: str, of: str, index: str) -> Iterator[Quantity]:
     greatest = EXTREMES[of]
     de, en = name.split("|")
@@ -171,7 +161,7 @@ def _mean_torque(turn: AnyTurn, where: Where) -> Any:
     """P r in N m: of the power, rational where the speed is given in radians, or of the steam."""
     wheel = _flywheel(where)
     if wheel.power is None:
-        return turn.mean_force() * _torque_unit(turn)
+        return turn.mean_force() * turn.torque_unit()
     turns = wheel.power / wheel.speed.value
     return turn.of(turns / 2) / turn.pi if wheel.speed.turns else turns
 
@@ -280,20 +270,17 @@ def _force_entries() -> Iterator[Quantity]:
     for key, acting in CRANK_FORCES.items():
         one = FORCES[key]
         in_steam = _entry(
-            key, one.name, f"${one.letter}$", "$Q$", "crank", 4, partial(_crank_force, acting),
+            key, one.name, f"${one.letter}$", "$Q$", "crank", 4,
+            lambda turn, where, force=acting: turn.crank_force(force, where.half_turns),
             direction=one.direction, ties=_ties("crank_force_ties", acting),
         )  # fmt: skip
         yield in_steam
         yield in_steam._replace(
             key=f"{key}_n", unit=words("N"), decimals=1, heading=words(f"{in_steam.symbol} in N"),
-            scale=_force_unit, needs="load", ties=_ties("newton_ties", acting),
+            scale=AnyTurn.force_unit, needs="load", ties=_ties("newton_ties", acting),
         )  # fmt: skip
     yield _entry(
         "torque_nm", "Drehmoment|Torque", "$M_d$", "N m", "angle", 1,
-        lambda turn, where: turn.tangential_force(where.half_turns), scale=_torque_unit, needs="torque",
-        direction=words("$M_d$ an der Welle|$M_d$ on the shaft"),
+        lambda turn, where: turn.tangential_force(where.half_turns),
+        scale=AnyTurn.torque_unit, needs="torque", direction=words("$M_d$ an der Welle|$M_d$ on the shaft"),
     )  # fmt: skip
-
-
-def _crank_force(force: CrankForce, turn: AnyTurn, where: Where) -> Number:
-    return turn.crank_force(force, where.half_turns)

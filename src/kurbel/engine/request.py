@@ -97,13 +97,7 @@ class EngineRequest(Question):
             )
 
     def engine(self, steam: int, drive: int) -> Engine:
-        return Engine(
-            self.drives[drive],
-            self.steams[steam],
-            self.double,
-            tuple(self.cranks),
-            self.load,
-        )
+        return Engine(self.drives[drive], self.steams[steam], self.double, tuple(self.cranks), self.load)
 
     @cached_property
     def first(self) -> Engine:
@@ -177,20 +171,16 @@ class EngineRequest(Question):
         return asked and super().shows(column)
 
     def missing(self, quantity: Quantity) -> str:
-        needed = self._unknown(quantity)
-        return f"column {quantity.key} needs {needed}; leave it out, or give that" if needed else ""
-
-    def _unknown(self, quantity: Quantity) -> str:
-        """What the quantity needs and this engine does not have, nothing if it is known."""
-        if quantity.of == "stroke" and not self.first.plain:
-            return "one double-acting crank"
-        unknown = {
+        lacks = {
             "steam": self.carded,
             "load": self.load is None,
             "torque": self.load is None or self.first.crank.radius is None,
             "radius": not self.flywheels or self.flywheels[0].radius is None,
         }
-        return UNKNOWN[quantity.needs] if unknown.get(quantity.needs) else ""
+        needed = UNKNOWN[quantity.needs] if lacks.get(quantity.needs) else ""
+        if quantity.of == "stroke" and not self.first.plain:
+            needed = "one double-acting crank"
+        return f"column {quantity.key} needs {needed}; leave it out, or give that" if needed else ""
 
     def methods_of(self, column: LayoutColumn) -> tuple[str, ...]:
         return _methods(column.method) or self.methods or ("exact",)
