@@ -51,6 +51,11 @@ class SourceCell(NamedTuple):
     way: Expression | None = None
     label: str = ""
 
+    @property
+    def names(self) -> set[str]:
+        """The places of the other cells that its value is made of."""
+        return {name for one in (self.formula, self.way) if one for name in one.names}
+
 
 def _is_text(entry: object) -> bool:
     # The no-break space is typography, though it counts as not printable.
@@ -133,18 +138,32 @@ class SourceTable:
         places = [cell.place for cell in cells]
         for cell in cells:
             if places.count(cell.place) > 1:
-                raise SourceError(f"{_at(self.file, cell)}: the place {cell.place} is given twice")
-            named = {name for one in (cell.formula, cell.way) if one for name in one.names}
-            for unknown in sorted(named - {*places}):
-                raise SourceError(f"{_at(self.file, cell)}: {unknown} in a formula is no place here")
-        _check_circles(self.file, cells)
+                raise SourceError(f"{self.at(cell)}: the place {cell.place} is given twice")
+            for unknown in sorted(cell.names - {*places}):
+                raise SourceError(f"{self.at(cell)}: {unknown} in a formula is no place here")
+        self._check_circles(cells)
         if not any(cell.printed for cell in cells):
             raise SourceError(f"{shown(self.file)} has no printed value below its heads")
         return cells
 
     def at(self, cell: SourceCell) -> str:
         """Return where the cell stands, for the start of a sentence."""
-        return _at(self.file, cell)
+        return place(shown(self.file), cell.line)
+
+    def _check_circles(self, cells: Sequence[SourceCell]) -> None:
+        """Raise SourceError where a cell's value would need itself."""
+        settled: set[str] = set()
+        rounds = 0
+        while left := [cell for cell in cells if cell.place not in settled]:
+            ready = [cell.place for cell in left if cell.names <= settled]
+            if not ready:
+                raise SourceError(f"{self.at(left[0])}: {left[0].place} names itself, by way of other cells")
+            settled |= {*ready}
+            rounds += 1
+            if rounds > DEEPEST:
+                raise SourceError(
+                    f"{self.at(left[0])}: more than {DEEPEST} cells build on one another up to {ready[0]}"
+                )
 
 
 class Book:
@@ -186,35 +205,12 @@ def source_tables(folder: str | os.PathLike[str] | None = None) -> Mapping[str, 
     return {table.key: table for book in books(folder) for table in book.tables}
 
 
-def _at(file: Path, cell: SourceCell) -> str:
-    return place(shown(file), cell.line)
-
-
 def _cells(file: Path, method: str) -> Iterator[SourceCell]:
     def cell_of(texts: list[str], head: Head, line: int) -> SourceCell:
         names = [column.name for column in head.columns]
         return _cell(dict(zip(names, texts, strict=True)), method, line)
 
     return read_rows(file, KIND, _head, cell_of, f"it starts with its heads, {';'.join(COLUMNS)}", NONE)
-
-
-def _check_circles(file: Path, cells: Sequence[SourceCell]) -> None:
-    """Raise SourceError where a cell's value would need itself."""
-    needs = {
-        cell.place: {name for one in (cell.formula, cell.way) if one for name in one.names} for cell in cells
-    }
-    settled: set[str] = set()
-    rounds = 0
-    while left := [cell for cell in cells if cell.place not in settled]:
-        ready = [cell.place for cell in left if needs[cell.place] <= settled]
-        if not ready:
-            raise SourceError(f"{_at(file, left[0])}: {left[0].place} names itself, by way of other cells")
-        settled |= {*ready}
-        rounds += 1
-        if rounds > DEEPEST:
-            raise SourceError(
-                f"{_at(file, left[0])}: more than {DEEPEST} cells build on one another up to {ready[0]}"
-            )
 
 
 def _head(line: str) -> Head:

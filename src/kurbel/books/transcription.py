@@ -100,12 +100,15 @@ def collated_file(
     asked = None if crank_ratio is None else ratio(crank_ratio)
     if asked is not None:
         Crank(asked)
-    axis, columns, points = _read(path, None if quantity is None else known_quantity(quantity), asked)
-    for column in columns:
+    read = _Read(None if quantity is None else known_quantity(quantity), asked)
+    starts = "it starts with its heads, phi and a ratio or a quantity"
+    for _ in read_rows(path, KIND, read.head, read.row, starts, slice(1, None), ChoiceError):
+        pass
+    for column in read.columns:
         choose(chosen, methods_of(column.quantity), "method")
     collated: list[Collated] = []
-    for column, values in zip(columns, points, strict=True):
-        collated += _collated(path, axis, column, values, chosen)
+    for column, values in zip(read.columns, read.points, strict=True):
+        collated += _collated(path, read.axis, column, values, chosen)
     if not collated:
         raise SourceError(f"{shown(path)} has no printed value below its heads")
     return Own(Path(path).name), tuple(collated)
@@ -157,9 +160,39 @@ class _Read:
         head = whole_head(line)
         names = [column.name for column in head.columns]
         self.axis = _axis(names[0])
-        self.columns = _columns(self.axis, names, self.quantity, self.crank_ratio)
+        if len(names) < 2:
+            raise NotationError(f"there is no column of printed values beside {names[0]}")
+        self.columns = [self._column(name, len(names) == 2) for name in names[1:]]
+        for column in self.columns:
+            if self.columns.count(column) > 1:
+                said = f"{column.quantity} at R:L = {ratio_text(column.ratio)}"
+                raise NotationError(f"there are two columns of {said}")
         self.points = [[] for _ in self.columns]
         return head
+
+    def _column(self, head: str, alone: bool) -> _Column:
+        """Return whose column it is; what the head says must be what was given."""
+        axis, quantity, crank_ratio = self.axis, self.quantity, self.crank_ratio
+        own_ratio = ratio(head) if ":" in head else None
+        own_quantity = known_quantity(head) if head in (*registry(), *keys_by(axis)) else None
+        if own_ratio is None and own_quantity is None and not alone:
+            raise NotationError(f'the head "{head[:40]}" is neither a crank ratio nor a quantity, such as p')
+        key = own_quantity or quantity
+        if key is None:
+            raise ProblemError("what is printed is not known; add --quantity, for example --quantity p")
+        if key not in keys_by(axis):
+            raise ProblemError(f"the quantity {key} does not go by {AXES[axis].name}s, as the file does")
+        if quantity not in (None, key):
+            raise ProblemError(
+                f"the file has a column headed {key}, and --quantity is {quantity}; leave one out"
+            )
+        value = crank_ratio if own_ratio is None else own_ratio
+        if value is None:
+            raise ProblemError("the crank ratio is not known; add --ratio, for example --ratio 1:5")
+        if crank_ratio not in (None, value):
+            raise ProblemError(f"the file has a column headed {head}, and --ratio is another; leave one out")
+        Crank(value)
+        return _Column(key, value)
 
     def row(self, texts: list[str], head: Head, line: int) -> None:
         first, *others = texts
@@ -170,15 +203,6 @@ class _Read:
         for values, text in zip(self.points, others, strict=True):
             if text:
                 values.append(_Point(line, at, first, printed_value(text)))
-
-
-def _read(
-    path: str | os.PathLike[str], quantity: str | None, crank_ratio: Fraction | None
-) -> tuple[str, list[_Column], list[list[_Point]]]:
-    read, starts = _Read(quantity, crank_ratio), "it starts with its heads, phi and a ratio or a quantity"
-    for _ in read_rows(path, KIND, read.head, read.row, starts, slice(1, None), ChoiceError):
-        pass
-    return read.axis, read.columns, read.points
 
 
 def known_quantity(key: str) -> str:
@@ -196,38 +220,3 @@ def _axis(head: str) -> str:
         f'the first head is "{head[:40]}"; it must be phi, the crank angle, epsilon, the expansion ratio,'
         " or arm, that of the beam"
     )
-
-
-def _columns(
-    axis: str, heads: Sequence[str], quantity: str | None, crank_ratio: Fraction | None
-) -> list[_Column]:
-    if len(heads) < 2:
-        raise NotationError(f"there is no column of printed values beside {heads[0]}")
-    columns = [_column(axis, head, len(heads) == 2, quantity, crank_ratio) for head in heads[1:]]
-    for column in columns:
-        if columns.count(column) > 1:
-            said = f"{column.quantity} at R:L = {ratio_text(column.ratio)}"
-            raise NotationError(f"there are two columns of {said}")
-    return columns
-
-
-def _column(axis: str, head: str, alone: bool, quantity: str | None, crank_ratio: Fraction | None) -> _Column:
-    """Return whose column it is; what the head says must be what was given."""
-    own_ratio = ratio(head) if ":" in head else None
-    own_quantity = known_quantity(head) if head in (*registry(), *keys_by(axis)) else None
-    if own_ratio is None and own_quantity is None and not alone:
-        raise NotationError(f'the head "{head[:40]}" is neither a crank ratio nor a quantity, such as p')
-    key = own_quantity or quantity
-    if key is None:
-        raise ProblemError("what is printed is not known; add --quantity, for example --quantity p")
-    if key not in keys_by(axis):
-        raise ProblemError(f"the quantity {key} does not go by {AXES[axis].name}s, as the file does")
-    if quantity not in (None, key):
-        raise ProblemError(f"the file has a column headed {key}, and --quantity is {quantity}; leave one out")
-    value = crank_ratio if own_ratio is None else own_ratio
-    if value is None:
-        raise ProblemError("the crank ratio is not known; add --ratio, for example --ratio 1:5")
-    if crank_ratio not in (None, value):
-        raise ProblemError(f"the file has a column headed {head}, and --ratio is another; leave one out")
-    Crank(value)
-    return _Column(key, value)
