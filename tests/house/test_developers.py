@@ -8,6 +8,7 @@ what the commands print.
 from __future__ import annotations
 
 import ast
+import math
 import os
 import re
 import shlex
@@ -195,3 +196,59 @@ def test_a_new_layout_is_a_folder(tmp_path: Path) -> None:
         r"^hubwege +Kolbenwege in Teilen des Hubes", house.kurbel("kurbel layouts"), re.MULTILINE
     )
     assert "in Teilen des Hubes" in house.handbook("table --layout hubwege")
+
+
+@pytest.fixture(scope="module")
+def yoke(tmp_path_factory: pytest.TempPathFactory) -> House:
+    return built("mechanism", tmp_path_factory.mktemp("mechanism"))
+
+
+def test_a_new_mechanism_is_one_package_and_a_line(yoke: House) -> None:
+    assert len([*(yoke.folder / "src" / "kurbel" / "linkage" / "yoke").glob("*.py")]) <= 8
+    shown = yoke.kurbel("kurbel table --help")
+    assert "two equal cranks) or yoke (a pin in a slot)" in " ".join(shown.split())
+    page = yoke.kurbel("kurbel table --mechanism yoke --angle 25;115;205 --columns path,velocity -f csv")
+    with mp.workdps(40):
+        for angle, row in zip((25, 115, 205), page.splitlines()[1:], strict=True):
+            way = [mp.diff(lambda phi: 1 - mp.cos(phi), mp.radians(angle), order) for order in (0, 1)]
+            for text, true in zip(row.split(","), way, strict=True):
+                assert abs(mp.mpf(text) - true) <= mp.mpf("0.00005")
+
+
+def test_the_force_on_the_pin_of_a_new_mechanism_does_the_work(yoke: House) -> None:
+    """F times the way of the yoke is the torque times the angle: 10 kN over 600 mm of a stroke."""
+    words = "--force 10kN --stroke 600mm --from 0 --to 180 --step 0.5 --columns torque_nm --digits 6"
+    rows = yoke.kurbel(f"kurbel forces --mechanism yoke {words} -f csv").splitlines()[1:]
+    torques = [float(row) for row in rows]
+    # Simpson's rule, whose error is some 1e-9 of the whole here.
+    weights = [1, *([4, 2] * len(torques))[: len(torques) - 2], 1]
+    work = (
+        math.fsum(weight * one for weight, one in zip(weights, torques, strict=True)) * math.radians(0.5) / 3
+    )
+    assert work == pytest.approx(10_000 * 0.6, rel=1e-7)
+
+
+def test_a_new_mechanism_is_in_reference_handbook_drawings_and_lists(yoke: House) -> None:
+    reference = yoke.reference()
+    assert (
+        "`tangential_force_n` | Tangential force | N | 1 | `forces --mechanism yoke --force` |" in reference
+    )
+    assert "- Scotch yoke: `path`, `s`, `velocity`, `acceleration`" in reference
+    page = yoke.handbook("table --mechanism yoke")
+    assert "Weg, Geschwindigkeit und Beschleunigung der Schleife einer Kreuzschubkurbel" in page
+    for name in ("motion", "yoke", "forces"):
+        assert "<svg" in (yoke.desk / f"{name}.svg").read_text(encoding="utf-8")
+    assert 'id="slot"' in (yoke.desk / "yoke.svg").read_text(encoding="utf-8")
+    assert re.search(r"^yoke +Kreuzschubkurbel", yoke.kurbel("kurbel layouts"), re.M)
+    assert re.search(
+        r"^velocity +Geschwindigkeit +v +table --mechanism yoke", yoke.kurbel("kurbel quantities"), re.M
+    )
+
+
+def test_what_a_new_mechanism_does_not_have_is_refused_with_a_sentence(yoke: House) -> None:
+    with pytest.raises(AssertionError, match="--ratio does not belong to the Scotch yoke"):
+        yoke.kurbel("kurbel table --mechanism yoke --ratio 1:5")
+    with pytest.raises(AssertionError, match="the Scotch yoke under steam is not computed"):
+        yoke.kurbel("kurbel forces --mechanism yoke --eps 4")
+    with pytest.raises(AssertionError, match="the polar diagram of the Scotch yoke is not drawn"):
+        yoke.kurbel("kurbel plot --polar --mechanism yoke -o polar.svg")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -399,3 +400,37 @@ def test_a_page_of_python_is_refused_in_a_sentence() -> None:
         kurbel.table(mechanism="arc", rocker=6, pivot=(5,))  # type: ignore[arg-type]
     with pytest.raises(KurbelError, match="layout arc is about something else; choose from forces-par"):
         kurbel.table(mechanism="parallel", layout="arc")
+
+
+@pytest.mark.parametrize(
+    ("subject", "words", "drives"),
+    [
+        ("arc crank", ("--rocker", "6", "--columns", "velocity"), "arc cranks"),
+        ("motion", ("--offset", "0.3", "--columns", "x"), "offset cranks"),
+    ],
+)
+def test_no_angle_of_these_stands_over_its_mirror_image(
+    tmp_path: Path, subject: str, words: tuple[str, ...], drives: str
+) -> None:
+    folder = tmp_path / "gespiegelt"
+    folder.mkdir()
+    quantity = words[-1]
+    (folder / "layout.toml").write_text(
+        f"""title = "Gespiegelt"
+        caption = "Gespiegelt"
+        subject = "{subject}"
+        down = ["ratio", "column"]
+        stub = ["column"]
+        across = ["angle"]
+        pairs = true
+        ratios = ["1:5"]
+        angles = ["10;20"]
+        columns = [{{ quantity = "{quantity}" }}]
+        """,
+        "utf-8",
+    )
+    given = ("--layouts", str(tmp_path), "--layout", "gespiegelt", "--ratio", "1:5")
+    assert refusal("table", *given, *words) == (
+        f"layout gespiegelt sets an angle over its mirror image, and {drives} do not stand alike at both;"
+        " leave pairs out"
+    )

@@ -24,6 +24,7 @@ MECHANISMS: Mapping[str, Registered] = {
     "parallel": Registered(
         "parallel crank", "kurbel.linkage.parallel.mechanism:MECHANISM", "two equal cranks"
     ),
+    # Another mechanism is one more line here.
 }
 # The crank drives without a crosshead, whose pages are their own.
 LINKAGES = tuple(name for name, one in MECHANISMS.items() if one.subject != "motion")

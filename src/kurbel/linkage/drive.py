@@ -20,6 +20,8 @@ from kurbel.page.quantity import Quantity
 class LinkageDrive(Drive):
     """A drive of `entries`, and the layout whose page says what there is to say of it."""
 
+    has_rod = False
+
     def __init__(self, drive: Linkage, entries: Mapping[str, Quantity], page: str) -> None:
         super().__init__(drive.crank, entries)
         self.drive, self.page = drive, page

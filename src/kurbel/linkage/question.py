@@ -17,7 +17,7 @@ from kurbel.linkage.linkage import Linkage, certified, value
 from kurbel.linkage.quantities import FORCE
 from kurbel.motion.drive_notes import drive_notes, force_note
 from kurbel.motion.evaluation import NEEDS, needed
-from kurbel.motion.page import AngleQuestion
+from kurbel.motion.page import AngleQuestion, check_pairs
 from kurbel.page.axes import AngleAxis, ColumnAxis, Place, RatioAxis
 from kurbel.page.quantity import Column, Quantity, Words, enumerated, filled
 from kurbel.page.subject import Subject
@@ -33,11 +33,7 @@ class LinkageRequest(AngleQuestion):
         check_angles(self.angles)
         if not self.drives:
             raise ProblemError("no crank ratio was given; write one as --ratio 1:5")
-        if self.layout.pairs:
-            raise ProblemError(
-                f"layout {self.layout.key} sets an angle over its mirror image, and {self.subject.key}s"
-                " do not stand alike at both; leave pairs out"
-            )
+        check_pairs(self.layout, f"{self.subject.key}s")
 
     def too_long(self) -> str:
         return f"the table has {len(self)} rows"

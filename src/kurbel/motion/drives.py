@@ -44,6 +44,7 @@ from kurbel.motion.drive_notes import drive_notes
 from kurbel.motion.evaluation import OUT, certified, is_known, is_transcendental, value
 from kurbel.motion.quantities import registry
 from kurbel.page.quantity import Column, Formula, Quantity
+from kurbel.reading.notation import ratio_text
 
 if TYPE_CHECKING:
     from flint import arb
@@ -63,6 +64,8 @@ class Drive(ABC):
     """
 
     method = "exact"
+    # Whether it has a rod, of a length over that of the crank.
+    has_rod = True
     # An angle about the middle of both strokes.
     centre: Centre = SQUARE
 
@@ -74,6 +77,11 @@ class Drive(ABC):
     @property
     def ratio(self) -> Fraction:
         return self.crank.ratio
+
+    @property
+    def where(self) -> str:
+        """What sentences say of it."""
+        return f" for R:L = {ratio_text(self.ratio)}" if self.has_rod else ""
 
     @property
     def is_straight(self) -> bool:

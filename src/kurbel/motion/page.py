@@ -26,7 +26,7 @@ from kurbel.page.axes import (
     angle_pairs,
 )
 from kurbel.page.build import Rows, records_of
-from kurbel.page.layouts import LayoutColumn
+from kurbel.page.layouts import Layout, LayoutColumn
 from kurbel.page.quantity import Column, Quantity
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Records, Value
@@ -47,6 +47,15 @@ class AngleQuestion(Question, ABC):
     @abstractmethod
     def curves(self, degrees: Any) -> list[list[list[float]]]:
         """Return the values of every column for every drive at an array of angles, in floats."""
+
+
+def check_pairs(layout: Layout, drives: str) -> None:
+    """Raise ProblemError for a layout that takes drives for symmetrical that are not."""
+    if layout.pairs:
+        raise ProblemError(
+            f"layout {layout.key} sets an angle over its mirror image, and {drives} do not stand alike at"
+            " both; leave pairs out"
+        )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -77,6 +86,7 @@ class Request(AngleQuestion):
             object.__setattr__(self, "cranks", tuple(dict.fromkeys(cranks)))
 
     def _check_offset(self) -> None:
+        check_pairs(self.layout, "offset cranks")
         if self.method not in (None, "exact"):
             raise ProblemError(
                 f'method "{self.method}" has no formulas for an offset crank;'

@@ -51,7 +51,7 @@ def caption(request: SolveRequest) -> Label:
     """Return the layout's caption with the ratio and the condition, if there is only one, and the method."""
     lang, drives, conditions = request.lang, request.drives, request.conditions
     common = []
-    if len(drives) == 1 and request.method != "infinite":
+    if len(drives) == 1 and request.method != "infinite" and drives[0].has_rod:
         common.append(f"${request.layout.ratio_symbol} = {ratio_text(drives[0].ratio)}$")
     if len(conditions) == 1:
         common.append(condition_label(conditions[0], drives[0], lang))

@@ -17,7 +17,7 @@ from kurbel.exact.place import Place
 from kurbel.motion.drives import Drive
 from kurbel.motion.evaluation import OUT, RETURN
 from kurbel.reading import units
-from kurbel.reading.notation import plain, ratio_text
+from kurbel.reading.notation import plain
 from kurbel.reading.where import DEAD_CENTRE, MAX, MIN, SHARE, VALUE, Condition
 
 if TYPE_CHECKING:
@@ -78,8 +78,7 @@ def solve(drive: Drive, condition: Condition) -> tuple[Root, ...]:
     course = drive.course(condition.quantity, OUT)
     if course.is_constant:
         raise ProblemError(
-            f"{condition.quantity} is the same at every crank angle for R:L = {ratio_text(drive.ratio)};"
-            " ask for another quantity"
+            f"{condition.quantity} is the same at every crank angle{drive.where}; ask for another quantity"
         )
     found = [root for stroke in STROKES for root in _on_stroke(drive, condition, stroke)]
     begun = {root.stroke for root in found if root.place is _course(root).begin}
@@ -185,7 +184,7 @@ def _no_root(drive: Drive, condition: Condition) -> str:
     else:
         where = " and ".join(f"{found} on {OF_STROKE[stroke]}" for stroke, found in ranges.items())
     return (
-        f"{condition} is reached nowhere for R:L = {ratio_text(drive.ratio)};"
+        f"{condition} is reached nowhere{drive.where};"
         f" {condition.quantity} lies {where}{_unusable(drive, condition)}"
     )
 

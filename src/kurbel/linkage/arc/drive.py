@@ -56,6 +56,8 @@ def _share(path: Callable[[At], arb]) -> Callable[[At], arb]:
 class ArcDrive(LinkageDrive):
     """The arc crank."""
 
+    has_rod = True
+
     def __init__(self, crank: ArcCrank) -> None:
         super().__init__(crank, arc_columns(), "arc")
         self.arc = crank
