@@ -190,12 +190,12 @@ def test_documents_are_not_made_of_files_that_are_gone(
 def test_a_file_saved_during_the_build_is_read_again_by_the_next(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from kurbel.cli import handbook_parts
+    from kurbel.cli import asking
 
     machine = '[crank]\nratio = "1:5"\nspeed = "120/min"\n[flywheel]\npower = "50kW"\ndelta = "1:100"\n'
     folder = book(tmp_path, MANIFEST.replace("delta --eps 2..4", "flywheel --machine engine.toml"))
     (folder / "engine.toml").write_text(machine)
-    make_part = handbook_parts.make_part
+    make_part = asking.make_part
 
     def saved(task: Task) -> Made | str:
         made = make_part(task)
@@ -204,7 +204,7 @@ def test_a_file_saved_during_the_build_is_read_again_by_the_next(
         return made
 
     with monkeypatch.context() as patch:
-        patch.setattr(handbook_parts, "make_part", saved)
+        patch.setattr(asking, "make_part", saved)
         assert build(folder).code == 0
     table = folder / "pages/tables/delta.csv"
     old = table.read_bytes()

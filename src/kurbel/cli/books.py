@@ -6,13 +6,10 @@ from collections.abc import Iterator
 from typing import Any
 
 import click
-from click.shell_completion import CompletionItem
 
-from kurbel.cli.lists import lang_option
-from kurbel.cli.options import FileName, Option, click_option
-from kurbel.cli.printing import Printing, print_made
+from kurbel.cli.options import Option, click_option, lang_option
 from kurbel.cli.rivals import Given
-from kurbel.cli.tables import CollateCommand, TableCommand
+from kurbel.cli.tables import CollateCommand, Printing, TableCommand
 from kurbel.commands import motion
 from kurbel.commands.books import collation_table, example_table
 from kurbel.errors import ProblemError
@@ -25,11 +22,10 @@ WORDS = {
 }
 
 
-@click.command()
-@click.option(
-    "--sources", metavar="DIR", type=FileName(), help="A folder with books of your own, a folder each."
-)
-@lang_option
+_OF_COLLATION = {one.name: one for one in collation_table.command.parameters.values()}
+
+
+@click.command(params=[click_option(_OF_COLLATION["sources"]), lang_option("list")])
 def sources(sources: File | None, lang: str) -> None:
     """List the books that kurbel knows, with their tables."""
     from kurbel.books.source import books
@@ -44,43 +40,8 @@ def sources(sources: File | None, lang: str) -> None:
             click.echo(f"    {table.key}  {table.title[lang]}")
 
 
-# Generic from click 8.5 on, and not to be subscripted before.
-class _Source(click.ParamType):  # type: ignore[type-arg]
-    """The key of a source; the page itself refuses a wrong one."""
-
-    name = "source"
-
-    def shell_complete(
-        self, ctx: click.Context, param: click.Parameter, incomplete: str
-    ) -> list[CompletionItem]:
-        from kurbel.examples.source import source_keys
-
-        return [CompletionItem(key) for key in source_keys() if key.startswith(incomplete)]
-
-
-class _Number(click.ParamType):  # type: ignore[type-arg]
-    """The number of an example; which there are depends on the source."""
-
-    name = "number"
-
-    def shell_complete(
-        self, ctx: click.Context, param: click.Parameter, incomplete: str
-    ) -> list[CompletionItem]:
-        from kurbel.examples.source import numbers_of, source_keys
-
-        key = ctx.params.get("source")
-        numbers = numbers_of(key) if key in source_keys() else ()
-        return [CompletionItem(number) for number in numbers if number.startswith(incomplete)]
-
-
 class ExampleCommand(TableCommand):
     """`kurbel example`, which lists the examples where none is named."""
-
-    def __init__(self) -> None:
-        super().__init__("example", example_table.command)
-        for param in self.params:
-            if param.name in ("source", "number"):
-                param.type = _Source() if param.name == "source" else _Number()
 
     def run(self, given: Given) -> int:
         if given.values["number"] is not None:
@@ -95,7 +56,7 @@ class ExampleCommand(TableCommand):
         return super().made(given)
 
     def print(self, question: Any, printing: Printing) -> None:
-        print_made(self.made_by.built(question), printing)
+        printing.print(self.made_by.built(question))
 
 
 def _print_list(key: str | None, lang: str) -> None:
@@ -126,4 +87,4 @@ collate = CollateCommand(
         "": [click_option(_OF_TABLES[name]) for name in ("digits", "rounding")],
     },
 )
-example = ExampleCommand()
+example = ExampleCommand("example", example_table.command)

@@ -6,15 +6,16 @@ import os
 import sys
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from kurbel.cli.options import Count, Name
+from kurbel.cli import say
+from kurbel.cli.options import Type, lang_option
+from kurbel.commands.options import Choice, Count
 from kurbel.handbook.keys import ENGINES
 from kurbel.handbook.pool import MOST_PROCESSES
-from kurbel.page.layouts import LANGUAGES
 
 if TYPE_CHECKING:
     from kurbel.handbook.build import Build
@@ -56,9 +57,9 @@ def handbook() -> None:
 
 
 FOLDER = click.argument("folder", type=click.Path(), default=".")
-JOBS = click.option("-j", "--jobs", type=Count("jobs", 1, MOST_PROCESSES), metavar="N",
+JOBS = click.option("-j", "--jobs", type=Type(Count("jobs", 1, MOST_PROCESSES)), metavar="N",
                     help="Processes at once; default: one for each core.")  # fmt: skip
-ENGINE = click.option("--pdf-engine", type=Name("PDF engine", lambda: ENGINES), metavar="ENGINE",
+ENGINE = click.option("--pdf-engine", type=Type(Choice("PDF engine", ENGINES)), metavar="ENGINE",
                       help="typst (default), lualatex or latexmk; outdoes the manifest.")  # fmt: skip
 
 
@@ -67,16 +68,10 @@ def building(command: Callable[..., Any]) -> Callable[..., Any]:
     return FOLDER(JOBS(ENGINE(command)))
 
 
-@handbook.command(short_help="Write a first manifest, which builds at once.")
-@FOLDER
-@click.option(
-    "--lang",
-    type=Name("language", lambda: LANGUAGES),
-    default="de",
-    show_default=True,
-    envvar="KURBEL_LANG",
-    help="Language of the handbook: de or en.",
+@handbook.command(
+    params=[lang_option("handbook")], short_help="Write a first manifest, which builds at once."
 )
+@FOLDER
 def init(folder: str, lang: str) -> None:
     """Write a manifest with comments, which builds at once, into FOLDER."""
     from kurbel.errors import HandbookError, OutputError
@@ -93,7 +88,7 @@ def init(folder: str, lang: str) -> None:
         raise OutputError(f"cannot make the folder {folder}: {error.strerror}") from error
     with whole_file(path) as stream:
         stream.write(first_manifest(lang).encode())
-    _say(f"{path} is written; build it with: kurbel handbook build{_typed(folder)}")
+    say(f"{path} is written; build it with: kurbel handbook build{_typed(folder)}")
 
 
 @handbook.command(short_help="Build what changed.")
@@ -104,7 +99,7 @@ def build(**options: Any) -> int:
 
 
 def _build(options: dict[str, Any]) -> int:
-    from kurbel.cli.handbook_parts import make_part
+    from kurbel.cli.asking import make_part
     from kurbel.handbook.build import build as built
 
     manifest, folder, jobs = _opened(options)
@@ -113,7 +108,7 @@ def _build(options: dict[str, Any]) -> int:
     _report(manifest, done)
     counts = f"{len(done.written)} written, {len(done.unchanged)} unchanged"
     removed = f", {len(done.removed)} removed" if done.removed else ""
-    _say(f"{folder.path}: {counts}{removed}{_failed(done)}")
+    say(f"{folder.path}: {counts}{removed}{_failed(done)}")
     return int(bool(done.failures))
 
 
@@ -124,7 +119,7 @@ def check(**options: Any) -> int:
 
     All is built anew, elsewhere. The differences go to standard output.
     """
-    from kurbel.cli.handbook_parts import make_part
+    from kurbel.cli.asking import make_part
     from kurbel.handbook.check import check as checked
 
     manifest, folder, jobs = _opened(options)
@@ -138,9 +133,9 @@ def check(**options: Any) -> int:
         mend = f"kurbel handbook build{_typed(options['folder'])}{_engine(options)}"
         first = "mend what failed, and then" if done.failures else "this mends it:"
         count = "1 file is" if len(stale) == 1 else f"{len(stale)} files are"
-        _say(f"{folder.path}: {count} stale{_failed(done)}; {first} {mend}")
+        say(f"{folder.path}: {count} stale{_failed(done)}; {first} {mend}")
     elif not done.failures:
-        _say(f"{folder.path}: all {len(done.written)} files are what the manifest says")
+        say(f"{folder.path}: all {len(done.written)} files are what the manifest says")
     return int(bool(stale or done.failures))
 
 
@@ -181,7 +176,7 @@ def watch(**options: Any) -> None:
 
     # One that is not there, or has a mistake, ends the command; later ones are waited out.
     _opened(options)
-    _say("each file that is saved is built; Ctrl-C ends this")
+    say("each file that is saved is built; Ctrl-C ends this")
     seen: Seen = {}
     while True:
         before, started = glance(options["folder"]), time.time_ns()
@@ -189,7 +184,7 @@ def watch(**options: Any) -> None:
             try:
                 _build(options)
             except KurbelError as error:
-                _say(str(error))
+                say(str(error))
             seen = as_built(before, glance(options["folder"]), started)
         time.sleep(GLANCE)
 
@@ -221,7 +216,7 @@ def _engine(options: dict[str, Any]) -> str:
 def _report(manifest: Manifest, done: Built) -> None:
     for failure in done.failures:
         line = f", line {failure.line}" if failure.line else ""
-        _say(f"{manifest.path}{line}, {failure.name}: {failure.said}")
+        say(f"{manifest.path}{line}, {failure.name}: {failure.said}")
 
 
 def _failed(done: Built) -> str:
@@ -229,28 +224,19 @@ def _failed(done: Built) -> str:
 
 
 def _waiting() -> None:
-    _say("another build of this handbook is under way; waiting for its end")
-
-
-def _say(text: str) -> None:
-    shown = "".join(one if one.isprintable() else ascii(one)[1:-1] for one in text)
-    click.echo(f"kurbel: {shown}", err=True)
+    say("another build of this handbook is under way; waiting for its end")
 
 
 @contextmanager
 def _bar() -> Iterator[Callable[[int], Callable[[], None]]]:
     """A progress bar on a terminal; it is told how many steps there are and then each of them."""
-    bars: list[Any] = []
+    with ExitStack() as bars:
 
-    def start(count: int) -> Callable[[], None]:
-        if not count or not sys.stderr.isatty():
-            return lambda: None
-        bars.append(click.progressbar(length=count, label=f"{count} parts", file=sys.stderr))
-        bar = bars[0].__enter__()
-        return lambda: bar.update(1)
+        def start(count: int) -> Callable[[], None]:
+            if not count or not sys.stderr.isatty():
+                return lambda: None
+            shown = click.progressbar(length=count, label=f"{count} parts", file=sys.stderr)
+            bar = bars.enter_context(shown)
+            return lambda: bar.update(1)
 
-    try:
         yield start
-    finally:
-        for bar in bars:
-            bar.__exit__(None, None, None)

@@ -8,23 +8,18 @@ from typing import TYPE_CHECKING
 
 import click
 
-from kurbel.cli.options import Name, click_option
+from kurbel.cli.options import click_option, lang_option
 from kurbel.commands.options import Parameter
 from kurbel.commands.parameters import LAYOUTS
-from kurbel.page.layouts import LANGUAGES
 
 if TYPE_CHECKING:
     from kurbel.page.layouts import Layout
     from kurbel.reading.given import File
 
-lang_option = click.option(
-    "--lang", type=Name("language", lambda: LANGUAGES), default="de", show_default=True, envvar="KURBEL_LANG",
-    help="Language of the list: de or en.",
-)  # fmt: skip
+LANG = lang_option("list")
 
 
-@click.command(params=[click_option(Parameter("layouts", LAYOUTS, None, False))])
-@lang_option
+@click.command(params=[click_option(Parameter("layouts", LAYOUTS, None, False)), LANG])
 def layouts(layouts: File | None, lang: str) -> None:
     """List the page layouts, each with a command that prints it."""
     from kurbel.page.layouts import layout, layout_names
@@ -42,8 +37,7 @@ def _printing(layout: Layout, folder: File | None) -> str:
     return shlex.join(("kurbel", *(about.sample or about.command).split(), *own, "--layout", layout.key))
 
 
-@click.command()
-@lang_option
+@click.command(params=[LANG])
 def quantities(lang: str) -> None:
     """List the quantities that columns can show, with their units and the commands that print them."""
     from kurbel.page.axes import PHI, RATIO

@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import click
 from click.core import ParameterSource
 
-from kurbel.cli.machine import machine_option
-from kurbel.cli.making import MakingCommand
-from kurbel.cli.options import Name, Option, click_option
-from kurbel.cli.rivals import RIVALS, Given, resolved
+from kurbel.cli.options import Option, Type, click_option
+from kurbel.cli.rivals import RIVALS, Given, machine_option, resolved
+from kurbel.cli.tables import MakingCommand
 from kurbel.commands import engine_plots, plots
 from kurbel.commands.machines import MASSES, STEAM
-from kurbel.commands.options import is_given
+from kurbel.commands.options import Choice, is_given
 from kurbel.commands.shown import Drawing
 from kurbel.commands.subject import Command
 from kurbel.drive import load
@@ -134,12 +132,6 @@ def _check_offset_of_machine(given: Given) -> None:
         check_load(offset, load.CARD if given.values["card"] else load.STEAM)
 
 
-def _formats() -> Mapping[str, Any]:
-    from kurbel.plot.style import FORMATS
-
-    return FORMATS
-
-
 def _format(given: Given) -> str:
     """Return the format of -f or of the file's suffix; raise an error for a terminal, which takes none."""
     name, output = given.values["format"], given.values["output"]
@@ -168,7 +160,8 @@ def _params() -> list[click.Parameter]:
     flags = [Option([f"--{name}"], is_flag=True, help=text) for name, text in FLAGS.items()]
     last = ("lang", "decimal")
     output = [
-        Option(["format", "-f", "--format"], type=Name("drawing format", _formats), metavar="FORMAT",
+        Option(["format", "-f", "--format"], metavar="FORMAT",
+               type=Type(Choice("drawing format", "kurbel.plot.style:FORMATS")),
                help="svg, png or pdf; default: by the suffix of -o."),
         Option(["output", "-o", "--output"], type=click.Path(allow_dash=True), metavar="FILE", default="-",
                help="File to write, whole or not at all; - is standard output, unless a terminal."),

@@ -1,4 +1,4 @@
-"""What gives way to what was typed, where it only comes from the environment or from a machine."""
+"""What was typed, and what gives way to it: defaults from the environment and from a machine's file."""
 
 from __future__ import annotations
 
@@ -8,10 +8,11 @@ from typing import Any
 import click
 from click.core import ParameterSource
 
+from kurbel.cli.options import FileName, Option
 from kurbel.commands.options import is_given
 from kurbel.commands.subject import Command
-from kurbel.errors import ProblemError
-from kurbel.reading.given import as_length, as_ratios
+from kurbel.errors import MachineError, ProblemError
+from kurbel.reading.given import File, as_length, as_ratios
 from kurbel.reading.notation import ratio_text
 
 # An option, and those that outdo it where they are all typed.
@@ -110,3 +111,37 @@ def resolved(command: Command, given: Given, rivals: Rivals = ()) -> dict[str, A
         key: one.default if (value := given.values[one.name]) == () else value
         for key, one in command.parameters.items()
     }
+
+
+# Where a context keeps the name of the file.
+MACHINE = "kurbel.drive.machine"
+
+
+def machine_option() -> click.Option:
+    """Return --machine, which gives defaults to those options that the command has."""
+    return Option(
+        ["--machine"], metavar="FILE", type=FileName(), is_eager=True, expose_value=False, callback=_load,
+        help="Machine in a TOML file: [crank], [steam], [masses], [flywheel]; what is typed outdoes it.",
+    )  # fmt: skip
+
+
+def _load(context: click.Context, parameter: click.Parameter, file: File | None) -> None:
+    if file is not None:
+        context.default_map = {**(context.default_map or {}), **machine_defaults(context.command, file)}
+        context.meta[MACHINE] = str(file)
+
+
+def machine_defaults(command: click.Command, file: File) -> dict[str, Any]:
+    """Return what the file says of the options of the command, by their names."""
+    from kurbel.drive.machine import read_machine, with_ratio
+
+    names = {one.name for one in command.params}
+    machine = read_machine(file)
+    if "rod" not in names:
+        machine = with_ratio(machine)
+    if machine.get("offset") and "offset" not in names:
+        raise MachineError(
+            f"{file}: crank.offset is {machine['offset']}, and kurbel {command.name} is about the"
+            " straight crank; leave the offset out of the machine"
+        )
+    return {name: value for name, value in machine.items() if name in names}

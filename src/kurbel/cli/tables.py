@@ -1,21 +1,57 @@
-"""The commands that print a table: each is made from the function that makes the table in Python."""
+"""The commands that make a table or a drawing, for paper or for a document; those of tables are made from the
+function that makes the table in Python. Pages are written whole, the records of long tables in a stream."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+import sys
+from abc import ABC, abstractmethod
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager, nullcontext
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
+from click.core import augment_usage_errors
 
-from kurbel.cli.machine import machine_option
-from kurbel.cli.making import MakingCommand
-from kurbel.cli.options import click_option, help_of, printing_options
-from kurbel.cli.printing import Printing, print_table
-from kurbel.cli.rivals import RIVALS, Given, resolved
+from kurbel.cli import say
+from kurbel.cli.options import Document, Option, click_option, help_of, printing_options
+from kurbel.cli.rivals import RIVALS, Given, machine_option, resolved
 from kurbel.commands.subject import Command
+from kurbel.errors import ProblemError
+from kurbel.formats.output import whole_file
+from kurbel.formats.registry import DEFAULT, FORMATS, CompiledFormat, Format, RecordsFormat, for_suffix
 
 if TYPE_CHECKING:
+    from kurbel.commands.shown import Drawing
     from kurbel.page.table import Table
+
+# Shorter tables are done before a bar could be read.
+BAR_ROWS = 200_000
+
+
+class MakingCommand(click.Command, ABC):
+    """A command of which a document can ask what it makes."""
+
+    @abstractmethod
+    def made(self, given: Given) -> tuple[Table | Drawing, int]:
+        """Return the table or the drawing, and what the command would end with. Raises KurbelError."""
+
+    @abstractmethod
+    def run(self, given: Given) -> int:
+        """Print what the options say, and return the exit code."""
+
+    def invoke(self, ctx: click.Context) -> int:
+        with augment_usage_errors(ctx):
+            return self.run(Given(ctx))
+
+    def get_help_option(self, ctx: click.Context) -> click.Option | None:
+        if not ctx.find_object(Document):
+            return super().get_help_option(ctx)
+        return Option(["-h", "--help"], is_flag=True, is_eager=True, expose_value=False, callback=_no_help)
+
+
+def _no_help(context: click.Context, parameter: click.Parameter, asked: bool) -> None:
+    if asked:
+        raise ProblemError(f"{context.info_name} was asked for its help; a document needs a table")
 
 
 class TableCommand(MakingCommand):
@@ -49,14 +85,20 @@ class TableCommand(MakingCommand):
         return self.exit_code(given, question)
 
     def print(self, question: Any, printing: Printing) -> None:
-        print_table(question, printing)
+        """Write the table to the file, whole or not at all."""
+        if isinstance(printing.format, RecordsFormat):
+            from kurbel.formats.streams import record_chunks
+
+            decimal = printing.format.decimal_name(question.lang, printing.decimal)
+            _write(record_chunks(question, printing.format, decimal), printing.output, len(question))
+        else:
+            printing.print(self.made_by.built(question))
 
 
 class CollateCommand(TableCommand):
     """`kurbel collate`, which may end with 1, and takes neither digits nor rounding."""
 
     def question(self, given: Given) -> Any:
-        from kurbel.errors import ProblemError
         from kurbel.exact.numerals import ROUNDINGS
 
         if given.values["digits"] is not None:
@@ -83,3 +125,82 @@ def _params(
         if param not in last:
             params += [*more.get(key, ()), param]
     return params + last
+
+
+class Printing(NamedTuple):
+    """How a table is to be printed: the options that all printing commands share."""
+
+    format: Format
+    output: str
+    decimal: str | None
+    standalone: bool
+    longtable: bool
+
+    @classmethod
+    def chosen(cls, given: Given) -> Printing:
+        """Return what the options say, checked."""
+        names = ("output", "decimal", "standalone", "longtable")
+        return cls(_format(given), *(given.values[name] for name in names))
+
+    def print(self, table: Table) -> None:
+        """Write a table that is there already."""
+        _write(self._rendered(table), self.output, 0)
+
+    def _rendered(self, table: Table) -> Iterator[bytes]:
+        form, output, decimal, standalone, longtable = self
+        if isinstance(form, CompiledFormat):
+            yield form.writer.compiled(table, decimal)
+            return
+        from kurbel.formats.render import render
+
+        width = None
+        if output == "-" and sys.stdout.isatty():
+            from shutil import get_terminal_size
+
+            width = get_terminal_size().columns
+        text = render(
+            table, form.name, decimal=decimal, standalone=standalone, longtable=longtable, width=width
+        )
+        yield text.encode()
+        if not (standalone or longtable) and form.is_tall(table):
+            say("the table is longer than a page; --longtable lets it break")
+
+
+def _format(given: Given) -> Format:
+    """Return the format named by -f, or by the file's suffix, or by the environment, or text."""
+    named, output = given.values["format"], given.values["output"]
+    if not output:
+        raise click.UsageError("--output names no file; - is standard output.")
+    chosen = FORMATS[named or DEFAULT] if output == "-" or given.typed("format") else for_suffix(output)
+    if chosen.kind == "compiled" and output == "-" and sys.stdout.isatty():
+        name = chosen.name
+        raise click.UsageError(f"a terminal shows no {name}; name a file, such as -o kurbel.{name}")
+    if given.typed("standalone") and chosen.kind != "compiled" and not chosen.standalone:
+        *documents, last = (name for name, entry in FORMATS.items() if entry.standalone)
+        raise click.UsageError(
+            f"--standalone is for {', '.join(documents)} and {last}; {chosen.name} has no documents."
+        )
+    if given.typed("longtable") and not chosen.breaks:
+        breaking = ", ".join(name for name, entry in FORMATS.items() if entry.breaks)
+        raise click.UsageError(f"--longtable is for {breaking}; the format is {chosen.name}.")
+    return chosen
+
+
+def _write(pieces: Iterator[bytes], output: str, rows: int) -> None:
+    # The first piece is made before the file is opened, so that bad input leaves no trace.
+    first = next(pieces)
+    with whole_file(output) as stream, _bar(rows) as bar:
+        stream.write(first)
+        for piece in pieces:
+            stream.write(piece)
+            if bar:
+                bar.update(1)
+
+
+def _bar(rows: int) -> AbstractContextManager[Any]:
+    """A bar on the terminal for long tables, counted in chunks of rows."""
+    if rows < BAR_ROWS or not sys.stderr.isatty():
+        return nullcontext()
+    from kurbel.motion.page import CHUNK
+
+    return click.progressbar(length=-(-rows // CHUNK), label=f"{rows} rows", file=sys.stderr)

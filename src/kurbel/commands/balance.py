@@ -36,9 +36,7 @@ def harmonics_table(
     *,
     quantity: Annotated[
         str | None,
-        Option(
-            "x (path), c (velocity) or p (acceleration, default).", kind=Choice("quantity", lambda: HARMONICS)
-        ),
+        Option("x (path), c (velocity) or p (acceleration, default).", kind=Choice("quantity", HARMONICS)),
     ] = None,
     orders: Orders = 6,
     method: Method = "exact",

@@ -1,12 +1,12 @@
 """What books print, against what it should be: their tables, and their worked examples."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 from kurbel.books.verdict import ONLY
 from kurbel.commands import parameters as option
-from kurbel.commands.options import FILE, Choice, Columns, Option
+from kurbel.commands.options import FILE, Choice, Columns, Kind, Option
 from kurbel.commands.subject import makes_table
 from kurbel.errors import ProblemError
 from kurbel.page.layouts import layout_of
@@ -25,6 +25,25 @@ from kurbel.reading.given import (
 if TYPE_CHECKING:
     from kurbel.books.collate_page import CollateRequest
     from kurbel.examples.request import ExampleRequest
+
+
+class Source(Kind):
+    """The key of a source; the page itself refuses a wrong one."""
+
+    def offered(self, begun: str, typed: Mapping[str, Any]) -> Iterable[str]:
+        from kurbel.examples.source import source_keys
+
+        return (key for key in source_keys() if key.startswith(begun))
+
+
+class ExampleNumber(Kind):
+    """The number of an example; which there are depends on the source."""
+
+    def offered(self, begun: str, typed: Mapping[str, Any]) -> Iterable[str]:
+        from kurbel.examples.source import numbers_of, source_keys
+
+        numbers = numbers_of(typed["source"]) if typed.get("source") in source_keys() else ()
+        return (number for number in numbers if number.startswith(begun))
 
 
 @makes_table(machine=False)
@@ -48,7 +67,7 @@ def collation_table(
         Option("With --csv: exact (default), series, infinite, weisbach, approximate.", "METHOD"),
     ] = None,
     only: Annotated[
-        str, Option("all, or deviations: what is not right.", kind=Choice("choice", lambda: ONLY))
+        str, Option("all, or deviations: what is not right.", kind=Choice("choice", ONLY))
     ] = "all",
     columns: Annotated[
         option.Names,
@@ -102,8 +121,12 @@ def collation_table(
 
 @makes_table(machine=False, build="kurbel.examples.page:build_example")
 def example_table(
-    source: Annotated[str | None, Option("The book, as `kurbel example` lists it.", positional=True)] = None,
-    number: Annotated[str | int | None, Option("The number of the example.", positional=True)] = None,
+    source: Annotated[
+        str | None, Option("The book, as `kurbel example` lists it.", kind=Source(), positional=True)
+    ] = None,
+    number: Annotated[
+        str | int | None, Option("The number of the example.", kind=ExampleNumber(), positional=True)
+    ] = None,
     *,
     ratio: option.Ratios = None,
     angle: Annotated[

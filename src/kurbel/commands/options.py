@@ -11,13 +11,28 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any, NamedTuple, get_args
+from importlib import import_module
+from typing import Any, NamedTuple, cast, get_args
 
-from kurbel.reading.given import choose
+from kurbel.errors import NotationError
+from kurbel.reading.given import File, choose
 
 
 class Kind:
-    """How a value is written: as text, which in Python may be a number."""
+    """How a value is written: as text, which in Python may be a number.
+
+    `typed` are the values of other options of the command line, of those at least that are `first`.
+    """
+
+    name = "text"
+
+    def read(self, text: str, typed: Mapping[str, Any]) -> Any:
+        """Return what was typed as a value. Raises KurbelError."""
+        return text
+
+    def offered(self, begun: str, typed: Mapping[str, Any]) -> Iterable[str]:
+        """Return the texts that begin so, for the completion of shells."""
+        return ()
 
 
 TEXT = Kind()
@@ -28,34 +43,104 @@ FILE = Kind()
 
 
 class Choice(Kind):
-    """One of a few names."""
+    """One of a few names, which may stand elsewhere as "module:NAME"; a wrong one is told the nearest."""
 
-    def __init__(self, what: str, names: Callable[[], Iterable[str]]) -> None:
-        self.what = what
-        self.names = names
+    def __init__(self, name: str, names: Iterable[str] | Callable[[], Iterable[str]] | str) -> None:
+        self.name = name
+        self._names = names
+
+    @property
+    def names(self) -> Iterable[str]:
+        found = self._names
+        if isinstance(found, str):
+            module, _, name = found.partition(":")
+            found = cast("Iterable[str]", getattr(import_module(module), name))
+        return found() if callable(found) else found
+
+    def read(self, text: str, typed: Mapping[str, Any]) -> str:
+        return choose(text, self.names, self.name)
+
+    def offered(self, begun: str, typed: Mapping[str, Any]) -> Iterable[str]:
+        return (name for name in self.names if name.startswith(begun))
 
 
 class Count(Kind):
     """A whole number within bounds."""
 
+    name = "number"
+
     def __init__(self, what: str, least: int, most: int) -> None:
         self.what = what
-        self.least = least
-        self.most = most
+        self.allowed = {str(count): count for count in range(least, most + 1)}
+        self.bounds = f"{least} to {most}"
+
+    def read(self, text: str, typed: Mapping[str, Any]) -> int:
+        if str(text) not in self.allowed:
+            raise NotationError(
+                f'{self.what} "{text[:40]}" cannot be printed; write a whole number from {self.bounds}'
+            )
+        return self.allowed[str(text)]
 
 
 class Columns(Kind):
     """Names of columns, parted by commas; which there are depends on the layout, by default this one."""
 
+    name = "names"
+
     def __init__(self, layout: str) -> None:
         self.layout = layout
 
+    def offered(self, begun: str, typed: Mapping[str, Any]) -> Iterable[str]:
+        from kurbel.page.layouts import layout
+        from kurbel.page.subject import subject
+
+        before, comma, last = begun.rpartition(",")
+        chosen = before.split(",")
+        page = layout(typed.get("layout") or self._default(typed), _folder(typed))
+        keys = subject(page.subject).column_keys(page)
+        return (before + comma + key for key in keys if key.startswith(last) and key not in chosen)
+
+    def _default(self, typed: Mapping[str, Any]) -> str:
+        """The layout that the other options choose."""
+        if mechanism := typed.get("mechanism"):
+            from kurbel.motion.mechanism import mechanism as mechanism_of
+
+            return mechanism_of(mechanism).layout
+        if typed.get("forces") and (typed.get("eps") or typed.get("card")):
+            from kurbel.commands.engine_plots import ENGINE_LAYOUT
+
+            return ENGINE_LAYOUT
+        return "delta-detail" if typed.get("detail") else self.layout
+
 
 class LayoutName(Kind):
-    """A layout about one of these subjects."""
+    """A layout about one of these subjects; others are read, too, but not offered."""
+
+    name = "layout"
 
     def __init__(self, subjects: tuple[str, ...]) -> None:
         self.subjects = subjects
+
+    def read(self, text: str, typed: Mapping[str, Any]) -> str:
+        from kurbel.page.layouts import layout_names
+
+        return text if text in layout_names(_folder(typed)) else choose(text, self._fitting(typed), self.name)
+
+    def offered(self, begun: str, typed: Mapping[str, Any]) -> Iterable[str]:
+        return (name for name in self._fitting(typed) if name.startswith(begun))
+
+    def _fitting(self, typed: Mapping[str, Any]) -> list[str]:
+        from kurbel.page.layouts import layout, layout_names
+
+        folder = _folder(typed)
+        return [name for name in layout_names(folder) if layout(name, folder).subject in self.subjects]
+
+
+def _folder(typed: Mapping[str, Any]) -> File | None:
+    """Return the folder of --layouts."""
+    # While it parses, click has a mark of its own for what was not given.
+    folder = typed.get("layouts")
+    return folder if isinstance(folder, File) else None
 
 
 class Option(NamedTuple):
@@ -132,7 +217,7 @@ def check_choices(parameters: Iterable[Parameter], values: Mapping[str, Any]) ->
         kind, value = parameter.option.kind, values[parameter.name]
         if isinstance(kind, Choice) and is_given(value):
             for one in [value] if isinstance(value, str) or not parameter.option.many else value:
-                choose(one, kind.names(), kind.what)
+                kind.read(one, values)
 
 
 def is_given(value: Any) -> bool:

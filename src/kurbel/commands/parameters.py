@@ -16,18 +16,6 @@ Names: TypeAlias = str | Iterable[str]
 Path: TypeAlias = str | PathLike[str]
 
 
-def _methods() -> Iterable[str]:
-    from kurbel.motion.evaluation import METHODS
-
-    return METHODS
-
-
-def _engine_methods() -> Iterable[str]:
-    from kurbel.engine.quantities import ENGINE_METHODS
-
-    return ENGINE_METHODS
-
-
 RATIO = Option(
     "Crank ratio: 1:5, 1:4,5, 0.2; lists 1:4;1:5 and ranges 1:3..6:0.5; 1:∞ is the infinite rod.",
     "R:L", short="-r", many=True,
@@ -47,7 +35,7 @@ SPEED = Option(
 FORCE = Option("Piston force, for columns in N and N m: 10kN.", "FORCE", unit="N")
 METHOD = Option(
     "exact (default), series (first order, as Blau prints) or infinite (rod of infinite length).",
-    kind=Choice("method", _methods),
+    kind=Choice("method", "kurbel.motion.evaluation:METHODS"),
 )
 EPS = Option("Expansion ratio, cut-off after 1/ε of the stroke: 4; lists 2;3;4, ranges 2..6.", "ε", many=True)
 BACK = Option(
@@ -56,7 +44,7 @@ BACK = Option(
     "B",
 )
 LANG = Option(
-    "Language of headings and captions: de or en.", kind=Choice("language", lambda: LANGUAGES),
+    "Language of headings and captions: de or en.", kind=Choice("language", LANGUAGES),
     environment="KURBEL_LANG", default="de", last=True,
 )  # fmt: skip
 LAYOUTS = Option(
@@ -101,7 +89,7 @@ NeededSpeed = Annotated[Exact, SPEED._replace(help="Speed: 120/min, 12.5rad/s.")
 Force = Annotated[Exact | None, FORCE]
 Mechanism = Annotated[
     str | None,
-    Option(mechanisms.described(), kind=Choice("mechanism", lambda: mechanisms.MECHANISMS)),
+    Option(mechanisms.described(), kind=Choice("mechanism", mechanisms.MECHANISMS)),
 ]
 Rocker = Annotated[Exact | None, Option("Arc crank: length of the rocker in units of R.", "B", unit="R")]
 Pivot = Annotated[
@@ -150,7 +138,7 @@ EngineMethods = Annotated[
     Names | None,
     Option(
         "exact (default), series (first order) or weisbach (his equations of § 150).",
-        kind=Choice("method", _engine_methods), many=True, default=(),
+        kind=Choice("method", "kurbel.engine.quantities:ENGINE_METHODS"), many=True, default=(),
     ),
 ]  # fmt: skip
 Bore = Annotated[Exact | None, Option("Bore of the cylinder: 300mm.", "LENGTH", unit="m")]
@@ -208,9 +196,7 @@ Digits = Annotated[
 ]
 Rounding = Annotated[
     str,
-    Option(
-        "What becomes of a tie.", kind=Choice("rounding", lambda: ROUNDINGS), default="half-away", last=True
-    ),
+    Option("What becomes of a tie.", kind=Choice("rounding", ROUNDINGS), default="half-away", last=True),
 ]
 Label = Annotated[
     str,
@@ -221,7 +207,7 @@ Label = Annotated[
 Decimal = Annotated[
     str | None,
     Option(
-        "comma or point; default: by the language.", kind=Choice("decimal mark", lambda: ("comma", "point")),
+        "comma or point; default: by the language.", kind=Choice("decimal mark", ("comma", "point")),
         environment="KURBEL_DECIMAL", last=True,
     ),
 ]  # fmt: skip
