@@ -15,7 +15,7 @@ from kurbel.errors import HandbookError, KurbelError
 from kurbel.handbook.keys import SCHEMA
 from kurbel.handbook.manifest import LONGEST_NAME, Manifest, read_manifest, slug
 from kurbel.handbook.model import SECTIONS, schema
-from kurbel.reading.toml_lines import key_lines
+from kurbel.reading.toml_file import key_lines
 
 GOOD = """\
 title = "Tafeln $x/R$"

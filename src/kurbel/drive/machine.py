@@ -27,7 +27,7 @@ from msgspec.structs import asdict
 
 from kurbel.errors import MachineError
 from kurbel.reading.given import File as NamedFile
-from kurbel.reading.toml_file import MOST_BITS, Fault, TomlFile, TomlKind, about, schema_of
+from kurbel.reading.toml_file import MOST_BITS, Fault, TomlFile, TomlKind, about
 
 KIND = TomlKind(
     "machine",
@@ -186,4 +186,6 @@ def with_ratio(options: Mapping[str, Any]) -> dict[str, Any]:
 
 def schema() -> dict[str, Any]:
     """Return the JSON Schema of the file."""
+    from kurbel.reading.toml_model import schema_of
+
     return schema_of(Machine, "A machine for kurbel")

@@ -36,8 +36,7 @@ from kurbel.handbook.keys import ENGINES, default_options
 from kurbel.handbook.model import ChapterKeys, HandbookKeys, PartKeys, PdfKeys
 from kurbel.page.layouts import LANGUAGES
 from kurbel.reading.given import choose
-from kurbel.reading.toml_file import TomlFile, TomlKind, shown
-from kurbel.reading.toml_lines import Place
+from kurbel.reading.toml_file import Place, TomlFile, TomlKind, shown
 
 NAME = "handbook.toml"
 KIND = TomlKind("handbook", HandbookError, 2_000_000, "a handbook has chapters with parts", "appendix/")

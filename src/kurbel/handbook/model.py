@@ -14,7 +14,8 @@ from kurbel.formats.registry import FORMATS
 from kurbel.handbook.keys import ENGINES, STANDARDS
 from kurbel.page.labels import Mark, parse
 from kurbel.page.layouts import LANGUAGES
-from kurbel.reading.toml_file import A_TEXT, Choice, Fault, about, schema_of
+from kurbel.reading.toml_file import A_TEXT, Choice, Fault, about
+from kurbel.reading.toml_model import schema_of
 
 
 class Lang(Choice, what="language", allowed=LANGUAGES):

@@ -13,8 +13,7 @@ from kurbel.page.layouts import LANGUAGES, Layout, LayoutColumn, layout, layout_
 from kurbel.page.subject import subject
 from kurbel.reading import notation
 from kurbel.reading.given import choose
-from kurbel.reading.toml_file import TomlFile
-from kurbel.reading.toml_lines import Place
+from kurbel.reading.toml_file import Place, TomlFile
 
 # The axes whose values a layout gives where the command line does not: by which key, and how they are read.
 VALUES: Mapping[str, tuple[str, Callable[[Sequence[str]], Any]]] = {

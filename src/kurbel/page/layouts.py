@@ -13,7 +13,7 @@ from kurbel.drive import mechanisms
 from kurbel.errors import ChoiceError, LayoutError
 from kurbel.exact.numerals import MOST_DIGITS, Label
 from kurbel.reading.given import File, choose
-from kurbel.reading.toml_file import Choice, Fault, TomlFile, TomlKind, about, schema_of, within
+from kurbel.reading.toml_file import Choice, Fault, TomlFile, TomlKind, about, within
 
 LANGUAGES = ("de", "en")
 Folder: TypeAlias = str | os.PathLike[str]
@@ -294,4 +294,6 @@ _READ: Mapping[str, Callable[[Any], Any]] = {
 
 def schema() -> dict[str, Any]:
     """Return the JSON Schema of a layout.toml."""
+    from kurbel.reading.toml_model import schema_of
+
     return schema_of(LayoutFile, "A page layout for kurbel")

@@ -1,9 +1,4 @@
-"""TOML files that users write: read whole into one model, with a sentence for what is amiss.
-
-A model is a msgspec Struct, or a dataclass, whose fields have a `Meta` that describes them for editors. A
-field may also be of a class with `read`, which makes it of what the file says, and with the SCHEMA of that. A
-model may say what its keys are called in NOUN, and what it is in SHAPE.
-"""
+"""TOML files that users write: read whole, with the lines of their keys for sentences about what is amiss."""
 
 from __future__ import annotations
 
@@ -11,16 +6,15 @@ import os
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Self, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Self, TypeAlias, TypeVar
 
 from kurbel.errors import KurbelError
 from kurbel.reading.given import choose
 
 if TYPE_CHECKING:
-    from msgspec import Meta, inspect
+    from msgspec import Meta
 
-    from kurbel.reading.toml_lines import Place
-
+Place: TypeAlias = tuple[str | int, ...]
 Model = TypeVar("Model")
 A_TEXT = "a text in quotation marks"
 # Python writes out no whole number of more than 4,300 digits.
@@ -89,8 +83,6 @@ class TomlFile:
     @cached_property
     def lines(self) -> Mapping[Place, int]:
         """The lines of the keys; of what is only written part by part, as a.b, that of the first."""
-        from kurbel.reading.toml_lines import key_lines
-
         lines = key_lines(self.text)
         for place, line in [*lines.items()]:
             for end in range(1, len(place)):
@@ -110,150 +102,9 @@ class TomlFile:
 
     def read(self, model: type[Model]) -> Model:
         """Return what the file says as its model; raise the kind's error for the first thing amiss."""
-        import msgspec
+        from kurbel.reading.toml_model import read_model
 
-        for place, said in self._faults(self.given, msgspec.inspect.type_info(model), ()):
-            raise self.error(place, said)
-        try:
-            return msgspec.convert(self.given, model, dec_hook=_made)
-        except (msgspec.ValidationError, KurbelError) as error:
-            raise self.kind.error(f"{self.path}: {error}") from None
-
-    def _faults(self, given: Any, shape: inspect.Type, place: Place) -> Iterator[tuple[Place, str]]:
-        """Yield where something is amiss, in the order of the file, and the sentence about it."""
-        from msgspec import inspect
-
-        match shape:
-            case inspect.Metadata():
-                yield from self._faults(given, shape.type, place)
-            case inspect.UnionType():
-                yield from self._faults(given, _left(shape), place)
-            case inspect.StructType() | inspect.DataclassType() if isinstance(given, dict):
-                yield from self._faults_of_keys(given, shape, place)
-            case inspect.DictType() if isinstance(given, dict):
-                for key, value in given.items():
-                    yield from self._faults(value, shape.value_type, (*place, key))
-            case inspect.VarTupleType() if isinstance(given, list) and len(given) >= (shape.min_length or 0):
-                for index, value in enumerate(given):
-                    yield from self._faults(value, shape.item_type, (*place, index))
-            case inspect.CustomType():
-                try:
-                    _made(shape.cls, given, name := self._name(place))
-                except Fault as fault:
-                    yield place, f"{name} is {shown(given)}; it must be {fault}"
-                except KurbelError as error:
-                    yield place, str(error)
-            case _:
-                if wanted := _wanted(given, shape, place):
-                    yield place, f"{self._name(place)} is {shown(given)}; {wanted}"
-
-    def _faults_of_keys(
-        self, given: Mapping[str, Any], shape: inspect.StructType | inspect.DataclassType, place: Place
-    ) -> Iterator[tuple[Place, str]]:
-        fields = {field.encode_name: field for field in shape.fields}
-        for key, value in given.items():
-            try:
-                choose(key, fields, getattr(shape.cls, "NOUN", f"entry of [{_dotted(place)}],"))
-            except KurbelError as error:
-                yield (*place, key), str(error)
-            else:
-                yield from self._faults(value, fields[key].type, (*place, key))
-        for key, field in fields.items():
-            if field.required and key not in given:
-                yield place, f"there is no {key}; write {key} = {_example(field.type)}"
-
-    def _name(self, place: Place) -> str:
-        """Return what a value is called: by its key, and by its number in a list."""
-        keys = [key for key in place if isinstance(key, str)]
-        name = keys[-1] if self.kind.lines else ".".join(keys)
-        return f"entry {place[-1] + 1} of {name}" if isinstance(place[-1], int) else name
-
-
-def schema_of(model: type, title: str) -> dict[str, Any]:
-    """Return the JSON Schema (draft 2020-12) of the files of a model."""
-    from msgspec.inspect import type_info
-
-    draft = {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": title}
-    return draft | _schema(type_info(model))
-
-
-def _schema(shape: inspect.Type) -> dict[str, Any]:
-    from msgspec import inspect
-
-    match shape:
-        case inspect.Metadata():
-            return {**(shape.extra_json_schema or {}), **_schema(shape.type)}
-        case inspect.UnionType():
-            return _schema(_left(shape))
-        case inspect.StructType() | inspect.DataclassType():
-            properties = {field.encode_name: _schema(field.type) for field in shape.fields}
-            required = [field.encode_name for field in shape.fields if field.required]
-            struct = {"type": "object", "additionalProperties": False, "properties": properties}
-            return {**struct, "required": required} if required else struct
-        case inspect.VarTupleType():
-            return {"type": "array", "items": _schema(shape.item_type)}
-        case inspect.DictType():
-            return {"type": "object", "additionalProperties": _schema(shape.value_type)}
-        case inspect.IntType():
-            return {"type": "integer", "minimum": shape.ge, "maximum": shape.le}
-        case inspect.CustomType():
-            own: Any = shape.cls
-            return {**own.SCHEMA}
-        case inspect.AnyType():
-            return {}
-    return {"type": "string" if isinstance(shape, inspect.StrType) else "boolean"}
-
-
-def _left(shape: inspect.UnionType) -> inspect.Type:
-    """Return what a value may be that may be left out; TOML has no null."""
-    from msgspec import inspect
-
-    (left,) = (one for one in shape.types if not isinstance(one, inspect.NoneType))
-    return left
-
-
-def _made(kind: Any, value: Any, name: str = "") -> Any:
-    return kind.read(value, name)
-
-
-def _example(shape: inspect.Type) -> str:
-    """Return the first example that a field gives of its value, as TOML."""
-    import json
-
-    schema = getattr(shape, "extra_json_schema", None) or {}
-    return json.dumps(schema["examples"][0], ensure_ascii=False)
-
-
-def _wanted(given: Any, shape: inspect.Type, place: Place) -> str:
-    """Return what a value must be that is not of the type; nothing for one that is."""
-    from msgspec import inspect
-
-    match shape:
-        case inspect.StrType() if not isinstance(given, str):
-            return f"it must be {A_TEXT}"
-        case inspect.BoolType() if not isinstance(given, bool):
-            return "it must be true or false"
-        case inspect.IntType(ge=int(least), le=int(most)) if (
-            type(given) is not int or not least <= given <= most
-        ):
-            return f"it must be a whole number from {least} to {most}"
-        case inspect.StructType() | inspect.DataclassType():
-            return f"it must be {getattr(shape.cls, 'SHAPE', f'a section, [{_dotted(place)}]')}"
-        case inspect.DictType():
-            return f"write [{_dotted(place)}]"
-        case inspect.VarTupleType(
-            item_type=inspect.StructType()
-            | inspect.DataclassType()
-            | inspect.Metadata(type=inspect.StructType())
-        ):
-            return f"write [[{_dotted(place)}]]"
-        case inspect.VarTupleType():
-            return "it must be a list of texts"
-    return ""
-
-
-def _dotted(place: Place) -> str:
-    return ".".join(key for key in place if isinstance(key, str))
+        return read_model(self, model)
 
 
 def _parsed(path: str | os.PathLike[str], kind: TomlKind, text: str) -> dict[str, Any]:
@@ -314,3 +165,115 @@ def shown(value: Any) -> str:
     if isinstance(value, int) and value.bit_length() > MOST_BITS:
         return "a number of very many digits"
     return f'"{value}"'[:42] if isinstance(value, str) else str(value)[:40]
+
+
+_TOKEN = re.compile(
+    r'(?P<text>"""(?:[^"\\]|\\.|"(?!""))*+"{3,5}|\'\'\'(?:[^\']|\'(?!\'\'))*+\'{3,5}'
+    r'|"(?:[^"\\\n]|\\.)*+"|\'[^\'\n]*+\')'
+    r"|(?P<mark>\[|\]|\{|\}|,|=|\.|\n)"
+    r"|(?P<word>[^\s\"'\[\]{},=.#]++)"
+    r"|#[^\n]*+",
+    re.DOTALL,
+)
+
+
+def key_lines(text: str) -> dict[Place, int]:
+    """Return the line, from 1, of each key, section and entry of a list, of a file that was read.
+
+    The place of a key is its path: ("chapter", 0, "part", 2, "run").
+    """
+    return _Lines(text).lines
+
+
+class _Lines:
+    """Goes through the tokens of a file once."""
+
+    def __init__(self, text: str) -> None:
+        self.lines: dict[Place, int] = {}
+        self.counts: dict[Place, int] = {}
+        self.tokens = _tokens(text)
+        self.line, self.token = 1, "\n"
+        section: Place = ()
+        while self.token:
+            if self.token == "[":
+                section = self.section()
+            elif self.token == "\n":
+                self.step()
+            else:
+                self.entry(section)
+
+    def step(self) -> str:
+        """Go on to the next token, which is nothing at the end, and return the one left."""
+        left = self.token
+        self.line, self.token = next(self.tokens, (self.line, ""))
+        return left
+
+    def section(self) -> Place:
+        """Return the place that [a.b] or [[a.b]] opens; in a list of sections, with its number."""
+        line = self.line
+        self.step()
+        several = self.token == "["
+        if several:
+            self.step()
+        names = self.names("]")
+        self.step()
+        place: Place = ()
+        for number, name in enumerate(names, 1):
+            place += (name,)
+            if number == len(names) and several:
+                self.counts[place] = self.counts.get(place, -1) + 1
+            if place in self.counts:
+                place += (self.counts[place],)
+        self.lines[place] = line
+        return place
+
+    def names(self, end: str) -> list[str]:
+        """Return the parts of a key up to the mark behind it, and step over that."""
+        names = []
+        while self.token not in (end, ""):
+            if (token := self.step()) not in (".", "\n"):
+                names.append(token.strip("\"'"))
+        self.step()
+        return names
+
+    def entry(self, section: Place) -> None:
+        """Note a key and what its value has."""
+        line = self.line
+        place = (*section, *self.names("="))
+        self.lines.setdefault(place, line)
+        self.value(place)
+
+    def value(self, place: Place) -> None:
+        if self.token == "[":
+            self.step()
+            index = 0
+            while self.token not in ("]", ""):
+                if self.token == ",":
+                    index += 1
+                if self.token in (",", "\n"):
+                    self.step()
+                    continue
+                self.lines[*place, index] = self.line
+                self.value((*place, index))
+            self.step()
+        elif self.token == "{":
+            self.step()
+            while self.token not in ("}", ""):
+                if self.token in (",", "\n"):
+                    self.step()
+                else:
+                    self.entry(place)
+            self.step()
+        else:
+            while self.token not in (",", "]", "}", "\n", ""):
+                self.step()
+
+
+def _tokens(text: str) -> Iterator[tuple[int, str]]:
+    """Yield the tokens, but for comments, each with the line that it begins in."""
+    line, counted = 1, 0
+    for found in _TOKEN.finditer(text):
+        if found.lastgroup:
+            line += text.count("\n", counted, found.start())
+            counted = found.start()
+            yield line, found[0]

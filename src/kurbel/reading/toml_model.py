@@ -1,0 +1,162 @@
+"""Models of TOML files: what is amiss in what a file says, in a sentence, and the JSON Schema for editors.
+
+A model is a msgspec Struct, or a dataclass, whose fields have a `Meta` that describes them for editors. A
+field may also be of a class with `read`, which makes it of what the file says, and with the SCHEMA of that. A
+model may say what its keys are called in NOUN, and what it is in SHAPE.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping
+from typing import Any, TypeVar
+
+import msgspec
+from msgspec import inspect
+
+from kurbel.errors import KurbelError
+from kurbel.reading.given import choose
+from kurbel.reading.toml_file import A_TEXT, Fault, Place, TomlFile, shown
+
+Model = TypeVar("Model")
+# What has keys of its own.
+KEYED = inspect.StructType | inspect.DataclassType
+
+
+def read_model(file: TomlFile, model: type[Model]) -> Model:
+    """Return what the file says as its model; raise its kind's error for the first thing amiss."""
+    for place, said in _Reader(file.kind.lines).faults(file.given, inspect.type_info(model), ()):
+        raise file.error(place, said)
+    try:
+        return msgspec.convert(file.given, model, dec_hook=_made)
+    except (msgspec.ValidationError, KurbelError) as error:
+        raise file.kind.error(f"{file.path}: {error}") from None
+
+
+class _Reader:
+    """Goes through what a file says; sentences name a key, or without `lines` its whole path."""
+
+    def __init__(self, lines: bool) -> None:
+        self.lines = lines
+
+    def faults(self, given: Any, shape: inspect.Type, place: Place) -> Iterator[tuple[Place, str]]:
+        """Yield where something is amiss, in the order of the file, and the sentence about it."""
+        match shape:
+            case inspect.Metadata():
+                yield from self.faults(given, shape.type, place)
+            case inspect.UnionType():
+                yield from self.faults(given, _left(shape), place)
+            case inspect.StructType() | inspect.DataclassType() if isinstance(given, dict):
+                yield from self._of_keys(given, shape, place)
+            case inspect.DictType() if isinstance(given, dict):
+                for key, value in given.items():
+                    yield from self.faults(value, shape.value_type, (*place, key))
+            case inspect.VarTupleType() if isinstance(given, list) and len(given) >= (shape.min_length or 0):
+                for index, value in enumerate(given):
+                    yield from self.faults(value, shape.item_type, (*place, index))
+            case inspect.CustomType():
+                try:
+                    _made(shape.cls, given, name := self._name(place))
+                except Fault as fault:
+                    yield place, f"{name} is {shown(given)}; it must be {fault}"
+                except KurbelError as error:
+                    yield place, str(error)
+            case _:
+                if wanted := _wanted(given, shape, place):
+                    yield place, f"{self._name(place)} is {shown(given)}; {wanted}"
+
+    def _of_keys(self, given: Mapping[str, Any], shape: KEYED, place: Place) -> Iterator[tuple[Place, str]]:
+        fields = {field.encode_name: field for field in shape.fields}
+        for key, value in given.items():
+            try:
+                choose(key, fields, getattr(shape.cls, "NOUN", f"entry of [{_dotted(place)}],"))
+            except KurbelError as error:
+                yield (*place, key), str(error)
+            else:
+                yield from self.faults(value, fields[key].type, (*place, key))
+        for key, field in fields.items():
+            if field.required and key not in given:
+                yield place, f"there is no {key}; write {key} = {_example(field.type)}"
+
+    def _name(self, place: Place) -> str:
+        """Return what a value is called: by its key, and by its number in a list."""
+        keys = [key for key in place if isinstance(key, str)]
+        name = keys[-1] if self.lines else ".".join(keys)
+        return f"entry {place[-1] + 1} of {name}" if isinstance(place[-1], int) else name
+
+
+def schema_of(model: type, title: str) -> dict[str, Any]:
+    """Return the JSON Schema (draft 2020-12) of the files of a model."""
+    draft = {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": title}
+    return draft | _schema(inspect.type_info(model))
+
+
+def _schema(shape: inspect.Type) -> dict[str, Any]:
+    match shape:
+        case inspect.Metadata():
+            return {**(shape.extra_json_schema or {}), **_schema(shape.type)}
+        case inspect.UnionType():
+            return _schema(_left(shape))
+        case inspect.StructType() | inspect.DataclassType():
+            properties = {field.encode_name: _schema(field.type) for field in shape.fields}
+            required = [field.encode_name for field in shape.fields if field.required]
+            struct = {"type": "object", "additionalProperties": False, "properties": properties}
+            return {**struct, "required": required} if required else struct
+        case inspect.VarTupleType():
+            return {"type": "array", "items": _schema(shape.item_type)}
+        case inspect.DictType():
+            return {"type": "object", "additionalProperties": _schema(shape.value_type)}
+        case inspect.IntType():
+            return {"type": "integer", "minimum": shape.ge, "maximum": shape.le}
+        case inspect.CustomType():
+            own: Any = shape.cls
+            return {**own.SCHEMA}
+        case inspect.AnyType():
+            return {}
+    return {"type": "string" if isinstance(shape, inspect.StrType) else "boolean"}
+
+
+def _left(shape: inspect.UnionType) -> inspect.Type:
+    """Return what a value may be that may be left out; TOML has no null."""
+    (left,) = (one for one in shape.types if not isinstance(one, inspect.NoneType))
+    return left
+
+
+def _made(kind: Any, value: Any, name: str = "") -> Any:
+    return kind.read(value, name)
+
+
+def _example(shape: inspect.Type) -> str:
+    """Return the first example that a field gives of its value, as TOML."""
+    schema = getattr(shape, "extra_json_schema", None) or {}
+    return json.dumps(schema["examples"][0], ensure_ascii=False)
+
+
+def _wanted(given: Any, shape: inspect.Type, place: Place) -> str:
+    """Return what a value must be that is not of the type; nothing for one that is."""
+    match shape:
+        case inspect.StrType() if not isinstance(given, str):
+            return f"it must be {A_TEXT}"
+        case inspect.BoolType() if not isinstance(given, bool):
+            return "it must be true or false"
+        case inspect.IntType(ge=int(least), le=int(most)) if (
+            type(given) is not int or not least <= given <= most
+        ):
+            return f"it must be a whole number from {least} to {most}"
+        case inspect.StructType() | inspect.DataclassType():
+            return f"it must be {getattr(shape.cls, 'SHAPE', f'a section, [{_dotted(place)}]')}"
+        case inspect.DictType():
+            return f"write [{_dotted(place)}]"
+        case inspect.VarTupleType(
+            item_type=inspect.StructType()
+            | inspect.DataclassType()
+            | inspect.Metadata(type=inspect.StructType())
+        ):
+            return f"write [[{_dotted(place)}]]"
+        case inspect.VarTupleType():
+            return "it must be a list of texts"
+    return ""
+
+
+def _dotted(place: Place) -> str:
+    return ".".join(key for key in place if isinstance(key, str))
