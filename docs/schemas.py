@@ -10,7 +10,7 @@ import kurbel
 from kurbel.cli.asking import option_names
 from kurbel.drive import machine
 from kurbel.handbook import model as handbook_model
-from kurbel.handbook.keys import SCHEMA
+from kurbel.handbook.model import SCHEMA
 from kurbel.page import layouts
 
 PACKAGE = Path(kurbel.__file__).parent

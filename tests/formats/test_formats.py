@@ -72,6 +72,8 @@ OTHERS = {
     "__init__": {"pdf"},
     "books.source": {".csv"},
     "cli.handbook": {"text"},
+    # A kind of option.
+    "commands.options": {"text"},
     "commands.shown": {"html", "latex", "markdown"},
     "documents.document": {"text"},
     "documents.markdown": {"html", "text"},

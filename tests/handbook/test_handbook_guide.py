@@ -12,9 +12,8 @@ from click import Group
 from places import ROOT
 
 from kurbel.cli.handbook import handbook
-from kurbel.handbook.keys import ENGINES
 from kurbel.handbook.manifest import FORMATS_OF_A_HANDBOOK, read_manifest
-from kurbel.handbook.model import SECTIONS, schema
+from kurbel.handbook.model import ENGINES, SECTIONS, schema
 
 GUIDE = (ROOT / "docs" / "handbook.md").read_text(encoding="utf-8")
 HEADINGS = {"handbook": "At the top"}

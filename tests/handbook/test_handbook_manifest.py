@@ -12,9 +12,8 @@ from hypothesis import strategies as st
 import kurbel
 from kurbel.cli.asking import option_names
 from kurbel.errors import HandbookError, KurbelError
-from kurbel.handbook.keys import SCHEMA
 from kurbel.handbook.manifest import LONGEST_NAME, Manifest, read_manifest, slug
-from kurbel.handbook.model import SECTIONS, schema
+from kurbel.handbook.model import SCHEMA, SECTIONS, schema
 from kurbel.reading.toml_file import key_lines
 
 GOOD = """\

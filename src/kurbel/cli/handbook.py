@@ -14,7 +14,7 @@ import click
 from kurbel.cli import say
 from kurbel.cli.options import Type, lang_option
 from kurbel.commands.options import Choice, Count
-from kurbel.handbook.keys import ENGINES
+from kurbel.formats.registry import compiled_format
 from kurbel.handbook.pool import MOST_PROCESSES
 
 if TYPE_CHECKING:
@@ -59,7 +59,8 @@ def handbook() -> None:
 FOLDER = click.argument("folder", type=click.Path(), default=".")
 JOBS = click.option("-j", "--jobs", type=Type(Count("jobs", 1, MOST_PROCESSES)), metavar="N",
                     help="Processes at once; default: one for each core.")  # fmt: skip
-ENGINE = click.option("--pdf-engine", type=Type(Choice("PDF engine", ENGINES)), metavar="ENGINE",
+ENGINES = Choice("PDF engine", compiled_format().writer.engines)
+ENGINE = click.option("--pdf-engine", type=Type(ENGINES), metavar="ENGINE",
                       help="typst (default), lualatex or latexmk; outdoes the manifest.")  # fmt: skip
 
 
@@ -192,7 +193,8 @@ def watch(**options: Any) -> None:
 def _opened(options: dict[str, Any]) -> tuple[Manifest, Folder, int]:
     """Return the manifest, the output folder and how many processes may run."""
     from kurbel.handbook.folder import Folder
-    from kurbel.handbook.manifest import check_engine, manifest_path, read_manifest
+    from kurbel.handbook.manifest import manifest_path, read_manifest
+    from kurbel.handbook.model import check_engine
     from kurbel.handbook.pool import cores
 
     manifest = read_manifest(manifest_path(options["folder"]))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -11,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 from kurbel.errors import HandbookError, KurbelError
 from kurbel.formats.registry import FORMATS
 from kurbel.handbook.folder import Folder, digest
-from kurbel.handbook.keys import ENGINES
 from kurbel.handbook.manifest import Manifest, Part
+from kurbel.handbook.model import ENGINES
 from kurbel.handbook.pages import (
     Entry,
     PageTask,
@@ -38,8 +37,11 @@ from kurbel.handbook.parts import (
 )
 from kurbel.handbook.pool import Killed, worked
 from kurbel.handbook.state import (
+    CONTENTS,
     UNKNOWN,
     Done,
+    contents_in,
+    contents_of,
     digest_of,
     fingerprint,
     is_fresh,
@@ -51,9 +53,6 @@ from kurbel.handbook.state import (
 
 if TYPE_CHECKING:
     from kurbel.documents.document import Document
-
-# All that was built, with hashes: it tells what an earlier build left behind, also on another machine.
-CONTENTS = "contents.json"
 
 
 def build(
@@ -128,16 +127,12 @@ class Build:
             step()
             self.take(task.part.name, self.part_key(task.part), made, STOPPED, task.part.line)
 
-    def why(self, killed: Killed, stopped: str) -> str:
-        """Return in a sentence why a piece of the work has no result."""
-        if not killed.tried:
-            return "not tried, for others like it were stopped"
-        return stopped if self.apart else KILLED
-
     def take(self, name: str, key: str, made: Made | str | Killed, stopped: str, line: int = 0) -> None:
         """Write what was made of a part or a document, or note what kept it from being made."""
-        if isinstance(made, Killed):
-            made = self.why(made, stopped)
+        if isinstance(made, Killed) and not made.tried:
+            made = "not tried, for others like it were stopped"
+        elif isinstance(made, Killed):
+            made = stopped if self.apart else KILLED
         if isinstance(made, str):
             self.fail(line, name, made)
             return
@@ -177,7 +172,9 @@ class Build:
     def finish(self) -> Built:
         """Remove what is no longer built, and keep what this build knows for the next."""
         files = self.hashes()
-        for path, hashed in self.left_behind().items():
+        # Of earlier builds, also of those on another machine.
+        left_behind = contents_in(self.folder) | _hashes(self.old)
+        for path, hashed in left_behind.items():
             # What somebody changed by hand is not ours to remove.
             if path not in files and self.folder.has(path, hashed):
                 self.folder.remove(path)
@@ -187,13 +184,6 @@ class Build:
         touched = {*self.built.written, *self.built.unchanged}
         self.built.unchanged += [path for path in files if path not in touched]
         return self.built
-
-    def left_behind(self) -> dict[str, str]:
-        """Return the files of earlier builds, also of those on another machine."""
-        return {
-            **contents_in(self.folder),
-            **{path: hashed for done in self.old.values() for path, hashed in done.files.items()},
-        }
 
     def planned(self) -> list[PlannedChapter]:
         """Return the chapters with what their parts have become."""
@@ -238,30 +228,28 @@ class Build:
 
     def hashes(self) -> dict[str, str]:
         """Return all files made so far with their hashes."""
-        return {path: hashed for done in self.new.values() for path, hashed in done.files.items()}
+        return _hashes(self.new)
 
     def page_tasks(
         self, document: Document, chapters: Sequence[PlannedChapter], names: Iterable[str]
     ) -> Iterator[PageTask]:
         """Yield the documents that can be made."""
-        hashes = self.hashes()
         for name in names:
             paths = fragment_paths(chapters, name)
-            try:
-                read = {stem: self.read(path, hashes[path]) for stem, path in paths.items()}
-            except KurbelError as error:
-                self.fail(0, _named(name), str(error))
-                continue
-            # Drawings in PDF are files beside the document and no text.
-            texts = {stem: content.decode("utf-8", "replace") for stem, content in read.items()}
-            yield PageTask(name, document, texts, self.templates)
+            read = self.read(_named(name), paths.values())
+            if read is not None:
+                # Drawings in PDF are files beside the document and no text.
+                texts = {stem: read[path].decode("utf-8", "replace") for stem, path in paths.items()}
+                yield PageTask(name, document, texts, self.templates)
 
-    def read(self, path: str, hashed: str) -> bytes:
-        """Return a file that was made; raise HandbookError if it is no longer what was made."""
-        content = self.folder.read(path)
-        if content is None or digest(content) != hashed:
-            raise HandbookError(f"{path} was changed or removed while the handbook was built; build it again")
-        return content
+    def read(self, name: str, paths: Iterable[str]) -> dict[str, bytes] | None:
+        """Return what a document is made of; it fails where a file is no longer what was made."""
+        hashes = self.hashes()
+        try:
+            return {path: self.folder.made(path, hashes[path]) for path in paths}
+        except KurbelError as error:
+            self.fail(0, name, str(error))
+            return None
 
     def make_pdf(self) -> None:
         """Set the PDF if anything that it is made of changed."""
@@ -277,11 +265,7 @@ class Build:
         )
         if self.is_made(_named(PDF), key):
             return
-        try:
-            for path, hashed in used.items():
-                self.read(path, hashed)
-        except KurbelError as error:
-            self.fail(0, _named(PDF), str(error))
+        if self.read(_named(PDF), used) is None:
             return
         task = PdfTask(self.folder.path, engine, standards, self.apart)
         # Typst takes much memory to set many pages, in a process of its own. A TeX is one by itself, and is
@@ -289,6 +273,10 @@ class Build:
         apart = ENGINES[engine].grows
         for _, made in worked(make_pdf, [task], 1, apart=apart):
             self.take(_named(PDF), key, made, PDF_STOPPED)
+
+
+def _hashes(state: Mapping[str, Done]) -> dict[str, str]:
+    return {path: hashed for done in state.values() for path, hashed in done.files.items()}
 
 
 def _named(name: str) -> str:
@@ -309,22 +297,3 @@ def _program(engine: str) -> list[Any]:
 
     path = shutil.which(engine)
     return [] if path is None else [path, os.stat(path).st_mtime_ns]
-
-
-def contents_of(files: Mapping[str, str]) -> bytes:
-    """Return the list of what was built: each file and its hash."""
-    return (json.dumps({"files": dict(sorted(files.items()))}, indent=0) + "\n").encode()
-
-
-def contents_in(folder: Folder) -> dict[str, str]:
-    """Return the list that lies in the folder; an empty one if there is none or it is not ours."""
-    try:
-        files = json.loads(folder.read(CONTENTS) or b"{}").get("files", {})
-        return {path: hashed for path, hashed in files.items() if isinstance(hashed, str) and _is_plain(path)}
-    except (ValueError, AttributeError, RecursionError):
-        return {}
-
-
-def _is_plain(path: str) -> bool:
-    """Tell whether a path is one that a build could have written."""
-    return not os.path.isabs(path) and ".." not in path.split("/") and not path.startswith(".")

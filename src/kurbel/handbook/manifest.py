@@ -32,8 +32,7 @@ from typing import Any, NamedTuple
 
 from kurbel.errors import ChoiceError, HandbookError
 from kurbel.formats.registry import FORMATS
-from kurbel.handbook.keys import ENGINES, default_options
-from kurbel.handbook.model import ChapterKeys, HandbookKeys, PartKeys, PdfKeys
+from kurbel.handbook.model import ChapterKeys, HandbookKeys, PartKeys, PdfKeys, check_engine, default_options
 from kurbel.page.layouts import LANGUAGES
 from kurbel.reading.given import choose
 from kurbel.reading.toml_file import Place, TomlFile, TomlKind, shown
@@ -99,19 +98,6 @@ class Manifest(NamedTuple):
     def parts(self) -> Iterator[Part]:
         for chapter in self.chapters:
             yield from chapter.parts
-
-
-def check_engine(engine: str, standards: Sequence[str], templates: str | None) -> None:
-    """Raise HandbookError if the engine cannot keep the standards, or would obey templates too well."""
-    if standards and not ENGINES[engine].standards:
-        keeping = " or ".join(name for name, one in ENGINES.items() if one.standards)
-        raise HandbookError(f"{engine} keeps no standards such as {standards[0]}; they are for {keeping}")
-    if templates and ENGINES[engine].obeys:
-        others = " or ".join(name for name, one in ENGINES.items() if not one.obeys)
-        raise HandbookError(
-            f"{engine} runs whatever programs in Lua templates of one's own write, also into other folders;"
-            f" set their PDF with {others}"
-        )
 
 
 def manifest_path(given: str) -> str:

@@ -2,20 +2,51 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+import json
+import os
+from collections.abc import Iterable, Mapping, Sequence
+from functools import cache
 from typing import Annotated, Any, ClassVar, Self
 from unicodedata import category
 
 from msgspec import Meta, Struct
 
-from kurbel.errors import LayoutError
+from kurbel.errors import HandbookError, LayoutError
 from kurbel.exact.numerals import DECIMALS
-from kurbel.formats.registry import FORMATS
-from kurbel.handbook.keys import ENGINES, STANDARDS
+from kurbel.formats.registry import FORMATS, compiled_format
 from kurbel.page.labels import Mark, parse
 from kurbel.page.layouts import LANGUAGES
 from kurbel.reading.toml_file import A_TEXT, Choice, Fault, about
 from kurbel.reading.toml_model import schema_of
+
+SCHEMA = "handbook.schema.json"
+COMPILED = compiled_format()
+ENGINES = COMPILED.writer.engines
+STANDARDS = tuple(dict.fromkeys(one for engine in ENGINES.values() for one in engine.standards))
+
+
+@cache
+def default_options() -> tuple[str, ...]:
+    """Return the options for which there may be defaults, as the published schema lists them.
+
+    To ask the commands themselves would take the time in which a handbook without changes is done.
+    """
+    with open(os.path.join(os.path.dirname(__file__), SCHEMA), encoding="utf-8") as file:
+        published: dict[str, Any] = json.load(file)
+    return tuple(published["properties"]["defaults"]["properties"])
+
+
+def check_engine(engine: str, standards: Sequence[str], templates: str | None) -> None:
+    """Raise HandbookError if the engine cannot keep the standards, or would obey templates too well."""
+    if standards and not ENGINES[engine].standards:
+        keeping = " or ".join(name for name, one in ENGINES.items() if one.standards)
+        raise HandbookError(f"{engine} keeps no standards such as {standards[0]}; they are for {keeping}")
+    if templates and ENGINES[engine].obeys:
+        others = " or ".join(name for name, one in ENGINES.items() if not one.obeys)
+        raise HandbookError(
+            f"{engine} runs whatever programs in Lua templates of one's own write, also into other folders;"
+            f" set their PDF with {others}"
+        )
 
 
 class Lang(Choice, what="language", allowed=LANGUAGES):

@@ -11,8 +11,8 @@ from kurbel.documents.document import Chapter, Document, Item
 from kurbel.errors import HandbookError, KurbelError
 from kurbel.formats.registry import FORMATS
 from kurbel.handbook.folder import LARGEST
-from kurbel.handbook.keys import COMPILED, ENGINES
 from kurbel.handbook.manifest import ChapterPlan, Manifest, Part
+from kurbel.handbook.model import COMPILED, ENGINES
 from kurbel.handbook.parts import GIGABYTES, PATIENCE, PDF, PDF_PATIENCE, Made
 from kurbel.page.labels import primed
 from kurbel.reading.given import did_you_mean

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from typing import Literal, NamedTuple
 
 from kurbel.formats.registry import FORMATS
-from kurbel.handbook.keys import COMPILED, ENGINES
 from kurbel.handbook.manifest import Manifest, Part
+from kurbel.handbook.model import COMPILED, ENGINES
 
 PDF = COMPILED.name
 KILLED = "its process was ended, for want of memory or from outside"

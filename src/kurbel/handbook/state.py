@@ -18,6 +18,8 @@ from kurbel.handbook.folder import OWN, Folder, digest
 # The hash of no file, for one that changed while it was read.
 UNKNOWN = "?"
 STATE = f"{OWN}/state.json"
+# All that was built, with hashes: it tells what an earlier build left behind, also on another machine.
+CONTENTS = "contents.json"
 
 
 class Done(NamedTuple):
@@ -55,6 +57,25 @@ def _done(one: Mapping[str, Any]) -> Done:
 def write_state(folder: Folder, state: Mapping[str, Done]) -> None:
     content = json.dumps({name: one._asdict() for name, one in state.items()}, ensure_ascii=False)
     folder.write(STATE, content.encode())
+
+
+def contents_of(files: Mapping[str, str]) -> bytes:
+    """Return the list of what was built: each file and its hash."""
+    return (json.dumps({"files": dict(sorted(files.items()))}, indent=0) + "\n").encode()
+
+
+def contents_in(folder: Folder) -> dict[str, str]:
+    """Return the list that lies in the folder; an empty one if there is none or it is not ours."""
+    try:
+        files = json.loads(folder.read(CONTENTS) or b"{}").get("files", {})
+        return {path: hashed for path, hashed in files.items() if isinstance(hashed, str) and _is_plain(path)}
+    except (ValueError, AttributeError, RecursionError):
+        return {}
+
+
+def _is_plain(path: str) -> bool:
+    """Tell whether a path is one that a build could have written."""
+    return not os.path.isabs(path) and ".." not in path.split("/") and not path.startswith(".")
 
 
 def key_of(*values: Any) -> str:
