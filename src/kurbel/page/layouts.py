@@ -106,7 +106,7 @@ LARGEST_BLOCK = 500
 _NAME = re.compile(r"[A-Za-z0-9]+(?:-+[A-Za-z0-9]+)*")
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class LayoutColumn:
     """A column of a layout. `method` None leaves the formulas to the user; spanners and heading None to
     the quantity. It gives way to the quantity `unless` where that is known."""
@@ -133,7 +133,7 @@ class LayoutColumn:
             object.__setattr__(self, "key", self.quantity)
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class LayoutFile:
     """An arrangement of the axes of its subject.
 
@@ -180,12 +180,15 @@ class LayoutFile:
     unit: Annotated[bool, about("whether a last column has the unit of each row")] = False
 
 
-@dataclass(frozen=True, kw_only=True)
 class Layout(LayoutFile):
     """A layout with its name; `folder` is the user's folder that it lies in, nothing for kurbel's own."""
 
     key: str
-    folder: str = ""
+    folder: str
+
+    def __init__(self, key: str, folder: str = "", **given: Any) -> None:
+        super().__init__(**given)
+        vars(self).update(key=key, folder=folder)
 
     @property
     def fixed(self) -> bool:
