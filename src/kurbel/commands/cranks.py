@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from kurbel.commands.options import is_given
+from kurbel.commands.parameters import Given, Sheet
 from kurbel.drive.crank import Crank, Described
 from kurbel.drive.mechanisms import MECHANISMS, MOTIONS
 from kurbel.errors import ProblemError
@@ -15,9 +16,6 @@ from kurbel.motion.mechanism import Mechanism
 from kurbel.page.layouts import Folder, Layout, layout_of
 from kurbel.reading import notation
 from kurbel.reading.given import Exact, as_angle, as_angles
-
-if TYPE_CHECKING:
-    from kurbel.commands.parameters import Given
 
 FULL_TURN = Fraction(360)
 STEP = Fraction(10)
@@ -32,6 +30,20 @@ def mechanism_of(
         fitting = [name for name, one in MECHANISMS.items() if one.subject == subject]
         mechanism = fitting[0] if len(fitting) == 1 else None
     return mechanisms.mechanism(mechanism or ("straight" if offset is None else "offset"))
+
+
+def described(given: Mapping[str, Any], **more: Any) -> tuple[Mechanism, Described]:
+    """Return which crank drive options describe, and how; raise ProblemError if they do not say enough."""
+    layouts = given.get("layouts") if given.get("layout") else None
+    chosen = mechanism_of(given["mechanism"], given["offset"], given.get("layout"), layouts)
+    said = Described.of(given, **more)
+    chosen.check(said)
+    return chosen, said
+
+
+def sheet_of(given: Mapping[str, Any]) -> dict[str, Any]:
+    """Return how the page is to be printed."""
+    return {name: given[name] for name in Sheet.__annotations__ if name in given}
 
 
 def meant(values: Mapping[str, Any]) -> Mechanism:
@@ -59,23 +71,23 @@ def ratios_of(page: Layout, ratio: Given | None) -> tuple[Fraction, ...]:
     return Described(ratio=ratio).ratios(page.ratios)
 
 
-def angles_of(
-    page: Layout, angle: Given | None, start: Exact | None, stop: Exact | None, step: Exact | None
-) -> Sequence[Fraction]:
+def angles_of(page: Layout, given: Mapping[str, Any]) -> Sequence[Fraction]:
     """Return the angles that are listed, or those of a run, or the layout's own."""
-    if start is None and stop is None and step is None:
+    angle, step = given["angle"], given["step"]
+    if all(given[name] is None for name in ("from_", "to", "step")):
         return as_angles(page.angles if angle is None else angle)
     if angle is not None:
         raise ProblemError(
             "--angle lists the angles and --from, --to, --step run through them; use one or the other"
         )
-    first, last = ends_of(start, stop)
+    first, last = ends_of(given)
     if step is not None:
         return notation.progression(first, last, as_angle(step, "step"))
     return notation.progression(first, last, min(STEP, last - first) if last > first else STEP)
 
 
-def ends_of(start: Exact | None, stop: Exact | None) -> tuple[Fraction, Fraction]:
+def ends_of(given: Mapping[str, Any]) -> tuple[Fraction, Fraction]:
     """Return the first and the last angle, by default those of the whole turn."""
+    start, stop = given["from_"], given["to"]
     first = Fraction(0) if start is None else as_angle(start, "first angle")
     return first, FULL_TURN if stop is None else as_angle(stop, "last angle")

@@ -97,7 +97,7 @@ def _force_question(
 
 
 def _question(layout: str, given: Mapping[str, Any], columns: tuple[str, ...]) -> "EngineRequest":
-    angles, method = curve_angles(given["from_"], given["to"], given["step"]), given["method"]
+    angles, method = curve_angles(given), given["method"]
     if method == "infinite":
         raise ProblemError("--method infinite is for the motion alone; of engines write --ratio 1:∞")
     about = {**given, "method": method and (method,)}

@@ -2,20 +2,11 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Annotated, Any
+from typing import Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
-from kurbel.commands.cranks import angles_of, mechanism_of, of_other_mechanisms
-from kurbel.commands.machines import (
-    MASSES,
-    STEAM,
-    GivenRod,
-    GivenSteam,
-    Masses,
-    engine_question,
-    for_masses,
-    is_heavy,
-)
+from kurbel.commands.cranks import angles_of, mechanism_of, of_other_mechanisms, sheet_of
+from kurbel.commands.machines import MASSES, STEAM, GivenRod, Masses, engine_of, for_masses, is_heavy
 from kurbel.commands.options import Choice, LayoutName, Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.drive import load
@@ -25,7 +16,7 @@ from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import Mechanism, check_load, uncomputed
 from kurbel.page.layouts import layout, layout_of
 from kurbel.page.subject import Question
-from kurbel.reading.given import Exact, as_force, as_names, as_number
+from kurbel.reading.given import Exact, as_names, as_number
 
 OF_ENGINES = ("crank forces", "machine")
 INERTIA = ("inertia", "inertia errors")
@@ -94,63 +85,42 @@ def _refused(names: tuple[str, ...], why: str) -> dict[str, str]:
     return {name: f"--{name.replace('_', '-')} {why}" for name in names}
 
 
+class Forces(option.Run, option.Linked, option.Steam, option.MovingRod, option.Sheet, total=False):
+    """A crank drive and all that can act on it."""
+
+    force: option.Force
+    eps: option.Eps
+    reciprocating: option.Reciprocating
+    rotating: option.Rotating
+    layouts: option.Layouts
+
+
 @makes_table(foreign=_foreign, needless=_needless)
 def forces_table(
     ratio: option.Ratios = None,
     *,
-    angle: option.Angles = None,
-    from_: option.From = None,
-    to: option.To = None,
-    step: option.Step = None,
     columns: Annotated[
         option.Names, option.columns_over_angle("forces", "phi,rod_force,guide_force,torque")
     ] = (),
-    offset: option.Offset = None,
-    stroke: option.Stroke = None,
-    rod: option.Rod = None,
-    mechanism: option.Mechanism = None,
-    rocker: option.Rocker = None,
-    pivot: option.Pivot = None,
-    force: option.Force = None,
     at: Annotated[
         str | None,
         Option(
             "tangent: a sheet of the position in which the rod touches the crank circle, with closed forms.",
-            kind=Choice("position", lambda: POSITIONS),
+            kind=Choice("position", POSITIONS),
         ),
     ] = None,
-    eps: option.Eps = None,
-    back: option.Back = None,
-    exponent: option.Exponent = None,
-    clearance: option.Clearance = None,
-    card: option.Card = None,
-    other_side: option.OtherSide = None,
-    single_acting: option.SingleActing = False,
-    cranks: option.Cranks = None,
-    bore: option.Bore = None,
-    pressure: option.Pressure = None,
-    reciprocating: option.Reciprocating = None,
-    rod_mass: option.RodMass = None,
-    centre: option.Centre = None,
-    gyration: option.Gyration = None,
-    rod_file: option.RodFile = None,
-    rotating: option.Rotating = None,
     speed: Annotated[
         Exact | None, option.SPEED._replace(help="Speed, for the masses: 120/min, 12.5rad/s.")
     ] = None,
-    layouts: option.Layouts = None,
     layout: Annotated[
         str | None,
         Option(
             "Page layout; default: forces; with --eps or --card engine-forces, with masses machine-forces;"
-            " of the arc or parallel crank forces-arc, forces-parallel.",
+            " of other mechanisms their own, such as forces-arc.",
             kind=LayoutName(("motion", *OF_ENGINES, "tangent", *SUBJECTS)),
         ),
     ] = None,
-    digits: option.Digits = None,
-    rounding: option.Rounding = "half-away",
-    lang: option.Lang = "de",
-    label: option.Label = "",
+    **given: Unpack[Forces],
 ) -> Question:
     """Print the forces of the crank drive: rod, guide, tangential and radial force, torque.
 
@@ -175,87 +145,59 @@ def forces_table(
     rod_force,torque
     1.0172,0.9967
     """
-    about = _about({"layout": layout, "layouts": layouts, "at": at, "eps": eps, "card": card})
-    sheet: dict[str, Any] = {"digits": digits, "rounding": rounding, "lang": lang, "label": label}
-    masses = Masses(reciprocating, GivenRod(rod_mass, centre, gyration, rod_file), rotating)
-    newtons = None if force is None else as_force(force)
-    chosen = _mechanism({"mechanism": mechanism, "offset": offset, "layout": layout, "layouts": layouts})
-    said = Described(ratio, stroke, rod, None, None, offset, rocker, pivot, newtons)
+    layouts, sheet = given["layouts"], sheet_of(given)
+    all_given = {**given, "ratio": ratio, "at": at, "speed": speed, "layout": layout}
+    about, chosen = _about(all_given), _mechanism(all_given)
+    # A speed alone makes no force.
+    said = Described.of(given, ratio=ratio)
     chosen.check(said)
-    if not chosen.crosshead:
-        page = layout_of(layout or chosen.forces_layout, (chosen.subject,), layouts)
-        return chosen.question(
-            chosen.drives(said, page.ratios),
-            layout=page,
-            angles=angles_of(page, angle, from_, to, step),
-            columns=as_names(columns, chosen.examples["forces"]),
-            **sheet,
-        )
-    if about == "tangent":
+    if about == "tangent" and chosen.crosshead:
         from kurbel.motion.tangent_page import TangentRequest
 
         page = layout_of(layout or "forces-tangent", ("tangent",), layouts)
-        return TangentRequest(
-            layout=page,
-            cranks=said.cranks(page.ratios),
-            columns=as_names(columns, "phi,rod_force"),
-            **sheet,
-        )
-    if about == "engine":
-        if offset is not None and as_number(offset, "offset"):
-            check_load(as_number(offset, "offset"), load.STEAM if card is None else load.CARD)
-        page = layout_of(
-            layout or ("machine-forces" if masses.first else "engine-forces"), OF_ENGINES, layouts
-        )
-        angles = angles_of(page, angle, from_, to, step)
-        steam = GivenSteam(eps, back, exponent, clearance, card, other_side, single_acting, bore, pressure)
-        drives = said._replace(force=None).cranks(page.ratios)
+        names = as_names(columns, "phi,rod_force")
+        return TangentRequest(layout=page, cranks=said.cranks(page.ratios), columns=names, **sheet)
+    masses = Masses.of(given)
+    if about == "engine" and chosen.crosshead:
+        carded = is_given(given["card"])
+        check_load(as_number(given["offset"] or 0, "offset"), load.CARD if carded else load.STEAM)
+        name = layout or ("machine-forces" if masses.first else "engine-forces")
+        page = layout_of(name, OF_ENGINES, layouts)
         names = as_names(columns, "epsilon,delta")
-        return engine_question(
-            page, steam, masses, drives, speed, cranks, (), angles=angles, columns=names, **sheet
-        )
+        return engine_of(page, {**all_given, "method": ()}, angles=angles_of(page, given), columns=names)
     name = layout or chosen.forces_layout
-    page = layout_of(name, ("motion", *OF_ENGINES), layouts)
+    page = layout_of(name, ("motion", *OF_ENGINES) if chosen.crosshead else (chosen.subject,), layouts)
     if page.subject in OF_ENGINES:
         raise ProblemError(f"layout {name} is of a steam engine; add --eps or --card")
-    # A speed alone makes no force.
+    drives = chosen.drives(said, page.ratios)
     return chosen.question(
-        masses.on(said.cranks(page.ratios), speed),
+        masses.on(drives, speed) if chosen.crosshead else drives,
         layout=page,
-        angles=angles_of(page, angle, from_, to, step),
+        angles=angles_of(page, given),
         columns=as_names(columns, chosen.examples["forces"]),
         **sheet,
     )
+
+
+class Rods(option.Run, option.Slide, option.MovingRod, option.Sheet, total=False):
+    """A crank drive with a moving rod."""
+
+    layouts: option.Layouts
 
 
 @makes_table()
 def inertia_table(
     ratio: option.Ratios = None,
     *,
-    angle: option.Angles = None,
-    from_: option.From = None,
-    to: option.To = None,
-    step: option.Step = None,
     columns: Annotated[
         option.Names, option.columns_over_angle("inertia", "phi,inertia_guide,inertia_pin")
     ] = (),
-    offset: option.Offset = None,
-    stroke: option.Stroke = None,
-    rod: option.Rod = None,
-    rod_mass: option.RodMass = None,
-    centre: option.Centre = None,
-    gyration: option.Gyration = None,
-    rod_file: option.RodFile = None,
     speed: Annotated[
         Exact | None,
         option.SPEED._replace(help="Speed, for columns in N and N m: 120/min, 12.5rad/s."),
     ] = None,
-    layouts: option.Layouts = None,
     layout: Annotated[str, option.layout_option(*INERTIA)] = "inertia",
-    digits: option.Digits = None,
-    rounding: option.Rounding = "half-away",
-    lang: option.Lang = "de",
-    label: option.Label = "",
+    **given: Unpack[Rods],
 ) -> Question:
     """Print the forces that the moving rod calls up at guide and crank pin, and the torque.
 
@@ -273,23 +215,20 @@ def inertia_table(
     inertia_guide
     0.0067
     """
-    page = layout_of(layout, INERTIA, layouts)
-    given = GivenRod(rod_mass, centre, gyration, rod_file)
+    page = layout_of(layout, INERTIA, given["layouts"])
+    rod, said = GivenRod.of(given), Described.of(given, ratio=ratio, speed=speed)
     cranks = tuple(
-        replace(crank, rod=given.between_pins(crank.rod_length))
-        for crank in Described(ratio, stroke, rod, speed, None, offset).cranks(page.ratios)
+        replace(crank, rod=rod.between_pins(crank.rod_length)) for crank in said.cranks(page.ratios)
     )
-    sheet: dict[str, Any] = {"digits": digits, "rounding": rounding, "lang": lang, "label": label}
     if page.subject == "inertia errors":
         from kurbel.motion.inertia_page import ErrorsRequest
 
-        for name, value in {"angle": angle, "from": from_, "to": to, "step": step}.items():
-            if is_given(value):
-                raise ProblemError(f"layout {page.key} is of the whole turn; leave --{name} out")
-        return ErrorsRequest(
-            layout=page, cranks=cranks, columns=as_names(columns, "greatest,error_percent"), **sheet
-        )
+        for name, value in given.items():
+            if name in option.Run.__annotations__ and is_given(value):
+                raise ProblemError(f"layout {page.key} is of the whole turn; leave --{name.rstrip('_')} out")
+        names = as_names(columns, "greatest,error_percent")
+        return ErrorsRequest(layout=page, cranks=cranks, columns=names, **sheet_of(given))
     from kurbel.motion.page import Request
 
-    angles = angles_of(page, angle, from_, to, step)
-    return Request(layout=page, cranks=cranks, angles=angles, columns=as_names(columns), **sheet)
+    angles, names = angles_of(page, given), as_names(columns)
+    return Request(layout=page, cranks=cranks, angles=angles, columns=names, **sheet_of(given))

@@ -8,9 +8,8 @@ from fractions import Fraction
 from os import PathLike
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from kurbel.commands.cranks import cranks_of
+from kurbel.commands.cranks import cranks_of, sheet_of
 from kurbel.commands.options import is_given
-from kurbel.commands.parameters import Sheet
 from kurbel.errors import ProblemError
 from kurbel.page.layouts import Layout
 from kurbel.reading.given import (
@@ -45,6 +44,10 @@ class GivenRod(NamedTuple):
     gyration: Exact | None = None
     rod_file: Path | None = None
 
+    @classmethod
+    def of(cls, given: Mapping[str, Any]) -> GivenRod:
+        return cls(*(given[name] for name in cls._fields))
+
     def between_pins(self, length: Fraction | None) -> Rod:
         """Return the rod between pins so far apart, in metres, if that is known."""
         from kurbel.drive.rod_given import given_rod
@@ -71,8 +74,7 @@ class Masses(NamedTuple):
 
     @classmethod
     def of(cls, given: Mapping[str, Any]) -> Masses:
-        rod = GivenRod(*(given[name] for name in GivenRod._fields))
-        return cls(given["reciprocating"], rod, given.get("rotating"))
+        return cls(given["reciprocating"], GivenRod.of(given), given.get("rotating"))
 
     @property
     def first(self) -> str:
@@ -246,8 +248,7 @@ def engine_of(page: Layout, given: Mapping[str, Any], **rest: Any) -> EngineRequ
     """Return the same of the engines that options describe, by their names."""
     steam = GivenSteam.of(given)
     drives = cranks_of(page, given["ratio"], given["stroke"], given["rod"])
-    sheet = {name: given[name] for name in Sheet.__annotations__ if name in given}
     cranks, methods = given.get("cranks"), given["method"]
     return engine_question(
-        page, steam, Masses.of(given), drives, given["speed"], cranks, methods, **sheet, **rest
+        page, steam, Masses.of(given), drives, given["speed"], cranks, methods, **sheet_of(given), **rest
     )

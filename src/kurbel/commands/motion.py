@@ -1,40 +1,31 @@
 """The motion of the piston over the crank angle."""
 
-from typing import Annotated
+from typing import Annotated, Unpack
 
 from kurbel.commands import parameters as option
-from kurbel.commands.cranks import angles_of, mechanism_of, of_other_mechanisms
+from kurbel.commands.cranks import angles_of, described, of_other_mechanisms, sheet_of
 from kurbel.commands.subject import makes_table
-from kurbel.drive.crank import Described
 from kurbel.drive.mechanisms import MOTIONS
 from kurbel.page.layouts import layout_of
 from kurbel.page.subject import Question
 from kurbel.reading.given import as_names
 
 
+class Motion(option.Run, option.Linked, option.Sheet, total=False):
+    """A crank drive that moves, at crank angles."""
+
+    method: option.Method
+    speed: option.Speed
+    layouts: option.Layouts
+
+
 @makes_table(foreign=of_other_mechanisms)
 def table(
     ratio: option.Ratios = None,
     *,
-    angle: option.Angles = None,
-    from_: option.From = None,
-    to: option.To = None,
-    step: option.Step = None,
     columns: Annotated[option.Names, option.columns_over_angle("kinematics", "phi,x,c,p")] = (),
-    offset: option.Offset = None,
-    stroke: option.Stroke = None,
-    rod: option.Rod = None,
-    method: option.Method = None,
-    speed: option.Speed = None,
-    mechanism: option.Mechanism = None,
-    rocker: option.Rocker = None,
-    pivot: option.Pivot = None,
-    layouts: option.Layouts = None,
     layout: Annotated[str | None, option.layout_option(*MOTIONS)] = None,
-    digits: option.Digits = None,
-    rounding: option.Rounding = "half-away",
-    lang: option.Lang = "de",
-    label: option.Label = "",
+    **given: Unpack[Motion],
 ) -> Question:
     """Print a table of piston path, velocity and acceleration.
 
@@ -58,18 +49,13 @@ def table(
     0,0.0001,9.587
     90,1.1049,-0.963
     """
-    chosen = mechanism_of(mechanism, offset, layout, layouts)
-    said = Described(ratio, stroke, rod, speed, method, offset, rocker, pivot)
-    chosen.check(said)
-    page = layout_of(layout or chosen.layout, (chosen.subject,), layouts)
+    chosen, said = described({**given, "layout": layout}, ratio=ratio)
+    page = layout_of(layout or chosen.layout, (chosen.subject,), given["layouts"])
     return chosen.question(
         chosen.drives(said, page.ratios),
-        method,
+        given["method"],
         layout=page,
-        angles=angles_of(page, angle, from_, to, step),
+        angles=angles_of(page, given),
         columns=as_names(columns, chosen.examples["table"]),
-        digits=digits,
-        rounding=rounding,
-        lang=lang,
-        label=label,
+        **sheet_of(given),
     )

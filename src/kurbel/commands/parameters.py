@@ -222,10 +222,34 @@ class Sheet(TypedDict, total=False):
     label: Label
 
 
-class Engine(Sheet, total=False):
-    """A steam engine, under which masses and at which cranks."""
+class Run(TypedDict, total=False):
+    """The crank angles of a page."""
 
-    ratio: EngineRatios
+    angle: Angles
+    from_: From
+    to: To
+    step: Step
+
+
+class Slide(TypedDict, total=False):
+    """A crank drive with a crosshead, beside its ratio."""
+
+    offset: Offset
+    stroke: Stroke
+    rod: Rod
+
+
+class Linked(Slide, total=False):
+    """Any crank drive."""
+
+    mechanism: Mechanism
+    rocker: Rocker
+    pivot: Pivot
+
+
+class Steam(TypedDict, total=False):
+    """What steam does in a cylinder, on so many cranks, beside its expansion ratio."""
+
     back: Back
     exponent: Exponent
     clearance: Clearance
@@ -233,13 +257,24 @@ class Engine(Sheet, total=False):
     other_side: OtherSide
     single_acting: SingleActing
     cranks: Cranks
-    method: EngineMethods
-    reciprocating: Reciprocating
+    bore: Bore
+    pressure: Pressure
+
+
+class MovingRod(TypedDict, total=False):
+    """The masses of a connecting rod."""
+
     rod_mass: RodMass
     centre: Centre
     gyration: Gyration
     rod_file: RodFile
+
+
+class Engine(Steam, MovingRod, Sheet, total=False):
+    """A steam engine, under which masses and at which cranks."""
+
+    ratio: EngineRatios
+    method: EngineMethods
+    reciprocating: Reciprocating
     stroke: Stroke2R
     rod: Rod
-    bore: Bore
-    pressure: Pressure

@@ -3,23 +3,25 @@
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from importlib import import_module
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, TypeAlias, Unpack
 
 from kurbel.commands import parameters as option
-from kurbel.commands.cranks import ends_of, meant, mechanism_of, of_other_mechanisms
+from kurbel.commands.cranks import described, ends_of, meant, mechanism_of, of_other_mechanisms
 from kurbel.commands.options import Columns, Option
 from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import draws
-from kurbel.drive.crank import Described
+from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import Mechanism
-from kurbel.page.layouts import Layout
+from kurbel.page.layouts import Layout, layout
 from kurbel.reading import notation
-from kurbel.reading.given import Exact, as_angle, as_angles, as_force, as_names
+from kurbel.reading.given import Exact, as_angle, as_angles, as_names
 
 if TYPE_CHECKING:
-    from kurbel.drive.crank import Crank
+    from kurbel.motion.page import AngleQuestion
 
+# The columns that a drive has by itself.
+Keys: TypeAlias = Callable[[Mechanism, Crank], tuple[str, ...]]
 # The page whose quantities can be drawn.
 LAYOUT = "kinematics"
 # So many steps of the range make a curve smooth, half degrees over the turn; over many turns a wider step
@@ -74,31 +76,38 @@ def _of_sliding(values: Mapping[str, Any]) -> dict[str, str]:
     }
 
 
+class Positions(option.Linked, total=False):
+    """A crank drive to scale."""
+
+    ratio: option.Ratios
+    lang: LabelLang
+    decimal: option.Decimal
+
+
+class Curves(option.Linked, total=False):
+    """A crank drive over its crank angle, under a piston force."""
+
+    method: option.Method
+    from_: option.From
+    to: option.To
+    step: CurveStep
+    force: DrawnForce
+    lang: LabelLang
+    decimal: option.Decimal
+
+
 @draws(foreign=_of_motion)
 def plot_motion(
     ratio: option.Ratios = None,
     *,
     columns: DrawnColumns = (),
-    method: option.Method = None,
-    from_: option.From = None,
-    to: option.To = None,
-    step: CurveStep = None,
-    offset: option.Offset = None,
-    stroke: option.Stroke = None,
-    rod: option.Rod = None,
     speed: DrawnSpeed = None,
-    force: DrawnForce = None,
-    mechanism: option.Mechanism = None,
-    rocker: option.Rocker = None,
-    pivot: option.Pivot = None,
-    lang: LabelLang = "de",
-    decimal: option.Decimal = None,
+    **given: Unpack[Curves],
 ) -> Drawing:
     """Draw path, velocity and acceleration over the crank angle, or what the columns name."""
     from kurbel.plot.curves import motion_keys
 
-    said = Described(ratio, stroke, rod, speed, method, offset, rocker, pivot, _newtons(force))
-    return _drawn(mechanism, said, columns, motion_keys, curve_angles(from_, to, step), lang, decimal, "plot")
+    return _drawn({**given, "ratio": ratio, "speed": speed}, columns, motion_keys, "plot")
 
 
 @draws(foreign=of_other_mechanisms)
@@ -112,22 +121,11 @@ def plot_mechanism(
             many=True,
         ),
     ],
-    *,
-    ratio: option.Ratios = None,
-    offset: option.Offset = None,
-    stroke: option.Stroke = None,
-    rod: option.Rod = None,
-    mechanism: option.Mechanism = None,
-    rocker: option.Rocker = None,
-    pivot: option.Pivot = None,
-    lang: LabelLang = "de",
-    decimal: option.Decimal = None,
+    **given: Unpack[Positions],
 ) -> Drawing:
     """Draw the mechanism to scale at crank angles, the first one strong."""
-    mark, angles = mark_of(lang, decimal), as_angles(positions)
-    chosen = mechanism_of(mechanism, offset)
-    said = Described(ratio, stroke, rod, None, None, offset, rocker, pivot)
-    chosen.check(said)
+    lang, mark, angles = given["lang"], mark_of(given["lang"], given["decimal"]), as_angles(positions)
+    chosen, said = described(given)
     drive = only(chosen.drives(said, page_of(chosen.layout).ratios), "positions", "ratios")
     module, _, name = chosen.drawing.partition(":")
     return Drawing.of(getattr(import_module(module), name)(drive, angles, lang, mark), lang, mark)
@@ -135,96 +133,48 @@ def plot_mechanism(
 
 @draws(foreign=_of_forces)
 def plot_forces(
-    ratio: option.Ratios = None,
-    *,
-    columns: DrawnColumns = (),
-    method: option.Method = None,
-    from_: option.From = None,
-    to: option.To = None,
-    step: CurveStep = None,
-    offset: option.Offset = None,
-    stroke: option.Stroke = None,
-    rod: option.Rod = None,
-    force: DrawnForce = None,
-    mechanism: option.Mechanism = None,
-    rocker: option.Rocker = None,
-    pivot: option.Pivot = None,
-    lang: LabelLang = "de",
-    decimal: option.Decimal = None,
+    ratio: option.Ratios = None, *, columns: DrawnColumns = (), **given: Unpack[Curves]
 ) -> Drawing:
     """Draw the forces in the crank drive under a constant piston force."""
     from kurbel.plot.curves import force_keys
 
-    said = Described(ratio, stroke, rod, None, method, offset, rocker, pivot, _newtons(force))
-    return _drawn(
-        mechanism, said, columns, force_keys, curve_angles(from_, to, step), lang, decimal, "plot forces"
-    )
+    return _drawn({**given, "ratio": ratio}, columns, force_keys, "plot forces")
 
 
 @draws(foreign=_of_sliding)
-def plot_polar(
-    ratio: option.Ratios = None,
-    *,
-    method: option.Method = None,
-    from_: option.From = None,
-    to: option.To = None,
-    step: CurveStep = None,
-    offset: option.Offset = None,
-    stroke: option.Stroke = None,
-    rod: option.Rod = None,
-    force: DrawnForce = None,
-    mechanism: option.Mechanism = None,
-    rocker: option.Rocker = None,
-    pivot: option.Pivot = None,
-    lang: LabelLang = "de",
-    decimal: option.Decimal = None,
-) -> Drawing:
+def plot_polar(ratio: option.Ratios = None, **given: Unpack[Curves]) -> Drawing:
     """Draw the polar diagram of the force on the crank pin under a constant piston force."""
     from kurbel.plot.curves import pin_force, pin_force_keys
     from kurbel.plot.drawings import polar_drawing
 
-    mark, angles = mark_of(lang, decimal), curve_angles(from_, to, step)
-    chosen = mechanism_of(mechanism, offset)
-    said = Described(ratio, stroke, rod, None, method, offset, force=_newtons(force))
-    chosen.check(said)
-    page = page_of(chosen.layout)
-    crank = only(chosen.drives(said, page.ratios), "polar", "ratios")
-    names = pin_force_keys(chosen, crank)
-    question = chosen.question((crank,), method, layout=page, angles=angles, lang=lang, columns=names)
-    return Drawing.of(polar_drawing(question, pin_force(question), mark), lang, mark)
+    mark = mark_of(given["lang"], given["decimal"])
+    question = _asked({**given, "ratio": ratio}, (), pin_force_keys, "polar")
+    return Drawing.of(polar_drawing(question, pin_force(question), mark), given["lang"], mark)
 
 
-def _newtons(force: Exact | None) -> Fraction | None:
-    return None if force is None else as_force(force)
-
-
-def _drawn(
-    mechanism: str | None,
-    said: Described,
-    columns: option.Names,
-    keys: Callable[[Mechanism, "Crank"], tuple[str, ...]],
-    angles: Sequence[Fraction],
-    lang: str,
-    decimal: str | None,
-    command: str,
-) -> Drawing:
-    """Draw the columns named, or those that a drive has by itself."""
+def _drawn(given: Mapping[str, Any], columns: option.Names, keys: Keys, command: str) -> Drawing:
     from kurbel.plot.curves import motion_panels
     from kurbel.plot.drawings import curves_drawing
 
-    mark, chosen = mark_of(lang, decimal), mechanism_of(mechanism, said.offset)
-    chosen.check(said)
+    mark, question = mark_of(given["lang"], given["decimal"]), _asked(given, columns, keys, command)
+    return Drawing.of(curves_drawing(question, motion_panels(question), mark), given["lang"], mark)
+
+
+def _asked(given: Mapping[str, Any], columns: option.Names, keys: Keys, command: str) -> "AngleQuestion":
+    """Return what is asked for of the columns named, or of those that a drive has by itself."""
+    angles, (chosen, said) = curve_angles(given), described(given)
     forces = command == "plot forces" and not chosen.crosshead
     page = page_of(chosen.forces_layout if forces else chosen.layout)
     drives = chosen.drives(said, page.ratios)
-    names = as_names(columns, chosen.examples[command]) or keys(chosen, chosen.crank(drives[0]))
-    question = chosen.question(drives, said.method, layout=page, angles=angles, lang=lang, columns=names)
-    return Drawing.of(curves_drawing(question, motion_panels(question), mark), lang, mark)
+    if command == "polar":
+        only(drives, "polar", "ratios")
+    names = as_names(columns, chosen.examples.get(command, "")) or keys(chosen, chosen.crank(drives[0]))
+    return chosen.question(
+        drives, given["method"], layout=page, angles=angles, lang=given["lang"], columns=names
+    )
 
 
 def page_of(name: str) -> Layout:
-    from kurbel.page.layouts import layout
-
     return layout(name)
 
 
@@ -234,9 +184,9 @@ def only(given: Sequence[Any], flag: str, what: str) -> Any:
     return given[0]
 
 
-def curve_angles(start: Exact | None, stop: Exact | None, step: Exact | None) -> Sequence[Fraction]:
+def curve_angles(given: Mapping[str, Any]) -> Sequence[Fraction]:
     """Return the angles of a run, by themselves close enough for smooth curves."""
-    first, last = ends_of(start, stop)
-    if step is None:
+    first, last = ends_of(given)
+    if given["step"] is None:
         return notation.progression(first, last, min((last - first) / STEPS or WIDEST, WIDEST))
-    return notation.progression(first, last, as_angle(step, "step"))
+    return notation.progression(first, last, as_angle(given["step"], "step"))

@@ -1,13 +1,12 @@
 """The crank angles at which path, velocity, acceleration and the like fulfil a condition."""
 
 from collections.abc import Iterable, Mapping
-from typing import Annotated, Any
+from typing import Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
-from kurbel.commands.cranks import mechanism_of, of_other_mechanisms
+from kurbel.commands.cranks import described, mechanism_of, of_other_mechanisms, sheet_of
 from kurbel.commands.options import Columns, Option
 from kurbel.commands.subject import makes_table
-from kurbel.drive.crank import Described
 from kurbel.errors import NotationError, ProblemError
 from kurbel.page.layouts import layout_of
 from kurbel.page.subject import Question
@@ -17,6 +16,15 @@ from kurbel.reading.given import as_names
 def _of_drives(values: Mapping[str, Any]) -> Mapping[str, str]:
     # No layout tells the mechanism.
     return of_other_mechanisms(values, mechanism_of(values["mechanism"], values["offset"]))
+
+
+class Drives(option.Linked, option.Sheet, total=False):
+    """Crank drives of which conditions are asked."""
+
+    ratio: option.Ratios
+    method: option.Method
+    speed: option.Speed
+    layouts: option.Layouts
 
 
 @makes_table(foreign=_of_drives)
@@ -31,7 +39,6 @@ def solve_table(
         ),
     ] = (),
     *,
-    ratio: option.Ratios = None,
     columns: Annotated[
         option.Names,
         Option(
@@ -41,20 +48,8 @@ def solve_table(
             many=True,
         ),
     ] = (),
-    offset: option.Offset = None,
-    stroke: option.Stroke = None,
-    rod: option.Rod = None,
-    method: option.Method = None,
-    speed: option.Speed = None,
-    mechanism: option.Mechanism = None,
-    rocker: option.Rocker = None,
-    pivot: option.Pivot = None,
-    layouts: option.Layouts = None,
     layout: Annotated[str, option.layout_option("roots")] = "solve",
-    digits: option.Digits = None,
-    rounding: option.Rounding = "half-away",
-    lang: option.Lang = "de",
-    label: option.Label = "",
+    **given: Unpack[Drives],
 ) -> Question:
     """Print all crank angles of the turn at which a condition holds, on both strokes.
 
@@ -77,11 +72,9 @@ def solve_table(
     from kurbel.reading.where import read_condition
     from kurbel.solve.page import SolveRequest
 
-    page = layout_of(layout, ("roots",), layouts)
-    chosen = mechanism_of(mechanism, offset)
-    said = Described(ratio, stroke, rod, speed, method, offset, rocker, pivot)
-    chosen.check(said)
-    drives = chosen.solved(chosen.drives(said, page.ratios), method)
+    page = layout_of(layout, ("roots",), given["layouts"])
+    chosen, said = described(given)
+    drives = chosen.solved(chosen.drives(said, page.ratios), given["method"])
     if not drives:
         raise ProblemError("no crank ratio was given; give one, such as 1:5")
     texts = [where] if isinstance(where, str) else list(where)
@@ -92,8 +85,5 @@ def solve_table(
         drives=drives,
         conditions=tuple(dict.fromkeys(read_condition(text, drives[0].names) for text in texts)),
         columns=as_names(columns, "stroke,phi,x"),
-        digits=digits,
-        rounding=rounding,
-        lang=lang,
-        label=label,
+        **sheet_of(given),
     )

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.errors import NotationError, ProblemError
 from kurbel.reading import notation, units
-from kurbel.reading.given import Exact, as_fraction, as_length, as_number, as_ratios, as_speed
+from kurbel.reading.given import Exact, as_force, as_fraction, as_length, as_number, as_ratios, as_speed
 from kurbel.reading.notation import Progression, about, ratio_text
 from kurbel.reading.units import Speed
 
@@ -107,6 +107,13 @@ class Described(NamedTuple):
     rocker: Exact | None = None
     pivot: str | tuple[Exact, Exact] | None = None
     force: Fraction | None = None
+
+    @classmethod
+    def of(cls, given: Mapping[str, Any], **more: Any) -> Described:
+        """Return what is given by the names of options, and what stands beside it."""
+        known = {name: given[name] for name in cls._fields if name in given} | more
+        force = known.get("force")
+        return cls(**known | {"force": None if force is None else as_force(force)})
 
     def ratios(self, default: Sequence[str]) -> tuple[Fraction, ...]:
         """Return the crank ratios, or those of a layout."""

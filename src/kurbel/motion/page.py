@@ -86,7 +86,6 @@ class Request(AngleQuestion):
             object.__setattr__(self, "cranks", tuple(dict.fromkeys(cranks)))
 
     def _check_offset(self) -> None:
-        check_pairs(self.layout, "offset cranks")
         if self.method not in (None, "exact"):
             raise ProblemError(
                 f'method "{self.method}" has no formulas for an offset crank;'
@@ -97,6 +96,7 @@ class Request(AngleQuestion):
                 f"layout {self.layout.key} prints first-order formulas, which an offset crank does not have;"
                 " use --layout kinematics or leave the offset out"
             )
+        check_pairs(self.layout, "offset cranks")
 
     def too_long(self) -> str:
         return f"{len(self.cranks)} ratios at {len(self.angles)} angles make a table of {len(self)} rows"
