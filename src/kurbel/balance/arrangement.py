@@ -13,10 +13,12 @@ from functools import cache
 from math import inf
 from typing import Any, NamedTuple, TypeAlias
 
+import flint
+
 from kurbel.balance import harmonics
 from kurbel.drive.crank import LARGEST_ANGLE, Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import Kind, balls
+from kurbel.exact.certify import NEVER_TIES, Kind, balls, rounded
 from kurbel.exact.numerals import Number
 from kurbel.kernel import balance
 from kurbel.kernel.balance import Star
@@ -252,8 +254,6 @@ def _half_axis(sign: int) -> Length:
 
 def _sign(star: Star) -> int:
     """Return the sign of x of a star that is not 0 and lies along the x-axis."""
-    import flint
-
     kind, bits = balls(), flint.ctx.prec
     while True:
         with flint.ctx.workprec(bits):
@@ -287,8 +287,6 @@ def certified_length(
     Magnitudes are algebraic, and whether one is a rational number is decided by exact arithmetic. |B_k|
     is transcendental where it is not rational (`harmonics.certified`), and so is its product with one.
     """
-    from kurbel.exact.certify import NEVER_TIES, rounded
-
     if factor == 0 or length.vanishes(residual):
         return Number(0, decimals)
 

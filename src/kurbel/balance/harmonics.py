@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
+from kurbel.exact.certify import NEVER_TIES, ball, rounded
 from kurbel.exact.numerals import Number, nearest
 from kurbel.kernel import harmonics
 from kurbel.kernel.harmonics import Term
@@ -87,8 +88,6 @@ def certified(
     1975, chapters II and III). An algebraic A_2m would relate them unless a = b = 0, but the terms of its
     power series have one sign.
     """
-    from kurbel.exact import certify
-
     check_order(order)
     check_straight(crank)
     exact = rational(harmonic, order, crank, method)
@@ -96,9 +95,9 @@ def certified(
         return nearest(exact, decimals, rounding)
 
     def value() -> Any:
-        return harmonic.value(order, certify.ball(crank.ratio))
+        return harmonic.value(order, ball(crank.ratio))
 
-    return Number(certify.rounded(value, decimals, rounding, certify.NEVER_TIES), decimals)
+    return Number(rounded(value, decimals, rounding, NEVER_TIES), decimals)
 
 
 def check_order(order: int) -> None:

@@ -7,6 +7,7 @@ from typing import Any
 
 from kurbel.engine import captions
 from kurbel.engine.axes import ExpansionAxis, stroke_axis, target_axis
+from kurbel.engine.digits import error_number, estimate, estimated, settled
 from kurbel.engine.quantities import EXTREMES, WHOLE, applies, engine_registry
 from kurbel.engine.request import EngineRequest
 from kurbel.exact.numerals import Number
@@ -20,8 +21,6 @@ ERROR = "_error"
 
 def _number(request: EngineRequest, column: Column, place: Place, times: int) -> Number | None:
     """The printed number at a place, None where the column says nothing of it."""
-    from kurbel.engine.digits import error_number, estimate, estimated, settled
-
     where = request.where(place)
     if not applies(column.quantity, where):
         return None

@@ -11,11 +11,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
-from functools import cache
+from functools import cache, partial
 from typing import Any, NamedTuple
 
-from kurbel.drive.crank_forces import CRANK_FORCES, CrankForce
+from kurbel.drive.crank_forces import CRANK_FORCES
 from kurbel.drive.flywheel import Flywheel
+from kurbel.engine import ties
 from kurbel.engine.cylinder import AnyTurn
 from kurbel.exact.numerals import Label
 from kurbel.kernel import turning
@@ -103,17 +104,6 @@ def _entry(
     )
 
 
-def _ties(rule: str, *force: CrankForce) -> Callable[..., Any]:
-    """Return a rule of ties.py, which needs ball arithmetic, by its name."""
-
-    def ties(turn: Any, half_turns: Fraction) -> Any:
-        from kurbel.engine import ties as rules
-
-        return getattr(rules, rule)(*force, turn, half_turns)
-
-    return ties
-
-
 def _extreme(name: str, of: str, index: str) -> Iterator[Quantity]:
     greatest = EXTREMES[of]
     de, en = name.split("|")
@@ -133,7 +123,7 @@ def _turn_entries() -> Iterator[Quantity]:
     yield _entry("mean_force", "mittlere Umfangskraft|Mean tangential force", "$P$", "$Q$", "turn", 5,
                  lambda turn, where: turn.mean_force())  # fmt: skip
     yield _entry("back", "Gegendruck|Back pressure", "$R_b$", "$Q$", "turn", 4,
-                 lambda turn, where: turn.back(), needs="steam", ties=_ties("back_ties"))  # fmt: skip
+                 lambda turn, where: turn.back(), needs="steam", ties=ties.back_ties)  # fmt: skip
     yield _entry("exponent", "Exponent der Expansion|Exponent of the expansion", "$n$", "", "turn", None,
                  lambda turn, where: turn.engine.ideal.exponent, needs="steam")  # fmt: skip
     yield _entry("clearance", "schädlicher Raum|Clearance", "$κ$", "", "turn", None,
@@ -145,13 +135,13 @@ def _turn_entries() -> Iterator[Quantity]:
     yield from _extreme("größte Geschwindigkeit|Greatest speed", "greatest", "max")
     yield _entry("tangential", "Tangentialkraft|Tangential force", "$T$", "$Q$", "angle", 4,
                  lambda turn, where: turn.tangential_force(where.half_turns),
-                 ties=_ties("force_ties"))  # fmt: skip
+                 ties=ties.force_ties)  # fmt: skip
     yield _entry("tangential_excess", "Überschuss über die mittlere|Excess over the mean", "$T - P$", "$Q$",
                  "angle", 4,
                  lambda turn, where: turn.tangential_force(where.half_turns) - turn.mean_force(),
                  )  # fmt: skip
     yield _entry("energy", "Überschussarbeit|Excess energy", "$W$", "$Q r$", "angle", 4,
-                 lambda turn, where: turn.energy_at(where.half_turns), ties=_ties("energy_ties"),
+                 lambda turn, where: turn.energy_at(where.half_turns), ties=ties.energy_ties,
                  direction=words("$W$ Arbeit des Überschusses seit dem inneren Totpunkt der ersten Kurbel"
                                  "|$W$ work of the excess since the inner dead centre of the first crank"),
                  )  # fmt: skip
@@ -272,12 +262,12 @@ def _force_entries() -> Iterator[Quantity]:
         in_steam = _entry(
             key, one.name, f"${one.letter}$", "$Q$", "crank", 4,
             lambda turn, where, force=acting: turn.crank_force(force, where.half_turns),
-            direction=one.direction, ties=_ties("crank_force_ties", acting),
+            direction=one.direction, ties=partial(ties.crank_force_ties, acting),
         )  # fmt: skip
         yield in_steam
         yield in_steam._replace(
             key=f"{key}_n", unit=words("N"), decimals=1, heading=words(f"{in_steam.symbol} in N"),
-            scale=AnyTurn.force_unit, needs="load", ties=_ties("newton_ties", acting),
+            scale=AnyTurn.force_unit, needs="load", ties=partial(ties.newton_ties, acting),
         )  # fmt: skip
     yield _entry(
         "torque_nm", "Drehmoment|Torque", "$M_d$", "N m", "angle", 1,

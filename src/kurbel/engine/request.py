@@ -6,12 +6,14 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, lru_cache
-from typing import TYPE_CHECKING
 
 from kurbel.drive.crank import Crank, check_angles
 from kurbel.drive.flywheel import Flywheel
+from kurbel.engine.cylinder import AnyTurn
+from kurbel.engine.digits import check_card
 from kurbel.engine.engine import MOST_CRANKS, Diagram, Engine, Load, Steam
 from kurbel.engine.quantities import ENGINE_METHODS, OUTSTROKE, RETURN_STROKE, WHOLE, Where
+from kurbel.engine.turn import turn_of
 from kurbel.errors import ProblemError
 from kurbel.page.axes import Place
 from kurbel.page.layouts import LayoutColumn
@@ -19,9 +21,6 @@ from kurbel.page.quantity import Column, Quantity, words
 from kurbel.page.subject import Question
 from kurbel.page.table import Field
 from kurbel.reading.given import choose
-
-if TYPE_CHECKING:
-    from kurbel.engine.cylinder import AnyTurn
 
 # What pages of a run of crank angles are about.
 OVER_ANGLE = ("turning", "crank forces", "machine")
@@ -109,9 +108,6 @@ class EngineRequest(Question):
         return lru_cache(KEPT_TURNS)(self._turn)
 
     def _turn(self, steam: int, drive: int, method: str) -> AnyTurn:
-        from kurbel.engine.digits import check_card
-        from kurbel.engine.turn import turn_of
-
         turn = turn_of(self.engine(steam, drive), method)
         if self.carded:
             check_card(turn, self.rounding)
