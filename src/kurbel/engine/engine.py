@@ -98,7 +98,8 @@ class Steam:
         return Expansion(cut_off, back, exponent, clearance)
 
     def _check_work(self) -> None:
-        if net_work(1.0, self.numbers(float)) > LEAST_WORK:
+        acting = self.numbers(float)
+        if net_work(1.0, acting) > LEAST_WORK:
             return
         ratio = plain(self.expansion)
         if self.back is None:
@@ -108,11 +109,8 @@ class Steam:
             )
         raise ProblemError(
             f"back pressure b = {about(self.back)} leaves no work at ε = {ratio}; b must be below"
-            f" {floor(1e6 * self._greatest_back()) / 1e6:g}, or the mean force P would not be above 0"
+            f" {floor(1e6 * net_work(1.0, acting._replace(back=0.0))) / 1e6:g}, or the mean force P would not be above 0"
         )
-
-    def _greatest_back(self) -> float:
-        return float(net_work(1.0, self.numbers(float)._replace(back=0.0)))
 
 
 @dataclass(frozen=True, slots=True)

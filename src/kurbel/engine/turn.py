@@ -21,13 +21,8 @@ from kurbel.errors import ProblemError
 from kurbel.exact.certify import ball, ball_circle, balls, half_turn_circle
 from kurbel.exact.roots import ISOLATING_BITS, Function, Root, isolate, refined
 from kurbel.kernel import steam
-from kurbel.kernel.circle import Circle, Number
+from kurbel.kernel.circle import Circle, Number, root
 
-CUT_OFF = {
-    "exact": steam.crank_versine,
-    "series": steam.crank_versine_first_order,
-    "weisbach": steam.crank_versine_first_order,
-}
 # Two speeds that agree to so many bits are taken for equal, as on the two strokes of the infinite rod.
 EQUAL_BITS = 200
 
@@ -80,8 +75,9 @@ class Turn(AnyTurn):
         if expansion == 1:
             # The stroke ends uncut, and rounding may put the sine above 1.
             return flint.arb(1)
-        versine = CUT_OFF[self.method](ball(2 / expansion), self.cylinder.ratio * SIGNS[stroke])
-        return 2 * steam.half_angle_sine(versine).asin() / flint.arb.pi()
+        cylinder = self.cylinder
+        versine = cylinder.motion.versine_at(ball(2 / expansion), cylinder.ratio * SIGNS[stroke])
+        return 2 * root(versine / 2).asin() / flint.arb.pi()
 
     def back(self) -> Number:
         """The back pressure R_b/Q."""
@@ -204,8 +200,8 @@ def place(extremum: Extremum) -> Number:
 
 
 def _zeros(piece: Piece, function: Function, slope: Function) -> Iterator[Extremum]:
-    for root in isolate(function, slope, piece.start, piece.end):
-        yield Extremum(piece, root, function, slope)
+    for zero in isolate(function, slope, piece.start, piece.end):
+        yield Extremum(piece, zero, function, slope)
 
 
 def _since(place: Angle, begun: Fraction) -> Angle:

@@ -41,14 +41,11 @@ class ExampleRequest:
                 raise ProblemError(
                     f"example {self.source} {self.number} takes no {name} of your own; it takes {takes}"
                 )
-        self._check_count()
-        for part in self.parts:
-            _check(part.given)
-
-    def _check_count(self) -> None:
         count = prod(max(len(values), 1) for values in self.own.values())
         if count > MOST:
             raise ProblemError(f"that makes {count} examples; at most {MOST} are printed at once")
+        for part in self.parts:
+            _check(part.given)
 
     @cached_property
     def example(self) -> Example:

@@ -141,11 +141,6 @@ def crank_versine_first_order(path: Number, ratio: Number) -> Number:
     return 2 * path / (lever + root(lever * lever - 2 * ratio * path))
 
 
-def half_angle_sine(versine: Number) -> Number:
-    """Return sin(φ/2) of the angle whose versine is given."""
-    return root(versine / 2)
-
-
 def weisbach_maximum(
     half: tuple[Number, Number], circle: Circle[Number], ratio: Number, loss: Number, gain: Number, pi: Number
 ) -> tuple[Number, Number]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import NamedTuple, Protocol
 
-from kurbel.kernel import kinematics
+from kurbel.kernel import kinematics, steam
 from kurbel.kernel.circle import Circle, Number
 
 Formula = Callable[[Circle[Number], Number], Number]
@@ -24,18 +24,25 @@ class Stroke(Protocol):
 
 
 class Motion(NamedTuple):
-    """The kinematics in force: piston path, velocity and acceleration."""
+    """The kinematics in force: piston path, velocity and acceleration, and 1 - cos φ at a path."""
 
     path: Formula
     velocity: Formula
     acceleration: Formula
+    versine_at: Callable[[Number, Number], Number]
 
 
-EXACT = Motion(kinematics.piston_path, kinematics.piston_velocity, kinematics.piston_acceleration)
+EXACT = Motion(
+    kinematics.piston_path,
+    kinematics.piston_velocity,
+    kinematics.piston_acceleration,
+    steam.crank_versine,
+)
 FIRST_ORDER = Motion(
     kinematics.piston_path_first_order,
     kinematics.piston_velocity_first_order,
     kinematics.piston_acceleration_first_order,
+    steam.crank_versine_first_order,
 )
 
 
