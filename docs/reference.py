@@ -113,8 +113,8 @@ def _examples() -> Iterator[str]:
     for key in source_keys():
         for number in numbers_of(key):
             one = example(key, number)
-            takes = " ".join(f"`--{name}`" for name in one.takes)
-            yield f"| `{key}` | `{number}` | {one.title['en']} | {takes} |"
+            takes = " ".join(f"`--{name}`" for name in one.page.takes)
+            yield f"| `{key}` | `{number}` | {one.page.title['en']} | {takes} |"
 
 
 def _formats() -> Iterator[str]:

@@ -24,8 +24,7 @@ from kurbel.books.printed_value import printed_value
 from kurbel.books.source import source_tables
 from kurbel.errors import KurbelError
 from kurbel.examples.source import example, numbers_of, source_keys
-from kurbel.examples.words import WORDS
-from kurbel.examples.working import arc_text, names_in
+from kurbel.examples.working import WORDS, arc_text, names_in
 
 BOOKS = SOURCES / "examples"
 EXAMPLES = [(key, number) for key in source_keys() for number in numbers_of(key)]
@@ -425,10 +424,10 @@ def test_ties_are_rounded_away_from_zero() -> None:
 def test_a_line_names_nothing_that_is_not_there() -> None:
     for key, number in EXAMPLES:
         one = example(key, number)
-        known = {*one.steps, *one.numbers, *one.takes, *WORDS}
-        for line in (*one.own, *(line for part in one.parts for line in part.lines)):
+        known = {*one.page.steps, *one.page.numbers, *one.page.takes, *WORDS}
+        for line in (*one.page.own.lines, *(line for part in one.parts for line in part.lines)):
             assert {*names_in(line.text)} <= known, line
-        for step in one.steps.values():
+        for step in one.page.steps.values():
             assert not step.formula or Expression(step.formula.replace("angle", "1")).names <= known
 
 

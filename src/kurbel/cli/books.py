@@ -75,7 +75,7 @@ def _rows(key: str, lang: str) -> Iterator[tuple[str, ...]]:
 
     for number in numbers_of(key):
         one = example(key, number)
-        yield key, number, one.title[lang], " ".join(f"--{name}" for name in one.takes)
+        yield key, number, one.page.title[lang], " ".join(f"--{name}" for name in one.page.takes)
 
 
 _OF_TABLES = {one.name: one for one in motion.table.command.parameters.values()}

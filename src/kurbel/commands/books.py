@@ -24,7 +24,7 @@ from kurbel.reading.given import (
 
 if TYPE_CHECKING:
     from kurbel.books.collate_page import CollateRequest
-    from kurbel.examples.request import ExampleRequest
+    from kurbel.examples.page import ExampleRequest
 
 
 class Source(Kind):
@@ -163,7 +163,7 @@ def example_table(
     >>> print(kurbel.typeset(kurbel.example_table("blau", 35), "csv").splitlines()[-1])
     ,"cos α = −5/2, unbrauchbar",other,cos α,−5/2,−5/2,
     """
-    from kurbel.examples.request import ExampleRequest
+    from kurbel.examples.page import ExampleRequest
 
     if source is None or number is None:
         raise ProblemError("name an example by its book and its number, as kurbel example lists them")

@@ -102,6 +102,7 @@ class Steam:
         if net_work(1.0, acting) > LEAST_WORK:
             return
         ratio = plain(self.expansion)
+        limit = floor(1e6 * net_work(1.0, acting._replace(back=0.0))) / 1e6
         if self.back is None:
             raise ProblemError(
                 f"expansion ratio ε = {ratio} at its best back pressure, that of the steam at the end of the"
@@ -109,7 +110,7 @@ class Steam:
             )
         raise ProblemError(
             f"back pressure b = {about(self.back)} leaves no work at ε = {ratio}; b must be below"
-            f" {floor(1e6 * net_work(1.0, acting._replace(back=0.0))) / 1e6:g}, or the mean force P would not be above 0"
+            f" {limit:g}, or the mean force P would not be above 0"
         )
 
 

@@ -3,17 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
+from itertools import product
+from math import prod
 
 from kurbel.books.printed_value import Printed
+from kurbel.books.quantities import engine_turn
+from kurbel.drive.crank import Crank, check_angles
+from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number
-from kurbel.examples.request import ExampleRequest
-from kurbel.examples.source import Example, Part
-from kurbel.examples.words import WORDS
-from kurbel.examples.working import Entry, Working, angle_text, exact_text
+from kurbel.examples.source import Example, Part, example
+from kurbel.examples.working import WORDS, Entry, Working, angle_text, exact_text
+from kurbel.linkage.beam import BeamEngine
+from kurbel.page.layouts import LANGUAGES
+from kurbel.page.subject import check_label
 from kurbel.page.table import DITTO, Cell, Column, Field, Group, Note, Panel, Records, Row, Table, Value
-from kurbel.reading.notation import plain, ratio_text
+from kurbel.reading.given import choose
+from kurbel.reading.notation import about, plain, ratio_text
 
+MOST = 100
 # Of the records.
 KEYS = ("part", "line", "step", "symbol", "printed", "recomputed", "difference")
 MARKS = "abcdefghijklmnoprstuvwxyz"
@@ -34,6 +44,92 @@ COLUMNS: Mapping[str, tuple[tuple[str, str], ...]] = {
     OWN: (("symbol", "symbol"), ("recomputed", "computed")),
     LETTERS: (),
 }
+
+
+@dataclass(frozen=True, kw_only=True)
+class ExampleRequest:
+    """What is asked for: an example, with numbers of one's own by option where they are given."""
+
+    source: str
+    number: str
+    own: Mapping[str, Sequence[Fraction]]
+    lang: str = "de"
+    label: str = ""
+
+    def __post_init__(self) -> None:
+        choose(self.lang, LANGUAGES, "language")
+        check_label(self.label)
+        for name in self.own:
+            if name not in self.example.page.takes:
+                takes = ", ".join(self.example.page.takes)
+                raise ProblemError(
+                    f"example {self.source} {self.number} takes no {name} of your own; it takes {takes}"
+                )
+        count = prod(max(len(values), 1) for values in self.own.values())
+        if count > MOST:
+            raise ProblemError(f"that makes {count} examples; at most {MOST} are printed at once")
+        for part in self.parts:
+            _check(part.given)
+
+    @cached_property
+    def example(self) -> Example:
+        return example(self.source, self.number)
+
+    @cached_property
+    def parts(self) -> tuple[Part, ...]:
+        """The parts of the book, or those of one's own numbers; the book's where it has the same ones."""
+        if not self.own:
+            return self.example.parts
+        return tuple(part for given in self._given() for part in self._parts(given))
+
+    def _given(self) -> Iterator[dict[str, Fraction]]:
+        """Yield the numbers in all combinations, the book's where there are none of one's own."""
+        choices = {name: self.own.get(name) or self._known(name) for name in self.example.page.takes}
+        names = [name for name, values in choices.items() if values]
+        for values in product(*(choices[name] for name in names)):
+            yield dict(zip(names, values, strict=True))
+
+    def _known(self, name: str) -> tuple[Fraction, ...]:
+        return tuple(dict.fromkeys(part.given[name] for part in self.example.parts if name in part.given))
+
+    def _parts(self, given: Mapping[str, Fraction]) -> tuple[Part, ...]:
+        """Return the parts that these numbers make: the book's own, or the way for other numbers."""
+        same = tuple(part for part in self.example.parts if part.given == given)
+        if same:
+            return same
+        if self.example.page.own.lines:
+            return (Part("", given, self.example.page.own.lines, {}, {}),)
+        return tuple(part._replace(given=given, printed={}) for part in self.example.parts)
+
+
+def _check(given: Mapping[str, Fraction]) -> None:
+    """Raise ProblemError for numbers that no crank may have or that the books' ways cannot take."""
+    if "ratio" in given:
+        Crank(given["ratio"])
+        if not given["ratio"]:
+            raise ProblemError("the worked examples are of a finite rod; give a ratio such as 1:5")
+    if "angle" in given:
+        check_angles([given["angle"]])
+    if "beam" in given:
+        BeamEngine(given["beam"], given["ratio"])
+    if "eps" in given:
+        _check_steam(given)
+    if "force" in given:
+        if "ratio" not in given:
+            raise ProblemError("a force becomes newtons with a ratio only; add one, such as 1:5")
+        Crank(given["ratio"], force=given["force"])
+
+
+def _check_steam(given: Mapping[str, Fraction]) -> None:
+    """Raise ProblemError where the equation of § 150 for α₂ does not hold."""
+    if given["eps"] <= 1:
+        raise ProblemError("the way of § 150 is for expanding steam; give an expansion ratio above 1")
+    turn = engine_turn(given["ratio"], given["eps"], given.get("back"), "weisbach")
+    if not turn.expands_first:
+        raise ProblemError(
+            f"at ε = {about(given['eps'])} the speed is greatest before the cut-off, where the equation of"
+            " § 150 for α₂ does not hold; give a larger expansion ratio"
+        )
 
 
 def build_example(request: ExampleRequest) -> Table:
@@ -90,7 +186,7 @@ def _cell(entry: Entry, figure: Printed | None, notes: tuple[str, ...] = ()) -> 
 
 def _varied(request: ExampleRequest) -> list[str]:
     """Return the options whose numbers differ between the parts."""
-    numbers = {name: {part.given.get(name) for part in request.parts} for name in request.example.takes}
+    numbers = {name: {part.given.get(name) for part in request.parts} for name in request.example.page.takes}
     return [name for name, values in numbers.items() if len(values) > 1]
 
 
@@ -110,7 +206,7 @@ def _caption(request: ExampleRequest) -> Label:
     part, varied = request.parts[0], _varied(request)
     common = _given_text(example, part, [name for name in part.given if name not in varied])
     book = example.source.given
-    head = f"{book.name}, {book.example[lang]} {example.number}: {example.title[lang]}"
+    head = f"{book.name}, {book.example[lang]} {example.number}: {example.page.title[lang]}"
     return f"{head}; {common}" if common else head
 
 
@@ -118,7 +214,7 @@ def _notes(request: ExampleRequest, marks: Mapping[Label, str], kind: str) -> It
     lang = request.lang
     for remark, mark in marks.items():
         yield Note(remark, mark)
-    for note in request.example.notes:
+    for note in request.example.page.notes:
         yield Note(note[lang])
     if kind == PRINTED:
         yield Note(WORDS["rounded_printed"][lang])

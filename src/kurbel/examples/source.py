@@ -104,7 +104,11 @@ class OwnFile(Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class ExampleFile(Struct, frozen=True, forbid_unknown_fields=True):
-    """What the file says; Example says what is what."""
+    """What the file says: the steps, and the exact numbers that follow from given ones.
+
+    `takes` names the options that replace the numbers, `own` has the lines for these; without lines the
+    book's serve.
+    """
 
     NOUN: ClassVar[str] = "key of an example"
 
@@ -118,22 +122,13 @@ class ExampleFile(Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class Example(NamedTuple):
-    """A worked example: its lines, its steps, and the exact numbers that follow from given ones.
-
-    `method` is that of its quantities. `takes` names the options that replace its numbers, `own` the lines
-    for these; without lines the book's serve.
-    """
+    """A worked example of a book: what its file says, and its parts. `method` is that of its quantities."""
 
     source: Book
     number: str
-    title: Words
+    page: ExampleFile
     method: str
-    takes: tuple[str, ...]
-    notes: tuple[Words, ...]
-    numbers: Mapping[str, str]
-    steps: Mapping[str, Step]
     parts: tuple[Part, ...]
-    own: tuple[Line, ...]
 
 
 @cache
@@ -161,18 +156,8 @@ def example(key: str, number: str) -> Example:
     name = choose(number, numbers_of(key), f"example of {key}")
     page = TomlFile(os.path.join(FOLDER, key, f"{name}.toml"), SOURCE).read(ExampleFile)
     table = next((one for one in book.tables if one.name == number), None)
-    return Example(
-        source=book,
-        number=number,
-        title=page.title,
-        method=table.method if table else "",
-        takes=page.takes,
-        notes=page.notes,
-        numbers=page.numbers,
-        steps=page.steps,
-        parts=tuple(_part(table, page.takes, part) for part in page.part),
-        own=page.own.lines,
-    )
+    parts = tuple(_part(table, page.takes, part) for part in page.part)
+    return Example(book, number, page, table.method if table else "", parts)
 
 
 def _part(table: SourceTable | None, takes: tuple[str, ...], part: PartFile) -> Part:

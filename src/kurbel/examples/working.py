@@ -21,9 +21,46 @@ from kurbel.books.quantities import quantity_truth
 from kurbel.books.truth import FRACTIONS, Truth, formula_truth, kept
 from kurbel.exact.numerals import Label, degrees_text, finite_decimals, nearest, number_text
 from kurbel.examples.source import Example, Line, Part
-from kurbel.examples.words import WORDS
+from kurbel.page.quantity import Words, words
 from kurbel.reading.notation import plain
 
+WORDS: Mapping[str, Words] = {
+    "part": words("Teil|Part"),
+    "step": words("Schritt|Step"),
+    "difference": words(
+        "neu berechnet weniger gedruckt, in Einheiten der letzten Stelle"
+        "|recomputed less printed, in units of the last place"
+    ),
+    "line": words("Rechnung|Working"),
+    "symbol": words("Größe|Quantity"),
+    "printed": words("gedruckt|printed"),
+    "recomputed": words("neu berechnet|recomputed"),
+    "computed": words("berechnet|computed"),
+    "unusable": words("unbrauchbar|unusable"),
+    "and": words("und|and"),
+    "printed_source": words("neu berechnet|computed anew"),
+    "own_source": words("mit anderen Zahlen|with other numbers"),
+    "letters_source": words("neu gesetzt|set anew"),
+    "differs": words("weicht ab|differs"),
+    "unit": words("weicht um 1 Einheit der letzten Stelle ab|differs by 1 unit of the last place"),
+    "units": words(
+        "weicht um {units} Einheiten der letzten Stelle ab|differs by {units} units of the last place"
+    ),
+    "arc": words("weicht um {arc} ab|differs by {arc}"),
+    "added": words("[ ] steht nicht im Buch|[ ] is not in the book"),
+    "rounded_printed": words(
+        "Rechnung mit den gedruckten Zahlen; neu berechnet ist der wahre Wert der Größe, einmal auf die "
+        "gedruckten Stellen gerundet"
+        "|working with the printed figures; recomputed is the true value of the quantity, rounded once to "
+        "the printed places"
+    ),
+    "rounded_own": words(
+        "jede Zahl ist der wahre Wert ihrer Größe, einmal gerundet; aus gerundeten Zahlen einer Zeile kann "
+        "eine andere letzte Stelle folgen"
+        "|every figure is the true value of its quantity, rounded once; from the rounded figures of a line "
+        "another last place may follow"
+    ),
+}
 _PLACE = re.compile(r"\{(?P<sign>[+-]?)(?P<open>\(?)(?P<name>\w+)\)?\}")
 # An exact number with more decimals is written as a fraction.
 MOST_DECIMALS = 4
@@ -67,10 +104,10 @@ class Working:
         self.part = part
         self.lang = lang
         self.numbers = dict(part.given)
-        for name, text in example.numbers.items():
+        for name, text in example.page.numbers.items():
             if not (one := self._formula(text)).names:
                 self.numbers.setdefault(name, one.value(FRACTIONS, str))
-        steps = example.steps.items()
+        steps = example.page.steps.items()
         self.formulas = {name: self._formula(step.formula) for name, step in steps if step.formula}
         self.truths: dict[str, Truth] = {}
 
@@ -83,7 +120,7 @@ class Working:
             names = [*names_in(line.text)]
             if not all(map(self._is_settled, names)) or (line.when and not self._holds(line.when)):
                 continue
-            new = [name for name in names if name in self.example.steps and name not in shown]
+            new = [name for name in names if name in self.example.page.steps and name not in shown]
             shown.update(new)
             text = self._line(line)
             yield self._entry(text, new[0]) if new else Entry(text, True)
@@ -94,7 +131,7 @@ class Working:
         """Whether the given numbers settle what a place in a line names."""
         if name in self.formulas:
             return all(map(self._is_settled, self.formulas[name].names))
-        return name in self.example.steps or name in self.numbers or name in WORDS
+        return name in self.example.page.steps or name in self.numbers or name in WORDS
 
     def _holds(self, condition: str) -> bool:
         match = _CONDITION.fullmatch(condition)
@@ -103,7 +140,7 @@ class Working:
         return _SIGNS[match["sign"]](left, right)
 
     def _entry(self, text: Label, name: str) -> Entry:
-        symbol = f"${filled(self.example.steps[name].symbol, self._figure)}$"
+        symbol = f"${filled(self.example.page.steps[name].symbol, self._figure)}$"
         value, printed = self._value(name), self.part.printed.get(name)
         remark = "" if printed is None or printed.value == value.value else self._remark(name, printed, value)
         return Entry(text, True, name, symbol, printed, value, remark)
@@ -111,12 +148,12 @@ class Working:
     def _value(self, name: str) -> Printed:
         """Return the true value of a step in the form in which it is printed."""
         return self._truth(name).written_as(
-            self.part.printed.get(name) or printed_value(self.example.steps[name].form)
+            self.part.printed.get(name) or printed_value(self.example.page.steps[name].form)
         )
 
     def _truth(self, name: str) -> Truth:
         if name not in self.truths:
-            step = self.example.steps[name]
+            step = self.example.page.steps[name]
             if step.formula:
                 truth = formula_truth(self.formulas[name], self._truth)
             else:
@@ -132,7 +169,7 @@ class Working:
         return INDENT + text if text.startswith(CONTINUED) else text
 
     def _figure(self, name: str) -> str:
-        if name in self.example.steps:
+        if name in self.example.page.steps:
             return (self.part.printed.get(name) or self._value(name)).in_formula()
         if name == "angle":
             return angle_text(self.part.given[name])
