@@ -40,7 +40,7 @@ def save_table(rows: str, path: str) -> None:
 
 
 def kurbel(columns: Columns) -> Writer:
-    from kurbel.exact.floats import nearest
+    from kurbel.exact.bulk import nearest
     from kurbel.formats.columns import CHUNK, Scaled, csv_lines
 
     def chunk(start: int) -> bytes:

@@ -15,8 +15,7 @@ from pages import BALANCES, BEAMS, cells, shown
 
 import kurbel
 from kurbel.balance.arrangement import usual
-from kurbel.balance.page import ENGINES
-from kurbel.balance.request import balance_registry
+from kurbel.balance.page import ENGINES, balance_registry
 from kurbel.errors import KurbelError
 from kurbel.exact.numerals import Number
 from kurbel.motion.evaluation import METHODS

@@ -16,7 +16,7 @@ from textbook import Drive, evaluate, rounded
 from textbook import printed as digits
 
 from kurbel.balance import harmonics
-from kurbel.balance.request import balance_registry
+from kurbel.balance.page import balance_registry
 from kurbel.engine.quantities import engine_registry
 from kurbel.linkage import beam
 from kurbel.linkage.arc.quantities import arc_registry

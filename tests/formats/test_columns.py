@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kurbel.exact.floats import nearest
+from kurbel.exact.bulk import nearest
 from kurbel.formats.columns import Field, Scaled, csv_lines
 
 LONGEST = 2**63 - 1

@@ -155,7 +155,6 @@ ARRAYS = within("kurbel.plot", set(MODULES)) - {"kurbel.plot", "kurbel.plot.styl
     "kurbel.engine.card_turn",
     "kurbel.engine.irregularity",
     "kurbel.exact.bulk",
-    "kurbel.exact.floats",
     "kurbel.formats.columns",
     "kurbel.kernel.half_tangent",
     "kurbel.kernel.irregularity",

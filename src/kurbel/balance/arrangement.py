@@ -213,7 +213,7 @@ def _magnitude(star_of: Callable[[Residual], Star]) -> Length:
     return Length(
         lambda residual: star_of(residual).vanishes(),
         lambda residual, kind: _length(star_of(residual), kind),
-        lambda residual, length: (star_of(residual).square() - _real(length**2)).vanishes(),
+        lambda residual, length: (star_of(residual).square() - Star.ray(Fraction(0), length**2)).vanishes(),
     )
 
 
@@ -223,10 +223,6 @@ def _length(star: Star, kind: Kind) -> Any:
         return kind.of(Fraction(0))
     x, y = star.point(kind.circle, kind.of)
     return (x * x + y * y) ** 0.5
-
-
-def _real(value: Fraction) -> Star:
-    return Star.ray(Fraction(0), value)
 
 
 def _half_axis(sign: int) -> Length:
@@ -244,7 +240,7 @@ def _half_axis(sign: int) -> Length:
         forward, backward = residual.forward.square(), residual.backward.square()
         product = forward * backward * 4
         # With l = |f| ± |b| the rest is ±2 |f| |b|; its square alone fits both axes.
-        rest = _real(length**2) - forward - backward
+        rest = Star.ray(Fraction(0), length**2) - forward - backward
         if not (rest * rest - product).vanishes():
             return False
         return product.vanishes() or _sign(rest) == sign

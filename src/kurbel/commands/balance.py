@@ -129,7 +129,7 @@ def balance_table(
     moment,1,0,0
     moment,2,0,0
     """
-    from kurbel.balance.request import BalanceRequest, arranged
+    from kurbel.balance.page import BalanceRequest, arranged
 
     page = layout_of(layout, ("balance",), layouts)
     name, arrangement = arranged(

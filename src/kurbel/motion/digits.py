@@ -81,8 +81,7 @@ def columns_in_floats(
     columns: Sequence[Column], crank: Crank, angles: Sequence[Fraction], rounding: str
 ) -> list[np.ndarray]:
     """Return the same as int64 arrays: all values in floats, certified where they are doubtful."""
-    from kurbel.exact.bulk import evaluate
-    from kurbel.exact.floats import nearest
+    from kurbel.exact.bulk import evaluate, nearest
 
     degrees = float_angles(angles)
     values = evaluate([on_floats(column, crank) for column in columns], degrees)
