@@ -1,4 +1,4 @@
-"""Arrays: kernel columns for very many places, block by block on all cores, and floats rounded with a mask."""
+"""Arrays: kernel columns for very many places, block by block on all cores, and floats rounded."""
 
 from __future__ import annotations
 
