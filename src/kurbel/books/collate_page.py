@@ -17,7 +17,7 @@ from kurbel.drive.crank import Crank
 from kurbel.errors import ChoiceError, SourceError
 from kurbel.exact.numerals import Label, Number
 from kurbel.page.axes import PHI, RATIO, ColumnAxis, Grid, PageAxis, Place
-from kurbel.page.build import grid_of
+from kurbel.page.build import own_grid
 from kurbel.page.layouts import Layout, layout_of
 from kurbel.page.quantity import Column, Formula, Quantity, words
 from kurbel.page.subject import Question, Subject
@@ -203,7 +203,7 @@ def _record(request: CollateRequest, one: Collated) -> Mapping[str, Value]:
 
 
 def _grid(request: CollateRequest) -> tuple[Layout, Grid]:
-    return _printed_page(request) if request.as_printed else (request.layout, grid_of(request))
+    return _printed_page(request) if request.as_printed else own_grid(request)
 
 
 def _caption(request: CollateRequest) -> Label:

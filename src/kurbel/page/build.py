@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
+from functools import partial
 from itertools import groupby, pairwise, product
 from math import prod
 
@@ -30,7 +31,7 @@ def build(question: Question, pages: bool = True) -> Table:
         layout=layout.key,
         lang=question.lang,
         caption=about.caption(question),
-        panels=_panels(question) if pages else (),
+        panels=panels(*(about.grid or own_grid)(question)) if pages else (),
         records=about.rows(question) if about.rows else records_of(question),
         notes=tuple(
             one if isinstance(one, Note) else Note(one) for one in (*about.notes(question), *further)
@@ -40,13 +41,8 @@ def build(question: Question, pages: bool = True) -> Table:
     )
 
 
-def _panels(question: Question) -> tuple[Panel, ...]:
-    other = question.subject.grid
-    return panels(*other(question)) if other else panels(question.layout, grid_of(question))
-
-
-def grid_of(question: Question) -> Grid:
-    """Return the axes of the page and what stands at their places."""
+def own_grid(question: Question) -> tuple[Layout, Grid]:
+    """Return the layout, and the axes of the page with what stands at their places."""
     about, layout, columns = question.subject, question.layout, question.page_columns
     if not columns:
         raise ProblemError(question.no_column)
@@ -60,10 +56,8 @@ def grid_of(question: Question) -> Grid:
         quantity = columns[place["column"]].quantity
         return "" if quantity.minutes else quantity.unit[question.lang]
 
-    def exists(place: Place) -> bool:
-        return about.exists(question, place)
-
-    return Grid(question.axes, question.lang, cell, unit if layout.unit else None, exists)
+    exists = partial(about.exists, question)
+    return layout, Grid(question.axes, question.lang, cell, unit if layout.unit else None, exists)
 
 
 def _shown(question: Question, column: Column, place: Place) -> Value:

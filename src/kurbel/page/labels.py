@@ -94,12 +94,7 @@ def _joined(parts: Iterable[Part]) -> Iterator[Part]:
 
 def primed(prose: str) -> str:
     """Return prose with the primes of its angles: 2°30' becomes 2°30′."""
-    return _MINUTES.sub(_primes, prose)
-
-
-def _primes(angle: re.Match[str]) -> str:
-    minutes, seconds = angle.groups()
-    return f"{minutes}′{seconds}″" if seconds else f"{minutes}′"
+    return _MINUTES.sub(lambda angle: f"{angle[1]}′" + (f"{angle[2]}″" if angle[2] else ""), prose)
 
 
 def plain(label: str, mark: str = ".") -> str:

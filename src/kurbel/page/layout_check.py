@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any
@@ -9,7 +10,7 @@ from typing import Any
 from kurbel.errors import KurbelError, LayoutError
 from kurbel.page.formula import GREEK
 from kurbel.page.labels import Mark, parse
-from kurbel.page.layouts import LANGUAGES, Layout, LayoutColumn, layout, layout_names
+from kurbel.page.layouts import LANGUAGES, Layout, layout, layout_names
 from kurbel.page.subject import subject
 from kurbel.reading import notation
 from kurbel.reading.given import choose
@@ -56,10 +57,8 @@ def _faults_of_axes(page: Layout) -> Iterator[tuple[Place, str]]:
     if not page.across:
         yield ("across",), "across is an empty list; it must have an axis"
     if not page.stub or page.stub != page.down[-len(page.stub) :]:
-        yield (
-            ("stub",),
-            f"stub must have the innermost of the axes that run down, as {_listed(page.down[-1:])}",
-        )
+        inner = json.dumps(page.down[-1:])
+        yield ("stub",), f"stub must have the innermost of the axes that run down, as {inner}"
     for name in page.stub_headings:
         yield from _unknown(("stub_headings", name), name, page.stub, "axis in the stub")
     if page.pairs and "angle" not in page.across:
@@ -106,12 +105,8 @@ def _faults_of_columns(page: Layout) -> Iterator[tuple[Place, str]]:
             yield (*place, "key"), f'the key "{column.key[:40]}" cannot be that of a column; write it as x_2'
         if keys.index(column.key) != index:
             yield place, f"the key {column.key} is there twice; give one of the columns another"
-        yield from _faults_of_heads(page, column, place)
-
-
-def _faults_of_heads(page: Layout, column: LayoutColumn, place: Place) -> Iterator[tuple[Place, str]]:
-    if column.heading == () and ("column" in page.down or column.spanners == ()):
-        yield (*place, "heading"), "heading is an empty list; nothing else stands over the column"
+        if column.heading == () and ("column" in page.down or column.spanners == ()):
+            yield (*place, "heading"), "heading is an empty list; nothing else stands over the column"
 
 
 def _methods(formulas: Iterable[str]) -> list[str]:
@@ -122,29 +117,15 @@ def _methods(formulas: Iterable[str]) -> list[str]:
 
 
 def _faults_of_words(page: Layout) -> Iterator[tuple[Place, str]]:
-    known = {
-        one
-        for name in layout_names()
-        if layout(name).subject == page.subject
-        for one in _places(layout(name))
-    }
+    alike = [one for one in map(layout, layout_names()) if one.subject == page.subject]
+    filled = {place for one in alike for lang in LANGUAGES for place in _PLACE.findall(one.caption[lang])}
+    heads = ["{ratio}"] if "ratio" in subject(page.subject).axes else []
+    known = {"caption": sorted(filled), "columns": heads}
     for lang in LANGUAGES:
-        yield from _unknown_places(("caption", lang), page.caption[lang], sorted(known))
         for place, text in _labels(page, lang):
-            if place[0] != "caption":
-                heads = ["{ratio}"] if place[0] == "columns" and "ratio" in subject(page.subject).axes else []
-                yield from _unknown_places(place, text, heads)
+            for found in _PLACE.findall(text):
+                yield from _unknown(place, found, known.get(str(place[0])) or ["none"], "place")
             yield from _refused(place, _check_label, text)
-
-
-def _unknown_places(place: Place, text: str, known: Sequence[str]) -> Iterator[tuple[Place, str]]:
-    for found in _PLACE.findall(text):
-        yield from _unknown(place, found, known or ["none"], "place")
-
-
-def _places(page: Layout) -> Iterator[str]:
-    for lang in LANGUAGES:
-        yield from _PLACE.findall(page.caption[lang])
 
 
 def _labels(page: Layout, lang: str) -> Iterator[tuple[Place, str]]:
@@ -177,7 +158,3 @@ def _refused(place: Place, read: Callable[[Any], Any], given: Any) -> Iterator[t
         read(given)
     except KurbelError as error:
         yield place, str(error)
-
-
-def _listed(names: Sequence[str]) -> str:
-    return "[" + ", ".join(f'"{name}"' for name in names) + "]"

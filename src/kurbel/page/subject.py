@@ -20,20 +20,8 @@ from kurbel.reading.given import choose
 from kurbel.reading.notation import MOST_ROWS
 
 
-def _nothing(question: Any) -> Iterable[Label]:
-    return ()
-
-
 def _everywhere(question: Any, place: Place) -> bool:
     return True
-
-
-def _no_marks(question: Any, column: Column, place: Place) -> tuple[str, ...]:
-    return ()
-
-
-def _alone(question: Any, column: Column) -> tuple[Column, ...]:
-    return ()
 
 
 class Subject(NamedTuple):
@@ -62,13 +50,13 @@ class Subject(NamedTuple):
     number: Callable[[Any, Column, Place, int], Value]
     caption: Callable[[Any], Label]
     notes: Callable[[Any], Iterable[Label | Note]]
-    page_notes: Callable[[Any], Iterable[Label]] = _nothing
+    page_notes: Callable[[Any], Iterable[Label]] = lambda question: ()
     sample: str = ""
     own_first: bool = True
     of: tuple[str, ...] = ()
     exists: Callable[[Any, Place], bool] = _everywhere
-    marks: Callable[[Any, Column, Place], tuple[str, ...]] = _no_marks
-    beside: Callable[[Any, Column], tuple[Column, ...]] = _alone
+    marks: Callable[[Any, Column, Place], tuple[str, ...]] = lambda question, column, place: ()
+    beside: Callable[[Any, Column], tuple[Column, ...]] = lambda question, column: ()
     rows: Callable[[Any], Records] | None = None
     grid: Callable[[Any], tuple[Layout, Grid]] | None = None
     listed: Callable[[], Iterable[tuple[str, Quantity]]] | None = None

@@ -77,6 +77,11 @@ class _Piece(NamedTuple):
         """Return the head at an angle; between two given ones, on the line between their heads."""
         return np.asarray([np.interp(angle, self.angles, component) for component in self.path.T])
 
+    def marked(self) -> range:
+        """Return the angles every 30° within it."""
+        first, last = math.ceil(self.angles[0] / MARK_STEP), math.floor(self.angles[-1] / MARK_STEP)
+        return range(MARK_STEP * first, MARK_STEP * last + 1, MARK_STEP)
+
 
 class _Plan(NamedTuple):
     """A diagram before it is drawn: scale in mm for a unit of force, the frame in units of force."""
@@ -118,18 +123,15 @@ def polar(
         figure, axes = _laid_out(plan)
         _axes(axes, plan, names, mark)
         _scale_bar(axes, plan, scale)
-        pieces = _pieces(np.asarray(vector.angles, float), path)
-        _curve(axes, pieces)
+        angles = np.asarray(vector.angles, float)
+        jumps = np.flatnonzero(np.diff(angles) == 0) + 1
+        pieces = [_Piece(*one) for one in zip(np.split(angles, jumps), np.split(path, jumps), strict=True)]
+        curve = axes.plot(*_with_gaps(pieces).T, color=BLACK, linewidth=STRONG, zorder=4)
+        curve[0].set_gid("curve")
         chords = _chords(axes, plan, pieces)
         _marks(axes, plan, pieces, chords)
         _arrow(axes, plan, pieces)
     return figure
-
-
-def _pieces(angles: Points, path: Points) -> list[_Piece]:
-    """Return what lies between two jumps."""
-    jumps = np.flatnonzero(np.diff(angles) == 0) + 1
-    return [_Piece(*one) for one in zip(np.split(angles, jumps), np.split(path, jumps), strict=True)]
 
 
 def _plan(path: Points) -> _Plan:
@@ -189,16 +191,9 @@ def _scale_bar(axes: Axes, plan: _Plan, text: str) -> None:
     axes.text(ends[0] - 1.5 / plan.scale, y, text, ha="right", va="center", fontsize=SMALL_TEXT)
 
 
-def _curve(axes: Axes, pieces: Sequence[_Piece]) -> None:
-    drawn = axes.plot(
-        *_with_gaps([piece.path for piece in pieces]).T, color=BLACK, linewidth=STRONG, zorder=4
-    )
-    drawn[0].set_gid("curve")
-
-
-def _with_gaps(paths: Sequence[Points]) -> Points:
+def _with_gaps(pieces: Sequence[_Piece]) -> Points:
     gap = np.full((1, 2), np.nan)
-    return np.concatenate([row for path in paths for row in (gap, path)][1:])
+    return np.concatenate([row for piece in pieces for row in (gap, piece.path)][1:])
 
 
 def _chords(axes: Axes, plan: _Plan, pieces: Sequence[_Piece]) -> list[Points]:
@@ -231,7 +226,7 @@ def _marks(axes: Axes, plan: _Plan, pieces: Sequence[_Piece], chords: Sequence[P
     lines = [((left, 0), (right, 0)), ((0, bottom), (0, top)), *chords]
     shafts = [np.asarray(((0, 0), head)) for _, head in heads]
     taken = [densely(plan.on_paper(np.asarray(line))) for line in (*lines, *shafts)]
-    line = densely(plan.on_paper(_with_gaps([piece.path for piece in pieces])))
+    line = densely(plan.on_paper(_with_gaps(pieces)))
     for angle, head in heads:
         taken.append(_mark(axes, plan, f"{angle}°", head, line, taken))
 
@@ -252,16 +247,11 @@ def _mark(axes: Axes, plan: _Plan, text: str, head: Points, line: Points, taken:
 
 def _heads(pieces: Sequence[_Piece]) -> list[tuple[int, Points]]:
     """Return the vectors at every 30°, two where the force jumps, none of no length."""
-    heads = [(angle, piece.at(angle)) for piece in pieces for angle in _marked(piece)]
+    heads = [(angle, piece.at(angle)) for piece in pieces for angle in piece.marked()]
     if len(heads) > 1 and _same(heads[0][1], heads[-1][1]):
         del heads[-1]
     most = max(float(np.nanmax(np.abs(piece.path), initial=0)) for piece in pieces)
     return [(angle, head) for angle, head in heads if np.hypot(*head) > NOTHING * most]
-
-
-def _marked(piece: _Piece) -> list[int]:
-    first, last = math.ceil(piece.angles[0] / MARK_STEP), math.floor(piece.angles[-1] / MARK_STEP)
-    return [MARK_STEP * number for number in range(first, last + 1)]
 
 
 def _same(one: Points, other: Points) -> bool:

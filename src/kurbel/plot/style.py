@@ -179,11 +179,7 @@ def _prose(text: str) -> str:
 def _mathtext(formula: Formula, mark: str) -> str:
     """Return a formula in mathtext, which is TeX's but for a few commands."""
     tex = TexMath(mark, lambda text: text.translate(_OBEYED)).set(formula.content)
-    return f"${_SHORT.sub(_long_name, tex.replace('{:}', _COLON))}$"
-
-
-def _long_name(match: re.Match[str]) -> str:
-    return f"{match[0]}q"
+    return "$" + _SHORT.sub(r"\g<0>q", tex.replace("{:}", _COLON)) + "$"
 
 
 def size_of(text: str, points: float = TEXT_SIZE) -> tuple[float, float]:
