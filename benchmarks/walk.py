@@ -2,7 +2,8 @@
 
 python benchmarks/walk.py [COMMAND ...]      by default the three commands below
 
-A module is entered where one of its functions runs; what runs only as it is imported does not count.
+A module is entered where one of its functions runs; what runs only as it is imported does not count, and a
+template is no module.
 """
 
 from __future__ import annotations
@@ -59,7 +60,8 @@ def is_imported(frame: FrameType | None) -> bool:
 
 def room_of(frame: FrameType) -> str | None:
     path = frame.f_code.co_filename
-    return path.removeprefix(PACKAGE).removesuffix(".py") if path.startswith(PACKAGE) else None
+    is_module = path.startswith(PACKAGE) and path.endswith(".py")
+    return path.removeprefix(PACKAGE).removesuffix(".py") if is_module else None
 
 
 def walked(words: list[str]) -> Walk:

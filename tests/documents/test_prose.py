@@ -188,21 +188,39 @@ _PLAIN = MarkdownIt("commonmark", {"html": False}).enable("table")
 _PLAIN.validateLink = lambda url: True  # type: ignore[method-assign]
 
 
+# A link without words shows its address: one that shows nothing, nobody finds.
+_WORDLESS = re.compile(r'(<a href="([^"]*)"[^>]*>)(?=</a>)')
+
+
+def source(text: str) -> str:
+    """Return the page that a library makes of a text."""
+    return _WORDLESS.sub(r"\1\2", _PLAIN.render(text))
+
+
+def test_a_link_without_words_shows_its_address() -> None:
+    for text in ("[](http://b.de/c)", "[0]: http://b.de/c\n\n[][0]"):
+        assert printed(text, "html") == '<p><a href="http://b.de/c">http://b.de/c</a></p>\n'
+        assert printed(text, "markdown") == "[http://b.de/c](<http://b.de/c>)\n"
+        assert printed(text, "text") == "http://b.de/c\n"
+
+
+@example("[0]:HTTP:\n\n[][0]")
 @given(TEXTS)
 def test_html_shows_the_characters_of_the_text(text: str) -> None:
     if blocks := parsed(text.replace("$", "")):
         page = set_prose(blocks, page_format("html"), ",", Parts("html"))
-        expected = shown(_PLAIN.render(text.replace("$", "")))
+        expected = shown(source(text.replace("$", "")))
         assert re.sub("[′']", "'", shown(page)).replace("″", '"') == expected
 
 
+@example("[0]:HTTP:\n\n[][0]")
 @given(TEXTS)
 def test_plain_text_has_the_characters_of_the_text(text: str) -> None:
     if blocks := parsed(text.replace("$", "")):
         page = iter(
             set_prose(blocks, page_format("text"), ",", Parts("text")).replace("′", "'").replace("″", '"')
         )
-        assert all(character in page for character in shown(_PLAIN.render(text.replace("$", ""))))
+        assert all(character in page for character in shown(source(text.replace("$", ""))))
 
 
 _RENDERER = MarkdownIt("commonmark").enable("table")
@@ -211,14 +229,15 @@ _SPACE = re.compile(
 )
 
 
-def rendered(text: str, renderer: MarkdownIt) -> str:
-    """Return the page that readers of Markdown show, white space apart."""
-    page = re.sub(r' class="language[^"]*"|<!-- -->| title="[^"]*"', "", renderer.render(text))
+def rendered(page: str) -> str:
+    """Return a page that readers of Markdown show, white space apart."""
+    page = re.sub(r' class="language[^"]*"|<!-- -->| title="[^"]*"', "", page)
     page = page.replace("<br>", "<br />").replace("′", "'").replace("″", "&quot;")
     page = re.sub(r"(<(?:p|li|h\d)>)(?:\s*<br />)+|(?:<br />\s*)+(?=</)", r"\1", page)
     return _SPACE.sub(r"\1", " ".join(page.split())).replace("<p></p>", "")
 
 
+@example("[0]:HTTP:\n\n[][0]")
 @example("a \\| b\\\n\\:-")
 @example("a\\\n\\===")
 @example("a\\\n\\---")
@@ -234,7 +253,7 @@ def test_markdown_is_shown_as_its_source(text: str) -> None:
     text = text.replace("$", "").replace("\t", " ")
     if blocks := parsed(text):
         page = set_prose(blocks, page_format("markdown"), ",", Parts("markdown"), 0)
-        assert rendered(page, _RENDERER) == rendered(text, _PLAIN)
+        assert rendered(_RENDERER.render(page)) == rendered(source(text))
 
 
 def test_line_that_ends_before_its_first_word_is_one_in_latex() -> None:
@@ -243,7 +262,7 @@ def test_line_that_ends_before_its_first_word_is_one_in_latex() -> None:
 
 def test_formulas_in_markdown_are_plain_text_that_stays_so() -> None:
     page = printed("- $[a_1]$ *$x$*", "markdown")
-    assert rendered(page, _RENDERER) == "<ul><li>[a₁] <em>x</em></li></ul>"
+    assert rendered(_RENDERER.render(page)) == "<ul><li>[a₁] <em>x</em></li></ul>"
 
 
 def test_sample_keeps_its_blocks_through_markdown() -> None:

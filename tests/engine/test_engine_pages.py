@@ -267,6 +267,14 @@ def test_no_stub_cell_is_left_without_a_head_of_its_own(name: str) -> None:
         assert all(value is not DITTO for stub in stubs for value in stub)
 
 
+@pytest.mark.parametrize("lang", ["de", "en"])
+def test_the_heading_of_a_quantity_names_its_unit_where_it_has_one(lang: str) -> None:
+    for quantity in engine_registry().values():
+        symbol, unit = quantity.symbol, quantity.unit[lang]
+        assert quantity.heading[lang] == (f"{symbol} in {unit}" if unit else symbol)
+    assert {"exponent", "clearance"} <= {key for key, one in engine_registry().items() if not one.unit[lang]}
+
+
 @pytest.mark.parametrize("name", [name for name in ENGINES if not layout(name).fixed])
 def test_every_column_that_can_be_asked_for_is_printed(name: str) -> None:
     of_turns = ("turn", "least", "greatest")

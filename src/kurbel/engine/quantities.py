@@ -97,7 +97,7 @@ def _entry(
         unit=words(unit),
         decimals=decimals,
         formulas=dict.fromkeys(ENGINE_METHODS, Formula(kernel)),
-        heading=words(f"{symbol} in {unit}"),
+        heading=words(f"{symbol} in {unit}" if unit else symbol),
         spanners=(words(name),),
         of=of,
         **rest,
