@@ -29,9 +29,13 @@ from kurbel.reading.given import (
 # What a page without forces takes for the masses' sake alone.
 ONLY_MASSES = ("stroke", "bore", "pressure")
 EXAMPLE = "epsilon,delta"
+ORDER = (
+    "ratio back exponent clearance card other_side single_acting cranks method reciprocating rod_mass centre"
+    " gyration rod_file stroke rod bore pressure"
+)
 
 
-@makes_table(needless=for_masses("speed", *ONLY_MASSES))
+@makes_table(needless=for_masses("speed", *ONLY_MASSES), order=ORDER)
 def delta_table(
     eps: option.Eps = None,
     *,
@@ -73,7 +77,7 @@ def delta_table(
     return engine_of(page, {**given, "eps": eps, "speed": speed}, columns=names)
 
 
-@makes_table(needless=for_masses("speed", *ONLY_MASSES))
+@makes_table(needless=for_masses("speed", *ONLY_MASSES), order=ORDER)
 def turning_table(
     eps: option.Eps = None,
     *,
@@ -119,7 +123,7 @@ def _power_of_steam(values: Mapping[str, Any]) -> Mapping[str, str]:
     return for_masses(*ONLY_MASSES)(values)
 
 
-@makes_table(needless=_power_of_steam)
+@makes_table(needless=_power_of_steam, order=ORDER)
 def flywheel_table(
     eps: option.Eps = None,
     *,

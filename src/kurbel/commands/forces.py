@@ -11,7 +11,7 @@ from kurbel.commands.options import Choice, LayoutName, Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.drive import load
 from kurbel.drive.crank import Described
-from kurbel.drive.mechanisms import SUBJECTS
+from kurbel.drive.mechanisms import LINKAGES, SUBJECTS
 from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import Mechanism, check_load, uncomputed
 from kurbel.page.layouts import layout, layout_of
@@ -95,7 +95,13 @@ class Forces(option.Run, option.Linked, option.Steam, option.MovingRod, option.S
     layouts: option.Layouts
 
 
-@makes_table(foreign=_foreign, needless=_needless)
+@makes_table(
+    foreign=_foreign,
+    needless=_needless,
+    order="angle from_ to step columns offset stroke rod mechanism rocker pivot force at eps back exponent"
+    " clearance card other_side single_acting cranks bore pressure reciprocating rod_mass centre gyration"
+    " rod_file rotating speed",
+)
 def forces_table(
     ratio: option.Ratios = None,
     *,
@@ -116,7 +122,7 @@ def forces_table(
         str | None,
         Option(
             "Page layout; default: forces; with --eps or --card engine-forces, with masses machine-forces;"
-            " of other mechanisms their own, such as forces-arc.",
+            f" of the {' or '.join(LINKAGES)} crank {', '.join(f'forces-{name}' for name in LINKAGES)}.",
             kind=LayoutName(("motion", *OF_ENGINES, "tangent", *SUBJECTS)),
         ),
     ] = None,
@@ -185,7 +191,7 @@ class Rods(option.Run, option.Slide, option.MovingRod, option.Sheet, total=False
     layouts: option.Layouts
 
 
-@makes_table()
+@makes_table(order="angle from_ to step columns offset stroke rod rod_mass centre gyration rod_file speed")
 def inertia_table(
     ratio: option.Ratios = None,
     *,

@@ -19,7 +19,10 @@ class Motion(option.Run, option.Linked, option.Sheet, total=False):
     layouts: option.Layouts
 
 
-@makes_table(foreign=of_other_mechanisms)
+@makes_table(
+    foreign=of_other_mechanisms,
+    order="angle from_ to step columns offset stroke rod method speed mechanism rocker pivot",
+)
 def table(
     ratio: option.Ratios = None,
     *,

@@ -4,7 +4,7 @@
 
 The parameter gives the name, `--ratio`, the default and the place in the help. Options that functions share
 are the keys of a TypedDict, and each function has them as `**given: Unpack[Shared]`: before its own keywords,
-or behind them if they are `last`. Their default is in the Option.
+or behind them if they are `last`, unless it has an order of its own. Their default is in the Option.
 """
 
 from __future__ import annotations
@@ -177,8 +177,11 @@ class Parameter(NamedTuple):
         return f"--{self.name.replace('_', '-')}"
 
 
-def signature_of(function: Callable[..., Any]) -> inspect.Signature:
-    """Return the signature of a function, with the options that it shares one by one."""
+def signature_of(function: Callable[..., Any], order: str = "") -> inspect.Signature:
+    """Return the signature of a function, with the options that it shares one by one.
+
+    First of its keywords stand those that the order names.
+    """
     signature = inspect.signature(function)
     own = [*signature.parameters.values()]
     if own[-1].kind is not inspect.Parameter.VAR_KEYWORD:
@@ -190,10 +193,13 @@ def signature_of(function: Callable[..., Any]) -> inspect.Signature:
         )
         for name, kind in group.__annotations__.items()
     ]
-    keywords = sum(one.kind is inspect.Parameter.KEYWORD_ONLY for one in own)
-    place = len(own) - keywords
-    own[place:place] = [one for one in shared if not _option(one.annotation).last]
-    return signature.replace(parameters=[*own, *(one for one in shared if one not in own)])
+    ranks = {name: rank for rank, name in enumerate(order.split())}
+
+    def place(one: inspect.Parameter) -> tuple[bool, bool, int]:
+        by_name = one.kind is inspect.Parameter.KEYWORD_ONLY
+        return by_name, by_name and _option(one.annotation).last, ranks.get(one.name, len(ranks))
+
+    return signature.replace(parameters=sorted([*shared, *own], key=place))
 
 
 def _option(annotation: Any) -> Option:

@@ -27,7 +27,10 @@ class Drives(option.Linked, option.Sheet, total=False):
     layouts: option.Layouts
 
 
-@makes_table(foreign=_of_drives)
+@makes_table(
+    foreign=_of_drives,
+    order="ratio columns offset stroke rod method speed mechanism rocker pivot",
+)
 def solve_table(
     where: Annotated[
         str | Iterable[str],

@@ -45,8 +45,8 @@ class Command(NamedTuple):
     builder: str = ""
 
     @classmethod
-    def of(cls, ask: Callable[..., Any], *about: Any) -> Command:
-        signature = signature_of(ask)
+    def of(cls, ask: Callable[..., Any], order: str, *about: Any) -> Command:
+        signature = signature_of(ask, order)
         return cls(ask, signature, parameters_of(signature), *about)
 
     def built(self, question: Any) -> Page:
@@ -86,11 +86,12 @@ def makes_table(
     needless: Refusals = _none,
     machine: bool = True,
     build: str = "kurbel.page.build:build",
+    order: str = "",
 ) -> Callable[[Callable[Words, Question]], Asking[Words, Question]]:
-    """Make of what returns a question a function that returns its table."""
+    """Make of what returns a question a function that returns its table; the order is that of its options."""
 
     def decorate(ask: Callable[Words, Question]) -> Asking[Words, Question]:
-        command = Command.of(ask, foreign, needless, machine, build)
+        command = Command.of(ask, order, foreign, needless, machine, build)
         question = _checked(command)
 
         @wraps(ask)
@@ -108,7 +109,7 @@ def draws(*, foreign: Refusals = _none) -> Callable[[Callable[Words, Drawn]], Dr
     """Check what a function is given that draws."""
 
     def decorate(ask: Callable[Words, Drawn]) -> Drawing[Words, Drawn]:
-        command = Command.of(ask, foreign)
+        command = Command.of(ask, "", foreign)
         return cast("Drawing[Words, Drawn]", _documented(_checked(command), command))
 
     return decorate
