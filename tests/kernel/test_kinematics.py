@@ -346,9 +346,6 @@ def test_bulk_gives_the_bits_of_the_kernel(monkeypatch: pytest.MonkeyPatch, core
     assert table.shape == (3, len(angles))
     for row, function in zip(table, functions, strict=True):
         np.testing.assert_array_equal(row, np.broadcast_to(function(whole), len(angles)))
-    out = np.empty_like(table)
-    assert bulk.evaluate(functions, angles, out=out) is out
-    np.testing.assert_array_equal(out, table)
 
 
 def test_an_error_in_a_bulk_thread_is_raised(monkeypatch: pytest.MonkeyPatch) -> None:

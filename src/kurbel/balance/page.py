@@ -31,8 +31,8 @@ from kurbel.balance.harmonics_page import (
 )
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.numerals import Label, Number, degrees_text, finite_decimals
-from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis
+from kurbel.exact.numerals import Label, Number, finite_decimals
+from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis, angle_text
 from kurbel.page.quantity import Column, Formula, Quantity, Words, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field
@@ -237,9 +237,9 @@ def _engine(request: BalanceRequest) -> Label:
 
 def _notes(request: BalanceRequest) -> Iterator[Label]:
     lang, cylinders = request.lang, request.arrangement.cylinders
-    yield WORDS["cranks"][lang] + _list(_degrees(one.crank) for one in cylinders)
+    yield WORDS["cranks"][lang] + _list(angle_text(one.crank) for one in cylinders)
     if any(one.bank for one in cylinders):
-        yield WORDS["banks"][lang] + _list(_degrees(one.bank) for one in cylinders)
+        yield WORDS["banks"][lang] + _list(angle_text(one.bank) for one in cylinders)
     if len(cylinders) > 1:
         yield WORDS["positions"][lang] + _list(_exact(one.position) for one in cylinders)
     yield WORDS["angles"][lang]
@@ -256,14 +256,8 @@ def _list(values: Iterable[str]) -> Label:
     return "; ".join(f"${value}$" for value in values)
 
 
-def _degrees(angle: Fraction) -> str:
-    return degrees_text(angle) if finite_decimals(angle) is None else f"{plain(angle)}°"
-
-
 def _exact(value: Fraction) -> str:
-    if finite_decimals(value) is not None:
-        return plain(value)
-    return f"{value.numerator}/{value.denominator}"
+    return str(value) if finite_decimals(value) is None else plain(value)
 
 
 SUBJECT = Subject(

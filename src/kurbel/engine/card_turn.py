@@ -19,7 +19,7 @@ from scipy.optimize import brentq
 
 from kurbel.drive.crank_forces import CrankForce
 from kurbel.engine.card_force import CardStroke
-from kurbel.engine.cylinder import AnyTurn, Cylinder, Peak, cylinder_of
+from kurbel.engine.cylinder import AnyTurn, Cylinder, Peak
 from kurbel.engine.engine import Diagram, Engine
 from kurbel.errors import CardError, ProblemError
 from kurbel.exact.certify import floats
@@ -60,7 +60,7 @@ class CardTurn(AnyTurn):
 
     @cached_property
     def cylinder(self) -> Cylinder:
-        return cylinder_of(self.engine, self.method, floats(), _circle)
+        return self.cylinder_on(floats(), _circle)
 
     @cached_property
     def strokes(self) -> tuple[CardStroke, CardStroke]:

@@ -90,21 +90,6 @@ class Cylinder(NamedTuple):
         return before + work - self.mean * turned * self.kind.pi
 
 
-def cylinder_of(engine: Engine, method: str, kind: Kind, circle: Callable[[Any], Circle[Any]]) -> Cylinder:
-    """Return what all cylinders of an engine have in common, by a method."""
-    load: Load = engine.steam
-    strokes = load.strokes(kind, engine.double)
-    return Cylinder(
-        kind.of(engine.crank.ratio),
-        MOTIONS[method],
-        strokes,
-        turning.mean_force(strokes, kind.pi),
-        engine.weights(kind),
-        kind,
-        circle,
-    )
-
-
 class AnyTurn(ABC):
     """A turn of an engine by a method: in balls or, of an indicator card, in floats with an error.
 
@@ -119,6 +104,14 @@ class AnyTurn(ABC):
     @abstractmethod
     def cylinder(self) -> Cylinder:
         """The cylinders' common formulas, of balls at the precision in force."""
+
+    def cylinder_on(self, kind: Kind, circle: Callable[[Any], Circle[Any]]) -> Cylinder:
+        """Return what all cylinders of the engine have in common, on a kind of number."""
+        load: Load = self.engine.steam
+        strokes = load.strokes(kind, self.engine.double)
+        mean, weights = turning.mean_force(strokes, kind.pi), self.engine.weights(kind)
+        ratio = kind.of(self.engine.crank.ratio)
+        return Cylinder(ratio, MOTIONS[self.method], strokes, mean, weights, kind, circle)
 
     @abstractmethod
     def peaks(self, greatest: bool, stroke: int | None = None) -> Sequence[Peak]:

@@ -15,7 +15,7 @@ from typing import NamedTuple, TypeAlias
 
 import flint
 
-from kurbel.engine.cylinder import SIGNS, AnyTurn, Cylinder, Peak, cylinder_of
+from kurbel.engine.cylinder import SIGNS, AnyTurn, Cylinder, Peak
 from kurbel.engine.engine import Engine
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import ball, ball_circle, balls, half_turn_circle
@@ -60,7 +60,7 @@ class Turn(AnyTurn):
     def cylinder(self) -> Cylinder:
         bits = flint.ctx.prec
         if bits not in self._cylinders:
-            self._cylinders[bits] = cylinder_of(self.engine, self.method, balls(), circle)
+            self._cylinders[bits] = self.cylinder_on(balls(), circle)
         return self._cylinders[bits]
 
     @cached_property

@@ -29,20 +29,13 @@ LARGEST = 2.0**52
 Column = Callable[[Circle[Any]], Any]
 
 
-def evaluate(
-    functions: Sequence[Column],
-    angles: NDArray[np.float64],
-    *,
-    out: NDArray[np.float64] | None = None,
-) -> NDArray[np.float64]:
+def evaluate(functions: Sequence[Column], angles: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return one row a function, one column an angle in degrees: shape (len(functions), len(angles)).
 
     Each function maps the circle of a block of angles to an array (or to one number for all of them).
-    `out` is filled and returned if given; besides it only a block a core is held in memory. The bits do
-    not depend on the number of cores.
+    Besides them only a block a core is held in memory. The bits do not depend on the number of cores.
     """
-    if out is None:
-        out = np.empty((len(functions), len(angles)))
+    out = np.empty((len(functions), len(angles)))
 
     def fill(block: slice) -> None:
         point = circle(angles[block])

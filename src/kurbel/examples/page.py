@@ -15,8 +15,9 @@ from kurbel.drive.crank import Crank, check_angles
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number
 from kurbel.examples.source import Example, Part, example
-from kurbel.examples.working import WORDS, Entry, Working, angle_text, exact_text
+from kurbel.examples.working import WORDS, Entry, Working, exact_text
 from kurbel.linkage.beam import BeamEngine
+from kurbel.page.axes import angle_text
 from kurbel.page.layouts import LANGUAGES
 from kurbel.page.subject import check_label
 from kurbel.page.table import DITTO, Cell, Column, Field, Group, Note, Panel, Records, Row, Table, Value

@@ -19,10 +19,10 @@ from kurbel.books.expression import Expression
 from kurbel.books.printed_value import Printed, printed_value
 from kurbel.books.quantities import quantity_truth
 from kurbel.books.truth import FRACTIONS, Truth, formula_truth, kept
-from kurbel.exact.numerals import Label, degrees_text, finite_decimals, nearest, number_text
+from kurbel.exact.numerals import Label, finite_decimals, nearest, number_text
 from kurbel.examples.source import Example, Line, Part
+from kurbel.page.axes import angle_text
 from kurbel.page.quantity import Words, words
-from kurbel.reading.notation import plain
 
 WORDS: Mapping[str, Words] = {
     "part": words("Teil|Part"),
@@ -191,11 +191,6 @@ class Working:
 def arc_text(arc: Printed) -> Label:
     """Return a small angle without its degrees of zero: 4'."""
     return str(arc.cell()).replace("$0°", "$").removeprefix("0°")
-
-
-def angle_text(angle: Fraction) -> str:
-    """Return an angle for a formula: 45°, 22.5°, 0°20'."""
-    return degrees_text(angle) if finite_decimals(angle) is None else f"{plain(angle)}°"
 
 
 def names_in(text: Label) -> Iterator[str]:

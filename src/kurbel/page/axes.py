@@ -229,6 +229,11 @@ def with_ratio(label: Label, ratio: Fraction) -> Label:
     return label.replace("{ratio}", ratio_text(ratio).replace(":", "/") if ratio else "0")
 
 
+def angle_text(angle: Fraction) -> str:
+    """Return an angle for a formula: 45°, 22.5°, 0°20'."""
+    return degrees_text(angle) if finite_decimals(angle) is None else f"{plain(angle)}°"
+
+
 def _angle_label(angle: Fraction) -> Label:
     return f"${plain(angle) if finite_decimals(angle) is not None else degrees_text(angle)}$"
 
