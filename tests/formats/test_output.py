@@ -19,7 +19,7 @@ from cli import kurbel, printed, refusal
 from programs import PATIENCE, Programs, wait_until
 
 from kurbel.errors import OutputError
-from kurbel.formats.output import whole_file
+from kurbel.formats.render import whole_file
 
 NOBODY = 65534
 LONG = ("table", "-f", "csv", "--step", "0.0001")

@@ -16,8 +16,7 @@ from click.core import augment_usage_errors
 
 from kurbel.cli import COMMANDS
 from kurbel.cli.app import command_of, one_line
-from kurbel.cli.options import Document, FileName
-from kurbel.cli.rivals import MACHINE, Given, machine_defaults
+from kurbel.cli.options import MACHINE, Document, FileName, Given, machine_defaults
 from kurbel.cli.tables import MakingCommand
 from kurbel.errors import ChoiceError, KurbelError, ProblemError
 from kurbel.formats.registry import FORMATS

@@ -7,8 +7,7 @@ from typing import Any
 
 import click
 
-from kurbel.cli.options import Option, click_option, lang_option
-from kurbel.cli.rivals import Given
+from kurbel.cli.options import Given, Option, click_option, lang_option
 from kurbel.cli.tables import CollateCommand, Printing, TableCommand
 from kurbel.commands import motion
 from kurbel.commands.books import collation_table, example_table

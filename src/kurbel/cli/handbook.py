@@ -76,7 +76,7 @@ def building(command: Callable[..., Any]) -> Callable[..., Any]:
 def init(folder: str, lang: str) -> None:
     """Write a manifest with comments, which builds at once, into FOLDER."""
     from kurbel.errors import HandbookError, OutputError
-    from kurbel.formats.output import whole_file
+    from kurbel.formats.render import whole_file
     from kurbel.handbook.init import first_manifest
     from kurbel.handbook.manifest import NAME
 

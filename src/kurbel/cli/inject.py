@@ -194,7 +194,7 @@ def _refresh(document: Document) -> None:
     stale = document.stale
     if not stale:
         return
-    from kurbel.formats.output import whole_file
+    from kurbel.formats.render import whole_file
 
     # Tables take their time, in which an author may save the document.
     if _read(document.name) != document.old:

@@ -8,8 +8,7 @@ from typing import NamedTuple
 import click
 from click.core import ParameterSource
 
-from kurbel.cli.options import Option, Type, click_option
-from kurbel.cli.rivals import RIVALS, Given, machine_option, resolved
+from kurbel.cli.options import RIVALS, Given, Option, Type, click_option, machine_option, resolved
 from kurbel.cli.tables import MakingCommand
 from kurbel.commands import engine_plots, plots
 from kurbel.commands.machines import MASSES, STEAM
@@ -87,7 +86,7 @@ class PlotCommand(MakingCommand):
         return kind.command.ask(**resolved(kind.command, given, RIVALS["plot"])), 0
 
     def run(self, given: Given) -> int:
-        from kurbel.formats.output import whole_file
+        from kurbel.formats.render import whole_file
 
         name = _format(given)
         drawing, code = self.made(given)

@@ -13,12 +13,21 @@ import click
 from click.core import augment_usage_errors
 
 from kurbel.cli import say
-from kurbel.cli.options import Document, Option, click_option, help_of, printing_options
-from kurbel.cli.rivals import RIVALS, Given, machine_option, resolved
+from kurbel.cli.options import (
+    RIVALS,
+    Document,
+    Given,
+    Option,
+    click_option,
+    help_of,
+    machine_option,
+    printing_options,
+    resolved,
+)
 from kurbel.commands.subject import Command
 from kurbel.errors import ProblemError
-from kurbel.formats.output import whole_file
 from kurbel.formats.registry import DEFAULT, FORMATS, CompiledFormat, Format, RecordsFormat, for_suffix
+from kurbel.formats.render import whole_file
 
 if TYPE_CHECKING:
     from kurbel.commands.shown import Drawing

@@ -5,7 +5,7 @@ from typing import Annotated, Unpack
 from kurbel.balance.arrangement import usual
 from kurbel.balance.harmonics import HARMONICS, MOST_ORDERS
 from kurbel.commands import parameters as option
-from kurbel.commands.cranks import ratios_of
+from kurbel.commands.motion import ratios_of
 from kurbel.commands.options import Choice, Count, Option
 from kurbel.commands.subject import makes_table
 from kurbel.page.layouts import layout_of

@@ -5,8 +5,8 @@ from fractions import Fraction
 from typing import Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
-from kurbel.commands.cranks import ratios_of
 from kurbel.commands.machines import engine_of, for_masses, is_heavy
+from kurbel.commands.motion import ratios_of
 from kurbel.commands.options import FLAG, Columns, Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.errors import ProblemError

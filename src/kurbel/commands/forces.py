@@ -5,8 +5,8 @@ from dataclasses import replace
 from typing import Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
-from kurbel.commands.cranks import angles_of, mechanism_of, of_other_mechanisms, sheet_of
 from kurbel.commands.machines import MASSES, STEAM, GivenRod, Masses, engine_of, for_masses, is_heavy
+from kurbel.commands.motion import angles_of, mechanism_of, of_other_mechanisms, sheet_of
 from kurbel.commands.options import Choice, LayoutName, Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.drive import load

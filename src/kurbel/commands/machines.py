@@ -8,7 +8,7 @@ from fractions import Fraction
 from os import PathLike
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from kurbel.commands.cranks import cranks_of, sheet_of
+from kurbel.commands.motion import cranks_of, sheet_of
 from kurbel.commands.options import is_given
 from kurbel.errors import ProblemError
 from kurbel.page.layouts import Layout

@@ -1,14 +1,97 @@
-"""The motion of the piston over the crank angle."""
+"""The crank drive that options describe, and the crank angles; the motion of the piston over them."""
 
-from typing import Annotated, Unpack
+from collections.abc import Collection, Mapping, Sequence
+from fractions import Fraction
+from typing import Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
-from kurbel.commands.cranks import angles_of, described, of_other_mechanisms, sheet_of
+from kurbel.commands.options import is_given
+from kurbel.commands.parameters import Given, Sheet
 from kurbel.commands.subject import makes_table
-from kurbel.drive.mechanisms import MOTIONS
-from kurbel.page.layouts import layout_of
+from kurbel.drive.crank import Crank, Described
+from kurbel.drive.mechanisms import MECHANISMS, MOTIONS
+from kurbel.errors import ProblemError
+from kurbel.motion import mechanism as mechanisms
+from kurbel.motion.mechanism import Mechanism
+from kurbel.page.layouts import Folder, Layout, layout_of
 from kurbel.page.subject import Question
-from kurbel.reading.given import as_names
+from kurbel.reading import notation
+from kurbel.reading.given import Exact, as_angle, as_angles, as_names
+
+FULL_TURN = Fraction(360)
+STEP = Fraction(10)
+
+
+def mechanism_of(
+    mechanism: str | None, offset: Exact | None, layout: str | None = None, layouts: Folder | None = None
+) -> Mechanism:
+    """Return which crank drive is meant: where it is not said, by the layout, else by the offset."""
+    if not mechanism and layout is not None:
+        subject = layout_of(layout, MOTIONS, layouts).subject
+        fitting = [name for name, one in MECHANISMS.items() if one.subject == subject]
+        mechanism = fitting[0] if len(fitting) == 1 else None
+    return mechanisms.mechanism(mechanism or ("straight" if offset is None else "offset"))
+
+
+def described(given: Mapping[str, Any], **more: Any) -> tuple[Mechanism, Described]:
+    """Return which crank drive options describe, and how; raise ProblemError if they do not say enough."""
+    layouts = given.get("layouts") if given.get("layout") else None
+    chosen = mechanism_of(given["mechanism"], given["offset"], given.get("layout"), layouts)
+    said = Described.of(given, **more)
+    chosen.check(said)
+    return chosen, said
+
+
+def sheet_of(given: Mapping[str, Any]) -> dict[str, Any]:
+    """Return how the page is to be printed."""
+    return {name: given[name] for name in Sheet.__annotations__ if name in given}
+
+
+def meant(values: Mapping[str, Any]) -> Mechanism:
+    """Return which crank drive options describe."""
+    return mechanism_of(values["mechanism"], values["offset"], values.get("layout"), values.get("layouts"))
+
+
+def of_other_mechanisms(
+    values: Mapping[str, Any], chosen: Mechanism | None = None, shared: Collection[str] = ()
+) -> dict[str, str]:
+    """Return what was given that describes other crank drives alone, with the sentences that refuse it."""
+    given = [name for name, value in values.items() if is_given(value)]
+    return mechanisms.of_other_mechanisms(chosen or meant(values), given, shared)
+
+
+def cranks_of(
+    page: Layout, ratio: Given | None, stroke: Exact | None, rod: Exact | None, offset: Exact | None = None
+) -> tuple[Crank, ...]:
+    """Return the straight or offset cranks described, of the layout's ratios if nothing gives one."""
+    return Described(ratio=ratio, stroke=stroke, rod=rod, offset=offset).cranks(page.ratios)
+
+
+def ratios_of(page: Layout, ratio: Given | None) -> tuple[Fraction, ...]:
+    """Return the crank ratios, or the layout's own."""
+    return Described(ratio=ratio).ratios(page.ratios)
+
+
+def angles_of(page: Layout, given: Mapping[str, Any]) -> Sequence[Fraction]:
+    """Return the angles that are listed, or those of a run, or the layout's own."""
+    angle, step = given["angle"], given["step"]
+    if all(given[name] is None for name in ("from_", "to", "step")):
+        return as_angles(page.angles if angle is None else angle)
+    if angle is not None:
+        raise ProblemError(
+            "--angle lists the angles and --from, --to, --step run through them; use one or the other"
+        )
+    first, last = ends_of(given)
+    if step is not None:
+        return notation.progression(first, last, as_angle(step, "step"))
+    return notation.progression(first, last, min(STEP, last - first) if last > first else STEP)
+
+
+def ends_of(given: Mapping[str, Any]) -> tuple[Fraction, Fraction]:
+    """Return the first and the last angle, by default those of the whole turn."""
+    start, stop = given["from_"], given["to"]
+    first = Fraction(0) if start is None else as_angle(start, "first angle")
+    return first, FULL_TURN if stop is None else as_angle(stop, "last angle")
 
 
 class Motion(option.Run, option.Linked, option.Sheet, total=False):

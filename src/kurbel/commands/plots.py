@@ -6,7 +6,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Annotated, Any, TypeAlias, Unpack
 
 from kurbel.commands import parameters as option
-from kurbel.commands.cranks import described, ends_of, meant, mechanism_of, of_other_mechanisms
+from kurbel.commands.motion import described, ends_of, meant, mechanism_of, of_other_mechanisms
 from kurbel.commands.options import Columns, Option
 from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import draws

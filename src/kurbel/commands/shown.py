@@ -61,7 +61,7 @@ class Table(Page):
 
         Raises KurbelError.
         """
-        from kurbel.formats.output import whole_file
+        from kurbel.formats.render import whole_file
 
         form = for_suffix(os.fspath(path))
         if isinstance(form, CompiledFormat):
@@ -139,7 +139,7 @@ class Drawing:
 
         Raises KurbelError.
         """
-        from kurbel.formats.output import whole_file
+        from kurbel.formats.render import whole_file
         from kurbel.plot.style import format_of
 
         content = self.image(format_of(os.fspath(path)))

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping
 from typing import Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
-from kurbel.commands.cranks import described, mechanism_of, of_other_mechanisms, sheet_of
+from kurbel.commands.motion import described, mechanism_of, of_other_mechanisms, sheet_of
 from kurbel.commands.options import Columns, Option
 from kurbel.commands.subject import makes_table
 from kurbel.errors import NotationError, ProblemError

@@ -11,8 +11,8 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 
 from kurbel.errors import HandbookError, OutputError
-from kurbel.formats.output import whole_file
 from kurbel.formats.registry import FORMATS
+from kurbel.formats.render import whole_file
 
 # What is only of use on this machine: the lock and what the last build knew.
 OWN = ".kurbel"
