@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any, ClassVar, Literal, NamedTuple
 
@@ -35,6 +35,14 @@ def document_files(
     return maker.files()
 
 
+class DocumentTitle(NamedTuple):
+    """A title as it is printed, as a string for what a PDF says of itself, and for a running head."""
+
+    text: str
+    string: str
+    head: str
+
+
 class DocumentPart(NamedTuple):
     """A text; or a table or a figure with its number, "Table 3". `alt` is the caption as plain text."""
 
@@ -45,6 +53,20 @@ class DocumentPart(NamedTuple):
     caption: str = ""
     alt: str = ""
     text: str = ""
+
+
+class DocumentChapter(NamedTuple):
+    """A chapter: `heading` is the title as it stands over it, `file` the name of a page of its own.
+
+    `lang` is the language where it is not the document's.
+    """
+
+    title: Any
+    heading: str
+    label: str
+    file: str
+    lang: str
+    parts: tuple[Any, ...]
 
 
 class DocumentMaker(ABC):
@@ -74,6 +96,39 @@ class DocumentMaker(ABC):
     def filled(self, name: str, values: Mapping[str, object]) -> str:
         """Return what the template of that name makes of the values."""
         return render_document(self.form, name, values, self.templates)
+
+    def values(self) -> dict[str, Any]:
+        """Return what the templates read."""
+        document = self.document
+        return {
+            "document": document,
+            "words": document.words,
+            "title": self.title(document.title),
+            "subtitle": self.titled(document.subtitle),
+            "author": self.titled(document.author),
+            "chapters": [self.chapter(chapter) for chapter in document.chapters],
+        }
+
+    def chapter(self, chapter: Chapter) -> Any:
+        """Return a chapter as the templates read it."""
+        title = self.title(chapter.title, chapter.lang)
+        lang, parts = self.other(chapter.lang), self.parts(chapter)
+        return DocumentChapter(
+            title, self.heading(title), self.label(chapter), self.file(chapter), lang, parts
+        )
+
+    def title(self, label: Label, lang: str = "") -> Any:
+        """Return a title as the templates read it."""
+        return self.titled(label, lang)
+
+    def titles(self, label: Label, lang: str, string: Callable[[str], str]) -> DocumentTitle:
+        """Return a title in all its forms; `string` makes a string of its plain text."""
+        text = self.titled(label, lang)
+        return DocumentTitle(text, string(self.plain(label, lang)), self.head(label, lang))
+
+    def heading(self, title: Any) -> str:
+        """Return a title as it stands over a page."""
+        return ""
 
     def page(self, chapter: Chapter) -> str:
         """Return what stands before the label in a reference to a part of a chapter: "02-paths.md#"."""

@@ -6,69 +6,51 @@ import re
 from collections.abc import Callable
 from typing import NamedTuple
 
-from kurbel.page.formula import (
-    GREEK,
-    SIGNS,
-    SYMBOLS,
-    Fraction,
-    Group,
-    Node,
-    Nodes,
-    Numeral,
-    Root,
-    Script,
-    Sign,
-    Space,
-    Symbol,
-    Upright,
-    Variable,
-    Word,
-    is_function,
-)
+from kurbel.page import formula as tree
 from kurbel.page.labels import beside, is_sum
 
 _RELATIONS = frozenset("=<>≤≥≈:")
 _COMMAND = re.compile(r"\\[A-Za-z]+$")
 
 
-def has_stroke(nodes: Nodes, place: int) -> bool:
+def has_stroke(nodes: tree.Nodes, place: int) -> bool:
     """Tell whether an engine should set a fraction with a stroke: x/R, not a small x over a small R.
 
     So it does for a fraction of letters and numbers that is a whole side of its formula. One that stands
     among factors or in a sum would be misread, and one of functions is easier to read with a bar.
     """
     fraction = nodes[place]
-    assert isinstance(fraction, Fraction)
+    assert isinstance(fraction, tree.Fraction)
     neighbours = [beside(nodes, place, step) for step in (-1, 1) if 0 <= place + step < len(nodes)]
-    if not all(isinstance(node, Sign) and node.text in _RELATIONS for node in neighbours):
+    if not all(isinstance(node, tree.Sign) and node.text in _RELATIONS for node in neighbours):
         return False
     parts = fraction.top + fraction.bottom
-    return not is_sum(parts) and not any(is_function(node) for node in parts)
+    return not is_sum(parts) and not any(tree.is_function(node) for node in parts)
 
 
-def has_bar(nodes: Nodes) -> bool:
+def has_bar(nodes: tree.Nodes) -> bool:
     """Tell whether a sequence has a fraction with a bar, which needs height."""
     return any(
         has_bar(node.content)
-        if isinstance(node, Group | Root)
-        else isinstance(node, Fraction) and not has_stroke(nodes, place)
+        if isinstance(node, tree.Group | tree.Root)
+        else isinstance(node, tree.Fraction) and not has_stroke(nodes, place)
         for place, node in enumerate(nodes)
     )
 
 
-def is_seen(nodes: Nodes, place: int) -> bool:
+def is_seen(nodes: tree.Nodes, place: int) -> bool:
     """Tell whether a space must be set because the engine, which spaces by itself, would set none.
 
     A unit needs it, and two numbers, which would run into one.
     """
     before, after = nodes[place - 1], nodes[place + 1]
-    both_numbers = isinstance(before, Numeral) and isinstance(after, Numeral)
+    both_numbers = isinstance(before, tree.Numeral) and isinstance(after, tree.Numeral)
     return both_numbers or _is_unit(before) or _is_unit(after)
 
 
-def _is_unit(node: Node) -> bool:
+def _is_unit(node: tree.Node) -> bool:
     """Tell whether a node is a unit or the power of one: min^(-1)."""
-    return isinstance(node.base if isinstance(node, Script) else node, Upright)
+    return isinstance(node.base if isinstance(node, tree.Script) else node, tree.Upright)
 
 
 class TexMath(NamedTuple):
@@ -77,7 +59,7 @@ class TexMath(NamedTuple):
     mark: str
     upright: Callable[[str], str]
 
-    def set(self, nodes: Nodes) -> str:
+    def set(self, nodes: tree.Nodes) -> str:
         r"""Return what stands between dollar signs: x/R, \frac{1}{4{,}5}\cos\varphi. Needs amsmath."""
         result = ""
         for place in range(len(nodes)):
@@ -87,35 +69,35 @@ class TexMath(NamedTuple):
             result += piece
         return result
 
-    def _node(self, nodes: Nodes, place: int) -> str:
+    def _node(self, nodes: tree.Nodes, place: int) -> str:
         node = nodes[place]
         match node:
-            case Word(text):
+            case tree.Word(text):
                 return f"\\{text}"
-            case Variable(text):
-                return GREEK.get(text, text)
-            case Numeral(text):
+            case tree.Variable(text):
+                return tree.GREEK.get(text, text)
+            case tree.Numeral(text):
                 return text.replace(".", "{,}" if self.mark == "," else self.mark)
-            case Sign(text):
-                return SIGNS[text][1]
-            case Symbol(text):
-                return SYMBOLS[text][1]
-            case Upright(text):
+            case tree.Sign(text):
+                return tree.SIGNS[text][1]
+            case tree.Symbol(text):
+                return tree.SYMBOLS[text][1]
+            case tree.Upright(text):
                 return f"\\text{{{self.upright(text)}}}"
-            case Space():
+            case tree.Space():
                 return r"\," * is_seen(nodes, place)
-            case Group(content, fences):
+            case tree.Group(content, fences):
                 left, right = (r"\left", r"\right") if has_bar(content) else ("", "")
                 return f"{left}{fences[0]}{self.set(content)}{right}{fences[1]}"
-            case Root(content):
+            case tree.Root(content):
                 return f"\\sqrt{{{self.set(content)}}}"
-            case Fraction(top, bottom) if has_stroke(nodes, place):
-                below = self.set(bottom if len(bottom) == 1 else (Group(bottom),))
+            case tree.Fraction(top, bottom) if has_stroke(nodes, place):
+                below = self.set(bottom if len(bottom) == 1 else (tree.Group(bottom),))
                 return f"{self.set(top)}/{below}"
-            case Fraction(top, bottom):
+            case tree.Fraction(top, bottom):
                 return f"\\frac{{{self.set(top)}}}{{{self.set(bottom)}}}"
-            case Script(base, index, power):
+            case tree.Script(base, index, power):
                 inner = self.set((base,))
                 below = f"_{{{self.set(index)}}}" if index else ""
                 above = f"^{{{self.set(power)}}}" if power else ""
-                return (f"{{{inner}}}" if isinstance(base, Symbol) else inner) + below + above
+                return (f"{{{inner}}}" if isinstance(base, tree.Symbol) else inner) + below + above

@@ -7,26 +7,7 @@ from collections.abc import Callable
 from typing import ClassVar, Literal, NamedTuple
 from urllib.parse import unquote
 
-from kurbel.documents.prose import (
-    Block,
-    Blocks,
-    Break,
-    Code,
-    CodeBlock,
-    Emphasis,
-    Grid,
-    Heading,
-    Inline,
-    Inlines,
-    Link,
-    Listing,
-    Paragraph,
-    Quote,
-    Refer,
-    Rule,
-    Strong,
-    Text,
-)
+from kurbel.documents import prose
 from kurbel.formats.registry import PageFormat
 from kurbel.formats.writer import PageWriter
 from kurbel.page.formula import Formula
@@ -48,7 +29,7 @@ class Reference(NamedTuple):
 Find = Callable[[str], Reference]
 
 
-def set_prose(blocks: Blocks, form: PageFormat, mark: str, refer: Find, level: int = 1) -> str:
+def set_prose(blocks: prose.Blocks, form: PageFormat, mark: str, refer: Find, level: int = 1) -> str:
     """Return a text in a format, its last line ended.
 
     `mark` is the decimal mark of numbers in formulas; `refer` returns what a name refers to, or raises;
@@ -76,70 +57,70 @@ class ProsePrinter(ABC):
         self.refer = refer
         self.level = level
 
-    def document(self, blocks: Blocks) -> str:
+    def document(self, blocks: prose.Blocks) -> str:
         """Return the whole text."""
         return self.blocks(blocks) + "\n" if blocks else ""
 
-    def blocks(self, blocks: Blocks, between: str = "\n\n") -> str:
+    def blocks(self, blocks: prose.Blocks, between: str = "\n\n") -> str:
         """Return blocks below each other."""
         return between.join(self.block(block) for block in blocks)
 
-    def block(self, block: Block) -> str:
+    def block(self, block: prose.Block) -> str:
         """Return one block, without the end of its last line."""
         match block:
-            case Paragraph(content):
+            case prose.Paragraph(content):
                 return self.paragraph(content)
-            case Heading(level, content):
+            case prose.Heading(level, content):
                 return self.heading(level + self.level, content)
-            case CodeBlock(lines):
+            case prose.CodeBlock(lines):
                 return self.code_block(lines)
-            case Quote(content):
+            case prose.Quote(content):
                 return self.quote(content)
-            case Listing():
+            case prose.Listing():
                 return self.listing(block)
-            case Rule():
+            case prose.Rule():
                 return self.rule
-            case Grid():
+            case prose.Grid():
                 return self.grid(block)
 
-    def inlines(self, content: Inlines) -> str:
+    def inlines(self, content: prose.Inlines) -> str:
         """Return inlines beside each other."""
         return "".join(self.inline(inline) for inline in content)
 
-    def inline(self, inline: Inline) -> str:
+    def inline(self, inline: prose.Inline) -> str:
         """Return one inline."""
         match inline:
-            case Text(text):
+            case prose.Text(text):
                 return self.text(text)
             case Formula():
                 return self.writer.formula(inline, self.mark)
-            case Code(text):
+            case prose.Code(text):
                 return self.code(text)
-            case Break():
+            case prose.Break():
                 return self.line_end
-            case Emphasis(content):
+            case prose.Emphasis(content):
                 return self.inlines(content).join(self.emphasised)
-            case Strong(content):
+            case prose.Strong(content):
                 return self.inlines(content).join(self.strong)
-            case Link(address, content):
+            case prose.Link(address, content):
                 return self.link(address, content)
-            case Refer(name, content):
+            case prose.Refer(name, content):
                 return self.reference(self.refer(name), content)
 
-    def plain(self, content: Inlines) -> str:
+    def plain(self, content: prose.Inlines) -> str:
         """Return the letters of inlines, where nothing else can stand."""
         pieces = []
         for inline in content:
             match inline:
-                case Text(text) | Code(text):
+                case prose.Text(text) | prose.Code(text):
                     pieces.append(text)
                 case Formula():
                     pieces.append(formula_plain(inline, self.mark))
-                case Emphasis(inner) | Strong(inner) | Link(_, inner):
+                case prose.Emphasis(inner) | prose.Strong(inner) | prose.Link(_, inner):
                     pieces.append(self.plain(inner))
-                case Refer(name, inner):
+                case prose.Refer(name, inner):
                     pieces.append(self.plain(inner) or self.refer(name).text)
-                case Break():
+                case prose.Break():
                     pieces.append(" ")
         return "".join(pieces)
 
@@ -147,12 +128,12 @@ class ProsePrinter(ABC):
         """Return words."""
         return self.writer.escape(text)
 
-    def paragraph(self, content: Inlines) -> str:
+    def paragraph(self, content: prose.Inlines) -> str:
         """Return a paragraph."""
         return self.inlines(content)
 
     @abstractmethod
-    def heading(self, level: int, content: Inlines) -> str:
+    def heading(self, level: int, content: prose.Inlines) -> str:
         """Return a heading; level 1 is that of a title or chapter."""
 
     @abstractmethod
@@ -160,15 +141,15 @@ class ProsePrinter(ABC):
         """Return lines of code."""
 
     @abstractmethod
-    def quote(self, content: Blocks) -> str:
+    def quote(self, content: prose.Blocks) -> str:
         """Return a quotation."""
 
     @abstractmethod
-    def listing(self, listing: Listing) -> str:
+    def listing(self, listing: prose.Listing) -> str:
         """Return a list."""
 
     @abstractmethod
-    def grid(self, grid: Grid) -> str:
+    def grid(self, grid: prose.Grid) -> str:
         """Return a table."""
 
     @abstractmethod
@@ -176,18 +157,18 @@ class ProsePrinter(ABC):
         """Return characters of code."""
 
     @abstractmethod
-    def link(self, address: str, content: Inlines) -> str:
+    def link(self, address: str, content: prose.Inlines) -> str:
         """Return a link to another site."""
 
-    def reference(self, reference: Reference, content: Inlines) -> str:
+    def reference(self, reference: Reference, content: prose.Inlines) -> str:
         """Return a reference to a part of the handbook."""
-        return self.link(reference.target, content or (Text(reference.text),))
+        return self.link(reference.target, content or (prose.Text(reference.text),))
 
 
-def is_own(address: str, content: Inlines) -> bool:
+def is_own(address: str, content: prose.Inlines) -> bool:
     """Tell whether the words of a link are nothing but its address."""
     match content:
-        case (Text(text),):
+        case (prose.Text(text),):
             return unquote(text) in (unquote(address), unquote(address.removeprefix("mailto:")))
     return False
 

@@ -60,24 +60,21 @@ class Maker(DocumentMaker):
 
     def files(self) -> dict[str, str]:
         """Return the page by the name of its file."""
-        document, title = self.document, self.plain(self.document.title)
-        values = {
-            "document": document,
-            "title": self.titled(document.title),
-            "subtitle": self.titled(document.subtitle),
-            "author": self.titled(document.author),
+        title, author = self.plain(self.document.title), self.plain(self.document.author)
+        values = self.values()
+        values |= {
             "plain_title": self.writer.escape(title),
-            "plain_author": self.writer.escape(self.plain(document.author)),
+            "plain_author": self.writer.escape(author),
             "head": css_string(title),
-            "sections": [self.section(chapter) for chapter in document.chapters],
-            "words": {**document.words, **WORDS[document.lang]},
+            "sections": values["chapters"],
+            "words": {**values["words"], **WORDS[self.document.lang]},
         }
         return {NAME: self.filled("handbook", values)}
 
     def page(self, chapter: Chapter) -> str:
         return "#"
 
-    def section(self, chapter: Chapter) -> Section:
+    def chapter(self, chapter: Chapter) -> Section:
         return Section(
             chapter.number,
             self.label(chapter),

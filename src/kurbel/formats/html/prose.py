@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from kurbel.documents.prose import Align, Blocks, Grid, Inlines, Listing, Paragraph
+from kurbel.documents import prose
 from kurbel.formats.html.writer import escape
 from kurbel.formats.printer import ProsePrinter
 
@@ -13,13 +13,13 @@ class Printer(ProsePrinter):
     emphasised, strong = ("<em>", "</em>"), ("<strong>", "</strong>")
     rule, line_end = "<hr>", "<br>\n"
 
-    def paragraph(self, content: Inlines) -> str:
+    def paragraph(self, content: prose.Inlines) -> str:
         return f"<p>{self.inlines(content)}</p>"
 
-    def blocks(self, blocks: Blocks, between: str = "\n") -> str:
+    def blocks(self, blocks: prose.Blocks, between: str = "\n") -> str:
         return super().blocks(blocks, between)
 
-    def heading(self, level: int, content: Inlines) -> str:
+    def heading(self, level: int, content: prose.Inlines) -> str:
         level = min(level, 6)
         return f"<h{level}>{self.inlines(content)}</h{level}>"
 
@@ -28,25 +28,25 @@ class Printer(ProsePrinter):
         code = escape("".join(f"{line}\n" for line in lines))
         return f'<pre tabindex="0"><code>{code}</code></pre>'
 
-    def quote(self, content: Blocks) -> str:
+    def quote(self, content: prose.Blocks) -> str:
         return f"<blockquote>\n{self.blocks(content)}\n</blockquote>"
 
-    def listing(self, listing: Listing) -> str:
+    def listing(self, listing: prose.Listing) -> str:
         tag = "ul" if listing.start is None else "ol"
         start = "" if listing.start in (None, 1) else f' start="{listing.start}"'
         items = "\n".join(self._item(item, listing.tight) for item in listing.items)
         return f"<{tag}{start}>\n{items}\n</{tag}>"
 
-    def _item(self, item: Blocks, tight: bool) -> str:
+    def _item(self, item: prose.Blocks, tight: bool) -> str:
         """Return an item; in a tight list its paragraphs stand bare."""
         blocks = (
-            self.inlines(block.content) if tight and isinstance(block, Paragraph) else self.block(block)
+            self.inlines(block.content) if tight and isinstance(block, prose.Paragraph) else self.block(block)
             for block in item
         )
         content = "\n".join(blocks)
         return f"<li>{content}</li>"
 
-    def grid(self, grid: Grid) -> str:
+    def grid(self, grid: prose.Grid) -> str:
         head = self._row(grid.head, grid.aligns, "th", ' scope="col"')
         rows = "\n".join(self._row(row, grid.aligns, "td") for row in grid.rows)
         body = f"<tbody>\n{rows}\n</tbody>\n" if rows else ""
@@ -54,7 +54,7 @@ class Printer(ProsePrinter):
         return f'<div class="scroll" tabindex="0">\n{table}\n</div>'
 
     def _row(
-        self, cells: Iterable[Inlines], aligns: Iterable[Align | None], tag: str, scope: str = ""
+        self, cells: Iterable[prose.Inlines], aligns: Iterable[prose.Align | None], tag: str, scope: str = ""
     ) -> str:
         tags = (
             f"<{tag}{scope}{_style(align)}>{self.inlines(cell)}</{tag}>"
@@ -65,9 +65,9 @@ class Printer(ProsePrinter):
     def code(self, text: str) -> str:
         return f"<code>{escape(text)}</code>"
 
-    def link(self, address: str, content: Inlines) -> str:
+    def link(self, address: str, content: prose.Inlines) -> str:
         return f'<a href="{escape(address)}">{self.inlines(content)}</a>'
 
 
-def _style(align: Align | None) -> str:
+def _style(align: prose.Align | None) -> str:
     return f' style="text-align: {align}"' if align else ""

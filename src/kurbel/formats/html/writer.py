@@ -6,25 +6,8 @@ import re
 
 from kurbel.formats.formula import has_bar, has_stroke, is_seen
 from kurbel.formats.writer import PageWriter
-from kurbel.page.formula import (
-    CAPITALS,
-    SIGNS,
-    SYMBOLS,
-    Formula,
-    Fraction,
-    Group,
-    Nodes,
-    Numeral,
-    Root,
-    Script,
-    Sign,
-    Space,
-    Symbol,
-    Upright,
-    Variable,
-    Word,
-    is_function,
-)
+from kurbel.page import formula as tree
+from kurbel.page.formula import Formula
 from kurbel.page.labels import beside
 
 
@@ -68,68 +51,68 @@ def _kept(match: re.Match[str]) -> str:
     return text if alone else f'<span class="kept">{text}</span>'
 
 
-def _mathml(nodes: Nodes, mark: str) -> str:
+def _mathml(nodes: tree.Nodes, mark: str) -> str:
     return "".join(_mathml_node(nodes, place, mark) for place in range(len(nodes)))
 
 
-def _mathml_node(nodes: Nodes, place: int, mark: str) -> str:
+def _mathml_node(nodes: tree.Nodes, place: int, mark: str) -> str:
     node = nodes[place]
     match node:
-        case Word(text):
+        case tree.Word(text):
             return f"{_apart(nodes, place)}<mi>{text}</mi>{_apply(nodes, place)}"
-        case Variable(text):
-            return f'<mi mathvariant="normal">{text}</mi>' if text in CAPITALS else f"<mi>{text}</mi>"
-        case Numeral(text):
+        case tree.Variable(text):
+            return f'<mi mathvariant="normal">{text}</mi>' if text in tree.CAPITALS else f"<mi>{text}</mi>"
+        case tree.Numeral(text):
             return f"<mn>{text.replace('.', mark)}</mn>"
-        case Sign(text):
+        case tree.Sign(text):
             tight = ' lspace="0" rspace="0"' if text == ":" else ""
-            return f"<mo{tight}>{escape(SIGNS[text][0])}</mo>"
-        case Symbol(text):
-            return f'<mi mathvariant="normal">{SYMBOLS[text][0]}</mi>'
-        case Upright(text):
+            return f"<mo{tight}>{escape(tree.SIGNS[text][0])}</mo>"
+        case tree.Symbol(text):
+            return f'<mi mathvariant="normal">{tree.SYMBOLS[text][0]}</mi>'
+        case tree.Upright(text):
             return f"<mtext>{escape(text)}</mtext>"
-        case Space():
+        case tree.Space():
             return _THIN * is_seen(nodes, place)
-        case Group(content, fences):
+        case tree.Group(content, fences):
             # Fences that may stretch are set with side bearings, even around a single line.
             fixed = "" if has_bar(content) else ' stretchy="false"'
             opening, closing = (f"<mo{fixed}>{fence}</mo>" for fence in fences)
             return f"<mrow>{opening}{_mathml(content, mark)}{closing}</mrow>"
-        case Root(content):
+        case tree.Root(content):
             return f"<msqrt>{_mathml(content, mark)}</msqrt>"
-        case Fraction(top, bottom) if has_stroke(nodes, place):
-            below = _mathml(bottom if len(bottom) == 1 else (Group(bottom),), mark)
+        case tree.Fraction(top, bottom) if has_stroke(nodes, place):
+            below = _mathml(bottom if len(bottom) == 1 else (tree.Group(bottom),), mark)
             return f'{_mathml(top, mark)}<mo lspace="0" rspace="0">/</mo>{below}'
-        case Fraction(top, bottom):
+        case tree.Fraction(top, bottom):
             return f"<mfrac>{_row(top, mark)}{_row(bottom, mark)}</mfrac>"
-        case Script(base, index, power):
+        case tree.Script(base, index, power):
             tag = "m" + "sub" * bool(index) + "sup" * bool(power)
             inner = "".join(_row(nodes, mark) for nodes in ((base,), index, power) if nodes)
-            function = is_function(base)
+            function = tree.is_function(base)
             before, after = (_apart(nodes, place), _apply(nodes, place)) if function else ("", "")
             return f"{before}<{tag}>{inner}</{tag}>{after}"
 
 
-def _row(nodes: Nodes, mark: str) -> str:
+def _row(nodes: tree.Nodes, mark: str) -> str:
     content = _mathml(nodes, mark)
     # A fraction with a stroke is one node but three elements.
-    single = len(nodes) == 1 and not (isinstance(nodes[0], Fraction) and has_stroke(nodes, 0))
+    single = len(nodes) == 1 and not (isinstance(nodes[0], tree.Fraction) and has_stroke(nodes, 0))
     return content if single else f"<mrow>{content}</mrow>"
 
 
 _THIN = '<mspace width="0.167em"/>'
 
 
-def _apart(nodes: Nodes, place: int) -> str:
+def _apart(nodes: tree.Nodes, place: int) -> str:
     """Return the thin space between a factor and a function, which browsers do not set by themselves."""
-    return "" if place == 0 or isinstance(beside(nodes, place, -1), Sign) else _THIN
+    return "" if place == 0 or isinstance(beside(nodes, place, -1), tree.Sign) else _THIN
 
 
-def _apply(nodes: Nodes, place: int) -> str:
+def _apply(nodes: tree.Nodes, place: int) -> str:
     """Return the invisible sign that binds a function to what follows it, and the space after it."""
-    if place == len(nodes) - 1 or isinstance(beside(nodes, place, 1), Sign):
+    if place == len(nodes) - 1 or isinstance(beside(nodes, place, 1), tree.Sign):
         return ""
     argument = beside(nodes, place, 1)
     return "<mo>&#x2061;</mo>" + _THIN * (
-        not isinstance(argument, Group | Word) and not is_function(argument)
+        not isinstance(argument, tree.Group | tree.Word) and not tree.is_function(argument)
     )

@@ -11,16 +11,8 @@ from typing import NamedTuple
 
 from kurbel.documents.document import WORDS, Item
 from kurbel.exact.numerals import Label
-from kurbel.formats.documents import DocumentMaker
+from kurbel.formats.documents import DocumentMaker, DocumentTitle
 from kurbel.formats.latex.writer import string
-
-
-class TexTitle(NamedTuple):
-    """A title as it is printed, as the strings of a PDF have it, and for a running head."""
-
-    text: str
-    string: str
-    head: str
 
 
 class TexPart(NamedTuple):
@@ -37,12 +29,6 @@ class TexPart(NamedTuple):
     long: bool
 
 
-class TexChapter(NamedTuple):
-    title: TexTitle
-    label: str
-    parts: tuple[TexPart, ...]
-
-
 class Maker(DocumentMaker):
     joint = ":"
     # A chapter is a section, and what stands below it a subsection.
@@ -50,21 +36,12 @@ class Maker(DocumentMaker):
 
     def files(self) -> dict[str, str]:
         """Return appendix.tex and handbook.tex, which input the fragments."""
-        document = self.document
-        chapters = tuple(
-            TexChapter(self.title(one.title, one.lang), self.label(one), self.parts(one))
-            for one in document.chapters
-        )
-        values = {
-            "document": document,
-            "title": self.title(document.title),
-            "subtitle": self.titled(document.subtitle),
-            "author": self.title(document.author),
-            "words": document.words,
+        values = self.values()
+        values |= {
+            "author": self.title(self.document.author),
             "languages": self.languages(),
-            "chapters": chapters,
-            "long": any(part.long for chapter in chapters for part in chapter.parts),
-            "linked": any(document.items("text")),
+            "long": any(part.long for chapter in values["chapters"] for part in chapter.parts),
+            "linked": any(self.document.items("text")),
         }
         return {f"{name}.tex": self.filled(name, values) for name in ("appendix", "handbook")}
 
@@ -85,5 +62,5 @@ class Maker(DocumentMaker):
         others = {self.language(item) for item in self.document.items("text", "table", "figure")} - {""}
         return ",".join([*sorted(others), f"main={self.document.words['babel']}"])
 
-    def title(self, label: Label, lang: str = "") -> TexTitle:
-        return TexTitle(self.titled(label, lang), string(self.plain(label, lang)), self.head(label, lang))
+    def title(self, label: Label, lang: str = "") -> DocumentTitle:
+        return self.titles(label, lang, string)

@@ -5,20 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from kurbel.documents.prose import (
-    Blocks,
-    Break,
-    CodeBlock,
-    Emphasis,
-    Grid,
-    Inlines,
-    Link,
-    Listing,
-    Paragraph,
-    Quote,
-    Refer,
-    Strong,
-)
+from kurbel.documents import prose
 from kurbel.formats.latex.writer import escape, string
 from kurbel.formats.printer import ProsePrinter, Reference, is_own
 
@@ -46,7 +33,7 @@ class Printer(ProsePrinter):
     rule, line_end = r"\par\noindent\rule{\linewidth}{0.4pt}\par", "\\newline\n"
     numbered = 0
 
-    def heading(self, level: int, content: Inlines) -> str:
+    def heading(self, level: int, content: prose.Inlines) -> str:
         section = _SECTIONS[max(1, min(level, len(_SECTIONS))) - 1]
         title = self.inlines(content)
         # Bookmarks hold nothing but characters.
@@ -58,10 +45,10 @@ class Printer(ProsePrinter):
     def code_block(self, lines: tuple[str, ...]) -> str:
         return f"\\begin{{quote}}\n{_lines(lines)}\n\\end{{quote}}"
 
-    def quote(self, content: Blocks) -> str:
+    def quote(self, content: prose.Blocks) -> str:
         return f"\\begin{{quote}}\n{self.blocks(content)}\n\\end{{quote}}"
 
-    def listing(self, listing: Listing) -> str:
+    def listing(self, listing: prose.Listing) -> str:
         if listing.start is None:
             return f"\\begin{{itemize}}\n{self._items(listing)}\n\\end{{itemize}}"
         counter = _COUNTERS[self.numbered]
@@ -71,20 +58,20 @@ class Printer(ProsePrinter):
         self.numbered -= 1
         return f"\\begin{{enumerate}}\n{start}{items}\n\\end{{enumerate}}"
 
-    def _items(self, listing: Listing) -> str:
+    def _items(self, listing: prose.Listing) -> str:
         close = "\\setlength{\\itemsep}{0pt}\\setlength{\\parsep}{0pt}\n" if listing.tight else ""
         return close + "\n".join(rf"\item {self._item(item)}" for item in listing.items)
 
-    def _item(self, item: Blocks) -> str:
+    def _item(self, item: prose.Blocks) -> str:
         """Return an item so that its mark stands on its first line."""
         match item:
-            case (CodeBlock(lines), *rest):
+            case (prose.CodeBlock(lines), *rest):
                 return f"{{{_lines(lines)}\\par}}\n\n{self.blocks(tuple(rest))}"
-            case (Paragraph() | Listing() | Quote(), *_) | ():
+            case (prose.Paragraph() | prose.Listing() | prose.Quote(), *_) | ():
                 return self.blocks(item)
         return rf"\mbox{{}}{self.blocks(item)}"
 
-    def grid(self, grid: Grid) -> str:
+    def grid(self, grid: prose.Grid) -> str:
         columns = "".join(self._columns(grid))
         rows = "".join(f"{self._row(row)}\n" for row in grid.rows)
         return (
@@ -92,7 +79,7 @@ class Printer(ProsePrinter):
             f"{self._row(grid.head)}\n\\midrule\n{rows}\\bottomrule\n\\end{{tabular}}\n\\end{{center}}"
         )
 
-    def _columns(self, grid: Grid) -> Iterator[str]:
+    def _columns(self, grid: prose.Grid) -> Iterator[str]:
         """Yield the columns; where the rows are longer than a line, those of sentences break their lines."""
         rows = (grid.head, *grid.rows)
         widths = [max(len(self.plain(cell)) for cell in cells) for cells in zip(*rows, strict=True)]
@@ -106,10 +93,10 @@ class Printer(ProsePrinter):
                 share = max(0.05, 0.9 * width / long * room / _LINE)
                 yield rf">{{{_RAGGED[align]}\arraybackslash}}p{{{share:.3f}\linewidth}}"
 
-    def _row(self, cells: tuple[Inlines, ...]) -> str:
+    def _row(self, cells: tuple[prose.Inlines, ...]) -> str:
         return " & ".join(self.inlines(cell) for cell in cells) + r" \\"
 
-    def paragraph(self, content: Inlines) -> str:
+    def paragraph(self, content: prose.Inlines) -> str:
         # Above the first line there is none to end.
         return r"\leavevmode" * _breaks_first(content) + self.inlines(content)
 
@@ -119,25 +106,25 @@ class Printer(ProsePrinter):
     def code(self, text: str) -> str:
         return rf"\texttt{{{_code(text)}}}"
 
-    def link(self, address: str, content: Inlines) -> str:
+    def link(self, address: str, content: prose.Inlines) -> str:
         return rf"\href{{{address.translate(_ADDRESS)}}}{{{self._shown(address, content)}}}"
 
-    def _shown(self, address: str, content: Inlines) -> str:
+    def _shown(self, address: str, content: prose.Inlines) -> str:
         """Return the words of a link; an address may be broken at any character."""
         return _breakable(self.plain(content)) if is_own(address, content) else self.inlines(content)
 
-    def reference(self, reference: Reference, content: Inlines) -> str:
+    def reference(self, reference: Reference, content: prose.Inlines) -> str:
         label = reference.target
         text = self.inlines(content) or rf"{_NAMES[reference.kind]}~\ref*{{{label}}}"
         return rf"\hyperref[{label}]{{{text}}}"
 
 
-def _breaks_first(content: Inlines) -> bool:
+def _breaks_first(content: prose.Inlines) -> bool:
     """Tell whether the first thing printed is the end of a line."""
     match content:
-        case (Break(), *_):
+        case (prose.Break(), *_):
             return True
-        case (Emphasis(inner) | Strong(inner) | Link(_, inner) | Refer(_, inner), *_):
+        case (prose.Emphasis(inner) | prose.Strong(inner) | prose.Link(_, inner) | prose.Refer(_, inner), *_):
             return _breaks_first(inner)
     return False
 

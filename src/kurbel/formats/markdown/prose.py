@@ -5,18 +5,7 @@ from __future__ import annotations
 import re
 import string
 
-from kurbel.documents.prose import (
-    Block,
-    Blocks,
-    Emphasis,
-    Grid,
-    Inline,
-    Inlines,
-    Listing,
-    Quote,
-    Strong,
-    Text,
-)
+from kurbel.documents import prose
 from kurbel.formats.printer import ProsePrinter, indented
 
 # What would begin a list, a heading, a rule, or underline the line before as a heading or a table.
@@ -36,25 +25,25 @@ class Printer(ProsePrinter):
     rule, line_end = "___", "\\\n"
     bar = "|"
 
-    def paragraph(self, content: Inlines) -> str:
+    def paragraph(self, content: prose.Inlines) -> str:
         lines = (line.strip(" ") for line in self.inlines(content).split("\n"))
         return _START.sub(_escaped, "\n".join(lines))
 
-    def blocks(self, blocks: Blocks, between: str = "\n\n") -> str:
+    def blocks(self, blocks: prose.Blocks, between: str = "\n\n") -> str:
         pieces: list[str] = []
         lists = 0
         for before, block in zip((None, *blocks), blocks, strict=False):
-            lists = lists + 1 if isinstance(before, Listing) and isinstance(block, Listing) else 0
-            piece = self._listed(block, lists) if isinstance(block, Listing) else self.block(block)
+            lists = lists + 1 if isinstance(before, prose.Listing) and isinstance(block, prose.Listing) else 0
+            piece = self._listed(block, lists) if isinstance(block, prose.Listing) else self.block(block)
             if between == "\n" and _merge(before, block):
                 piece = f"<!-- -->\n{piece}"
             pieces.append(piece)
         return between.join(pieces)
 
-    def heading(self, level: int, content: Inlines) -> str:
+    def heading(self, level: int, content: prose.Inlines) -> str:
         return f"{'#' * max(1, min(level, 6))} {_LAST_HASH.sub(_escaped, self._line(content))}"
 
-    def _line(self, content: Inlines) -> str:
+    def _line(self, content: prose.Inlines) -> str:
         """Return inlines where no line may end."""
         self.line_end = "<br>"
         text = self.inlines(content)
@@ -65,13 +54,13 @@ class Printer(ProsePrinter):
         fence = "`" * max(3, _longest("\n".join(lines)) + 1)
         return "\n".join([fence, *lines, fence])
 
-    def quote(self, content: Blocks) -> str:
+    def quote(self, content: prose.Blocks) -> str:
         return indented(self.blocks(content), "> ", "> ")
 
-    def listing(self, listing: Listing) -> str:
+    def listing(self, listing: prose.Listing) -> str:
         return self._listed(listing, 0)
 
-    def _listed(self, listing: Listing, lists: int) -> str:
+    def _listed(self, listing: prose.Listing, lists: int) -> str:
         """Return a list that follows so many others."""
         odd = (lists + self.depth) % 2
         self.depth += 1
@@ -84,17 +73,17 @@ class Printer(ProsePrinter):
         self.depth -= 1
         return between.join(items)
 
-    def grid(self, grid: Grid) -> str:
+    def grid(self, grid: prose.Grid) -> str:
         dashes = " | ".join(_DASHES[align] for align in grid.aligns)
         self.bar = r"\|"
         head, *rows = [self._row(row) for row in (grid.head, *grid.rows)]
         self.bar = Printer.bar
         return "\n".join([head, f"| {dashes} |", *rows])
 
-    def _row(self, cells: tuple[Inlines, ...]) -> str:
+    def _row(self, cells: tuple[prose.Inlines, ...]) -> str:
         return f"| {' | '.join(map(self._line, cells))} |"
 
-    def inlines(self, content: Inlines) -> str:
+    def inlines(self, content: prose.Inlines) -> str:
         pieces = []
         for place, inline in enumerate(content):
             before = content[place - 1] if place else None
@@ -102,10 +91,10 @@ class Printer(ProsePrinter):
             pieces.append(self._marked(inline) if _is_free(inline, before, after) else self.inline(inline))
         return "".join(pieces)
 
-    def _marked(self, inline: Inline) -> str:
+    def _marked(self, inline: prose.Inline) -> str:
         """Return emphasis with asterisks, which only open and close where words and spaces meet."""
-        assert isinstance(inline, Emphasis | Strong)
-        stars = "*" if isinstance(inline, Emphasis) else "**"
+        assert isinstance(inline, prose.Emphasis | prose.Strong)
+        stars = "*" if isinstance(inline, prose.Emphasis) else "**"
         return f"{stars}{self.inlines(inline.content)}{stars}"
 
     def code(self, text: str) -> str:
@@ -114,28 +103,28 @@ class Printer(ProsePrinter):
         padded = text[:1] == "`" or text[-1:] == "`" or (text[:1] == text[-1:] == " " and text.strip(" "))
         return f"{ticks} {text} {ticks}" if padded else f"{ticks}{text}{ticks}"
 
-    def link(self, address: str, content: Inlines) -> str:
+    def link(self, address: str, content: prose.Inlines) -> str:
         return f"[{self.inlines(content)}](<{_ENTITY.sub('&amp;', address)}>)"
 
 
-def _is_free(inline: Inline, before: Inline | None, after: Inline | None) -> bool:
+def _is_free(inline: prose.Inline, before: prose.Inline | None, after: prose.Inline | None) -> bool:
     """Tell whether asterisks around an inline can mean nothing but its emphasis."""
-    if not isinstance(inline, Emphasis | Strong) or not inline.content:
+    if not isinstance(inline, prose.Emphasis | prose.Strong) or not inline.content:
         return False
     first, last = inline.content[0], inline.content[-1]
     return (
-        (before is None or (isinstance(before, Text) and before.text[-1] in _BESIDE))
-        and (after is None or (isinstance(after, Text) and after.text[0] in _BESIDE))
-        and isinstance(first, Text)
-        and isinstance(last, Text)
+        (before is None or (isinstance(before, prose.Text) and before.text[-1] in _BESIDE))
+        and (after is None or (isinstance(after, prose.Text) and after.text[0] in _BESIDE))
+        and isinstance(first, prose.Text)
+        and isinstance(last, prose.Text)
         and first.text[0].isalnum()
         and last.text[-1].isalnum()
     )
 
 
-def _merge(before: Block | None, block: Block) -> bool:
+def _merge(before: prose.Block | None, block: prose.Block) -> bool:
     """Tell whether two blocks would be one without an empty line between them."""
-    return isinstance(before, Quote) and isinstance(block, Quote)
+    return isinstance(before, prose.Quote) and isinstance(block, prose.Quote)
 
 
 def _longest(text: str) -> int:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
 
 from kurbel.documents.document import Chapter, Item
 from kurbel.documents.prose import Block, Heading, stepwise
@@ -16,39 +15,23 @@ from kurbel.formats.rst.writer import finish
 _CAPTION = re.compile(r"^\.\. table::", re.MULTILINE)
 
 
-class RstChapter(NamedTuple):
-    """`heading` is the title with its line, `file` the name of the page without its suffix."""
-
-    heading: str
-    label: str
-    file: str
-    parts: tuple[DocumentPart, ...]
-
-
 class Maker(DocumentMaker):
     def files(self) -> dict[str, str]:
         """Return rst/index.rst, a page for each chapter, and what Sphinx reads: conf.py and a style sheet."""
-        document = self.document
-        chapters = [self.chapter(chapter) for chapter in document.chapters]
-        common = {
-            "words": document.words,
-            "document": document,
-            "heading": underlined(self.titled(document.title), 1),
-            "subtitle": self.titled(document.subtitle),
-            "author": self.titled(document.author),
+        document, values = self.document, self.values()
+        values |= {
+            "heading": self.heading(values["title"]),
             "project": repr(self.plain(document.title)),
             "by": repr(self.plain(document.author)),
-            "chapters": chapters,
         }
         names = {"index.rst": "index", "conf.py": "conf", "kurbel.css": "style"}
-        pages = {f"rst/{file}": self.filled(name, common) for file, name in names.items()}
-        for chapter in chapters:
-            pages[f"rst/{chapter.file}.rst"] = self.filled("chapter", common | {"chapter": chapter})
+        pages = {f"rst/{file}": self.filled(name, values) for file, name in names.items()}
+        for chapter in values["chapters"]:
+            pages[f"rst/{chapter.file}.rst"] = self.filled("chapter", values | {"chapter": chapter})
         return pages
 
-    def chapter(self, chapter: Chapter) -> RstChapter:
-        heading = underlined(self.titled(chapter.title, chapter.lang), 1)
-        return RstChapter(heading, self.label(chapter), self.file(chapter), self.parts(chapter))
+    def heading(self, title: str) -> str:
+        return underlined(title, 1)
 
     def parts(self, chapter: Chapter) -> tuple[DocumentPart, ...]:
         above: list[int] = []

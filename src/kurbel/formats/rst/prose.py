@@ -5,17 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from kurbel.documents.prose import (
-    Block,
-    Blocks,
-    Emphasis,
-    Grid,
-    Inlines,
-    Listing,
-    Quote,
-    Strong,
-    Text,
-)
+from kurbel.documents import prose
 from kurbel.formats.printer import ProsePrinter, Reference, indented
 from kurbel.formats.rst.grid import GridCell, grid_lines, width_of
 from kurbel.formats.rst.writer import escape, finish, role
@@ -34,7 +24,7 @@ class Printer(ProsePrinter):
     # A transition may neither begin nor end a section, nor stand in a list.
     rule = ".. container:: kurbel-rule\n\n   \\* \\* \\*"
 
-    def blocks(self, blocks: Blocks, between: str = "\n\n") -> str:
+    def blocks(self, blocks: prose.Blocks, between: str = "\n\n") -> str:
         pieces: list[str] = []
         for before, block in zip((None, *blocks), blocks, strict=False):
             if _would_join(before, block):
@@ -42,12 +32,12 @@ class Printer(ProsePrinter):
             pieces.append(self.block(block))
         return between.join(pieces)
 
-    def paragraph(self, content: Inlines) -> str:
+    def paragraph(self, content: prose.Inlines) -> str:
         text = self.inlines(content)
         lines = [line.strip(" ") for line in text.split("\n")]
         return text if len(lines) == 1 else "\n".join(f"| {line}".rstrip() for line in lines)
 
-    def heading(self, level: int, content: Inlines) -> str:
+    def heading(self, level: int, content: prose.Inlines) -> str:
         title = self._line(content)
         if self.depth:
             return f".. rubric:: {title}"
@@ -58,10 +48,10 @@ class Printer(ProsePrinter):
             return ""
         return "\n".join((".. code-block:: text", "", *(f"{_INDENT}{line}".rstrip() for line in lines)))
 
-    def quote(self, content: Blocks) -> str:
+    def quote(self, content: prose.Blocks) -> str:
         return indented(self._within(content), _INDENT, _INDENT)
 
-    def listing(self, listing: Listing) -> str:
+    def listing(self, listing: prose.Listing) -> str:
         close = listing.tight and all(len(item) < 2 for item in listing.items)
         items = []
         for place, item in enumerate(listing.items):
@@ -69,13 +59,13 @@ class Printer(ProsePrinter):
             items.append(indented(self._within(item), f"{mark} ", " " * (len(mark) + 1)))
         return ("\n" if close else "\n\n").join(items)
 
-    def _within(self, content: Blocks) -> str:
+    def _within(self, content: prose.Blocks) -> str:
         self.depth += 1
         inner = self.blocks(content)
         self.depth -= 1
         return inner
 
-    def grid(self, grid: Grid) -> str:
+    def grid(self, grid: prose.Grid) -> str:
         rows = (grid.head, *grid.rows)
         cells = [
             GridCell(row, column, (self._line(cell),))
@@ -85,23 +75,23 @@ class Printer(ProsePrinter):
         lines = grid_lines(cells, 1 if grid.rows else 0)
         return "\n".join((".. table::", "   :class: kurbel-prose", "", *(_INDENT + line for line in lines)))
 
-    def inlines(self, content: Inlines) -> str:
+    def inlines(self, content: prose.Inlines) -> str:
         return finish("".join(self.pieces(content, "")))
 
-    def pieces(self, content: Inlines, mark: str) -> Iterator[str]:
+    def pieces(self, content: prose.Inlines, mark: str) -> Iterator[str]:
         """Yield inlines beside each other, their words between marks such as * for emphasis."""
         for inline in content:
             match inline:
-                case Emphasis(inner):
+                case prose.Emphasis(inner):
                     yield from self.pieces(inner, mark or "*")
-                case Strong(inner):
+                case prose.Strong(inner):
                     yield from self.pieces(inner, "**")
-                case Text(text) if mark:
+                case prose.Text(text) if mark:
                     yield _between(mark, text)
                 case _:
                     yield self.inline(inline)
 
-    def _line(self, content: Inlines) -> str:
+    def _line(self, content: prose.Inlines) -> str:
         """Return inlines where no line may end."""
         return self.inlines(content).replace("\n", " ").strip(" ")
 
@@ -113,15 +103,15 @@ class Printer(ProsePrinter):
             return role("literal", inner.replace("\\", r"\\").replace("`", r"\`"))
         return f"\\ ``{inner}``\\ "
 
-    def link(self, address: str, content: Inlines) -> str:
+    def link(self, address: str, content: prose.Inlines) -> str:
         target = _LAST_LINE.sub(r"\\_", address)
         return f"\\ `{self._title(content) or address.translate(_TITLE)} <{target}>`__\\ "
 
-    def reference(self, reference: Reference, content: Inlines) -> str:
+    def reference(self, reference: Reference, content: prose.Inlines) -> str:
         title = self._title(content) or reference.text.translate(_TITLE)
         return role("ref", f"{title} <{reference.target}>")
 
-    def _title(self, content: Inlines) -> str:
+    def _title(self, content: prose.Inlines) -> str:
         """Return the words of a link, which can be nothing but letters."""
         return " ".join(self.plain(content).split()).translate(_TITLE)
 
@@ -141,8 +131,8 @@ def _between(mark: str, text: str) -> str:
     return f"{before}\\ {mark}{escape(inner)}{mark}\\ {behind}"
 
 
-def _would_join(before: Block | None, block: Block) -> bool:
+def _would_join(before: prose.Block | None, block: prose.Block) -> bool:
     """Tell whether a block would be taken for a part of the one above it."""
-    if isinstance(block, Quote):
+    if isinstance(block, prose.Quote):
         return True
-    return isinstance(before, Listing | Quote) and isinstance(block, Listing)
+    return isinstance(before, prose.Listing | prose.Quote) and isinstance(block, prose.Listing)

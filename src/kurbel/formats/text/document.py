@@ -36,15 +36,8 @@ class Maker(DocumentMaker):
 
     def files(self) -> dict[str, str]:
         """Return handbook.txt, which has the tables in it and names the files of the figures."""
-        document = self.document
-        values = {
-            "document": document,
-            "title": _underlined(self.titled(document.title), TITLE),
-            "subtitle": self.titled(document.subtitle),
-            "author": self.titled(document.author),
-            "words": document.words,
-            "chapters": [self.chapter(chapter) for chapter in document.chapters],
-        }
+        values = self.values()
+        values["title"] = _underlined(values["title"], TITLE)
         return {"handbook.txt": self.filled("handbook", values)}
 
     def chapter(self, chapter: Chapter) -> TextChapter:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from textwrap import fill
 
-from kurbel.documents.prose import Block, Blocks, Grid, Inlines, Listing, Rule
+from kurbel.documents import prose
 from kurbel.formats.printer import ProsePrinter, Reference, indented, is_own
 
 _WIDTH = 78
@@ -15,14 +15,14 @@ _NARROWEST = 40
 class Printer(ProsePrinter):
     room = _WIDTH
 
-    def block(self, block: Block) -> str:
-        return "─" * self.room if isinstance(block, Rule) else super().block(block)
+    def block(self, block: prose.Block) -> str:
+        return "─" * self.room if isinstance(block, prose.Rule) else super().block(block)
 
-    def document(self, blocks: Blocks) -> str:
+    def document(self, blocks: prose.Blocks) -> str:
         # The spaces of a formula are no-break spaces until its line is found.
         return super().document(blocks).replace("\u00a0", " ")
 
-    def paragraph(self, content: Inlines) -> str:
+    def paragraph(self, content: prose.Inlines) -> str:
         return self._filled(self.inlines(content))
 
     def _filled(self, text: str) -> str:
@@ -31,7 +31,7 @@ class Printer(ProsePrinter):
         )
         return "\n".join(lines)
 
-    def heading(self, level: int, content: Inlines) -> str:
+    def heading(self, level: int, content: prose.Inlines) -> str:
         text = self._filled(self.inlines(content).replace("\n", " "))
         longest = max(len(line) for line in text.splitlines() or [""])
         return f"{text}\n{('━' if level <= 2 else '─') * longest}"
@@ -39,10 +39,10 @@ class Printer(ProsePrinter):
     def code_block(self, lines: tuple[str, ...]) -> str:
         return indented("\n".join(lines), "    ", "    ")
 
-    def quote(self, content: Blocks) -> str:
+    def quote(self, content: prose.Blocks) -> str:
         return self._within(content, "  │ ", "  │ ")
 
-    def listing(self, listing: Listing) -> str:
+    def listing(self, listing: prose.Listing) -> str:
         marks = [
             "•" if listing.start is None else f"{listing.start + place}."
             for place in range(len(listing.items))
@@ -54,17 +54,17 @@ class Printer(ProsePrinter):
         )
         return ("\n" if listing.tight else "\n\n").join(items)
 
-    def _within(self, content: Blocks, first: str, rest: str, tight: bool = False) -> str:
+    def _within(self, content: prose.Blocks, first: str, rest: str, tight: bool = False) -> str:
         outside = self.room
         self.room = max(outside - len(first), _NARROWEST)
         inner = self.blocks(content, "\n" if tight else "\n\n")
         self.room = outside
         return indented(inner, first, rest)
 
-    def grid(self, grid: Grid) -> str:
+    def grid(self, grid: prose.Grid) -> str:
         from tabulate import tabulate
 
-        def texts(cells: tuple[Inlines, ...]) -> list[str]:
+        def texts(cells: tuple[prose.Inlines, ...]) -> list[str]:
             return [self.inlines(cell) for cell in cells]
 
         return tabulate(
@@ -78,11 +78,11 @@ class Printer(ProsePrinter):
     def code(self, text: str) -> str:
         return text.replace(" ", "\u00a0")
 
-    def link(self, address: str, content: Inlines) -> str:
+    def link(self, address: str, content: prose.Inlines) -> str:
         text = self.inlines(content)
         return text if is_own(address, content) else f"{text} <{address}>"
 
-    def reference(self, reference: Reference, content: Inlines) -> str:
+    def reference(self, reference: Reference, content: prose.Inlines) -> str:
         text = self.inlines(content)
         name = reference.text.replace(" ", "\u00a0")
         return f"{text} ({name})" if text else name

@@ -8,20 +8,12 @@ from typing import NamedTuple
 
 from kurbel.documents.document import WORDS, Chapter, Item
 from kurbel.exact.numerals import Label
-from kurbel.formats.documents import DocumentMaker
+from kurbel.formats.documents import DocumentChapter, DocumentMaker, DocumentTitle
 from kurbel.formats.typst.writer import string
 
 # The text is 42 em wide.
 NARROW = 42.0
 _WIDE = re.compile(r"let \(wide, high\) = \(([0-9.]+)em")
-
-
-class TypstTitle(NamedTuple):
-    """A title as it is printed, as a string of code for what a PDF says of itself, and for a running head."""
-
-    text: str
-    string: str
-    head: str
 
 
 class TypstPart(NamedTuple):
@@ -40,35 +32,24 @@ class TypstPart(NamedTuple):
     narrow: bool = False
 
 
-class TypstChapter(NamedTuple):
-    title: TypstTitle
-    label: str
-    lang: str
-    parts: tuple[TypstPart, ...]
-
-
 class Maker(DocumentMaker):
     def files(self) -> dict[str, str]:
         """Return handbook.typ, which includes the fragments as files of the folder tables."""
         document = self.document
-        values = {
-            "document": document,
-            "title": self.title(document.title),
+        more = {
             "subtitle": self.title(document.subtitle),
             "author": self.title(document.author),
-            "words": document.words,
             "languages": WORDS,
-            "chapters": [self.chapter(chapter) for chapter in document.chapters],
             "kinds": {item.kind for item in document.items("table", "figure")},
         }
-        return {"handbook.typ": self.filled("handbook", values)}
+        return {"handbook.typ": self.filled("handbook", self.values() | more)}
 
-    def chapter(self, chapter: Chapter) -> TypstChapter:
-        title = self.title(chapter.title, chapter.lang)
-        return TypstChapter(title, string(self.label(chapter)), self.other(chapter.lang), self.parts(chapter))
+    def chapter(self, chapter: Chapter) -> DocumentChapter:
+        made: DocumentChapter = super().chapter(chapter)
+        return made._replace(label=string(made.label))
 
-    def title(self, label: Label, lang: str = "") -> TypstTitle:
-        return TypstTitle(self.titled(label, lang), string(self.plain(label, lang)), self.head(label, lang))
+    def title(self, label: Label, lang: str = "") -> DocumentTitle:
+        return self.titles(label, lang, string)
 
     def text_part(self, item: Item) -> TypstPart:
         return TypstPart("text", "", "", self.text(item), "", self.other(item.lang))

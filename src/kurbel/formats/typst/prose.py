@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from kurbel.documents.prose import Blocks, Grid, Inlines, Listing
+from kurbel.documents import prose
 from kurbel.formats.printer import ProsePrinter, Reference
 from kurbel.formats.typst.writer import string
 
@@ -18,22 +18,22 @@ class Printer(ProsePrinter):
     rule, line_end = "#line(length: 100%);", "#linebreak();\n"
 
     # A semicolon ends each call: an opening parenthesis or a full stop after it would belong to it.
-    def heading(self, level: int, content: Inlines) -> str:
+    def heading(self, level: int, content: prose.Inlines) -> str:
         return f"#heading(level: {max(level, 1)})[{self.inlines(content)}];"
 
     def code_block(self, lines: tuple[str, ...]) -> str:
         return _raw("\n".join(lines), ", block: true")
 
-    def quote(self, content: Blocks) -> str:
+    def quote(self, content: prose.Blocks) -> str:
         return f"#quote(block: true)[\n{self.blocks(content)}\n];"
 
-    def listing(self, listing: Listing) -> str:
+    def listing(self, listing: prose.Listing) -> str:
         tight = str(listing.tight).lower()
         kind = "list(" if listing.start is None else f"enum(start: {listing.start}, "
         items = ",\n".join(f"[{self.blocks(item)}]" for item in listing.items)
         return f"#{kind}tight: {tight},\n{items},\n);"
 
-    def grid(self, grid: Grid) -> str:
+    def grid(self, grid: prose.Grid) -> str:
         aligns = "".join(f"{_ALIGNS[align]}, " for align in grid.aligns)
         rows = "".join(f"{self._row(row)},\n" for row in grid.rows)
         return (
@@ -42,16 +42,16 @@ class Printer(ProsePrinter):
             f"{rows}table.hline(stroke: .08em)));"
         )
 
-    def _row(self, cells: tuple[Inlines, ...]) -> str:
+    def _row(self, cells: tuple[prose.Inlines, ...]) -> str:
         return ", ".join(f"[{self.inlines(cell)}]" for cell in cells)
 
     def code(self, text: str) -> str:
         return _raw(text)
 
-    def link(self, address: str, content: Inlines) -> str:
+    def link(self, address: str, content: prose.Inlines) -> str:
         return f"#link({string(address)})[{self.inlines(content)}];"
 
-    def reference(self, reference: Reference, content: Inlines) -> str:
+    def reference(self, reference: Reference, content: prose.Inlines) -> str:
         """Return a reference; Typst itself names and counts what it points to."""
         label = f"<{reference.target}>"
         return f"#link({label})[{self.inlines(content)}];" if content else f"#ref({label});"

@@ -8,23 +8,8 @@ from typing import Any
 from kurbel.formats.formula import has_bar, has_stroke, is_seen
 from kurbel.formats.page import Page, page
 from kurbel.formats.writer import PERCENT_DELIMITERS, PLAIN, PageWriter
-from kurbel.page.formula import (
-    SIGNS,
-    SYMBOLS,
-    Formula,
-    Fraction,
-    Group,
-    Nodes,
-    Numeral,
-    Root,
-    Script,
-    Sign,
-    Space,
-    Symbol,
-    Upright,
-    Variable,
-    Word,
-)
+from kurbel.page import formula as tree
+from kurbel.page.formula import Formula
 from kurbel.page.labels import formula_plain
 from kurbel.page.table import Table
 
@@ -85,7 +70,7 @@ def string(text: str) -> str:
 _TYPST_CLOSED = frozenset('()[]"')
 
 
-def _typst(nodes: Nodes, mark: str) -> str:
+def _typst(nodes: tree.Nodes, mark: str) -> str:
     result = ""
     for place in range(len(nodes)):
         piece = _typst_node(nodes, place, mark)
@@ -105,34 +90,34 @@ def _in_word(character: str) -> bool:
     return f"x{character}".isidentifier()
 
 
-def _typst_node(nodes: Nodes, place: int, mark: str) -> str:
+def _typst_node(nodes: tree.Nodes, place: int, mark: str) -> str:
     node = nodes[place]
     match node:
-        case Word(text) | Variable(text):
+        case tree.Word(text) | tree.Variable(text):
             return text
-        case Numeral(text):
+        case tree.Numeral(text):
             # A comma in quotes, for else it is set with the space of a list.
             return text.replace(".", '","' if mark == "," else mark)
-        case Sign(":"):
+        case tree.Sign(":"):
             return '":"'
-        case Sign(text):
-            return SIGNS[text][0]
-        case Symbol(text):
-            return f'"{SYMBOLS[text][0]}"'
-        case Upright(text):
+        case tree.Sign(text):
+            return tree.SIGNS[text][0]
+        case tree.Symbol(text):
+            return f'"{tree.SYMBOLS[text][0]}"'
+        case tree.Upright(text):
             return string(text)
-        case Space():
+        case tree.Space():
             return "thin" * is_seen(nodes, place)
-        case Group(content, fences):
+        case tree.Group(content, fences):
             return f"{fences[0]}{_typst(content, mark)}{fences[1]}"
-        case Root(content):
+        case tree.Root(content):
             return f"sqrt({_typst(content, mark)})"
-        case Fraction(top, bottom) if has_stroke(nodes, place):
-            below = _typst(bottom if len(bottom) == 1 else (Group(bottom),), mark)
+        case tree.Fraction(top, bottom) if has_stroke(nodes, place):
+            below = _typst(bottom if len(bottom) == 1 else (tree.Group(bottom),), mark)
             return f"{_typst(top, mark)}\\/{below}"
-        case Fraction(top, bottom):
+        case tree.Fraction(top, bottom):
             return f"frac({_typst(top, mark)}, {_typst(bottom, mark)})"
-        case Script(base, index, power):
+        case tree.Script(base, index, power):
             below = f"_({_typst(index, mark)})" if index else ""
             above = f"^({_typst(power, mark)})" if power else ""
             return _typst((base,), mark) + below + above
