@@ -12,7 +12,7 @@ from kurbel.drive.crank import Crank
 from kurbel.drive.crank_forces import Weights
 from kurbel.drive.load import CARD, STEAM
 from kurbel.errors import ProblemError
-from kurbel.kernel.steam import Expansion, IdleStroke, SteamStroke, best_back, net_work
+from kurbel.kernel.steam import Expansion, IdleStroke, best_back
 from kurbel.motion.mechanism import check_load
 from kurbel.reading.notation import about, plain
 
@@ -53,7 +53,7 @@ class Steam:
 
     def strokes(self, kind: Kind, double: bool) -> tuple[Stroke, Stroke]:
         """Return the force of both strokes, on a kind of number; single-acting, the return idles."""
-        acting: Stroke = SteamStroke(self.numbers(kind.of, kind.exponent))
+        acting: Stroke = self.numbers(kind.of, kind.exponent)
         return acting, acting if double else IdleStroke()
 
     def __post_init__(self) -> None:
@@ -90,7 +90,7 @@ class Steam:
 
     def numbers(
         self, of: Callable[[Fraction], Any], exponent_of: Callable[[Fraction], Any] | None = None
-    ) -> Expansion[Any]:
+    ) -> Expansion:
         """Return the same in a kind of number, which may want its exponents in another."""
         cut_off, clearance = of(1 / self.expansion), of(self.clearance)
         exponent = (exponent_of or of)(self.exponent)
@@ -99,10 +99,10 @@ class Steam:
 
     def _check_work(self) -> None:
         acting = self.numbers(float)
-        if net_work(1.0, acting) > LEAST_WORK:
+        if acting.work(1.0) > LEAST_WORK:
             return
         ratio = plain(self.expansion)
-        limit = floor(1e6 * net_work(1.0, acting._replace(back=0.0))) / 1e6
+        limit = floor(1e6 * acting._replace(back=0.0).work(1.0)) / 1e6
         if self.back is None:
             raise ProblemError(
                 f"expansion ratio ε = {ratio} at its best back pressure, that of the steam at the end of the"

@@ -23,7 +23,7 @@ from kurbel.engine.engine import Engine
 from kurbel.engine.turn import Turn
 from kurbel.exact.certify import Kind, TieBits, balls, bounds, vanishes
 from kurbel.exact.separation import Separation
-from kurbel.kernel import steam, turning
+from kurbel.kernel import turning
 from kurbel.kernel.circle import Circle, Number
 from kurbel.kernel.rod import Loaded, kinetic_energy
 
@@ -60,7 +60,7 @@ class _On:
         return self.motion.path(*self.place(crank)) / 2
 
     def net_pressure(self, crank: _Crank) -> Number:
-        return steam.net_pressure(self.share(crank), self.steam)
+        return self.steam.force(self.share(crank))
 
     def beyond_cut_off(self, crank: _Crank) -> Number:
         return self.share(crank) - self.kind.of(1 / self.engine.ideal.expansion)
@@ -98,8 +98,7 @@ def energy_ties(turn: Turn, half_turns: Fraction) -> TieBits:
         # powers the product 1, or there is a transcendental part.
         if not _without_masses(turn, gain) or (mariotte and not _vanishes(turn, _growth_off_one(cranks))):
             return inf
-        work = steam.full_pressure_work if mariotte else steam.net_work
-        return (_energy(turn, cranks, work) - Separation.rational(boundary)).bits()
+        return (_energy(turn, cranks) - Separation.rational(boundary)).bits()
 
     return bits
 
@@ -195,15 +194,17 @@ def _cranks(turn: Turn, half_turns: Fraction, weight: int = 1) -> list[_Crank]:
     return [_Crank(stroke, angle, weight) for stroke, angle in turn.engine.positions(half_turns)]
 
 
-def _energy(turn: Turn, cranks: Sequence[_Crank], work: Callable[[Number, Any], Number]) -> Separation:
+def _energy(turn: Turn, cranks: Sequence[_Crank]) -> Separation:
+    """The energy without its logarithms."""
     on = _On(turn, _BOUNDS)
-    whole = work(Separation.rational(1), on.steam)
+    work = on.steam.full_pressure_work if turn.engine.ideal.exponent == 1 else on.steam.work
+    whole = work(Separation.rational(1))
     # The mean works π P in half a turn, which is half of what both strokes do.
     strokes = sum((_strokes(turn.engine, crank) * crank.weight for crank in cranks), Fraction(0))
     total = whole * Separation.rational(strokes) if strokes else Separation.rational(0)
     for crank in cranks:
         if _works(turn.engine, crank):
-            total += 2 * crank.weight * work(on.share(crank), on.steam)
+            total += 2 * crank.weight * work(on.share(crank))
     return total
 
 
@@ -218,12 +219,12 @@ def _growth_off_one(cranks: Sequence[_Crank]) -> Callable[[_On], Number]:
     def off_one(on: _On) -> Number:
         strokes = [_strokes(on.engine, crank) for crank in cranks]
         order = lcm(*(one.denominator for one in strokes))
-        end = steam.growth(on.kind.of(Fraction(1)), on.steam)
+        end = on.steam.growth(on.kind.of(Fraction(1)))
         total = on.kind.of(Fraction(1))
         for crank, before in zip(cranks, strokes, strict=True):
             total = total * end ** int(before * crank.weight * order)
             if _works(on.engine, crank):
-                total = total * steam.growth(on.share(crank), on.steam) ** (2 * crank.weight * order)
+                total = total * on.steam.growth(on.share(crank)) ** (2 * crank.weight * order)
         return total - 1
 
     return off_one

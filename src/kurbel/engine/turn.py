@@ -169,7 +169,7 @@ class WeisbachTurn(Turn):
         angle = at - ball(begun)
         acting = self.engine.ideal.numbers(ball)
         loss = acting.back / acting.cut_off
-        work = steam.net_work(flint.arb(1), acting) / acting.cut_off
+        work = acting.work(flint.arb(1)) / acting.cut_off
         ratio = self.cylinder.ratio * SIGNS[stroke]
         half = (angle / 2).sin_cos_pi()
         relation = steam.weisbach_maximum(half, circle(angle), ratio, loss, work, flint.arb.pi())

@@ -8,43 +8,62 @@ the stroke begins, 0 to 1. Numbers are floats, arrays or balls.
 from __future__ import annotations
 
 import math
-from typing import Generic, NamedTuple, TypeVar
+from typing import NamedTuple
 
 from kurbel.kernel.circle import Circle, Number, root
 
-Kind = TypeVar("Kind")
 
-
-class Expansion(NamedTuple, Generic[Kind]):
-    """Cut-off at the share 1/ε of the stroke, then expansion by p V^n = const from the volume 1/ε + κ.
+class Expansion(NamedTuple):
+    """A stroke with cut-off at its share 1/ε, then expansion by p V^n = const from the volume 1/ε + κ.
 
     The clearance κ is a share of the volume swept in a stroke; n = 1 is Mariotte's law. The back pressure b
     acts on the other face throughout the stroke.
     """
 
-    cut_off: Kind
-    back: Kind
-    exponent: Kind
-    clearance: Kind
+    cut_off: Number
+    back: Number
+    exponent: Number
+    clearance: Number
 
-
-class SteamStroke(NamedTuple):
-    """The net pressure over the share of a stroke, and its work."""
-
-    steam: Expansion[Number]
+    def pressure(self, share: Number) -> Number:
+        """Return the pressure on the piston at a share of the stroke, back pressure not taken off."""
+        return _power(1 / self.growth(share), self.exponent)
 
     def force(self, share: Number) -> Number:
-        return net_pressure(share, self.steam)
+        """Return the net pressure, less the back pressure."""
+        return self.pressure(share) - self.back
 
     def work(self, share: Number) -> Number:
-        return net_work(share, self.steam)
+        """Return the work done on the piston from the dead centre to a share of the stroke.
+
+        Source: Weisbach-Herrmann, § 150 (A₁ + A₂ - A₃); the exponent and the clearance are ours.
+        """
+        gain = _expansion_work(self.growth(share), self.exponent)
+        return self.full_pressure_work(share) + (self.cut_off + self.clearance) * gain
+
+    def full_pressure_work(self, share: Number) -> Number:
+        """Return the work without that of the expansion."""
+        return smaller(share, self.cut_off) - self.back * share
 
     def slope(self, share: Number) -> Number:
         """Return the change of the force with the share, a ball; over the cut-off it holds both sides."""
-        if share < self.steam.cut_off:
+        if share < self.cut_off:
             return share * 0
-        beyond = expansion_slope(share, self.steam)
-        return beyond if share > self.steam.cut_off else beyond.union(share * 0)
+        beyond = self.expansion_slope(share)
+        return beyond if share > self.cut_off else beyond.union(share * 0)
+
+    def expansion_slope(self, share: Number) -> Number:
+        """Return the change of the pressure with the share beyond cut-off, at cut-off from the right."""
+        return -self.exponent * self.pressure(share) / self._expanded(share)
+
+    def growth(self, share: Number) -> Number:
+        """Return how many times its volume at cut-off the steam fills; before cut-off 1."""
+        return self._expanded(share) / (self.cut_off + self.clearance)
+
+    def _expanded(self, share: Number) -> Number:
+        # Before cut-off the volume at cut-off stands in: one formula for both periods, also for a ball that
+        # reaches over both.
+        return larger(share, self.cut_off) + self.clearance
 
 
 class IdleStroke(NamedTuple):
@@ -66,50 +85,6 @@ def best_back(cut_off: Number, exponent: Number, clearance: Number) -> Number:
     1/ε for n = 1, κ = 0. Source: Weisbach-Herrmann, § 150 (Q = εR); the exponent and the clearance are ours.
     """
     return _power((cut_off + clearance) / (1 + clearance), exponent)
-
-
-def pressure(share: Number, steam: Expansion[Number]) -> Number:
-    """Return the pressure on the piston at a share of the stroke, back pressure not taken off."""
-    return _power(1 / growth(share, steam), steam.exponent)
-
-
-def net_pressure(share: Number, steam: Expansion[Number]) -> Number:
-    """Return the pressure less the back pressure."""
-    return pressure(share, steam) - steam.back
-
-
-def expansion_slope(share: Number, steam: Expansion[Number]) -> Number:
-    """Return the change of the pressure with the share beyond cut-off, at cut-off from the right."""
-    return -steam.exponent * pressure(share, steam) / _expanded(share, steam)
-
-
-def net_work(share: Number, steam: Expansion[Number]) -> Number:
-    """Return the work done on the piston from the dead centre to a share of the stroke.
-
-    Source: Weisbach-Herrmann, § 150 (A₁ + A₂ - A₃); the exponent and the clearance are ours.
-    """
-    gain = _expansion_work(growth(share, steam), steam.exponent)
-    return full_pressure_work(share, steam) + _volume(steam) * gain
-
-
-def full_pressure_work(share: Number, steam: Expansion[Number]) -> Number:
-    """Return the net work without that of the expansion."""
-    return smaller(share, steam.cut_off) - steam.back * share
-
-
-def growth(share: Number, steam: Expansion[Number]) -> Number:
-    """Return how many times its volume at cut-off the steam fills; before cut-off 1."""
-    return _expanded(share, steam) / _volume(steam)
-
-
-def _volume(steam: Expansion[Number]) -> Number:
-    return steam.cut_off + steam.clearance
-
-
-def _expanded(share: Number, steam: Expansion[Number]) -> Number:
-    # Before cut-off the volume at cut-off stands in: one formula for both periods, also for a ball that
-    # reaches over both.
-    return larger(share, steam.cut_off) + steam.clearance
 
 
 def _power(base: Number, exponent: Number) -> Number:
