@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, TypedDict, Unpack
 
 from kurbel.commands import parameters as option
-from kurbel.commands.machines import GivenSteam, engine_of, is_heavy
+from kurbel.commands.machines import engine_of, is_heavy, load_of
 from kurbel.commands.plots import CurveStep, DrawnColumns, DrawnSpeed, LabelLang, curve_angles, only, page_of
 from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import draws
@@ -91,7 +91,7 @@ def _force_question(
     from kurbel.plot.engine import known_forces
 
     names = as_names(columns, "piston_force,tangential_force")
-    newtons = GivenSteam.of(given).load is not None
+    newtons = load_of(given) is not None
     layout = MACHINE_LAYOUT if is_heavy(given) else ENGINE_LAYOUT
     return _question(layout, given, names or known_forces(keys, newtons))
 

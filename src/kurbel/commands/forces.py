@@ -5,7 +5,7 @@ from dataclasses import replace
 from typing import Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
-from kurbel.commands.machines import MASSES, STEAM, GivenRod, Masses, engine_of, for_masses, is_heavy
+from kurbel.commands.machines import MASSES, STEAM, engine_of, for_masses, is_heavy, rod_of, weighed
 from kurbel.commands.motion import angles_of, mechanism_of, of_other_mechanisms, sheet_of
 from kurbel.commands.options import Choice, LayoutName, Option, is_given
 from kurbel.commands.subject import makes_table
@@ -163,11 +163,10 @@ def forces_table(
         page = layout_of(layout or "forces-tangent", ("tangent",), layouts)
         names = as_names(columns, "phi,rod_force")
         return TangentRequest(layout=page, cranks=said.cranks(page.ratios), columns=names, **sheet)
-    masses = Masses.of(given)
     if about == "engine" and chosen.crosshead:
         carded = is_given(given["card"])
         check_load(as_number(given["offset"] or 0, "offset"), load.CARD if carded else load.STEAM)
-        name = layout or ("machine-forces" if masses.first else "engine-forces")
+        name = layout or ("machine-forces" if is_heavy(given) else "engine-forces")
         page = layout_of(name, OF_ENGINES, layouts)
         names = as_names(columns, "epsilon,delta")
         return engine_of(page, {**all_given, "method": ()}, angles=angles_of(page, given), columns=names)
@@ -177,7 +176,7 @@ def forces_table(
         raise ProblemError(f"layout {name} is of a steam engine; add --eps or --card")
     drives = chosen.drives(said, page.ratios)
     return chosen.question(
-        masses.on(drives, speed) if chosen.crosshead else drives,
+        weighed(drives, all_given) if chosen.crosshead else drives,
         layout=page,
         angles=angles_of(page, given),
         columns=as_names(columns, chosen.examples["forces"]),
@@ -222,10 +221,8 @@ def inertia_table(
     0.0067
     """
     page = layout_of(layout, INERTIA, given["layouts"])
-    rod, said = GivenRod.of(given), Described.of(given, ratio=ratio, speed=speed)
-    cranks = tuple(
-        replace(crank, rod=rod.between_pins(crank.rod_length)) for crank in said.cranks(page.ratios)
-    )
+    said = Described.of(given, ratio=ratio, speed=speed)
+    cranks = tuple(replace(crank, rod=rod_of(given, crank.rod_length)) for crank in said.cranks(page.ratios))
     if page.subject == "inertia errors":
         from kurbel.motion.inertia_page import ErrorsRequest
 
