@@ -12,13 +12,14 @@ import kurbel
 from kurbel.cli import COMMANDS
 from kurbel.cli.app import command_of
 from kurbel.commands.subject import Command
+from kurbel.drive.load import LOADS
 from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.engine.quantities import ENGINE_METHODS
 from kurbel.examples.source import example, numbers_of, source_keys
 from kurbel.formats.registry import FORMATS
 from kurbel.motion.drives import condition_names
 from kurbel.motion.evaluation import METHODS
-from kurbel.motion.mechanism import mechanism
+from kurbel.motion.mechanism import mechanism, uncomputed
 from kurbel.page.layouts import SUBJECTS, layout, layout_names
 from kurbel.page.subject import subject
 from kurbel.plot.style import FORMATS as DRAWINGS
@@ -29,7 +30,7 @@ PAGE = Path(__file__).with_name("reference.md")
 
 def reference() -> str:
     """Return the whole page."""
-    parts = (_commands, _functions, _quantities, _layouts, _examples, _formats, _methods)
+    parts = (_commands, _functions, _quantities, _layouts, _examples, _formats, _methods, _loads)
     return "\n".join(line for part in parts for line in part()) + "\n"
 
 
@@ -127,6 +128,14 @@ def _formats() -> Iterator[str]:
         "\nan apostrophe before it, so that no spreadsheet runs it. Numbers are written as printed."
     )
     yield f"\nOf drawings: {drawings}, 120 mm wide; suffixes alike."
+
+
+def _loads() -> Iterator[str]:
+    yield "\n## Loads\n\nOf `kurbel forces` and its drawings; those that are written so, of `--force`.\n"
+    yield "| load | written | mechanisms |\n| --- | --- | --- |"
+    for load, one in LOADS.items():
+        takers = [name for name in MECHANISMS if not uncomputed(mechanism(name), load)]
+        yield f"| {one.title} | {one.example and f'`{one.example}`'} | {', '.join(takers)} |"
 
 
 def _methods() -> Iterator[str]:

@@ -25,6 +25,7 @@ from tools import require_library
 
 import kurbel
 from kurbel.drive.crank import Crank
+from kurbel.drive.load import PistonForce
 from kurbel.drive.moving import Moving
 from kurbel.drive.rod import Rod
 from kurbel.engine.engine import Engine, Load, Steam
@@ -49,7 +50,7 @@ ANGLES = tuple(Fraction(degree) for degree in range(0, 361, 3))
 FLOATS = [float(angle) for angle in ANGLES]
 FIFTH, QUARTER = Fraction(1, 5), Fraction(1, 4)
 # 600 mm stroke, 120/min, 10 kN.
-MACHINE = Crank(FIFTH, Fraction(0), Fraction(3, 10), Speed(Fraction(2)), Fraction(10_000))
+MACHINE = Crank(FIFTH, Fraction(0), Fraction(3, 10), Speed(Fraction(2)), PistonForce(Fraction(10_000)))
 HELP = "see kurbel plot --help"
 
 

@@ -252,3 +252,46 @@ def test_what_a_new_mechanism_does_not_have_is_refused_with_a_sentence(yoke: Hou
         yoke.kurbel("kurbel forces --mechanism yoke --eps 4")
     with pytest.raises(AssertionError, match="the polar diagram of the Scotch yoke is not drawn"):
         yoke.kurbel("kurbel plot --polar --mechanism yoke -o polar.svg")
+
+
+@pytest.fixture(scope="module")
+def spring(tmp_path_factory: pytest.TempPathFactory) -> House:
+    return built("load", tmp_path_factory.mktemp("load"))
+
+
+@pytest.mark.parametrize("drive", ["--ratio 1:5", "--ratio 1:4 --offset 0.5"])
+def test_a_new_load_does_its_work_on_the_shaft(spring: House, drive: str) -> None:
+    """Over both strokes ½ (F + F₁) S each; between the dead centres, by Simpson's rule."""
+    work = 0.0
+    ratio, offset = (0.2, 0.0) if "offset" not in drive else (0.25, 0.5)
+    for key, stroke in (("torque_nm", 1), ("torque_return_nm", -1)):
+        # Stretched rod and crank, folded rod and crank: φ of the stroke at its ends, in degrees.
+        dead = [math.degrees(math.asin(offset / (1 / ratio + side))) for side in (stroke, -stroke)]
+        begin, end = dead[0], 180 + dead[1]
+        angles = ";".join(f"{begin + (end - begin) * index / 200:.9f}" for index in range(201))
+        page = spring.kurbel(
+            f"kurbel forces {drive} --force 10kN..4kN --stroke 600mm --angle {angles!r}"
+            f" --columns {key} --digits 9 -f csv"
+        )
+        torques = [float(row) for row in page.splitlines()[1:]]
+        weights = [1, *([4, 2] * 100)[:199], 1]
+        step = math.radians(end - begin) / 200
+        work += math.fsum(map(math.prod, zip(weights, torques, strict=True))) * step / 3
+    way = math.sqrt((1 / ratio + 1) ** 2 - offset**2) - math.sqrt((1 / ratio - 1) ** 2 - offset**2)
+    assert work == pytest.approx(2 * 7000 * way * 0.3, rel=1e-6)
+
+
+def test_long_tables_of_a_new_load_have_the_digits_of_short_ones(spring: House) -> None:
+    words = "kurbel forces --ratio 1:5 --force 10kN..4kN --columns rod_force_n,radial_force_n -f csv"
+    long = spring.kurbel(f"{words} --step 0.01 --to 360").splitlines()[1:]
+    short = spring.kurbel(f"{words} --step 20 --to 360").splitlines()[1:]
+    assert long[::2000] == short
+
+
+def test_a_new_load_is_in_reference_handbook_drawing_and_help(spring: House) -> None:
+    assert "| a linear force | `10kN..4kN` | straight, offset |" in spring.reference()
+    assert "linear über den Hub" in spring.handbook("forces --force 10kN..4kN")
+    assert "<svg" in (spring.desk / "forces.svg").read_text(encoding="utf-8")
+    assert "10kN, 10kN..4kN" in " ".join(spring.kurbel("kurbel forces --help").split())
+    with pytest.raises(AssertionError, match="the arc crank under a linear force is not computed"):
+        spring.kurbel("kurbel forces --mechanism arc --rocker 6 --force 10kN..4kN")

@@ -14,6 +14,7 @@ from mpmath import mp
 from numpy.testing import assert_allclose
 
 from kurbel.drive.crank import Crank
+from kurbel.drive.load import PistonForce
 from kurbel.kernel import forces, linkage
 from kurbel.kernel.circle import circle
 from kurbel.kernel.parallel import coupler_place
@@ -102,7 +103,7 @@ def test_a_long_rocker_gives_the_forces_of_the_straight_and_the_offset_crank(
 
 @pytest.mark.parametrize("degrees", ["0", "31.7", "90", "200", "301"])
 def test_the_torque_of_the_parallel_crank_is_that_of_virtual_work(degrees: str) -> None:
-    drive, phi = ParallelCrank(Fraction(3, 10), Fraction(10_000)), real(Fraction(degrees))
+    drive, phi = ParallelCrank(Fraction(3, 10), PistonForce(Fraction(10_000))), real(Fraction(degrees))
     with mp.workdps(DIGITS):
         slope = mp.diff(lambda angle: 1 - mp.cos(mp.radians(angle)), phi) * 180 / mp.pi
         along = mp.cos(mp.radians(phi))
@@ -120,7 +121,9 @@ def test_the_torque_of_the_parallel_crank_is_that_of_virtual_work(degrees: str) 
 
 def test_forces_are_in_newtons_of_the_force_and_torques_of_the_radius() -> None:
     crank = CRANKS[2]
-    loaded = replace(crank, crank=replace(crank.crank, radius=Fraction(3, 10), force=Fraction(70)))
+    loaded = replace(
+        crank, crank=replace(crank.crank, radius=Fraction(3, 10), force=PistonForce(Fraction(70)))
+    )
     for key, shares, factor in (("rod_force_n", "rod_force", 70), ("torque_nm", "torque", 21)):
         with mp.workdps(DIGITS):
             share = mp.mpf(digits(shares, crank, OUT, "73.1", 40)) / mp.mpf(10) ** 40

@@ -7,6 +7,7 @@ from fractions import Fraction
 import pytest
 
 from kurbel.drive.crank import Crank
+from kurbel.drive.load import PistonForce
 from kurbel.drive.moving import Moving
 from kurbel.drive.rod import Rod
 from kurbel.motion.digits import columns_in_balls, columns_in_floats
@@ -22,7 +23,8 @@ ONE_A_SECOND = Speed(Fraction(1), turns=False)
 
 def machine(force: Fraction | None, moving: Moving) -> Crank:
     """Return a crank of 1 m at 1 rad/s: a mass of m kg calls up forces of about m N."""
-    return Crank(Fraction(1, 4), radius=Fraction(1), speed=ONE_A_SECOND, force=force, moving=moving)
+    push = None if force is None else PistonForce(force)
+    return Crank(Fraction(1, 4), radius=Fraction(1), speed=ONE_A_SECOND, force=push, moving=moving)
 
 
 # A force alone is as large as the masses' together, and masses as large as their counterweights.

@@ -8,6 +8,7 @@ from time import process_time
 from textbook import Drive
 
 from kurbel.drive.crank import Crank
+from kurbel.drive.load import PistonForce
 from kurbel.motion.evaluation import certified
 from kurbel.motion.quantities import registry
 from kurbel.reading.units import Speed
@@ -17,7 +18,9 @@ WITHOUT_UNITS = [key for key, quantity in registry().items() if not quantity.nee
 
 
 def crank_of(drive: Drive) -> Crank:
-    return Crank(drive.ratio, drive.offset, drive.radius, Speed(drive.speed, drive.turns), drive.force)
+    return Crank(
+        drive.ratio, drive.offset, drive.radius, Speed(drive.speed, drive.turns), PistonForce(drive.force)
+    )
 
 
 def kurbel(

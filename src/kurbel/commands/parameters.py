@@ -5,7 +5,7 @@ from os import PathLike
 from typing import Annotated, TypeAlias, TypedDict
 
 from kurbel.commands.options import FILE, FLAG, Choice, Columns, Count, LayoutName, Option
-from kurbel.drive import mechanisms
+from kurbel.drive import load, mechanisms
 from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS
 from kurbel.page.layouts import LANGUAGES
 from kurbel.reading.given import Exact
@@ -32,7 +32,7 @@ STROKE = Option("2R: 600mm.", "LENGTH", unit="m")
 SPEED = Option(
     "Speed, for columns in m/s and m/s²: 120/min, 12.5rad/s.", "SPEED", unit="turns a second"
 )  # fmt: skip
-FORCE = Option("Piston force, for columns in N and N m: 10kN.", "FORCE", unit="N")
+FORCE = Option(f"Piston force, for columns in N and N m: {load.examples()}.", "FORCE", unit="N")
 METHOD = Option(
     "exact (default), series (first order, as Blau prints) or infinite (rod of infinite length).",
     kind=Choice("method", "kurbel.motion.evaluation:METHODS"),

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from kurbel.drive.load import PistonForce, read_force
 from kurbel.errors import NotationError, ProblemError
 from kurbel.reading import notation, units
-from kurbel.reading.given import Exact, as_force, as_fraction, as_length, as_number, as_ratios, as_speed
+from kurbel.reading.given import Exact, as_fraction, as_length, as_number, as_ratios, as_speed
 from kurbel.reading.notation import Progression, about, ratio_text
 from kurbel.reading.units import Speed
 
@@ -19,13 +20,12 @@ if TYPE_CHECKING:
 
 LONGEST_ROD = 10**9
 LARGEST_ANGLE = 10**6
-LARGEST_FORCE = 10**12
 
 
 @dataclass(frozen=True, slots=True)
 class Crank:
-    """A crank drive: ratio λ = R/L, offset e/R, crank radius R in metres, speed, piston force in
-    newtons, connecting rod and moving masses where they are known.
+    """A crank drive: ratio λ = R/L, offset e/R, crank radius R in metres, speed, piston force,
+    connecting rod and moving masses where they are known.
 
     Valid for 0 <= λ < 1 and |e| < L − R; λ = 0 is the infinite rod.
     """
@@ -34,7 +34,7 @@ class Crank:
     offset: Fraction = Fraction(0)
     radius: Fraction | None = None
     speed: Speed | None = None
-    force: Fraction | None = None
+    force: PistonForce | None = None
     rod: Rod | None = None
     moving: Moving | None = None
 
@@ -51,10 +51,6 @@ class Crank:
             raise ProblemError(
                 f"offset e = {about(self.offset)} R is too large for R:L = {ratio_text(self.ratio)};"
                 f" the crank turns only if |e| < L - R = {about(1 / self.ratio - 1)} R"
-            )
-        if self.force is not None and not 0 < self.force <= LARGEST_FORCE:
-            raise ProblemError(
-                f"the piston force is {about(self.force)} N; it must be above 0 and at most 10^12"
             )
         if self.radius is not None and self.radius <= 0:
             raise ProblemError(f"the crank radius is {about(self.radius)} m; it must be above 0")
@@ -96,7 +92,7 @@ def _check_ratio(ratio: Fraction) -> None:
 
 class Described(NamedTuple):
     """What was said of a crank drive, None where nothing was: its options as they were given, in the order
-    in which one too many is refused; the force in newtons."""
+    in which one too many is refused; the force as it was read."""
 
     ratio: Exact | Iterable[Exact] | None = None
     stroke: Exact | None = None
@@ -106,14 +102,14 @@ class Described(NamedTuple):
     offset: Exact | None = None
     rocker: Exact | None = None
     pivot: str | tuple[Exact, Exact] | None = None
-    force: Fraction | None = None
+    force: PistonForce | None = None
 
     @classmethod
     def of(cls, given: Mapping[str, Any], **more: Any) -> Described:
         """Return what is given by the names of options, and what stands beside it."""
         known = {name: given[name] for name in cls._fields if name in given} | more
         force = known.get("force")
-        return cls(**known | {"force": None if force is None else as_force(force)})
+        return cls(**known | {"force": None if force is None else read_force(force)})
 
     def ratios(self, default: Sequence[str]) -> tuple[Fraction, ...]:
         """Return the crank ratios, or those of a layout."""

@@ -1,25 +1,121 @@
-"""What can act on a crank drive: the loads by their names, and what is asked of one that acts on a piston."""
+"""What can act on a crank drive: the loads by their names, a force on the piston, and what steam is asked."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Protocol
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Protocol
 
-from kurbel.exact.certify import Kind
-from kurbel.kernel.turning import Stroke
+from kurbel.errors import ProblemError
+from kurbel.exact.numerals import Label, finite_decimals, nearest, number_text
+from kurbel.reading.given import Exact, as_force
+from kurbel.reading.notation import about, plain
 
+if TYPE_CHECKING:
+    from kurbel.exact.certify import Kind
+    from kurbel.kernel.turning import Stroke
+
+LARGEST_FORCE = 10**12
 FORCE, MASSES, STEAM, CARD = "force", "masses", "steam", "card"
-LOADS: Mapping[str, str] = {
-    FORCE: "a constant force",
-    MASSES: "moving masses",
-    STEAM: "steam",
-    CARD: "an indicator card",
+
+
+class Registered(NamedTuple):
+    """What sentences call a load; of one that --force describes, the class that reads it, and how it is
+    written."""
+
+    title: str
+    place: str = ""
+    example: str = ""
+
+
+LOADS: Mapping[str, Registered] = {
+    FORCE: Registered("a constant force", "kurbel.drive.load:PistonForce", "10kN"),
+    MASSES: Registered("moving masses"),
+    STEAM: Registered("steam"),
+    CARD: Registered("an indicator card"),
+    # Another load is one more line here.
 }
 
 
+class OnStroke(Protocol):
+    """A place on a stroke: the share of it that the piston has gone, on a kind of number."""
+
+    @property
+    def share(self) -> Any: ...
+    @property
+    def numbers(self) -> Kind: ...
+
+
+@dataclass(frozen=True)
+class PistonForce:
+    """A force on the piston in newtons, in the direction of the stroke: by itself a constant one.
+
+    Of another load `first` is the force where a stroke begins.
+    """
+
+    name: ClassVar[str] = FORCE
+
+    first: Fraction
+
+    def __post_init__(self) -> None:
+        if not 0 < self.first <= LARGEST_FORCE:
+            raise ProblemError(
+                f"the piston force is {about(self.first)} N; it must be above 0 and at most 10^12"
+            )
+
+    @classmethod
+    def read(cls, given: Exact) -> PistonForce | None:
+        """Return the load that is written so, None if none of these is."""
+        return cls(as_force(given))
+
+    def relative(self, place: OnStroke) -> Any:
+        """Return the force at a place as a multiple of the first, on its kind of number; None for one."""
+        return None
+
+    @property
+    def growth(self) -> Fraction:
+        """A bound of that multiple and of its slope over the share, together."""
+        return Fraction(1)
+
+    def note(self, lang: str) -> Label:
+        """Return the line that pages have below their tables."""
+        return f'$F = {figure(self.first)} "N"$'
+
+
+def read_force(given: Exact) -> PistonForce:
+    """Return the load that --force describes: the one registered last that is written so."""
+    found = (one.read(given) for one in reversed([*piston_forces()]))
+    return next(one for one in found if one is not None)
+
+
+def examples() -> str:
+    """Return how these are written."""
+    return ", ".join(one.example for one in LOADS.values() if one.example)
+
+
+def piston_forces() -> Iterator[type[PistonForce]]:
+    """Yield the loads that --force describes."""
+    for entry in LOADS.values():
+        if entry.place:
+            module, _, name = entry.place.partition(":")
+            yield getattr(import_module(module), name)
+
+
+def figure(value: Fraction) -> str:
+    """Return the exact decimal or fraction where there is a short one, else three places."""
+    decimals = finite_decimals(value)
+    if decimals is not None and decimals <= 6:
+        return plain(value)
+    if value.denominator < 1000:
+        return f"{value.numerator}/{value.denominator}"
+    return number_text(nearest(value, 3))
+
+
 class Load(Protocol):
-    """What acts on the piston, on any kind of number: nothing is asked of it but its force at a share of the
-    stroke, and the work that it has done there.
+    """What drives the piston of an engine, on any kind of number: nothing is asked of it but its force at a
+    share of the stroke, and the work that it has done there.
     """
 
     @property

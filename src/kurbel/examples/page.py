@@ -12,6 +12,7 @@ from math import prod
 from kurbel.books.printed_value import Printed
 from kurbel.books.quantities import engine_turn
 from kurbel.drive.crank import Crank, check_angles
+from kurbel.drive.load import PistonForce
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number
 from kurbel.examples.source import Example, Part, example
@@ -118,7 +119,7 @@ def _check(given: Mapping[str, Fraction]) -> None:
     if "force" in given:
         if "ratio" not in given:
             raise ProblemError("a force becomes newtons with a ratio only; add one, such as 1:5")
-        Crank(given["ratio"], force=given["force"])
+        Crank(given["ratio"], force=PistonForce(given["force"]))
 
 
 def _check_steam(given: Mapping[str, Fraction]) -> None:

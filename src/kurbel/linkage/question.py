@@ -15,7 +15,7 @@ from kurbel.exact.numerals import Label, Number
 from kurbel.kernel.circle import circle
 from kurbel.linkage.linkage import Linkage, certified, value
 from kurbel.linkage.quantities import FORCE
-from kurbel.motion.drive_notes import drive_notes, force_note
+from kurbel.motion.drive_notes import drive_notes, force_notes
 from kurbel.motion.evaluation import NEEDS, needed
 from kurbel.motion.page import AngleQuestion, check_pairs
 from kurbel.page.axes import AngleAxis, ColumnAxis, Place, RatioAxis
@@ -130,4 +130,4 @@ def force_lines(question: LinkageRequest, force: Words) -> Iterator[Label]:
         yield "; ".join(dict.fromkeys([force[lang], *said]))
     cranks = [replace(drive.crank, offset=Fraction(0)) for drive in question.drives]
     yield from drive_notes(cranks, lang)
-    yield from dict.fromkeys(force_note(crank.force) for crank in cranks if crank.force is not None)
+    yield from force_notes(cranks, lang)

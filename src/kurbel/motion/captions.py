@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Label
-from kurbel.motion.drive_notes import drive_notes, force_note, moving_notes, rod_notes
+from kurbel.motion.drive_notes import drive_notes, force_notes, moving_notes, rod_notes
 from kurbel.motion.evaluation import DIFFERENCE, LOADED, METHODS, OFFSET, OUT, RETURN
 from kurbel.page.quantity import AND, Column, Quantity, enumerated, filled, for_ratio, words
 
@@ -91,7 +91,7 @@ def notes(question: Request) -> Iterator[Label]:
     if said := dict.fromkeys(one.quantity.direction[lang] for one in columns if one.quantity.direction):
         yield "; ".join(said)
     yield from drive_notes(question.cranks, lang)
-    yield from dict.fromkeys(force_note(crank.force) for crank in question.cranks if crank.force is not None)
+    yield from force_notes(question.cranks, lang)
     for crank in question.cranks[:1]:
         if crank.moving is not None:
             yield from moving_notes(crank, layout.ratio_symbol, lang)

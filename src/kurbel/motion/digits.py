@@ -67,6 +67,8 @@ def float_bound(column: Column, crank: Crank, largest_angle: float) -> float:
     in_radians = max(largest_angle, 360.0) / 57
     quantity = column.quantity
     scale = abs(float(quantity.scale(crank, floats()))) if quantity.scale else 1.0
+    if quantity.needs in ("force", "torque") and crank.force is not None:
+        scale *= float(crank.force.growth)
     if LOADED in quantity.formulas and crank.moving is not None:
         # A force is a sum of few products of these with powers of 1/cos ψ.
         scale *= 8 * float(greatest_load(crank))

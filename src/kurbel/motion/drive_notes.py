@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from kurbel.drive.crank import Crank
+from kurbel.drive.load import figure
 from kurbel.exact.certify import Kind, balls, bounds
-from kurbel.exact.numerals import Label, Number, finite_decimals, nearest, number_text
+from kurbel.exact.numerals import Label, Number, finite_decimals, number_text
 from kurbel.kernel import kinematics
 from kurbel.motion.evaluation import OUT, RETURN, pin_velocity
 from kurbel.page.quantity import Words, enumerated_letters, words
-from kurbel.reading.notation import plain, ratio_text
+from kurbel.reading.notation import ratio_text
 
 if TYPE_CHECKING:
     from kurbel.drive.rod import Rod
@@ -52,9 +53,9 @@ def drive_notes(cranks: Sequence[Crank], lang: str) -> list[Label]:
     return lines + [_offset(crank, lang) for crank in cranks if crank.offset and crank.ratio]
 
 
-def force_note(force: Fraction) -> Label:
-    """Return the line about the piston force in newtons."""
-    return f'$F = {_plain(force)} "N"$'
+def force_notes(cranks: Sequence[Crank], lang: str) -> Iterable[Label]:
+    """Return the lines about the piston forces."""
+    return dict.fromkeys(crank.force.note(lang) for crank in cranks if crank.force is not None)
 
 
 def rod_notes(cranks: Sequence[Crank], lang: str, shown: Collection[str]) -> Iterator[Label]:
@@ -79,10 +80,10 @@ def moving_notes(crank: Crank, ratio_symbol: str, lang: str) -> Iterator[Label]:
     assert speed is not None
     assert crank.radius is not None
     said = {"reciprocating": moving.reciprocating, "rotating": moving.rotating}
-    parts = [f'{WORDS[key][lang]} ${_plain(mass)} "kg"$' for key, mass in said.items() if mass]
-    value = _plain(60 * speed.value if speed.turns else speed.value)
+    parts = [f'{WORDS[key][lang]} ${figure(mass)} "kg"$' for key, mass in said.items() if mass]
+    value = figure(60 * speed.value if speed.turns else speed.value)
     turns = f'n = {value} "min"^(-1)' if speed.turns else f'ω = {value} "rad/s"'
-    parts += [f'${radius} = {_plain(1000 * crank.radius)} "mm"$', f"${turns}$"]
+    parts += [f'${radius} = {figure(1000 * crank.radius)} "mm"$', f"${turns}$"]
     yield WORDS["masses"][lang] + ", ".join(parts)
     if moving.rod is not None:
         yield connecting_rod(moving.rod, lang, ratio_symbol[-1])
@@ -97,10 +98,10 @@ def connecting_rod(rod: Rod, lang: str, length: str = "L") -> Label:
 
     return WORDS["connecting_rod"][lang].format(
         length=length,
-        centre=_plain(1 - rod.centre),
+        centre=figure(1 - rod.centre),
         gyration=_root(rod.gyration_square) or _certified(gyration, 4, algebraic=True),
-        couple=_plain(rod.couple),
-        mass=f', $M = {_plain(rod.mass)} "kg"$' if rod.mass is not None else "",
+        couple=figure(rod.couple),
+        mass=f', $M = {figure(rod.mass)} "kg"$' if rod.mass is not None else "",
     )
 
 
@@ -109,20 +110,20 @@ def _root(square: Fraction) -> str:
     from math import isqrt
 
     root = Fraction(isqrt(square.numerator), isqrt(square.denominator))
-    return _plain(root) if root * root == square and finite_decimals(root) is not None else ""
+    return figure(root) if root * root == square and finite_decimals(root) is not None else ""
 
 
 def _machine(crank: Crank, lang: str) -> Label:
     assert crank.radius is not None
-    rod = WORDS["rod"][lang].format(rod=_plain(1000 * crank.radius / crank.ratio)) if crank.ratio else ""
+    rod = WORDS["rod"][lang].format(rod=figure(1000 * crank.radius / crank.ratio)) if crank.ratio else ""
     speed = _speed(crank, lang) if crank.speed else ""
-    return WORDS["machine"][lang].format(radius=_plain(1000 * crank.radius), rod=rod, speed=speed)
+    return WORDS["machine"][lang].format(radius=figure(1000 * crank.radius), rod=rod, speed=speed)
 
 
 def _speed(crank: Crank, lang: str) -> str:
     speed = crank.speed
     assert speed is not None
-    turns, radians = f'$n = {_plain(speed.value * 60)} "min"^(-1)$', f'$ω = {_plain(speed.value)} "rad/s"$'
+    turns, radians = f'$n = {figure(speed.value * 60)} "min"^(-1)$', f'$ω = {figure(speed.value)} "rad/s"$'
     quotient = _certified(lambda numbers: numbers.pi / _stroke(crank, numbers), 4, algebraic=False)
     return WORDS["speed"][lang].format(
         turns=f"{turns if speed.turns else radians}, ",
@@ -162,7 +163,7 @@ def _offset(crank: Crank, lang: str) -> Label:
         return degrees
 
     return WORDS["offset"][lang].format(
-        offset=_plain(crank.offset),
+        offset=figure(crank.offset),
         ratio=ratio_text(crank.ratio),
         inner=_certified(dead_centre(OUT), 3, algebraic=False),
         outer=_certified(dead_centre(RETURN), 3, algebraic=False),
@@ -180,13 +181,3 @@ def _certified(value: Callable[[Kind], Any], decimals: int, algebraic: bool) -> 
 
     scaled = rounded(lambda: value(balls()), decimals, "half-away", tie_bits if algebraic else NEVER_TIES)
     return number_text(Number(scaled, decimals))
-
-
-def _plain(value: Fraction) -> str:
-    """The exact decimal or fraction where there is a short one, else three places."""
-    decimals = finite_decimals(value)
-    if decimals is not None and decimals <= 6:
-        return plain(value)
-    if value.denominator < 1000:
-        return f"{value.numerator}/{value.denominator}"
-    return number_text(nearest(value, 3))

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import Kind, balls, bounds
+from kurbel.kernel import kinematics
 from kurbel.page.quantity import Quantity, Words, words
 
 # What of the crank a quantity needs to be known, and the options that tell it.
@@ -72,6 +73,19 @@ class At(NamedTuple):
     offset: Any
     crank: Crank
     numbers: Kind
+
+    @property
+    def share(self) -> Any:
+        """The share of the stroke that the piston has gone."""
+        if self.offset is None:
+            return kinematics.piston_path(self.circle, self.ratio) / 2
+        path = kinematics.offset_path(self.circle, self.ratio, self.offset)
+        return path / kinematics.stroke(self.ratio, self.offset)
+
+    def acting(self, force: Any) -> Any:
+        """Return what the first piston force calls up, as the force at this place does."""
+        factor = self.crank.force.relative(self) if self.crank.force else None
+        return force if factor is None else force * factor
 
 
 def is_known(quantity: Quantity, crank: Crank) -> bool:
@@ -204,4 +218,5 @@ def greatest_load(crank: Crank) -> Fraction:
     pin, crosshead, couple = moving.joined
     masses = abs(pin) + crosshead + abs(Fraction(couple)) + moving.reciprocating + abs(moving.rotating)
     factor = 40 if speed.turns else 1
-    return (crank.force or Fraction(0)) + masses * radius * speed.value**2 * factor
+    force = crank.force.first * crank.force.growth if crank.force else Fraction(0)
+    return force + masses * radius * speed.value**2 * factor

@@ -51,7 +51,8 @@ class Mechanism(ABC):
 
     def check(self, said: Described) -> None:
         """Raise ProblemError for a description without what makes it this drive."""
-        if sentence := self.lacking(said):
+        pushed = uncomputed(self, said.force.name) if said.force else ""
+        if sentence := self.lacking(said) or pushed:
             raise ProblemError(sentence)
 
     def lacking(self, said: Described) -> str:
@@ -179,14 +180,21 @@ def of_other_mechanisms(
 
 def uncomputed(chosen: Mechanism, load: str) -> str:
     """Return the sentence that refuses a mechanism under a load, nothing where it is computed."""
-    if load in chosen.loads:
+    if load in _loads(chosen):
         return ""
-    known = [LOADS[one] for one in chosen.loads] or ["no load"]
-    takers = [one.title for one in map(mechanism, MECHANISMS) if load in one.loads]
+    known = [LOADS[one].title for one in _loads(chosen)] or ["no load"]
+    takers = [one.title for one in map(mechanism, MECHANISMS) if load in _loads(one)]
     return (
-        f"{chosen.title} under {LOADS[load]} is not computed;"
-        f" {LOADS[load]} can act on {' or '.join(takers)}, and {chosen.title} takes {' or '.join(known)}"
+        f"{chosen.title} under {LOADS[load].title} is not computed;"
+        f" {LOADS[load].title} can act on {' or '.join(takers)}, and {chosen.title} takes"
+        f" {' or '.join(known)}"
     )
+
+
+def _loads(chosen: Mechanism) -> list[str]:
+    """Return the loads of a mechanism: on a crosshead any force that is known of a share of its stroke."""
+    forces = [load for load, one in LOADS.items() if one.place] if chosen.crosshead else []
+    return list(dict.fromkeys((*chosen.loads, *forces)))
 
 
 def check_load(offset: Fraction, load: str) -> None:

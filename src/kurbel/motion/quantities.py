@@ -121,7 +121,7 @@ def newtons(crank: Crank, numbers: Kind) -> Any:
     if crank.moving is not None:
         return numbers.of(Fraction(1))
     assert crank.force is not None
-    return numbers.of(crank.force)
+    return numbers.of(crank.force.first)
 
 
 def newton_metres(crank: Crank, numbers: Kind) -> Any:
@@ -238,8 +238,8 @@ def _force_entries() -> Iterator[Quantity]:
     )
     yield from _both("torque", name, "$M_d$", "$M_d/(F R)$", "$F R$", 4, torque, names=("torque",))
     yield from _both(
-        "torque_nm", name, "$M_d$", "$M_d$ in N m", "N m", 1, torque | _loaded("tangential_force"),
-        scale=newton_metres, needs="torque",
+        "torque_nm", name, "$M_d$", "$M_d$ in N m", "N m", 1,
+        {**_acting(torque), **_loaded("tangential_force")}, scale=newton_metres, needs="torque",
     )  # fmt: skip
 
 
@@ -247,9 +247,18 @@ def _in_newtons(
     key: str, name: str, letter: str, needs: str, formulas: dict[str, Formula], direction: str
 ) -> Iterator[Quantity]:
     return _both(
-        f"{key}_n", name, f"${letter}$", f"${letter}$ in N", "N", 1, formulas | _loaded(key),
+        f"{key}_n", name, f"${letter}$", f"${letter}$ in N", "N", 1, {**_acting(formulas), **_loaded(key)},
         scale=newtons, needs=needs, direction=words(direction),
     )  # fmt: skip
+
+
+def _acting(formulas: Formulas) -> Formulas:
+    """Return the formulas in the first piston force, of the force that acts at the place."""
+    return {key: Formula(_at_place(one.kernel), one.printed) for key, one in formulas.items()}
+
+
+def _at_place(kernel: Callable[[At], Any]) -> Callable[[At], Any]:
+    return lambda at: at.acting(kernel(at))
 
 
 def _unloaded(
@@ -270,7 +279,8 @@ def _loaded(key: str) -> dict[str, Formula]:
         crank, of = at.crank, at.numbers.of
         assert crank.moving is not None
         weights = crank.moving.weights(of, pin_acceleration(crank, at.numbers))
-        return force.loaded(at.circle, at.ratio, weights, at.offset, of(crank.force or Fraction(0)))
+        net = at.acting(of(crank.force.first if crank.force else Fraction(0)))
+        return force.loaded(at.circle, at.ratio, weights, at.offset, net)
 
     return {LOADED: Formula(call)}
 

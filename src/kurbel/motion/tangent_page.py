@@ -14,7 +14,7 @@ from kurbel.exact.certify import NEVER_TIES, Kind, TieBits, ball, balls, bounds,
 from kurbel.exact.numerals import Label, Number
 from kurbel.exact.separation import Separation
 from kurbel.kernel.forces import square_position
-from kurbel.motion.drive_notes import drive_notes, force_note
+from kurbel.motion.drive_notes import drive_notes, force_notes
 from kurbel.motion.evaluation import (
     OUT,
     TANGENT,
@@ -86,8 +86,7 @@ class TangentRequest(Question):
 def _notes(question: TangentRequest) -> Iterator[Label]:
     yield from (note[question.lang] for note in question.layout.notes)
     yield from drive_notes(question.cranks, question.lang)
-    forces = dict.fromkeys(crank.force for crank in question.cranks if crank.force is not None)
-    yield from map(force_note, forces)
+    yield from force_notes(question.cranks, question.lang)
 
 
 def _number(question: TangentRequest, column: Column, place: Place, times: int) -> Number:

@@ -7,6 +7,7 @@ from fractions import Fraction
 from typing import Any
 
 from kurbel.drive.crank import Crank
+from kurbel.drive.load import PistonForce
 from kurbel.exact.certify import Kind
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.linkage import Place
@@ -31,7 +32,7 @@ class ParallelCrank(Linkage):
     """
 
     radius: Fraction | None = None
-    force: Fraction | None = None
+    force: PistonForce | None = None
 
     def place(self, stroke: int, circle: Circle[Any], kind: Kind) -> Place[Any]:
         """Return where any point of the rod stands, which moves alike on both strokes."""
