@@ -6,7 +6,7 @@ kernel/harmonics.py.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any, NamedTuple
 
@@ -22,12 +22,16 @@ MOST_TERMS = 100
 
 
 class Harmonic(NamedTuple):
-    """The harmonics of a motion: C_k or B_k is `factor` of the order times A_k; `wave` is cos or sin."""
+    """The harmonics of a motion, the path's after so many slopes; `wave` is cos or sin."""
 
     key: str
     letter: str
-    factor: Callable[[int], int]
+    slopes: int
     wave: str = "cos"
+
+    def factor(self, order: int) -> int:
+        """Return C_k/A_k or B_k/A_k."""
+        return harmonics.slope_factor(order, self.slopes)
 
     def value(self, order: int, ratio: Any) -> Any:
         """Return the coefficient of the exact motion for λ, a float, an array or a ball (not around 0)."""
@@ -36,9 +40,9 @@ class Harmonic(NamedTuple):
 
 
 HARMONICS: Mapping[str, Harmonic] = {
-    "x": Harmonic("x", "A", harmonics.path_factor),
-    "c": Harmonic("c", "C", harmonics.velocity_factor, "sin"),
-    "p": Harmonic("p", "B", harmonics.acceleration_factor),
+    "x": Harmonic("x", "A", 0),
+    "c": Harmonic("c", "C", 1, "sin"),
+    "p": Harmonic("p", "B", 2),
 }
 """The harmonics by the key of the quantity that they add up to."""
 

@@ -13,7 +13,7 @@ geometry, re-derived here, is a function of q²/r², the square of the half chor
 Source: Weisbach-Herrmann, § 149.
 """
 
-from kurbel.kernel.circle import Number, root
+from kurbel.kernel.circle import Number, cosine_of, root
 
 
 def approximate_lean(arm: Number, ratio: Number) -> Number:
@@ -106,4 +106,4 @@ def _chord_distance(square: Number, arm: Number) -> Number:
 
 
 def _versine(sine: Number) -> Number:
-    return sine * sine / (1 + root((1 - sine) * (1 + sine)))
+    return sine * sine / (1 + cosine_of(sine))

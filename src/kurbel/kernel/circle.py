@@ -198,7 +198,7 @@ def arcsine(sine: Number, tail: Number = 0.0) -> Number:
     turns, across, along = _unrounded(near)
     whole, sign = turns[0]
     difference = (((sine - whole) - sign * across.high) - sign * across.low) + tail
-    cosines = root((1 - sine) * (1 + sine)) + _settled(turns[1], along)[0]
+    cosines = cosine_of(sine) + _settled(turns[1], along)[0]
     # 1e-300 matters at ±90° only, where the quotient would be 0/0.
     return near + 2 * difference / (cosines + 1e-300) / RADIAN + 0.0
 
@@ -233,6 +233,11 @@ def _product_error(one: Number, other: Number, product: Number) -> Number:
     return ((one_high * other_high - product) + one_high * other_low + one_low * other_high) + (
         one_low * other_low
     )
+
+
+def cosine_of(sine: Number) -> Number:
+    """Return the cosine of an angle within ±90° from its sine."""
+    return root((1 - sine) * (1 + sine))
 
 
 def root(number: Number) -> Number:

@@ -16,7 +16,7 @@ the one frame of the outstroke. Valid where the kinematics are.
 from typing import Generic, NamedTuple, TypeVar
 
 from kurbel.kernel import kinematics
-from kurbel.kernel.circle import Circle, Number, root
+from kurbel.kernel.circle import Circle, Number, cosine_of, root
 
 Kind = TypeVar("Kind")
 
@@ -33,7 +33,7 @@ def rod_slant(circle: Circle[Number], ratio: Number, offset: Number | None = Non
     if offset is None:
         return Slant(ratio * circle.sine, kinematics.rod_cosine(circle, ratio))
     sine = kinematics.rod_sine(circle, ratio, offset)
-    return Slant(sine, root((1 - sine) * (1 + sine)))
+    return Slant(sine, cosine_of(sine))
 
 
 def rod_force(circle: Circle[Number], ratio: Number, offset: Number | None = None) -> Number:

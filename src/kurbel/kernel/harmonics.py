@@ -21,7 +21,7 @@ from fractions import Fraction
 from math import comb
 from typing import NamedTuple
 
-from kurbel.kernel.circle import Number, root
+from kurbel.kernel.circle import Number, cosine_of
 
 _NEGLIGIBLE = 2.0**-56
 
@@ -46,19 +46,9 @@ def path_coefficient(order: int, ratio: Number) -> Number:
     return 0 * ratio + 0 if order % 2 else _even_path(order // 2, ratio)
 
 
-def path_factor(order: int) -> int:
-    """Return 1: A_k itself."""
-    return 1
-
-
-def velocity_factor(order: int) -> int:
-    """Return C_k/A_k = -k, for the velocity is the slope of the path."""
-    return -order
-
-
-def acceleration_factor(order: int) -> int:
-    """Return B_k/A_k = -k²."""
-    return -order * order
+def slope_factor(order: int, slopes: int) -> int:
+    """Return 1 for A_k itself, C_k/A_k = -k of its slope and B_k/A_k = -k² of the slope of that."""
+    return -(order**slopes) if slopes else 1
 
 
 def path_series(order: int, terms: int) -> tuple[Term, ...]:
@@ -83,7 +73,7 @@ def _power_term(half: int, n: int) -> Term:
 
 def _half_slant(ratio: Number) -> Number:
     """Return t = tan ½ψ of the rod's greatest angle, sin ψ = λ."""
-    return ratio / (1 + root((1 - ratio) * (1 + ratio)))
+    return ratio / (1 + cosine_of(ratio))
 
 
 def _mean_path(ratio: Number) -> Number:

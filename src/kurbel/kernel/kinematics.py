@@ -12,7 +12,7 @@ sign with the ratio. Ratio 0 is the infinite rod. Valid for |λ| < 1, with an of
 number appears.
 """
 
-from kurbel.kernel.circle import Circle, Number, root
+from kurbel.kernel.circle import Circle, Number, cosine_of, root
 
 
 def rod_sine(circle: Circle[Number], ratio: Number, offset: Number = 0) -> Number:
@@ -125,10 +125,10 @@ def offset_path(circle: Circle[Number], ratio: Number, offset: Number) -> Number
     # With the dead centre's angles: x = cos φ_i - cos φ + (cos ψ_i - cos ψ)/λ. The last term is
     # rewritten as a quotient, as in piston_path, so that no 1/λ is left.
     dead_sine = dead_centre_sine(ratio, offset)
-    dead_cosine = root((1 - dead_sine) * (1 + dead_sine))
+    dead_cosine = cosine_of(dead_sine)
     dead_versine = dead_sine * dead_sine / (1 + dead_cosine)
     sine = rod_sine(circle, ratio, offset)
-    cosine = _offset_rod_cosine(sine)
+    cosine = cosine_of(sine)
     slant = (circle.sine - dead_sine) * (sine - dead_sine) / (cosine + dead_cosine)
     return (circle.versine - dead_versine) + slant
 
@@ -139,7 +139,7 @@ def offset_velocity(circle: Circle[Number], ratio: Number, offset: Number) -> Nu
     Floats: as close to the true value as `offset_path`. Re-derived: a slope of the path.
     """
     sine = rod_sine(circle, ratio, offset)
-    return circle.sine + circle.cosine * (sine / _offset_rod_cosine(sine))
+    return circle.sine + circle.cosine * (sine / cosine_of(sine))
 
 
 def offset_acceleration(circle: Circle[Number], ratio: Number, offset: Number) -> Number:
@@ -148,13 +148,9 @@ def offset_acceleration(circle: Circle[Number], ratio: Number, offset: Number) -
     Floats: as close to the true value as `offset_path`. Re-derived: a slope of the path.
     """
     sine = rod_sine(circle, ratio, offset)
-    w = _offset_rod_cosine(sine)
+    w = cosine_of(sine)
     turning = ratio * circle.cosine * circle.cosine / (w * w * w)
     return circle.cosine + (turning - circle.sine * (sine / w))
-
-
-def _offset_rod_cosine(sine: Number) -> Number:
-    return root((1 - sine) * (1 + sine))
 
 
 def stroke(ratio: Number, offset: Number = 0) -> Number:

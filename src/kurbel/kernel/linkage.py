@@ -26,7 +26,7 @@ Rötscher names the drive (Abb. 1043) without formulas; all are re-derived here.
 
 from typing import Generic, NamedTuple
 
-from kurbel.kernel.circle import Circle, Kind, Number, root
+from kurbel.kernel.circle import Circle, Kind, Number, cosine_of, root
 
 
 class Arc(NamedTuple, Generic[Kind]):
@@ -73,7 +73,7 @@ def arc(ratio: Number, curvature: Number, offset: Number, shift: Number) -> Arc[
     # two squares of lengths it would lose the digits of λ.
     gap = 1 - shift + ratio * ((1 - shift) * (1 + shift) - offset * offset) / 2
     slant = (curvature * gap - ratio * offset) / (1 + ratio)
-    slant_cosine = _cosine(slant)
+    slant_cosine = cosine_of(slant)
     half = 2 * gap / (1 + ratio * shift + (1 + ratio) * slant_cosine)
     rocker_sine, rocker_cosine = _turn(curvature * half / 2)
     sine = rocker_sine * slant_cosine - rocker_cosine * slant
@@ -97,7 +97,7 @@ def place(circle: Circle[Number], arc: Arc[Number]) -> Place[Number]:
     side = ratio * circle.sine
     gap = (1 + ratio) * circle.versine
     slant = arc.slant * reach + arc.slant_cosine * side - curvature * gap
-    slant_cosine = _cosine(slant)
+    slant_cosine = cosine_of(slant)
     # The rod closes the triangle for two positions of its end on the arc: the roots of a quadratic equation
     # without constant term at the dead centre. This form of the nearer one has no 1/β and no difference.
     half = 2 * gap / (arc.slant_cosine * reach - arc.slant * side + slant_cosine)
@@ -257,10 +257,6 @@ def steepest_slant(ratio: Number, curvature: Number, offset: Number, shift: Numb
     mean = curvature * shift + ratio * offset + ratio * curvature * (1 + shift * shift + offset * offset) / 2
     along, up = curvature * (1 + ratio * shift), ratio * (1 + curvature * offset)
     return abs(mean) + root(along * along + up * up)
-
-
-def _cosine(sine: Number) -> Number:
-    return root((1 - sine) * (1 + sine))
 
 
 def _half_angle_sine(tangent: Number) -> Number:
