@@ -82,8 +82,8 @@ def main() -> NoReturn:
     except BrokenPipeError:
         code = _silenced(128 + signal.SIGPIPE)
     except OSError as error:
-        code = _failed(f"cannot write: {error.strerror or error}", 1)
-        _silenced(code)
+        say(f"cannot write: {error.strerror or error}")
+        code = _silenced(1)
     except KeyboardInterrupt:
         code = 128 + signal.SIGINT
     sys.exit(code)
@@ -109,21 +109,14 @@ def _run() -> int:
         sys.stderr.write(help_text())
         return 2
     else:
-        return _command()
+        from kurbel.cli.app import run
+
+        code, message = run()
+        if message:
+            say(message)
+        return code
     sys.stdout.flush()
     return 0
-
-
-def _command() -> int:
-    from kurbel.cli.app import run
-
-    code, message = run()
-    return _failed(message, code) if message else code
-
-
-def _failed(message: str, code: int) -> int:
-    say(message)
-    return code
 
 
 def say(message: str) -> None:

@@ -30,7 +30,26 @@ def command_of(name: str) -> click.Command:
     return TableCommand(name, found.command)
 
 
-class LazyGroup(click.Group):
+class Group(click.Group):
+    """Commands in the order of their use; a wrong name is answered with the nearest."""
+
+    what = "command"
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        return list(self.commands)
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        from kurbel.reading.given import choose
+
+        # The help text is the answer to an option in place of a command.
+        if not args[0].startswith("-") and not ctx.resilient_parsing:
+            choose(args[0], self.list_commands(ctx), self.what)
+        return super().resolve_command(ctx, args)
+
+
+class LazyGroup(Group):
     """A group that imports a command's module only to run it or to print its own help."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:
@@ -41,16 +60,6 @@ class LazyGroup(click.Group):
 
     def get_help(self, ctx: click.Context) -> str:
         return help_text().rstrip()
-
-    def resolve_command(
-        self, ctx: click.Context, args: list[str]
-    ) -> tuple[str | None, click.Command | None, list[str]]:
-        from kurbel.reading.given import choose
-
-        # The help text is the answer to an option in place of a command.
-        if not args[0].startswith("-") and not ctx.resilient_parsing:
-            choose(args[0], COMMANDS, "command")
-        return super().resolve_command(ctx, args)
 
 
 @click.group(

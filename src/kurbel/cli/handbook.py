@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from kurbel.cli import say
+from kurbel.cli.app import Group
 from kurbel.cli.options import Type, lang_option
 from kurbel.commands.options import Choice, Count
 from kurbel.formats.registry import compiled_format
@@ -29,20 +30,8 @@ MOST_SHOWN = 50
 GLANCE = 0.4
 
 
-class _Group(click.Group):
-    """A wrong name of a command is answered with the nearest; they are listed in the order of their use."""
-
-    def list_commands(self, ctx: click.Context) -> list[str]:
-        return list(self.commands)
-
-    def resolve_command(
-        self, ctx: click.Context, args: list[str]
-    ) -> tuple[str | None, click.Command | None, list[str]]:
-        from kurbel.reading.given import choose
-
-        if not args[0].startswith("-") and not ctx.resilient_parsing:
-            choose(args[0], self.commands, "command of kurbel handbook")
-        return super().resolve_command(ctx, args)
+class _Group(Group):
+    what = "command of kurbel handbook"
 
 
 @click.group(cls=_Group)
@@ -131,7 +120,8 @@ def check(**options: Any) -> int:
         click.echo("\n".join(lines))
     _report(manifest, done)
     if stale:
-        mend = f"kurbel handbook build{_typed(options['folder'])}{_engine(options)}"
+        engine = f" --pdf-engine {options['pdf_engine']}" if options["pdf_engine"] else ""
+        mend = f"kurbel handbook build{_typed(options['folder'])}{engine}"
         first = "mend what failed, and then" if done.failures else "this mends it:"
         count = "1 file is" if len(stale) == 1 else f"{len(stale)} files are"
         say(f"{folder.path}: {count} stale{_failed(done)}; {first} {mend}")
@@ -209,10 +199,6 @@ def _typed(folder: str) -> str:
     from shlex import quote
 
     return "" if folder == "." else f" {quote(folder)}"
-
-
-def _engine(options: dict[str, Any]) -> str:
-    return f" --pdf-engine {options['pdf_engine']}" if options["pdf_engine"] else ""
 
 
 def _report(manifest: Manifest, done: Built) -> None:

@@ -6,6 +6,7 @@ import os
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any
 
+from kurbel.commands import frames
 from kurbel.exact.numerals import DECIMAL_OF_LANGUAGE, DECIMALS
 from kurbel.formats.registry import DEFAULT, CompiledFormat, for_suffix
 from kurbel.page.labels import plain
@@ -84,27 +85,19 @@ class Table(Page):
 
     def to_numpy(self) -> np.ndarray[Any, Any]:
         """Return the records as a structured array, whose fields are their keys."""
-        from kurbel.commands.frames import to_numpy
-
-        return to_numpy(self)
+        return frames.to_numpy(self)
 
     def to_pandas(self, *, exact: bool = False) -> Any:
         """Return the records as a pandas DataFrame; what their columns mean is in its `attrs`."""
-        from kurbel.commands.frames import to_pandas
-
-        return to_pandas(self, exact)
+        return frames.to_pandas(self, exact)
 
     def to_polars(self, *, exact: bool = False) -> Any:
         """Return the records as a polars DataFrame."""
-        from kurbel.commands.frames import to_polars
-
-        return to_polars(self, exact)
+        return frames.to_polars(self, exact)
 
     def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:
         """Hand the records to any library that takes Arrow; needs the extra `arrow`."""
-        from kurbel.commands.frames import to_arrow
-
-        return to_arrow(self).__arrow_c_stream__(requested_schema)
+        return frames.to_arrow(self).__arrow_c_stream__(requested_schema)
 
 
 @dataclass(frozen=True, slots=True, repr=False)
