@@ -10,8 +10,7 @@ from pages import default_page
 
 from kurbel.documents.document import Chapter, Document, Item
 from kurbel.formats.documents import document_files
-from kurbel.formats.html.document import NAME
-from kurbel.formats.html.width import width_in_ems
+from kurbel.formats.html.document import NAME, width_in_ems
 from kurbel.formats.render import render
 from kurbel.page.layouts import layout_names
 

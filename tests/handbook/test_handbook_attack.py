@@ -15,8 +15,7 @@ from cli import Result, kurbel
 from programs import Programs, wait_until
 
 from kurbel.formats.pdf import by_tex as pdf_tex
-from kurbel.handbook.pages import PdfTask, PlannedChapter, make_pdf
-from kurbel.handbook.parts import Made, Task
+from kurbel.handbook.pages import Made, PdfTask, PlannedChapter, Task, make_pdf
 
 MANIFEST = """\
 title = "Tafeln"

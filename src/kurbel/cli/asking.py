@@ -20,7 +20,7 @@ from kurbel.cli.options import MACHINE, Document, FileName, Given, machine_defau
 from kurbel.cli.tables import MakingCommand
 from kurbel.errors import ChoiceError, KurbelError, ProblemError
 from kurbel.formats.registry import FORMATS
-from kurbel.handbook.parts import GIGABYTES, Made, Task
+from kurbel.handbook.pages import GIGABYTES, Made, Task
 from kurbel.reading.given import File, choose
 
 if TYPE_CHECKING:

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from kurbel.handbook.build import Build
     from kurbel.handbook.folder import Folder
     from kurbel.handbook.manifest import Manifest, Part
-    from kurbel.handbook.parts import Built
+    from kurbel.handbook.pages import Built
 
 # So many characters of a text tell which it is.
 MOST_SHOWN = 50

@@ -13,26 +13,24 @@ from kurbel.handbook.folder import Folder, digest
 from kurbel.handbook.manifest import Manifest, Part
 from kurbel.handbook.model import ENGINES
 from kurbel.handbook.pages import (
-    Entry,
-    PageTask,
-    PdfTask,
-    PlannedChapter,
-    document_of,
-    entry_of_text,
-    fragment_paths,
-    make_document,
-    make_pdf,
-)
-from kurbel.handbook.parts import (
     KILLED,
     PDF,
     PDF_STOPPED,
     STOPPED,
     Built,
+    Entry,
     Failure,
     Made,
     Maker,
+    PageTask,
+    PdfTask,
+    PlannedChapter,
+    document_of,
+    entry_of_text,
     formats_of,
+    fragment_paths,
+    make_document,
+    make_pdf,
     task_of,
 )
 from kurbel.handbook.pool import Killed, worked

@@ -13,7 +13,7 @@ from kurbel.formats.registry import FORMATS
 from kurbel.handbook.build import build
 from kurbel.handbook.folder import OWN, Folder
 from kurbel.handbook.manifest import Manifest
-from kurbel.handbook.parts import Built, Maker
+from kurbel.handbook.pages import Built, Maker
 from kurbel.handbook.state import CONTENTS, contents_in, files_below
 
 # A reader wants to see what changed, not all that did: of each table one difference, in the first of these
