@@ -17,7 +17,7 @@ from kurbel.kernel.harmonics import Term
 from kurbel.motion.evaluation import METHODS
 from kurbel.page.axes import ListAxis, Place, RatioAxis
 from kurbel.page.layouts import LayoutColumn
-from kurbel.page.quantity import Column, Formula, Quantity, filled, for_ratio, words
+from kurbel.page.quantity import Column, Formula, Quantity, entry, filled, for_ratio, words
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
 from kurbel.reading.given import choose
@@ -42,24 +42,15 @@ def quantities() -> Mapping[str, Quantity]:
         ("x", "Harmonische des Kolbenweges|Harmonics of the piston path", "$R$", "x/R"),
         ("c", "Harmonische der Kolbengeschwindigkeit|Harmonics of the piston velocity", "$v$", "c/v"),
         (
-            "p",
-            "Harmonische der Kolbenbeschleunigung|Harmonics of the piston acceleration",
-            "v²/R",
-            "(p R)/v^2",
+            "p", "Harmonische der Kolbenbeschleunigung|Harmonics of the piston acceleration",
+            "v²/R", "(p R)/v^2",
         ),
-    )
-    return {
-        key: Quantity(
-            key=key,
-            name=words(name),
-            symbol=f"${HARMONICS[key].letter}_k$",
-            unit=words(unit),
-            decimals=DECIMALS,
-            formulas={"exact": Formula(HARMONICS[key].value, printed)},
-            heading=words(f"${HARMONICS[key].letter}_k$"),
-        )
-        for key, name, unit, printed in rows
-    }
+    )  # fmt: skip
+    found = {}
+    for key, name, unit, printed in rows:
+        letter, formulas = f"${HARMONICS[key].letter}_k$", {"exact": Formula(HARMONICS[key].value, printed)}
+        found[key] = entry(key, name, letter, unit, DECIMALS, formulas, letter)
+    return found
 
 
 @dataclass(frozen=True, kw_only=True)

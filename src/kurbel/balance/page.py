@@ -33,7 +33,7 @@ from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, finite_decimals
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis, angle_text
-from kurbel.page.quantity import Column, Formula, Quantity, Words, words
+from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field
 from kurbel.reading.given import choose
@@ -117,29 +117,12 @@ WORDS: Mapping[str, Words] = {
 @cache
 def balance_registry() -> Mapping[str, Quantity]:
     """Return every column by its key: the harmonic's factor, and the lengths of force or moment."""
-    factor = Quantity(
-        key=FACTOR,
-        name=words("Harmonische der Kolbenbeschleunigung|Harmonic of the piston acceleration"),
-        symbol="$B_k$",
-        unit=words(""),
-        decimals=DECIMALS,
-        formulas={"exact": Formula(HARMONICS["p"].value)},
-        heading=words("$B_k$"),
-    )
-    lengths = {
-        key: Quantity(
-            key=key,
-            name=words(name),
-            symbol="",
-            unit=words("m R ω²"),
-            decimals=DECIMALS,
-            formulas={"exact": Formula(LENGTHS[key].value)},
-            heading=words(head),
-            spanners=(words(spanner),),
-        )
-        for key, name, spanner, head in _LENGTHS
-    }
-    return {FACTOR: factor} | lengths
+    name = "Harmonische der Kolbenbeschleunigung|Harmonic of the piston acceleration"
+    entries = [entry(FACTOR, name, "$B_k$", "", DECIMALS, {"exact": Formula(HARMONICS["p"].value)})]
+    for key, name, spanner, head in _LENGTHS:
+        formulas = {"exact": Formula(LENGTHS[key].value)}
+        entries += [entry(key, name, "", "m R ω²", DECIMALS, formulas, head, spanners=(words(spanner),))]
+    return {one.key: one for one in entries}
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -22,7 +22,7 @@ from kurbel.exact.numerals import Label
 from kurbel.kernel import turning
 from kurbel.kernel.circle import Number
 from kurbel.motion.evaluation import Method
-from kurbel.page.quantity import Formula, Quantity, Words, words
+from kurbel.page.quantity import Formula, Quantity, Words, entry, words
 
 # The spans of a turn that have extremes of their own.
 OUTSTROKE, RETURN_STROKE, WHOLE = 0, 1, None
@@ -90,18 +90,8 @@ def _entry(
     key: str, name: str, symbol: Label, unit: Label, of: str, decimals: int | None,
     kernel: Callable[..., Any], **rest: Any,
 ) -> Quantity:  # fmt: skip
-    return Quantity(
-        key=key,
-        name=words(name),
-        symbol=symbol,
-        unit=words(unit),
-        decimals=decimals,
-        formulas=dict.fromkeys(ENGINE_METHODS, Formula(kernel)),
-        heading=words(f"{symbol} in {unit}" if unit else symbol),
-        spanners=(words(name),),
-        of=of,
-        **rest,
-    )
+    formulas = dict.fromkeys(ENGINE_METHODS, Formula(kernel))
+    return entry(key, name, symbol, unit, decimals, formulas, spanners=(words(name),), of=of, **rest)
 
 
 def _extreme(name: str, of: str, index: str) -> Iterator[Quantity]:

@@ -81,6 +81,21 @@ class Quantity(NamedTuple):
         return f"{self.name[lang]}, {self.part[lang]}" if self.part else self.name[lang]
 
 
+def entry(
+    key: str,
+    name: str,
+    symbol: Label,
+    unit: Label,
+    decimals: int | None,
+    formulas: Mapping[str, Formula],
+    heading: str = "",
+    **rest: Any,
+) -> Quantity:
+    """Return an entry from texts "German|English", headed by symbol and unit where nothing else is said."""
+    heading = heading or (f"{symbol} in {unit}" if unit else symbol)
+    return Quantity(key, words(name), symbol, words(unit), decimals, formulas, words(heading), **rest)
+
+
 class Column(NamedTuple):
     """A column of a page with all choices made. `methods` are one, or two whose difference is shown."""
 
