@@ -77,6 +77,11 @@ class PagePanel(NamedTuple):
     groups: tuple[PageGroup, ...]
 
     @property
+    def rows(self) -> tuple[tuple[PageCell, ...], ...]:
+        """The rows of all groups."""
+        return tuple(row for group in self.groups for row in group.rows)
+
+    @property
     def spanners(self) -> tuple[tuple[HeadCell, ...], ...]:
         """The spanners of each level, without the headings that reach down beside them."""
         return tuple(tuple(cell for cell in row if cell.kind == "spanner") for row in self.head[:-1])
@@ -134,9 +139,9 @@ def page(table: Table, writer: PageWriter, mark: str) -> Page:
 
 
 def _figure_widths(panel: PagePanel) -> Iterator[int]:
-    rows = [row for group in panel.groups for row in group.rows]
     for place, column in enumerate(panel.columns):
-        texts = [row[place].text + row[place].tail for row in rows if row[place].kind == "number"]
+        cells = (row[place] for row in panel.rows)
+        texts = (cell.text + cell.tail for cell in cells if cell.kind == "number")
         yield max(map(len, texts), default=0) if column.align == "right" else 0
 
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable
-from typing import ClassVar, Literal, NamedTuple
+from copy import copy
+from typing import Any, ClassVar, Literal, NamedTuple, Self
 from urllib.parse import unquote
 
 from kurbel.documents import prose
@@ -42,12 +43,13 @@ def set_prose(blocks: prose.Blocks, form: PageFormat, mark: str, refer: Find, le
 class ProsePrinter(ABC):
     """Sets blocks and inlines; each format says how.
 
-    `emphasised` and `strong` are what stands before and behind such words, `rule` is a line across the page,
-    `line_end` the end of a line that the author asked for.
+    `emphasised` and `strong` are what stands before and behind such words, `quoted` before and behind a
+    quotation; `rule` is a line across the page, `line_end` the end of a line that the author asked for.
     """
 
     emphasised: ClassVar[tuple[str, str]] = ("", "")
     strong: ClassVar[tuple[str, str]] = ("", "")
+    quoted: ClassVar[tuple[str, str]] = ("", "")
     rule: str
     line_end: str = "\n"
 
@@ -56,6 +58,12 @@ class ProsePrinter(ABC):
         self.mark = mark
         self.refer = refer
         self.level = level
+
+    def but(self, **changed: Any) -> Self:
+        """Return a printer like this one but for some of what it knows, for what stands within."""
+        other = copy(self)
+        vars(other).update(changed)
+        return other
 
     def document(self, blocks: prose.Blocks) -> str:
         """Return the whole text."""
@@ -140,9 +148,9 @@ class ProsePrinter(ABC):
     def code_block(self, lines: tuple[str, ...]) -> str:
         """Return lines of code."""
 
-    @abstractmethod
     def quote(self, content: prose.Blocks) -> str:
         """Return a quotation."""
+        return self.blocks(content).join(self.quoted)
 
     @abstractmethod
     def listing(self, listing: prose.Listing) -> str:

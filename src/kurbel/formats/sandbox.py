@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping
+from traceback import walk_tb
 from typing import Any
 
 from jinja2 import BaseLoader, TemplateNotFound, TemplateSyntaxError
@@ -35,9 +36,8 @@ def filled(environment: Environment, template: str, values: Mapping[str, object]
     except KurbelError:
         raise
     except TemplateSyntaxError as error:
-        raise _refused(
-            error.filename or error.name or template, error.lineno, error.message, folder
-        ) from None
+        file = error.filename or error.name or template
+        raise _refused(file, error.lineno, error.message, folder) from None
     except Exception as error:
         # Whatever a template does with what it is given, such as 1/0 or "a".b(), is its own mistake.
         place = _place(error, folder) or (template, 0)
@@ -56,14 +56,8 @@ def _reason(error: Exception) -> str:
 
 def _place(error: Exception, folder: str) -> tuple[str, int] | None:
     """Return the file and line of a user's template that ran last."""
-    found = None
-    step = error.__traceback__
-    while step:
-        file = step.tb_frame.f_code.co_filename
-        if _is_within(file, folder):
-            found = file, step.tb_lineno
-        step = step.tb_next
-    return found
+    found = [(frame.f_code.co_filename, line) for frame, line in walk_tb(error.__traceback__)]
+    return next((one for one in reversed(found) if _is_within(one[0], folder)), None)
 
 
 def _refused(file: str, line: int | None, reason: str | None, folder: str) -> LayoutError:

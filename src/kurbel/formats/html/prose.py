@@ -11,6 +11,7 @@ from kurbel.formats.printer import ProsePrinter
 
 class Printer(ProsePrinter):
     emphasised, strong = ("<em>", "</em>"), ("<strong>", "</strong>")
+    quoted = ("<blockquote>\n", "\n</blockquote>")
     rule, line_end = "<hr>", "<br>\n"
 
     def paragraph(self, content: prose.Inlines) -> str:
@@ -28,9 +29,6 @@ class Printer(ProsePrinter):
         code = escape("".join(f"{line}\n" for line in lines))
         return f'<pre tabindex="0"><code>{code}</code></pre>'
 
-    def quote(self, content: prose.Blocks) -> str:
-        return f"<blockquote>\n{self.blocks(content)}\n</blockquote>"
-
     def listing(self, listing: prose.Listing) -> str:
         tag = "ul" if listing.start is None else "ol"
         start = "" if listing.start in (None, 1) else f' start="{listing.start}"'
@@ -43,8 +41,7 @@ class Printer(ProsePrinter):
             self.inlines(block.content) if tight and isinstance(block, prose.Paragraph) else self.block(block)
             for block in item
         )
-        content = "\n".join(blocks)
-        return f"<li>{content}</li>"
+        return "\n".join(blocks).join(("<li>", "</li>"))
 
     def grid(self, grid: prose.Grid) -> str:
         head = self._row(grid.head, grid.aligns, "th", ' scope="col"')
@@ -56,9 +53,10 @@ class Printer(ProsePrinter):
     def _row(
         self, cells: Iterable[prose.Inlines], aligns: Iterable[prose.Align | None], tag: str, scope: str = ""
     ) -> str:
+        styles = (f' style="text-align: {align}"' if align else "" for align in aligns)
         tags = (
-            f"<{tag}{scope}{_style(align)}>{self.inlines(cell)}</{tag}>"
-            for cell, align in zip(cells, aligns, strict=True)
+            f"<{tag}{scope}{style}>{self.inlines(cell)}</{tag}>"
+            for cell, style in zip(cells, styles, strict=True)
         )
         return f"<tr>{''.join(tags)}</tr>"
 
@@ -67,7 +65,3 @@ class Printer(ProsePrinter):
 
     def link(self, address: str, content: prose.Inlines) -> str:
         return f'<a href="{escape(address)}">{self.inlines(content)}</a>'
-
-
-def _style(align: prose.Align | None) -> str:
-    return f' style="text-align: {align}"' if align else ""

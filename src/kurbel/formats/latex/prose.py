@@ -30,6 +30,7 @@ _ADDRESS = str.maketrans(
 
 class Printer(ProsePrinter):
     emphasised, strong = (r"\emph{", "}"), (r"\textbf{", "}")
+    quoted = ("\\begin{quote}\n", "\n\\end{quote}")
     rule, line_end = r"\par\noindent\rule{\linewidth}{0.4pt}\par", "\\newline\n"
     numbered = 0
 
@@ -43,19 +44,14 @@ class Printer(ProsePrinter):
         return rf"\{section}{{{title}}}"
 
     def code_block(self, lines: tuple[str, ...]) -> str:
-        return f"\\begin{{quote}}\n{_lines(lines)}\n\\end{{quote}}"
-
-    def quote(self, content: prose.Blocks) -> str:
-        return f"\\begin{{quote}}\n{self.blocks(content)}\n\\end{{quote}}"
+        return _lines(lines).join(self.quoted)
 
     def listing(self, listing: prose.Listing) -> str:
         if listing.start is None:
             return f"\\begin{{itemize}}\n{self._items(listing)}\n\\end{{itemize}}"
         counter = _COUNTERS[self.numbered]
         start = "" if listing.start == 1 else f"\\setcounter{{{counter}}}{{{listing.start - 1}}}\n"
-        self.numbered += 1
-        items = self._items(listing)
-        self.numbered -= 1
+        items = self.but(numbered=self.numbered + 1)._items(listing)
         return f"\\begin{{enumerate}}\n{start}{items}\n\\end{{enumerate}}"
 
     def _items(self, listing: prose.Listing) -> str:

@@ -45,10 +45,7 @@ class Printer(ProsePrinter):
 
     def _line(self, content: prose.Inlines) -> str:
         """Return inlines where no line may end."""
-        self.line_end = "<br>"
-        text = self.inlines(content)
-        self.line_end = Printer.line_end
-        return text.strip(" ")
+        return self.but(line_end="<br>").inlines(content).strip(" ")
 
     def code_block(self, lines: tuple[str, ...]) -> str:
         fence = "`" * max(3, _longest("\n".join(lines)) + 1)
@@ -63,21 +60,18 @@ class Printer(ProsePrinter):
     def _listed(self, listing: prose.Listing, lists: int) -> str:
         """Return a list that follows so many others."""
         odd = (lists + self.depth) % 2
-        self.depth += 1
+        within = self.but(depth=self.depth + 1)
         between = "\n" if listing.tight else "\n\n"
         items = []
         for place, item in enumerate(listing.items):
             number = min((listing.start or 0) + place, _LARGEST)
             mark = "-+"[odd] if listing.start is None else f"{number}{'.)'[odd]}"
-            items.append(indented(self.blocks(item, between), f"{mark} ", " " * (len(mark) + 1)))
-        self.depth -= 1
+            items.append(indented(within.blocks(item, between), f"{mark} ", " " * (len(mark) + 1)))
         return between.join(items)
 
     def grid(self, grid: prose.Grid) -> str:
         dashes = " | ".join(_DASHES[align] for align in grid.aligns)
-        self.bar = r"\|"
-        head, *rows = [self._row(row) for row in (grid.head, *grid.rows)]
-        self.bar = Printer.bar
+        head, *rows = map(self.but(bar=r"\|")._row, (grid.head, *grid.rows))
         return "\n".join([head, f"| {dashes} |", *rows])
 
     def _row(self, cells: tuple[prose.Inlines, ...]) -> str:

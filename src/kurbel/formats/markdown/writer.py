@@ -60,7 +60,7 @@ def pipe_tables(panel: PagePanel) -> Iterator[PipeTable]:
     if any(group.label for group in panel.groups):
         parts = [(group.label, group.rows) for group in panel.groups]
     else:
-        parts = [("", tuple(row for group in panel.groups for row in group.rows))]
+        parts = [("", panel.rows)]
     for label, rows in parts:
         yield PipeTable(label, tuple(_lines(panel, rows)))
 

@@ -48,19 +48,14 @@ def compile_tex(folder: str, name: str, engine: str, epoch: int = 0, seconds: fl
         os.symlink(os.path.abspath(folder), os.path.join(place, _LINK))
         # latexmk wants to see its file; the engines find the others through TEXINPUTS.
         Path(place, f"{name}.tex").write_text(f"\\input{{{_LINK}/{name}}}\n", encoding="utf-8")
-        _settle((*command, f"{name}.tex"), place, name, epoch, seconds, 1 if engine == "latexmk" else _RUNS)
+        before, end = None, monotonic() + seconds
+        for _ in range(1 if engine == "latexmk" else _RUNS):
+            _run((*command, f"{name}.tex"), place, name, epoch, seconds, end)
+            after = [path.read_bytes() for suffix in _KEPT if (path := Path(place, name + suffix)).exists()]
+            if after == before:
+                break
+            before = after
         return Path(place, f"{name}.pdf").read_bytes()
-
-
-def _settle(command: tuple[str, ...], place: str, name: str, epoch: int, seconds: float, runs: int) -> None:
-    before: list[bytes] = []
-    end = monotonic() + seconds
-    for _ in range(runs):
-        _run(command, place, name, epoch, seconds, end)
-        after = [path.read_bytes() for suffix in _KEPT if (path := Path(place, name + suffix)).exists()]
-        if after == before:
-            return
-        before = after
 
 
 def _run(command: tuple[str, ...], place: str, name: str, epoch: int, seconds: float, end: float) -> None:

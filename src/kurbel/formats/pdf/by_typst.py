@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from typing import Literal, get_args
 
 from kurbel.errors import LayoutError, MissingExtraError, NotationError, OutputError, ProblemError
@@ -51,10 +51,17 @@ def compile_typst(source: str, *, root: str | None = None, standards: Sequence[S
     The file's date is SOURCE_DATE_EPOCH. Without that variable the file has none, unless the source sets
     one; PDF/A demands a date, which then is 1970-01-01. Raises LayoutError for a source with mistakes.
     """
+    from tempfile import TemporaryDirectory
+
     _check(source, standards)
     epoch = source_date_epoch()
     undated = epoch is None and not any(name.startswith("a-") for name in standards)
-    with _folder(root) as folder, _mistakes_as_sentences(folder, undated):
+    if root is not None and not os.path.isdir(root):
+        raise OutputError(f"the folder {root} does not exist")
+    with (
+        TemporaryDirectory() if root is None else nullcontext(root) as folder,
+        _mistakes_as_sentences(folder, undated),
+    ):
         from typst import Compiler
 
         document = (_UNDATED * undated + source).encode()
@@ -88,20 +95,6 @@ def source_date_epoch() -> int | None:
             f'{EPOCH} is "{text[:40]}"; it must be a number of seconds from 1970 up to the year 9999'
         )
     return int(text)
-
-
-@contextmanager
-def _folder(root: str | None) -> Iterator[str]:
-    """Give the folder whose files a document may read, an empty one if none is named."""
-    if root is not None:
-        if not os.path.isdir(root):
-            raise OutputError(f"the folder {root} does not exist")
-        yield root
-        return
-    from tempfile import TemporaryDirectory
-
-    with TemporaryDirectory() as folder:
-        yield folder
 
 
 @contextmanager

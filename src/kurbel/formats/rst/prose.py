@@ -60,10 +60,7 @@ class Printer(ProsePrinter):
         return ("\n" if close else "\n\n").join(items)
 
     def _within(self, content: prose.Blocks) -> str:
-        self.depth += 1
-        inner = self.blocks(content)
-        self.depth -= 1
-        return inner
+        return self.but(depth=self.depth + 1).blocks(content)
 
     def grid(self, grid: prose.Grid) -> str:
         rows = (grid.head, *grid.rows)

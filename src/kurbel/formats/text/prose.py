@@ -55,11 +55,8 @@ class Printer(ProsePrinter):
         return ("\n" if listing.tight else "\n\n").join(items)
 
     def _within(self, content: prose.Blocks, first: str, rest: str, tight: bool = False) -> str:
-        outside = self.room
-        self.room = max(outside - len(first), _NARROWEST)
-        inner = self.blocks(content, "\n" if tight else "\n\n")
-        self.room = outside
-        return indented(inner, first, rest)
+        within = self.but(room=max(self.room - len(first), _NARROWEST))
+        return indented(within.blocks(content, "\n" if tight else "\n\n"), first, rest)
 
     def grid(self, grid: prose.Grid) -> str:
         from tabulate import tabulate

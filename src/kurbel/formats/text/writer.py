@@ -125,7 +125,7 @@ def _block(panel: PagePanel, place: int) -> list[str]:
 
     Note marks hang to the right of the figures; a missing value stands in the middle.
     """
-    cells = [row[place] for group in panel.groups for row in group.rows]
+    cells = [row[place] for row in panel.rows]
     hang = max((len(cell.marks) for cell in cells), default=0)
     if panel.columns[place].align == "left":
         texts = [_seen(cell) + cell.marks for cell in cells]

@@ -15,6 +15,7 @@ _BREAK = r'show regex("\S{30,}"): it => it.text.clusters().join(box())'
 
 class Printer(ProsePrinter):
     emphasised, strong = ("#emph[", "];"), ("#strong[", "];")
+    quoted = ("#quote(block: true)[\n", "\n];")
     rule, line_end = "#line(length: 100%);", "#linebreak();\n"
 
     # A semicolon ends each call: an opening parenthesis or a full stop after it would belong to it.
@@ -23,9 +24,6 @@ class Printer(ProsePrinter):
 
     def code_block(self, lines: tuple[str, ...]) -> str:
         return _raw("\n".join(lines), ", block: true")
-
-    def quote(self, content: prose.Blocks) -> str:
-        return f"#quote(block: true)[\n{self.blocks(content)}\n];"
 
     def listing(self, listing: prose.Listing) -> str:
         tight = str(listing.tight).lower()

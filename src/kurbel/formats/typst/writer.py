@@ -181,22 +181,19 @@ def typst_layout(page: Page, ready: Page) -> TypstLayout:
 
 def _widest_rows(panel: PagePanel, ready: PagePanel) -> tuple[tuple[PageCell, ...], ...]:
     """Return rows of the cells of each column that are widest in plain text, as Typst has them."""
-    plain, made = ([row for group in one.groups for row in group.rows] for one in (panel, ready))
     columns = []
-    for place in range(len(panel.columns)):
-        order = sorted(
-            range(len(plain)), key=lambda row: -em(plain[row][place].text + plain[row][place].tail)
-        )
-        columns.append([made[row][place]._replace(down=1) for row in order[:CANDIDATES]])
+    for plain, made in zip(zip(*panel.rows, strict=True), zip(*ready.rows, strict=True), strict=True):
+        widths = [em(cell.text + cell.tail) for cell in plain]
+        order = sorted(range(len(plain)), key=widths.__getitem__, reverse=True)
+        columns.append([made[row]._replace(down=1) for row in order[:CANDIDATES]])
     return tuple(zip(*columns, strict=True))
 
 
 def _rows_height(page: Page) -> float:
     heads = sum(len(panel.spanners) + len(panel.heading_lines) + 3 for panel in page.panels)
-    groups = [group for panel in page.panels for group in panel.groups]
-    rows = [row for group in groups for row in group.rows]
-    high = sum(any("#box(height" in cell.text for cell in row) for row in rows)
-    return (heads + 2 * len(groups) + len(rows) - high) * ROW + high * HIGH_ROW
+    groups = sum(len(panel.groups) for panel in page.panels)
+    rows = [any("#box(height" in cell.text for cell in row) for panel in page.panels for row in panel.rows]
+    return (heads + 2 * groups + rows.count(False)) * ROW + rows.count(True) * HIGH_ROW
 
 
 def _notes_height(page: Page, width: float) -> float:
