@@ -258,6 +258,7 @@ def test_a_wrong_unit_in_the_head_is_refused(head: str, said: str, tmp_path: Pat
         ("1.4", "nan", f'p_return "nan" {NO_NUMBER}'),
         ("1.4", "-inf", f'p_return "-inf" {NO_NUMBER}'),
         ("1.4", "1e999", 'p_return "1e999" is too large'),
+        ("1.4", "0e309", 'p_return "0e309" is too large'),
         ("1.4", "-1e99", "p_return is -1e+104 Pa; no card goes beyond 10^12 Pa"),
         ("7.7", '"7.7', "the quotes do not match (unexpected end of data)"),
         ("0.22", "22", f"position 22 is outside 0..1; {SHARE}"),

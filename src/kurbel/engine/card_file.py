@@ -23,6 +23,7 @@ from __future__ import annotations
 import math
 import os
 import re
+import sys
 from collections.abc import Callable
 from functools import lru_cache
 from typing import NamedTuple
@@ -79,15 +80,11 @@ def read_card(path: str | os.PathLike[str]) -> Card:
 
 
 def _point(texts: list[str], head: Head, line: int) -> _Point:
-    fields = [*zip(texts, head.columns, strict=True)]
-    position, forward, back = (_value(text, column, head.delimiter) for text, column in fields)
-    step = min(_step(text, column, head.delimiter) for text, column in fields[1:])
-    return _Point(line, _whole_ends(position), forward, back, step)
-
-
-def _whole_ends(position: float) -> float:
+    fields = zip(texts, head.columns, strict=True)
+    (position, _), (forward, one), (back, other) = (_read(*field, head.delimiter) for field in fields)
     # Steps added up end at 1.0000000000000002.
-    return next((end for end in (0.0, 1.0) if abs(position - end) < LEAST_STEP), position)
+    position = next((end for end in (0.0, 1.0) if abs(position - end) < LEAST_STEP), position)
+    return _Point(line, position, forward, back, min(one, other))
 
 
 def _head(line: str) -> Head:
@@ -108,20 +105,15 @@ def _head(line: str) -> Head:
     return head
 
 
-def _value(text: str, column: Column, delimiter: str) -> float:
+def _read(text: str, column: Column, delimiter: str) -> tuple[float, float]:
+    """Return a position or a pressure, a share or in Pa, and the unit of its last place as written."""
     digits, unit = digits_and_unit(text, column, delimiter, "8.1")
-    value = float(digits.replace(",", ".").replace("−", "-")) * _factor(column.name, unit)
-    if not math.isfinite(value):
+    digits, factor = digits.lower().replace(",", ".").replace("−", "-"), _factor(column.name, unit)
+    mantissa, _, exponent = digits.partition("e")
+    decimals, value = len(mantissa.partition(".")[2]) - int(exponent or 0), float(digits) * factor
+    if not math.isfinite(value) or decimals < -sys.float_info.max_10_exp:
         raise NotationError(f'{column.name} "{clipped(text)}" is too large')
-    return value
-
-
-def _step(text: str, column: Column, delimiter: str) -> float:
-    """Return the unit of the last place of a pressure as written, in Pa."""
-    digits, unit = digits_and_unit(text, column, delimiter, "8.1")
-    mantissa, _, exponent = digits.lower().replace(",", ".").partition("e")
-    decimals = len(mantissa.partition(".")[2]) - int(exponent or 0)
-    return float(10.0**-decimals * _factor(column.name, unit))
+    return value, 10.0**-decimals * factor
 
 
 @lru_cache(maxsize=64)
