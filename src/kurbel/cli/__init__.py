@@ -5,6 +5,7 @@ Only commands import click (app.py), so that `kurbel --help` is there before one
 
 from __future__ import annotations
 
+import gc
 import os
 import signal
 import sys
@@ -41,6 +42,9 @@ COMMANDS = {
     "quantities": ("kurbel.cli.lists", "List the quantities that columns can show."),
 }
 
+# So many more objects than before let Python look for garbage.
+ALLOCATED = 100_000
+
 HELP = """\
 Usage: kurbel [OPTIONS] COMMAND [ARGS]...
 
@@ -70,6 +74,8 @@ def help_text() -> str:
 def main() -> NoReturn:
     """Run the command line and leave with its exit code: 0 done, 1 failed, 2 wrong usage."""
     _open_closed_streams()
+    # What a command makes it keeps to its end; to look for garbage often is a twentieth of its time.
+    gc.set_threshold(ALLOCATED)
     if hasattr(sys.stdout, "reconfigure"):
         # Help and lists have characters, such as ∞, that an old terminal lacks.
         sys.stdout.reconfigure(errors="replace")

@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.drive.load import PistonForce, read_force
 from kurbel.errors import NotationError, ProblemError
-from kurbel.reading import notation, units
+from kurbel.reading import notation
 from kurbel.reading.given import Exact, as_fraction, as_length, as_number, as_ratios, as_speed
 from kurbel.reading.notation import Progression, about, ratio_text
-from kurbel.reading.units import Speed
 
 if TYPE_CHECKING:
     from kurbel.drive.moving import Moving
     from kurbel.drive.rod import Rod
+    from kurbel.reading.units import Speed
 
 LONGEST_ROD = 10**9
 LARGEST_ANGLE = 10**6
@@ -152,6 +152,8 @@ class Described(NamedTuple):
             return Fraction(0)
         if not isinstance(value, str):
             return as_fraction(value)
+        from kurbel.reading import units
+
         share = value.strip().removesuffix("R")
         if not units.is_measure(share):
             return notation.number(share, "offset")
@@ -168,6 +170,8 @@ def radii(value: Exact, what: str) -> Fraction:
     """Return a length in units of R: 6, 6R."""
     if not isinstance(value, str):
         return as_fraction(value)
+    from kurbel.reading import units
+
     share = value.strip().removesuffix("R")
     if units.is_measure(share):
         raise NotationError(

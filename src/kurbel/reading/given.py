@@ -12,10 +12,13 @@ from collections.abc import Callable, Iterable, Sequence
 from decimal import Decimal
 from fractions import Fraction
 from itertools import chain
-from typing import Concatenate, ParamSpec, TypeAlias
+from typing import TYPE_CHECKING, Concatenate, ParamSpec, TypeAlias
 
 from kurbel.errors import ChoiceError, NotationError
-from kurbel.reading import notation, units
+from kurbel.reading import notation
+
+if TYPE_CHECKING:
+    from kurbel.reading.units import Speed
 
 # A float is read by its shortest decimal, so that 0.2 is 1/5; text as on the command line.
 Exact: TypeAlias = str | int | float | Fraction | Decimal
@@ -158,22 +161,40 @@ as_ratio = _exactly(notation.ratio)
 as_angle = _exactly(notation.angle)
 as_number = _exactly(notation.number)
 as_share = _exactly(notation.share)
+
+
+def _measured(name: str) -> Callable[..., Fraction]:
+    """Return the reader of a measure; units are loaded where there are any."""
+
+    def read(text: str, what: str = "") -> Fraction:
+        from kurbel.reading import units
+
+        value: Fraction = getattr(units, name)(text, what)
+        return value
+
+    return _exactly(read)
+
+
 # Metres, kilograms, pascals, newtons, watts.
-as_length = _exactly(units.length)
-as_mass = _exactly(units.mass)
-as_signed_mass = _exactly(units.signed_mass)
-as_pressure = _exactly(units.pressure)
-as_force = _exactly(units.force)
-as_power = _exactly(units.power)
+as_length = _measured("length")
+as_mass = _measured("mass")
+as_signed_mass = _measured("signed_mass")
+as_pressure = _measured("pressure")
+as_force = _measured("force")
+as_power = _measured("power")
 
 
-def as_speed(value: Exact) -> units.Speed:
+def as_speed(value: Exact) -> Speed:
     """Return a speed of rotation; a bare number counts turns a second."""
+    from kurbel.reading import units
+
     return units.speed(value) if isinstance(value, str) else units.Speed(as_fraction(value))
 
 
 def as_share_or_length(value: Exact, what: str, whole: Fraction | None, unknown: str) -> Fraction:
     """Return a share, or what a length is of the whole in metres; `unknown` says how to make that known."""
+    from kurbel.reading import units
+
     if not isinstance(value, str) or not units.is_measure(value):
         return as_share(value, what)
     measured = units.length(value, what)
