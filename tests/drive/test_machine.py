@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import pytest
 from cli import printed, refusal
 from places import CARDS
 
-import kurbel
 from kurbel.cli import COMMANDS
 from kurbel.cli.app import command_of
-from kurbel.drive.machine import SECTIONS, read_machine, schema
+from kurbel.drive.machine import SECTIONS, read_machine
 from kurbel.errors import MachineError
 
 MACHINE = """
@@ -255,11 +253,6 @@ def test_a_missing_file_is_answered_with_a_sentence() -> None:
     assert refusal("delta", "--machine", "nowhere.toml", code=1) == (
         "cannot read the machine nowhere.toml: there is no such file"
     )
-
-
-def test_the_schema_in_the_package_is_that_of_the_reader() -> None:
-    path = Path(kurbel.__file__).parent / "drive" / "machine.schema.json"
-    assert json.loads(path.read_text(encoding="utf-8")) == schema()
 
 
 def test_every_entry_is_an_option_of_some_command() -> None:

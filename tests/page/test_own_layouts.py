@@ -24,7 +24,6 @@ from kurbel.page.layouts import (
     layout,
     layout_file,
     layout_names,
-    schema,
     template_folder,
 )
 from kurbel.page.subject import subject
@@ -215,12 +214,11 @@ def test_a_layout_is_offered_to_commands_of_its_subject(tmp_path: Path) -> None:
     assert "layout mine is about something else" in refusal("delta", *words, "mine")
 
 
-def test_the_schema_in_the_package_is_that_of_the_reader() -> None:
+def test_the_schema_knows_every_key_and_subject() -> None:
     path = Path(kurbel.__file__).parent / "page" / "layout.schema.json"
-    assert json.loads(path.read_text(encoding="utf-8")) == schema()
-    keys = {*FIELDS}
-    assert keys == {*schema()["properties"]}
-    assert {*schema()["properties"]["subject"]["enum"]} == {*SUBJECTS}
+    properties = json.loads(path.read_text(encoding="utf-8"))["properties"]
+    assert {*FIELDS} == {*properties}
+    assert {*properties["subject"]["enum"]} == {*SUBJECTS}
 
 
 # What goes with an arrangement.

@@ -182,10 +182,3 @@ def with_ratio(options: Mapping[str, Any]) -> dict[str, Any]:
 
     share = length(options["stroke"], "stroke") / 2 / length(options["rod"], "rod")
     return {**options, "ratio": [f"{share.numerator}:{share.denominator}"]}
-
-
-def schema() -> dict[str, Any]:
-    """Return the JSON Schema of the file."""
-    from kurbel.reading.toml_model import schema_of
-
-    return schema_of(Machine, "A machine for kurbel")

@@ -17,7 +17,6 @@ from kurbel.formats.registry import FORMATS, compiled_format
 from kurbel.page.labels import Mark, parse
 from kurbel.page.layouts import LANGUAGES
 from kurbel.reading.toml_file import A_TEXT, Choice, Fault, about
-from kurbel.reading.toml_model import schema_of
 
 SCHEMA = "handbook.schema.json"
 COMPILED = compiled_format()
@@ -184,17 +183,3 @@ SECTIONS: Mapping[str, type[Struct]] = {
     "chapter": ChapterKeys,
     "part": PartKeys,
 }
-
-
-def schema(options: Iterable[str]) -> dict[str, Any]:
-    """Return the JSON Schema of the file; `options` are the names that defaults may have."""
-    value = {"type": ["string", "number", "boolean"]}
-    one_or_more = {"anyOf": [value, {"type": "array", "items": value, "minItems": 1}]}
-    names = sorted(name.replace("_", "-") for name in options)
-    given = schema_of(HandbookKeys, "A handbook for kurbel")
-    for section in (given, given["properties"]["chapter"]["items"]):
-        # The reader says of a title that is only blank the same as of none.
-        section["required"] = ["title"]
-        own = {"additionalProperties": False, "properties": dict.fromkeys(names, one_or_more)}
-        section["properties"]["defaults"] |= own
-    return given

@@ -293,10 +293,3 @@ _READ: Mapping[str, Callable[[Any], Any]] = {
     **dict.fromkeys(("title", "caption", "source"), lambda given: Head.read(given, "")),
     **dict.fromkeys(("spanners", "heading"), _heads),
 }
-
-
-def schema() -> dict[str, Any]:
-    """Return the JSON Schema of a layout.toml."""
-    from kurbel.reading.toml_model import schema_of
-
-    return schema_of(LayoutFile, "A page layout for kurbel")

@@ -1,4 +1,4 @@
-"""Models of TOML files: what is amiss in what a file says, in a sentence, and the JSON Schema for editors.
+"""Models of TOML files: what is amiss in what a file says, in a sentence.
 
 A model is a msgspec Struct, or a dataclass, whose fields have a `Meta` that describes them for editors. A
 field may also be of a class with `read`, which makes it of what the file says, and with the SCHEMA of that. A
@@ -45,7 +45,7 @@ class _Reader:
             case inspect.Metadata():
                 yield from self.faults(given, shape.type, place)
             case inspect.UnionType():
-                yield from self.faults(given, _left(shape), place)
+                yield from self.faults(given, left(shape), place)
             case inspect.StructType() | inspect.DataclassType() if isinstance(given, dict):
                 yield from self._of_keys(given, shape, place)
             case inspect.DictType() if isinstance(given, dict):
@@ -85,38 +85,7 @@ class _Reader:
         return f"entry {place[-1] + 1} of {name}" if isinstance(place[-1], int) else name
 
 
-def schema_of(model: type, title: str) -> dict[str, Any]:
-    """Return the JSON Schema (draft 2020-12) of the files of a model."""
-    draft = {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": title}
-    return draft | _schema(inspect.type_info(model))
-
-
-def _schema(shape: inspect.Type) -> dict[str, Any]:
-    match shape:
-        case inspect.Metadata():
-            return {**(shape.extra_json_schema or {}), **_schema(shape.type)}
-        case inspect.UnionType():
-            return _schema(_left(shape))
-        case inspect.StructType() | inspect.DataclassType():
-            properties = {field.encode_name: _schema(field.type) for field in shape.fields}
-            required = [field.encode_name for field in shape.fields if field.required]
-            struct = {"type": "object", "additionalProperties": False, "properties": properties}
-            return {**struct, "required": required} if required else struct
-        case inspect.VarTupleType():
-            return {"type": "array", "items": _schema(shape.item_type)}
-        case inspect.DictType():
-            return {"type": "object", "additionalProperties": _schema(shape.value_type)}
-        case inspect.IntType():
-            return {"type": "integer", "minimum": shape.ge, "maximum": shape.le}
-        case inspect.CustomType():
-            own: Any = shape.cls
-            return {**own.SCHEMA}
-        case inspect.AnyType():
-            return {}
-    return {"type": "string" if isinstance(shape, inspect.StrType) else "boolean"}
-
-
-def _left(shape: inspect.UnionType) -> inspect.Type:
+def left(shape: inspect.UnionType) -> inspect.Type:
     """Return what a value may be that may be left out; TOML has no null."""
     (left,) = (one for one in shape.types if not isinstance(one, inspect.NoneType))
     return left
