@@ -1,4 +1,4 @@
-"""Write the JSON Schemas of machines, layouts and handbooks into the package, for editors; a test compares."""
+"""Write the JSON Schemas of machines, layouts and handbooks, for editors, into the package."""
 
 from __future__ import annotations
 
