@@ -44,7 +44,7 @@ def _read(reader: Callable[..., Fraction], value: Any, *about: Any) -> Fraction 
 
 def rod_of(given: Mapping[str, Any], length: Fraction | None) -> Rod:
     """Return the connecting rod between pins so far apart, in metres, if that is known."""
-    from kurbel.drive.rod_given import given_rod
+    from kurbel.drive.rod_file import given_rod
 
     return given_rod(
         _read(as_share_or_length, given["centre"], "centre of mass", length, _UNKNOWN),

@@ -1,4 +1,4 @@
-"""The connecting rod from a CSV file of its masses.
+"""The connecting rod as it is given, by its centre of mass and gyration or by a CSV file of its masses.
 
     # comment
     from [mm];to [mm];mass [kg]
@@ -22,6 +22,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 from fractions import Fraction
 
 from kurbel.drive.rod import Rod, Section, check_section, rod_of_sections
@@ -132,3 +133,28 @@ def _head(line: str) -> Head:
             f"the heads are {heads}; a rod has either position and mass, or from, to and mass"
         )
     return head
+
+
+def given_rod(
+    centre: Fraction | None,
+    gyration: Fraction | None,
+    file: str | os.PathLike[str] | None,
+    mass: Fraction | None,
+    length: Fraction | None,
+) -> Rod:
+    """Return the rod: a/L from the crosshead pin and k/L, or a file; its mass in kg and length in metres."""
+    if file is None:
+        if centre is None or gyration is None:
+            raise ProblemError(
+                "the rod's masses are not known; give its centre and its gyration, such as"
+                " --centre 0.6 --gyration 0.4, or --rod-file"
+            )
+        return Rod.from_crosshead(centre, gyration, mass)
+    if centre is not None or gyration is not None:
+        raise ProblemError("the rod's file has its masses; leave centre and gyration out")
+    rod = read_rod(file, length)
+    if mass is None:
+        return rod
+    if rod.mass is not None:
+        raise ProblemError("the rod's file has its mass in kg; leave the mass out")
+    return replace(rod, mass=mass)

@@ -10,17 +10,17 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TypeAlias
+
+from flint import arb
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
+from kurbel.exact.certify import NEVER_TIES, ball, ball_degrees, pi, rounded
 from kurbel.exact.numerals import Number
 from kurbel.kernel import beam
 from kurbel.page.quantity import Formula, Quantity, words
 from kurbel.reading.notation import about, ratio_text
-
-if TYPE_CHECKING:
-    from flint import arb
 
 UPPER, LOWER = 1, -1
 APPROXIMATE, EXACT = "approximate", "exact"
@@ -83,8 +83,6 @@ def chord_square(engine: BeamEngine) -> arb:
     The ball holds it for certain: `closure` is concave and rises up to the root, so that a tangent below the
     root meets zero before it and a rising chord across the root after it (Dandelin); both are balls.
     """
-    from kurbel.exact.certify import ball
-
     if not engine.ratio:
         return ball(1)
     highest = min(1 / engine.ratio, beam.highest_square(engine.arm, engine.ratio))
@@ -107,30 +105,22 @@ def _nearer(below: arb, above: arb, arm: arb, ratio: arb) -> tuple[arb, arb]:
 
 def _exact_lean(engine: BeamEngine, side: int) -> arb:
     """Return μ (UPPER) or ν (LOWER) in degrees."""
-    from kurbel.exact.certify import ball, ball_degrees
-
     arm, ratio = ball(engine.arm), ball(side * engine.ratio)
     return ball_degrees(beam.lean_sine(chord_square(engine), arm, ratio))
 
 
 def _lean(engine: BeamEngine, side: int) -> arb:
     """Return the same by the formula of the book."""
-    from kurbel.exact.certify import pi
-
     return _radians(engine, side) * 180 / pi()
 
 
 def _radians(engine: BeamEngine, side: int) -> arb:
-    from kurbel.exact.certify import ball
-
     found: arb = beam.approximate_lean(ball(engine.arm), ball(side * engine.ratio))
     return found
 
 
 def _exact_path(engine: BeamEngine, side: int) -> arb:
     """Return the beam's path between a dead centre and the vertical crank."""
-    from kurbel.exact.certify import ball
-
     arm, ratio = ball(engine.arm), ball(side * engine.ratio)
     tangent: arb = beam.swing_tangent(chord_square(engine), arm, ratio)
     return 2 * arm * tangent.atan()
@@ -222,9 +212,8 @@ def certified(
     for n = 64, else more. Nor can it be 16, for that field is cyclic and its only subfield of degree 8 would
     hold both cos μ and cos ν, hence sin(ν - μ).
     """
-    from kurbel.exact import certify
 
     def as_ball() -> arb:
         return times * value(quantity, engine, method)
 
-    return Number(certify.rounded(as_ball, decimals, rounding, certify.NEVER_TIES), decimals)
+    return Number(rounded(as_ball, decimals, rounding, NEVER_TIES), decimals)

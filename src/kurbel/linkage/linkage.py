@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from kurbel.exact.certify import Kind, balls, bounds
+from kurbel.exact.certify import NEVER_TIES, Kind, balls, bounds, rounded
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.linkage import Place
 from kurbel.page.quantity import Quantity
@@ -72,7 +72,6 @@ def certified(
     is one of 0, ±30°, ±45° and ±60° (Conway and Jones, Acta Arithmetica 30, 1976, theorem 7). Rocker and rod
     angles on a boundary are not excluded; `certify.rounded` then raises ProblemError.
     """
-    from kurbel.exact import certify
 
     def as_ball() -> Any:
         kind = balls()
@@ -83,4 +82,4 @@ def certified(
         bound = direct_value(quantity, drive, kind.circle(angle), kind)
         return float((bound - kind.of(boundary)).bits())
 
-    return certify.rounded(as_ball, decimals, rounding, certify.NEVER_TIES if quantity.is_arc else tie_bits)
+    return rounded(as_ball, decimals, rounding, NEVER_TIES if quantity.is_arc else tie_bits)

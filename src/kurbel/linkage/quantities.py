@@ -1,4 +1,4 @@
-"""The kinds of entry that crank drives without a crosshead have in common: motion and forces."""
+"""The forces that crank drives without a crosshead have in common: one entry each, in F and in newtons."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 from kurbel.exact.numerals import Label
 from kurbel.kernel import linkage
 from kurbel.kernel.linkage import Place
-from kurbel.motion.quantities import entry, newton_metres, newtons
-from kurbel.page.quantity import Formula, Quantity, words
+from kurbel.motion import quantities
+from kurbel.page.quantity import Formula, Quantity
 
 DECIMALS = 4
 # What quantities are of that one force calls up.
@@ -47,7 +47,6 @@ FORCES: Mapping[str, Force] = {
         "Radialkraft|Radial force", "Z", "$Z$ nach der Welle hin|$Z$ towards the shaft", linkage.radial_force
     ),
 }  # fmt: skip
-TORQUE = "Drehmoment|Torque"
 
 
 def force_formula(key: str, printed: Label, symbols: tuple[Label, ...] = ()) -> Formula:
@@ -59,19 +58,7 @@ def force_formula(key: str, printed: Label, symbols: tuple[Label, ...] = ()) -> 
 def force_entries(printed: Mapping[str, Formula]) -> Iterator[Quantity]:
     """Yield the forces with these formulas as shares of F and in newtons, and the torque that they make."""
     for key, formula in printed.items():
-        name, letter, direction, _ = FORCES[key]
-        of: dict[str, Any] = {"direction": words(direction), "of": FORCE}
         formulas = {"exact": formula}
-        yield entry(key, name, f"${letter}$", f"${letter}/F$", "$F$", DECIMALS, formulas, names=(key,), **of)
-        yield entry(
-            f"{key}_n", name, f"${letter}$", f"${letter}$ in N", "N", 1, formulas, scale=newtons,
-            needs="force", **of,
-        )  # fmt: skip
-    torque = {"exact": Formula(lambda at: linkage.tangential_force(at.place), "$M_d/(F R) = T/F$")}
-    yield entry(
-        "torque", TORQUE, "$M_d$", "$M_d/(F R)$", "$F R$", DECIMALS, torque, names=("torque",), of=FORCE
-    )
-    yield entry(
-        "torque_nm", TORQUE, "$M_d$", "$M_d$ in N m", "N m", 1, torque, scale=newton_metres, needs="torque",
-        of=FORCE,
-    )  # fmt: skip
+        yield from quantities.force_entries(key, *FORCES[key][:3], formulas, formulas, of=FORCE)
+    torque = {"exact": force_formula("tangential_force", "$M_d/(F R) = T/F$")}
+    yield from quantities.torque_entries(torque, torque, of=FORCE)

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
+from math import lcm
 from typing import TYPE_CHECKING, Any
 
 from kurbel.drive.crank import Crank
@@ -118,14 +119,8 @@ def integer_angles(angles: Progression) -> tuple[np.ndarray, int]:
     """Return the numerators of all angles over one denominator; Python integers where 62 bits are too few."""
     import numpy as np
 
-    denominator = (angles.start.denominator * angles.step.denominator) // _gcd(angles)
+    denominator = lcm(angles.start.denominator, angles.step.denominator)
     first, step = int(angles.start * denominator), int(angles.step * denominator)
     last = first + step * len(angles)
     kind = np.int64 if max(abs(first), abs(last)) < 2**62 else object
     return first + step * np.arange(len(angles), dtype=kind), denominator
-
-
-def _gcd(angles: Progression) -> int:
-    from math import gcd
-
-    return gcd(angles.start.denominator, angles.step.denominator)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from kurbel.drive.crank import Crank
 from kurbel.drive.load import figure
-from kurbel.exact.certify import Kind, balls, bounds
+from kurbel.exact.certify import NEVER_TIES, Kind, ball_degrees, balls, bounds, rounded
 from kurbel.exact.numerals import Label, Number, finite_decimals, number_text
 from kurbel.kernel import kinematics
 from kurbel.motion.evaluation import OUT, RETURN, pin_velocity
@@ -151,8 +151,6 @@ def _stroke(crank: Crank, numbers: Kind) -> Any:
 
 
 def _offset(crank: Crank, lang: str) -> Label:
-    from kurbel.exact.certify import ball_degrees
-
     def dead_centre(sign: int) -> Any:
         def degrees(numbers: Any) -> Any:
             sine = kinematics.dead_centre_sine(
@@ -173,7 +171,6 @@ def _offset(crank: Crank, lang: str) -> Label:
 
 def _certified(value: Callable[[Kind], Any], decimals: int, algebraic: bool) -> str:
     """The digits of a value that is either algebraic or an arc or a multiple or fraction of π."""
-    from kurbel.exact.certify import NEVER_TIES, rounded
 
     def tie_bits(boundary: Fraction) -> float:
         kind = bounds()

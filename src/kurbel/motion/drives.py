@@ -11,9 +11,10 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import cache, cached_property
 from math import inf
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import flint
+from flint import arb
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
@@ -45,9 +46,6 @@ from kurbel.motion.evaluation import OUT, certified, is_known, is_transcendental
 from kurbel.motion.quantities import registry
 from kurbel.page.quantity import Column, Formula, Quantity
 from kurbel.reading.notation import ratio_text
-
-if TYPE_CHECKING:
-    from flint import arb
 
 
 def condition_names(entries: Iterable[Quantity]) -> Mapping[str, str]:

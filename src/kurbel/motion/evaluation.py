@@ -13,7 +13,17 @@ from typing import Any, NamedTuple
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import Kind, balls, bounds
+from kurbel.exact.certify import (
+    NEVER_TIES,
+    Kind,
+    TieBits,
+    ball,
+    ball_circle,
+    balls,
+    bounds,
+    rounded,
+    vanishes,
+)
 from kurbel.kernel import kinematics
 from kurbel.page.quantity import Quantity, Words, words
 
@@ -157,7 +167,6 @@ def certified(
     rounding: str = "half-away",
 ) -> int:
     """Return the quantity times 10**decimals at an exact angle in degrees, rounded correctly."""
-    from kurbel.exact import certify
 
     def at(kind: Kind) -> Any:
         return value(quantity, method, crank, kind.circle(angle), kind)
@@ -168,26 +177,24 @@ def certified(
 
     if _weighs(quantity, method, crank, angle):
         # Turns a second bring the factor π² to what the masses add to an algebraic number.
-        ties: certify.TieBits | None = certify.NEVER_TIES
+        ties: TieBits | None = NEVER_TIES
     else:
-        ties = certify.NEVER_TIES if is_transcendental(quantity, crank) else tie_bits
-    return certify.rounded(lambda: at(balls()), decimals, rounding, ties)
+        ties = NEVER_TIES if is_transcendental(quantity, crank) else tie_bits
+    return rounded(lambda: at(balls()), decimals, rounding, ties)
 
 
 def _weighs(quantity: Quantity, method: str, crank: Crank, angle: Fraction) -> bool:
     """Whether the masses may have a part in the force that has the factor π²."""
     if LOADED not in quantity.formulas or crank.moving is None or not (crank.speed and crank.speed.turns):
         return False
-    from kurbel.exact import certify
-
     alone = replace(crank, force=None)
 
     def part() -> Any:
-        return value(quantity, method, alone, certify.ball_circle(angle), Kind(certify.ball))
+        return value(quantity, method, alone, ball_circle(angle), Kind(ball))
 
     kind = bounds()
     bound = value(quantity, method, alone, kind.circle(angle), kind)
-    return not certify.vanishes(part, float(bound.bits()))
+    return not vanishes(part, float(bound.bits()))
 
 
 def pin_velocity(crank: Crank, numbers: Kind) -> Any:
@@ -206,6 +213,33 @@ def pin_acceleration(crank: Crank, numbers: Kind) -> Any:
     velocity = pin_velocity(crank, numbers)
     assert crank.radius is not None
     return velocity * velocity / numbers.of(crank.radius)
+
+
+def share_of_stroke(share: int) -> Callable[[Crank, Kind], Any]:
+    def scale(crank: Crank, numbers: Kind) -> Any:
+        if not crank.offset:
+            return numbers.of(Fraction(share, 2))
+        return share / kinematics.stroke(numbers.of(crank.ratio), numbers.of(crank.offset))
+
+    return scale
+
+
+def millimetres(crank: Crank, numbers: Kind) -> Any:
+    assert crank.radius is not None
+    return numbers.of(1000 * crank.radius)
+
+
+def newtons(crank: Crank, numbers: Kind) -> Any:
+    """What makes newtons of a unit force; forces of moving masses are in newtons as they are."""
+    if crank.moving is not None:
+        return numbers.of(Fraction(1))
+    assert crank.force is not None
+    return numbers.of(crank.force.first)
+
+
+def newton_metres(crank: Crank, numbers: Kind) -> Any:
+    assert crank.radius is not None
+    return newtons(crank, numbers) * numbers.of(crank.radius)
 
 
 def greatest_load(crank: Crank) -> Fraction:

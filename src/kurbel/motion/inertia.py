@@ -44,7 +44,7 @@ class RodForce(NamedTuple):
 
     @property
     def plain_unit(self) -> str:
-        return "M R² ω²" if self.is_torque else "M R ω²"
+        return self.unit.replace("^2", "²")
 
     @property
     def newtons(self) -> str:
@@ -64,36 +64,21 @@ def _pin_square(loaded: Loaded) -> Any:
     return along * along + across * across
 
 
-def _along(masses: Masses[Fraction], infinite: bool) -> Sequence[Fraction | int]:
-    pin, crosshead, _ = masses
-    return (pin + crosshead,) if infinite else (pin, crosshead)
+def _shares(
+    finite: Callable[[Masses[Fraction]], Sequence[Any]], infinite: Callable[[Masses[Fraction]], Sequence[Any]]
+) -> Coefficients:
+    return lambda masses, endless: (infinite if endless else finite)(masses)
 
 
-def _across(masses: Masses[Fraction], infinite: bool) -> Sequence[Fraction | int]:
-    pin, crosshead, couple = masses
-    return (pin + couple,) if infinite else (pin, crosshead, couple)
-
-
-def _guide(masses: Masses[Fraction], infinite: bool) -> Sequence[Fraction | int]:
-    return (masses.couple,) if infinite else (masses.crosshead, masses.couple)
-
-
-def _torque(masses: Masses[Fraction], infinite: bool) -> Sequence[Fraction | int]:
-    _, crosshead, couple = masses
-    return (crosshead - couple,) if infinite else (crosshead, couple)
-
-
-def _both(masses: Masses[Fraction], infinite: bool) -> Sequence[Fraction | int]:
-    return (*_along(masses, infinite), *_across(masses, infinite))
-
-
-def _magnitude_changes(masses: Masses[Fraction], infinite: bool) -> Sequence[Fraction | int]:
-    """A mass that only rotates presses alike everywhere, and so do equal amplitudes of sine and cosine."""
-    pin, crosshead, couple = masses
-    if infinite:
-        return ((pin + crosshead) ** 2 - (pin + couple) ** 2,)
-    return crosshead, couple
-
+_ALONG = _shares(lambda one: one[:2], lambda one: (one.pin + one.crosshead,))
+_ACROSS = _shares(lambda one: one, lambda one: (one.pin + one.couple,))
+_GUIDE = _shares(lambda one: one[1:], lambda one: (one.couple,))
+_TORQUE = _shares(lambda one: one[1:], lambda one: (one.crosshead - one.couple,))
+_BOTH = _shares(lambda one: (*one[:2], *one), lambda one: (one.pin + one.crosshead, one.pin + one.couple))
+# A mass that only rotates presses alike everywhere, and so do equal amplitudes of sine and cosine.
+_CHANGES = _shares(
+    lambda one: one[1:], lambda one: ((one.pin + one.crosshead) ** 2 - (one.pin + one.couple) ** 2,)
+)
 
 # What stands for the connecting rod where its masses count: rod.MODELS.
 ROD_MODELS: Mapping[str, Words] = {
@@ -103,32 +88,20 @@ ROD_MODELS: Mapping[str, Words] = {
 }
 
 
+def _force(key: str, letter: Label, name: str, formula: RodFormula, shares: Coefficients) -> RodForce:
+    return RodForce(key, letter, words(name), formula, formula, shares, shares)
+
+
 ROD_FORCES: Mapping[str, RodForce] = {
     force.key: force
     for force in (
-        RodForce(
-            "guide", "N", words("Führungsdruck|Guide force"),
-            Loaded.guide_force, Loaded.guide_force, _guide, _guide,
-        ),
-        RodForce(
-            "pin_x", "X", words("Zapfenkraft längs|Pin force along"),
-            Loaded.pin_force_along, Loaded.pin_force_along, _along, _along,
-        ),
-        RodForce(
-            "pin_y", "Y", words("Zapfenkraft quer|Pin force across"),
-            Loaded.pin_force_across, Loaded.pin_force_across, _across, _across,
-        ),
-        RodForce(
-            "pin", "P", words("Zapfenkraft|Pin force"),
-            Loaded.pin_force, _pin_square, _both, _magnitude_changes,
-        ),
-        RodForce(
-            "torque", "M_d", words("Drehmoment|Torque"),
-            Loaded.torque, Loaded.torque, _torque, _torque, is_torque=True,
-        ),
+        _force("guide", "N", "Führungsdruck|Guide force", Loaded.guide_force, _GUIDE),
+        _force("pin_x", "X", "Zapfenkraft längs|Pin force along", Loaded.pin_force_along, _ALONG),
+        _force("pin_y", "Y", "Zapfenkraft quer|Pin force across", Loaded.pin_force_across, _ACROSS),
+        RodForce("pin", "P", words("Zapfenkraft|Pin force"), Loaded.pin_force, _pin_square, _BOTH, _CHANGES),
+        _force("torque", "M_d", "Drehmoment|Torque", Loaded.torque, _TORQUE)._replace(is_torque=True),
     )
-}  # fmt: skip
-
+}
 
 # Ensslin's parts of the acceleration of the crank-pin end: key, letter, name.
 _PARTS: tuple[tuple[str, str, Words], ...] = (

@@ -11,9 +11,10 @@ from collections.abc import Iterator
 from fractions import Fraction
 from functools import cached_property, reduce
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import flint
+from flint import arb
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
@@ -24,9 +25,6 @@ from kurbel.exact.separation import Separation, circle_separation
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.rod import Loaded, Masses
 from kurbel.motion.inertia import RodForce
-
-if TYPE_CHECKING:
-    from flint import arb
 
 # Halving from here reaches neither a quarter nor an eighth of a turn, where zeros would lie on the cut.
 CUT = Fraction(5, 11)

@@ -6,13 +6,13 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from functools import cache
-from typing import Any
+from typing import Any, NamedTuple
 
 from kurbel.drive.crank import Crank
 from kurbel.drive.crank_forces import CRANK_FORCES
 from kurbel.exact.certify import Kind
 from kurbel.exact.numerals import Label
-from kurbel.kernel import forces, kinematics
+from kurbel.kernel import kinematics
 from kurbel.motion.evaluation import (
     LOADED,
     OFFSET,
@@ -21,10 +21,14 @@ from kurbel.motion.evaluation import (
     STROKES,
     TANGENT,
     At,
+    millimetres,
+    newton_metres,
+    newtons,
     pin_acceleration,
     pin_velocity,
+    share_of_stroke,
 )
-from kurbel.page.quantity import Formula, Quantity, words
+from kurbel.page.quantity import Formula, Quantity, entry, words
 
 Formulas = Mapping[str, Formula]
 Scale = Callable[[Crank, Kind], Any]
@@ -102,33 +106,6 @@ ROD_ANGLE: Formulas = {
 }
 
 
-def _share_of_stroke(share: int) -> Scale:
-    def scale(crank: Crank, numbers: Kind) -> Any:
-        if not crank.offset:
-            return numbers.of(Fraction(share, 2))
-        return share / kinematics.stroke(numbers.of(crank.ratio), numbers.of(crank.offset))
-
-    return scale
-
-
-def _millimetres(crank: Crank, numbers: Kind) -> Any:
-    assert crank.radius is not None
-    return numbers.of(1000 * crank.radius)
-
-
-def newtons(crank: Crank, numbers: Kind) -> Any:
-    """What makes newtons of a unit force; forces of moving masses are in newtons as they are."""
-    if crank.moving is not None:
-        return numbers.of(Fraction(1))
-    assert crank.force is not None
-    return numbers.of(crank.force.first)
-
-
-def newton_metres(crank: Crank, numbers: Kind) -> Any:
-    assert crank.radius is not None
-    return newtons(crank, numbers) * numbers.of(crank.radius)
-
-
 @cache
 def registry() -> Mapping[str, Quantity]:
     """Return every quantity by its key, in the order in which `kurbel quantities` lists them."""
@@ -136,21 +113,18 @@ def registry() -> Mapping[str, Quantity]:
 
 
 def _motion_entries() -> Iterator[Quantity]:
-    path, velocity, acceleration = (
-        "Kolbenweg|Piston path",
-        "Kolbengeschwindigkeit|Piston velocity",
-        ("Kolbenbeschleunigung|Piston acceleration"),
-    )
+    path, velocity = "Kolbenweg|Piston path", "Kolbengeschwindigkeit|Piston velocity"
+    acceleration = "Kolbenbeschleunigung|Piston acceleration"
     yield from _both("x", path, "$x$", "$x/R$", "$R$", 4, PATH, names=("x",))
     yield from _both(
         "x_stroke", path, "$x$", "in Teilen des Hubes|in strokes", "Hub|stroke", 4, PATH,
-        scale=_share_of_stroke(1), names=("s",),
+        scale=share_of_stroke(1), names=("s",),
     )  # fmt: skip
     yield from _both(
         "x_percent", path, "$x$", "in % des Hubes|in % of stroke", "% des Hubes|% of the stroke", 2, PATH,
-        scale=_share_of_stroke(100),
+        scale=share_of_stroke(100),
     )  # fmt: skip
-    yield from _both("x_mm", path, "$x$", "$x$ in mm", "mm", 2, PATH, scale=_millimetres, needs="length")
+    yield from _both("x_mm", path, "$x$", "$x$ in mm", "mm", 2, PATH, scale=millimetres, needs="length")
     yield from _both("c", velocity, "$c$", "$c/v$", "$v$", 4, VELOCITY, names=("c",))
     yield from _both(
         "c_mps", velocity, "$c$", "$c$ in m/s", "m/s", 3, VELOCITY, scale=pin_velocity, needs="speed"
@@ -166,126 +140,128 @@ def _motion_entries() -> Iterator[Quantity]:
     )  # fmt: skip
 
 
-# The forces that one piston force F calls up: key, name, letter, printed formula, that of the offset crank,
-# the closed form where the rod touches the crank circle, kernel, and in which direction it is positive.
-_FORCES: tuple[tuple[str, str, str, Label, Label, Label, Callable[..., Any], str], ...] = (
-    (
-        "rod_force", "Stangenkraft|Rod force", "S", "$S/F = 1/(cos ψ)$", "$S/F = 1/(cos ψ)$",
-        "F sqrt((R/L)^2 + 1)",
-        forces.rod_force,
+class _Force(NamedTuple):
+    """A force of the drive: name, letter, in which direction it is positive; what is printed of it, also of
+    the offset crank and, in closed form, where the rod touches the crank circle, if one force calls it up."""
+
+    name: str
+    letter: str
+    direction: str
+    printed: Label = ""
+    oblique: Label = ""
+    closed: Label = ""
+
+
+# Where masses count, those at the end show what one force alone does not.
+_FORCES: Mapping[str, _Force] = {
+    "rod_force": _Force(
+        "Stangenkraft|Rod force", "S",
         "$S$ am Kreuzkopf, auf dem Hingang Druck, auf dem Rückgang Zug"
         "|$S$ at the crosshead, thrust on the outstroke, pull on the return",
+        "$S/F = 1/(cos ψ)$", "$S/F = 1/(cos ψ)$", "F sqrt((R/L)^2 + 1)",
     ),
-    (
-        "guide_force", "Führungsdruck|Guide force", "N", "$N/F = {guide}tan ψ$", "$N/F = tan ψ$",
-        "(F R)/L",
-        forces.guide_force,
+    "guide_force": _Force(
+        "Führungsdruck|Guide force", "N",
         "$N$ auf den Kreuzkopf, nach der Seite, auf der in diesem Hub der Kurbelzapfen läuft"
         "|$N$ on the crosshead, towards the side on which the crank pin runs in that stroke",
+        "$N/F = {guide}tan ψ$", "$N/F = tan ψ$", "(F R)/L",
     ),
-    (
-        "tangential_force", "Tangentialkraft|Tangential force", "T",
-        "$T/F = sin({angle} {slant} ψ)/(cos ψ)$", "$T/F = sin({angle} + ψ)/(cos ψ)$",
-        "F sqrt((R/L)^2 + 1)",
-        forces.tangential_force, "$T$ im Drehsinn|$T$ as the crank turns",
+    "tangential_force": _Force(
+        "Tangentialkraft|Tangential force", "T", "$T$ im Drehsinn|$T$ as the crank turns",
+        "$T/F = sin({angle} {slant} ψ)/(cos ψ)$", "$T/F = sin({angle} + ψ)/(cos ψ)$", "F sqrt((R/L)^2 + 1)",
     ),
-    (
-        "radial_force", "Radialkraft|Radial force", "Z",
+    "radial_force": _Force(
+        "Radialkraft|Radial force", "Z", "$Z$ nach der Welle hin|$Z$ towards the shaft",
         "$Z/F = cos({angle} {slant} ψ)/(cos ψ)$", "$Z/F = cos({angle} + ψ)/(cos ψ)$", "0",
-        forces.radial_force, "$Z$ nach der Welle hin|$Z$ towards the shaft",
     ),
-)  # fmt: skip
-# Where masses count, what one force alone does not show.
-_PIN_FORCES = (
-    (
-        "crosshead_pin_force", "Kraft am Kreuzkopfzapfen|Crosshead-pin force", "B",
+    "crosshead_pin_force": _Force(
+        "Kraft am Kreuzkopfzapfen|Crosshead-pin force", "B",
         "$B$ Betrag am Kreuzkopfzapfen|$B$ magnitude at the crosshead pin",
     ),
-    (
-        "crank_pin_force", "Kraft am Kurbelzapfen|Crank-pin force", "K",
+    "crank_pin_force": _Force(
+        "Kraft am Kurbelzapfen|Crank-pin force", "K",
         "$K$ Betrag am Kurbelzapfen|$K$ magnitude at the crank pin",
     ),
-    (
-        "bearing_along", "Lagerkraft längs|Bearing force along", "H_x",
+    "bearing_along": _Force(
+        "Lagerkraft längs|Bearing force along", "H_x",
         "$H_x$ auf das Hauptlager, in der Richtung des Hubes"
         "|$H_x$ on the main bearing, in the direction of the stroke",
     ),
-    (
-        "bearing_across", "Lagerkraft quer|Bearing force across", "H_y",
+    "bearing_across": _Force(
+        "Lagerkraft quer|Bearing force across", "H_y",
         "$H_y$ auf das Hauptlager, nach der Seite des Kurbelzapfens"
         "|$H_y$ on the main bearing, towards the side of the crank pin",
     ),
-    (
-        "bearing_force", "Lagerkraft|Bearing force", "H",
-        "$H$ Betrag am Hauptlager|$H$ magnitude at the main bearing",
+    "bearing_force": _Force(
+        "Lagerkraft|Bearing force", "H", "$H$ Betrag am Hauptlager|$H$ magnitude at the main bearing"
     ),
-)  # fmt: skip
+}  # fmt: skip
 
 
 def _force_entries() -> Iterator[Quantity]:
-    for key, name, letter, printed, oblique, closed, kernel, direction in _FORCES:
-        unloaded = _unloaded(kernel, printed, oblique, closed)
-        yield from _both(
-            key, name, f"${letter}$", f"${letter}/F$", "$F$", 4, unloaded, names=(key,),
-            direction=words(direction),
-        )  # fmt: skip
-        yield from _in_newtons(key, name, letter, "force", unloaded, direction)
-    for key, name, letter, direction in _PIN_FORCES:
-        yield from _in_newtons(key, name, letter, "masses", {}, direction)
-    name = "Drehmoment|Torque"
-    torque = _unloaded(
-        forces.tangential_force, "$M_d/(F R) = T/F$", "$M_d/(F R) = T/F$", "F R sqrt((R/L)^2 + 1)"
-    )
-    yield from _both("torque", name, "$M_d$", "$M_d/(F R)$", "$F R$", 4, torque, names=("torque",))
-    yield from _both(
-        "torque_nm", name, "$M_d$", "$M_d$ in N m", "N m", 1,
-        {**_acting(torque), **_loaded("tangential_force")}, scale=newton_metres, needs="torque",
-    )  # fmt: skip
+    for key, one in _FORCES.items():
+        shares = _unloaded(key, one.printed, one.oblique, one.closed) if one.printed else {}
+        for each in force_entries(key, *one[:3], shares, _in_newtons(key, shares)):
+            yield from on_strokes(each)
+    ratio = "$M_d/(F R) = T/F$"
+    torque = _unloaded("tangential_force", ratio, ratio, "F R sqrt((R/L)^2 + 1)")
+    for each in torque_entries(torque, _in_newtons("tangential_force", torque)):
+        yield from on_strokes(each)
 
 
-def _in_newtons(
-    key: str, name: str, letter: str, needs: str, formulas: dict[str, Formula], direction: str
+def force_entries(
+    key: str, name: str, letter: str, direction: str, shares: Formulas, newton: Formulas, **rest: Any
 ) -> Iterator[Quantity]:
-    return _both(
-        f"{key}_n", name, f"${letter}$", f"${letter}$ in N", "N", 1, {**_acting(formulas), **_loaded(key)},
-        scale=newtons, needs=needs, direction=words(direction),
+    """Yield a force as a share of the piston force, if that alone calls it up, and in newtons."""
+    symbol, said = f"${letter}$", words(direction)
+    if shares:
+        share = f"${letter}/F$"
+        yield spanned(key, name, symbol, share, "$F$", 4, shares, names=(key,), direction=said, **rest)
+    needs = "force" if shares else "masses"
+    yield spanned(
+        f"{key}_n", name, symbol, f"{symbol} in N", "N", 1, newton, scale=newtons, needs=needs,
+        direction=said, **rest,
     )  # fmt: skip
 
 
-def _acting(formulas: Formulas) -> Formulas:
-    """Return the formulas in the first piston force, of the force that acts at the place."""
-    return {key: Formula(_at_place(one.kernel), one.printed) for key, one in formulas.items()}
+def torque_entries(shares: Formulas, newton: Formulas, **rest: Any) -> Iterator[Quantity]:
+    """Yield the torque as a share of F R and in newton metres."""
+    name, symbol = "Drehmoment|Torque", "$M_d$"
+    yield spanned("torque", name, symbol, "$M_d/(F R)$", "$F R$", 4, shares, names=("torque",), **rest)
+    yield spanned(
+        "torque_nm", name, symbol, "$M_d$ in N m", "N m", 1, newton, scale=newton_metres, needs="torque",
+        **rest,
+    )  # fmt: skip
 
 
-def _at_place(kernel: Callable[[At], Any]) -> Callable[[At], Any]:
-    return lambda at: at.acting(kernel(at))
+def _unloaded(key: str, printed: Label, oblique: Label, closed: Label) -> Formulas:
+    kernel = CRANK_FORCES[key].bare
 
-
-def _unloaded(
-    kernel: Callable[..., Any], printed: Label, oblique: Label, closed: Label
-) -> dict[str, Formula]:
     def call(at: At) -> Any:
         return kernel(at.circle, at.ratio, at.offset)
 
     formulas = {"exact": printed, "infinite": "", OFFSET: oblique, TANGENT: closed}
-    return {key: Formula(call, text) for key, text in formulas.items()}
+    return {method: Formula(call, text) for method, text in formulas.items()}
 
 
-def _loaded(key: str) -> dict[str, Formula]:
-    """The force in newtons, of the piston force and of the moving masses, which no line holds."""
-    force = CRANK_FORCES[key]
+def _in_newtons(key: str, shares: Formulas) -> Formulas:
+    """Return the formulas of the force that acts at the place, with masses too, which no line holds."""
+    loaded = CRANK_FORCES[key].loaded
 
     def call(at: At) -> Any:
         crank, of = at.crank, at.numbers.of
         assert crank.moving is not None
         weights = crank.moving.weights(of, pin_acceleration(crank, at.numbers))
         net = at.acting(of(crank.force.first if crank.force else Fraction(0)))
-        return force.loaded(at.circle, at.ratio, weights, at.offset, net)
+        return loaded(at.circle, at.ratio, weights, at.offset, net)
 
-    return {LOADED: Formula(call)}
+    def acting(share: Formula) -> Formula:
+        return Formula(lambda at: at.acting(share.kernel(at)), share.printed)
+
+    return {**{method: acting(one) for method, one in shares.items()}, LOADED: Formula(call)}
 
 
-def entry(
+def spanned(
     key: str,
     name: str,
     symbol: Label,
@@ -294,19 +270,9 @@ def entry(
     decimals: int,
     formulas: Formulas,
     **rest: Any,
-) -> Quantity:
-    """Return an entry, whose texts are "German|English", under its name."""
-    return Quantity(
-        key=key,
-        name=words(name),
-        symbol=symbol,
-        unit=words(unit),
-        decimals=decimals,
-        formulas=formulas,
-        heading=words(heading),
-        spanners=(words(name),),
-        **rest,
-    )
+) -> Quantity:  # fmt: skip
+    """Return an entry that stands under its name."""
+    return entry(key, name, symbol, unit, decimals, formulas, heading, spanners=(words(name),), **rest)
 
 
 def on_strokes(one: Quantity) -> Iterator[Quantity]:
@@ -324,4 +290,4 @@ def on_strokes(one: Quantity) -> Iterator[Quantity]:
 
 
 def _both(*said: Any, **rest: Any) -> Iterator[Quantity]:
-    return on_strokes(entry(*said, **rest))
+    return on_strokes(spanned(*said, **rest))

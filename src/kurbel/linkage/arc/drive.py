@@ -7,7 +7,8 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 from math import pi, tan
-from typing import TYPE_CHECKING
+
+from flint import arb
 
 from kurbel.exact.certify import ball, balls, half_turn_circle
 from kurbel.exact.certify import pi as ball_pi
@@ -21,9 +22,6 @@ from kurbel.linkage.linkage import At
 from kurbel.motion.evaluation import OUT, STROKES
 from kurbel.motion.quantities import registry
 from kurbel.page.quantity import Formula, Quantity
-
-if TYPE_CHECKING:
-    from flint import arb
 
 PATH_SHARE = "path_stroke"
 # Half turns about the middle of the stroke within which t = tan ½(φ - 90°) stays far from infinity.

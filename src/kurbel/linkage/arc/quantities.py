@@ -12,7 +12,7 @@ from kurbel.linkage.arc.crank import STROKE
 from kurbel.linkage.linkage import At
 from kurbel.linkage.quantities import DECIMALS, force_entries, force_formula
 from kurbel.motion.evaluation import OUT, RETURN
-from kurbel.motion.quantities import entry, on_strokes
+from kurbel.motion.quantities import on_strokes, spanned
 from kurbel.page.quantity import Formula, Quantity
 
 ANGLE_DECIMALS = 3
@@ -146,7 +146,7 @@ def _both(
     decimals: int = DECIMALS,
     **rest: Any,
 ) -> Iterator[Quantity]:
-    return on_strokes(entry(key, name, symbol, heading, unit, decimals, {"exact": formula}, **rest))
+    return on_strokes(spanned(key, name, symbol, heading, unit, decimals, {"exact": formula}, **rest))
 
 
 def _arc_forces() -> Iterator[Quantity]:

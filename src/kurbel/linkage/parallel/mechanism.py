@@ -14,7 +14,7 @@ from kurbel.linkage.mechanism import LinkageMechanism
 from kurbel.linkage.parallel.crank import CHANGE_POINTS, ParallelCrank
 from kurbel.linkage.quantities import DECIMALS, force_entries, force_formula
 from kurbel.linkage.question import linkage_subject, plain_notes
-from kurbel.motion.quantities import entry
+from kurbel.motion.quantities import spanned
 from kurbel.page.quantity import AND, Formula, Quantity, words
 from kurbel.reading.notation import plain
 
@@ -47,7 +47,7 @@ def parallel_registry() -> Mapping[str, Quantity]:
 def _coupler_entries() -> Iterator[Quantity]:
     for field, part, name, symbol, heading, printed, unit in _COUPLER:
         formula = Formula(_field(field), f"${heading} = {printed}$")
-        one = entry(
+        one = spanned(
             f"coupler_{field}", name, f"${symbol}$", f"${heading}$", unit, DECIMALS, {"exact": formula}
         )
         yield one._replace(spanners=(words(part), *one.spanners), part=words(part))
