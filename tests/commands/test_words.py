@@ -5,6 +5,7 @@ from __future__ import annotations
 import doctest
 import inspect
 import pydoc
+import re
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
@@ -15,6 +16,7 @@ from cli import printed, refusal
 
 import kurbel
 from kurbel.cli.app import command_of
+from kurbel.errors import KurbelError
 from kurbel.page.subject import Question
 
 TABLES: Mapping[str, Callable[..., Any]] = {
@@ -168,3 +170,31 @@ def test_machines_and_variables_are_for_the_command_line(monkeypatch: pytest.Mon
     monkeypatch.setenv("KURBEL_TABLE_RATIO", "1:4")
     monkeypatch.setenv("KURBEL_LANG", "en")
     assert "1:5" in kurbel.table().caption
+
+
+WRONG: list[tuple[Any, dict[str, Any], str]] = [
+    (kurbel.table, {"lang": []}, "lang"),
+    (kurbel.table, {"layout": {}}, "not the name of a layout"),
+    (kurbel.table, {"layouts": 5}, "layouts is 5, which is not the name of a file or a folder"),
+    (kurbel.delta_table, {"card": 5}, "card is 5"),
+    (kurbel.delta_table, {"card": [None]}, "card is None"),
+    (kurbel.delta_table, {"method": 2.0}, "choose from"),
+    (kurbel.collation_table, {"sources": 1.5}, "sources is 1.5"),
+    (kurbel.solve_table, {"where": 5}, "a condition is text"),
+    (kurbel.dead_centres_table, {"beam": []}, "no beam arm was given"),
+    (kurbel.plot_motion, {"ratio": []}, "no crank ratio was given"),
+    (kurbel.plot_polar, {"ratio": ()}, "no crank ratio was given"),
+]
+
+
+@pytest.mark.parametrize(("function", "given", "said"), WRONG, ids=[str(one[1]) for one in WRONG])
+def test_values_of_another_kind_are_answered_with_a_sentence(
+    function: Any, given: dict[str, Any], said: str
+) -> None:
+    with pytest.raises(KurbelError, match=re.escape(said)):
+        function(**given)
+
+
+def test_none_leaves_an_option_out() -> None:
+    nothing: dict[str, Any] = dict.fromkeys(("lang", "rounding", "label"))
+    assert str(kurbel.table("1:5", step=90, **nothing)) == str(kurbel.table("1:5", step=90))

@@ -102,6 +102,13 @@ class Motion(option.Run, option.Linked, option.Sheet, total=False):
     layouts: option.Layouts
 
 
+def some(drives: Sequence[Any]) -> Sequence[Any]:
+    """Return the drives; raise ProblemError where a list of crank ratios was empty."""
+    if not drives:
+        raise ProblemError("no crank ratio was given; give one, such as 1:5")
+    return drives
+
+
 @makes_table(
     foreign=of_other_mechanisms,
     order="angle from_ to step columns offset stroke rod method speed mechanism rocker pivot",

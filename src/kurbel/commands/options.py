@@ -10,12 +10,14 @@ or behind them if they are `last`, unless it has an order of its own. Their defa
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping
 from importlib import import_module
+from os import PathLike
 from typing import Any, NamedTuple, cast, get_args
 
 from kurbel.errors import NotationError
-from kurbel.reading.given import File, choose
+from kurbel.reading import given
+from kurbel.reading.given import choose
 
 
 class Kind:
@@ -30,6 +32,9 @@ class Kind:
         """Return what was typed as a value. Raises KurbelError."""
         return text
 
+    def check(self, value: Any, name: str) -> None:
+        """Raise KurbelError for what Python gave that can be no value of the option with this name."""
+
     def offered(self, begun: str, typed: Mapping[str, Any]) -> Iterable[str]:
         """Return the texts that begin so, for the completion of shells."""
         return ()
@@ -38,8 +43,17 @@ class Kind:
 TEXT = Kind()
 # Said or not.
 FLAG = Kind()
-# A file or a folder that is read.
-FILE = Kind()
+
+
+class File(Kind):
+    """A file or a folder that is read."""
+
+    def check(self, value: Any, name: str) -> None:
+        if not isinstance(value, str | PathLike):
+            raise NotationError(f"{name} is {str(value)[:40]}, which is not the name of a file or a folder")
+
+
+FILE = File()
 
 
 class Choice(Kind):
@@ -59,6 +73,9 @@ class Choice(Kind):
 
     def read(self, text: str, typed: Mapping[str, Any]) -> str:
         return choose(text, self.names, self.name)
+
+    def check(self, value: Any, name: str) -> None:
+        self.read(value, {})
 
     def offered(self, begun: str, typed: Mapping[str, Any]) -> Iterable[str]:
         return (name for name in self.names if name.startswith(begun))
@@ -126,6 +143,10 @@ class LayoutName(Kind):
 
         return text if text in layout_names(_folder(typed)) else choose(text, self._fitting(typed), self.name)
 
+    def check(self, value: Any, name: str) -> None:
+        if not isinstance(value, str):
+            raise NotationError(f"{name} is {str(value)[:40]}, which is not the name of a layout")
+
     def offered(self, begun: str, typed: Mapping[str, Any]) -> Iterable[str]:
         return (name for name in self._fitting(typed) if name.startswith(begun))
 
@@ -136,11 +157,11 @@ class LayoutName(Kind):
         return [name for name in layout_names(folder) if layout(name, folder).subject in self.subjects]
 
 
-def _folder(typed: Mapping[str, Any]) -> File | None:
+def _folder(typed: Mapping[str, Any]) -> given.File | None:
     """Return the folder of --layouts."""
     # While it parses, click has a mark of its own for what was not given.
     folder = typed.get("layouts")
-    return folder if isinstance(folder, File) else None
+    return folder if isinstance(folder, given.File) else None
 
 
 class Option(NamedTuple):
@@ -217,20 +238,21 @@ def parameters_of(signature: inspect.Signature) -> Mapping[str, Parameter]:
     return found
 
 
-def check_choices(parameters: Iterable[Parameter], values: Mapping[str, Any]) -> None:
-    """Raise ChoiceError for a name that is none of those allowed."""
+def check_kinds(parameters: Iterable[Parameter], values: Mapping[str, Any]) -> None:
+    """Raise KurbelError for a name that is none of those allowed, and for a file that is no name."""
     for parameter in parameters:
-        kind, value = parameter.option.kind, values[parameter.name]
-        if isinstance(kind, Choice) and is_given(value):
-            for one in [value] if isinstance(value, str) or not parameter.option.many else value:
-                kind.read(one, values)
+        value = values[parameter.name]
+        if value is not None and value is not False:
+            one_of_them = isinstance(value, str | PathLike) or not isinstance(value, Iterable)
+            for one in [value] if one_of_them or not parameter.option.many else value:
+                parameter.option.kind.check(one, parameter.name)
 
 
 def is_given(value: Any) -> bool:
     """Whether a value says anything."""
     if value is None or value is False:
         return False
-    return not isinstance(value, Sequence) or isinstance(value, str) or len(value) > 0
+    return isinstance(value, str) or not isinstance(value, Collection) or len(value) > 0
 
 
 def described(text: str, parameters: Mapping[str, Parameter]) -> str:

@@ -6,7 +6,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Annotated, Any, TypeAlias, Unpack
 
 from kurbel.commands import parameters as option
-from kurbel.commands.motion import described, ends_of, meant, mechanism_of, of_other_mechanisms
+from kurbel.commands.motion import described, ends_of, meant, mechanism_of, of_other_mechanisms, some
 from kurbel.commands.options import Columns, Option
 from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import draws
@@ -165,7 +165,7 @@ def _asked(given: Mapping[str, Any], columns: option.Names, keys: Keys, command:
     angles, (chosen, said) = curve_angles(given), described(given)
     forces = command == "plot forces" and not chosen.crosshead
     page = page_of(chosen.forces_layout if forces else chosen.layout)
-    drives = chosen.drives(said, page.ratios)
+    drives = some(chosen.drives(said, page.ratios))
     if command == "polar":
         only(drives, "polar", "ratios")
     names = as_names(columns, chosen.examples.get(command, "")) or keys(chosen, chosen.crank(drives[0]))
@@ -181,7 +181,7 @@ def page_of(name: str) -> Layout:
 def only(given: Sequence[Any], flag: str, what: str) -> Any:
     if len(given) > 1:
         raise ProblemError(f"--{flag} draws one crank drive, and {len(given)} {what} were given; choose one")
-    return given[0]
+    return some(given)[0]
 
 
 def curve_angles(given: Mapping[str, Any]) -> Sequence[Fraction]:

@@ -4,10 +4,10 @@ from collections.abc import Iterable, Mapping
 from typing import Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
-from kurbel.commands.motion import described, mechanism_of, of_other_mechanisms, sheet_of
+from kurbel.commands.motion import described, mechanism_of, of_other_mechanisms, sheet_of, some
 from kurbel.commands.options import Columns, Option
 from kurbel.commands.subject import makes_table
-from kurbel.errors import NotationError, ProblemError
+from kurbel.errors import NotationError
 from kurbel.page.layouts import layout_of
 from kurbel.page.subject import Question
 from kurbel.reading.given import as_names
@@ -77,10 +77,8 @@ def solve_table(
 
     page = layout_of(layout, ("roots",), given["layouts"])
     chosen, said = described(given)
-    drives = chosen.solved(chosen.drives(said, page.ratios), given["method"])
-    if not drives:
-        raise ProblemError("no crank ratio was given; give one, such as 1:5")
-    texts = [where] if isinstance(where, str) else list(where)
+    drives = chosen.solved(some(chosen.drives(said, page.ratios)), given["method"])
+    texts = [where] if isinstance(where, str) or not isinstance(where, Iterable) else list(where)
     if not all(isinstance(text, str) for text in texts):
         raise NotationError('a condition is text, such as "p = 0"')
     return SolveRequest(

@@ -8,7 +8,7 @@ from functools import wraps
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple, ParamSpec, Protocol, TypeVar, cast
 
-from kurbel.commands.options import Parameter, check_choices, described, is_given, parameters_of, signature_of
+from kurbel.commands.options import Parameter, check_kinds, described, is_given, parameters_of, signature_of
 from kurbel.errors import ProblemError
 
 if TYPE_CHECKING:
@@ -121,9 +121,13 @@ def _checked(command: Command) -> Callable[..., Any]:
     @wraps(command.ask)
     def asked(*args: Any, **kwargs: Any) -> Any:
         bound = command.signature.bind(*args, **kwargs)
+        # None says nothing, also of an option with another default.
+        for name in [name for name, value in bound.arguments.items() if value is None]:
+            if not command.parameters[name].required:
+                del bound.arguments[name]
         bound.apply_defaults()
         values = {command.parameters[name].name: value for name, value in bound.arguments.items()}
-        check_choices(command.parameters.values(), values)
+        check_kinds(command.parameters.values(), values)
         command.refuse(values, lambda name: is_given(values[name]))
         return command.ask(**bound.arguments)
 

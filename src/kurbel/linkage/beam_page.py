@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 
+from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, nearest
 from kurbel.linkage.beam import APPROXIMATE, EXACT, BeamEngine, certified, registry
 from kurbel.page.axes import ColumnAxis, LetteredRatioAxis, ListAxis, Place, angle_decimals
@@ -47,6 +48,8 @@ class BeamRequest(Question):
     exact: bool = False
 
     def check(self) -> None:
+        if not self.arms:
+            raise ProblemError("no beam arm was given; write one as --beam 3")
         for arm in self.arms:
             for ratio in self.ratios:
                 BeamEngine(arm, ratio)
