@@ -80,7 +80,6 @@ OTHERS = {
     "formats.documents": {"text"},
     # What is printed where nobody asks for a format.
     "formats.registry": {"text"},
-    "handbook.build": {"text"},
     "handbook.init": {"typst"},
     "handbook.manifest": {"text", "pdf"},
     "handbook.model": {"text", "pdf"},

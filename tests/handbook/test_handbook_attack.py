@@ -14,8 +14,10 @@ import pytest
 from cli import Result, kurbel
 from programs import Programs, wait_until
 
+from kurbel.documents.document import Document
 from kurbel.formats.pdf import by_tex as pdf_tex
-from kurbel.handbook.pages import Made, PdfTask, PlannedChapter, Task, make_pdf
+from kurbel.handbook.pages import PdfTask, make_pdf
+from kurbel.handbook.pool import Made, Task
 
 MANIFEST = """\
 title = "Tafeln"
@@ -90,7 +92,7 @@ def test_a_forged_list_is_written_anew(tmp_path: Path, path: str, content: str) 
     build(book(tmp_path))
     before = (tmp_path / "pages/contents.json").read_bytes()
     if path != "contents.json" and content.startswith("{"):
-        one = {"key": "k", "inputs": {}, "about": [], **json.loads(content)}
+        one = {"key": "k", "inputs": {}, "about": None, **json.loads(content)}
         content = json.dumps({"gone": one})
     (tmp_path / "pages" / path).write_text(content)
     result = build(tmp_path)
@@ -107,7 +109,7 @@ def test_a_forged_list_removes_nothing_elsewhere(tmp_path: Path) -> None:
     (folder / "pages/way").symlink_to(victim.parent)
     listed = dict.fromkeys(("way/victim", "../../outside/victim"), hashlib.sha256(b"precious").hexdigest())
     (folder / "pages/contents.json").write_text(json.dumps({"files": listed}))
-    state = {"gone": {"key": "k", "inputs": {}, "files": listed, "about": []}}
+    state = {"gone": {"key": "k", "inputs": {}, "files": listed, "about": None}}
     (folder / "pages/.kurbel/state.json").write_text(json.dumps(state))
     assert build(folder).code == 0
     assert victim.read_text() == "precious"
@@ -170,14 +172,14 @@ def test_documents_are_not_made_of_files_that_are_gone(
 
     build(book(tmp_path / "whole"))
     folder = book(tmp_path / "disturbed")
-    planned = handbook_build.Build.planned
+    document = handbook_build.Build.document
 
-    def disturbed(one: handbook_build.Build) -> list[PlannedChapter]:
+    def disturbed(one: handbook_build.Build) -> Document:
         (folder / "pages/tables/wege.md").unlink()
-        return planned(one)
+        return document(one)
 
     with monkeypatch.context() as patch:
-        patch.setattr(handbook_build.Build, "planned", disturbed)
+        patch.setattr(handbook_build.Build, "document", disturbed)
         result = build(folder)
     assert result.code == 1
     assert "tables/wege.md was changed or removed while the handbook was built; build it again" in result.err
@@ -251,7 +253,7 @@ def test_a_tex_of_ones_own_templates_is_ended_by_its_own_clock(
         counted.append(counts)
         yield
 
-    monkeypatch.setattr("kurbel.handbook.pool.deadline", deadline)
+    monkeypatch.setattr("kurbel.handbook.pages.deadline", deadline)
     monkeypatch.setenv("PATH", str(tmp_path))
     assert "there is no lualatex" in str(make_pdf(PdfTask(str(tmp_path), "lualatex", (), limited=True)))
     assert "handbook.typ" in str(make_pdf(PdfTask(str(tmp_path), "typst", (), limited=True)))

@@ -239,6 +239,20 @@ def test_what_was_built_before_stays_where_its_part_fails(tmp_path: Path) -> Non
     assert build(tmp_path).code == 1
 
 
+def test_a_part_that_fails_is_missing_in_a_new_format_alone(tmp_path: Path) -> None:
+    build(book(tmp_path, MANIFEST.replace(', "csv", "json"', "").replace('"latex", ', "")))
+    before = files(tmp_path)
+    wrong = MANIFEST.replace(', "csv", "json"', "").replace("--step 45", "--stepp 45")
+    result = build(book(tmp_path, wrong))
+    assert result.code == 1
+    assert "document in latex: tables/wege.tex could not be made\n" in result.err
+    made = files(tmp_path)
+    assert {path: made[path] for path in before if path != "contents.json"} == {
+        path: content for path, content in before.items() if path != "contents.json"
+    }
+    assert {*made} - {*before} == {"tables/schwung.tex"}
+
+
 def test_headings_of_texts_follow_that_of_their_chapter_in_every_document(tmp_path: Path) -> None:
     text = 'text = """\n### Eins\n\n##### Zwei\n"""\n[[chapter.part]]\ntext = \'# Drei\'\n'
     assert (
@@ -585,7 +599,7 @@ def test_a_bar_shows_on_a_terminal_how_far_it_is(programs: Programs, tmp_path: P
 def test_a_template_that_misbehaves_fails_its_tables_and_no_others(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, template: str, said: str
 ) -> None:
-    monkeypatch.setattr("kurbel.handbook.pages.PATIENCE", 1.0)
+    monkeypatch.setattr("kurbel.handbook.build.PATIENCE", 1.0)
     text = MANIFEST.replace('title = "Tafeln"', 'title = "Tafeln"\ntemplates = "mine"')
     folder = book(
         tmp_path, text.replace('"text", "latex", "markdown", "html", "csv", "json"', '"markdown", "csv"')

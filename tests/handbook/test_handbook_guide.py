@@ -13,8 +13,8 @@ from click import Group
 from places import ROOT
 
 from kurbel.cli.handbook import handbook
-from kurbel.handbook.manifest import FORMATS_OF_A_HANDBOOK, read_manifest
-from kurbel.handbook.model import ENGINES, SCHEMA, SECTIONS
+from kurbel.handbook.manifest import read_manifest
+from kurbel.handbook.model import ENGINES, FORMATS_OF_A_HANDBOOK, SCHEMA, SECTIONS
 
 GUIDE = (ROOT / "docs" / "handbook.md").read_text(encoding="utf-8")
 HEADINGS = {"handbook": "At the top"}

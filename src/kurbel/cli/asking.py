@@ -6,7 +6,6 @@ nor the folder in which kurbel runs.
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -20,7 +19,7 @@ from kurbel.cli.options import MACHINE, Document, FileName, Given, machine_defau
 from kurbel.cli.tables import MakingCommand
 from kurbel.errors import ChoiceError, KurbelError, ProblemError
 from kurbel.formats.registry import FORMATS
-from kurbel.handbook.pages import GIGABYTES, Made, Task
+from kurbel.handbook.pool import GIGABYTES, About, Made, Task, deadline
 from kurbel.reading.given import File, choose
 
 if TYPE_CHECKING:
@@ -169,19 +168,18 @@ def make_part(task: Task) -> Made | str:
 
 
 def _table(task: Task, answer: Asked, table: Table) -> Made:
-    from kurbel.handbook.pool import deadline
-
     part = task.part
     named = replace(
         table, key=part.name, layout=table.layout or table.key, caption=part.caption or table.caption
     )
-    templates = task.templates and os.path.join(task.folder, task.templates)
-    with deadline(task.patience, GIGABYTES, bool(templates or named.templates)):
+    with deadline(task.patience, GIGABYTES, bool(task.templates or named.templates)):
         files = {
-            f"tables/{part.name}{FORMATS[name].suffixes[0]}": _text(named, name, answer.decimal, templates)
+            f"tables/{part.name}{FORMATS[name].suffixes[0]}": _text(
+                named, name, answer.decimal, task.templates
+            )
             for name in task.formats
         }
-    return Made(files, answer.files, ("table", named.caption, named.lang))
+    return Made(files, answer.files, About("table", named.caption, named.lang))
 
 
 def _text(table: Any, name: str, decimal: str | None, templates: str | None) -> bytes:
@@ -199,4 +197,4 @@ def _figure(task: Task, answer: Asked, drawing: Drawing) -> Made:
     caption = part.caption or drawing.title
     titled = replace(drawing, title=caption)
     files = {f"figures/{part.name}.{name}": titled.image(name) for name in task.figures}
-    return Made(files, answer.files, ("figure", caption, answer.lang))
+    return Made(files, answer.files, About("figure", caption, answer.lang))

@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 import sys
 import time
-from collections.abc import Callable, Iterator
-from contextlib import ExitStack, contextmanager
+from collections.abc import Callable, Iterable, Iterator
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -16,18 +16,18 @@ from kurbel.cli.app import Group
 from kurbel.cli.options import Type, lang_option
 from kurbel.commands.options import Choice, Count
 from kurbel.formats.registry import compiled_format
-from kurbel.handbook.pool import MOST_PROCESSES
+from kurbel.handbook.pool import MOST_PROCESSES, cores
 
 if TYPE_CHECKING:
-    from kurbel.handbook.build import Build
+    from kurbel.handbook.build import Build, Built
     from kurbel.handbook.folder import Folder
     from kurbel.handbook.manifest import Manifest, Part
-    from kurbel.handbook.pages import Built
 
 # So many characters of a text tell which it is.
 MOST_SHOWN = 50
 # How often the files are looked at, in seconds.
 GLANCE = 0.4
+WAITING = "another build of this handbook is under way; waiting for its end"
 
 
 class _Group(Group):
@@ -78,7 +78,7 @@ def init(folder: str, lang: str) -> None:
         raise OutputError(f"cannot make the folder {folder}: {error.strerror}") from error
     with whole_file(path) as stream:
         stream.write(first_manifest(lang).encode())
-    say(f"{path} is written; build it with: kurbel handbook build{_typed(folder)}")
+    say(f"{path} is written; build it with: {_build_words(folder)}")
 
 
 @handbook.command(short_help="Build what changed.")
@@ -92,14 +92,13 @@ def _build(options: dict[str, Any]) -> int:
     from kurbel.cli.asking import make_part
     from kurbel.handbook.build import build as built
 
-    manifest, folder, jobs = _opened(options)
-    with _bar() as start:
-        done = built(manifest, folder, make_part, jobs, start, _waiting)
-    _report(manifest, done)
+    manifest, folder = _opened(options["folder"], options["pdf_engine"])
+    done = built(manifest, folder, make_part, options["jobs"] or cores(), _bar, partial(say, WAITING))
+    failed = _report(manifest, done)
     counts = f"{len(done.written)} written, {len(done.unchanged)} unchanged"
     removed = f", {len(done.removed)} removed" if done.removed else ""
-    say(f"{folder.path}: {counts}{removed}{_failed(done)}")
-    return int(bool(done.failures))
+    say(f"{folder.path}: {counts}{removed}{failed}")
+    return int(bool(failed))
 
 
 @handbook.command(short_help="Tell whether what was built is up to date.")
@@ -112,22 +111,20 @@ def check(**options: Any) -> int:
     from kurbel.cli.asking import make_part
     from kurbel.handbook.check import check as checked
 
-    manifest, folder, jobs = _opened(options)
-    with _bar() as start:
-        done, stale = checked(manifest, folder, make_part, jobs, start)
+    manifest, folder = _opened(options["folder"], options["pdf_engine"])
+    done, stale = checked(manifest, folder, make_part, options["jobs"] or cores(), _bar)
     for one in stale:
         lines = (f"{folder.path}/{one.path}: {one.why}", *(f"    {line}" for line in one.difference))
         click.echo("\n".join(lines))
-    _report(manifest, done)
+    failed = _report(manifest, done)
     if stale:
-        engine = f" --pdf-engine {options['pdf_engine']}" if options["pdf_engine"] else ""
-        mend = f"kurbel handbook build{_typed(options['folder'])}{engine}"
-        first = "mend what failed, and then" if done.failures else "this mends it:"
+        mend = _build_words(options["folder"], options["pdf_engine"])
+        first = "mend what failed, and then" if failed else "this mends it:"
         count = "1 file is" if len(stale) == 1 else f"{len(stale)} files are"
-        say(f"{folder.path}: {count} stale{_failed(done)}; {first} {mend}")
-    elif not done.failures:
+        say(f"{folder.path}: {count} stale{failed}; {first} {mend}")
+    elif not failed:
         say(f"{folder.path}: all {len(done.written)} files are what the manifest says")
-    return int(bool(stale or done.failures))
+    return int(bool(stale or failed))
 
 
 @handbook.command("list", short_help="List what would be built.")
@@ -138,9 +135,8 @@ def listed(folder: str) -> None:
 
     from kurbel.handbook.build import Build
 
-    options = {"folder": folder, "jobs": 1, "pdf_engine": None}
-    manifest, output, jobs = _opened(options)
-    one = Build(manifest, output, lambda task: "", jobs)
+    manifest, output = _opened(folder)
+    one = Build(manifest, output)
     stale = {part.name for part in one.stale()}
     click.echo(f"{output.path}: {', '.join(manifest.formats)}")
     for number, chapter in enumerate(manifest.chapters, 1):
@@ -163,68 +159,54 @@ def _row(one: Build, part: Part, stale: bool) -> tuple[str, ...]:
 def watch(**options: Any) -> None:
     """Build the handbook in FOLDER, and again each time a file of it is saved, until Ctrl-C."""
     from kurbel.errors import KurbelError
-    from kurbel.handbook.watch import Seen, as_built, glance
+    from kurbel.handbook.inputs import Seen, as_built, glance_at
 
     # One that is not there, or has a mistake, ends the command; later ones are waited out.
-    _opened(options)
+    _opened(options["folder"], options["pdf_engine"])
     say("each file that is saved is built; Ctrl-C ends this")
     seen: Seen = {}
     while True:
-        before, started = glance(options["folder"]), time.time_ns()
+        before, started = glance_at(options["folder"]), time.time_ns()
         if before != seen:
             try:
                 _build(options)
             except KurbelError as error:
                 say(str(error))
-            seen = as_built(before, glance(options["folder"]), started)
+            seen = as_built(before, glance_at(options["folder"]), started)
         time.sleep(GLANCE)
 
 
-def _opened(options: dict[str, Any]) -> tuple[Manifest, Folder, int]:
-    """Return the manifest, the output folder and how many processes may run."""
+def _opened(given: str, engine: str | None = None) -> tuple[Manifest, Folder]:
+    """Return the manifest and the output folder."""
     from kurbel.handbook.folder import Folder
     from kurbel.handbook.manifest import manifest_path, read_manifest
-    from kurbel.handbook.model import check_engine
-    from kurbel.handbook.pool import cores
 
-    manifest = read_manifest(manifest_path(options["folder"]))
-    if options["pdf_engine"]:
-        check_engine(options["pdf_engine"], manifest.standards, manifest.templates or manifest.layouts)
-        manifest = manifest._replace(engine=options["pdf_engine"])
-    return manifest, Folder(manifest.folder, manifest.output), options["jobs"] or cores()
+    manifest = read_manifest(manifest_path(given))
+    if engine:
+        manifest = manifest.set_by(engine)
+    return manifest, Folder(manifest.folder, manifest.output)
 
 
-def _typed(folder: str) -> str:
-    """Return the folder as one would type it behind a command, if it must be typed at all."""
-    from shlex import quote
+def _build_words(folder: str, engine: str | None = None) -> str:
+    """Return what one would type to build the handbook in a folder."""
+    from shlex import join
 
-    return "" if folder == "." else f" {quote(folder)}"
+    where = [] if folder == "." else [folder]
+    return join(["kurbel", "handbook", "build", *where, *(["--pdf-engine", engine] if engine else [])])
 
 
-def _report(manifest: Manifest, done: Built) -> None:
+def _report(manifest: Manifest, done: Built) -> str:
+    """Say what failed; return how many did, as the end of a sentence, or nothing."""
     for failure in done.failures:
         line = f", line {failure.line}" if failure.line else ""
         say(f"{manifest.path}{line}, {failure.name}: {failure.said}")
-
-
-def _failed(done: Built) -> str:
     return f", {len(done.failures)} failed" if done.failures else ""
 
 
-def _waiting() -> None:
-    say("another build of this handbook is under way; waiting for its end")
-
-
-@contextmanager
-def _bar() -> Iterator[Callable[[int], Callable[[], None]]]:
-    """A progress bar on a terminal; it is told how many steps there are and then each of them."""
-    with ExitStack() as bars:
-
-        def start(count: int) -> Callable[[], None]:
-            if not count or not sys.stderr.isatty():
-                return lambda: None
-            shown = click.progressbar(length=count, label=f"{count} parts", file=sys.stderr)
-            bar = bars.enter_context(shown)
-            return lambda: bar.update(1)
-
-        yield start
+def _bar(steps: Iterable[Any], count: int) -> Iterator[Any]:
+    """Pass the steps on and show on a terminal how many of them are done."""
+    if count and sys.stderr.isatty():
+        with click.progressbar(steps, count, f"{count} parts", file=sys.stderr) as bar:
+            yield from bar
+    else:
+        yield from steps

@@ -4,53 +4,43 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Collection, Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
 
+from kurbel.documents.document import Document
 from kurbel.errors import HandbookError, KurbelError
 from kurbel.formats.registry import FORMATS
-from kurbel.handbook.folder import Folder, digest
+from kurbel.handbook.folder import Done, Folder, digest, key_of
+from kurbel.handbook.inputs import UNKNOWN, digest_of, fingerprint, glance
 from kurbel.handbook.manifest import Manifest, Part
-from kurbel.handbook.model import ENGINES
+from kurbel.handbook.model import COMPILED, ENGINES
 from kurbel.handbook.pages import (
-    KILLED,
-    PDF,
-    PDF_STOPPED,
-    STOPPED,
-    Built,
-    Entry,
     Failure,
-    Made,
-    Maker,
     PageTask,
     PdfTask,
-    PlannedChapter,
     document_of,
-    entry_of_text,
-    formats_of,
     fragment_paths,
     make_document,
     make_pdf,
-    task_of,
 )
-from kurbel.handbook.pool import Killed, worked
-from kurbel.handbook.state import (
-    CONTENTS,
-    UNKNOWN,
-    Done,
-    contents_in,
-    contents_of,
-    digest_of,
-    fingerprint,
-    is_fresh,
-    key_of,
-    latest_change,
-    read_state,
-    write_state,
-)
+from kurbel.handbook.pool import KILLED, PATIENCE, PDF_STOPPED, STOPPED, Made, Task, worked
 
-if TYPE_CHECKING:
-    from kurbel.documents.document import Document
+PDF = COMPILED.name
+# Makes a part, or says in a sentence why it cannot be made.
+Maker = Callable[[Task], Made | str]
+# Is given what comes of the steps and how many there are, and passes it on.
+Bar = Callable[[Iterable[Any], int], Iterable[Any]]
+
+
+@dataclass
+class Built:
+    """What a build did, file by file, and what failed."""
+
+    written: list[str] = field(default_factory=list)
+    unchanged: list[str] = field(default_factory=list)
+    removed: list[str] = field(default_factory=list)
+    failures: list[Failure] = field(default_factory=list)
 
 
 def build(
@@ -58,20 +48,18 @@ def build(
     folder: Folder,
     make: Maker,
     jobs: int,
-    start: Callable[[int], Callable[[], None]] = lambda count: lambda: None,
+    bar: Bar = lambda steps, count: steps,
     waiting: Callable[[], None] = lambda: None,
 ) -> Built:
     """Build what changed and return what was done.
 
-    `make` makes a part, perhaps in another process; `start` is told how many steps there are and returns what
-    is called after each; `waiting` is called if another build of the same folder is under way. Parts that
-    fail are in the report, and the others are built. Raises KurbelError where the folder cannot be used.
+    `make` makes a part, perhaps in another process; `bar` sees the parts pass as they are made; `waiting` is
+    called if another build of the same folder is under way. Parts that fail are in the report, and the others
+    are built. Raises KurbelError where the folder cannot be used.
     """
     with folder.locked(waiting):
-        one = Build(manifest, folder, make, jobs)
-        parts = [*one.stale()]
-        step = start(len(parts))
-        one.make_parts(parts, step)
+        one = Build(manifest, folder)
+        one.make_parts(make, jobs, bar)
         one.make_documents()
         return one.finish()
 
@@ -79,85 +67,90 @@ def build(
 class Build:
     """One build of a manifest into a folder."""
 
-    def __init__(self, manifest: Manifest, folder: Folder, make: Maker, jobs: int) -> None:
+    def __init__(self, manifest: Manifest, folder: Folder) -> None:
         self.manifest = manifest
         self.folder = folder
-        self.make = make
-        self.jobs = jobs
-        self.old = read_state(folder)
+        self.old = folder.state()
         self.new: dict[str, Done] = {}
         self.built = Built()
         self.started = time.time_ns()
-        base = manifest.folder
-        self.formats = formats_of(manifest)
-        self.templates = manifest.templates and os.path.join(base, manifest.templates)
+        self.templates = manifest.templates and os.path.join(manifest.folder, manifest.templates)
         if self.templates and not os.path.isdir(self.templates):
             raise HandbookError(f"{manifest.path}: there is no folder {self.templates} with templates")
         # Beside a layout there may be templates of its own.
         self.apart = manifest.templates is not None or manifest.layouts is not None
         self.print = key_of(fingerprint(), self.templates and digest_of(self.templates))
+        # A PDF brings along what it is set from.
+        wanted = {*manifest.formats, *([ENGINES[manifest.pdf.engine].source] if self.sets_pdf else [])}
+        self.formats = tuple(name for name in FORMATS if name in wanted and name != PDF)
+        # What documents are made of beside their own format.
+        self.figures = tuple(sorted({FORMATS[name].figures for name in self.formats} - {""}))
+
+    @property
+    def sets_pdf(self) -> bool:
+        return PDF in self.manifest.formats
 
     def part_key(self, part: Part) -> str:
-        task = task_of(self.manifest, part)
-        return key_of(self.print, part._replace(line=0), task.machine, task.formats, task.figures)
+        machine = self.manifest.machine
+        return key_of(self.print, part._replace(line=0), machine, self.formats, self.figures)
 
-    def stale(self) -> Iterator[Part]:
-        """Yield the parts that must be made; the others count as made."""
-        for part in self.manifest.parts():
-            if part.words and not self.is_made(part.name, self.part_key(part)):
-                yield part
+    def stale(self) -> list[Part]:
+        """Return the parts that must be made; the others count as made."""
+        parts = (part for part in self.manifest.parts() if part.words)
+        return [part for part in parts if not self.is_made(part.name, self.part_key(part))]
 
     def is_made(self, name: str, key: str) -> bool:
         """Tell whether it lies there as it would be made again; then it counts as made."""
         done = self.old.get(name)
-        if done is None or not is_fresh(done, key, self.manifest.folder, self.folder):
+        if (
+            done is None
+            or done.key != key
+            or any(digest_of(self.input(path)) != hashed for path, hashed in done.inputs.items())
+            or not all(self.folder.has(path, hashed) for path, hashed in done.files.items())
+        ):
             return False
         self.new[name] = done
         return True
+
+    def input(self, path: str) -> str:
+        return os.path.join(self.manifest.folder, path)
 
     def novelty(self, part: Part) -> str:
         """Return in a word why a part must be made."""
         return "changed" if part.name in self.old else "new"
 
-    def make_parts(self, parts: Sequence[Part], step: Callable[[], None]) -> None:
-        tasks = [task_of(self.manifest, part) for part in parts]
-        for task, made in worked(self.make, tasks, self.jobs, apart=self.apart):
-            step()
-            self.take(task.part.name, self.part_key(task.part), made, STOPPED, task.part.line)
+    def make_parts(self, make: Maker, jobs: int, bar: Bar) -> None:
+        given = self.manifest.folder, self.manifest.machine, self.templates, self.formats, self.figures
+        tasks = [Task(part, *given, PATIENCE) for part in self.stale()]
+        made = worked(make, tasks, jobs, self.apart, STOPPED if self.apart else KILLED)
+        for task, one in bar(made, len(tasks)):
+            self.take(task.part.name, self.part_key(task.part), one, task.part.line)
 
-    def take(self, name: str, key: str, made: Made | str | Killed, stopped: str, line: int = 0) -> None:
+    def take(self, name: str, key: str, made: Made | str, line: int = 0) -> None:
         """Write what was made of a part or a document, or note what kept it from being made."""
-        if isinstance(made, Killed) and not made.tried:
-            made = "not tried, for others like it were stopped"
-        elif isinstance(made, Killed):
-            made = stopped if self.apart else KILLED
-        if isinstance(made, str):
-            self.fail(line, name, made)
-            return
         try:
-            files = self.write(made.files)
+            if isinstance(made, str):
+                raise HandbookError(made)
+            for path, content in made.files.items():
+                if self.folder.write(path, content):
+                    self.built.written.append(path)
         except KurbelError as error:
-            self.fail(line, name, str(error))
+            self.fail(name, str(error), line)
             return
-        inputs = {path: self.hash_of_input(path) for path in made.inputs}
-        self.new[name] = Done(key, inputs, files, made.about)
+        files = {path: digest(content) for path, content in made.files.items()}
+        self.new[name] = Done(
+            key, {path: self.hash_of_input(path) for path in made.inputs}, files, made.about
+        )
 
     def hash_of_input(self, path: str) -> str:
         """Return the hash of a file that a part was made of, or nothing if it was saved since.
 
         Then nobody knows which of the two the part was made of, and the next build makes it anew.
         """
-        whole = os.path.join(self.manifest.folder, path)
-        return digest_of(whole) if latest_change(whole) < self.started else UNKNOWN
+        saved = max(time for time, _ in glance(self.input(path)).values())
+        return digest_of(self.input(path)) if saved < self.started else UNKNOWN
 
-    def write(self, files: Mapping[str, bytes]) -> dict[str, str]:
-        """Write the files and return their hashes."""
-        for path, content in files.items():
-            changed = self.folder.write(path, content)
-            (self.built.written if changed else self.built.unchanged).append(path)
-        return {path: digest(content) for path, content in files.items()}
-
-    def fail(self, line: int, name: str, said: str) -> None:
+    def fail(self, name: str, said: str, line: int = 0) -> None:
         """Note what failed; what an earlier build made of it stays."""
         self.built.failures.append(Failure(line, name, said))
         self.keep(name)
@@ -171,106 +164,80 @@ class Build:
         """Remove what is no longer built, and keep what this build knows for the next."""
         files = self.hashes()
         # Of earlier builds, also of those on another machine.
-        left_behind = contents_in(self.folder) | _hashes(self.old)
-        for path, hashed in left_behind.items():
+        for path, hashed in (self.folder.contents() | _hashes(self.old)).items():
             # What somebody changed by hand is not ours to remove.
             if path not in files and self.folder.has(path, hashed):
                 self.folder.remove(path)
                 self.built.removed.append(path)
-        self.folder.write(CONTENTS, contents_of(files))
-        write_state(self.folder, self.new)
-        touched = {*self.built.written, *self.built.unchanged}
-        self.built.unchanged += [path for path in files if path not in touched]
+        self.folder.list_contents(files)
+        self.folder.keep_state(self.new)
+        written = {*self.built.written}
+        self.built.unchanged += [path for path in files if path not in written]
         return self.built
-
-    def planned(self) -> list[PlannedChapter]:
-        """Return the chapters with what their parts have become."""
-        names = [plan.name for plan in self.manifest.chapters]
-        names += [part.name for part in self.manifest.parts() if part.words]
-        return [
-            PlannedChapter(plan, tuple(self.entry(part, names) for part in plan.parts))
-            for plan in self.manifest.chapters
-        ]
-
-    def entry(self, part: Part, names: Sequence[str]) -> Entry:
-        if not part.words:
-            entry = entry_of_text(self.manifest, part, names)
-            if entry.said:
-                self.built.failures.append(Failure(part.line, part.file or "text", entry.said))
-            return entry
-        if part.name in self.new:
-            return Entry(part, about=self.new[part.name].about)
-        said = next(failure.said for failure in self.built.failures if failure.name == part.name)
-        return Entry(part, said=said)
-
-    def make_documents(self) -> None:
-        """Make the documents whose contents changed, from the parts as they are now."""
-        chapters = self.planned()
-        keys = {name: self.stale_key(name, chapters) for name in self.formats if FORMATS[name].figures}
-        stale = {name: key for name, key in keys.items() if key is not None}
-        if stale:
-            document = document_of(self.manifest, chapters)
-            tasks = [*self.page_tasks(document, chapters, stale)]
-            for task, made in worked(make_document, tasks, 1, apart=self.apart):
-                self.take(_named(task.format), stale[task.format], made, STOPPED)
-        if PDF in self.manifest.formats:
-            self.make_pdf()
-
-    def stale_key(self, name: str, chapters: Sequence[PlannedChapter]) -> str | None:
-        """Return the key of a document that must be made; one that need not be counts as made."""
-        hashes = self.hashes()
-        used = {path: hashes.get(path, "") for path in fragment_paths(chapters, name).values()}
-        head = self.manifest._replace(path="", chapters=())
-        key = key_of(self.print, name, head, _raw(chapters), used)
-        return None if self.is_made(_named(name), key) else key
 
     def hashes(self) -> dict[str, str]:
         """Return all files made so far with their hashes."""
         return _hashes(self.new)
 
-    def page_tasks(
-        self, document: Document, chapters: Sequence[PlannedChapter], names: Iterable[str]
-    ) -> Iterator[PageTask]:
-        """Yield the documents that can be made."""
-        for name in names:
-            paths = fragment_paths(chapters, name)
-            read = self.read(_named(name), paths.values())
+    def document(self) -> Document:
+        """Return the whole handbook with what its parts have become."""
+        made = {name: done.about for name, done in self.new.items() if done.about}
+        return document_of(self.manifest, made, self.built.failures)
+
+    def make_documents(self) -> None:
+        """Make the documents whose contents changed, from the parts as they are now."""
+        document = self.document()
+        content, hashes = key_of(document), self.hashes()
+        keys, tasks = {}, []
+        for name in (name for name in self.formats if FORMATS[name].figures):
+            paths = fragment_paths(document, name)
+            keys[name] = key_of(
+                self.print, name, content, {path: hashes.get(path) for path in paths.values()}
+            )
+            if self.is_made(_named(name), keys[name]):
+                continue
+            read = self.read(_named(name), [*paths.values()])
             if read is not None:
                 # Drawings in PDF are files beside the document and no text.
                 texts = {stem: read[path].decode("utf-8", "replace") for stem, path in paths.items()}
-                yield PageTask(name, document, texts, self.templates)
+                tasks.append(PageTask(name, document, texts, self.templates))
+        for task, made in worked(make_document, tasks, 1, self.apart, STOPPED):
+            self.take(_named(task.format), keys[task.format], made)
+        if self.sets_pdf:
+            self.make_pdf()
 
-    def read(self, name: str, paths: Iterable[str]) -> dict[str, bytes] | None:
+    def read(self, name: str, paths: Collection[str]) -> dict[str, bytes] | None:
         """Return what a document is made of; it fails where a file is no longer what was made."""
         hashes = self.hashes()
         try:
+            if missing := [path for path in paths if path not in hashes]:
+                # Its part failed, and an earlier build made it in other formats only.
+                raise HandbookError(f"{missing[0]} could not be made")
             return {path: self.folder.made(path, hashes[path]) for path in paths}
         except KurbelError as error:
-            self.fail(0, name, str(error))
+            self.fail(name, str(error))
             return None
 
     def make_pdf(self) -> None:
         """Set the PDF if anything that it is made of changed."""
-        engine, standards = self.manifest.engine, self.manifest.standards
-        source = _named(ENGINES[engine].source)
+        engine, standards = self.manifest.pdf.engine, self.manifest.pdf.standards
+        source, name = _named(ENGINES[engine].source), _named(PDF)
         if source not in self.new or any(failure.name == source for failure in self.built.failures):
-            self.keep(_named(PDF))
+            self.keep(name)
             return
         hashes = self.hashes()
         used = {path: hashes[path] for path in hashes if path.endswith(ENGINES[engine].suffixes)}
         key = key_of(
             self.print, engine, standards, os.environ.get("SOURCE_DATE_EPOCH"), _program(engine), used
         )
-        if self.is_made(_named(PDF), key):
-            return
-        if self.read(_named(PDF), used) is None:
+        if self.is_made(name, key) or self.read(name, used) is None:
             return
         task = PdfTask(self.folder.path, engine, standards, self.apart)
         # Typst takes much memory to set many pages, in a process of its own. A TeX is one by itself, and is
         # ended by whoever started it: the end of this build must reach it.
-        apart = ENGINES[engine].grows
-        for _, made in worked(make_pdf, [task], 1, apart=apart):
-            self.take(_named(PDF), key, made, PDF_STOPPED)
+        stopped = PDF_STOPPED if self.apart else KILLED
+        for _, made in worked(make_pdf, [task], 1, ENGINES[engine].grows, stopped):
+            self.take(name, key, made)
 
 
 def _hashes(state: Mapping[str, Done]) -> dict[str, str]:
@@ -280,13 +247,6 @@ def _hashes(state: Mapping[str, Done]) -> dict[str, str]:
 def _named(name: str) -> str:
     """Return under which name the state has a document: no part can be called so."""
     return f"document in {name}"
-
-
-def _raw(chapters: Sequence[PlannedChapter]) -> list[Any]:
-    return [
-        (plan._replace(parts=()), [(*entry[1:], entry.part.name, entry.part.options) for entry in entries])
-        for plan, entries in chapters
-    ]
 
 
 def _program(engine: str) -> list[Any]:

@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from difflib import unified_diff
 from itertools import islice
 from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
 from kurbel.formats.registry import FORMATS
-from kurbel.handbook.build import build
-from kurbel.handbook.folder import OWN, Folder
+from kurbel.handbook.build import Bar, Built, Maker, build
+from kurbel.handbook.folder import CONTENTS, Folder
 from kurbel.handbook.manifest import Manifest
-from kurbel.handbook.pages import Built, Maker
-from kurbel.handbook.state import CONTENTS, contents_in, files_below
 
 # A reader wants to see what changed, not all that did: of each table one difference, in the first of these
 # formats, of documents none beside those of tables.
@@ -25,6 +23,7 @@ READABLE = tuple(
     for suffix in form.suffixes
 )
 MOST_LINES, WIDEST = 40, 160
+LEFT_OVER = "left over: nothing in the manifest makes it"
 OF_PARTS = ("tables/", "figures/")
 
 
@@ -36,13 +35,7 @@ class Stale(NamedTuple):
     difference: tuple[str, ...] = ()
 
 
-def check(
-    manifest: Manifest,
-    folder: Folder,
-    make: Maker,
-    jobs: int,
-    start: Callable[[int], Callable[[], None]] = lambda count: lambda: None,
-) -> tuple[Built, list[Stale]]:
+def check(manifest: Manifest, folder: Folder, make: Maker, jobs: int, bar: Bar) -> tuple[Built, list[Stale]]:
     """Build all anew in a folder of its own, and return what failed and which files are stale.
 
     Nothing that an earlier build knew is believed, and nothing of the folder is changed. Where a part fails,
@@ -50,29 +43,22 @@ def check(
     """
     with TemporaryDirectory(prefix="kurbel-") as temporary:
         anew = Folder(temporary, "build")
-        built = build(manifest, anew, make, jobs, start)
+        built = build(manifest, anew, make, jobs, bar)
         if built.failures:
             return built, [one for one in _changed(folder, anew) if one.path.startswith(OF_PARTS)]
-        stale = [*_changed(folder, anew), *_left_over(folder, anew)]
+        left_over = sorted(set(folder.contents()) - set(anew.contents()))
+        stale = [
+            *_changed(folder, anew),
+            *(Stale(path, LEFT_OVER) for path in left_over if folder.read(path) is not None),
+        ]
         if not stale and folder.read(CONTENTS) != anew.read(CONTENTS):
             stale.append(Stale(CONTENTS, "differs"))
         return built, stale
 
 
-def _made(anew: Folder) -> list[str]:
-    paths = files_below(anew.path)
-    return [path for path in paths if not path.startswith(f"{OWN}/") and path != CONTENTS]
-
-
-def _left_over(folder: Folder, anew: Folder) -> Iterator[Stale]:
-    for path in sorted(set(contents_in(folder)) - set(_made(anew))):
-        if folder.read(path) is not None:
-            yield Stale(path, "left over: nothing in the manifest makes it")
-
-
 def _changed(folder: Folder, anew: Folder) -> Iterator[Stale]:
     differing = []
-    for path in _made(anew):
+    for path in anew.contents():
         old = folder.read(path)
         if old is None:
             yield Stale(path, "missing")

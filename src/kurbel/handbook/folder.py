@@ -1,29 +1,45 @@
-"""The folder that a handbook is built into: nothing else is touched, and one build at a time writes."""
+"""The folder that a handbook is built into: nothing else is touched, and one build at a time writes.
+
+Beside the output lies what the last build knew, so that the next one makes only what changed. It is never
+believed alone: a file whose content is not the one that was written is made anew.
+"""
 
 from __future__ import annotations
 
 import hashlib
+import json
 import os
 import re
 import stat
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
+from typing import Any
+
+import msgspec
 
 from kurbel.errors import HandbookError, OutputError
 from kurbel.formats.registry import FORMATS
 from kurbel.formats.render import whole_file
+from kurbel.handbook.pool import About
 
 # What is only of use on this machine: the lock and what the last build knew.
 OWN = ".kurbel"
+STATE = f"{OWN}/state.json"
+# All that was built, with hashes: it tells what an earlier build left behind, also on another machine.
+CONTENTS = "contents.json"
 # Bytes of a file; no page has so many.
 LARGEST = 1 << 28
 _LEFT_OVER = re.compile(r"\..*\.[0-9a-f]{12}\.part")
 
 
-def digest(content: bytes) -> str:
-    """Return what tells this content from any other."""
-    return hashlib.sha256(content).hexdigest()
+class Done(msgspec.Struct, frozen=True):
+    """A part or a document as it was made: from what, out of which files, and which files it became."""
+
+    key: str
+    inputs: dict[str, str]
+    files: dict[str, str]
+    about: About | None = None
 
 
 class Folder:
@@ -140,13 +156,37 @@ class Folder:
             os.close(handle)
 
     def _remove_left_over(self) -> None:
-        for part in ("", OWN, "tables", "figures", *filter(None, (form.folder for form in FORMATS.values()))):
+        for part in {"", OWN, "tables", "figures", *(form.folder for form in FORMATS.values())}:
             # A link in place of a folder leads to files of others.
             with suppress(OSError, HandbookError):
                 self._check(f"{part}/" if part else "")
                 for name in filter(_LEFT_OVER.fullmatch, os.listdir(self.at(part))):
                     with suppress(OSError):
                         os.unlink(os.path.join(self.at(part), name))
+
+    def state(self) -> dict[str, Done]:
+        """Return what the last build made, by name; nothing if there is none that can be read."""
+        try:
+            return msgspec.json.decode(self.read(STATE) or b"{}", type=dict[str, Done])
+        except (ValueError, RecursionError):
+            # Not ours, or of another version: all is made anew.
+            return {}
+
+    def keep_state(self, state: Mapping[str, Done]) -> None:
+        # A caption is a kind of text.
+        self.write(STATE, msgspec.json.encode(state, enc_hook=str))
+
+    def contents(self) -> dict[str, str]:
+        """Return the files of the list that lies here; none if there is no list or it is not ours."""
+        try:
+            listed = msgspec.json.decode(self.read(CONTENTS) or b"{}", type=dict[str, dict[str, str]])
+        except (ValueError, RecursionError):
+            return {}
+        return {path: hashed for path, hashed in listed.get("files", {}).items() if not path.startswith(".")}
+
+    def list_contents(self, files: Mapping[str, str]) -> None:
+        """Write the list of what was built: each file and its hash."""
+        self.write(CONTENTS, (json.dumps({"files": dict(sorted(files.items()))}, indent=0) + "\n").encode())
 
 
 def _check_place(path: str) -> None:
@@ -177,3 +217,21 @@ def _locked(handle: int, wait: bool) -> bool:
             raise
         return False
     return True
+
+
+def digest(content: bytes) -> str:
+    """Return what tells this content from any other."""
+    return hashlib.sha256(content).hexdigest()
+
+
+def key_of(*values: Any) -> str:
+    """Return what tells these values from all others."""
+    return digest(repr(values).encode())
+
+
+def files_below(path: str) -> list[str]:
+    """Return the files in a folder and its folders, sorted, relative to it."""
+    found = []
+    for way, _, names in os.walk(path):
+        found += [os.path.relpath(os.path.join(way, name), path).replace(os.sep, "/") for name in names]
+    return sorted(found)

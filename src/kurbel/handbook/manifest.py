@@ -30,21 +30,22 @@ import unicodedata
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
+from msgspec.structs import asdict, replace
+
 from kurbel.errors import ChoiceError, HandbookError
-from kurbel.formats.registry import FORMATS
-from kurbel.handbook.model import ChapterKeys, HandbookKeys, PartKeys, PdfKeys, check_engine, default_options
-from kurbel.page.layouts import LANGUAGES
+from kurbel.handbook.model import (
+    ChapterKeys,
+    EngineName,
+    HandbookKeys,
+    PartKeys,
+    check_engine,
+    default_options,
+)
 from kurbel.reading.given import choose
 from kurbel.reading.toml_file import Place, TomlFile, TomlKind, shown
 
 NAME = "handbook.toml"
 KIND = TomlKind("handbook", HandbookError, 2_000_000, "a handbook has chapters with parts", "appendix/")
-FORMATS_OF_A_HANDBOOK = tuple(
-    sorted(
-        (name for name, form in FORMATS.items() if form.usual),
-        key=lambda name: (FORMATS[name].kind == "records", name),
-    )
-)
 MOST_PARTS = 10_000
 LONGEST_NAME = 60
 
@@ -73,22 +74,10 @@ class ChapterPlan(NamedTuple):
     parts: tuple[Part, ...]
 
 
-class Manifest(NamedTuple):
+class Manifest(HandbookKeys, frozen=True, kw_only=True):
     """All that the file says; `path` is as it was given."""
 
     path: str
-    title: str
-    subtitle: str
-    author: str
-    lang: str
-    decimal: str
-    formats: tuple[str, ...]
-    output: str
-    machine: str | None
-    templates: str | None
-    layouts: str | None
-    engine: str
-    standards: tuple[str, ...]
     chapters: tuple[ChapterPlan, ...]
 
     @property
@@ -98,6 +87,11 @@ class Manifest(NamedTuple):
     def parts(self) -> Iterator[Part]:
         for chapter in self.chapters:
             yield from chapter.parts
+
+    def set_by(self, engine: str) -> Manifest:
+        """Return the manifest with its PDF set by an engine; raise HandbookError for one that cannot."""
+        check_engine(engine, self.pdf.standards, self.templates or self.layouts)
+        return replace(self, pdf=replace(self.pdf, engine=EngineName(engine)))
 
 
 def manifest_path(given: str) -> str:
@@ -130,51 +124,27 @@ class _Reader:
         given = self.file.read(HandbookKeys)
         if not given.title.strip():
             raise self.error(("title",), 'the handbook has no title; write title = "..." at the top')
-        lang = given.lang or LANGUAGES[0]
-        defaults = {"lang": lang, **({"decimal": given.decimal} if given.decimal else {})}
+        defaults: dict[str, Any] = {"lang": given.lang, "decimal": given.decimal, "layouts": given.layouts}
+        defaults = {name: value for name, value in defaults.items() if value is not None}
         defaults |= self.options(("defaults",), given.defaults)
-        output = self.inside(("output",), given.output)
-        layouts = self.apart("layouts", given.layouts, output)
-        defaults |= {} if layouts is None else {"layouts": layouts}
+        self.check_apart("layouts", given.layouts, given.output)
+        self.check_apart("templates", given.templates, given.output)
         chapters = tuple(self.chapters(given.chapter, defaults))
         if not chapters:
             raise self.error((), "the handbook has no chapter; write [[chapter]] and below it its title")
         if sum(len(chapter.parts) for chapter in chapters) > MOST_PARTS:
             raise self.error((), f"the handbook has more than {MOST_PARTS} parts; make two of it")
-        templates = self.apart("templates", given.templates, output)
-        return Manifest(
-            path=os.fspath(self.file.path),
-            title=given.title,
-            subtitle=given.subtitle,
-            author=given.author,
-            lang=lang,
-            decimal=given.decimal or "",
-            formats=tuple(dict.fromkeys(FORMATS_OF_A_HANDBOOK if given.formats is None else given.formats)),
-            output=output,
-            machine=self.inside(("machine",), given.machine) if given.machine is not None else None,
-            templates=templates,
-            layouts=layouts,
-            engine=self.engine(given.pdf, templates or layouts),
-            standards=given.pdf.standards,
-            chapters=chapters,
-        )
-
-    def apart(self, key: str, folder: str | None, output: str) -> str | None:
-        """Return a folder that does not lie in that of the output, nor that in it."""
-        if folder is None:
-            return None
-        own = self.inside((key,), folder)
-        if f"{output}/".startswith(f"{own}/") or f"{own}/".startswith(f"{output}/"):
-            raise self.error((key,), f"{key} {own} and output {output} lie in one another; part them")
-        return own
-
-    def engine(self, pdf: PdfKeys, templates: str | None) -> str:
-        """Return what sets the PDF; raise HandbookError for one that cannot do what it is to do."""
+        once = {"formats": tuple(dict.fromkeys(given.formats))}
+        manifest = Manifest(path=os.fspath(self.file.path), chapters=chapters, **asdict(given) | once)
         try:
-            check_engine(pdf.engine, pdf.standards, templates)
+            return manifest.set_by(given.pdf.engine)
         except HandbookError as error:
             raise self.error(("pdf", "engine"), error) from None
-        return pdf.engine
+
+    def check_apart(self, key: str, own: str | None, output: str) -> None:
+        """Raise HandbookError for a folder that lies in that of the output, or that in it."""
+        if own and (f"{output}/".startswith(f"{own}/") or f"{own}/".startswith(f"{output}/")):
+            raise self.error((key,), f"{key} {own} and output {output} lie in one another; part them")
 
     def chapters(self, given: Sequence[ChapterKeys], defaults: Mapping[str, Any]) -> Iterator[ChapterPlan]:
         for number, one in enumerate(given):
@@ -199,8 +169,8 @@ class _Reader:
                 continue
             for key in (key for key in ("name", "caption") if getattr(one, key) is not None):
                 raise self.error((*place, key), f"{key} is for tables and figures, and this part is a text")
-            file = self.inside((*place, "file"), one.file) if one.file is not None else ""
-            yield Part(self.line((*place, contents[0])), text=one.text or "", file=file, options=options)
+            line = self.line((*place, contents[0]))
+            yield Part(line, text=one.text or "", file=one.file or "", options=options)
 
     def table(self, place: Place, run: str, given: PartKeys, options: Mapping[str, Any]) -> Part:
         place_of_run = (*place, "run")
@@ -230,20 +200,6 @@ class _Reader:
                 ' give one of the two another with name = "..."',
             )
         taken[name.lower()] = self.line(place)
-
-    def inside(self, place: Place, path: str) -> str:
-        """Return a path if it leads to something in the manifest's folder."""
-        parts = path.replace("\\", "/").split("/")
-        if not path.strip() or os.path.isabs(path) or ".." in parts or ":" in parts[0] or "\0" in path:
-            raise self.error(
-                place,
-                f'{place[-1]} is "{path[:60]}"; it must be a path inside of the manifest\'s folder,'
-                " without .. and without a root",
-            )
-        plain = "/".join(part for part in parts if part not in ("", "."))
-        if not plain:
-            raise self.error(place, f"{place[-1]} is the manifest's own folder; name one inside of it")
-        return plain
 
     def options(self, place: Place, given: Mapping[str, Any]) -> dict[str, Any]:
         """Return defaults of options by their names, with underscores."""

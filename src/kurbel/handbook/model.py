@@ -48,6 +48,12 @@ def check_engine(engine: str, standards: Sequence[str], templates: str | None) -
         )
 
 
+FORMATS_OF_A_HANDBOOK = sorted(
+    (name for name, form in FORMATS.items() if form.usual),
+    key=lambda name: (FORMATS[name].kind == "records", name),
+)
+
+
 class Lang(Choice, what="language", allowed=LANGUAGES):
     """A language of a handbook or of a part of it."""
 
@@ -108,7 +114,29 @@ class Heading(str):
         return cls(given)
 
 
-Language = Annotated[Lang | None, about("language: de or en")]
+class Inside(str):
+    """A path to something in the manifest's folder."""
+
+    SCHEMA: ClassVar[Mapping[str, Any]] = {"type": "string"}
+
+    @classmethod
+    def read(cls, given: Any, name: str) -> Inside:
+        if not isinstance(given, str):
+            raise Fault(A_TEXT)
+        parts = given.replace("\\", "/").split("/")
+        if not given.strip() or os.path.isabs(given) or ".." in parts or ":" in parts[0] or "\0" in given:
+            raise HandbookError(
+                f'{name} is "{given[:60]}"; it must be a path inside of the manifest\'s folder,'
+                " without .. and without a root"
+            )
+        plain = "/".join(part for part in parts if part not in ("", "."))
+        if not plain:
+            raise HandbookError(f"{name} is the manifest's own folder; name one inside of it")
+        return cls(plain)
+
+
+LANGUAGE = about("language: de or en")
+Language = Annotated[Lang | None, LANGUAGE]
 Defaults = Annotated[
     dict[str, Any], about("options for every table of it that has them, as on the command line")
 ]
@@ -123,7 +151,7 @@ class PartKeys(Struct, frozen=True, forbid_unknown_fields=True):
         about('a command that prints a table or draws: "table --ratio 1:5", "plot --ratio 1:5"'),
     ] = None
     text: Annotated[str | None, about("a text in Markdown")] = None
-    file: Annotated[str | None, about("a file with a text in Markdown")] = None
+    file: Annotated[Inside | None, about("a file with a text in Markdown")] = None
     name: Annotated[str | None, about("name for references and files; default: from the command")] = None
     caption: Annotated[
         Heading | None,
@@ -165,13 +193,15 @@ class HandbookKeys(Struct, frozen=True, forbid_unknown_fields=True):
     title: Annotated[Heading, about("title, with formulas between dollar signs")] = Heading()
     subtitle: Annotated[Heading, about("line below the title")] = Heading()
     author: Annotated[Heading, about("author, below the title")] = Heading()
-    lang: Language = None
+    lang: Annotated[Lang, LANGUAGE] = Lang(LANGUAGES[0])
     decimal: Annotated[Decimal | None, about("decimal mark: comma or point; default: by the language")] = None
-    formats: Annotated[Formats | None, about("what is built")] = None
-    output: Annotated[str, about("folder for what is built, inside of the manifest's folder")] = "pages"
-    machine: Annotated[str | None, about("machine's file, for every command that takes --machine")] = None
-    templates: Annotated[str | None, about("folder with templates of one's own")] = None
-    layouts: Annotated[str | None, about("folder with layouts of one's own")] = None
+    formats: Annotated[Formats, about("what is built")] = Formats(FORMATS_OF_A_HANDBOOK)
+    output: Annotated[Inside, about("folder for what is built, inside of the manifest's folder")] = Inside(
+        "pages"
+    )
+    machine: Annotated[Inside | None, about("machine's file, for every command that takes --machine")] = None
+    templates: Annotated[Inside | None, about("folder with templates of one's own")] = None
+    layouts: Annotated[Inside | None, about("folder with layouts of one's own")] = None
     pdf: Annotated[PdfKeys, about("how the PDF is made")] = PdfKeys()
     defaults: Defaults = {}
     chapter: Annotated[tuple[ChapterKeys, ...], about("chapters")] = ()

@@ -1,12 +1,11 @@
-"""What a build of a handbook is about: the parts and what they became, and the documents made of them."""
+"""The whole documents of a handbook: from its parts, as they were made, to pages in each format."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Mapping
 from functools import partial
-from typing import TYPE_CHECKING, Literal, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from kurbel.documents.document import Chapter, Document, Item
 from kurbel.errors import HandbookError, KurbelError
@@ -14,52 +13,14 @@ from kurbel.formats.registry import FORMATS
 from kurbel.handbook.folder import LARGEST
 from kurbel.handbook.manifest import ChapterPlan, Manifest, Part
 from kurbel.handbook.model import COMPILED, ENGINES
+from kurbel.handbook.pool import GIGABYTES, PATIENCE, PDF_PATIENCE, About, Made, deadline
 from kurbel.page.labels import primed
 from kurbel.reading.given import did_you_mean
 
 if TYPE_CHECKING:
     from kurbel.documents.prose import Blocks
 
-PDF = COMPILED.name
-KILLED = "its process was ended, for want of memory or from outside"
-# Templates of one's own have so many seconds for a page, and so much memory.
-PATIENCE, GIGABYTES = 10.0, 4
-STOPPED = f"its templates were stopped after {PATIENCE:.0f} s, or at {GIGABYTES} gigabytes"
-# A document that they wrote has so many to be set by Typst; a TeX is stopped by itself.
-PDF_PATIENCE = 300.0
-PDF_STOPPED = f"Typst was stopped after {PDF_PATIENCE:.0f} s"
 WORDS = {"de": "Fehlt", "en": "Missing"}
-
-
-class Task(NamedTuple):
-    """A part that is to be made, with all that a process of its own needs to make it.
-
-    Templates of one's own have `patience` in seconds.
-    """
-
-    part: Part
-    folder: str
-    machine: str | None
-    templates: str | None
-    formats: tuple[str, ...]
-    figures: tuple[str, ...]
-    patience: float
-
-
-class Made(NamedTuple):
-    """What a part or a document became: its files by their paths in the output folder.
-
-    `inputs` are the files that it was made of, `about` what documents say of a table or figure: its kind,
-    caption and language.
-    """
-
-    files: Mapping[str, bytes]
-    inputs: tuple[str, ...] = ()
-    about: tuple[Literal["table", "figure"], str, str] | tuple[()] = ()
-
-
-# Makes a part, or says in a sentence why it cannot be made.
-Maker = Callable[[Task], Made | str]
 
 
 class Failure(NamedTuple):
@@ -68,49 +29,6 @@ class Failure(NamedTuple):
     line: int
     name: str
     said: str
-
-
-@dataclass
-class Built:
-    """What a build did, file by file, and what failed."""
-
-    written: list[str] = field(default_factory=list)
-    unchanged: list[str] = field(default_factory=list)
-    removed: list[str] = field(default_factory=list)
-    failures: list[Failure] = field(default_factory=list)
-
-
-def formats_of(manifest: Manifest) -> tuple[str, ...]:
-    """Return the formats of the tables: a PDF brings along what it is set from."""
-    wanted = manifest.formats
-    if PDF in wanted:
-        wanted = (*wanted, ENGINES[manifest.engine].source)
-    return tuple(name for name in FORMATS if name in wanted and name != PDF)
-
-
-def task_of(manifest: Manifest, part: Part) -> Task:
-    """Return what makes the part."""
-    formats = formats_of(manifest)
-    # What documents are made of beside their own format.
-    figures = tuple(sorted({FORMATS[name].figures for name in formats} - {""}))
-    return Task(part, manifest.folder, manifest.machine, manifest.templates, formats, figures, PATIENCE)
-
-
-class Entry(NamedTuple):
-    """A part as documents see it: a text, or what is to know of a table or figure: kind, caption, language.
-
-    A text that cannot be set, or stands for what could not be made, is `said`.
-    """
-
-    part: Part
-    text: str = ""
-    about: tuple[str, ...] = ()
-    said: str = ""
-
-
-class PlannedChapter(NamedTuple):
-    plan: ChapterPlan
-    entries: tuple[Entry, ...]
 
 
 class PageTask(NamedTuple):
@@ -132,23 +50,65 @@ class PdfTask(NamedTuple):
     limited: bool
 
 
-def entry_of_text(manifest: Manifest, part: Part, names: Sequence[str]) -> Entry:
-    """Return a text, of the manifest or of its own file, or what keeps it from being set.
+def document_of(manifest: Manifest, made: Mapping[str, About], failures: list[Failure]) -> Document:
+    """Return the document with its tables and figures numbered; `made` has what is to know of them by name.
 
-    It may refer to these names only.
+    A text that cannot be set is one failure more. What failed stands in the document as a text that nobody
+    overlooks.
     """
-    from kurbel.documents.markdown import LONGEST, parse_prose
-    from kurbel.documents.prose import references
+    made_of = _Items(manifest, made, failures)
+    chapters = (made_of.chapter(number, plan) for number, plan in enumerate(manifest.chapters, 1))
+    mark = manifest.decimal or ""
+    return Document(manifest.title, manifest.lang, mark, tuple(chapters), manifest.subtitle, manifest.author)
 
-    try:
-        text = _text_of(os.path.join(manifest.folder, part.file), LONGEST) if part.file else part.text
-        for name in references(parse_prose(text)):
-            if name not in names:
-                said = f'there is no table, figure or chapter "{name[:60]}"{did_you_mean(name, names)}'
-                return Entry(part, said=said)
-    except KurbelError as error:
-        return Entry(part, said=str(error))
-    return Entry(part, text)
+
+class _Items:
+    """Makes the items of the chapters from their parts."""
+
+    def __init__(self, manifest: Manifest, made: Mapping[str, About], failures: list[Failure]) -> None:
+        self.folder = manifest.folder
+        self.made = made
+        self.failures = failures
+        self.counts = {"table": 0, "figure": 0}
+        self.names = [plan.name for plan in manifest.chapters]
+        self.names += [part.name for part in manifest.parts() if part.words]
+
+    def chapter(self, number: int, plan: ChapterPlan) -> Chapter:
+        # The levels of the headings that hold at the end of the last text.
+        above: list[int] = []
+        return Chapter(
+            plan.title, plan.name, number, tuple(self.item(part, above) for part in plan.parts), plan.lang
+        )
+
+    def item(self, part: Part, above: list[int]) -> Item:
+        if about := self.made.get(part.name):
+            self.counts[about.kind] += 1
+            return Item(about.kind, part.name, self.counts[about.kind], about.lang, about.caption)
+        lang = str(part.options["lang"])
+        if part.words:
+            blocks = _missing(next(one.said for one in self.failures if one.name == part.name), part, lang)
+        else:
+            blocks = self.text(part, lang, above)
+        # With a name it is what should have been a table or a figure, and references lead to its chapter.
+        return Item("text", part.name, lang=lang, blocks=blocks)
+
+    def text(self, part: Part, lang: str, above: list[int]) -> Blocks:
+        """Return a text, of the manifest or of its own file, or a failure in its place."""
+        from kurbel.documents.markdown import LONGEST, parse_prose
+        from kurbel.documents.prose import references, stepwise
+
+        try:
+            text = _text_of(os.path.join(self.folder, part.file), LONGEST) if part.file else part.text
+            blocks = parse_prose(text)
+            for name in references(blocks):
+                if name not in self.names:
+                    raise HandbookError(
+                        f'there is no table, figure or chapter "{name[:60]}"{did_you_mean(name, self.names)}'
+                    )
+        except KurbelError as error:
+            self.failures.append(Failure(part.line, part.file or "text", str(error)))
+            return _missing(str(error), part, lang)
+        return stepwise(blocks, above)
 
 
 def _text_of(path: str, longest: int) -> str:
@@ -165,40 +125,13 @@ def _text_of(path: str, longest: int) -> str:
     return text
 
 
-def document_of(manifest: Manifest, chapters: Sequence[PlannedChapter]) -> Document:
-    """Return the document with its tables and figures numbered."""
-    counts = {"table": 0, "figure": 0}
-    made = []
-    for number, (plan, entries) in enumerate(chapters, 1):
-        above: list[int] = []
-        items = tuple(_item(entry, counts, above) for entry in entries)
-        made.append(Chapter(plan.title, plan.name, number, items, plan.lang))
-    return Document(
-        manifest.title, manifest.lang, manifest.decimal, tuple(made), manifest.subtitle, manifest.author
-    )
-
-
-def _item(entry: Entry, counts: dict[str, int], above: list[int]) -> Item:
-    from kurbel.documents.markdown import parse_prose
-    from kurbel.documents.prose import stepwise
-
-    if not entry.about:
-        lang = str(entry.part.options["lang"])
-        blocks = _missing(entry, lang) if entry.said else stepwise(parse_prose(entry.text), above)
-        # With a name it is what should have been a table or a figure, and references lead to its chapter.
-        return Item("text", entry.part.name, lang=lang, blocks=blocks)
-    kind, caption, own_lang = entry.about
-    counts[kind] += 1
-    return Item("table" if kind == "table" else "figure", entry.part.name, counts[kind], own_lang, caption)
-
-
-def _missing(entry: Entry, lang: str) -> Blocks:
+def _missing(said: str, part: Part, lang: str) -> Blocks:
     """Return a text that nobody overlooks in place of what is not there."""
     from kurbel.documents.prose import Paragraph, Quote, Strong, Text
 
-    what = entry.part.shown if entry.part.words else entry.part.file or entry.part.text[:40]
+    what = part.shown if part.words else part.file or part.text[:40]
     head = Strong((Text(primed(f"{WORDS[lang]}: {_printable(what)}.")),))
-    return (Quote((Paragraph((head, Text(primed(f" {_printable(entry.said)}")))),)),)
+    return (Quote((Paragraph((head, Text(primed(f" {_printable(said)}")))),)),)
 
 
 def _printable(text: str) -> str:
@@ -206,20 +139,16 @@ def _printable(text: str) -> str:
     return "".join(one if one.isprintable() else "\ufffd" for one in " ".join(text.split()))
 
 
-def fragment_paths(chapters: Sequence[PlannedChapter], name: str) -> dict[str, str]:
-    """Return, by the names of tables and figures, the files that a document of the format is made of."""
+def fragment_paths(document: Document, name: str) -> dict[str, str]:
+    """Return, by the names of tables and figures, the files that the document in a format is made of."""
     form = FORMATS[name]
-    paths = {}
-    for entry in (entry for chapter in chapters for entry in chapter.entries if entry.about):
-        stem, is_table = entry.part.name, entry.about[0] == "table"
-        paths[stem] = f"tables/{stem}{form.suffixes[0]}" if is_table else f"figures/{stem}.{form.figures}"
-    return paths
+    ways = {"table": f"tables/{{}}{form.suffixes[0]}", "figure": f"figures/{{}}.{form.figures}"}
+    return {item.name: ways[item.kind].format(item.name) for item in document.items(*ways)}
 
 
 def make_document(task: PageTask) -> Made | str:
     """Return the files of a document, or in a sentence why it cannot be made."""
     from kurbel.formats.documents import document_files
-    from kurbel.handbook.pool import deadline
 
     try:
         with deadline(PATIENCE, GIGABYTES, task.templates is not None):
@@ -231,17 +160,14 @@ def make_document(task: PageTask) -> Made | str:
 
 def make_pdf(task: PdfTask) -> Made | str:
     """Return the PDF, or in a sentence why it cannot be made."""
-    from kurbel.handbook.pool import deadline
-
+    read = partial(_document_in, task.folder)
     try:
         # A TeX is a process of its own, with a time of its own: it would outlive this one.
         with deadline(PDF_PATIENCE, None, task.limited and ENGINES[task.engine].grows):
-            read = partial(_document_in, task.folder)
-            return Made(
-                {f"handbook.{PDF}": COMPILED.writer.whole(task.folder, task.engine, task.standards, read)}
-            )
+            content = COMPILED.writer.whole(task.folder, task.engine, task.standards, read)
     except KurbelError as error:
         return str(error)
+    return Made({f"handbook.{COMPILED.name}": content})
 
 
 def _document_in(folder: str, name: str) -> str:

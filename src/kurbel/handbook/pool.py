@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import os
 import signal
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any, Generic, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeVar
 
 if TYPE_CHECKING:
     from concurrent.futures import Future, ProcessPoolExecutor
 
-Task = TypeVar("Task")
-Result = TypeVar("Result")
+    from kurbel.handbook.manifest import Part
+
+Piece = TypeVar("Piece")
 
 # Windows waits for no more processes at once.
 MOST_PROCESSES = 61
@@ -20,17 +21,48 @@ MOST_PROCESSES = 61
 WORTH_A_PROCESS = 4
 # What ended the processes of so many pieces will end those of the rest.
 MOST_KILLED = 3
+KILLED = "its process was ended, for want of memory or from outside"
+NOT_TRIED = "not tried, for others like it were stopped"
+# Templates of one's own have so many seconds for a page, and so much memory.
+PATIENCE, GIGABYTES = 10.0, 4
+STOPPED = f"its templates were stopped after {PATIENCE:.0f} s, or at {GIGABYTES} gigabytes"
+# A document that they wrote has so many to be set by Typst; a TeX is stopped by itself.
+PDF_PATIENCE = 300.0
+PDF_STOPPED = f"Typst was stopped after {PDF_PATIENCE:.0f} s"
 
 
-class Killed(NamedTuple):
-    """What stands for the result of a piece whose process ended, or that was not tried as others ended."""
+class Task(NamedTuple):
+    """A part that is to be made, with all that a process of its own needs to make it.
 
-    tried: bool = True
+    `templates` is a folder of one's own; they have `patience` in seconds.
+    """
+
+    part: Part
+    folder: str
+    machine: str | None
+    templates: str | None
+    formats: tuple[str, ...]
+    figures: tuple[str, ...]
+    patience: float
 
 
-class Worked(NamedTuple, Generic[Task, Result]):
-    task: Task
-    result: Result | Killed
+class About(NamedTuple):
+    """What documents say of a table or a figure."""
+
+    kind: Literal["table", "figure"]
+    caption: str
+    lang: str
+
+
+class Made(NamedTuple):
+    """What a part or a document became: its files by their paths in the output folder.
+
+    `inputs` are the files that it was made of.
+    """
+
+    files: Mapping[str, bytes]
+    inputs: tuple[str, ...] = ()
+    about: About | None = None
 
 
 def cores() -> int:
@@ -40,41 +72,42 @@ def cores() -> int:
 
 
 def worked(
-    work: Callable[[Task], Result], tasks: Sequence[Task], jobs: int, apart: bool = False
-) -> Iterator[Worked[Task, Result]]:
-    """Yield each task with its result, as they are done.
+    work: Callable[[Piece], Made | str], pieces: Sequence[Piece], jobs: int, apart: bool, killed: str = KILLED
+) -> Iterator[tuple[Piece, Made | str]]:
+    """Yield each piece with what it became, or a sentence why it became nothing, as they are done.
 
-    With `apart` no task runs in this process. A task whose process ends has the result Killed.
+    With `apart` none runs in this process. `killed` is said of one whose process ends.
     """
-    if not apart and (jobs == 1 or len(tasks) < WORTH_A_PROCESS):
-        for task in tasks:
-            yield Worked(task, work(task))
-    elif tasks:
-        yield from _worked_apart(work, tasks, jobs)
+    if not apart and (jobs == 1 or len(pieces) < WORTH_A_PROCESS):
+        for piece in pieces:
+            yield piece, work(piece)
+    elif pieces:
+        yield from _worked_apart(work, pieces, jobs, killed)
 
 
 def _worked_apart(
-    work: Callable[[Task], Result], tasks: Sequence[Task], jobs: int
-) -> Iterator[Worked[Task, Result]]:
+    work: Callable[[Piece], Made | str], pieces: Sequence[Piece], jobs: int, killed: str
+) -> Iterator[tuple[Piece, Made | str]]:
     # Later than most imports: a handbook without changes needs no processes.
     from concurrent.futures import as_completed
 
-    left = dict(enumerate(tasks))
-    with _pool(min(jobs, len(tasks))) as pool:
-        places = {pool.submit(work, task): place for place, task in left.items()}
+    left = dict(enumerate(pieces))
+    with _pool(min(jobs, len(pieces))) as pool:
+        places = {pool.submit(work, piece): place for place, piece in left.items()}
         for future in as_completed(places):
             if not _was_killed(future):
-                yield Worked(left.pop(places[future]), future.result())
+                yield left.pop(places[future]), future.result()
     # One process that ended has ended the others' pool as well: each of the rest has one of its own.
-    killed = 0
-    for task in left.values():
-        if killed == MOST_KILLED:
-            yield Worked(task, Killed(tried=False))
+    count = 0
+    for piece in left.values():
+        if count == MOST_KILLED:
+            yield piece, NOT_TRIED
             continue
         with _pool(1) as pool:
-            alone = pool.submit(work, task)
-            killed += _was_killed(alone)
-            yield Worked(task, Killed() if _was_killed(alone) else alone.result())
+            alone = pool.submit(work, piece)
+            ended = _was_killed(alone)
+            count += ended
+            yield piece, killed if ended else alone.result()
 
 
 def _was_killed(future: Future[Any]) -> bool:
