@@ -25,7 +25,7 @@ from kurbel.drive.crank import Crank
 from kurbel.engine.card import Card
 from kurbel.engine.card_file import read_card
 from kurbel.engine.card_turn import CardTurn
-from kurbel.engine.digits import estimate, estimated
+from kurbel.engine.digits import Asked, estimate, estimated
 from kurbel.engine.engine import Diagram, Engine, Steam
 from kurbel.engine.quantities import OUTSTROKE, RETURN_STROKE, WHOLE, Where, applies
 from kurbel.engine.quantities import value as value_of
@@ -121,8 +121,8 @@ def measured(seed: int, kind: str, folder: Path) -> Iterator[tuple[Column, Measu
             if applies(column.quantity, where):
                 with flint.ctx.workprec(80):
                     true = value_of(column.quantity, ideal, where)
-                value, error = estimate(column, [turn], where)  # type: ignore[list-item]
-                number = estimated(column, (turn,), where, "half-away")  # type: ignore[arg-type]
+                value, error = estimate(Asked(column, [turn], where))
+                number = estimated(Asked(column, [turn], where), "half-away")
                 yield column, Measured(float(value), error, number, float(true) * unit)
 
 
@@ -328,7 +328,7 @@ def test_errors_of_work_reach_a_quantity_as_far_as_is_stated(key: str, least: fl
     request = EngineRequest(layout=layout("delta-detail"), steams=[own.diagram], drives=[own.engine.crank])
     column = next(column for column in request.page_columns if column.key == key)
     # Pressures written to a unit of 2 Q are off by Q, and the work of a stroke so by 1.
-    coarse, fine = (estimate(column, [card_turn(resolution=unit)], whole).error for unit in (2.0, 0.0))
+    coarse, fine = (estimate(Asked(column, [card_turn(resolution=unit)], whole)).error for unit in (2.0, 0.0))
     shares = [share_at(own, own.extreme(greatest).place) for greatest in (False, True)]
     reached = []
     for change in changes([*shares, 1.0]):

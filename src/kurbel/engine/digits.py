@@ -10,9 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import flint
 
 from kurbel.drive.crank_forces import CRANK_FORCES
-from kurbel.engine.cylinder import AnyTurn
 from kurbel.engine.quantities import AT_ANGLE, EXTREMES, Where, engine_registry, value
-from kurbel.engine.turn import Turn
 from kurbel.errors import CardError
 from kurbel.exact.certify import NEVER_TIES, TieBits, rounded
 from kurbel.exact.numerals import Number, finite_decimals, nearest
@@ -31,36 +29,37 @@ CLEAN = 8
 SWINGS = ("swing_share", "swing", "inertia", "mass")
 
 
-def settled(column: Column, turns: tuple[Turn, ...], where: Where, rounding: str, unit: int = 1) -> Number:
-    """Return the column's value times `unit` at a place, rounded correctly; of two turns the difference."""
+class Asked(NamedTuple):
+    """A column's value times `unit` at a place of a turn; of two turns their difference.
 
-    def shown() -> Any:
-        return _shown(column, turns, where, unit)
+    The turns are all in balls, or all of cards.
+    """
 
-    decimals = column.decimals
-    if column.quantity.decimals is None:
+    column: Column
+    turns: Sequence[Any]
+    where: Where
+    unit: int = 1
+
+    def value(self) -> Any:
+        first, *others = (value(self.column.quantity, turn, self.where) for turn in self.turns)
+        return self.unit * (first - others[0] if others else first)
+
+
+def settled(asked: Asked, rounding: str) -> Number:
+    """Return the value, rounded correctly."""
+    quantity, decimals = asked.column.quantity, asked.column.decimals
+    if quantity.decimals is None:
         with flint.ctx.workprec(ESTIMATE_BITS):
-            near = shown()
+            near = asked.value()
         if isinstance(near, Fraction):
             return _given(near, decimals, rounding)
         decimals = _decimals(float(near)) if decimals is None else decimals
     assert decimals is not None
-    return Number(rounded(shown, decimals, rounding, _ties(column, turns, where, unit)), decimals)
-
-
-def _ties(column: Column, turns: tuple[Turn, ...], where: Where, unit: int) -> TieBits | None:
-    ties = column.quantity.ties
-    if ties is None or len(turns) > 1:
-        return NEVER_TIES
-    assert unit == 1
-    bits: TieBits = ties(turns[0], where.half_turns)
-    return bits
-
-
-def _shown(column: Column, turns: Sequence[AnyTurn], where: Where, unit: int) -> Any:
-    """The column's value times `unit`; of two turns their difference."""
-    first, *others = (value(column.quantity, turn, where) for turn in turns)
-    return unit * (first - others[0] if others else first)
+    ties: TieBits | None = NEVER_TIES
+    if quantity.ties is not None and len(asked.turns) == 1:
+        assert asked.unit == 1
+        ties = quantity.ties(asked.turns[0], asked.where.half_turns)
+    return Number(rounded(asked.value, decimals, rounding, ties), decimals)
 
 
 class Estimate(NamedTuple):
@@ -70,13 +69,13 @@ class Estimate(NamedTuple):
     error: float
 
 
-def estimate(column: Column, turns: Sequence[CardTurn], where: Where, unit: int = 1) -> Estimate:
-    """Return the column's value times `unit` from an indicator card; a fraction is exact."""
-
-    best = _shown(column, turns, where, unit)
+def estimate(asked: Asked) -> Estimate:
+    """Return the value from an indicator card; a fraction is exact."""
+    best = asked.value()
     if isinstance(best, Fraction):
         return Estimate(best, 0.0)
-    quantity = column.quantity
+    quantity, where, unit = asked.column.quantity, asked.where, asked.unit
+    turns: Sequence[CardTurn] = asked.turns
     if quantity.minutes:
         errors = (turn.place_error(EXTREMES[quantity.of], where.stroke) for turn in turns)
         return Estimate(best, unit * 180 * sum(errors))
@@ -85,7 +84,7 @@ def estimate(column: Column, turns: Sequence[CardTurn], where: Where, unit: int 
         of_force = sum(turn.crank_force_error(CRANK_FORCES[key], where.half_turns) for turn in turns)
         return Estimate(best, unit * _newtons(quantity, turns[0]) * of_force + FLOAT_ERROR * (abs(best) + 1))
     coarser = [
-        _shown(column, halves, where, unit) for halves in zip(*(turn.coarser for turn in turns), strict=True)
+        asked._replace(turns=halves).value() for halves in zip(*(one.coarser for one in turns), strict=True)
     ]
     # A difference may vanish by chance: what the work allows and what it shows, whichever is more.
     shown = max(abs(best - other) for other in coarser)
@@ -97,17 +96,16 @@ def estimate(column: Column, turns: Sequence[CardTurn], where: Where, unit: int 
     return Estimate(best, error)
 
 
-def estimated(
-    column: Column, turns: tuple[CardTurn, ...], where: Where, rounding: str, unit: int = 1
-) -> Number | None:
+def estimated(asked: Asked, rounding: str) -> Number | None:
     """Return the same to as many decimals as the card supports, None if not one figure."""
-    best, error = estimate(column, turns, where, unit)
+    best, error = estimate(asked)
+    quantity, decimals = asked.column.quantity, asked.column.decimals
     if isinstance(best, Fraction):
-        return _given(best, column.decimals, rounding)
-    wanted = _decimals(best) if column.decimals is None else column.decimals
+        return _given(best, decimals, rounding)
+    wanted = _decimals(best) if decimals is None else decimals
     supported = min(wanted, floor(-log10(2 * error)))
-    lost = column.quantity.of not in AT_ANGLE and error > abs(best)
-    if lost or (column.quantity.minutes and supported < 0):
+    lost = quantity.of not in AT_ANGLE and error > abs(best)
+    if lost or (quantity.minutes and supported < 0):
         return None
     return _to_place(Fraction(best), supported, rounding)
 
@@ -115,7 +113,7 @@ def estimated(
 def check_card(turn: Any, rounding: str) -> None:
     """Raise CardError for a card, by its turn, that supports not one figure of the mean force."""
     mean = engine_registry()["mean_force"]
-    if estimated(bare(mean, turn.method, mean.decimals), (turn,), Where(), rounding) is None:
+    if estimated(Asked(bare(mean, turn.method, mean.decimals), (turn,), Where()), rounding) is None:
         raise CardError(
             f"{turn.diagram.card.name}: the points are too few or scatter too much for one figure of the mean"
             " force; give a smoother card, or look for a mistyped pressure"

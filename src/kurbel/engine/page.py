@@ -7,7 +7,7 @@ from typing import Any
 
 from kurbel.engine import captions
 from kurbel.engine.axes import ExpansionAxis, stroke_axis, target_axis
-from kurbel.engine.digits import error_number, estimate, estimated, settled
+from kurbel.engine.digits import Asked, error_number, estimate, estimated, settled
 from kurbel.engine.quantities import EXTREMES, WHOLE, applies, engine_registry
 from kurbel.engine.request import EngineRequest
 from kurbel.exact.numerals import Number
@@ -24,12 +24,11 @@ def _number(request: EngineRequest, column: Column, place: Place, times: int) ->
     where = request.where(place)
     if not applies(column.quantity, where):
         return None
-    # The turns of a request are all in balls, or all of cards.
-    turns: Any = tuple(request.turn(place["expansion"], place["ratio"], one) for one in column.methods)
+    turns = [request.turn(place["expansion"], place["ratio"], one) for one in column.methods]
+    asked = Asked(column, turns, where, times)
     if column.key.endswith(ERROR):
-        return error_number(estimate(column, turns, where).error)
-    settle: Callable[..., Number | None] = estimated if request.carded else settled
-    return settle(column, turns, where, request.rounding, times)
+        return error_number(estimate(asked).error)
+    return estimated(asked, request.rounding) if request.carded else settled(asked, request.rounding)
 
 
 def _marks(request: EngineRequest, column: Column, place: Place) -> tuple[str, ...]:
