@@ -5,8 +5,9 @@ A true value is rounded once to the last place that is printed, half away from z
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator
 from fractions import Fraction
+from functools import partial
 from typing import NamedTuple
 
 from kurbel.books.printed_value import Printed, Units
@@ -51,11 +52,8 @@ class Collation:
         return self._done[name]
 
     def _collate(self, cell: SourceCell) -> Collated:
-        printed = cell.printed
-        assert printed is not None
         try:
-            truth, others, way = self.truth(cell), others_of(cell), self._way(cell)
-            return collate(cell, printed, truth, others, *way)
+            return collate(cell, self.truth(cell), *self._way(cell))
         except KurbelError as error:
             if isinstance(error, SourceError):
                 raise
@@ -88,26 +86,21 @@ class Collation:
 
 
 def collate(
-    cell: SourceCell,
-    printed: Printed,
-    truth: Truth,
-    others: Mapping[str, Callable[[], Truth | None]],
-    way: Truth | None = None,
-    slips: tuple[str, ...] = (),
+    cell: SourceCell, truth: Truth, way: Truth | None = None, slips: tuple[str, ...] = ()
 ) -> Collated:
-    """Return a printed value with its verdict, from its true value, those by other methods and of its way."""
+    """Return a printed value with its verdict, from its true value and that of its way."""
+    printed = cell.printed
+    assert printed is not None
     right, on_the_way = truth.in_units(printed), way and way.in_units(printed)
     shown = ""
     if printed.exact and truth.rational is None and right != printed.scaled:
         shown = truth.written_as(Printed("", 0, Fraction(1, 10**6), ",")).text
-    return collated_units(cell, printed, right, others, on_the_way, slips, shown)
+    return collated_units(cell, right, on_the_way, slips, shown)
 
 
 def collated_units(
     cell: SourceCell,
-    printed: Printed,
     right: Units | None,
-    others: Mapping[str, Callable[[], Truth | None]],
     on_the_way: Units | None = None,
     slips: tuple[str, ...] = (),
     shown: str = "",
@@ -116,36 +109,24 @@ def collated_units(
 
     `shown` is what it should be where no quotient is known to be.
     """
-
-    def in_units(other: Callable[[], Truth | None]) -> Callable[[], Units | None]:
-        def units() -> Units | None:
-            found = other()
-            return found and found.in_units(printed)
-
-        return units
-
-    by_others = {method: in_units(other) for method, other in others.items()}
-    found = verdict(Evidence(printed, right, by_others, on_the_way, slips))
+    printed = cell.printed
+    assert printed is not None
+    methods = methods_of(cell.quantity) if cell.quantity else ()
+    others = {method: partial(_units_by, cell, method) for method in methods if method != cell.method}
+    found = verdict(Evidence(printed, right, others, on_the_way, slips))
     in_places = right is not None and (not printed.exact or right == printed.scaled)
     off = int(printed.scaled - right) if right is not None and in_places else None
     return Collated(cell, printed, shown or printed.standing_for(right or 0), off, found)
 
 
-def others_of(cell: SourceCell) -> Mapping[str, Callable[[], Truth | None]]:
-    """Return what the cell is by the other methods, None where one has no formula for it."""
-    if not cell.quantity:
-        return {}
-
-    def other(method: str) -> Callable[[], Truth | None]:
-        def truth() -> Truth | None:
-            try:
-                return cell_truth(cell, method)
-            except KurbelError:
-                return None
-
-        return truth
-
-    return {method: other(method) for method in methods_of(cell.quantity) if method != cell.method}
+def _units_by(cell: SourceCell, method: str) -> Units | None:
+    """Return what the cell is by another method in its unit, None where that has no formula for it."""
+    try:
+        truth = cell_truth(cell, method)
+    except KurbelError:
+        return None
+    assert cell.printed is not None
+    return truth.in_units(cell.printed)
 
 
 def cell_truth(cell: SourceCell, method: str) -> Truth:

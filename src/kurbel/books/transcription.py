@@ -18,7 +18,7 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from kurbel.books.collation import Collated, Collation, cell_truth, collate, collated_units, others_of
+from kurbel.books.collation import Collated, Collation, cell_truth, collate, collated_units
 from kurbel.books.printed_value import Printed, printed_value
 from kurbel.books.quantities import AXES, FAMILIES, keys_by, methods_of
 from kurbel.books.source import SourceCell, source_tables
@@ -123,10 +123,9 @@ def _collated(
         cell = SourceCell(f"line_{point.line}", point.printed, column.quantity, at, method, point.line)
         try:
             if index in rights:
-                wrong = rights[index] != point.printed.scaled
-                yield collated_units(cell, point.printed, rights[index], others_of(cell) if wrong else {})
+                yield collated_units(cell, rights[index])
             else:
-                yield collate(cell, point.printed, cell_truth(cell, method), others_of(cell))
+                yield collate(cell, cell_truth(cell, method))
         except KurbelError as error:
             raise SourceError(f"{place(shown(path), point.line)}: {error}") from None
 
