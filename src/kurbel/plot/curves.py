@@ -12,7 +12,7 @@ from kurbel.motion.evaluation import STROKES, is_known
 from kurbel.motion.mechanism import Mechanism
 from kurbel.motion.page import AngleQuestion
 from kurbel.page.subject import subject
-from kurbel.plot.panels import check_drawn, degrees, panels_of, trace, vector
+from kurbel.plot.panels import Trace, check_drawn, degrees, panels_of, vector
 from kurbel.plot.plotting import Panel
 from kurbel.plot.polar import Vector
 from kurbel.reading.notation import ratio_text
@@ -55,7 +55,7 @@ def motion_panels(question: AngleQuestion) -> list[Panel]:
         for drive, drawn in enumerate(of_drives):
             stroke = STROKES[one.stroke][lang]
             told = (f"$R:L = {ratio_text(ratios[drive])}$", stroke) if ratios else ()
-            traces.append(trace(one, lang, told, angles, drawn))
+            traces.append(Trace(one, told, angles, drawn))
     return panels_of(traces, lang, apart=len(ratios) > 1)
 
 

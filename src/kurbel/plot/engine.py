@@ -15,7 +15,7 @@ from kurbel.engine.request import EngineRequest
 from kurbel.engine.turn import Turn, turn_of
 from kurbel.exact.numerals import Label
 from kurbel.page.quantity import Column, Quantity
-from kurbel.plot.panels import check_drawn, degrees, panels_of, trace, vector
+from kurbel.plot.panels import Trace, check_drawn, degrees, panels_of, vector
 from kurbel.plot.plotting import Curve, Panel
 from kurbel.plot.polar import Vector
 from kurbel.reading.notation import ratio_text
@@ -56,7 +56,7 @@ def force_panels(request: EngineRequest) -> list[Panel]:
     """
     turns = _turns(request)
     traces = (
-        trace(column.quantity, request.lang, (label,), *_course(column, turn, request))
+        Trace(column.quantity, (label,), *_course(column, turn, request))
         for column in request.page_columns
         for label, turn in turns
     )

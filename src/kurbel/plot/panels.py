@@ -18,32 +18,13 @@ MOST_POINTS = 20_000
 
 
 class Trace(NamedTuple):
-    """A curve before it has a panel and a label.
+    """A curve before it has a panel and a label; `telling` are the drive and the like, which tell it from the
+    other curves of its quantity."""
 
-    `name` and `heading` are those of its quantity at an axis, Kolbenweg and $x/R$; `unit` is that of its
-    values and `axis_unit` the same, unless the heading has it. `telling` are the drive and the like, which
-    tell it from the other curves of its quantity.
-    """
-
-    name: str
-    heading: Label
-    unit: Label
-    axis_unit: Label
+    quantity: Quantity
     telling: tuple[Label, ...]
     angles: Sequence[float]
     values: Sequence[float]
-
-
-def trace(
-    quantity: Quantity,
-    lang: str,
-    telling: tuple[Label, ...],
-    angles: Sequence[float],
-    values: Sequence[float],
-) -> Trace:
-    """Return the curve of a quantity."""
-    name, heading, unit = axis_name(quantity, lang)
-    return Trace(name, heading, quantity.plain_unit(lang), unit, telling, angles, values)
 
 
 def axis_name(quantity: Quantity, lang: str) -> tuple[str, Label, Label]:
@@ -71,22 +52,23 @@ def vector(
 
 def panels_of(traces: Iterable[Trace], lang: str, apart: bool) -> list[Panel]:
     """Return a panel for each unit, if the quantities are to stand apart one for each of them."""
-    groups: dict[tuple[str, ...], list[Trace]] = {}
+    groups: dict[tuple[str, str], list[Trace]] = {}
     for one in traces:
-        groups.setdefault((one.unit, *([one.name] if apart else [])), []).append(one)
+        name = one.quantity.name[lang] if apart else ""
+        groups.setdefault((one.quantity.plain_unit(lang), name), []).append(one)
     return [_panel(group, lang) for group in groups.values()]
 
 
 def _panel(traces: Sequence[Trace], lang: str) -> Panel:
-    first = traces[0]
-    alike = len({(one.name, one.heading) for one in traces}) == 1
-    label = f"{first.name} {first.heading}" if alike else enumerated((one.name for one in traces), lang)
-    parts = [(one.heading, *one.telling) for one in traces]
+    names, headings, units = zip(*(axis_name(one.quantity, lang) for one in traces), strict=True)
+    alike = len({*zip(names, headings, strict=True)}) == 1
+    label = f"{names[0]} {headings[0]}" if alike else enumerated(names, lang)
+    parts = [(heading, *one.telling) for heading, one in zip(headings, traces, strict=True)]
     # Only what is not the same of all tells one from the others.
     differing = [len(set(column)) > 1 for column in zip(*parts, strict=True)]
     labels = (", ".join(part for part, tells in zip(one, differing, strict=True) if tells) for one in parts)
     curves = [Curve(text, one.angles, one.values) for text, one in zip(labels, traces, strict=True)]
-    return Panel(curves, label, first.axis_unit)
+    return Panel(curves, label, units[0])
 
 
 def check_drawn(angles: Sequence[Fraction], count: int) -> None:
