@@ -22,7 +22,8 @@ from kurbel.documents.document import Chapter, Document, Item
 from kurbel.documents.markdown import parse_prose
 from kurbel.documents.prose import Heading, Listing, Paragraph, Quote, Text, stepwise
 from kurbel.formats.documents import document_files
-from kurbel.formats.pdf.by_typst import Standard, compile_typst
+from kurbel.formats.pdf import Standard
+from kurbel.formats.pdf.by_typst import compile_typst
 from kurbel.formats.render import render
 from kurbel.page.layouts import layout_names
 from kurbel.page.table import Table

@@ -17,7 +17,8 @@ from programs import into_the_next_second
 from tools import require_library
 
 import kurbel
-from kurbel.formats.pdf.by_typst import STANDARDS, Standard, compile_typst
+from kurbel.formats.pdf import STANDARDS, Standard
+from kurbel.formats.pdf.by_typst import compile_typst
 
 require_library("typst")
 HELP = "see kurbel table --help"

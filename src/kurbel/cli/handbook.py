@@ -48,7 +48,7 @@ def handbook() -> None:
 FOLDER = click.argument("folder", type=click.Path(), default=".")
 JOBS = click.option("-j", "--jobs", type=Type(Count("jobs", 1, MOST_PROCESSES)), metavar="N",
                     help="Processes at once; default: one for each core.")  # fmt: skip
-ENGINES = Choice("PDF engine", compiled_format().writer.engines)
+ENGINES = Choice("PDF engine", compiled_format().engines)
 ENGINE = click.option("--pdf-engine", type=Type(ENGINES), metavar="ENGINE",
                       help="typst (default), lualatex or latexmk; outdoes the manifest.")  # fmt: skip
 

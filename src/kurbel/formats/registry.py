@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, ClassVar, Literal
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple
 
 import kurbel.formats
 from kurbel.errors import ChoiceError
@@ -86,10 +86,29 @@ class RecordsFormat(Format):
         return writer
 
 
+class Engine(NamedTuple):
+    """What sets a whole document as bytes: of that in which format, and from files with these suffixes.
+
+    `standards` are those that it can keep. One that `grows` takes the memory of whoever calls it, where
+    others are processes of their own. One that `obeys` runs what a template may have written.
+    """
+
+    source: str
+    suffixes: tuple[str, ...]
+    standards: tuple[str, ...] = ()
+    grows: bool = False
+    obeys: bool = False
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
 class CompiledFormat(Format):
-    """A format of bytes, made of the document in another format."""
+    """A format of bytes, made of the document in another format.
+
+    `engines` are, by their names, what can set whole documents; the first does unless another one is named.
+    """
 
     kind = "compiled"
+    engines: Mapping[str, Engine]
 
     @property
     def writer(self) -> CompiledWriter:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from kurbel.page.formula import Formula
 from kurbel.page.labels import formula_plain, mark_text
@@ -33,27 +33,8 @@ class RecordsWriter(ABC):
         """Yield records that come as whole columns, of these names; the table has none of its own."""
 
 
-class Engine(NamedTuple):
-    """What sets a whole document as bytes: of that in which format, and from files with these suffixes.
-
-    `standards` are those that it can keep. One that `grows` takes the memory of whoever calls it, where
-    others are processes of their own. One that `obeys` runs what a template may have written.
-    """
-
-    source: str
-    suffixes: tuple[str, ...]
-    standards: tuple[str, ...] = ()
-    grows: bool = False
-    obeys: bool = False
-
-
 class CompiledWriter(ABC):
-    """Makes bytes of a document in another format.
-
-    `engines` are, by their names, what can set whole documents; the first does unless another one is named.
-    """
-
-    engines: ClassVar[Mapping[str, Engine]]
+    """Makes bytes of a document in another format."""
 
     @abstractmethod
     def compiled(self, table: Table, decimal: str | None) -> bytes:

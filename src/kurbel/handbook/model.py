@@ -20,7 +20,7 @@ from kurbel.reading.toml_file import A_TEXT, Choice, Fault, about
 
 SCHEMA = "handbook.schema.json"
 COMPILED = compiled_format()
-ENGINES = COMPILED.writer.engines
+ENGINES = COMPILED.engines
 STANDARDS = tuple(dict.fromkeys(one for engine in ENGINES.values() for one in engine.standards))
 
 

@@ -10,16 +10,14 @@ import os
 import re
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, nullcontext
-from typing import Literal, get_args
 
 from kurbel.errors import LayoutError, MissingExtraError, NotationError, OutputError, ProblemError
+from kurbel.formats.pdf import STANDARDS, Standard
 from kurbel.page.table import Table
 
 EPOCH = "SOURCE_DATE_EPOCH"
 # The last second of the year 9999, with which dates in a PDF end.
 LAST = 253402300799
-Standard = Literal["a-2a", "a-2b", "a-2u", "a-3a", "a-3b", "a-3u", "a-4", "ua-1"]
-STANDARDS: tuple[Standard, ...] = get_args(Standard)
 # Fetched from the network, another time perhaps another one.
 _PACKAGE = re.compile(r'\b(?:import|include)\s*\(?\s*"@')
 _UNDATED = "#set document(date: none)\n"
