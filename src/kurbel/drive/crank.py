@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 from kurbel.drive.load import PistonForce, read_force
 from kurbel.errors import NotationError, ProblemError
@@ -20,6 +20,15 @@ if TYPE_CHECKING:
 
 LONGEST_ROD = 10**9
 LARGEST_ANGLE = 10**6
+
+
+Part = TypeVar("Part")
+
+
+def known(part: Part | None) -> Part:
+    """Return what must be known of a crank where it is asked for."""
+    assert part is not None
+    return part
 
 
 @dataclass(frozen=True, slots=True)

@@ -167,6 +167,18 @@ def bounds() -> Kind:
     return Kind(Separation.rational, circle_separation, exponent=Fraction)
 
 
+def settled(
+    value: Callable[[Kind], Any], decimals: int, rounding: str = "half-away", algebraic: bool = True
+) -> int:
+    """Return what `rounded` does of a value on any kind of number; one that is not `algebraic` never ties."""
+
+    def tie_bits(boundary: Fraction) -> float:
+        kind = bounds()
+        return float((value(kind) - kind.of(boundary)).bits())
+
+    return rounded(lambda: value(balls()), decimals, rounding, tie_bits if algebraic else NEVER_TIES)
+
+
 def floats() -> Kind:
     """Return floats, or arrays of them."""
     from kurbel.kernel import circle as on_floats

@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from kurbel.exact.certify import NEVER_TIES, Kind, balls, bounds, rounded
+from kurbel.exact.certify import Kind, settled
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.linkage import Place
 from kurbel.page.quantity import Quantity
@@ -73,13 +73,9 @@ def certified(
     angles on a boundary are not excluded; `certify.rounded` then raises ProblemError.
     """
 
-    def as_ball() -> Any:
-        kind = balls()
-        return value(quantity, drive, kind.circle(angle), kind)
+    def at(kind: Kind) -> Any:
+        # Balls have their digits by the one formula, bounds are smaller by the other.
+        formula = value if kind.arc else direct_value
+        return formula(quantity, drive, kind.circle(angle), kind)
 
-    def tie_bits(boundary: Fraction) -> float:
-        kind = bounds()
-        bound = direct_value(quantity, drive, kind.circle(angle), kind)
-        return float((bound - kind.of(boundary)).bits())
-
-    return rounded(as_ball, decimals, rounding, NEVER_TIES if quantity.is_arc else tie_bits)
+    return settled(at, decimals, rounding, not quantity.is_arc)

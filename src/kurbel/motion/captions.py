@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Label
-from kurbel.motion.drive_notes import drive_notes, force_notes, moving_notes, rod_notes
+from kurbel.motion.drive_notes import drive_notes, force_notes, moving_notes
 from kurbel.motion.evaluation import DIFFERENCE, LOADED, METHODS, OFFSET, OUT, RETURN
 from kurbel.page.quantity import AND, Column, Quantity, enumerated, filled, for_ratio, words
 
@@ -95,12 +95,6 @@ def notes(question: Request) -> Iterator[Label]:
     for crank in question.cranks[:1]:
         if crank.moving is not None:
             yield from moving_notes(crank, layout.ratio_symbol, lang)
-
-
-def inertia_notes(question: Request) -> Iterator[Label]:
-    """Yield what a page about moving rods says of them."""
-    shown = {column.quantity.symbol.strip("$") for column in question.page_columns}
-    yield from rod_notes(question.cranks, question.lang, shown)
 
 
 def formula_lines(page: Formulated, columns: Sequence[Column]) -> Iterator[Label]:

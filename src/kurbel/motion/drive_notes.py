@@ -6,9 +6,9 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, S
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from kurbel.drive.crank import Crank
+from kurbel.drive.crank import Crank, known
 from kurbel.drive.load import figure
-from kurbel.exact.certify import NEVER_TIES, Kind, ball_degrees, balls, bounds, rounded
+from kurbel.exact.certify import Kind, ball_degrees, settled
 from kurbel.exact.numerals import Label, Number, finite_decimals, number_text
 from kurbel.kernel import kinematics
 from kurbel.motion.evaluation import OUT, RETURN, pin_velocity
@@ -75,15 +75,12 @@ def rod_notes(cranks: Sequence[Crank], lang: str, shown: Collection[str]) -> Ite
 
 def moving_notes(crank: Crank, ratio_symbol: str, lang: str) -> Iterator[Label]:
     """Yield the lines about the moving masses, with the size and the speed that make forces of them."""
-    moving, speed, radius = crank.moving, crank.speed, ratio_symbol[0]
-    assert moving is not None
-    assert speed is not None
-    assert crank.radius is not None
+    moving, speed, radius = known(crank.moving), known(crank.speed), ratio_symbol[0]
     said = {"reciprocating": moving.reciprocating, "rotating": moving.rotating}
     parts = [f'{WORDS[key][lang]} ${figure(mass)} "kg"$' for key, mass in said.items() if mass]
     value = figure(60 * speed.value if speed.turns else speed.value)
     turns = f'n = {value} "min"^(-1)' if speed.turns else f'ω = {value} "rad/s"'
-    parts += [f'${radius} = {figure(1000 * crank.radius)} "mm"$', f"${turns}$"]
+    parts += [f'${radius} = {figure(1000 * known(crank.radius))} "mm"$', f"${turns}$"]
     yield WORDS["masses"][lang] + ", ".join(parts)
     if moving.rod is not None:
         yield connecting_rod(moving.rod, lang, ratio_symbol[-1])
@@ -114,15 +111,14 @@ def _root(square: Fraction) -> str:
 
 
 def _machine(crank: Crank, lang: str) -> Label:
-    assert crank.radius is not None
-    rod = WORDS["rod"][lang].format(rod=figure(1000 * crank.radius / crank.ratio)) if crank.ratio else ""
+    radius = 1000 * known(crank.radius)
+    rod = WORDS["rod"][lang].format(rod=figure(radius / crank.ratio)) if crank.ratio else ""
     speed = _speed(crank, lang) if crank.speed else ""
-    return WORDS["machine"][lang].format(radius=figure(1000 * crank.radius), rod=rod, speed=speed)
+    return WORDS["machine"][lang].format(radius=figure(radius), rod=rod, speed=speed)
 
 
 def _speed(crank: Crank, lang: str) -> str:
-    speed = crank.speed
-    assert speed is not None
+    speed = known(crank.speed)
     turns, radians = f'$n = {figure(speed.value * 60)} "min"^(-1)$', f'$ω = {figure(speed.value)} "rad/s"$'
     quotient = _certified(lambda numbers: numbers.pi / _stroke(crank, numbers), 4, algebraic=False)
     return WORDS["speed"][lang].format(
@@ -135,11 +131,9 @@ def _speed(crank: Crank, lang: str) -> str:
 
 def _mean_speed(crank: Crank, numbers: Kind) -> Any:
     """c_m in m/s. Of turns it is S n/30, without the π that the crank-pin velocity has."""
-    speed, radius = crank.speed, crank.radius
-    assert speed is not None
-    assert radius is not None
+    speed = known(crank.speed)
     if speed.turns:
-        stroke = _stroke(crank, numbers) * numbers.of(radius)
+        stroke = _stroke(crank, numbers) * numbers.of(known(crank.radius))
         return kinematics.mean_piston_speed(stroke, numbers.of(60 * speed.value))
     return pin_velocity(crank, numbers) * kinematics.mean_piston_velocity(_stroke(crank, numbers), numbers.pi)
 
@@ -171,10 +165,4 @@ def _offset(crank: Crank, lang: str) -> Label:
 
 def _certified(value: Callable[[Kind], Any], decimals: int, algebraic: bool) -> str:
     """The digits of a value that is either algebraic or an arc or a multiple or fraction of π."""
-
-    def tie_bits(boundary: Fraction) -> float:
-        kind = bounds()
-        return float((value(kind) - kind.of(boundary)).bits())
-
-    scaled = rounded(lambda: value(balls()), decimals, "half-away", tie_bits if algebraic else NEVER_TIES)
-    return number_text(Number(scaled, decimals))
+    return number_text(Number(settled(value, decimals, algebraic=algebraic), decimals))

@@ -11,19 +11,9 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from kurbel.drive.crank import Crank
+from kurbel.drive.crank import Crank, known
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import (
-    NEVER_TIES,
-    Kind,
-    TieBits,
-    ball,
-    ball_circle,
-    balls,
-    bounds,
-    rounded,
-    vanishes,
-)
+from kurbel.exact.certify import Kind, ball, ball_circle, bounds, settled, vanishes
 from kurbel.kernel import kinematics
 from kurbel.page.quantity import Quantity, Words, words
 
@@ -171,16 +161,9 @@ def certified(
     def at(kind: Kind) -> Any:
         return value(quantity, method, crank, kind.circle(angle), kind)
 
-    def tie_bits(boundary: Fraction) -> float:
-        kind = bounds()
-        return float((at(kind) - kind.of(boundary)).bits())
-
-    if _weighs(quantity, method, crank, angle):
-        # Turns a second bring the factor π² to what the masses add to an algebraic number.
-        ties: TieBits | None = NEVER_TIES
-    else:
-        ties = NEVER_TIES if is_transcendental(quantity, crank) else tie_bits
-    return rounded(lambda: at(balls()), decimals, rounding, ties)
+    # Turns a second bring the factor π² to what the masses add to an algebraic number.
+    free = not (_weighs(quantity, method, crank, angle) or is_transcendental(quantity, crank))
+    return settled(at, decimals, rounding, free)
 
 
 def _weighs(quantity: Quantity, method: str, crank: Crank, angle: Fraction) -> bool:
@@ -199,9 +182,7 @@ def _weighs(quantity: Quantity, method: str, crank: Crank, angle: Fraction) -> b
 
 def pin_velocity(crank: Crank, numbers: Kind) -> Any:
     """Return v = R ω of the crank pin in m/s; bounds, which know no π, leave it out."""
-    speed, radius = crank.speed, crank.radius
-    assert speed is not None
-    assert radius is not None
+    speed, radius = known(crank.speed), known(crank.radius)
     if not speed.turns:
         return numbers.of(radius * speed.value)
     rational = numbers.of(2 * radius * speed.value)
@@ -211,8 +192,7 @@ def pin_velocity(crank: Crank, numbers: Kind) -> Any:
 def pin_acceleration(crank: Crank, numbers: Kind) -> Any:
     """v²/R of the crank pin in m/s²."""
     velocity = pin_velocity(crank, numbers)
-    assert crank.radius is not None
-    return velocity * velocity / numbers.of(crank.radius)
+    return velocity * velocity / numbers.of(known(crank.radius))
 
 
 def share_of_stroke(share: int) -> Callable[[Crank, Kind], Any]:
@@ -225,32 +205,24 @@ def share_of_stroke(share: int) -> Callable[[Crank, Kind], Any]:
 
 
 def millimetres(crank: Crank, numbers: Kind) -> Any:
-    assert crank.radius is not None
-    return numbers.of(1000 * crank.radius)
+    return numbers.of(1000 * known(crank.radius))
 
 
 def newtons(crank: Crank, numbers: Kind) -> Any:
     """What makes newtons of a unit force; forces of moving masses are in newtons as they are."""
-    if crank.moving is not None:
-        return numbers.of(Fraction(1))
-    assert crank.force is not None
-    return numbers.of(crank.force.first)
+    return numbers.of(Fraction(1) if crank.moving is not None else known(crank.force).first)
 
 
 def newton_metres(crank: Crank, numbers: Kind) -> Any:
-    assert crank.radius is not None
-    return newtons(crank, numbers) * numbers.of(crank.radius)
+    return newtons(crank, numbers) * numbers.of(known(crank.radius))
 
 
 def greatest_load(crank: Crank) -> Fraction:
     """Return a bound of the forces in newtons that piston force and moving masses call up, but for the rod's
     slant: without the factor (2π)² where the speed counts turns."""
-    moving, speed, radius = crank.moving, crank.speed, crank.radius
-    assert moving is not None
-    assert speed is not None
-    assert radius is not None
+    moving, speed = known(crank.moving), known(crank.speed)
     pin, crosshead, couple = moving.joined
     masses = abs(pin) + crosshead + abs(Fraction(couple)) + moving.reciprocating + abs(moving.rotating)
     factor = 40 if speed.turns else 1
     force = crank.force.first * crank.force.growth if crank.force else Fraction(0)
-    return force + masses * radius * speed.value**2 * factor
+    return force + masses * known(crank.radius) * speed.value**2 * factor

@@ -7,7 +7,7 @@ from fractions import Fraction
 from functools import cache
 from typing import Any, NamedTuple
 
-from kurbel.drive.crank import Crank
+from kurbel.drive.crank import Crank, known
 from kurbel.exact.certify import Kind
 from kurbel.exact.numerals import Label
 from kurbel.kernel import rod
@@ -52,11 +52,8 @@ class RodForce(NamedTuple):
 
     def scale(self, crank: Crank, numbers: Kind) -> Any:
         """M R ω² in newtons, or M R² ω² in newton metres."""
-        assert crank.rod is not None
-        assert crank.rod.mass is not None
-        assert crank.radius is not None
-        arm = crank.radius if self.is_torque else Fraction(1)
-        return numbers.of(crank.rod.mass * arm) * pin_acceleration(crank, numbers)
+        arm = known(crank.radius) if self.is_torque else Fraction(1)
+        return numbers.of(known(known(crank.rod).mass) * arm) * pin_acceleration(crank, numbers)
 
 
 def _pin_square(loaded: Loaded) -> Any:
@@ -142,8 +139,7 @@ def _entry(
     needs: str,
 ) -> Quantity:
     def kernel(at: At) -> Any:
-        assert at.crank.rod is not None
-        masses = at.crank.rod.masses(model, at.numbers.of)
+        masses = known(at.crank.rod).masses(model, at.numbers.of)
         return force.formula(Loaded(at.circle, at.ratio, masses, at.offset))
 
     return Quantity(

@@ -8,21 +8,19 @@ from fractions import Fraction
 from functools import cache, cached_property
 from typing import Any
 
-from kurbel.drive.crank import Crank
-from kurbel.errors import ProblemError
+from kurbel.drive.crank import Crank, known
 from kurbel.exact.certify import NEVER_TIES, Kind, TieBits, balls, bounds, rounded
 from kurbel.exact.numerals import Label, Number, nearest, number_text
 from kurbel.exact.separation import Separation
 from kurbel.kernel.rod import Masses
 from kurbel.motion.drive_notes import drive_notes, rod_notes
-from kurbel.motion.evaluation import needed
 from kurbel.motion.inertia import ROD_FORCES, ROD_MODELS, RodForce
 from kurbel.motion.inertia_peak import Peak
-from kurbel.motion.page import Request
+from kurbel.motion.page import CrankQuestion, Request
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.layouts import layout
 from kurbel.page.quantity import Column, Formula, Quantity, bare, for_ratio, words
-from kurbel.page.subject import Question, Subject
+from kurbel.page.subject import Subject
 from kurbel.page.table import Field
 
 FORCES, MODELS = tuple(ROD_FORCES.values()), tuple(ROD_MODELS)
@@ -107,23 +105,10 @@ def _entry(
 
 
 @dataclass(frozen=True, kw_only=True)
-class ErrorsRequest(Question):
+class ErrorsRequest(CrankQuestion):
     """What is asked for: the greatest forces and errors of the rods of these cranks."""
 
-    cranks: tuple[Crank, ...]
-
     no_column = "there is no column beside the axes; add one, such as greatest"
-
-    def check(self) -> None:
-        if not self.cranks:
-            raise ProblemError("no crank ratio was given; write one as --ratio 1:5")
-
-    @property
-    def ratios(self) -> list[Fraction]:
-        return [crank.ratio for crank in self.cranks]
-
-    def missing(self, quantity: Quantity) -> str:
-        return needed(quantity, self.cranks)
 
     def field(self, column: Column) -> Field:
         own = super().field(column)
@@ -138,8 +123,7 @@ class ErrorsRequest(Question):
         """Return where the force, or the error of the model, is greatest."""
         key = ratio, force.key, model, of_error
         if key not in self.peaks:
-            rod = self.cranks[ratio].rod
-            assert rod is not None
+            rod = known(self.cranks[ratio].rod)
             masses = rod.masses(model, Fraction)
             if of_error:
                 # Forces are sums of shares of the masses, and so are errors.

@@ -14,6 +14,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number
 from kurbel.motion import captions
 from kurbel.motion.digits import columns_in_balls, columns_in_floats, is_long, on_floats
+from kurbel.motion.drive_notes import rod_notes
 from kurbel.motion.evaluation import NEEDS, needed
 from kurbel.motion.quantities import registry
 from kurbel.page.axes import (
@@ -59,21 +60,37 @@ def check_pairs(layout: Layout, drives: str) -> None:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Request(AngleQuestion):
+class CrankQuestion(Question):
+    """What is asked for of straight or offset cranks."""
+
+    cranks: tuple[Crank, ...]
+
+    def check(self) -> None:
+        if not self.cranks:
+            raise ProblemError("no crank ratio was given; write one as --ratio 1:5")
+
+    @property
+    def ratios(self) -> list[Fraction]:
+        return [crank.ratio for crank in self.cranks]
+
+    def missing(self, quantity: Quantity) -> str:
+        return needed(quantity, self.cranks)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Request(CrankQuestion, AngleQuestion):
     """What is asked for of these cranks at these angles. `method` None leaves it to the layout.
 
     By the method of the infinite rod all ratios are 1:∞, but for a page that also has other formulas.
     """
 
-    cranks: tuple[Crank, ...]
     method: str | None = None
 
     no_column = "--columns names no quantity; add one, for example --columns phi,x,c,p"
 
     def check(self) -> None:
         check_angles(self.angles)
-        if not self.cranks:
-            raise ProblemError("no crank ratio was given; write one as --ratio 1:5")
+        super().check()
         if self.method and self.layout.fixed:
             raise ProblemError(
                 f"layout {self.layout.key} states its formulas in its heads and takes no method;"
@@ -100,13 +117,6 @@ class Request(AngleQuestion):
 
     def too_long(self) -> str:
         return f"{len(self.cranks)} ratios at {len(self.angles)} angles make a table of {len(self)} rows"
-
-    @property
-    def ratios(self) -> list[Fraction]:
-        return [crank.ratio for crank in self.cranks]
-
-    def missing(self, quantity: Quantity) -> str:
-        return needed(quantity, self.cranks)
 
     def chosen(self, keys: Sequence[str]) -> list[LayoutColumn]:
         # Beside foreign columns the layout's heads say too little, such as "Hingang" where all are paths.
@@ -180,27 +190,9 @@ class RecordRows(Rows):
                 yield crank, part, {column.key: one for column, one in zip(columns, values, strict=True)}
 
 
-AXES = {"ratio": RatioAxis, "angle": AngleAxis, "column": ColumnAxis}
-
-
 def _number(question: Request, column: Column, place: Place, times: int) -> Number:
     scaled = question.values[place["ratio"]][place["column"]][place["angle"]]
     return Number(int(scaled) * times, column.places)
-
-
-MOTION = Subject(
-    key="motion",
-    layout="kinematics",
-    command="table",
-    axes=AXES,
-    axis_keys=("ratio", "phi"),
-    quantities=registry,
-    number=_number,
-    caption=captions.caption,
-    notes=captions.notes,
-    rows=motion_records,
-    options=NEEDS,
-)
 
 
 @cache
@@ -212,14 +204,13 @@ def _with_rods() -> Mapping[str, Quantity]:
 
 
 def _of_rods() -> Iterator[tuple[str, Quantity]]:
-    from kurbel.motion.inertia import inertia_registry
-
-    return (("inertia", one) for one in inertia_registry().values())
+    return (("inertia", one) for key, one in _with_rods().items() if key not in registry())
 
 
 def _inertia_notes(question: Request) -> Iterator[Label]:
     yield from captions.notes(question)
-    yield from captions.inertia_notes(question)
+    shown = {column.quantity.symbol.strip("$") for column in question.page_columns}
+    yield from rod_notes(question.cranks, question.lang, shown)
 
 
 def _error_notes(question: Request) -> Iterator[Label]:
@@ -228,19 +219,26 @@ def _error_notes(question: Request) -> Iterator[Label]:
     return error_notes(question)
 
 
-INERTIA = Subject(
+MOTION = Subject(
+    key="motion",
+    layout="kinematics",
+    command="table",
+    axes={"ratio": RatioAxis, "angle": AngleAxis, "column": ColumnAxis},
+    axis_keys=("ratio", "phi"),
+    quantities=registry,
+    number=_number,
+    caption=captions.caption,
+    notes=captions.notes,
+    rows=motion_records,
+    options=NEEDS,
+)
+INERTIA = MOTION._replace(
     key="inertia",
     layout="inertia",
     command="inertia",
     sample="inertia --centre 0.65 --gyration 0.35",
-    axes=AXES,
-    axis_keys=("ratio", "phi"),
     quantities=_with_rods,
-    number=_number,
-    caption=captions.caption,
     notes=_inertia_notes,
     page_notes=_error_notes,
-    rows=motion_records,
     listed=_of_rods,
-    options=NEEDS,
 )

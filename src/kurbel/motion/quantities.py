@@ -8,7 +8,7 @@ from fractions import Fraction
 from functools import cache
 from typing import Any, NamedTuple
 
-from kurbel.drive.crank import Crank
+from kurbel.drive.crank import Crank, known
 from kurbel.drive.crank_forces import CRANK_FORCES
 from kurbel.exact.certify import Kind
 from kurbel.exact.numerals import Label
@@ -92,7 +92,6 @@ ACCELERATION = _motion(
 
 
 def _rod_angle(at: At) -> Any:
-    assert at.numbers.rod_angle is not None
     return at.numbers.rod_angle(at.circle, at.ratio, at.offset)
 
 
@@ -250,8 +249,7 @@ def _in_newtons(key: str, shares: Formulas) -> Formulas:
 
     def call(at: At) -> Any:
         crank, of = at.crank, at.numbers.of
-        assert crank.moving is not None
-        weights = crank.moving.weights(of, pin_acceleration(crank, at.numbers))
+        weights = known(crank.moving).weights(of, pin_acceleration(crank, at.numbers))
         net = at.acting(of(crank.force.first if crank.force else Fraction(0)))
         return loaded(at.circle, at.ratio, weights, at.offset, net)
 

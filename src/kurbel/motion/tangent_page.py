@@ -4,28 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import cache
 from typing import Any
 
-from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import NEVER_TIES, Kind, TieBits, ball, balls, bounds, pi, rounded
+from kurbel.exact.certify import Kind, ball, settled
 from kurbel.exact.numerals import Label, Number
-from kurbel.exact.separation import Separation
 from kurbel.kernel.forces import square_position
 from kurbel.motion.drive_notes import drive_notes, force_notes
 from kurbel.motion.evaluation import (
     OUT,
     TANGENT,
     is_transcendental,
-    needed,
     value,
 )
+from kurbel.motion.page import CrankQuestion
 from kurbel.motion.quantities import registry
 from kurbel.page.axes import PHI, ColumnAxis, LetteredRatioAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity
-from kurbel.page.subject import Question, Subject
+from kurbel.page.subject import Subject
 
 DEGREE_DECIMALS = 4
 RIGHT_ANGLE = 90
@@ -59,28 +56,18 @@ def _headed(quantity: Quantity) -> Quantity:
 
 
 @dataclass(frozen=True, kw_only=True)
-class TangentRequest(Question):
+class TangentRequest(CrankQuestion):
     """What is asked for: forces of these straight cranks where the rod touches the crank circle."""
-
-    cranks: tuple[Crank, ...]
 
     no_column = "there is no column beside the ratio; add one, such as rod_force"
 
     def check(self) -> None:
-        if not self.cranks:
-            raise ProblemError("no crank ratio was given; write one as --ratio 1:5")
+        super().check()
         if any(crank.offset for crank in self.cranks):
             raise ProblemError(
                 "the rod touches the crank circle at tan ψ = R/L with the straight crank only;"
                 " leave the offset out"
             )
-
-    @property
-    def ratios(self) -> list[Fraction]:
-        return [crank.ratio for crank in self.cranks]
-
-    def missing(self, quantity: Quantity) -> str:
-        return needed(quantity, self.cranks)
 
 
 def _notes(question: TangentRequest) -> Iterator[Label]:
@@ -92,22 +79,14 @@ def _notes(question: TangentRequest) -> Iterator[Label]:
 def _number(question: TangentRequest, column: Column, place: Place, times: int) -> Number:
     quantity, crank = column.quantity, question.cranks[place["ratio"]]
 
-    def as_ball() -> Any:
+    def at(kind: Kind) -> Any:
         if not quantity.is_arc:
-            return _value(quantity, crank, balls())
+            return value(quantity, "exact", crank, square_position(kind.of(crank.ratio)), kind)
         # tan ψ is rational, so that ψ is no rational number of degrees but 0 (and 45, for λ = 1; Niven).
-        return times * quantity.formulas[TANGENT].kernel(ball(crank.ratio).atan() * 180 / pi())
+        return times * quantity.formulas[TANGENT].kernel(ball(crank.ratio).atan() * 180 / kind.pi)
 
-    def tie_bits(boundary: Fraction) -> float:
-        bound = _value(quantity, crank, bounds())
-        return float((bound - Separation.rational(boundary)).bits())
-
-    ties: TieBits | None = NEVER_TIES if is_transcendental(quantity, crank) else tie_bits
-    return Number(rounded(as_ball, column.places, question.rounding, ties), column.places)
-
-
-def _value(quantity: Quantity, crank: Crank, numbers: Kind) -> Any:
-    return value(quantity, "exact", crank, square_position(numbers.of(crank.ratio)), numbers)
+    scaled = settled(at, column.places, question.rounding, not is_transcendental(quantity, crank))
+    return Number(scaled, column.places)
 
 
 SUBJECT = Subject(

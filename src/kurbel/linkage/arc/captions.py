@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
-from kurbel.exact.certify import NEVER_TIES, Kind, balls, rounded
+from kurbel.exact.certify import Kind, settled
 from kurbel.exact.numerals import Label, Number, finite_decimals, number_text
 from kurbel.linkage.arc import evaluation
 from kurbel.linkage.arc.crank import ArcCrank
@@ -147,5 +147,4 @@ def _printed(value: Callable[[Kind], Any], decimals: int) -> str:
     or, where Δ is m/n of a turn, (n + 2 m)/(n - 2 m) with φ(n) <= 8, hence n <= 30: no denominator of a
     reduced one is a multiple of 32.
     """
-    scaled = rounded(lambda: value(balls()), decimals, "half-away", NEVER_TIES)
-    return number_text(Number(scaled, decimals))
+    return number_text(Number(settled(value, decimals, algebraic=False), decimals))
