@@ -11,7 +11,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
-from click.core import augment_usage_errors
+from click.core import ParameterSource, augment_usage_errors
 
 from kurbel.cli import COMMANDS
 from kurbel.cli.app import command_of, one_line
@@ -20,11 +20,11 @@ from kurbel.cli.tables import MakingCommand
 from kurbel.errors import ChoiceError, KurbelError, ProblemError
 from kurbel.formats.registry import FORMATS
 from kurbel.handbook.pool import GIGABYTES, About, Made, Task, deadline
+from kurbel.page.table import Table
 from kurbel.reading.given import File, choose
 
 if TYPE_CHECKING:
     from kurbel.commands.shown import Drawing
-    from kurbel.page.table import Table
 
 # Those that print lists, or work on whole files.
 NO_TABLES = frozenset(("sources", "layouts", "quantities", "handbook", "inject"))
@@ -88,27 +88,19 @@ def asked(
     given = _defaults(command, defaults, own)
     if format is not None and "longtable" in {one.name for one in command.params}:
         given["format"] = format
+    name, document = f"kurbel {words[0]}", Document(folder)
     try:
-        context = command.make_context(
-            f"kurbel {words[0]}",
-            [*words[1:]],
-            obj=Document(folder),
-            default_map=given,
-        )
-        _check(context, SET_ELSEWHERE if format is None else ONLY_PRINTING)
+        context = command.make_context(name, [*words[1:]], obj=document, default_map=given)
+        for one in SET_ELSEWHERE if format is None else ONLY_PRINTING:
+            if context.get_parameter_source(one) is ParameterSource.COMMANDLINE:
+                raise ProblemError(f"--{one} is for single tables; a document sets it by itself")
         with augment_usage_errors(context):
             made, code = command.made(Given(context))
     except click.ClickException as error:
         raise ProblemError(one_line(error)) from None
     values = context.params
-    return Asked(
-        made,
-        values["lang"],
-        values["decimal"],
-        _files(context, own),
-        code,
-        values.get("longtable", False),
-    )
+    longtable = values.get("longtable", False)
+    return Asked(made, values["lang"], values["decimal"], _files(context, own), code, longtable)
 
 
 def _defaults(command: click.Command, defaults: Mapping[str, Any], machine: File | None) -> dict[str, Any]:
@@ -132,12 +124,6 @@ def _value(param: click.Option, value: Any) -> Any:
     return ";".join(map(str, value)) if isinstance(value, list) else str(value)
 
 
-def _check(context: click.Context, refused: Sequence[str]) -> None:
-    for name in refused:
-        if context.get_parameter_source(name) is click.core.ParameterSource.COMMANDLINE:
-            raise ProblemError(f"--{name} is for single tables; a document sets it by itself")
-
-
 def _files(context: click.Context, machine: File | None) -> tuple[str, ...]:
     """Return the files and folders that the options name, as they are named."""
     found = [str(machine)] if machine else []
@@ -154,8 +140,6 @@ def make_part(task: Task) -> Made | str:
 
     It is made in the manifest's folder, beside which the files lie that its command names.
     """
-    from kurbel.page.table import Table
-
     part = task.part
     try:
         answer = asked(part.words, {**part.options, "label": part.name}, task.machine, folder=task.folder)

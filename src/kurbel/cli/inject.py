@@ -15,6 +15,7 @@ from kurbel.cli.asking import Asked, asked
 from kurbel.documents.inject import Kind, Place, content, filled, places
 from kurbel.errors import KurbelError, MarkerError
 from kurbel.formats.registry import PageFormat, kind_of
+from kurbel.page.table import Table
 
 
 class Document(NamedTuple):
@@ -145,8 +146,6 @@ def _asked(place: Place, form: PageFormat, name: str) -> Asked:
 
 
 def _check_labels(found: Sequence[Place], made: Sequence[Asked], name: str) -> None:
-    from kurbel.page.table import Table
-
     lines: dict[str, int] = {}
     for place, one in zip(found, made, strict=True):
         if not isinstance(one.made, Table):
@@ -161,8 +160,6 @@ def _check_labels(found: Sequence[Place], made: Sequence[Asked], name: str) -> N
 
 def _text(one: Asked, form: PageFormat, kind: Kind, identifier: str, where: str) -> str:
     """Return a table as a fragment of the document, a drawing for HTML as SVG."""
-    from kurbel.page.table import Table
-
     if isinstance(one.made, Table):
         from kurbel.formats.render import render
 

@@ -4,17 +4,16 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import click
 
 from kurbel.cli.options import click_option, lang_option
 from kurbel.commands.options import Parameter
 from kurbel.commands.parameters import LAYOUTS
-
-if TYPE_CHECKING:
-    from kurbel.page.layouts import Layout
-    from kurbel.reading.given import File
+from kurbel.page.axes import PHI, RATIO
+from kurbel.page.layouts import SUBJECTS, Layout, layout, layout_names
+from kurbel.page.subject import subject
+from kurbel.reading.given import File
 
 LANG = lang_option("list")
 
@@ -22,16 +21,12 @@ LANG = lang_option("list")
 @click.command(params=[click_option(Parameter("layouts", LAYOUTS, None, False)), LANG])
 def layouts(layouts: File | None, lang: str) -> None:
     """List the page layouts, each with a command that prints it."""
-    from kurbel.page.layouts import layout, layout_names
-
     found = [layout(name, layouts) for name in layout_names(layouts)]
     _print([(one.key, one.title[lang], _printing(one, layouts)) for one in found])
 
 
 def _printing(layout: Layout, folder: File | None) -> str:
     """Return what prints the layout."""
-    from kurbel.page.subject import subject
-
     about = subject(layout.subject)
     own = ("--layouts", str(folder)) if layout.folder and folder else ()
     return shlex.join(("kurbel", *(about.sample or about.command).split(), *own, "--layout", layout.key))
@@ -40,10 +35,6 @@ def _printing(layout: Layout, folder: File | None) -> str:
 @click.command(params=[LANG])
 def quantities(lang: str) -> None:
     """List the quantities that columns can show, with their units and the commands that print them."""
-    from kurbel.page.axes import PHI, RATIO
-    from kurbel.page.layouts import SUBJECTS
-    from kurbel.page.subject import subject
-
     rows = [("ratio", RATIO[lang], "", "table"), ("phi", PHI[lang], "°", "table")]
     for about in map(subject, SUBJECTS):
         for one, command in about.entries():

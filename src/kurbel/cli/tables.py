@@ -28,10 +28,10 @@ from kurbel.commands.subject import Command
 from kurbel.errors import ProblemError
 from kurbel.formats.registry import DEFAULT, FORMATS, CompiledFormat, Format, RecordsFormat, for_suffix
 from kurbel.formats.render import whole_file
+from kurbel.page.table import Table
 
 if TYPE_CHECKING:
     from kurbel.commands.shown import Drawing
-    from kurbel.page.table import Table
 
 # Shorter tables are done before a bar could be read.
 BAR_ROWS = 200_000
