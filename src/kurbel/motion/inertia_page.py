@@ -1,4 +1,4 @@
-"""Connecting rods and a layout become a sheet of the greatest forces of a turn and of the models' errors."""
+"""The pages of the connecting rod: its forces, their greatest over a turn and the models' errors."""
 
 from __future__ import annotations
 
@@ -13,10 +13,12 @@ from kurbel.exact.certify import NEVER_TIES, Kind, TieBits, balls, bounds, round
 from kurbel.exact.numerals import Label, Number, nearest, number_text
 from kurbel.exact.separation import Separation
 from kurbel.kernel.rod import Masses
+from kurbel.motion.captions import notes
 from kurbel.motion.drive_notes import drive_notes, rod_notes
-from kurbel.motion.inertia import ROD_FORCES, ROD_MODELS, RodForce
+from kurbel.motion.inertia import ROD_FORCES, ROD_MODELS, RodForce, inertia_registry
 from kurbel.motion.inertia_peak import Peak
-from kurbel.motion.page import CrankQuestion, Request
+from kurbel.motion.page import MOTION, CrankQuestion, Request
+from kurbel.motion.quantities import registry
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.layouts import layout
 from kurbel.page.quantity import Column, Formula, Quantity, bare, for_ratio, words
@@ -59,49 +61,33 @@ def _in_percent(peak: Peak, whole: Peak, numbers: Kind, of: Of) -> Any:
 
 @cache
 def error_columns() -> Mapping[str, Quantity]:
-    """Return what the sheet can show, by keys."""
+    """Return what the sheet can show, by keys: greatest forces of a model, its greatest errors, and where."""
     greatest, error = "größter Betrag|greatest", "größter Fehler|greatest error"
-    percent = "größter Fehler in %|greatest error in %"
-    rows = (
-        _entry("greatest", greatest, greatest, "", 4, GREATEST),
-        _entry(
-            "greatest_n", "größter Betrag in N, N m|greatest in N, N m", "in N, N m", "N, N m", 1, GREATEST,
-            _in_newtons, "inertia",
-        ),
-        _entry("greatest_phi", "größter Betrag bei φ|greatest at φ", "", "°", DEGREE_DECIMALS, GREATEST),
-        _entry("error", error, error, "", 4, ERROR),
-        _entry(
-            "error_percent", percent, percent, PERCENT, PERCENT_DECIMALS,
-            ERROR, _in_percent,
-        ),
-        _entry("error_phi", "größter Fehler bei φ|greatest error at φ", "", "°", DEGREE_DECIMALS, ERROR),
-    )  # fmt: skip
-    return {row.key: row for row in rows}
-
-
-def _entry(
-    key: str,
-    name: str,
-    heading: str,
-    unit: str,
-    decimals: int,
-    of: str,
-    kernel: Callable[..., Any] = _itself,
-    needs: str = "rod",
-) -> Quantity:
-    """An entry of the greatest force of a model, or of its greatest error; an angle is where it is."""
-    return Quantity(
-        key=key,
-        name=words(name),
-        symbol="",
-        unit=words(unit),
-        decimals=decimals,
-        formulas={EXACT: Formula(kernel)},
-        heading=words(heading or "bei $φ$|at $φ$"),
-        minutes=unit == "°",
-        needs=needs,
-        of=of,
+    percent, at = "größter Fehler in %|greatest error in %", "bei $φ$|at $φ$"
+    names = "größter Betrag in N, N m|greatest in N, N m", "größter Betrag bei φ|greatest at φ"
+    entries = (
+        ("greatest", greatest, greatest, "", 4, GREATEST, _itself),
+        ("greatest_n", names[0], "in N, N m", "N, N m", 1, GREATEST, _in_newtons),
+        ("greatest_phi", names[1], at, "°", DEGREE_DECIMALS, GREATEST, _itself),
+        ("error", error, error, "", 4, ERROR, _itself),
+        ("error_percent", percent, percent, PERCENT, PERCENT_DECIMALS, ERROR, _in_percent),
+        ("error_phi", "größter Fehler bei φ|greatest error at φ", at, "°", DEGREE_DECIMALS, ERROR, _itself),
     )
+    return {
+        key: Quantity(
+            key=key,
+            name=words(name),
+            symbol="",
+            unit=words(unit),
+            decimals=decimals,
+            formulas={EXACT: Formula(kernel)},
+            heading=words(heading),
+            minutes=unit == "°",
+            needs="inertia" if kernel is _in_newtons else "rod",
+            of=of,
+        )
+        for key, name, heading, unit, decimals, of, kernel in entries
+    }
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -133,7 +119,7 @@ class ErrorsRequest(CrankQuestion):
         return self.peaks[key]
 
 
-def error_notes(request: Request) -> Iterator[Label]:
+def _error_notes(request: Request) -> Iterator[Label]:
     """Yield the greatest errors of what a page of forces shows beside the exact ones, a line a crank."""
     shown = [column.quantity for column in request.page_columns]
     models = [model for model in MODELS if model != EXACT and any(one.of == model for one in shown)]
@@ -255,4 +241,28 @@ SUBJECT = Subject(
     number=_number,
     caption=_caption,
     notes=_notes,
+)
+
+
+@cache
+def _with_rods() -> Mapping[str, Quantity]:
+    """The quantities of the crank drive, and those of the moving rod."""
+    return {**registry(), **inertia_registry()}
+
+
+def _forces_notes(question: Request) -> Iterator[Label]:
+    yield from notes(question)
+    shown = {column.quantity.symbol.strip("$") for column in question.page_columns}
+    yield from rod_notes(question.cranks, question.lang, shown)
+
+
+INERTIA = MOTION._replace(
+    key="inertia",
+    layout="inertia",
+    command="inertia",
+    sample="inertia --centre 0.65 --gyration 0.35",
+    quantities=_with_rods,
+    notes=_forces_notes,
+    page_notes=_error_notes,
+    listed=lambda: (("inertia", one) for one in inertia_registry().values()),
 )

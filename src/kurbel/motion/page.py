@@ -1,4 +1,4 @@
-"""The pages of the piston's motion and of the forces of the drive: what is asked for, records, subjects."""
+"""The pages of the piston's motion and of the forces of the drive: what is asked for, records, subject."""
 
 from __future__ import annotations
 
@@ -6,15 +6,14 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cache, cached_property
+from functools import cached_property
 from typing import Any
 
 from kurbel.drive.crank import Crank, check_angles
 from kurbel.errors import ProblemError
-from kurbel.exact.numerals import Label, Number
+from kurbel.exact.numerals import Number
 from kurbel.motion import captions
 from kurbel.motion.digits import columns_in_balls, columns_in_floats, is_long, on_floats
-from kurbel.motion.drive_notes import rod_notes
 from kurbel.motion.evaluation import NEEDS, needed
 from kurbel.motion.quantities import registry
 from kurbel.page.axes import (
@@ -32,6 +31,24 @@ from kurbel.page.quantity import Column, Quantity
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Records, Value
 from kurbel.reading.notation import ratio_text
+
+
+@dataclass(frozen=True, kw_only=True)
+class CrankQuestion(Question):
+    """What is asked for of these cranks."""
+
+    cranks: tuple[Crank, ...]
+
+    def check(self) -> None:
+        if not self.cranks:
+            raise ProblemError("no crank ratio was given; write one as --ratio 1:5")
+
+    @property
+    def ratios(self) -> list[Fraction]:
+        return [crank.ratio for crank in self.cranks]
+
+    def missing(self, quantity: Quantity) -> str:
+        return needed(quantity, self.cranks)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -57,24 +74,6 @@ def check_pairs(layout: Layout, drives: str) -> None:
             f"layout {layout.key} sets an angle over its mirror image, and {drives} do not stand alike at"
             " both; leave pairs out"
         )
-
-
-@dataclass(frozen=True, kw_only=True)
-class CrankQuestion(Question):
-    """What is asked for of straight or offset cranks."""
-
-    cranks: tuple[Crank, ...]
-
-    def check(self) -> None:
-        if not self.cranks:
-            raise ProblemError("no crank ratio was given; write one as --ratio 1:5")
-
-    @property
-    def ratios(self) -> list[Fraction]:
-        return [crank.ratio for crank in self.cranks]
-
-    def missing(self, quantity: Quantity) -> str:
-        return needed(quantity, self.cranks)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -195,30 +194,6 @@ def _number(question: Request, column: Column, place: Place, times: int) -> Numb
     return Number(int(scaled) * times, column.places)
 
 
-@cache
-def _with_rods() -> Mapping[str, Quantity]:
-    """The quantities of the crank drive, and those of the moving rod."""
-    from kurbel.motion.inertia import inertia_registry
-
-    return {**registry(), **inertia_registry()}
-
-
-def _of_rods() -> Iterator[tuple[str, Quantity]]:
-    return (("inertia", one) for key, one in _with_rods().items() if key not in registry())
-
-
-def _inertia_notes(question: Request) -> Iterator[Label]:
-    yield from captions.notes(question)
-    shown = {column.quantity.symbol.strip("$") for column in question.page_columns}
-    yield from rod_notes(question.cranks, question.lang, shown)
-
-
-def _error_notes(question: Request) -> Iterator[Label]:
-    from kurbel.motion.inertia_page import error_notes
-
-    return error_notes(question)
-
-
 MOTION = Subject(
     key="motion",
     layout="kinematics",
@@ -231,14 +206,4 @@ MOTION = Subject(
     notes=captions.notes,
     rows=motion_records,
     options=NEEDS,
-)
-INERTIA = MOTION._replace(
-    key="inertia",
-    layout="inertia",
-    command="inertia",
-    sample="inertia --centre 0.65 --gyration 0.35",
-    quantities=_with_rods,
-    notes=_inertia_notes,
-    page_notes=_error_notes,
-    listed=_of_rods,
 )

@@ -32,7 +32,7 @@ SUBJECTS: Mapping[str, str] = {
     "harmonics": "kurbel.balance.harmonics_page:SUBJECT",
     "balance": "kurbel.balance.page:SUBJECT",
     **mechanisms.SUBJECTS,
-    "inertia": "kurbel.motion.page:INERTIA",
+    "inertia": "kurbel.motion.inertia_page:INERTIA",
     "inertia errors": "kurbel.motion.inertia_page:SUBJECT",
     "roots": "kurbel.solve.page:SUBJECT",
     "collation": "kurbel.books.collate_page:SUBJECT",
