@@ -25,14 +25,18 @@ PARTS = 8
 
 
 class Root(NamedTuple):
-    """An interval with one zero, at which the function rises or falls.
+    """An interval with one zero, at which the function rises or falls, or exactly that zero.
 
     `rising` None: possibly none or two; also a zero at an end of the search or where a piece was halved.
     """
 
     low: Fraction
     high: Fraction
-    rising: bool | None
+    rising: bool | None = None
+
+    @property
+    def is_exact(self) -> bool:
+        return self.low == self.high
 
 
 def isolate(function: Function, slope: Function, start: Fraction, end: Fraction) -> list[Root]:

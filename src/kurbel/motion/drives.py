@@ -19,7 +19,6 @@ from flint import arb
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import (
-    MOST_TIE_BITS,
     NEVER_TIES,
     Kind,
     TieBits,
@@ -32,6 +31,7 @@ from kurbel.exact.certify import (
     pi,
     rounded,
     surds,
+    vanishes,
 )
 from kurbel.exact.course import Course
 from kurbel.exact.jet import Jet, ball_jets, jets
@@ -243,11 +243,12 @@ class SlideDrive(Drive):
         def is_exactly(half_turns: Fraction, wanted: Fraction) -> bool:
             kind = bounds()
             bits = (self.value(quantity, kind.circle(180 * half_turns), kind) - kind.of(wanted)).bits()
-            if bits > MOST_TIE_BITS:
-                return False
-            with flint.ctx.workprec(int(bits) + 64):
-                apart = self.value(quantity, ball_circle(180 * half_turns), balls()) - ball(wanted)
-                return bool(abs(apart) < ball(2) ** -int(bits + 1))
+
+            def apart() -> arb:
+                found: arb = self.value(quantity, ball_circle(180 * half_turns), balls()) - ball(wanted)
+                return found
+
+            return vanishes(apart, float(bits))
 
         return is_exactly
 

@@ -11,14 +11,14 @@ from collections.abc import Iterator
 from fractions import Fraction
 from functools import cached_property, reduce
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import Any
 
 import flint
 from flint import arb
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import GUARD_BITS, MOST_BITS, MOST_TIE_BITS, ball, ball_circle, half_turn_circle, pi
+from kurbel.exact.certify import GUARD_BITS, MOST_BITS, ball, ball_circle, half_turn_circle, pi, vanishes
 from kurbel.exact.jet import Jet, ball_jets, jets
 from kurbel.exact.roots import ISOLATING_BITS, Root, interval, isolate, refined
 from kurbel.exact.separation import Separation, circle_separation
@@ -31,21 +31,6 @@ CUT = Fraction(5, 11)
 # Nearer to a triple zero the slope has none of the bits of `isolate`.
 HALVINGS = 20
 CONTENDING_BITS = 256
-
-
-class Place(NamedTuple):
-    """Where a force may be greatest: an interval of half turns with a zero of the slope, or exactly there.
-
-    `rising` as in `Root`; None also of an exact place.
-    """
-
-    low: Fraction
-    high: Fraction
-    rising: bool | None = None
-
-    @property
-    def is_exact(self) -> bool:
-        return self.low == self.high
 
 
 class Peak:
@@ -70,10 +55,11 @@ class Peak:
         return not any(self.force.changes(self.masses, not self.crank.ratio))
 
     @cached_property
-    def places(self) -> tuple[Place, ...]:
-        """Where it is greatest, exact places first: several only if they differ by nothing measurable."""
+    def places(self) -> tuple[Root, ...]:
+        """Where it is greatest, in half turns, exact places first: several only if they differ by nothing
+        measurable."""
         if self.is_level:
-            return (Place(Fraction(0), Fraction(0)),)
+            return (Root(Fraction(0), Fraction(0)),)
         with flint.ctx.workprec(CONTENDING_BITS):
             found = list(self._candidates())
             values = [self._value_at(place) for place in found]
@@ -142,7 +128,7 @@ class Peak:
         bend: arb = self._jet(self.force.smooth, half_turns).bend
         return bend * pi()
 
-    def _candidates(self) -> Iterator[Place]:
+    def _candidates(self) -> Iterator[Root]:
         """Yield the quarters of the turn and all zeros of the slope between them.
 
         With an infinite rod the torque is greatest at the eighths, where values are algebraic too.
@@ -150,16 +136,15 @@ class Peak:
         turn, parts = (2 if self.crank.offset else 1), (2 if self.crank.ratio else 4)
         quarters = [Fraction(quarter, parts) for quarter in range(parts * turn + 1)]
         for quarter in quarters:
-            yield Place(quarter, quarter)
+            yield Root(quarter, quarter)
         for low, high in pairwise(quarters):
             first, last = self._cleared(low, high), self._cleared(high, low)
             for edge, end in ((low, first), (last, high)):
                 if edge != end and not self._is_single(edge, end):
-                    yield Place(edge, end)
+                    yield Root(edge, end)
             cut = first + (last - first) * CUT
             for start, end in ((first, cut), (cut, last)):
-                for root in isolate(self._slope, self._bend, start, end):
-                    yield Place(*root)
+                yield from isolate(self._slope, self._bend, start, end)
 
     def _cleared(self, quarter: Fraction, other: Fraction) -> Fraction:
         """Return up to where no zero of the slope follows that of the quarter, if it has one.
@@ -179,23 +164,19 @@ class Peak:
         """Whether the slope at a quarter of the turn is zero, proved by its separation bound."""
         circle = jets(circle_separation(180 * quarter))
         bits = self._run(self.force.smooth, circle, _constant).slope.bits()
-        if bits > MOST_TIE_BITS:
-            return False
-        with flint.ctx.workprec(int(bits) + GUARD_BITS):
-            slope = self._slope(ball(quarter))
-            return bool(slope.contains(0) and slope.rad() < ball(2) ** -int(bits + 1))
+        return vanishes(lambda: self._slope(ball(quarter)), float(bits))
 
     def _is_single(self, start: Fraction, end: Fraction) -> bool:
         """Whether the slope is zero once at most."""
         with flint.ctx.workprec(ISOLATING_BITS):
             return not self._bend(interval(start, end)).contains(0)
 
-    def _half_turns(self, place: Place) -> arb:
+    def _half_turns(self, place: Root) -> arb:
         if place.is_exact:
             return ball(place.low)
-        return refined(self._slope, self._bend, Root(*place))
+        return refined(self._slope, self._bend, place)
 
-    def _value_at(self, place: Place) -> arb:
+    def _value_at(self, place: Root) -> arb:
         at = self._half_turns(place)
         circle = ball_circle(180 * place.low) if place.is_exact else half_turn_circle(at)
         value: arb = abs(self._run(self.force.formula, circle, ball))
