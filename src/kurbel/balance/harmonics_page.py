@@ -184,7 +184,7 @@ def series_notes(question: OrdersRequest) -> Iterator[Label]:
 def _sum_formula(harmonic: Harmonic, method: str) -> Label:
     """(p R)/v² = B_1 cos φ + B_2 cos 2 φ + B_4 cos 4 φ + ..."""
     orders = [order for order in printed_orders(harmonic, 4) if _terms(harmonic, order, method)]
-    parts = [f"{_letter(harmonic, order)}{_wave(harmonic, order)}" for order in orders]
+    parts = [f"{harmonic.letter}_{order}{_wave(harmonic, order)}" for order in orders]
     more = ["…"] if method == "exact" else []
     return f"${quantities()[harmonic.key].formulas['exact'].printed} = {' + '.join(parts + more)}$"
 
@@ -195,17 +195,13 @@ def _wave(harmonic: Harmonic, order: int) -> str:
     return f" {harmonic.wave} φ" if order == 1 else f" {harmonic.wave} {order} φ"
 
 
-def _letter(harmonic: Harmonic, order: int) -> str:
-    return f"{harmonic.letter}_{order}"
-
-
 def series_formula(harmonic: Harmonic, order: int, method: str = "exact") -> str:
     """Return the coefficient by powers of λ: B_2 = λ + λ^3/4 + (15 λ^5)/128 + …; nothing if it is 0."""
     terms = _terms(harmonic, order, method)
     if not terms:
         return ""
     parts = [_term(term) for term in terms[:TERMS]] + ["+ …"] * (len(terms) > TERMS)
-    return f"{_letter(harmonic, order)} = {' '.join(parts).removeprefix('+ ')}"
+    return f"{harmonic.letter}_{order} = {' '.join(parts).removeprefix('+ ')}"
 
 
 def _terms(harmonic: Harmonic, order: int, method: str) -> list[Term]:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from itertools import product
 
 from kurbel.engine.axes import expansion_label, named_expansion
-from kurbel.engine.engine import Engine, Load, Steam
+from kurbel.engine.engine import Load, Steam
 from kurbel.engine.quantities import AT_ANGLE, ENGINE_METHODS, EXTREMES, FORCES
 from kurbel.engine.request import OVER_ANGLE, EngineRequest
 from kurbel.exact.numerals import Label, Number, number_text
@@ -224,7 +224,12 @@ def _engine(request: EngineRequest, lang: str) -> Iterator[Label]:
         yield WORDS["card"][lang]
     else:
         yield from _steam(request, lang)
-    yield from _cranks(request.first, lang)
+    engine = request.first
+    if not engine.double:
+        yield WORDS["single"][lang]
+    if len(engine.cranks) > 1:
+        angles = ", ".join(f"${plain(angle)}°$" for angle in engine.cranks[1:])
+        yield WORDS["cranks"][lang].format(angles=angles)
 
 
 def _steam(request: EngineRequest, lang: str) -> Iterator[Label]:
@@ -241,14 +246,6 @@ def _steam(request: EngineRequest, lang: str) -> Iterator[Label]:
         yield WORDS["back"][lang].format(back=f"{plain(steam.back)} Q" if steam.back else "0")
     else:
         yield WORDS["best" if steam.exponent == 1 and not steam.clearance else "best_end"][lang]
-
-
-def _cranks(engine: Engine, lang: str) -> Iterator[Label]:
-    if not engine.double:
-        yield WORDS["single"][lang]
-    if len(engine.cranks) > 1:
-        angles = ", ".join(f"${plain(angle)}°$" for angle in engine.cranks[1:])
-        yield WORDS["cranks"][lang].format(angles=angles)
 
 
 def _errors(request: EngineRequest) -> Iterator[Label]:

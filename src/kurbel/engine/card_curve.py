@@ -75,11 +75,8 @@ def _slopes(x: Points, y: Points) -> Points:
     secants = table[1]
     before, after = np.r_[secants[:1], secants], np.r_[secants, secants[-1:]]
     bound = 3 * np.minimum(abs(before), abs(after))
-    return np.where(before * after > 0, np.clip(slope, *_sided(bound, after)), 0.0)
-
-
-def _sided(bound: Points, towards: Points) -> tuple[Points, Points]:
-    return np.where(towards < 0, -bound, 0.0), np.where(towards > 0, bound, 0.0)
+    within = np.where(after < 0, -bound, 0.0), np.where(after > 0, bound, 0.0)
+    return np.where(before * after > 0, np.clip(slope, *within), 0.0)
 
 
 def _differences(x: Points, y: Points, count: int) -> list[Points]:

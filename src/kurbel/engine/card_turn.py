@@ -7,7 +7,6 @@ card supports.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
@@ -140,7 +139,8 @@ class CardTurn(AnyTurn):
     @cached_property
     def extrema(self) -> tuple[Peak, ...]:
         """Every place at which the speed is least or greatest over the turn, in order."""
-        places = sorted({2 * index / (SAMPLES - 1) for index in range(SAMPLES)} | set(self._dead_centres()))
+        dead_centres = {float((start / 180 + half) % 2) for start in self.engine.cranks for half in (0, 1)}
+        places = sorted({2 * index / (SAMPLES - 1) for index in range(SAMPLES)} | dead_centres)
         forces = self._excesses(np.array(places)).tolist()
         samples = zip(places, forces, strict=True)
         zeros = [
@@ -150,10 +150,6 @@ class CardTurn(AnyTurn):
         ]
         zeros += [place for place, force in zip(places, forces, strict=True) if force == 0]
         return tuple(Peak(zero, float(self.energy_at(Fraction(zero))), int(zero)) for zero in sorted(zeros))
-
-    def _dead_centres(self) -> Iterator[float]:
-        for start in self.engine.cranks:
-            yield from (float(start / 180 % 2), float((start / 180 + 1) % 2))
 
     def peaks(self, greatest: bool, stroke: int | None = None) -> list[Peak]:
         within = [peak for peak in self.extrema if stroke in (None, peak.stroke)]
