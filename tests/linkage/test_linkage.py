@@ -25,16 +25,8 @@ from kurbel.kernel import linkage as kernel
 from kurbel.kernel.circle import Circle, circle
 from kurbel.kernel.parallel import coupler
 from kurbel.linkage.arc.crank import ArcCrank
-from kurbel.linkage.arc.evaluation import (
-    arc_stroke,
-    dead_angle,
-    lead,
-    least_transmission,
-    swing,
-    time_ratio,
-)
 from kurbel.linkage.arc.quantities import arc_registry
-from kurbel.linkage.linkage import certified, direct_value, value
+from kurbel.linkage.linkage import certified, value
 from kurbel.linkage.parallel.crank import CHANGE_POINTS
 from kurbel.linkage.quantities import FORCE
 from kurbel.motion.evaluation import OUT, RETURN
@@ -59,11 +51,11 @@ def test_every_digit_is_that_of_the_closed_links(key: str, crank: ArcCrank) -> N
 @pytest.mark.parametrize("crank", CRANKS, ids=shown)
 def test_dead_centres_stop_the_rocker_and_bound_its_path(crank: ArcCrank) -> None:
     machine = links(crank)
-    centres = [dead_angle(crank, stroke, FLOATS) for stroke in (OUT, RETURN)]
+    centres = [crank.dead_angle(stroke, FLOATS) for stroke in (OUT, RETURN)]
     for found, (phi, _) in zip((centres[0], centres[1] + 180), (machine.inner, machine.outer), strict=True):
         assert_allclose(math.remainder(found - math.degrees(phi), 360), 0, rtol=0, atol=1e-11)
     at_dead = circle(np.array([centres[0], centres[1] + 180]))
-    travel = arc_stroke(crank, FLOATS)
+    travel = crank.arc_stroke(FLOATS)
     assert_allclose(value(of_stroke("velocity", OUT), crank, at_dead, FLOATS), 0, rtol=0, atol=1e-13)
     # At links that nearly come into line the path is steep and floats lose two digits.
     assert_allclose(value(of_stroke("path", OUT), crank, at_dead, FLOATS), [0, travel], rtol=0, atol=1e-12)
@@ -82,15 +74,15 @@ def test_swing_times_and_transmission_are_those_of_a_scan(crank: ArcCrank) -> No
     cranks = np.linspace(0, 2 * np.pi, 100_001)
     ends = machine.guess(cranks)
     rocker = np.unwrap(np.angle(ends - complex(machine.pivot)))
-    assert_allclose(swing(crank, FLOATS), np.degrees(np.ptp(rocker)), rtol=1e-7, atol=0)
-    assert_allclose(arc_stroke(crank, FLOATS), float(crank.rocker) * np.ptp(rocker), rtol=1e-7, atol=0)
+    assert_allclose(crank.swing(FLOATS), np.degrees(np.ptp(rocker)), rtol=1e-7, atol=0)
+    assert_allclose(crank.arc_stroke(FLOATS), float(crank.rocker) * np.ptp(rocker), rtol=1e-7, atol=0)
     inner, outer = np.abs(ends).argmax(), np.abs(ends).argmin()
     outstroke = (cranks[outer] - cranks[inner]) % (2 * np.pi)
-    assert_allclose(lead(crank, FLOATS), np.degrees(outstroke) - 180, rtol=0, atol=0.01)
-    assert_allclose(time_ratio(crank, FLOATS), outstroke / (2 * np.pi - outstroke), rtol=3e-4, atol=0)
+    assert_allclose(crank.lead(FLOATS), np.degrees(outstroke) - 180, rtol=0, atol=0.01)
+    assert_allclose(crank.time_ratio(FLOATS), outstroke / (2 * np.pi - outstroke), rtol=3e-4, atol=0)
     between = np.angle((ends - np.exp(1j * cranks)) / (ends - complex(machine.pivot)))
     lines = np.degrees(np.arcsin(np.abs(np.sin(between))))
-    assert_allclose(least_transmission(crank, FLOATS), lines.min(), rtol=1e-4, atol=0)
+    assert_allclose(crank.least_transmission(FLOATS), lines.min(), rtol=1e-4, atol=0)
 
 
 @pytest.mark.parametrize(("rod", "offset"), [("5", "0"), ("4.5", "0"), ("3.2", "0.9"), ("2.5", "-1.1")])
@@ -117,9 +109,9 @@ def test_a_long_rocker_gives_the_straight_and_the_offset_crank(
     for key in ("slant", "rod"):
         assert_allclose(value(of_stroke(key, stroke), crank, turn, FLOATS), slant, rtol=0, atol=1e-6)
     inner = math.degrees(math.asin(kinematics.dead_centre_sine(ratio, e)))
-    assert_allclose(dead_angle(crank, stroke, FLOATS), inner, rtol=0, atol=1e-6)
+    assert_allclose(crank.dead_angle(stroke, FLOATS), inner, rtol=0, atol=1e-6)
     travel = kinematics.stroke(ratio, e)
-    assert_allclose(arc_stroke(crank, FLOATS), travel, rtol=1e-8, atol=0)
+    assert_allclose(crank.arc_stroke(FLOATS), travel, rtol=1e-8, atol=0)
 
 
 ANGLES = np.arange(0, 360, 2.9)
@@ -145,16 +137,16 @@ def test_an_infinite_rod_moves_the_rocker_by_the_versine_along_the_slide(height:
     crank = ArcCrank(Crank(Fraction(0)), Fraction(13, 10), None, height)
     found = value(of_stroke("slide_path", OUT), crank, circle(ANGLES), FLOATS)
     assert_allclose(found, circle(ANGLES).versine, rtol=0, atol=2e-15)
-    assert_allclose(swing(crank, FLOATS), 2 * math.degrees(math.asin(10 / 13)), rtol=1e-14, atol=0)
+    assert_allclose(crank.swing(FLOATS), 2 * math.degrees(math.asin(10 / 13)), rtol=1e-14, atol=0)
 
 
 def test_a_chord_through_the_shaft_makes_the_strokes_equal() -> None:
     # Rocker 5/3, chord 2 and their distance 4/3 from the pivot: G² = L² + B² - R².
     central = arc_crank("5", "5/3", ("5", "4/3"))
     for stroke in (OUT, RETURN):
-        assert_allclose(dead_angle(central, stroke, FLOATS), 0, rtol=0, atol=1e-14)
-    assert_allclose(swing(central, FLOATS), 2 * math.degrees(math.asin(3 / 5)), rtol=1e-15, atol=0)
-    assert_allclose(time_ratio(central, FLOATS), 1, rtol=1e-15, atol=0)
+        assert_allclose(central.dead_angle(stroke, FLOATS), 0, rtol=0, atol=1e-14)
+    assert_allclose(central.swing(FLOATS), 2 * math.degrees(math.asin(3 / 5)), rtol=1e-15, atol=0)
+    assert_allclose(central.time_ratio(FLOATS), 1, rtol=1e-15, atol=0)
     assert certified(of_stroke("chord", OUT), central, Fraction(180), 30) == 2 * 10**30
 
 
@@ -166,7 +158,7 @@ def test_the_formulas_for_ties_give_the_same_numbers(crank: ArcCrank) -> None:
             for stroke in (OUT, RETURN):
                 turn = kind.circle(Fraction("34.7"))
                 direct, usual = (
-                    form(of_stroke(key, stroke), crank, turn, kind) for form in (direct_value, value)
+                    value(of_stroke(key, stroke), crank, turn, kind, direct) for direct in (True, False)
                 )
                 assert abs(direct - usual) < flint.arb(2) ** -250, key
 
@@ -220,7 +212,7 @@ def test_floats_are_within_the_stated_bound(steepest: float, bound: float) -> No
     fitting = (
         crank
         for crank in cranks
-        if 90 - least_transmission(crank, FLOATS) <= math.degrees(math.asin(steepest))
+        if 90 - crank.least_transmission(FLOATS) <= math.degrees(math.asin(steepest))
     )
     for _ in range(30):
         crank = next(fitting)
@@ -255,7 +247,7 @@ def test_the_path_keeps_its_digits_beside_the_dead_centre(crank: ArcCrank) -> No
 
 @pytest.mark.parametrize("crank", CRANKS[:4], ids=shown)
 def test_the_path_keeps_its_place_beside_a_dead_centre_at_any_angle(crank: ArcCrank) -> None:
-    angle = dead_angle(crank, OUT, FLOATS) + 1e-5
+    angle = crank.dead_angle(OUT, FLOATS) + 1e-5
     found = value(of_stroke("chord", OUT), crank, circle(angle), FLOATS)
     with flint.ctx.workprec(300):
         kind = balls()

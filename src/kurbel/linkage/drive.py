@@ -30,7 +30,7 @@ class LinkageDrive(Drive):
         return linkage.value(quantity, self.drive, circle, numbers)
 
     def direct(self, quantity: Quantity, circle: Circle[Any], numbers: Kind) -> Any:
-        return linkage.direct_value(quantity, self.drive, circle, numbers)
+        return linkage.value(quantity, self.drive, circle, numbers, direct=True)
 
     def certified(self, quantity: Quantity, degrees: Fraction, decimals: int, rounding: str) -> int:
         return linkage.certified(quantity, self.drive, degrees, decimals, rounding)

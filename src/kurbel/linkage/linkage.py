@@ -47,19 +47,14 @@ class Linkage(ABC):
         return self.at(quantity.stroke, circle, kind)
 
 
-def value(quantity: Quantity, drive: Linkage, circle: Circle[Any], kind: Kind) -> Any:
-    """Return the quantity where the crank stands at φ, on RETURN at 180° + φ; the circle is that of φ."""
-    return _scaled(quantity, drive.at(quantity.stroke, circle, kind))
+def value(quantity: Quantity, drive: Linkage, circle: Circle[Any], kind: Kind, direct: bool = False) -> Any:
+    """Return the quantity where the crank stands at φ, on RETURN at 180° + φ; the circle is that of φ.
 
-
-def direct_value(quantity: Quantity, drive: Linkage, circle: Circle[Any], kind: Kind) -> Any:
-    """Return the same, of an algebraic quantity, with a small separation bound."""
-    return _scaled(quantity, drive.direct(quantity, circle, kind))
-
-
-def _scaled(quantity: Quantity, at: At) -> Any:
+    `direct` gives an algebraic quantity a small separation bound.
+    """
+    at = drive.direct(quantity, circle, kind) if direct else drive.at(quantity.stroke, circle, kind)
     found = quantity.formulas["exact"].kernel(at)
-    return found * quantity.scale(at.drive.crank, at.kind) if quantity.scale else found
+    return found * quantity.scale(drive.crank, kind) if quantity.scale else found
 
 
 def certified(
@@ -74,8 +69,7 @@ def certified(
     """
 
     def at(kind: Kind) -> Any:
-        # Balls have their digits by the one formula, bounds are smaller by the other.
-        formula = value if kind.arc else direct_value
-        return formula(quantity, drive, kind.circle(angle), kind)
+        # Bounds have no arcs, and are to be small.
+        return value(quantity, drive, kind.circle(angle), kind, direct=kind.arc is None)
 
     return settled(at, decimals, rounding, not quantity.is_arc)

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import partial
 from typing import Any
 
 from kurbel.drive.crank import check_angles
@@ -13,7 +12,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.certify import floats
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel.circle import circle
-from kurbel.linkage.linkage import Linkage, certified, value
+from kurbel.linkage.linkage import certified, value
 from kurbel.linkage.quantities import FORCE
 from kurbel.motion.drive_notes import drive_notes, force_notes
 from kurbel.motion.evaluation import NEEDS, needed
@@ -27,7 +26,7 @@ from kurbel.page.subject import Subject
 class LinkageRequest(AngleQuestion):
     """What is asked for of these drives, alike but for their ratios, at these angles."""
 
-    drives: tuple[Linkage, ...]
+    drives: tuple[Any, ...]
 
     def check(self) -> None:
         check_angles(self.angles)
@@ -64,6 +63,11 @@ def linkage_subject(
     ratios: bool = False,
 ) -> Subject:
     """Return what pages of a drive are about; `ratios` if it has a rod."""
+
+    def listed() -> Iterator[tuple[str, Quantity]]:
+        for one in quantities().values():
+            yield command.replace("table", "forces") if one.of == FORCE else command, one
+
     over_angle = {"angle": AngleAxis, "column": ColumnAxis}
     return Subject(
         key=key,
@@ -76,14 +80,9 @@ def linkage_subject(
         number=_number,
         caption=caption or captioned,
         notes=notes,
-        listed=partial(_listed, command.removeprefix("table"), quantities),
+        listed=listed,
         options=NEEDS,
     )
-
-
-def _listed(command: str, quantities: Callable[[], Mapping[str, Quantity]]) -> Iterator[tuple[str, Quantity]]:
-    for one in quantities().values():
-        yield f"{'forces' if one.of == FORCE else 'table'}{command}", one
 
 
 def _number(question: LinkageRequest, column: Column, place: Place, times: int) -> Number:
@@ -103,23 +102,19 @@ def captioned(question: LinkageRequest, **parts: Label) -> Label:
 def plain_notes(force: Words, motion: Words, *further: Words) -> Callable[[LinkageRequest], Iterator[Label]]:
     """Return what yields the lines below the pages of a drive without a rod: its formulas, what is to be said
     of its motion and of all its pages, and which force it is that acts on it."""
-    return partial(_plain_notes, force, motion, further)
 
+    def notes(question: LinkageRequest) -> Iterator[Label]:
+        # A page says what its layout shows, though not all of it was chosen.
+        own = (question.entry(column.quantity) for column in question.layout.columns)
+        shown = [one for one in own if not question.missing(one)]
+        shown += (column.quantity for column in question.page_columns)
+        yield ", ".join(dict.fromkeys(one.formulas["exact"].printed for one in shown))
+        if any(one.of != FORCE for one in shown):
+            yield motion[question.lang]
+        yield from (one[question.lang] for one in further)
+        yield from force_lines(question, force)
 
-def _plain_notes(
-    force: Words, motion: Words, further: Sequence[Words], question: LinkageRequest
-) -> Iterator[Label]:
-    # A page says what its layout shows, though not all of it was chosen.
-    own = (question.entry(column.quantity) for column in question.layout.columns)
-    shown = (
-        *(one for one in own if not question.missing(one)),
-        *(column.quantity for column in question.page_columns),
-    )
-    yield ", ".join(dict.fromkeys(one.formulas["exact"].printed for one in shown))
-    if any(one.of != FORCE for one in shown):
-        yield motion[question.lang]
-    yield from (one[question.lang] for one in further)
-    yield from force_lines(question, force)
+    return notes
 
 
 def force_lines(question: LinkageRequest, force: Words) -> Iterator[Label]:

@@ -11,7 +11,6 @@ from kurbel.errors import ProblemError
 from kurbel.exact.certify import floats
 from kurbel.kernel.circle import circle
 from kurbel.linkage.arc.crank import ArcCrank
-from kurbel.linkage.arc.evaluation import dead_angle
 from kurbel.linkage.arc.quantities import arc_registry
 from kurbel.linkage.linkage import value
 from kurbel.motion.evaluation import OUT, RETURN
@@ -98,8 +97,8 @@ def _drive(crank: ArcCrank) -> _Drive:
             f"the length of the rod is {rod}, that of the rocker {about(crank.rocker)} R; drawn to scale they"
             f" may be at most {LONGEST_ROD} R, or the crank is too small to be seen"
         )
-    inner = arc_position(crank, float(dead_angle(crank, OUT, floats())))
-    outer = arc_position(crank, 180 + float(dead_angle(crank, RETURN, floats())))
+    inner = arc_position(crank, float(crank.dead_angle(OUT, floats())))
+    outer = arc_position(crank, 180 + float(crank.dead_angle(RETURN, floats())))
     pivot = _pivot(crank)
     swept = [polar_point(pivot, float(crank.rocker), turn) for turn in _swept(pivot, inner.head, outer.head)]
     corners = [pivot, *swept, (-1.0, -1.0), (1.0, 1.0)]

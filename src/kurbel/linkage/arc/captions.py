@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 from kurbel.exact.certify import Kind, settled
 from kurbel.exact.numerals import Label, Number, finite_decimals, number_text
-from kurbel.linkage.arc import evaluation
 from kurbel.linkage.arc.crank import ArcCrank
 from kurbel.linkage.arc.quantities import LEFT
 from kurbel.linkage.quantities import FORCE
@@ -50,7 +50,7 @@ WORDS: Mapping[str, Words] = {
 
 def caption(request: LinkageRequest) -> Label:
     """Return the layout's caption with its quantities and the lengths that all drives have in common."""
-    drives = _cranks(request)
+    drives = request.drives
     ratio = [f"$R:L = {ratio_text(drives[0].crank.ratio)}$"] if len(drives) == 1 else []
     common = ", ".join([*ratio, f"$B = {_length(drives[0].rocker)} R$"])
     return captioned(request, for_drive=WORDS["for"][request.lang].format(drive=common))
@@ -60,25 +60,25 @@ def notes(request: LinkageRequest) -> Iterator[Label]:
     """Yield the lines below the table: the formulas, and what each drive does between its dead centres."""
     yield from _formula_lines(request)
     yield from force_lines(request, WORDS["force"])
-    yield from (_dead_centres(crank, request.lang) for crank in _cranks(request))
-
-
-def _cranks(request: LinkageRequest) -> list[ArcCrank]:
-    return [drive for drive in request.drives if isinstance(drive, ArcCrank)]
+    yield from (_dead_centres(crank, request.lang) for crank in request.drives)
 
 
 def _formula_lines(request: LinkageRequest) -> Iterator[Label]:
     lang, columns = request.lang, request.page_columns
     strokes = {column.quantity.stroke for column in columns}
-    side = 1 if _cranks(request)[0].curvature > 0 else -1
+    side = 1 if request.drives[0].curvature > 0 else -1
     shown = [(column.quantity, _formula(column.quantity, side)) for column in columns]
-    printed = [_with_stroke(formula.printed, one, lang) for one, formula in shown if formula.printed]
+    printed = [
+        formula.printed.replace("{part}", one.part[lang])
+        for one, formula in shown
+        if formula.printed and one.part
+    ]
     # The path's, which tells the strokes apart by name, comes first.
     printed.sort(key=lambda line: line.startswith("$"))
     symbols = (symbol for _, formula in shown for symbol in formula.symbols)
     if line := ", ".join(dict.fromkeys((*printed, *symbols))):
         yield _signed(line, strokes, side)
-    if any(crank.crank.ratio for crank in _cranks(request)):
+    if any(crank.crank.ratio for crank in request.drives):
         yield WORDS["closure"][lang].format(closure=_signed(CLOSURE, strokes, side))
     forces = all(column.quantity.of == FORCE for column in columns)
     yield WORDS["angles"][lang] + ("" if forces else WORDS["radians"][lang])
@@ -91,11 +91,6 @@ def _formula_lines(request: LinkageRequest) -> Iterator[Label]:
 def _formula(quantity: Quantity, side: int) -> Formula:
     """Return the formula as it is printed with the pivot on this side."""
     return quantity.formulas[LEFT if side < 0 and LEFT in quantity.formulas else "exact"]
-
-
-def _with_stroke(printed: Label, quantity: Quantity, lang: str) -> Label:
-    assert quantity.part is not None
-    return printed.replace("{part}", quantity.part[lang])
 
 
 def _signed(line: Label, strokes: set[int], side: int) -> Label:
@@ -113,14 +108,18 @@ def _signed(line: Label, strokes: set[int], side: int) -> Label:
 
 def _dead_centres(crank: ArcCrank, lang: str) -> Label:
     angle, share = 3, 4
+
+    def outer(kind: Kind) -> Any:
+        return crank.dead_angle(RETURN, kind) + 180
+
     return WORDS["dead_centres"][lang].format(
         drive=", ".join(_links(crank)),
-        inner=_printed(lambda kind: evaluation.dead_angle(crank, OUT, kind), angle),
-        outer=_printed(lambda kind: evaluation.dead_angle(crank, RETURN, kind) + 180, angle),
-        swing=_printed(lambda kind: evaluation.swing(crank, kind), angle),
-        stroke=_printed(lambda kind: evaluation.arc_stroke(crank, kind), share),
-        times=_printed(lambda kind: evaluation.time_ratio(crank, kind), share),
-        least=_printed(lambda kind: evaluation.least_transmission(crank, kind), angle),
+        inner=_printed(partial(crank.dead_angle, OUT), angle),
+        outer=_printed(outer, angle),
+        swing=_printed(crank.swing, angle),
+        stroke=_printed(crank.arc_stroke, share),
+        times=_printed(crank.time_ratio, share),
+        least=_printed(crank.least_transmission, angle),
     )
 
 

@@ -1,4 +1,4 @@
-"""The arc crank, checked once; see kernel/linkage.py."""
+"""The arc crank, checked once, and what it does between its dead centres; see kernel/linkage.py."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from kurbel.kernel.circle import Circle
 from kurbel.kernel.linkage import Arc, Place
 from kurbel.linkage.arc.direct import direct
 from kurbel.linkage.linkage import At, Linkage
+from kurbel.motion.evaluation import OUT, RETURN
 from kurbel.page.quantity import Quantity
 from kurbel.reading.notation import about
 
@@ -69,6 +70,35 @@ class ArcCrank(Linkage):
     def dead_centre(self, stroke: int, kind: Kind) -> Arc[Any]:
         """Return it where the stroke begins, at the inner dead centre (OUT) or the outer (RETURN)."""
         return linkage.arc(*map(kind.of, self.numbers(stroke)))
+
+    def dead_angle(self, stroke: int, kind: Kind) -> Any:
+        """Return φ_i, or for RETURN φ_o - 180°, in degrees within ±180°."""
+        arc = self.dead_centre(stroke, kind)
+        return 2 * kind.arc(linkage.half_sine(arc.sine, arc.cosine))
+
+    def swing(self, kind: Kind) -> Any:
+        """Return the rocker's swing in degrees; its way along the arc is `arc_stroke`."""
+        return abs(2 * kind.arc(linkage.swing_half_sine(*self._dead_centres(kind))))
+
+    def arc_stroke(self, kind: Kind) -> Any:
+        """Return the way of the rod's end along its arc between the dead centres, in units of R."""
+        return self.swing(kind) * kind.pi / 180 * kind.of(self.rocker)
+
+    def lead(self, kind: Kind) -> Any:
+        """Return Δ in degrees, by which the crank turns more than 180° during the outstroke."""
+        return 2 * kind.arc(linkage.lead_half_sine(*self._dead_centres(kind)))
+
+    def time_ratio(self, kind: Kind) -> Any:
+        """Return the time of the outstroke over that of the return stroke."""
+        more = self.lead(kind)
+        return (180 + more) / (180 - more)
+
+    def least_transmission(self, kind: Kind) -> Any:
+        """Return the least angle between the lines of rod and rocker during a turn, in degrees."""
+        return 90 - kind.arc(linkage.steepest_slant(*map(kind.of, self.numbers(OUT))))
+
+    def _dead_centres(self, kind: Kind) -> tuple[Arc[Any], Arc[Any]]:
+        return self.dead_centre(OUT, kind), self.dead_centre(RETURN, kind)
 
     def numbers(self, stroke: int) -> tuple[Fraction, Fraction, Fraction, Fraction]:
         """Return λ, β, η and σ with the sign of the stroke."""

@@ -14,7 +14,6 @@ from kurbel.exact.certify import ball, balls, half_turn_circle
 from kurbel.exact.certify import pi as ball_pi
 from kurbel.exact.course import Course
 from kurbel.exact.place import SQUARE, Centre, Place
-from kurbel.linkage.arc import evaluation
 from kurbel.linkage.arc.crank import STROKE, ArcCrank
 from kurbel.linkage.arc.quantities import arc_registry
 from kurbel.linkage.drive import LinkageDrive
@@ -48,7 +47,7 @@ def arc_columns() -> Mapping[str, Quantity]:
 
 
 def _share(path: Callable[[At], arb]) -> Callable[[At], arb]:
-    return lambda at: path(at) / evaluation.arc_stroke(at.drive, at.kind)
+    return lambda at: path(at) / at.drive.arc_stroke(at.kind)
 
 
 class ArcDrive(LinkageDrive):
@@ -94,11 +93,11 @@ class ArcDrive(LinkageDrive):
 
     def _dead_angles(self, stroke: int) -> tuple[Callable[[], arb], Callable[[], arb]]:
         def begin() -> arb:
-            found: arb = evaluation.dead_angle(self.arc, stroke, balls()) / 180
+            found: arb = self.arc.dead_angle(stroke, balls()) / 180
             return found
 
         def end() -> arb:
-            found: arb = begin() + 1 + stroke * evaluation.lead(self.arc, balls()) / 180
+            found: arb = begin() + 1 + stroke * self.arc.lead(balls()) / 180
             return found
 
         return begin, end
@@ -108,6 +107,6 @@ class ArcDrive(LinkageDrive):
         if quantity.key == "path":
             return ball_pi()
         if quantity.key == PATH_SHARE:
-            share: arb = ball_pi() / evaluation.arc_stroke(self.arc, balls())
+            share: arb = ball_pi() / self.arc.arc_stroke(balls())
             return share
         return ball(-180 * quantity.stroke * self.arc.curvature)
