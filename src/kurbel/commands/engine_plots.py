@@ -1,7 +1,7 @@
 """Drawings of a steam engine: the forces in its crank drive, and its turning effort."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, TypedDict, Unpack
+from typing import TYPE_CHECKING, Any, Unpack
 
 from kurbel.commands import parameters as option
 from kurbel.commands.machines import engine_of, is_heavy, load_of
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 ENGINE_LAYOUT, MACHINE_LAYOUT = "engine-forces", "machine-forces"
 
 
-class Drawn(TypedDict, total=False):
+class Drawn(option.Cylinder, option.MovingRod, total=False):
     """A steam engine, as it is drawn."""
 
     ratio: option.Ratios
@@ -29,19 +29,7 @@ class Drawn(TypedDict, total=False):
     stroke: option.Stroke
     rod: option.Rod
     speed: DrawnSpeed
-    back: option.Back
-    exponent: option.Exponent
-    clearance: option.Clearance
-    card: option.Card
-    other_side: option.OtherSide
-    single_acting: option.SingleActing
-    bore: option.Bore
-    pressure: option.Pressure
     reciprocating: option.Reciprocating
-    rod_mass: option.RodMass
-    centre: option.Centre
-    gyration: option.Gyration
-    rod_file: option.RodFile
     rotating: option.Rotating
     lang: LabelLang
     decimal: option.Decimal

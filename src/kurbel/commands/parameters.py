@@ -69,15 +69,9 @@ def layout_option(*subjects: str) -> Option:
 
 
 Ratios = Annotated[Given | None, RATIO]
-Angles = Annotated[Given | None, ANGLE]
 From = Annotated[Exact | None, Option("First angle; default 0.", "ANGLE", unit="degrees")]
 To = Annotated[Exact | None, Option("Last angle; default 360, the whole turn.", "ANGLE", unit="degrees")]
-Step = Annotated[Exact | None, STEP]
-Offset = Annotated[
-    Exact | None, Option("Offset crank: e as a share of R, or as a length with --stroke.", "E", unit="R")
-]
 Stroke = Annotated[Exact | None, STROKE]
-Stroke2R = Annotated[Exact | None, STROKE._replace(help="Stroke 2R: 600mm.")]
 Rod = Annotated[
     Exact | None,
     Option("Rod length L, which with --stroke gives the ratio: 1500mm.", "LENGTH", unit="m"),
@@ -87,42 +81,8 @@ Speed = Annotated[Exact | None, SPEED]
 PlainSpeed = Annotated[Exact | None, SPEED._replace(help="Speed: 120/min, 12.5rad/s.")]
 NeededSpeed = Annotated[Exact, SPEED._replace(help="Speed: 120/min, 12.5rad/s.")]
 Force = Annotated[Exact | None, FORCE]
-Mechanism = Annotated[
-    str | None,
-    Option(mechanisms.described(), kind=Choice("mechanism", mechanisms.MECHANISMS)),
-]
-Rocker = Annotated[Exact | None, Option("Arc crank: length of the rocker in units of R.", "B", unit="R")]
-Pivot = Annotated[
-    str | tuple[Exact, Exact] | None,
-    Option(
-        "Arc crank: the rocker's pivot along and across the slide, in units of R; default: as far as the rod"
-        " is long, and B above the slide line.",
-        "D;H", unit="R",
-    ),
-]  # fmt: skip
 
 Eps = Annotated[Given | None, EPS]
-Back = Annotated[Exact | None, BACK]
-Exponent = Annotated[Exact | None, Option("n of p Vⁿ = const.; default 1, Mariotte's law.", "N")]
-Clearance = Annotated[Exact | None, Option("Clearance as a share of the swept volume: 0.05, 5%.", "C")]
-Card = Annotated[
-    Path | Iterable[Path] | None,
-    Option("Indicator card: CSV with position, p_forward [bar], p_return [bar].", "FILE", FILE, many=True),
-]
-OtherSide = Annotated[
-    Exact | None,
-    Option(
-        "With --card and --single-acting: pressure on the piston's other face, 1bar.", "PRESSURE", unit="Pa"
-    ),
-]
-SingleActing = Annotated[
-    bool,
-    Option(
-        "Steam works on the outstroke only; on the return both faces have the back pressure.",
-        kind=FLAG,
-        default=False,
-    ),
-]
 Cranks = Annotated[
     Given | None,
     Option(
@@ -130,22 +90,6 @@ Cranks = Annotated[
         unit="degrees",
     ),
 ]  # fmt: skip
-EngineRatios = Annotated[
-    Given | None,
-    RATIO._replace(help="Crank ratio: 1:5, 1:4,5; lists and ranges 1:3..6; 1:∞ is the infinite rod."),
-]
-EngineMethods = Annotated[
-    Names | None,
-    Option(
-        "exact (default), series (first order) or weisbach (his equations of § 150).",
-        kind=Choice("method", "kurbel.engine.quantities:ENGINE_METHODS"), many=True, default=(),
-    ),
-]  # fmt: skip
-Bore = Annotated[Exact | None, Option("Bore of the cylinder: 300mm.", "LENGTH", unit="m")]
-Pressure = Annotated[
-    Exact | None,
-    Option("Steam pressure before cut-off: 8bar; an indicator card has its own.", "PRESSURE", unit="Pa"),
-]
 
 Reciprocating = Annotated[
     Exact | None,
@@ -153,30 +97,6 @@ Reciprocating = Annotated[
         "Mass of piston and crosshead: 200kg. Masses need --stroke and --speed, and beside steam --bore and"
         " --pressure.",
         "MASS", unit="kg",
-    ),
-]  # fmt: skip
-RodMass = Annotated[Exact | None, Option("Mass of the connecting rod: 150kg.", "MASS", unit="kg")]
-Centre = Annotated[
-    Exact | None,
-    Option(
-        "Centre of mass of the rod from the crosshead pin, in rod lengths: 0.6, 60%; or a length, where that"
-        " of the rod is known.",
-        "A", unit="rod lengths",
-    ),
-]  # fmt: skip
-Gyration = Annotated[
-    Exact | None,
-    Option(
-        "Radius of gyration about the centre of mass, in rod lengths: 0.3; or a length.", "K",
-        unit="rod lengths",
-    ),
-]  # fmt: skip
-RodFile = Annotated[
-    Path | None,
-    Option(
-        "The rod's masses from a CSV file in place of these: from, to, mass or position, mass, counted from"
-        " the crank pin.",
-        "FILE", FILE,
     ),
 ]  # fmt: skip
 Rotating = Annotated[
@@ -190,14 +110,6 @@ Rotating = Annotated[
 
 Layouts = Annotated[Path | None, LAYOUTS]
 Lang = Annotated[str, LANG]
-Digits = Annotated[
-    int | None,
-    Option(f"Decimals of every column, 0 to {MOST_DIGITS}.", "N", Count("digits", 0, MOST_DIGITS), last=True),
-]
-Rounding = Annotated[
-    str,
-    Option("What becomes of a tie.", kind=Choice("rounding", ROUNDINGS), default="half-away", last=True),
-]
 Label = Annotated[
     str,
     Option(
@@ -216,8 +128,16 @@ Decimal = Annotated[
 class Sheet(TypedDict, total=False):
     """How a page is printed."""
 
-    digits: Digits
-    rounding: Rounding
+    digits: Annotated[
+        int | None,
+        Option(
+            f"Decimals of every column, 0 to {MOST_DIGITS}.", "N", Count("digits", 0, MOST_DIGITS), last=True
+        ),
+    ]
+    rounding: Annotated[
+        str,
+        Option("What becomes of a tie.", kind=Choice("rounding", ROUNDINGS), default="half-away", last=True),
+    ]
     lang: Lang
     label: Label
 
@@ -225,16 +145,18 @@ class Sheet(TypedDict, total=False):
 class Run(TypedDict, total=False):
     """The crank angles of a page."""
 
-    angle: Angles
+    angle: Annotated[Given | None, ANGLE]
     from_: From
     to: To
-    step: Step
+    step: Annotated[Exact | None, STEP]
 
 
 class Slide(TypedDict, total=False):
     """A crank drive with a crosshead, beside its ratio."""
 
-    offset: Offset
+    offset: Annotated[
+        Exact | None, Option("Offset crank: e as a share of R, or as a length with --stroke.", "E", unit="R")
+    ]
     stroke: Stroke
     rod: Rod
 
@@ -242,39 +164,105 @@ class Slide(TypedDict, total=False):
 class Linked(Slide, total=False):
     """Any crank drive."""
 
-    mechanism: Mechanism
-    rocker: Rocker
-    pivot: Pivot
+    mechanism: Annotated[
+        str | None,
+        Option(mechanisms.described(), kind=Choice("mechanism", mechanisms.MECHANISMS)),
+    ]
+    rocker: Annotated[Exact | None, Option("Arc crank: length of the rocker in units of R.", "B", unit="R")]
+    pivot: Annotated[
+        str | tuple[Exact, Exact] | None,
+        Option(
+            "Arc crank: the rocker's pivot along and across the slide, in units of R; default: as far as the"
+            " rod is long, and B above the slide line.",
+            "D;H", unit="R",
+        ),
+    ]  # fmt: skip
 
 
-class Steam(TypedDict, total=False):
-    """What steam does in a cylinder, on so many cranks, beside its expansion ratio."""
+class Cylinder(TypedDict, total=False):
+    """What steam does in a cylinder, beside its expansion ratio."""
 
-    back: Back
-    exponent: Exponent
-    clearance: Clearance
-    card: Card
-    other_side: OtherSide
-    single_acting: SingleActing
+    back: Annotated[Exact | None, BACK]
+    exponent: Annotated[Exact | None, Option("n of p Vⁿ = const.; default 1, Mariotte's law.", "N")]
+    clearance: Annotated[Exact | None, Option("Clearance as a share of the swept volume: 0.05, 5%.", "C")]
+    card: Annotated[
+        Path | Iterable[Path] | None,
+        Option(
+            "Indicator card: CSV with position, p_forward [bar], p_return [bar].", "FILE", FILE, many=True
+        ),
+    ]
+    other_side: Annotated[
+        Exact | None,
+        Option(
+            "With --card and --single-acting: pressure on the piston's other face, 1bar.",
+            "PRESSURE",
+            unit="Pa",
+        ),
+    ]
+    single_acting: Annotated[
+        bool,
+        Option(
+            "Steam works on the outstroke only; on the return both faces have the back pressure.",
+            kind=FLAG,
+            default=False,
+        ),
+    ]
+    bore: Annotated[Exact | None, Option("Bore of the cylinder: 300mm.", "LENGTH", unit="m")]
+    pressure: Annotated[
+        Exact | None,
+        Option("Steam pressure before cut-off: 8bar; an indicator card has its own.", "PRESSURE", unit="Pa"),
+    ]
+
+
+class Steam(Cylinder, total=False):
+    """The same in the cylinders of so many cranks."""
+
     cranks: Cranks
-    bore: Bore
-    pressure: Pressure
 
 
 class MovingRod(TypedDict, total=False):
     """The masses of a connecting rod."""
 
-    rod_mass: RodMass
-    centre: Centre
-    gyration: Gyration
-    rod_file: RodFile
+    rod_mass: Annotated[Exact | None, Option("Mass of the connecting rod: 150kg.", "MASS", unit="kg")]
+    centre: Annotated[
+        Exact | None,
+        Option(
+            "Centre of mass of the rod from the crosshead pin, in rod lengths: 0.6, 60%; or a length, where"
+            " that of the rod is known.",
+            "A", unit="rod lengths",
+        ),
+    ]  # fmt: skip
+    gyration: Annotated[
+        Exact | None,
+        Option(
+            "Radius of gyration about the centre of mass, in rod lengths: 0.3; or a length.", "K",
+            unit="rod lengths",
+        ),
+    ]  # fmt: skip
+    rod_file: Annotated[
+        Path | None,
+        Option(
+            "The rod's masses from a CSV file in place of these: from, to, mass or position, mass, counted"
+            " from the crank pin.",
+            "FILE", FILE,
+        ),
+    ]  # fmt: skip
 
 
 class Engine(Steam, MovingRod, Sheet, total=False):
     """A steam engine, under which masses and at which cranks."""
 
-    ratio: EngineRatios
-    method: EngineMethods
+    ratio: Annotated[
+        Given | None,
+        RATIO._replace(help="Crank ratio: 1:5, 1:4,5; lists and ranges 1:3..6; 1:∞ is the infinite rod."),
+    ]
+    method: Annotated[
+        Names | None,
+        Option(
+            "exact (default), series (first order) or weisbach (his equations of § 150).",
+            kind=Choice("method", "kurbel.engine.quantities:ENGINE_METHODS"), many=True, default=(),
+        ),
+    ]  # fmt: skip
     reciprocating: Reciprocating
-    stroke: Stroke2R
+    stroke: Annotated[Exact | None, STROKE._replace(help="Stroke 2R: 600mm.")]
     rod: Rod
