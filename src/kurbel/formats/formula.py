@@ -12,6 +12,14 @@ from kurbel.page.labels import beside, is_sum
 _RELATIONS = frozenset("=<>≤≥≈:")
 _COMMAND = re.compile(r"\\[A-Za-z]+$")
 
+# Characters that TeX obeys, as it prints them.
+TEX_OBEYED = {character: f"\\{character}" for character in "#$%&_{}"} | {
+    "\\": r"\textbackslash{}",
+    "~": r"\textasciitilde{}",
+    "^": r"\textasciicircum{}",
+    "`": r"\textasciigrave{}",
+}
+
 
 def has_stroke(nodes: tree.Nodes, place: int) -> bool:
     """Tell whether an engine should set a fraction with a stroke: x/R, not a small x over a small R.

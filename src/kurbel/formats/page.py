@@ -16,6 +16,7 @@ from kurbel.formats.writer import PageWriter
 from kurbel.page.labels import plain, set_label
 from kurbel.page.table import DITTO, Cell, Column, Panel, Table
 
+# What no layout says.
 WORDS = {
     "de": {"source": "Quelle", "continued": "Fortsetzung", "missing": "kein Wert", "babel": "ngerman"},
     "en": {"source": "Source", "continued": "continued", "missing": "no value", "babel": "english"},
@@ -134,7 +135,8 @@ def page(table: Table, writer: PageWriter, mark: str) -> Page:
         widths=tuple(map(max, zip_longest(*map(_figure_widths, panels), fillvalue=0))),
         notes=tuple(setter.notes()),
         source=setter.label(table.source),
-        words=words(table.lang),
+        # English stands in for a language we do not speak.
+        words=WORDS.get(table.lang, WORDS["en"]),
     )
 
 
@@ -143,11 +145,6 @@ def _figure_widths(panel: PagePanel) -> Iterator[int]:
         cells = (row[place] for row in panel.rows)
         texts = (cell.text + cell.tail for cell in cells if cell.kind == "number")
         yield max(map(len, texts), default=0) if column.align == "right" else 0
-
-
-def words(lang: str) -> dict[str, str]:
-    """Return the words that no layout gives; English stands in for a language we do not speak."""
-    return WORDS.get(lang, WORDS["en"])
 
 
 class Setter:
@@ -194,19 +191,19 @@ class Setter:
             ),
             stubs=len(panel.stub),
             names=len(panel.stub) - 1 if panel.stub and _are_short(row.stub[-1] for row in rows) else None,
-            head=tuple(tuple(self.head_cell(cell) for cell in row) for row in head_rows(panel)),
+            head=tuple(
+                tuple(cell._replace(lines=self.labels(cell.lines)) for cell in row)
+                for row in head_rows(panel)
+            ),
             groups=tuple(
                 PageGroup(self.label(group.label), tuple(islice(lines, len(group.rows))))
                 for group in panel.groups
             ),
         )
 
-    def head_cell(self, cell: HeadCell) -> HeadCell:
-        return cell._replace(lines=self.labels(cell.lines))
-
     def cells(self, cells: Sequence[Cell], starts: Set[int]) -> list[PageCell]:
         """Return the cells of one column; `starts` are the rows that begin a group."""
-        decimals = most_decimals(cells)
+        decimals = max((cell.value.decimals for cell in cells if isinstance(cell.value, Number)), default=0)
         done: list[PageCell] = []
         owner = 0
         for place, cell in enumerate(cells):
@@ -246,10 +243,6 @@ _BLANKS = str.maketrans({"0": "\u2007", ",": "\u2008", ".": "\u2008"})
 def blank(tail: str) -> str:
     """Return the spaces of typography that are as wide as the digits and the mark of a tail."""
     return tail.translate(_BLANKS)
-
-
-def most_decimals(cells: Iterable[Cell]) -> int:
-    return max((cell.value.decimals for cell in cells if isinstance(cell.value, Number)), default=0)
 
 
 # Angles and the like, which a compositor sets as he sets numbers: 2°30', 32°51½', 5/4, 15 %; and nothing.

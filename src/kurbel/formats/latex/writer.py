@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping, Sequence
 from itertools import groupby
 from typing import Any, NamedTuple
 
-from kurbel.formats.formula import TexMath, has_bar
+from kurbel.formats.formula import TEX_OBEYED, TexMath, has_bar
 from kurbel.formats.page import HeadCell, Page, PageCell, page
 from kurbel.formats.writer import PERCENT_DELIMITERS, PLAIN, PageWriter, column_widths, spare_widths
 from kurbel.page.formula import GREEK, SIGNS, SYMBOLS, Formula
@@ -57,12 +57,8 @@ class Writer(PageWriter):
 _PROSE = str.maketrans(
     {letter: f"${command}$" for letter, command in GREEK.items()}
     | {symbol: f"${latex}$" for symbol, (_, latex) in (SIGNS | SYMBOLS).items() if not symbol.isascii()}
-    | {character: f"\\{character}" for character in "#$%&_{}"}
+    | TEX_OBEYED
     | {
-        "\\": r"\textbackslash{}",
-        "~": r"\textasciitilde{}",
-        "^": r"\textasciicircum{}",
-        "`": r"\textasciigrave{}",
         # babel makes " active in German; \textquotedbl is missing in the old default encoding.
         '"': r"\char34{}",
         # After \\ a bracket or a star would be read as its argument.
@@ -82,12 +78,8 @@ def escape(prose: str) -> str:
 
 
 _STRING = str.maketrans(
-    {character: f"\\{character}" for character in "#$%&_{}"}
+    TEX_OBEYED
     | {
-        "\\": r"\textbackslash{}",
-        "~": r"\textasciitilde{}",
-        "^": r"\textasciicircum{}",
-        "`": r"\textasciigrave{}",
         '"': r"\textquotedbl{}",
         "'": r"\textquotesingle{}",
         # Two of them would be one sign.

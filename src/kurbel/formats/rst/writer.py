@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from kurbel.formats.formula import TexMath, has_bar
+from kurbel.formats.formula import TEX_OBEYED, TexMath, has_bar
 from kurbel.formats.page import Page
 from kurbel.formats.writer import PageWriter
 from kurbel.page.formula import Formula
@@ -47,11 +47,8 @@ class Writer(PageWriter):
         return {"name": table.key}
 
 
-_UPRIGHT = str.maketrans(
-    {character: f"\\{character}" for character in "#$%&_{}"}
-    | {"\\": r"\textbackslash{}", "`": "‘", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}"}
-)
-
+# In a role it would end the formula.
+_UPRIGHT = str.maketrans(TEX_OBEYED | {"`": "‘"})
 _OBEYED = re.compile(r"[\\*`|_]|:(?=:)|(?<=\S)@(?=\S)|(?<=http|ttps|ilto|:ftp|file):(?=\S)")
 # At the start of a line these make a list, a field, an option, a comment or a line across the page.
 _START = re.compile(
