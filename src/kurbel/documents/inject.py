@@ -9,13 +9,30 @@ import re
 from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple
 
-from kurbel.documents.inject_code import Code
 from kurbel.errors import MarkerError
 
 EXAMPLE = "table --ratio 1:5"
 BOM = b"\xef\xbb\xbf"
 # The encodings of two bytes a letter, whichever comes first.
 _WIDE = "kurbel".encode("utf-16-le")[:-1]
+_RUN = re.compile(rb"`+")
+# The comments of markup languages.
+MARKUP_COMMENT = re.compile(rb"<!--[ \t]*(?:kurbel:|/kurbel\b)")
+
+
+class Code:
+    """What of a document is code, in which markers are only shown; it goes through the document line by line.
+
+    This is that of a kind that shows markers only with other letters, as HTML does.
+    """
+
+    def holds(self, line: bytes) -> bool:
+        """Whether the line, the next one of the document, is of a block of code."""
+        return False
+
+    def without_inline(self, line: bytes) -> bytes:
+        """Return the line without the code in it."""
+        return line
 
 
 class Kind(NamedTuple):
@@ -30,7 +47,7 @@ class Kind(NamedTuple):
     left: str
     right: str
     comment: re.Pattern[bytes]
-    code: Callable[[], Code]
+    code: Callable[[], Code] = Code
     apart: bool = False
     labelled: bool = True
 
@@ -44,23 +61,16 @@ class Kind(NamedTuple):
         return " ".join(filter(None, (self.left, "/kurbel", self.right)))
 
 
-# The comments of markup languages.
-MARKUP_COMMENT = re.compile(rb"<!--[ \t]*(?:kurbel:|/kurbel\b)")
-
-
 class Place(NamedTuple):
     """A marked place: the words of its marker, and where between the markers its content begins and ends.
 
-    `line` is the number of the opening marker's line, from 1; `opening` is where that line begins and
-    `closing` where the line of the closing marker ends.
+    `line` is the number of the opening marker's line, from 1; `indent` and `newline` are those of that line.
     """
 
     words: str
     line: int
-    opening: int
     begin: int
     end: int
-    closing: int
     indent: bytes
     newline: bytes
 
@@ -76,43 +86,34 @@ def places(document: bytes, kind: Kind, name: str) -> tuple[Place, ...]:
     return tuple(_places(document, kind, name)) if b"kurbel" in document else ()
 
 
-class _Line(NamedTuple):
-    number: int
-    text: bytes
-    begin: int
-    end: int
-
-
 def _places(document: bytes, kind: Kind, name: str) -> Iterator[Place]:
     code = kind.code()
-    opened: tuple[_Line, str] | None = None
+    opened: Place | None = None
     end = len(BOM) if document.startswith(BOM) else 0
     # A document may have millions of lines: nothing is made of those that cannot have a marker.
-    for number, text in enumerate(document[end : _last_end(document)].splitlines(keepends=True), 1):
-        begin, end = end, end + len(text)
+    for number, line in enumerate(document[end : _last_end(document)].splitlines(keepends=True), 1):
+        begin, end = end, end + len(line)
         # What stands in a marked place is no code of the author's.
-        if (opened is None and code.holds(text)) or b"kurbel" not in text:
+        if (opened is None and code.holds(line)) or b"kurbel" not in line:
             continue
-        line = _Line(number, text, begin, end)
-        words = _marker(line, kind, name, code.without_inline(text))
-        if words is None:
-            continue
-        where = f"{name}:{line.number}"
+        where = f"{name}:{number}"
+        words = _marker(line, kind, where, code.without_inline(line))
         if words and opened:
             raise MarkerError(
-                f"{where}: the marker is nested in the one of line {opened[0].number}, which is still open;"
+                f"{where}: the marker is nested in the one of line {opened.line}, which is still open;"
                 f" write {kind.closing} before it"
             )
         if words:
-            opened = line, words
-        elif opened:
-            yield _place(*opened, line)
+            indent, newline = line[: -len(line.lstrip(b" \t"))], line[len(line.rstrip(b"\r\n")) :]
+            opened = Place(words, number, end, end, indent, newline)
+        elif words is not None and opened:
+            yield opened._replace(end=begin)
             opened = None
-        else:
+        elif words is not None:
             raise MarkerError(f"{where}: {kind.closing} closes nothing; write {kind.opening} before it")
     if opened:
         raise MarkerError(
-            f"{name}:{opened[0].number}: the marker is unclosed; write {kind.closing} on a line behind it"
+            f"{name}:{opened.line}: the marker is unclosed; write {kind.closing} on a line behind it"
         )
 
 
@@ -122,17 +123,16 @@ def _last_end(document: bytes) -> int:
     return len(document) if last < 0 else last + 1
 
 
-def _marker(line: _Line, kind: Kind, name: str, bare: bytes) -> str | None:
+def _marker(line: bytes, kind: Kind, where: str, bare: bytes) -> str | None:
     """Return the words of an opening marker, "" for a closing one, None for a line that is none."""
-    inner = _comment(line.text.strip(b" \t\r\n\f"), kind)
+    inner = _comment(line.strip(b" \t\r\n\f"), kind)
     if inner == b"/kurbel":
         return ""
     if inner is not None and inner.startswith(b"kurbel:"):
-        return _words(inner.removeprefix(b"kurbel:"), kind, f"{name}:{line.number}")
+        return _words(inner.removeprefix(b"kurbel:"), kind, where)
     if kind.comment.search(bare):
         raise MarkerError(
-            f"{name}:{line.number}: a marker stands alone on its line, whole, as {kind.opening}"
-            f" or {kind.closing}"
+            f"{where}: a marker stands alone on its line, whole, as {kind.opening} or {kind.closing}"
         )
     return None
 
@@ -158,12 +158,22 @@ def _words(text: bytes, kind: Kind, where: str) -> str:
     return words
 
 
-def _place(opening: _Line, words: str, closing: _Line) -> Place:
-    text = opening.text
-    indent = text[: len(text) - len(text.lstrip(b" \t"))]
-    newline = text[len(text.rstrip(b"\r\n")) :]
-    ends = opening.begin, opening.end, closing.begin, closing.end
-    return Place(words, opening.number, *ends, indent, newline)
+def without_raw(line: bytes) -> bytes:
+    """Return a line without what stands between equal runs of backticks."""
+    runs = [(run.start(), run.end()) for run in _RUN.finditer(line)]
+    last_of_length = {end - start: place for place, (start, end) in enumerate(runs)}
+    pieces, done, place = [], 0, 0
+    while place < len(runs):
+        start, end = runs[place]
+        place += 1
+        if last_of_length[end - start] < place:
+            continue
+        while runs[place][1] - runs[place][0] != end - start:
+            place += 1
+        pieces.append(line[done:start])
+        done = runs[place][1]
+        place += 1
+    return b"".join((*pieces, line[done:]))
 
 
 def content(text: str, place: Place, kind: Kind) -> bytes:

@@ -12,41 +12,20 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator
 from functools import lru_cache
-from typing import TYPE_CHECKING, NamedTuple, cast
+from itertools import groupby
+from typing import NamedTuple, cast
 from urllib.parse import unquote
 
-from kurbel.documents.prose import (
-    Align,
-    Block,
-    Blocks,
-    Break,
-    Code,
-    CodeBlock,
-    Emphasis,
-    Grid,
-    Heading,
-    Inline,
-    Inlines,
-    Link,
-    Listing,
-    Paragraph,
-    Quote,
-    Refer,
-    Rule,
-    Strong,
-    Text,
-)
+from markdown_it import MarkdownIt
+from markdown_it.rules_inline import StateInline, autolink, image, link
+from markdown_it.tree import SyntaxTreeNode
+
+from kurbel.documents import prose
 from kurbel.errors import ProseError
 from kurbel.page.formula import Formula, MalformedError, parse_formula
 from kurbel.page.labels import WHITE, primed
 
-if TYPE_CHECKING:
-    from markdown_it import MarkdownIt
-    from markdown_it.rules_inline import StateInline
-    from markdown_it.tree import SyntaxTreeNode
-
-    InlineRule = Callable[[StateInline, bool], bool]
-
+InlineRule = Callable[[StateInline, bool], bool]
 
 LONGEST = 200_000
 # LaTeX numbers lists four deep.
@@ -55,11 +34,10 @@ _DEEPEST_INLINE = 10
 _TAB = 4
 _CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\ud800-\udfff]")
 _SCHEME = re.compile(r"(?:https?:|mailto:)", re.IGNORECASE)
-_ALIGN = re.compile(r"text-align:(left|center|right)")
 
 
 @lru_cache(maxsize=64)
-def parse_prose(text: str) -> Blocks:
+def parse_prose(text: str) -> prose.Blocks:
     """Return the blocks of a text.
 
     Raises ProseError, with the line, for images, links to other schemes than http, https and mailto,
@@ -70,16 +48,11 @@ def parse_prose(text: str) -> Blocks:
     if control := _CONTROL.search(text):
         line = text.count("\n", 0, control.start()) + 1
         raise ProseError(line, f"the character U+{ord(control.group()):04X} is a control and not printed")
-    from markdown_it.tree import SyntaxTreeNode
-
     return _blocks(SyntaxTreeNode(_parser().parse(text)), 0)
 
 
 @lru_cache(maxsize=1)
 def _parser() -> MarkdownIt:
-    from markdown_it import MarkdownIt
-    from markdown_it.rules_inline import autolink, image, link
-
     # Beyond its nesting the parser drops text: what a text may have must lie well below.
     parser = MarkdownIt("commonmark", {"html": False, "maxNesting": 20}).enable("table")
     # What links may be is said in a sentence; an address that is refused here would only be printed.
@@ -119,26 +92,26 @@ def _formula(state: StateInline, silent: bool) -> bool:
     return True
 
 
-def _blocks(outside: SyntaxTreeNode, depth: int) -> Blocks:
+def _blocks(outside: SyntaxTreeNode, depth: int) -> prose.Blocks:
     """Return the blocks in a node of the tree; so many lists and quotations are around it."""
     blocks = (_block(node, depth) for node in outside.children)
-    return tuple(block for block in blocks if block != Paragraph(()))
+    return tuple(block for block in blocks if block != prose.Paragraph(()))
 
 
-def _block(node: SyntaxTreeNode, depth: int) -> Block:
+def _block(node: SyntaxTreeNode, depth: int) -> prose.Block:
     match node.type:
         case "paragraph":
-            return Paragraph(_content(node))
+            return prose.Paragraph(_content(node))
         case "heading":
             if content := _content(node):
-                return Heading(int(node.tag[1]), content)
+                return prose.Heading(int(node.tag[1]), content)
             raise ProseError(_line(node), r"a heading has no words; a # in prose is written \#")
         case "fence" | "code_block":
-            return CodeBlock(_lines(node.content.expandtabs(_TAB)))
+            return prose.CodeBlock(_lines(node.content.expandtabs(_TAB)))
         case "hr":
-            return Rule()
+            return prose.Rule()
         case "blockquote":
-            return Quote(_deeper(node, depth))
+            return prose.Quote(_deeper(node, depth))
         case "bullet_list" | "ordered_list":
             return _listing(node, depth)
         case "table":
@@ -146,36 +119,35 @@ def _block(node: SyntaxTreeNode, depth: int) -> Block:
     raise AssertionError(node.type)
 
 
-def _deeper(node: SyntaxTreeNode, depth: int) -> Blocks:
+def _deeper(node: SyntaxTreeNode, depth: int) -> prose.Blocks:
     if depth == DEEPEST:
         raise ProseError(_line(node), f"lists and quotations are nested more than {DEEPEST} deep")
     return _blocks(node, depth + 1)
 
 
-def _listing(node: SyntaxTreeNode, depth: int) -> Listing:
+def _listing(node: SyntaxTreeNode, depth: int) -> prose.Listing:
     items = tuple(_deeper(item, depth) for item in node.children)
     # Only paragraphs that stand directly in an item set the items of a list apart, and a single block has
     # nothing to stand apart from.
     loose = any(one.type == "paragraph" and not one.hidden for item in node.children for one in item.children)
     tight = not loose or (len(items) == 1 and len(items[0]) == 1)
-    return Listing(int(node.attrs.get("start", 1)) if node.type == "ordered_list" else None, tight, items)
+    return prose.Listing(
+        int(node.attrs.get("start", 1)) if node.type == "ordered_list" else None, tight, items
+    )
 
 
-def _grid(node: SyntaxTreeNode) -> Grid:
+def _grid(node: SyntaxTreeNode) -> prose.Grid:
     rows = [row.children for part in node.children for row in part.children]
     head, *body = [tuple(map(_content, row)) for row in rows]
-    return Grid(tuple(map(_align, rows[0])), head, tuple(body))
+    styles = (str(cell.attrs.get("style", "")).removeprefix("text-align:") for cell in rows[0])
+    aligns = tuple(cast("prose.Align | None", style or None) for style in styles)
+    return prose.Grid(aligns, head, tuple(body))
 
 
-def _align(cell: SyntaxTreeNode) -> Align | None:
-    found = _ALIGN.match(str(cell.attrs.get("style", "")))
-    return cast("Align", found[1]) if found else None
-
-
-def _content(node: SyntaxTreeNode) -> Inlines:
+def _content(node: SyntaxTreeNode) -> prose.Inlines:
     """Return what a paragraph, heading or cell holds, without white space and ends of lines around it."""
     content = _Run(node.children[0]).inlines(node.children[0], 1) if node.children else ()
-    kept = [place for place, inline in enumerate(content) if inline not in (Break(), Text(" "))]
+    kept = [place for place, inline in enumerate(content) if inline not in (prose.Break(), prose.Text(" "))]
     return content[kept[0] : kept[-1] + 1] if kept else ()
 
 
@@ -195,26 +167,26 @@ class _Run(NamedTuple):
 
     node: SyntaxTreeNode
 
-    def inlines(self, outside: SyntaxTreeNode, depth: int) -> Inlines:
+    def inlines(self, outside: SyntaxTreeNode, depth: int) -> prose.Inlines:
         """Return the inlines in a node, the run itself or emphasis, at a depth from 1."""
         if depth > _DEEPEST_INLINE:
             raise ProseError(_line(self.node), f"emphasis is nested more than {_DEEPEST_INLINE} deep")
         return tuple(_joined(self._inline(node, depth) for node in outside.children))
 
-    def _inline(self, node: SyntaxTreeNode, depth: int) -> Inline:
+    def _inline(self, node: SyntaxTreeNode, depth: int) -> prose.Inline:
         match node.type:
             case "text" | "text_special":
-                return Text(node.content)
+                return prose.Text(node.content)
             case "softbreak":
-                return Text(" ")
+                return prose.Text(" ")
             case "hardbreak":
-                return Break()
+                return prose.Break()
             case "code_inline":
-                return Code(node.content)
+                return prose.Code(node.content)
             case "em":
-                return Emphasis(self.inlines(node, depth + 1))
+                return prose.Emphasis(self.inlines(node, depth + 1))
             case "strong":
-                return Strong(self.inlines(node, depth + 1))
+                return prose.Strong(self.inlines(node, depth + 1))
             case "link":
                 return self._link(node, str(node.attrs["href"]), self.inlines(node, depth + 1))
             case "formula":
@@ -223,11 +195,11 @@ class _Run(NamedTuple):
                 raise self._refused(node, "a text can hold no images; a figure has its own place")
         raise AssertionError(node.type)
 
-    def _link(self, node: SyntaxTreeNode, address: str, content: Inlines) -> Inline:
+    def _link(self, node: SyntaxTreeNode, address: str, content: prose.Inlines) -> prose.Inline:
         if address.startswith("#") and address != "#":
-            return Refer(unquote(address[1:]), content)
+            return prose.Refer(unquote(address[1:]), content)
         if _SCHEME.match(address):
-            return Link(address, content or (Text(address),))
+            return prose.Link(address, content or (prose.Text(address),))
         raise self._refused(
             node,
             f'the link to "{address[:60]}" cannot be set; it must begin with http:, https: or mailto:,'
@@ -247,15 +219,10 @@ class _Run(NamedTuple):
         return ProseError(_line(self.node) + self.node.content.count("\n", 0, node.meta["at"]), reason)
 
 
-def _joined(inlines: Iterable[Inline]) -> Iterator[Inline]:
+def _joined(inlines: Iterable[prose.Inline]) -> Iterator[prose.Inline]:
     """Yield the inlines, neighbouring pieces of text as one."""
-    pieces: list[str] = []
-    for inline in (*inlines, None):
-        if isinstance(inline, Text):
-            pieces.append(inline.text)
-            continue
-        if text := primed(WHITE.sub(" ", "".join(pieces))):
-            yield Text(text)
-        pieces.clear()
-        if inline is not None:
-            yield inline
+    for is_text, run in groupby(inlines, key=lambda inline: isinstance(inline, prose.Text)):
+        if not is_text:
+            yield from run
+        elif text := primed(WHITE.sub(" ", "".join(one.text for one in run if isinstance(one, prose.Text)))):
+            yield prose.Text(text)

@@ -3,51 +3,46 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, fields, is_dataclass, replace
 from typing import Literal
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from kurbel.page.formula import Formula
 
 Align = Literal["left", "center", "right"]
 
 
-@dataclass(frozen=True, slots=True)
-class Text:
+class Text(Struct, frozen=True):
     text: str
 
 
-@dataclass(frozen=True, slots=True)
-class Code:
+class Code(Struct, frozen=True):
     """Characters of a program or a command line."""
 
     text: str
 
 
-@dataclass(frozen=True, slots=True)
-class Break:
+class Break(Struct, frozen=True):
     """The end of a line that the author asked for."""
 
 
-@dataclass(frozen=True, slots=True)
-class Emphasis:
+class Emphasis(Struct, frozen=True):
     content: Inlines
 
 
-@dataclass(frozen=True, slots=True)
-class Strong:
+class Strong(Struct, frozen=True):
     content: Inlines
 
 
-@dataclass(frozen=True, slots=True)
-class Link:
+class Link(Struct, frozen=True):
     """A link to another site; `address` is percent-encoded."""
 
     address: str
     content: Inlines
 
 
-@dataclass(frozen=True, slots=True)
-class Refer:
+class Refer(Struct, frozen=True):
     """A reference to a part of the same handbook; without content it prints the number of the part."""
 
     name: str
@@ -58,31 +53,26 @@ Inline = Text | Formula | Code | Break | Emphasis | Strong | Link | Refer
 Inlines = tuple[Inline, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Paragraph:
+class Paragraph(Struct, frozen=True):
     content: Inlines
 
 
-@dataclass(frozen=True, slots=True)
-class Heading:
+class Heading(Struct, frozen=True):
     """A heading; its level is 1 for a single #."""
 
     level: int
     content: Inlines
 
 
-@dataclass(frozen=True, slots=True)
-class CodeBlock:
+class CodeBlock(Struct, frozen=True):
     lines: tuple[str, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Quote:
+class Quote(Struct, frozen=True):
     content: Blocks
 
 
-@dataclass(frozen=True, slots=True)
-class Listing:
+class Listing(Struct, frozen=True):
     """A list; `start` is its first number, or None for bullets. The items of a tight one stand close."""
 
     start: int | None
@@ -90,13 +80,11 @@ class Listing:
     items: tuple[Blocks, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Rule:
+class Rule(Struct, frozen=True):
     """A line across the page."""
 
 
-@dataclass(frozen=True, slots=True)
-class Grid:
+class Grid(Struct, frozen=True):
     """A table written in the text."""
 
     aligns: tuple[Align | None, ...]
@@ -112,12 +100,10 @@ def references(content: object) -> Iterator[str]:
     """Yield the names that a text, or any part of one, refers to."""
     if isinstance(content, Refer):
         yield content.name
-    if isinstance(content, tuple):
-        for one in content:
-            yield from references(one)
-    elif is_dataclass(content) and not isinstance(content, type):
-        for field in fields(content):
-            yield from references(getattr(content, field.name))
+    if isinstance(content, Struct):
+        content = tuple(getattr(content, field) for field in content.__struct_fields__)
+    for one in content if isinstance(content, tuple) else ():
+        yield from references(one)
 
 
 def stepwise(blocks: Blocks, above: list[int]) -> Blocks:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from kurbel.documents.inject import MARKUP_COMMENT, Kind
-from kurbel.documents.inject_code import NoCode
 
 KIND = Kind(
     name="HTML",
@@ -11,5 +10,4 @@ KIND = Kind(
     left="<!--",
     right="-->",
     comment=MARKUP_COMMENT,
-    code=NoCode,
 )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from kurbel.documents.inject import Kind
+from kurbel.documents.inject import Code, Kind
 
 _LITERAL = rb"verbatim|[BL]?Verbatim|lstlisting|minted|comment|alltt|filecontents"
 _BEGIN = re.compile(rb"\\begin[ \t]*\{((?:" + _LITERAL + rb")\*?)\}")
@@ -12,7 +12,7 @@ _VERB = re.compile(rb"\\(?:verb\*?|lstinline(?:\[[^]\n]*\])?)([^A-Za-z\s*])(?:(?
 _TEX_TEXT = re.compile(rb"(?:[^\\%]|\\.)*", re.DOTALL)
 
 
-class LatexCode:
+class LatexCode(Code):
     """Verbatim environments of LaTeX, fancyvrb, listings, minted and verbatim."""
 
     def __init__(self) -> None:

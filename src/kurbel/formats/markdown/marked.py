@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import re
 
-from kurbel.documents.inject import MARKUP_COMMENT, Kind
-from kurbel.documents.inject_code import without_raw
+from kurbel.documents.inject import MARKUP_COMMENT, Code, Kind, without_raw
 
 _FENCE = re.compile(rb"(`{3,})[^`]*\Z|(~{3,})", re.DOTALL)
 _ITEM = re.compile(rb"(?:[-*+]|[0-9]{1,9}[.)])(?: +|\Z)")
@@ -17,7 +16,7 @@ _QUOTE = re.compile(rb"(?: {0,3}>)+ ?")
 _PLAIN = frozenset(range(256)) - frozenset(b" \t\r\n\f\v>-*+0123456789`~")
 
 
-class MarkdownCode:
+class MarkdownCode(Code):
     """Fenced and indented code, also in items of lists and in quotations.
 
     Source: CommonMark 0.31, sections 4.4, 4.5, 5.1 and 5.2.

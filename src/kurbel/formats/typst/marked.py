@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import re
 
-from kurbel.documents.inject import Kind
-from kurbel.documents.inject_code import without_raw
+from kurbel.documents.inject import Code, Kind, without_raw
 
 _SIGN = re.compile(rb"`+|/\*|\*/|(?<!:)//")
 
 
-class TypstCode:
+class TypstCode(Code):
     """Raw text between backticks, and comments between /* and */, which may be nested."""
 
     def __init__(self) -> None:
