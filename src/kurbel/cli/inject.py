@@ -56,42 +56,38 @@ def inject(files: tuple[str, ...], check: bool) -> int:
     kurbel inject notes.md lectures/*.tex
     kurbel inject --check notes.md
     """  # fmt: skip
-    documents: list[Document] = []
+    stale: list[Document] = []
     failed = False
-    for name in _once(files):
+    # Each file once, under the first of its names.
+    names: dict[str, str] = {}
+    for name in files:
+        names.setdefault(os.path.realpath(name), name)
+    for name in names.values():
         try:
             document = _document(name)
-            if not check:
+            if document.stale and check:
+                stale.append(document)
+            elif document.stale:
                 _refresh(document)
-            documents.append(document)
         except KurbelError as error:
             failed = True
             say(str(error))
-    stale = [document for document in documents if document.stale] if check else []
-    for document in stale:
-        _show(document)
     if stale:
-        sys.stdout.flush()
-        names = [document.name for document in stale]
-        say(f"{_and(names)} {'is' if len(names) == 1 else 'are'} stale; mend with: {_command(names)}")
+        _show(stale)
     return int(failed or bool(stale))
 
 
-def _once(files: Sequence[str]) -> list[str]:
-    """Return the names without those of files that were named before."""
-    first: dict[str, str] = {}
-    for name in files:
-        first.setdefault(os.path.realpath(name), name)
-    return [*first.values()]
+def _show(stale: Sequence[Document]) -> None:
+    """Show what would change, and say how to change it."""
+    from kurbel.documents.inject_difference import difference
 
-
-def _and(names: Sequence[str]) -> str:
-    return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
-
-
-def _command(names: Sequence[str]) -> str:
-    dashes = ["--"] if any(name.startswith("-") for name in names) else []
-    return shlex.join(["kurbel", "inject", *dashes, *names])
+    for one in stale:
+        sys.stdout.buffer.writelines(difference(one.name, one.old, one.found, one.contents))
+    sys.stdout.flush()
+    *others, last = (one.name for one in stale)
+    subject = f"{', '.join(others)} and {last} are" if others else f"{last} is"
+    dashes = ["--"] if any(one.name.startswith("-") for one in stale) else []
+    say(f"{subject} stale; mend with: {shlex.join(['kurbel', 'inject', *dashes, *others, last])}")
 
 
 def _document(name: str) -> Document:
@@ -188,21 +184,13 @@ def _check_encoding(old: bytes, contents: Sequence[bytes], name: str) -> None:
 
 
 def _refresh(document: Document) -> None:
-    stale = document.stale
-    if not stale:
-        return
     from kurbel.formats.render import whole_file
+
+    count = len(document.stale)
 
     # Tables take their time, in which an author may save the document.
     if _read(document.name) != document.old:
         raise MarkerError(f"{document.name} was changed while its tables were made; refresh it again")
     with whole_file(document.name) as stream:
         stream.write(filled(document.old, document.found, document.contents))
-    say(f"{len(stale)} {'place' if len(stale) == 1 else 'places'} in {document.name} refreshed")
-
-
-def _show(document: Document) -> None:
-    from kurbel.documents.inject_difference import difference
-
-    for line in difference(document.name, document.old, document.found, document.contents):
-        sys.stdout.buffer.write(line)
+    say(f"{count} {'place' if count == 1 else 'places'} in {document.name} refreshed")
