@@ -17,7 +17,7 @@ from places import CARDS
 from kurbel.engine.card import Card
 from kurbel.engine.card_file import position_unit, pressure_unit, read_card
 from kurbel.errors import CardError, KurbelError, MissingExtraError, NotationError
-from kurbel.reading import csv_lines, units
+from kurbel.reading import csv_file, units
 
 # Nine points that fall with the stroke, in bar; nothing about them repeats.
 SHARES = (0.0, 0.1, 0.22, 0.36, 0.5, 0.61, 0.74, 0.88, 1.0)
@@ -42,7 +42,7 @@ def written(folder: Path, text: str | bytes) -> Path:
 
 def sentence(folder: Path, text: str | bytes) -> str:
     """Return what is said about a file with this text, without the folder."""
-    return sentence_on(written(folder, text)).replace(csv_lines.shown(folder / "card.csv"), "card.csv")
+    return sentence_on(written(folder, text)).replace(csv_file.shown(folder / "card.csv"), "card.csv")
 
 
 def sentence_on(path: Path | str) -> str:
@@ -119,7 +119,7 @@ def test_columns_stand_in_any_order_among_others(tmp_path: Path) -> None:
 def test_a_card_remembers_its_file_and_lines(tmp_path: Path) -> None:
     path = written(tmp_path, "# a comment\n" + text_of())
     card = read_card(str(path))
-    assert card.name == csv_lines.shown(path)
+    assert card.name == csv_file.shown(path)
     assert card.lines == tuple(range(3, 12))
 
 
@@ -349,7 +349,7 @@ def test_a_closed_curve_is_named(tmp_path: Path) -> None:
 
 def test_files_that_are_none_are_refused(tmp_path: Path) -> None:
     path = tmp_path / "card.csv"
-    name = csv_lines.shown(path)
+    name = csv_file.shown(path)
     assert sentence_on(path) == f"cannot read the card {name}: No such file or directory"
     path.mkdir()
     assert sentence_on(path) == f"cannot read the card {name}: it is a directory; name a CSV file in it"
@@ -367,7 +367,7 @@ def test_endless_devices_and_pipes_are_not_opened(tmp_path: Path) -> None:
     reader = threading.Thread(target=lambda: done.append(sentence_on(pipe)), daemon=True)
     reader.start()
     reader.join(5)
-    assert done == [f"cannot read the card {csv_lines.shown(pipe)}: {told}"]
+    assert done == [f"cannot read the card {csv_file.shown(pipe)}: {told}"]
 
 
 def test_a_file_of_two_gigabytes_is_refused_unread(tmp_path: Path) -> None:
@@ -377,7 +377,7 @@ def test_a_file_of_two_gigabytes_is_refused_unread(tmp_path: Path) -> None:
 
 
 def test_reading_stops_at_the_first_line_too_many(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(csv_lines, "MOST_LINES", 10)
+    monkeypatch.setattr(csv_file, "MOST_LINES", 10)
     text = text_of()
     check_card(read_card(written(tmp_path, text)))
     said = sentence(tmp_path, text + "1.5,0,0\nnot,a,number\n")

@@ -36,7 +36,7 @@ from kurbel.kernel.rod import Loaded, Masses
 from kurbel.motion.evaluation import OFFSET, OUT, RETURN, At, certified
 from kurbel.page.quantity import Formula, Quantity
 from kurbel.reading import units
-from kurbel.reading.csv_lines import shown
+from kurbel.reading.csv_file import shown
 
 
 def force(name: str) -> Callable[..., Any]:

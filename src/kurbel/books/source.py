@@ -24,8 +24,7 @@ from kurbel.books.expression import Expression
 from kurbel.books.printed_value import Printed, printed_value
 from kurbel.errors import NotationError, SourceError
 from kurbel.page.layouts import LANGUAGES, Notes, Words
-from kurbel.reading.csv_columns import NONE, Head, read_rows, whole_head
-from kurbel.reading.csv_lines import Kind, place, shown
+from kurbel.reading.csv_file import NONE, Head, Kind, place, read_rows, shown, whole_head
 from kurbel.reading.toml_file import Fault, TomlFile, TomlKind, about
 
 KIND = Kind("source", "cell", SourceError)

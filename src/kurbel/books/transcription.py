@@ -28,8 +28,7 @@ from kurbel.motion.digits import columns_in_balls, columns_in_floats, is_long
 from kurbel.motion.evaluation import METHODS, is_known
 from kurbel.motion.quantities import registry
 from kurbel.page.quantity import bare, words
-from kurbel.reading.csv_columns import Head, read_rows, whole_head
-from kurbel.reading.csv_lines import Kind, place, shown
+from kurbel.reading.csv_file import Head, Kind, place, read_rows, shown, whole_head
 from kurbel.reading.given import choose
 from kurbel.reading.notation import ratio, ratio_text
 

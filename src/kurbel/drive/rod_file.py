@@ -27,16 +27,18 @@ from fractions import Fraction
 
 from kurbel.drive.rod import Rod, Section, check_section, rod_of_sections
 from kurbel.errors import NotationError, ProblemError, RodError
-from kurbel.reading.csv_columns import (
+from kurbel.reading.csv_file import (
     Column,
     Head,
+    Kind,
     check_once,
     clipped,
     digits_and_unit,
+    place,
     read_head,
     read_rows,
+    shown,
 )
-from kurbel.reading.csv_lines import Kind, place, shown
 from kurbel.reading.notation import number
 
 KIND = Kind("rod", "section", RodError)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from kurbel.errors import CardError
-from kurbel.reading.csv_lines import place
+from kurbel.reading.csv_file import place
 
 # Nearer points are one point: a pressure that jumps is no function of the position.
 LEAST_STEP = 1e-9

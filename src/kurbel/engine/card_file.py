@@ -30,17 +30,18 @@ from typing import NamedTuple
 
 from kurbel.engine.card import LEAST_STEP, Card
 from kurbel.errors import CardError, NotationError
-from kurbel.reading.csv_columns import (
+from kurbel.reading.csv_file import (
     Column,
     Head,
+    Kind,
     check_once,
     clipped,
     digits_and_unit,
     name_and_unit,
     read_head,
     read_rows,
+    shown,
 )
-from kurbel.reading.csv_lines import Kind, shown
 from kurbel.reading.given import did_you_mean
 
 KIND = Kind("card", "point", CardError)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -117,9 +117,15 @@ class Grid:
     exists: Callable[[Place], bool] = lambda place: True
 
     def places(self, names: Sequence[str]) -> list[Place]:
-        sizes = (range(self.axes[name].size) for name in names)
-        places = (dict(zip(names, place, strict=True)) for place in product(*sizes))
-        return [place for place in places if self.exists(place)]
+        return [*places({name: self.axes[name].size for name in names}, self.exists)]
+
+
+def places(sizes: Mapping[str, int], exists: Callable[[Place], bool]) -> Iterator[Place]:
+    """Yield the places on axes of these sizes, as far as there is something."""
+    for indices in product(*map(range, sizes.values())):
+        place = dict(zip(sizes, indices, strict=True))
+        if exists(place):
+            yield place
 
 
 class RatioAxis(Axis):

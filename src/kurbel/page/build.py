@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
-from itertools import groupby, pairwise, product
+from itertools import groupby, pairwise
 from math import prod
 
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, degrees_text
-from kurbel.page.axes import Axis, Grid, Place
+from kurbel.page.axes import Axis, Grid, Place, places
 from kurbel.page.layouts import Layout
 from kurbel.page.quantity import Column
 from kurbel.page.subject import Question
@@ -108,20 +108,13 @@ class Rows:
         return len(self.question)
 
     def __iter__(self) -> Iterator[tuple[Value, ...]]:
-        for place in self._places():
+        question = self.question
+        sizes = {name: axis.count for name, axis in question.axes.items() if name != "column"}
+        for place in places(sizes, partial(question.subject.exists, question)):
             yield tuple(
-                self.axes[key].value(place)
-                if key in self.axes
-                else self.question.number(self.columns[key], place)
+                self.axes[key].value(place) if key in self.axes else question.number(self.columns[key], place)
                 for key in self.keys
             )
-
-    def _places(self) -> Iterator[Place]:
-        named = {name: axis for name, axis in self.question.axes.items() if name != "column"}
-        for indices in product(*(range(axis.count) for axis in named.values())):
-            place = dict(zip(named, indices, strict=True))
-            if self.question.subject.exists(self.question, place):
-                yield place
 
 
 def panels(layout: Layout, grid: Grid) -> tuple[Panel, ...]:

@@ -99,7 +99,7 @@ def primed(prose: str) -> str:
 
 def plain(label: str, mark: str = ".") -> str:
     """Return a label as Unicode text."""
-    return set_label(label, escape_text, lambda formula: formula_plain(formula, mark), mark_text)
+    return set_label(label, str, lambda formula: formula_plain(formula, mark), mark_text)
 
 
 def set_label(
@@ -131,18 +131,14 @@ POWERS = dict(
 )
 
 
-def escape_text(prose: str) -> str:
-    return prose
-
-
-def mark_text(mark: str, target: str = "") -> str:
-    """Return a mark raised, ᵃ⁾, or as it is, *), where Unicode has no raised character. Text has no links."""
+def mark_text(mark: str) -> str:
+    """Return a mark raised, ᵃ⁾, or as it is, *), where Unicode has no raised character."""
     closed = f"{mark})"
     return "".join(POWERS[character] for character in closed) if set(closed) <= POWERS.keys() else closed
 
 
-def formula_plain(formula: Formula, mark: str = ".", display: bool = False) -> str:
-    """Return a formula in one line of Unicode: sin(φ±ψ)/cos ψ, xₘ, φ². It has no other size."""
+def formula_plain(formula: Formula, mark: str = ".") -> str:
+    """Return a formula in one line of Unicode: sin(φ±ψ)/cos ψ, xₘ, φ²."""
     return _text(formula.content, mark)
 
 

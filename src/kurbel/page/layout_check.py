@@ -30,19 +30,13 @@ _KEY = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 
 def check(file: TomlFile, page: Layout) -> None:
     """Raise LayoutError, with the line, unless pages can be printed in the layout."""
-    for place, said in _faults(page):
-        raise file.error(place, said)
-
-
-def _faults(page: Layout) -> Iterator[tuple[Place, str]]:
-    """Yield what is amiss: where it stands, and the sentence."""
-    yield from _faults_of_axes(page)
-    yield from _faults_of_values(page)
-    yield from _faults_of_columns(page)
-    yield from _faults_of_words(page)
+    for faults in (_faults_of_axes, _faults_of_values, _faults_of_columns, _faults_of_words):
+        for place, said in faults(page):
+            raise file.error(place, said)
 
 
 def _faults_of_axes(page: Layout) -> Iterator[tuple[Place, str]]:
+    """Yield what is amiss: where it stands, and the sentence; the others do likewise."""
     axes = [*subject(page.subject).axes]
     shared = (*page.down, *page.across)
     for key, names in (("down", page.down), ("across", page.across)):

@@ -23,12 +23,12 @@ _LONGEST = 80
 # With which pint answers what is no unit; an unknown one with an AttributeError of its own.
 PINT_ERRORS = (AttributeError, ValueError, TypeError, AssertionError)
 _LARGEST = 10**9
-# Umdrehungen and Pferdestärken, as German data sheets write them; pint's U is the unit of enzymes, and its
-# PS are petasiemens.
-_GERMAN = {
+# Squares; Umdrehungen and Pferdestärken, as German data sheets write them: pint's U is the unit of enzymes, and
+# its PS are petasiemens.
+_TRANSLATED = {
+    "s²": "s/s", "s^2": "s/s", "s**2": "s/s",
     "U/min": "rpm", "Upm": "rpm", "U/s": "turn/s", "min⁻¹": "/min", "PS": "metric_horsepower",
 }  # fmt: skip
-_SQUARES = ("s²", "s^2", "s**2")
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,12 +126,10 @@ def _name(quantity: Any, written: str) -> str:
 
 
 def _translated(text: str) -> str:
-    for square in _SQUARES:
-        if text.rstrip().endswith(square):
-            return text.rstrip().removesuffix(square) + "s/s"
-    for written, read in _GERMAN.items():
-        if text.rstrip().endswith(written):
-            return text.rstrip().removesuffix(written) + read
+    stripped = text.rstrip()
+    for written, read in _TRANSLATED.items():
+        if stripped.endswith(written):
+            return stripped.removesuffix(written) + read
     return text
 
 
