@@ -23,8 +23,8 @@ _LONGEST = 80
 # With which pint answers what is no unit; an unknown one with an AttributeError of its own.
 PINT_ERRORS = (AttributeError, ValueError, TypeError, AssertionError)
 _LARGEST = 10**9
-# Squares; Umdrehungen and Pferdestärken, as German data sheets write them: pint's U is the unit of enzymes, and
-# its PS are petasiemens.
+# Squares; Umdrehungen and Pferdestärken, as German data sheets write them: pint's U is the unit of enzymes,
+# and its PS are petasiemens.
 _TRANSLATED = {
     "s²": "s/s", "s^2": "s/s", "s**2": "s/s",
     "U/min": "rpm", "Upm": "rpm", "U/s": "turn/s", "min⁻¹": "/min", "PS": "metric_horsepower",
