@@ -1,15 +1,16 @@
-"""A crank drive without a crosshead at a crank angle, on any kind of number, and its certified digits."""
+"""A crank drive without a crosshead at a crank angle, on any kind of number, and as it is drawn to scale."""
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any, NamedTuple
 
 from kurbel.exact.certify import Kind, settled
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.linkage import Place
-from kurbel.page.quantity import Quantity
+from kurbel.page.quantity import Quantity, Words
 
 
 class At(NamedTuple):
@@ -21,6 +22,33 @@ class At(NamedTuple):
     kind: Kind
     circle: Any
     arc: Any = None
+
+
+Point = tuple[float, float]
+
+
+class Stand(NamedTuple):
+    """A drive at a crank angle, in units of R from the shaft: its links by their names, cranks called so, and
+    the pins between them. `chains` are the same lines from joint to joint, `letters` those of links, each at
+    a share of its length, `lengths` are from x to x along the line of shafts.
+    """
+
+    links: Mapping[str, tuple[Point, Point]]
+    pins: tuple[Point, ...]
+    chains: tuple[tuple[Point, ...], ...]
+    letters: tuple[tuple[str, str, float], ...] = ()
+    lengths: tuple[tuple[float, float, str], ...] = ()
+
+
+class Outline(NamedTuple):
+    """What does not move: the shafts, about each of which a crank turns, and how far links reach to the left
+    and to the right; `stand` is of the place of the crank pin."""
+
+    title: Words
+    shafts: tuple[Point, ...]
+    left: float
+    right: float
+    stand: Callable[[Point], Stand]
 
 
 class Linkage(ABC):
@@ -41,6 +69,10 @@ class Linkage(ABC):
     def at(self, stroke: int, circle: Circle[Any], kind: Kind) -> At:
         """Return what the kernel calls of its quantities take."""
         return At(self.place(stroke, circle, kind), self, kind, circle)
+
+    def outline(self) -> Outline | None:
+        """Return what it is seen as from its side, unless a drawing of its own knows."""
+        return None
 
     def direct(self, quantity: Quantity, circle: Circle[Any], kind: Kind) -> At:
         """Return the same, for an algebraic quantity, by formulas with small separation bounds."""

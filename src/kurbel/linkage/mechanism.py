@@ -1,21 +1,57 @@
-"""What crank drives without a crosshead have in common for commands."""
+"""What crank drives without a crosshead have in common for commands and conditions."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from typing import Any, ClassVar
 
 from kurbel.drive.load import FORCE
-from kurbel.linkage.drive import LinkageDrive
+from kurbel.exact.certify import Kind
+from kurbel.exact.numerals import Label
+from kurbel.kernel.circle import Circle
+from kurbel.linkage import linkage
 from kurbel.linkage.linkage import Linkage
 from kurbel.linkage.question import LinkageRequest
+from kurbel.motion.drives import Drive
 from kurbel.motion.evaluation import OUT
 from kurbel.motion.mechanism import FORCES, Mechanism
+from kurbel.page.layouts import layout
 from kurbel.page.quantity import Quantity
 from kurbel.page.subject import subject
 
-if TYPE_CHECKING:
-    from kurbel.motion.drives import Drive
+
+class LinkageDrive(Drive):
+    """A drive of `entries` with dead centres at 0° and 180°, and the layout whose page speaks of it."""
+
+    has_rod = False
+
+    def __init__(self, drive: Linkage, entries: Mapping[str, Quantity], page: str) -> None:
+        super().__init__(drive.crank, entries)
+        self.drive, self.page = drive, page
+
+    def value(self, quantity: Quantity, circle: Circle[Any], numbers: Kind) -> Any:
+        return linkage.value(quantity, self.drive, circle, numbers)
+
+    def direct(self, quantity: Quantity, circle: Circle[Any], numbers: Kind) -> Any:
+        return linkage.value(quantity, self.drive, circle, numbers, direct=True)
+
+    def certified(self, quantity: Quantity, degrees: Fraction, decimals: int, rounding: str) -> int:
+        return linkage.certified(quantity, self.drive, degrees, decimals, rounding)
+
+    def closing_lines(self, question: Any) -> Iterator[Label]:
+        """Yield what pages of the drive say of it, on both strokes."""
+        page = layout(self.page)
+        drives = tuple(one.drive for one in question.drives)
+        known = LinkageRequest(layout=page, angles=(Fraction(0),), drives=drives).subject.quantities()
+        keys = [column.key for column in question.page_columns if column.key in known]
+        both = (each for key in keys or ["path"] for each in (key, f"{key}_return") if each in known)
+        request = LinkageRequest(
+            layout=page, angles=(Fraction(0),), drives=drives, columns=tuple(both), lang=question.lang
+        )
+        for said in request.subject.notes(request):
+            assert isinstance(said, str)
+            yield said
 
 
 class LinkageMechanism(Mechanism):

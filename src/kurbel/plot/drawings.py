@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from kurbel.linkage.arc.crank import ArcCrank
-    from kurbel.linkage.outline import Outlined
+    from kurbel.linkage.linkage import Linkage
 
 MOST_POSITIONS = 36
 WORDS = {
@@ -78,12 +78,13 @@ def arc_drawing(crank: ArcCrank, angles: Sequence[Fraction], lang: str, mark: st
     return Drawing(arc_mechanism(crank, angles, lang, mark), title)
 
 
-def links_drawing(drive: Outlined, angles: Sequence[Fraction], lang: str, mark: str) -> Drawing:
+def links_drawing(drive: Linkage, angles: Sequence[Fraction], lang: str, mark: str) -> Drawing:
     """Return a drive to scale by its outline, likewise."""
     from kurbel.plot.links import outlined
 
     _check_positions(angles)
     outline = drive.outline()
+    assert outline is not None
     return Drawing(outlined(outline, angles, mark), outline.title[lang])
 
 

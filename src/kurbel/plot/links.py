@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from kurbel.kernel.circle import circle
-from kurbel.linkage.outline import Outline, Point, Stand
+from kurbel.linkage.linkage import Outline, Point, Stand
 from kurbel.plot.sketch import CHAIN, Sketch, laid_out, pin_texts
 from kurbel.plot.style import GREY, MEDIUM, WIDTH, style
 

@@ -16,8 +16,8 @@ from kurbel.exact.course import Course
 from kurbel.exact.place import SQUARE, Centre, Place
 from kurbel.linkage.arc.crank import STROKE, ArcCrank
 from kurbel.linkage.arc.quantities import arc_registry
-from kurbel.linkage.drive import LinkageDrive
 from kurbel.linkage.linkage import At
+from kurbel.linkage.mechanism import LinkageDrive
 from kurbel.motion.evaluation import OUT, STROKES
 from kurbel.motion.quantities import registry
 from kurbel.page.quantity import Formula, Quantity

@@ -4,19 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from kurbel.drive.crank import Crank, Described, radii
 from kurbel.errors import NotationError, ProblemError
 from kurbel.linkage.arc import captions
 from kurbel.linkage.arc.crank import ArcCrank
+from kurbel.linkage.arc.drive import ArcDrive, arc_columns
 from kurbel.linkage.arc.quantities import arc_registry
 from kurbel.linkage.mechanism import LinkageMechanism
 from kurbel.linkage.question import linkage_subject
 from kurbel.page.quantity import Quantity
-
-if TYPE_CHECKING:
-    from kurbel.linkage.arc.drive import ArcDrive
 
 SUBJECT = linkage_subject(
     "arc crank",
@@ -59,13 +57,9 @@ class Arc(LinkageMechanism):
         )
 
     def solved(self, drives: Sequence[Any], method: str | None) -> tuple[ArcDrive, ...]:
-        from kurbel.linkage.arc.drive import ArcDrive
-
         return tuple(map(ArcDrive, drives))
 
     def conditions(self) -> Mapping[str, Quantity]:
-        from kurbel.linkage.arc.drive import arc_columns
-
         return arc_columns()
 
 

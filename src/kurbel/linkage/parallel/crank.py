@@ -12,8 +12,7 @@ from kurbel.exact.certify import Kind
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.linkage import Place
 from kurbel.kernel.parallel import coupler_place
-from kurbel.linkage.linkage import Linkage
-from kurbel.linkage.outline import Outline, Point, Stand
+from kurbel.linkage.linkage import Linkage, Outline, Point, Stand
 from kurbel.page.quantity import words
 
 CHANGE_POINTS = (Fraction(0), Fraction(180))
