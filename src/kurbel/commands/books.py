@@ -30,20 +30,19 @@ if TYPE_CHECKING:
 class Source(Kind):
     """The key of a source; the page itself refuses a wrong one."""
 
-    def offered(self, begun: str, typed: Mapping[str, Any]) -> Iterable[str]:
+    def known(self, typed: Mapping[str, Any]) -> Iterable[str]:
         from kurbel.examples.source import source_keys
 
-        return (key for key in source_keys() if key.startswith(begun))
+        return source_keys()
 
 
 class ExampleNumber(Kind):
     """The number of an example; which there are depends on the source."""
 
-    def offered(self, begun: str, typed: Mapping[str, Any]) -> Iterable[str]:
+    def known(self, typed: Mapping[str, Any]) -> Iterable[str]:
         from kurbel.examples.source import numbers_of, source_keys
 
-        numbers = numbers_of(typed["source"]) if typed.get("source") in source_keys() else ()
-        return (number for number in numbers if number.startswith(begun))
+        return numbers_of(typed["source"]) if typed.get("source") in source_keys() else ()
 
 
 @makes_table(machine=False)

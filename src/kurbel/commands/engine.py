@@ -7,7 +7,7 @@ from typing import Annotated, Any, Unpack
 from kurbel.commands import parameters as option
 from kurbel.commands.machines import engine_of, for_masses, is_heavy
 from kurbel.commands.motion import ratios_of
-from kurbel.commands.options import FLAG, Columns, Option, is_given
+from kurbel.commands.options import FLAG, Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.errors import ProblemError
 from kurbel.page.layouts import layout_of
@@ -181,10 +181,7 @@ def dead_centres_table(
         bool,
         Option("From the true geometry of the linkage; default: the formulas of § 149.", kind=FLAG),
     ] = False,
-    columns: Annotated[
-        option.Names,
-        Option("Columns and their order: mu,nu,path_1.", "NAMES", Columns("weisbach-149"), many=True),
-    ] = (),
+    columns: Annotated[option.Names, option.columns_option("weisbach-149", "mu,nu,path_1", ".")] = (),
     layouts: option.Layouts = None,
     layout: Annotated[str, option.layout_option("dead centres")] = "weisbach-149",
     **sheet: Unpack[option.Sheet],

@@ -35,9 +35,13 @@ class Kind:
     def check(self, value: Any, name: str) -> None:
         """Raise KurbelError for what Python gave that can be no value of the option with this name."""
 
-    def offered(self, begun: str, typed: Mapping[str, Any]) -> Iterable[str]:
-        """Return the texts that begin so, for the completion of shells."""
+    def known(self, typed: Mapping[str, Any]) -> Iterable[str]:
+        """Return the texts that shells offer."""
         return ()
+
+    def offered(self, begun: str, typed: Mapping[str, Any]) -> Iterable[str]:
+        """Return those of them that begin so."""
+        return (text for text in self.known(typed) if text.startswith(begun))
 
 
 TEXT = Kind()
@@ -77,8 +81,8 @@ class Choice(Kind):
     def check(self, value: Any, name: str) -> None:
         self.read(value, {})
 
-    def offered(self, begun: str, typed: Mapping[str, Any]) -> Iterable[str]:
-        return (name for name in self.names if name.startswith(begun))
+    def known(self, typed: Mapping[str, Any]) -> Iterable[str]:
+        return self.names
 
 
 class Count(Kind):
@@ -141,16 +145,13 @@ class LayoutName(Kind):
     def read(self, text: str, typed: Mapping[str, Any]) -> str:
         from kurbel.page.layouts import layout_names
 
-        return text if text in layout_names(_folder(typed)) else choose(text, self._fitting(typed), self.name)
+        return text if text in layout_names(_folder(typed)) else choose(text, self.known(typed), self.name)
 
     def check(self, value: Any, name: str) -> None:
         if not isinstance(value, str):
             raise NotationError(f"{name} is {str(value)[:40]}, which is not the name of a layout")
 
-    def offered(self, begun: str, typed: Mapping[str, Any]) -> Iterable[str]:
-        return (name for name in self._fitting(typed) if name.startswith(begun))
-
-    def _fitting(self, typed: Mapping[str, Any]) -> list[str]:
+    def known(self, typed: Mapping[str, Any]) -> Iterable[str]:
         from kurbel.page.layouts import layout, layout_names
 
         folder = _folder(typed)

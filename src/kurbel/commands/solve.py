@@ -5,7 +5,7 @@ from typing import Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
 from kurbel.commands.motion import described, mechanism_of, of_other_mechanisms, sheet_of, some
-from kurbel.commands.options import Columns, Option
+from kurbel.commands.options import Option
 from kurbel.commands.subject import makes_table
 from kurbel.errors import NotationError
 from kurbel.page.layouts import layout_of
@@ -44,11 +44,8 @@ def solve_table(
     *,
     columns: Annotated[
         option.Names,
-        Option(
-            "Columns and their order: stroke,phi,phi_turn,x,c,p. Pages keep the stroke and φ at the left.",
-            "NAMES",
-            Columns("solve"),
-            many=True,
+        option.columns_option(
+            "solve", "stroke,phi,phi_turn,x,c,p", ". Pages keep the stroke and φ at the left."
         ),
     ] = (),
     layout: Annotated[str, option.layout_option("roots")] = "solve",
