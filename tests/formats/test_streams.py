@@ -12,7 +12,7 @@ from cli import printed
 from kurbel.drive.crank import Crank
 from kurbel.formats import streams
 from kurbel.formats.registry import RecordsFormat, by_name
-from kurbel.motion import digits
+from kurbel.motion import evaluation
 from kurbel.motion import page as motion_page
 from kurbel.motion.page import Request
 from kurbel.page import axes
@@ -44,14 +44,14 @@ def test_columns_of_floats_and_lines_of_balls_are_the_same_bytes(
 ) -> None:
     monkeypatch.setattr(motion_page, "CHUNK", 1000)
     one_by_one = streamed(asked(angles), format_name, decimal)
-    monkeypatch.setattr(digits, "PAGE_CELLS", 0)
+    monkeypatch.setattr(evaluation, "PAGE_CELLS", 0)
     assert asked(angles).angles is angles
     assert streamed(asked(angles), format_name, decimal) == one_by_one
     assert one_by_one.count(b"\n") > 2 * len(angles)
 
 
 def test_all_angles_of_a_list_have_the_same_decimals(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(digits, "PAGE_CELLS", 0)
+    monkeypatch.setattr(evaluation, "PAGE_CELLS", 0)
     monkeypatch.setattr(motion_page, "CHUNK", 10)
     lines = streamed(asked(notation.angles(["0..50;0.5"])), "csv").decode().splitlines()[1:]
     assert {len(line.split(",")[1].partition(".")[2]) for line in lines} == {1}

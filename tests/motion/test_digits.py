@@ -10,8 +10,7 @@ from kurbel.drive.crank import Crank
 from kurbel.drive.load import PistonForce
 from kurbel.drive.moving import Moving
 from kurbel.drive.rod import Rod
-from kurbel.motion.digits import columns_in_balls, columns_in_floats
-from kurbel.motion.evaluation import LOADED
+from kurbel.motion.evaluation import LOADED, columns_in_balls, columns_in_floats
 from kurbel.motion.quantities import registry
 from kurbel.page.quantity import bare
 from kurbel.reading.notation import Progression

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 from kurbel.drive.load import PistonForce, read_force
 from kurbel.errors import NotationError, ProblemError
+from kurbel.kernel import kinematics
 from kurbel.reading import notation
 from kurbel.reading.given import Exact, as_fraction, as_length, as_number, as_ratios, as_speed
 from kurbel.reading.notation import Progression, about, ratio_text
@@ -16,6 +17,7 @@ from kurbel.reading.notation import Progression, about, ratio_text
 if TYPE_CHECKING:
     from kurbel.drive.moving import Moving
     from kurbel.drive.rod import Rod
+    from kurbel.exact.certify import Kind
     from kurbel.reading.units import Speed
 
 LONGEST_ROD = 10**9
@@ -52,6 +54,35 @@ class Crank:
         """L in metres, None if it is not known or infinite."""
         return self.radius / self.ratio if self.radius is not None and self.ratio else None
 
+    def stroke(self, numbers: Kind) -> Any:
+        """Return the stroke in units of R."""
+        if not self.offset:
+            return numbers.of(Fraction(2))
+        return kinematics.stroke(numbers.of(self.ratio), numbers.of(self.offset))
+
+    def pin_velocity(self, numbers: Kind) -> Any:
+        """Return v = R ω of the crank pin in m/s; bounds, which know no π, leave it out."""
+        speed, radius = known(self.speed), known(self.radius)
+        if not speed.turns:
+            return numbers.of(radius * speed.value)
+        rational = numbers.of(2 * radius * speed.value)
+        return rational if numbers.pi is None else rational * numbers.pi
+
+    def pin_acceleration(self, numbers: Kind) -> Any:
+        """Return v²/R of the crank pin in m/s²."""
+        velocity = self.pin_velocity(numbers)
+        return velocity * velocity / numbers.of(known(self.radius))
+
+    def millimetres(self, numbers: Kind) -> Any:
+        return numbers.of(1000 * known(self.radius))
+
+    def newtons(self, numbers: Kind) -> Any:
+        """What makes newtons of a unit force; forces of moving masses are in newtons as they are."""
+        return numbers.of(Fraction(1) if self.moving is not None else known(self.force).first)
+
+    def newton_metres(self, numbers: Kind) -> Any:
+        return self.newtons(numbers) * numbers.of(known(self.radius))
+
     def __post_init__(self) -> None:
         _check_ratio(self.ratio)
         if abs(self.offset) > LONGEST_ROD:
@@ -76,10 +107,15 @@ def check_angles(angles: Sequence[Fraction]) -> None:
     """Raise ProblemError unless there are angles and all lie within a million degrees of zero."""
     if not angles:
         raise ProblemError("no angle was given; write them as --angle 0;45;90 or --from 0 --to 180 --step 10")
+    if largest(angles) > LARGEST_ANGLE:
+        raise ProblemError(f"an angle is beyond {LARGEST_ANGLE}°; give it within one turn, 0..360")
+
+
+def largest(angles: Sequence[Fraction]) -> Fraction:
+    """Return the greatest magnitude among the angles."""
     # A progression has its ends for its extremes, and may be too long to be looked at whole.
-    for angle in (angles[0], angles[-1]) if isinstance(angles, Progression) else angles:
-        if abs(angle) > LARGEST_ANGLE:
-            raise ProblemError(f"an angle is beyond {LARGEST_ANGLE}°; give it within one turn, 0..360")
+    ends: Sequence[Fraction] = (angles[0], angles[-1]) if isinstance(angles, Progression) else angles
+    return max(map(abs, ends))
 
 
 def _check_ratio(ratio: Fraction) -> None:

@@ -8,7 +8,8 @@ from functools import partial
 from itertools import chain, islice
 from typing import TYPE_CHECKING
 
-from kurbel.motion.digits import MOST_DECIMALS, largest
+from kurbel.drive.crank import largest
+from kurbel.motion.evaluation import MOST_DECIMALS
 from kurbel.motion.page import CHUNK, RecordRows
 from kurbel.page.axes import angle_decimals, angle_number
 from kurbel.page.build import build
@@ -57,7 +58,7 @@ def _scaled_angles(angles: Sequence[Fraction], decimals: int, mark: bytes) -> Sc
     import numpy as np
 
     from kurbel.formats.columns import Scaled
-    from kurbel.motion.digits import integer_angles
+    from kurbel.motion.evaluation import integer_angles
 
     if isinstance(angles, Progression):
         numerators, denominator = integer_angles(angles)

@@ -11,7 +11,7 @@ from kurbel.drive.load import figure
 from kurbel.exact.certify import Kind, ball_degrees, settled
 from kurbel.exact.numerals import Label, Number, finite_decimals, number_text
 from kurbel.kernel import kinematics
-from kurbel.motion.evaluation import OUT, RETURN, pin_velocity
+from kurbel.motion.evaluation import OUT, RETURN
 from kurbel.page.quantity import Words, enumerated_letters, words
 from kurbel.reading.notation import ratio_text
 
@@ -120,10 +120,10 @@ def _machine(crank: Crank, lang: str) -> Label:
 def _speed(crank: Crank, lang: str) -> str:
     speed = known(crank.speed)
     turns, radians = f'$n = {figure(speed.value * 60)} "min"^(-1)$', f'$ω = {figure(speed.value)} "rad/s"$'
-    quotient = _certified(lambda numbers: numbers.pi / _stroke(crank, numbers), 4, algebraic=False)
+    quotient = _certified(lambda numbers: numbers.pi / crank.stroke(numbers), 4, algebraic=False)
     return WORDS["speed"][lang].format(
         turns=f"{turns if speed.turns else radians}, ",
-        pin=_certified(lambda numbers: pin_velocity(crank, numbers), 3, algebraic=not speed.turns),
+        pin=_certified(crank.pin_velocity, 3, algebraic=not speed.turns),
         mean=_certified(lambda numbers: _mean_speed(crank, numbers), 3, algebraic=speed.turns),
         quotient=quotient if crank.offset else "π:2",
     )
@@ -133,15 +133,9 @@ def _mean_speed(crank: Crank, numbers: Kind) -> Any:
     """c_m in m/s. Of turns it is S n/30, without the π that the crank-pin velocity has."""
     speed = known(crank.speed)
     if speed.turns:
-        stroke = _stroke(crank, numbers) * numbers.of(known(crank.radius))
+        stroke = crank.stroke(numbers) * numbers.of(known(crank.radius))
         return kinematics.mean_piston_speed(stroke, numbers.of(60 * speed.value))
-    return pin_velocity(crank, numbers) * kinematics.mean_piston_velocity(_stroke(crank, numbers), numbers.pi)
-
-
-def _stroke(crank: Crank, numbers: Kind) -> Any:
-    if not crank.offset:
-        return numbers.of(Fraction(2))
-    return kinematics.stroke(numbers.of(crank.ratio), numbers.of(crank.offset))
+    return crank.pin_velocity(numbers) * kinematics.mean_piston_velocity(crank.stroke(numbers), numbers.pi)
 
 
 def _offset(crank: Crank, lang: str) -> Label:
@@ -159,7 +153,7 @@ def _offset(crank: Crank, lang: str) -> Label:
         ratio=ratio_text(crank.ratio),
         inner=_certified(dead_centre(OUT), 3, algebraic=False),
         outer=_certified(dead_centre(RETURN), 3, algebraic=False),
-        stroke=_certified(lambda numbers: _stroke(crank, numbers), 4, algebraic=True),
+        stroke=_certified(crank.stroke, 4, algebraic=True),
     )
 
 

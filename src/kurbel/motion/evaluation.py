@@ -1,7 +1,8 @@
 """A quantity of the crank drive at a crank angle, on any kind of number, and its certified digits.
 
 A quantity is evaluated by one of the kernel's formulas on one of four kinds of number: balls (certified
-digits), separation bounds (ties), floats and arrays (bulk).
+digits), separation bounds (ties), floats and arrays (bulk). A page is computed in balls outright; of long
+columns in floats the doubtful cells are settled in balls.
 """
 
 from __future__ import annotations
@@ -9,13 +10,25 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any, NamedTuple
+from math import lcm
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from kurbel.drive.crank import Crank, known
+from kurbel.drive.crank import Crank, known, largest
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import Kind, ball, ball_circle, bounds, settled, vanishes
+from kurbel.exact.certify import Kind, ball, ball_circle, bounds, floats, settled, vanishes
 from kurbel.kernel import kinematics
-from kurbel.page.quantity import Quantity, Words, words
+from kurbel.page.quantity import Column, Quantity, Words, words
+from kurbel.reading.notation import Progression
+
+if TYPE_CHECKING:
+    import numpy as np
+
+# Below this many cells balls are done before NumPy is imported.
+PAGE_CELLS = 20_000
+# Floats are worth their while as long as few of them are doubtful.
+DOUBTFUL_SHARE = 0.1
+# Integers of 64 bits have no more digits.
+MOST_DECIMALS = 18
 
 # What of the crank a quantity needs to be known, and the options that tell it.
 NEEDS: Mapping[str, tuple[str, ...]] = {
@@ -40,22 +53,21 @@ class Method(NamedTuple):
     caption: Words
 
 
+_EXACT = words("genaue Formeln|exact formulas")
 METHODS = {
-    method.key: method
-    for method in (
-        Method("exact", words("genaue Formeln|exact formulas"), words("genaue Formeln|exact formulas")),
+    one.key: one
+    for one in (
+        Method("exact", _EXACT, _EXACT),
         Method(
-            "series",
-            words("Näherung erster Ordnung (Blau 22, 25, 26)|first order (Blau 22, 25, 26)"),
+            "series", words("Näherung erster Ordnung (Blau 22, 25, 26)|first order (Blau 22, 25, 26)"),
             words("Näherung erster Ordnung|first-order formulas"),
         ),
         Method(
-            "infinite",
-            words("Schubstange unendlich lang|rod of infinite length"),
+            "infinite", words("Schubstange unendlich lang|rod of infinite length"),
             words("unendlich lange Schubstange|infinitely long rod"),
         ),
     )
-}
+}  # fmt: skip
 # The gain of a page that shows two methods: exact minus first order, from unrounded values.
 DIFFERENCE = "difference"
 # Further formulas of a quantity: of the offset crank, of a drive with moving masses,
@@ -180,43 +192,6 @@ def _weighs(quantity: Quantity, method: str, crank: Crank, angle: Fraction) -> b
     return not vanishes(part, float(bound.bits()))
 
 
-def pin_velocity(crank: Crank, numbers: Kind) -> Any:
-    """Return v = R ω of the crank pin in m/s; bounds, which know no π, leave it out."""
-    speed, radius = known(crank.speed), known(crank.radius)
-    if not speed.turns:
-        return numbers.of(radius * speed.value)
-    rational = numbers.of(2 * radius * speed.value)
-    return rational if numbers.pi is None else rational * numbers.pi
-
-
-def pin_acceleration(crank: Crank, numbers: Kind) -> Any:
-    """v²/R of the crank pin in m/s²."""
-    velocity = pin_velocity(crank, numbers)
-    return velocity * velocity / numbers.of(known(crank.radius))
-
-
-def share_of_stroke(share: int) -> Callable[[Crank, Kind], Any]:
-    def scale(crank: Crank, numbers: Kind) -> Any:
-        if not crank.offset:
-            return numbers.of(Fraction(share, 2))
-        return share / kinematics.stroke(numbers.of(crank.ratio), numbers.of(crank.offset))
-
-    return scale
-
-
-def millimetres(crank: Crank, numbers: Kind) -> Any:
-    return numbers.of(1000 * known(crank.radius))
-
-
-def newtons(crank: Crank, numbers: Kind) -> Any:
-    """What makes newtons of a unit force; forces of moving masses are in newtons as they are."""
-    return numbers.of(Fraction(1) if crank.moving is not None else known(crank.force).first)
-
-
-def newton_metres(crank: Crank, numbers: Kind) -> Any:
-    return newtons(crank, numbers) * numbers.of(known(crank.radius))
-
-
 def greatest_load(crank: Crank) -> Fraction:
     """Return a bound of the forces in newtons that piston force and moving masses call up, but for the rod's
     slant: without the factor (2π)² where the speed counts turns."""
@@ -226,3 +201,96 @@ def greatest_load(crank: Crank) -> Fraction:
     factor = 40 if speed.turns else 1
     force = crank.force.first * crank.force.growth if crank.force else Fraction(0)
     return force + masses * known(crank.radius) * speed.value**2 * factor
+
+
+def columns_in_balls(
+    columns: Sequence[Column], crank: Crank, angles: Sequence[Fraction], rounding: str
+) -> list[list[int]]:
+    """Return for each column its values times 10**decimals, rounded correctly, one for each angle.
+
+    Every value is certified by itself: no NumPy, any number of decimals.
+    """
+    return [
+        [certified(one.quantity, one.method, crank, angle, one.places, rounding) for angle in angles]
+        for one in columns
+    ]
+
+
+def is_long(columns: Sequence[Column], cranks: Sequence[Crank], angles: Sequence[Fraction]) -> bool:
+    """Whether so many cells, to so few decimals, are worth NumPy's start-up: `columns_in_floats`."""
+    if len(columns) * len(cranks) * len(angles) <= PAGE_CELLS:
+        return False
+    if max(column.places for column in columns) > MOST_DECIMALS:
+        return False
+    reach = float(largest(angles))
+    doubtful = (
+        2 * float_bound(column, crank, reach) * 10.0**column.places for column in columns for crank in cranks
+    )
+    return max(doubtful) < DOUBTFUL_SHARE
+
+
+def float_bound(column: Column, crank: Crank, largest_angle: float) -> float:
+    """Return how far a float of this column can lie from the true value at the exact angle.
+
+    The kernel's own error is a few units in the last place (tests/kernel); rounding λ and the
+    angle to floats adds their share times the slope. Powers of 1/(1 - sin² ψ) cover the growth of all of them
+    up to the slope of the acceleration as λ nears 1.
+    """
+    steepest = float(crank.ratio) * (1 + abs(float(crank.offset)))
+    growth = (1 - min(steepest, 1 - 1e-12) ** 2) ** -3.5
+    unit = 2.0**-53
+    in_radians = max(largest_angle, 360.0) / 57
+    quantity = column.quantity
+    scale = abs(float(quantity.scale(crank, floats()))) if quantity.scale else 1.0
+    if quantity.needs in ("force", "torque") and crank.force is not None:
+        scale *= float(crank.force.growth)
+    if LOADED in quantity.formulas and crank.moving is not None:
+        # A force is a sum of few products of these with powers of 1/cos ψ.
+        scale *= 8 * float(greatest_load(crank))
+    return float((16 + 4 * in_radians) * unit * growth * quantity.bound * scale)
+
+
+def columns_in_floats(
+    columns: Sequence[Column], crank: Crank, angles: Sequence[Fraction], rounding: str
+) -> list[np.ndarray]:
+    """Return the same as int64 arrays: all values in floats, certified where they are doubtful."""
+    from kurbel.exact.bulk import evaluate, nearest
+
+    degrees = float_angles(angles)
+    values = evaluate([on_floats(column, crank) for column in columns], degrees)
+    reach = float(abs(degrees).max())
+    settled = []
+    for column, found in zip(columns, values, strict=True):
+        bound = float_bound(column, crank, reach)
+        scaled, doubtful = nearest(found, column.places, bound, half_even=rounding == "half-even")
+        for row in doubtful.nonzero()[0].tolist():
+            [[scaled[row]]] = columns_in_balls([column], crank, [angles[row]], rounding)
+        settled.append(scaled)
+    return settled
+
+
+def on_floats(column: Column, crank: Crank) -> Callable[[Any], Any]:
+    """Return the column as a function of the circle of floats or arrays."""
+    return lambda circle: value(column.quantity, column.method, crank, circle, floats())
+
+
+def float_angles(angles: Sequence[Fraction]) -> np.ndarray:
+    """Return the angles as floats, each at most one unit in the last place off."""
+    import numpy as np
+
+    if isinstance(angles, Progression):
+        numerators, denominator = integer_angles(angles)
+        if max(abs(int(numerators[0])), abs(int(numerators[-1])), denominator) < 2**53:
+            return numerators / denominator
+    return np.array([float(angle) for angle in angles])
+
+
+def integer_angles(angles: Progression) -> tuple[np.ndarray, int]:
+    """Return the numerators of all angles over one denominator; Python integers where 62 bits are too few."""
+    import numpy as np
+
+    denominator = lcm(angles.start.denominator, angles.step.denominator)
+    first, step = int(angles.start * denominator), int(angles.step * denominator)
+    last = first + step * len(angles)
+    kind = np.int64 if max(abs(first), abs(last)) < 2**62 else object
+    return first + step * np.arange(len(angles), dtype=kind), denominator

@@ -12,7 +12,7 @@ from kurbel.exact.certify import Kind
 from kurbel.exact.numerals import Label
 from kurbel.kernel import rod
 from kurbel.kernel.rod import Loaded, Masses
-from kurbel.motion.evaluation import OFFSET, At, pin_acceleration
+from kurbel.motion.evaluation import OFFSET, At
 from kurbel.motion.quantities import Scale
 from kurbel.page.quantity import Formula, Quantity, Words, words
 
@@ -53,7 +53,7 @@ class RodForce(NamedTuple):
     def scale(self, crank: Crank, numbers: Kind) -> Any:
         """M R ω² in newtons, or M R² ω² in newton metres."""
         arm = known(crank.radius) if self.is_torque else Fraction(1)
-        return numbers.of(known(known(crank.rod).mass) * arm) * pin_acceleration(crank, numbers)
+        return numbers.of(known(known(crank.rod).mass) * arm) * crank.pin_acceleration(numbers)
 
 
 def _pin_square(loaded: Loaded) -> Any:

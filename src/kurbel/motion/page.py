@@ -13,8 +13,7 @@ from kurbel.drive.crank import Crank, check_angles
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Number
 from kurbel.motion import captions
-from kurbel.motion.digits import columns_in_balls, columns_in_floats, is_long, on_floats
-from kurbel.motion.evaluation import NEEDS, needed
+from kurbel.motion.evaluation import NEEDS, columns_in_balls, columns_in_floats, is_long, needed, on_floats
 from kurbel.motion.quantities import registry
 from kurbel.page.axes import (
     AngleAxis,

@@ -21,12 +21,6 @@ from kurbel.motion.evaluation import (
     STROKES,
     TANGENT,
     At,
-    millimetres,
-    newton_metres,
-    newtons,
-    pin_acceleration,
-    pin_velocity,
-    share_of_stroke,
 )
 from kurbel.page.quantity import Formula, Quantity, entry, words
 
@@ -117,20 +111,20 @@ def _motion_entries() -> Iterator[Quantity]:
     yield from _both("x", path, "$x$", "$x/R$", "$R$", 4, PATH, names=("x",))
     yield from _both(
         "x_stroke", path, "$x$", "in Teilen des Hubes|in strokes", "Hub|stroke", 4, PATH,
-        scale=share_of_stroke(1), names=("s",),
+        scale=lambda crank, numbers: 1 / crank.stroke(numbers), names=("s",),
     )  # fmt: skip
     yield from _both(
         "x_percent", path, "$x$", "in % des Hubes|in % of stroke", "% des Hubes|% of the stroke", 2, PATH,
-        scale=share_of_stroke(100),
+        scale=lambda crank, numbers: 100 / crank.stroke(numbers),
     )  # fmt: skip
-    yield from _both("x_mm", path, "$x$", "$x$ in mm", "mm", 2, PATH, scale=millimetres, needs="length")
+    yield from _both("x_mm", path, "$x$", "$x$ in mm", "mm", 2, PATH, scale=Crank.millimetres, needs="length")
     yield from _both("c", velocity, "$c$", "$c/v$", "$v$", 4, VELOCITY, names=("c",))
     yield from _both(
-        "c_mps", velocity, "$c$", "$c$ in m/s", "m/s", 3, VELOCITY, scale=pin_velocity, needs="speed"
+        "c_mps", velocity, "$c$", "$c$ in m/s", "m/s", 3, VELOCITY, scale=Crank.pin_velocity, needs="speed"
     )
     yield from _both("p", acceleration, "$p$", "$(p R)/v^2$", "v²/R", 4, ACCELERATION, names=("p",))
     yield from _both(
-        "p_mps2", acceleration, "$p$", "$p$ in m/s²", "m/s²", 2, ACCELERATION, scale=pin_acceleration,
+        "p_mps2", acceleration, "$p$", "$p$ in m/s²", "m/s²", 2, ACCELERATION, scale=Crank.pin_acceleration,
         needs="speed",
     )  # fmt: skip
     yield from _both(
@@ -218,7 +212,7 @@ def force_entries(
         yield spanned(key, name, symbol, share, "$F$", 4, shares, names=(key,), direction=said, **rest)
     needs = "force" if shares else "masses"
     yield spanned(
-        f"{key}_n", name, symbol, f"{symbol} in N", "N", 1, newton, scale=newtons, needs=needs,
+        f"{key}_n", name, symbol, f"{symbol} in N", "N", 1, newton, scale=Crank.newtons, needs=needs,
         direction=said, **rest,
     )  # fmt: skip
 
@@ -228,8 +222,8 @@ def torque_entries(shares: Formulas, newton: Formulas, **rest: Any) -> Iterator[
     name, symbol = "Drehmoment|Torque", "$M_d$"
     yield spanned("torque", name, symbol, "$M_d/(F R)$", "$F R$", 4, shares, names=("torque",), **rest)
     yield spanned(
-        "torque_nm", name, symbol, "$M_d$ in N m", "N m", 1, newton, scale=newton_metres, needs="torque",
-        **rest,
+        "torque_nm", name, symbol, "$M_d$ in N m", "N m", 1, newton, scale=Crank.newton_metres,
+        needs="torque", **rest,
     )  # fmt: skip
 
 
@@ -249,7 +243,7 @@ def _in_newtons(key: str, shares: Formulas) -> Formulas:
 
     def call(at: At) -> Any:
         crank, of = at.crank, at.numbers.of
-        weights = known(crank.moving).weights(of, pin_acceleration(crank, at.numbers))
+        weights = known(crank.moving).weights(of, crank.pin_acceleration(at.numbers))
         net = at.acting(of(crank.force.first if crank.force else Fraction(0)))
         return loaded(at.circle, at.ratio, weights, at.offset, net)
 
