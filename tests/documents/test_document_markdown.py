@@ -11,13 +11,13 @@ import pytest
 from handbook import FIGURES, TABLES, document, fragments, table
 from markdown_it import MarkdownIt
 from markdown_it.token import Token
+from page_formats import page_format
 
 from kurbel.documents.document import Chapter, Document, Item
 from kurbel.documents.markdown import parse_prose
 from kurbel.errors import ChoiceError
 from kurbel.formats.documents import document_files
 from kurbel.formats.page import page
-from kurbel.formats.registry import page_format
 from kurbel.page.labels import plain
 
 READER = MarkdownIt("gfm-like", {"linkify": False})

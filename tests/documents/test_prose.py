@@ -8,6 +8,7 @@ import time
 import pytest
 from hypothesis import example, given, settings
 from markdown_it import MarkdownIt
+from page_formats import page_format
 from places import ROOT
 from prose_sample import SAMPLE, TEXTS, Parts, parsed, shown
 
@@ -32,7 +33,7 @@ from kurbel.documents.prose import (
 )
 from kurbel.errors import ChoiceError, ProseError
 from kurbel.formats.printer import set_prose
-from kurbel.formats.registry import FORMATS, page_format
+from kurbel.formats.registry import FORMATS
 from kurbel.page.formula import parse_formula
 
 PAGES = [name for name, form in FORMATS.items() if form.kind == "page"]

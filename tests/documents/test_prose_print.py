@@ -8,13 +8,13 @@ import string
 import subprocess
 from pathlib import Path
 
+from page_formats import page_format
 from prose_sample import SAMPLE, Parts, parsed, shown
 from tex import compiled, complaints, each_engine
 from tools import require, require_library
 
 from kurbel.documents.markdown import parse_prose
 from kurbel.formats.printer import set_prose
-from kurbel.formats.registry import page_format
 
 _LATEX = r"""\documentclass[a4paper]{report}
 \usepackage{iftex}

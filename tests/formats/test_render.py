@@ -14,12 +14,13 @@ import pytest
 from everything import AWKWARD_TEXT, everything, n
 from golden import assert_golden
 from markdown_it import MarkdownIt
+from page_formats import page_format
 from places import SUPPORT
 from readers import fragment, markdown_tables, model_cells
 
 from kurbel.exact.numerals import Number
 from kurbel.formats.page import page
-from kurbel.formats.registry import FORMATS, by_name, page_format
+from kurbel.formats.registry import FORMATS, by_name
 from kurbel.formats.render import render
 from kurbel.page.table import DITTO, Cell, Column, Group, Note, Panel, Records, Row, Table
 

@@ -20,6 +20,7 @@ from everything import everything
 from golden import assert_golden
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
+from page_formats import page_format
 from pages import default_page, each_layout
 from prose_sample import SAMPLE, TEXTS, Parts, parsed, shown
 from readers import model_cells
@@ -29,7 +30,6 @@ from kurbel.documents.markdown import parse_prose
 from kurbel.formats.documents import document_files
 from kurbel.formats.page import head_rows
 from kurbel.formats.printer import set_prose
-from kurbel.formats.registry import page_format
 from kurbel.formats.render import render
 from kurbel.formats.rst.grid import GridCell, grid_lines
 from kurbel.formats.rst.writer import escape, finish, role

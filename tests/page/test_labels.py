@@ -5,9 +5,10 @@ from __future__ import annotations
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from page_formats import page_format
 
 from kurbel.errors import LayoutError
-from kurbel.formats.registry import FORMATS, PageFormat, page_format
+from kurbel.formats.registry import FORMATS, PageFormat
 from kurbel.page.formula import Formula
 from kurbel.page.labels import Mark, Prose, formula_plain, mark_text, parse, plain
 

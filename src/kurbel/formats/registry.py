@@ -188,14 +188,6 @@ def by_name(name: str) -> Format:
     return FORMATS[name]
 
 
-def page_format(name: str) -> PageFormat:
-    """Return the format of pages of that name; raise ChoiceError if there is none."""
-    form = by_name(name)
-    if not isinstance(form, PageFormat):
-        raise ChoiceError(f"{name} is no format of pages")
-    return form
-
-
 def compiled_format() -> CompiledFormat:
     """Return the format of bytes in which handbooks are set."""
     return next(form for form in FORMATS.values() if isinstance(form, CompiledFormat))
