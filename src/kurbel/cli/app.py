@@ -74,7 +74,7 @@ def cli() -> None:
 def run() -> tuple[int, str]:
     """Run the command of the command line; return its exit code and, if it failed, why."""
     if "_KURBEL_COMPLETE" in os.environ:
-        importlib.import_module("kurbel.cli.completion")
+        _complete_lists()
     try:
         result = cli.main(prog_name="kurbel", standalone_mode=False)
         sys.stdout.flush()
@@ -88,6 +88,16 @@ def run() -> tuple[int, str]:
         return error.exit_code, ""
     except click.ClickException as error:
         return error.exit_code, one_line(error)
+
+
+def _complete_lists() -> None:
+    """Have fish complete lists such as phi,x,c: click's script cuts every candidate at its first comma."""
+    from click.shell_completion import FishComplete, add_completion_class
+
+    class ListFishComplete(FishComplete):
+        source_template = FishComplete.source_template.replace('string split ","', 'string split --max 1 ","')
+
+    add_completion_class(ListFishComplete)
 
 
 def one_line(error: click.ClickException) -> str:

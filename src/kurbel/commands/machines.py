@@ -8,9 +8,10 @@ from fractions import Fraction
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
-from kurbel.commands.motion import cranks_of, sheet_of
+from kurbel.commands.motion import sheet_of
 from kurbel.commands.options import is_given
 from kurbel.commands.parameters import MovingRod
+from kurbel.drive.crank import Described
 from kurbel.errors import ProblemError
 from kurbel.page.layouts import Layout
 from kurbel.reading.given import (
@@ -145,7 +146,7 @@ def engine_of(page: Layout, given: Mapping[str, Any], **rest: Any) -> EngineRequ
     """Return what is asked for of the engines that options describe: with their masses, under their steam."""
     from kurbel.engine.request import EngineRequest
 
-    drives = cranks_of(page, given["ratio"], given["stroke"], given["rod"])
+    drives = Described(given["ratio"], given["stroke"], given["rod"]).cranks(page.ratios)
     cranks, methods = given.get("cranks"), given["method"] or ()
     return EngineRequest(
         layout=page,

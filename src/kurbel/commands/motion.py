@@ -8,7 +8,7 @@ from kurbel.commands import parameters as option
 from kurbel.commands.options import is_given
 from kurbel.commands.parameters import Given, Sheet
 from kurbel.commands.subject import makes_table
-from kurbel.drive.crank import Crank, Described
+from kurbel.drive.crank import Described
 from kurbel.drive.mechanisms import MECHANISMS, MOTIONS
 from kurbel.errors import ProblemError
 from kurbel.motion import mechanism as mechanisms
@@ -58,13 +58,6 @@ def of_other_mechanisms(
     """Return what was given that describes other crank drives alone, with the sentences that refuse it."""
     given = [name for name, value in values.items() if is_given(value)]
     return mechanisms.of_other_mechanisms(chosen or meant(values), given, shared)
-
-
-def cranks_of(
-    page: Layout, ratio: Given | None, stroke: Exact | None, rod: Exact | None, offset: Exact | None = None
-) -> tuple[Crank, ...]:
-    """Return the straight or offset cranks described, of the layout's ratios if nothing gives one."""
-    return Described(ratio=ratio, stroke=stroke, rod=rod, offset=offset).cranks(page.ratios)
 
 
 def ratios_of(page: Layout, ratio: Given | None) -> tuple[Fraction, ...]:
