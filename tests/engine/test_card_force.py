@@ -13,9 +13,8 @@ from numpy.testing import assert_allclose
 from places import CARDS
 
 from kurbel.engine.card import Card
-from kurbel.engine.card_curve import Curve, curve
 from kurbel.engine.card_file import read_card
-from kurbel.engine.card_force import CardStroke, card_strokes
+from kurbel.engine.card_force import CardStroke, Curve, card_strokes, curve
 from kurbel.errors import ProblemError
 
 EXPANSIONS = (1.5, 2, 2.7, 3, 4, 6, 10)
