@@ -22,22 +22,19 @@ Reader: TypeAlias = Callable[[slice], Any]
 # Of each the least value, the bound that it does not reach, and why.
 LIMITS: Mapping[str, tuple[float, float, str]] = {
     "eps": (
-        1,
-        inf,
+        1, inf,
         "it must be finite and 1 (no expansion) or more, for the cut-off comes after the share 1/ε of the"
         " stroke",
     ),
     "ratio": (
-        0,
-        1,
+        0, 1,
         "it must be 0 (infinite rod) or more and below 1, or the rod is too short to pass the dead centre",
     ),
     "back": (
-        0,
-        1.0000000000000002,
+        0, 1.0000000000000002,
         "it must lie within 0..1, for it is a share of the steam pressure before cut-off",
     ),
-}
+}  # fmt: skip
 
 
 @overload

@@ -126,7 +126,7 @@ def path_half_sine(place: Place[Number], arc: Arc[Number]) -> Number:
 
     ϑ has the sign of β: the rocker turns against the crank's sense for β > 0.
     """
-    return _half_angle_sine(arc.curvature * place.half / 2)
+    return _sine_of(arc.curvature * place.half / 2)
 
 
 def chord(place: Place[Number], arc: Arc[Number]) -> Number:
@@ -155,14 +155,14 @@ def rocker_half_sine(arc: Arc[Number]) -> Number:
 
     θ is positive in the sense in which the crank turns; elsewhere it is less by ϑ, on both strokes.
     """
-    return _half_angle_sine(arc.curvature * arc.half / 2)
+    return _sine_of(arc.curvature * arc.half / 2)
 
 
 def swing_half_sine(inner: Arc[Number], outer: Arc[Number]) -> Number:
     """Return the sine of half the swing; the stroke along the arc is the swing over β, whose sign it has."""
     curvature = inner.curvature
     half = (inner.half + outer.half) / (1 - curvature * curvature * inner.half * outer.half / 4)
-    return _half_angle_sine(curvature * half / 2)
+    return _sine_of(curvature * half / 2)
 
 
 def lead_half_sine(inner: Arc[Number], outer: Arc[Number]) -> Number:
@@ -259,7 +259,7 @@ def steepest_slant(ratio: Number, curvature: Number, offset: Number, shift: Numb
     return abs(mean) + root(along * along + up * up)
 
 
-def _half_angle_sine(tangent: Number) -> Number:
+def _sine_of(tangent: Number) -> Number:
     return tangent / root(1 + tangent * tangent)
 
 
