@@ -7,7 +7,6 @@ cut-offs; such a piece is where zeros are searched.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import cache, cached_property, partial
 from itertools import pairwise
@@ -67,7 +66,10 @@ class Turn(AnyTurn):
     def pieces(self) -> tuple[Piece, ...]:
         starts = [crank / 180 % 2 for crank in self.engine.cranks]
         ends = sorted({Fraction(0), Fraction(2), *starts, *((start + 1) % 2 for start in starts)})
-        return tuple(_piece(starts, low, high) for low, high in pairwise(ends))
+        return tuple(
+            Piece(low, high, tuple((int((low - start) % 2), low - (low - start) % 1) for start in starts))
+            for low, high in pairwise(ends)
+        )
 
     def cut_off(self, stroke: int) -> Number:
         """The crank angle at cut-off, in half turns from the dead centre of the stroke."""
@@ -85,9 +87,8 @@ class Turn(AnyTurn):
 
     def excess(self, piece: Piece, place: Angle) -> Number:
         effort = self.cylinder.effort
-        return (
-            sum(effort(stroke, _since(place, begun)) for stroke, begun in piece.strokes) - self.mean_force()
-        )
+        total = sum(effort(stroke, _since(place, begun)) for stroke, begun in piece.strokes)
+        return total - self.mean_force()
 
     def slope(self, piece: Piece, place: Angle) -> Number:
         slope = self.cylinder.slope
@@ -106,31 +107,25 @@ class Turn(AnyTurn):
         """Every stationary place of the speed over the turn, in order."""
         return tuple(extremum for piece in self.pieces for extremum in self._stationary(piece))
 
-    def _stationary(self, piece: Piece) -> Iterator[Extremum]:
-        yield from _zeros(piece, partial(self.excess, piece), partial(self.slope, piece))
+    def _stationary(self, piece: Piece) -> list[Extremum]:
+        return _zeros(piece, partial(self.excess, piece), partial(self.slope, piece))
 
     def peaks(self, greatest: bool, stroke: int | None = None) -> list[Peak]:
         found = [(one, place(one)) for one in self._extremes(greatest, stroke)]
         return [Peak(at, self.energy(one.piece, at), int(one.piece.start)) for one, at in found]
 
-    def _choose(self, greatest: bool, stroke: int | None) -> tuple[Extremum, ...]:
-        within = [one for one in self.extrema if stroke is None or one.piece.start == stroke]
-        if greatest:
-            return self._lowest([one for one in within if one.root.rising is not True], -1)
-        return self._lowest([one for one in within if one.root.rising is not False], 1)
-
-    def _lowest(self, extrema: Sequence[Extremum], sign: int) -> tuple[Extremum, ...]:
-        """Return the extremum with the lowest energy; several only if theirs cannot be told apart."""
-        left = tuple(extrema)
+    def _choose(self, greatest: bool, stroke: int | None) -> list[Extremum]:
+        """Return the extremum of greatest or least energy; several only if they cannot be told apart."""
+        within = [one for one in self.extrema if stroke in (None, one.piece.start)]
+        # The speed is greatest where the excess falls.
+        left = [one for one in within if one.root.rising is not greatest]
+        sign = -1 if greatest else 1
         for bits in (ISOLATING_BITS, EQUAL_BITS):
             if len(left) > 1:
                 with flint.ctx.workprec(bits):
                     energies = [sign * self.energy(one.piece, place(one)) for one in left]
-                left = tuple(
-                    one
-                    for one, energy in zip(left, energies, strict=True)
-                    if not any(other < energy for other in energies)
-                )
+                found = zip(left, energies, strict=True)
+                left = [one for one, energy in found if not any(other < energy for other in energies)]
         if any(one.root.rising is None for one in left):
             raise ProblemError("the speed rests where it should turn; its extremes cannot be told apart")
         return left
@@ -144,14 +139,12 @@ class WeisbachTurn(Turn):
     the cut-off, his simplified cot(α₂/2) may place α₂ shortly before. Source: § 150.
     """
 
-    def _stationary(self, piece: Piece) -> Iterator[Extremum]:
-        zeros = list(super()._stationary(piece))
+    def _stationary(self, piece: Piece) -> list[Extremum]:
+        zeros = super()._stationary(piece)
         if not self._turns_beyond_cut_off(piece):
-            yield from zeros
-            return
-        yield zeros[0]
+            return zeros
         relation, slope = partial(self._relation, piece, 0), partial(self._relation, piece, 1)
-        yield from _zeros(piece, relation, slope)
+        return [zeros[0], *_zeros(piece, relation, slope)]
 
     @property
     def expands_first(self) -> bool:
@@ -199,9 +192,9 @@ def place(extremum: Extremum) -> Number:
     return refined(extremum.function, extremum.slope, extremum.root)
 
 
-def _zeros(piece: Piece, function: Function, slope: Function) -> Iterator[Extremum]:
-    for zero in isolate(function, slope, piece.start, piece.end):
-        yield Extremum(piece, zero, function, slope)
+def _zeros(piece: Piece, function: Function, slope: Function) -> list[Extremum]:
+    found = isolate(function, slope, piece.start, piece.end)
+    return [Extremum(piece, zero, function, slope) for zero in found]
 
 
 def _since(place: Angle, begun: Fraction) -> Angle:
@@ -213,11 +206,3 @@ def circle(half_turns: Angle) -> Circle[Number]:
     if isinstance(half_turns, Fraction):
         return ball_circle(180 * half_turns)
     return half_turn_circle(half_turns)
-
-
-def _piece(starts: Sequence[Fraction], low: Fraction, high: Fraction) -> Piece:
-    strokes = []
-    for start in starts:
-        stroke = int((low - start) % 2)
-        strokes.append((stroke, low - (low - start) % 1))
-    return Piece(low, high, tuple(strokes))
