@@ -7,6 +7,7 @@ card supports.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
@@ -80,23 +81,21 @@ class CardTurn(AnyTurn):
     @cached_property
     def work_apart(self) -> float:
         """The greatest difference of work from the coarser cards', at any share of the strokes, in 2 Q R."""
-        shares = np.linspace(0, 1, SAMPLES)
-        return max(
-            float(abs(own.work(shares) - other.work(shares)).max())
-            for half in self.coarser
-            for own, other in zip(self.strokes, half.strokes, strict=True)
-        )
+        return max(float(abs(one).max()) for one in self._apart(CardStroke.work))
 
     @cached_property
     def force_apart(self) -> float:
         """The mean difference of force from the coarser cards', and the step of the pressures, in Q."""
+        return float(np.sqrt(np.mean(np.square(self._apart(CardStroke.force))))) + self.step
+
+    def _apart(self, value: Callable[[CardStroke, Any], Any]) -> list[Any]:
+        """The differences of a value over the strokes from those of the coarser cards."""
         shares = np.linspace(0, 1, SAMPLES)
-        differences = [
-            own.force(shares) - other.force(shares)
+        return [
+            value(own, shares) - value(other, shares)
             for half in self.coarser
             for own, other in zip(self.strokes, half.strokes, strict=True)
         ]
-        return float(np.sqrt(np.mean(np.square(differences)))) + self.step
 
     @property
     def step(self) -> float:

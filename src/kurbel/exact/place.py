@@ -64,29 +64,24 @@ class Place:
         assert self.polynomial is not None
         shared = self.polynomial.gcd(polynomial)
         rest = self.polynomial // shared
-        for bits in PRECISIONS:
-            with flint.ctx.workprec(bits):
-                t = self.t()
-                if not shared(t).contains(0):
-                    return False
-                if not rest(t).contains(0):
-                    return True
-        raise unsettled("whether two crank angles are the same")
+        return self._is_first(lambda t: (shared(t), rest(t)), "whether two crank angles are the same")
 
     def vanishes(self, surd: Surd) -> bool:
         """Whether a formula is zero here."""
         if surd.is_zero or not self.is_zero_of(surd.norm()):
             return surd.is_zero
-        if self.is_zero_of(surd.common()):
-            return True
+        return self.is_zero_of(surd.common()) or self._is_first(surd.sheets, "which sign a root has")
+
+    def _is_first(self, pair: Callable[[arb], tuple[arb, arb]], what: str) -> bool:
+        """Whether the first of two numbers, of which one is zero here, is it."""
         for bits in PRECISIONS:
             with flint.ctx.workprec(bits):
-                this, other = surd.sheets(self.t())
+                this, other = pair(self.t())
                 if not this.contains(0):
                     return False
                 if not other.contains(0):
                     return True
-        raise unsettled("which sign a root has")
+        raise unsettled(what)
 
 
 def exact_place(half_turns: Fraction, centre: Centre, polynomial: fmpz_poly) -> Place:
