@@ -26,8 +26,7 @@ from tools import require_library
 import kurbel
 from kurbel.drive.crank import Crank
 from kurbel.drive.load import PistonForce
-from kurbel.drive.moving import Moving
-from kurbel.drive.rod import Rod
+from kurbel.drive.rod import Moving, Rod
 from kurbel.engine.engine import Engine, Load, Steam
 from kurbel.engine.request import EngineRequest
 from kurbel.engine.turn import Turn

@@ -14,8 +14,7 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
 from kurbel.drive.crank import Crank
-from kurbel.drive.moving import Moving
-from kurbel.drive.rod import Rod
+from kurbel.drive.rod import Moving, Rod
 from kurbel.engine.engine import Engine, Load, Steam
 from kurbel.engine.turn import Turn, turn_of
 from kurbel.errors import ProblemError

@@ -8,8 +8,7 @@ import pytest
 
 from kurbel.drive.crank import Crank
 from kurbel.drive.load import PistonForce
-from kurbel.drive.moving import Moving
-from kurbel.drive.rod import Rod
+from kurbel.drive.rod import Moving, Rod
 from kurbel.motion.evaluation import LOADED, columns_in_balls, columns_in_floats
 from kurbel.motion.quantities import registry
 from kurbel.page.quantity import bare

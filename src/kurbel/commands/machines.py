@@ -69,7 +69,7 @@ def weighed(cranks: Sequence[Crank], given: Mapping[str, Any], *beside: str) -> 
     if missing:
         first = next(name for name in MASSES if given.get(name) is not None)
         raise ProblemError(f"--{first.replace('_', '-')} needs {', '.join(missing)} to become a force")
-    from kurbel.drive.moving import Moving
+    from kurbel.drive.rod import Moving
 
     # One rod for all ratios has a length of its own only if there is one ratio.
     length = cranks[0].rod_length if len(cranks) == 1 else None

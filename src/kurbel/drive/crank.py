@@ -15,8 +15,7 @@ from kurbel.reading.given import Exact, as_fraction, as_length, as_number, as_ra
 from kurbel.reading.notation import Progression, about, ratio_text
 
 if TYPE_CHECKING:
-    from kurbel.drive.moving import Moving
-    from kurbel.drive.rod import Rod
+    from kurbel.drive.rod import Moving, Rod
     from kurbel.exact.certify import Kind
     from kurbel.reading.units import Speed
 

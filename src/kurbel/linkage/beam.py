@@ -10,16 +10,16 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 from flint import arb
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import NEVER_TIES, ball, ball_degrees, pi, rounded
+from kurbel.exact.certify import Kind, ball, ball_degrees, pi, settled
 from kurbel.exact.numerals import Number
 from kurbel.kernel import beam
-from kurbel.page.quantity import Formula, Quantity, words
+from kurbel.page.quantity import Formula, Quantity, entry
 from kurbel.reading.notation import about, ratio_text
 
 UPPER, LOWER = 1, -1
@@ -57,6 +57,10 @@ class BeamEngine:
                 " otherwise beam, pivot and shaft come into line"
             )
 
+    def numbers(self, side: int = UPPER) -> tuple[arb, arb]:
+        """Return a/r and λ, for LOWER with the other sign, as balls."""
+        return ball(self.arm), ball(side * self.ratio)
+
 
 def _shown(ratio: Fraction) -> str:
     text = ratio_text(ratio)
@@ -86,7 +90,7 @@ def chord_square(engine: BeamEngine) -> arb:
     if not engine.ratio:
         return ball(1)
     highest = min(1 / engine.ratio, beam.highest_square(engine.arm, engine.ratio))
-    arm, ratio = ball(engine.arm), ball(engine.ratio)
+    arm, ratio = engine.numbers()
     below, above = ball(1), ball(highest).upper()
     while (nearer := _nearer(below, above, arm, ratio)) != (below, above):
         below, above = nearer
@@ -105,31 +109,22 @@ def _nearer(below: arb, above: arb, arm: arb, ratio: arb) -> tuple[arb, arb]:
 
 def _exact_lean(engine: BeamEngine, side: int) -> arb:
     """Return μ (UPPER) or ν (LOWER) in degrees."""
-    arm, ratio = ball(engine.arm), ball(side * engine.ratio)
-    return ball_degrees(beam.lean_sine(chord_square(engine), arm, ratio))
+    return ball_degrees(beam.lean_sine(chord_square(engine), *engine.numbers(side)))
 
 
-def _lean(engine: BeamEngine, side: int) -> arb:
+def _lean(engine: BeamEngine, side: int) -> Any:
     """Return the same by the formula of the book."""
-    return _radians(engine, side) * 180 / pi()
+    return beam.approximate_lean(*engine.numbers(side)) * 180 / pi()
 
 
-def _radians(engine: BeamEngine, side: int) -> arb:
-    found: arb = beam.approximate_lean(ball(engine.arm), ball(side * engine.ratio))
-    return found
-
-
-def _exact_path(engine: BeamEngine, side: int) -> arb:
+def _exact_path(engine: BeamEngine, side: int) -> Any:
     """Return the beam's path between a dead centre and the vertical crank."""
-    arm, ratio = ball(engine.arm), ball(side * engine.ratio)
-    tangent: arb = beam.swing_tangent(chord_square(engine), arm, ratio)
-    return 2 * arm * tangent.atan()
+    return 2 * ball(engine.arm) * beam.swing_tangent(chord_square(engine), *engine.numbers(side)).atan()
 
 
-def _path(engine: BeamEngine, side: int) -> arb:
+def _path(engine: BeamEngine, side: int) -> Any:
     """Return the same by the formula of the book."""
-    versine: arb = beam.approximate_path((_radians(engine, side) / 2).sin())
-    return versine
+    return beam.approximate_path((beam.approximate_lean(*engine.numbers(side)) / 2).sin())
 
 
 def _distance(lean: Kernel) -> Kernel:
@@ -173,19 +168,14 @@ def _entry(
     decimals: int | None = None,
 ) -> Quantity:  # fmt: skip
     """An entry, of an angle unless it has decimals of its own."""
-    formula = f"${letter} = {printed}$" if printed else ""
-    return Quantity(
-        key=key,
-        name=words(name),
-        symbol=f"${letter}$",
-        unit=words("°" if decimals is None else "$r$"),
-        decimals=DEGREE_DECIMALS if decimals is None else decimals,
-        formulas={APPROXIMATE: Formula(book, formula), EXACT: Formula(true)},
-        heading={lang: f"{one} ${letter}$" for lang, one in words(name).items()},
-        minutes=decimals is None,
-        is_arc=True,
-        stroke=side,
-    )
+    symbol, formula = f"${letter}$", f"${letter} = {printed}$" if printed else ""
+    formulas = {APPROXIMATE: Formula(book, formula), EXACT: Formula(true)}
+    heading = "|".join(f"{one} {symbol}" for one in name.split("|"))
+    return entry(
+        key, name, symbol, "°" if decimals is None else "$r$",
+        DEGREE_DECIMALS if decimals is None else decimals, formulas, heading,
+        minutes=decimals is None, is_arc=True, stroke=side,
+    )  # fmt: skip
 
 
 def value(quantity: Quantity, engine: BeamEngine, method: str) -> arb:
@@ -213,7 +203,7 @@ def certified(
     hold both cos μ and cos ν, hence sin(ν - μ).
     """
 
-    def as_ball() -> arb:
+    def at(_: Kind) -> arb:
         return times * value(quantity, engine, method)
 
-    return Number(rounded(as_ball, decimals, rounding, NEVER_TIES), decimals)
+    return Number(settled(at, decimals, rounding, algebraic=False), decimals)

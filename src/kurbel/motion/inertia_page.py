@@ -21,7 +21,7 @@ from kurbel.motion.page import MOTION, CrankQuestion, Request
 from kurbel.motion.quantities import registry
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.layouts import layout
-from kurbel.page.quantity import Column, Formula, Quantity, bare, for_ratio, words
+from kurbel.page.quantity import Column, Formula, Quantity, bare, entry, for_ratio, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field
 
@@ -74,14 +74,14 @@ def error_columns() -> Mapping[str, Quantity]:
         ("error_phi", "größter Fehler bei φ|greatest error at φ", at, "°", DEGREE_DECIMALS, ERROR, _itself),
     )
     return {
-        key: Quantity(
-            key=key,
-            name=words(name),
-            symbol="",
-            unit=words(unit),
-            decimals=decimals,
-            formulas={EXACT: Formula(kernel)},
-            heading=words(heading),
+        key: entry(
+            key,
+            name,
+            "",
+            unit,
+            decimals,
+            {EXACT: Formula(kernel)},
+            heading,
             minutes=unit == "°",
             needs="inertia" if kernel is _in_newtons else "rod",
             of=of,
