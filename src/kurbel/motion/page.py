@@ -181,10 +181,12 @@ class RecordRows(Rows):
         """Yield ratio by ratio and chunk by chunk the scaled digits of every column by its key."""
         question, columns = self.question, self.question.page_columns
         compute = columns_in_floats if question.bulk else columns_in_balls
-        for crank in question.cranks:
+        # What fits one chunk is computed once for the page and for all its records.
+        kept = len(question) <= CHUNK and not question.layout.pairs
+        for number, crank in enumerate(question.cranks):
             for start in range(0, len(question.angles), CHUNK):
                 part = question.angles[start : start + CHUNK]
-                values = compute(columns, crank, part, question.rounding)
+                values = question.values[number] if kept else compute(columns, crank, part, question.rounding)
                 yield crank, part, {column.key: one for column, one in zip(columns, values, strict=True)}
 
 

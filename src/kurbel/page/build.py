@@ -96,11 +96,7 @@ class Rows:
     """Records that are computed as they are asked for."""
 
     def __init__(
-        self,
-        question: Question,
-        axes: Mapping[str, Axis],
-        columns: Mapping[str, Column],
-        keys: Sequence[str],
+        self, question: Question, axes: Mapping[str, Axis], columns: Mapping[str, Column], keys: Sequence[str]
     ) -> None:
         self.question, self.axes, self.columns, self.keys = question, axes, columns, keys
 

@@ -14,18 +14,7 @@ import numpy as np
 
 from kurbel.page.quantity import words
 from kurbel.plot.place import AROUND, Points, around, box_points, densely, freest
-from kurbel.plot.style import (
-    BLACK,
-    GREY,
-    MEDIUM,
-    SMALL_TEXT,
-    THIN,
-    WHITE,
-    arrowhead,
-    page,
-    size_of,
-    text_of,
-)
+from kurbel.plot.style import BLACK, GREY, MEDIUM, SMALL_TEXT, THIN, WHITE, arrowhead, page, size_of, text_of
 from kurbel.plot.ticks import degrees
 
 if TYPE_CHECKING:
