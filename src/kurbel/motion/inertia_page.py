@@ -9,9 +9,8 @@ from functools import cache, cached_property
 from typing import Any
 
 from kurbel.drive.crank import Crank, known
-from kurbel.exact.certify import NEVER_TIES, Kind, TieBits, balls, bounds, rounded
+from kurbel.exact.certify import NEVER_TIES, Kind, rounded, settled
 from kurbel.exact.numerals import Label, Number, nearest, number_text
-from kurbel.exact.separation import Separation
 from kurbel.kernel.rod import Masses
 from kurbel.motion.captions import notes
 from kurbel.motion.drive_notes import drive_notes, rod_notes
@@ -191,19 +190,15 @@ def _number(question: ErrorsRequest, column: Column, place: Place, times: int) -
         if share is not None:
             return nearest(100 * share, decimals, question.rounding)
 
-    def value(numbers: Kind, of: Of) -> Any:
-        return quantity.formulas[EXACT].kernel(peak, whole, numbers, of)
-
     concerned = (peak, whole) if percent else (peak,)
     exact = all(one.separation() is not None for one in concerned) and not _by_turns(quantity, peak.crank)
 
-    def tie_bits(boundary: Fraction) -> float:
-        bound = value(bounds(), Peak.separation)
-        return float((bound - Separation.rational(boundary)).bits())
+    def at(kind: Kind) -> Any:
+        # Of bounds, which know no π, peaks have their separation.
+        of = Peak.separation if kind.pi is None else Peak.value
+        return quantity.formulas[EXACT].kernel(peak, whole, kind, of)
 
-    ties: TieBits | None = tie_bits if exact else NEVER_TIES
-    scaled = rounded(lambda: value(balls(), Peak.value), decimals, question.rounding, ties)
-    return Number(scaled, decimals)
+    return Number(settled(at, decimals, question.rounding, exact), decimals)
 
 
 def _peak(question: ErrorsRequest, quantity: Quantity, place: Place) -> Peak | None:
