@@ -2,24 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from difflib import SequenceMatcher
 
 from kurbel.documents.inject import Place, filled
 
-# What happens to the lines from one number to another, and which new ones belong to them.
-Change = tuple[str, int, int, int, int]
-
-
-class _Known(SequenceMatcher[bytes]):
-    """A comparison whose result is known; only its lines of context are left to find."""
-
-    def __init__(self, changes: list[Change]) -> None:
-        super().__init__(None, (), ())
-        self.changes = changes
-
-    def get_opcodes(self) -> list[Change]:  # type: ignore[override]
-        return self.changes
+# Lines from one number to another, counted from 0, that become others.
+Edit = tuple[int, int, int, int]
+# So many lines are shown before and behind an edit.
+AROUND = 3
 
 
 def difference(
@@ -29,46 +20,44 @@ def difference(
 
     Places are compared one by one, so that a long document costs little more than its tables.
     """
-    old, new = _lines(document), _lines(filled(document, found, contents))
-    changes = _changes(document, found, contents, len(old))
-    if all(change[0] == "equal" for change in changes):
+    hunks = _hunks(_edits(document, found, contents))
+    if not hunks:
         return
+    old, new = _lines(document), _lines(filled(document, found, contents))
     yield from (f"{sign} {_shown(name)}\n".encode() for sign in ("---", "+++"))
-    for group in _Known(changes).get_grouped_opcodes():
-        (_, first, _, first_new, _), (_, _, end, _, end_new) = group[0], group[-1]
-        yield f"@@ -{_range(first, end)} +{_range(first_new, end_new)} @@\n".encode()
-        for tag, from_old, to_old, from_new, to_new in group:
-            if tag == "equal":
-                yield from (b" " + line for line in old[from_old:to_old])
-            else:
-                yield from (b"-" + line for line in old[from_old:to_old])
-                yield from (b"+" + line for line in new[from_new:to_new])
+    for edits in hunks:
+        begin, end = max(edits[0][0] - AROUND, 0), min(edits[-1][1] + AROUND, len(old))
+        begin_new, end_new = edits[0][2] - edits[0][0] + begin, edits[-1][3] - edits[-1][1] + end
+        yield f"@@ -{_range(begin, end)} +{_range(begin_new, end_new)} @@\n".encode()
+        for first, last, first_new, last_new in edits:
+            yield from (b" " + line for line in old[begin:first])
+            yield from (b"-" + line for line in old[first:last])
+            yield from (b"+" + line for line in new[first_new:last_new])
+            begin = last
+        yield from (b" " + line for line in old[begin:end])
 
 
-def _changes(document: bytes, found: Sequence[Place], contents: Sequence[bytes], length: int) -> list[Change]:
-    """Return the changes of the whole document; those that keep lines take turns with others."""
-    parts: list[Change] = []
-    shift = done = 0
+def _edits(document: bytes, found: Sequence[Place], contents: Sequence[bytes]) -> Iterator[Edit]:
+    shift = 0
     for place, content in zip(found, contents, strict=True):
-        # The number of the marker's line is the place of the line behind it, counted from 0.
-        begin, lines, new = place.line, _lines(document[place.begin : place.end]), _lines(content)
-        parts.append(("equal", done, begin, done + shift, begin + shift))
+        lines, new = _lines(document[place.begin : place.end]), _lines(content)
         for tag, *ends in SequenceMatcher(None, lines, new, autojunk=False).get_opcodes():
-            one, other, this, that = ends
-            parts.append((tag, begin + one, begin + other, begin + shift + this, begin + shift + that))
-        done, shift = begin + len(lines), shift + len(new) - len(lines)
-    parts.append(("equal", done, length, done + shift, length + shift))
-    return _joined(parts)
+            # The number of the marker's line is the place of the line behind it, counted from 0.
+            first, last, first_new, last_new = (place.line + end for end in ends)
+            if tag != "equal":
+                yield first, last, first_new + shift, last_new + shift
+        shift += len(new) - len(lines)
 
 
-def _joined(parts: Sequence[Change]) -> list[Change]:
-    joined: list[Change] = []
-    for part in parts:
-        if joined and joined[-1][0] == part[0] == "equal":
-            before = joined.pop()
-            part = ("equal", before[1], part[2], before[3], part[4])
-        joined.append(part)
-    return joined
+def _hunks(edits: Iterable[Edit]) -> list[list[Edit]]:
+    """Return the edits, together those between which all lines are shown."""
+    hunks: list[list[Edit]] = []
+    for edit in edits:
+        if hunks and edit[0] - hunks[-1][-1][1] <= 2 * AROUND:
+            hunks[-1].append(edit)
+        else:
+            hunks.append([edit])
+    return hunks
 
 
 def _lines(text: bytes) -> list[bytes]:
