@@ -15,8 +15,9 @@ from cli import Result, kurbel
 from programs import Programs, wait_until
 
 from kurbel.documents.document import Document
+from kurbel.errors import KurbelError
 from kurbel.formats.pdf import by_tex as pdf_tex
-from kurbel.handbook.pages import PdfTask, make_pdf
+from kurbel.handbook.pages import make_pdf
 from kurbel.handbook.pool import Made, Task
 
 MANIFEST = """\
@@ -198,7 +199,7 @@ def test_a_file_saved_during_the_build_is_read_again_by_the_next(
     (folder / "engine.toml").write_text(machine)
     make_part = asking.make_part
 
-    def saved(task: Task) -> Made | str:
+    def saved(task: Task) -> Made:
         made = make_part(task)
         if task.part.name == "delta":
             (folder / "engine.toml").write_text(machine.replace("1:100", "1:80"))
@@ -255,8 +256,10 @@ def test_a_tex_of_ones_own_templates_is_ended_by_its_own_clock(
 
     monkeypatch.setattr("kurbel.handbook.pages.deadline", deadline)
     monkeypatch.setenv("PATH", str(tmp_path))
-    assert "there is no lualatex" in str(make_pdf(PdfTask(str(tmp_path), "lualatex", (), limited=True)))
-    assert "handbook.typ" in str(make_pdf(PdfTask(str(tmp_path), "typst", (), limited=True)))
+    with pytest.raises(KurbelError, match="there is no lualatex"):
+        make_pdf(str(tmp_path), "lualatex", (), limited=True)
+    with pytest.raises(KurbelError, match=r"handbook\.typ"):
+        make_pdf(str(tmp_path), "typst", (), limited=True)
     assert counted == [False, True]
 
 

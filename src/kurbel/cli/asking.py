@@ -17,7 +17,7 @@ from kurbel.cli import COMMANDS
 from kurbel.cli.app import command_of, one_line
 from kurbel.cli.options import MACHINE, Document, FileName, Given, machine_defaults
 from kurbel.cli.tables import MakingCommand
-from kurbel.errors import ChoiceError, KurbelError, ProblemError
+from kurbel.errors import ChoiceError, FailedError, ProblemError
 from kurbel.formats.registry import FORMATS
 from kurbel.handbook.pool import GIGABYTES, About, Made, Task, deadline
 from kurbel.page.table import Table
@@ -135,20 +135,19 @@ def _files(context: click.Context, machine: File | None) -> tuple[str, ...]:
     return tuple(dict.fromkeys(found))
 
 
-def make_part(task: Task) -> Made | str:
-    """Return the files of the part, or in a sentence why it cannot be made.
+def make_part(task: Task) -> Made:
+    """Return the files of the part; raise KurbelError if it cannot be made.
 
     It is made in the manifest's folder, beside which the files lie that its command names.
     """
+    from kurbel.page.table import Table
+
     part = task.part
-    try:
-        answer = asked(part.words, {**part.options, "label": part.name}, task.machine, folder=task.folder)
-        if answer.code:
-            return "the command ends with 1, for printed values deviate and it is strict"
-        made = answer.made
-        return _table(task, answer, made) if isinstance(made, Table) else _figure(task, answer, made)
-    except KurbelError as error:
-        return str(error)
+    answer = asked(part.words, {**part.options, "label": part.name}, task.machine, folder=task.folder)
+    if answer.code:
+        raise FailedError("the command ends with 1, for printed values deviate and it is strict")
+    made = answer.made
+    return _table(task, answer, made) if isinstance(made, Table) else _figure(task, answer, made)
 
 
 def _table(task: Task, answer: Asked, table: Table) -> Made:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any
 
 from kurbel.documents.document import Document
@@ -15,20 +16,12 @@ from kurbel.handbook.folder import Done, Folder, digest, key_of
 from kurbel.handbook.inputs import UNKNOWN, digest_of, fingerprint, glance
 from kurbel.handbook.manifest import Manifest, Part
 from kurbel.handbook.model import COMPILED, ENGINES
-from kurbel.handbook.pages import (
-    Failure,
-    PageTask,
-    PdfTask,
-    document_of,
-    fragment_paths,
-    make_document,
-    make_pdf,
-)
-from kurbel.handbook.pool import KILLED, PATIENCE, PDF_STOPPED, STOPPED, Made, Task, worked
+from kurbel.handbook.pages import Failure, document_of, fragment_paths, make_document, make_pdf
+from kurbel.handbook.pool import KILLED, PATIENCE, PDF_STOPPED, STOPPED, Made, Piece, Task, worked
 
 PDF = COMPILED.name
-# Makes a part, or says in a sentence why it cannot be made.
-Maker = Callable[[Task], Made | str]
+# Makes a part; raises KurbelError if it cannot be made.
+Maker = Callable[[Task], Made]
 # Is given what comes of the steps and how many there are, and passes it on.
 Bar = Callable[[Iterable[Any], int], Iterable[Any]]
 
@@ -121,12 +114,30 @@ class Build:
 
     def make_parts(self, make: Maker, jobs: int, bar: Bar) -> None:
         given = self.manifest.folder, self.manifest.machine, self.templates, self.formats, self.figures
-        tasks = [Task(part, *given, PATIENCE) for part in self.stale()]
-        made = worked(make, tasks, jobs, self.apart, STOPPED if self.apart else KILLED)
-        for task, one in bar(made, len(tasks)):
-            self.take(task.part.name, self.part_key(task.part), one, task.part.line)
+        self.make(
+            [
+                Piece(part.name, self.part_key(part), partial(make, Task(part, *given, PATIENCE)), part.line)
+                for part in self.stale()
+            ],
+            jobs,
+            bar=bar,
+        )
 
-    def take(self, name: str, key: str, made: Made | str, line: int = 0) -> None:
+    def make(
+        self,
+        pieces: Sequence[Piece],
+        jobs: int = 1,
+        apart: bool | None = None,
+        stopped: str = STOPPED,
+        bar: Bar = lambda steps, count: steps,
+    ) -> None:
+        """Make the pieces; `apart` in other processes, by default where there are templates of one's own."""
+        apart = self.apart if apart is None else apart
+        made = worked(pieces, jobs, apart, stopped if self.apart else KILLED)
+        for piece, one in bar(made, len(pieces)):
+            self.take(piece, one)
+
+    def take(self, piece: Piece, made: Made | str) -> None:
         """Write what was made of a part or a document, or note what kept it from being made."""
         try:
             if isinstance(made, str):
@@ -135,12 +146,11 @@ class Build:
                 if self.folder.write(path, content):
                     self.built.written.append(path)
         except KurbelError as error:
-            self.fail(name, str(error), line)
+            self.fail(piece.name, str(error), piece.line)
             return
         files = {path: digest(content) for path, content in made.files.items()}
-        self.new[name] = Done(
-            key, {path: self.hash_of_input(path) for path in made.inputs}, files, made.about
-        )
+        inputs = {path: self.hash_of_input(path) for path in made.inputs}
+        self.new[piece.name] = Done(piece.key, inputs, files, made.about)
 
     def hash_of_input(self, path: str) -> str:
         """Return the hash of a file that a part was made of, or nothing if it was saved since.
@@ -188,35 +198,40 @@ class Build:
         """Make the documents whose contents changed, from the parts as they are now."""
         document = self.document()
         content, hashes = key_of(document), self.hashes()
-        keys, tasks = {}, []
+        pieces = []
         for name in (name for name in self.formats if FORMATS[name].figures):
             paths = fragment_paths(document, name)
-            keys[name] = key_of(
-                self.print, name, content, {path: hashes.get(path) for path in paths.values()}
-            )
-            if self.is_made(_named(name), keys[name]):
+            key = key_of(self.print, name, content, {path: hashes.get(path) for path in paths.values()})
+            if self.is_made(_named(name), key):
                 continue
             read = self.read(_named(name), [*paths.values()])
             if read is not None:
                 # Drawings in PDF are files beside the document and no text.
                 texts = {stem: read[path].decode("utf-8", "replace") for stem, path in paths.items()}
-                tasks.append(PageTask(name, document, texts, self.templates))
-        for task, made in worked(make_document, tasks, 1, self.apart, STOPPED):
-            self.take(_named(task.format), keys[task.format], made)
+                work = partial(make_document, document, name, texts, self.templates)
+                pieces.append(Piece(_named(name), key, work))
+        self.make(pieces)
         if self.sets_pdf:
             self.make_pdf()
 
     def read(self, name: str, paths: Collection[str]) -> dict[str, bytes] | None:
         """Return what a document is made of; it fails where a file is no longer what was made."""
-        hashes = self.hashes()
+        hashes, read = self.hashes(), {}
         try:
-            if missing := [path for path in paths if path not in hashes]:
-                # Its part failed, and an earlier build made it in other formats only.
-                raise HandbookError(f"{missing[0]} could not be made")
-            return {path: self.folder.made(path, hashes[path]) for path in paths}
+            for path in paths:
+                if path not in hashes:
+                    # Its part failed, and an earlier build made it in other formats only.
+                    raise HandbookError(f"{path} could not be made")
+                content = self.folder.read(path)
+                if content is None or digest(content) != hashes[path]:
+                    raise HandbookError(
+                        f"{path} was changed or removed while the handbook was built; build it again"
+                    )
+                read[path] = content
         except KurbelError as error:
             self.fail(name, str(error))
             return None
+        return read
 
     def make_pdf(self) -> None:
         """Set the PDF if anything that it is made of changed."""
@@ -232,12 +247,10 @@ class Build:
         )
         if self.is_made(name, key) or self.read(name, used) is None:
             return
-        task = PdfTask(self.folder.path, engine, standards, self.apart)
+        work = partial(make_pdf, self.folder.path, engine, standards, self.apart)
         # Typst takes much memory to set many pages, in a process of its own. A TeX is one by itself, and is
         # ended by whoever started it: the end of this build must reach it.
-        stopped = PDF_STOPPED if self.apart else KILLED
-        for _, made in worked(make_pdf, [task], 1, ENGINES[engine].grows, stopped):
-            self.take(name, key, made)
+        self.make([Piece(name, key, work)], apart=ENGINES[engine].grows, stopped=PDF_STOPPED)
 
 
 def _hashes(state: Mapping[str, Done]) -> dict[str, str]:

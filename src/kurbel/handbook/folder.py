@@ -94,15 +94,6 @@ class Folder:
         content = self.read(relative)
         return content is not None and digest(content) == hashed
 
-    def made(self, relative: str, hashed: str) -> bytes:
-        """Return a file that a build has made; raise HandbookError if its content has another hash."""
-        content = self.read(relative)
-        if content is None or digest(content) != hashed:
-            raise HandbookError(
-                f"{relative} was changed or removed while the handbook was built; build it again"
-            )
-        return content
-
     def write(self, relative: str, content: bytes) -> bool:
         """Write a file whole or not at all; tell whether it was another one before.
 

@@ -31,25 +31,6 @@ class Failure(NamedTuple):
     said: str
 
 
-class PageTask(NamedTuple):
-    """A document that is to be made in a format, of the fragments by their names."""
-
-    format: str
-    document: Document
-    fragments: Mapping[str, str]
-    templates: str | None
-
-
-class PdfTask(NamedTuple):
-    """A PDF that is to be set from the documents in a folder."""
-
-    folder: str
-    engine: str
-    standards: tuple[str, ...]
-    # Where templates may have written the source, which is then not trusted.
-    limited: bool
-
-
 def document_of(manifest: Manifest, made: Mapping[str, About], failures: list[Failure]) -> Document:
     """Return the document with its tables and figures numbered; `made` has what is to know of them by name.
 
@@ -146,28 +127,26 @@ def fragment_paths(document: Document, name: str) -> dict[str, str]:
     return {item.name: ways[item.kind].format(item.name) for item in document.items(*ways)}
 
 
-def make_document(task: PageTask) -> Made | str:
-    """Return the files of a document, or in a sentence why it cannot be made."""
+def make_document(
+    document: Document, format: str, fragments: Mapping[str, str], templates: str | None
+) -> Made:
+    """Return the files of the document in a format, of the fragments by their names."""
     from kurbel.formats.documents import document_files
 
-    try:
-        with deadline(PATIENCE, GIGABYTES, task.templates is not None):
-            files = document_files(task.document, task.format, task.fragments, task.templates)
-    except KurbelError as error:
-        return str(error)
+    with deadline(PATIENCE, GIGABYTES, templates is not None):
+        files = document_files(document, format, fragments, templates)
     return Made({path: text.encode() for path, text in files.items()})
 
 
-def make_pdf(task: PdfTask) -> Made | str:
-    """Return the PDF, or in a sentence why it cannot be made."""
-    read = partial(_document_in, task.folder)
-    try:
-        # A TeX is a process of its own, with a time of its own: it would outlive this one.
-        with deadline(PDF_PATIENCE, None, task.limited and ENGINES[task.engine].grows):
-            content = COMPILED.writer.whole(task.folder, task.engine, task.standards, read)
-    except KurbelError as error:
-        return str(error)
-    return Made({f"handbook.{COMPILED.name}": content})
+def make_pdf(folder: str, engine: str, standards: tuple[str, ...], limited: bool) -> Made:
+    """Return the PDF of the documents in a folder.
+
+    It is `limited` where templates may have written its source, which is then not trusted. A TeX is a process
+    of its own, with a time of its own: it would outlive this one.
+    """
+    read = partial(_document_in, folder)
+    with deadline(PDF_PATIENCE, None, limited and ENGINES[engine].grows):
+        return Made({f"handbook.{COMPILED.name}": COMPILED.writer.whole(folder, engine, standards, read)})
 
 
 def _document_in(folder: str, name: str) -> str:

@@ -6,14 +6,14 @@ import os
 import signal
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+
+from kurbel.errors import KurbelError
 
 if TYPE_CHECKING:
     from concurrent.futures import Future, ProcessPoolExecutor
 
     from kurbel.handbook.manifest import Part
-
-Piece = TypeVar("Piece")
 
 # Windows waits for no more processes at once.
 MOST_PROCESSES = 61
@@ -65,6 +65,18 @@ class Made(NamedTuple):
     about: About | None = None
 
 
+class Piece(NamedTuple):
+    """A piece of the work: a part, in its line of the manifest, or a document.
+
+    `key` tells what it is made of; `make`, which goes to other processes, raises KurbelError if it cannot.
+    """
+
+    name: str
+    key: str
+    make: Callable[[], Made]
+    line: int = 0
+
+
 def cores() -> int:
     """Return how many processes run at once."""
     count = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
@@ -72,7 +84,7 @@ def cores() -> int:
 
 
 def worked(
-    work: Callable[[Piece], Made | str], pieces: Sequence[Piece], jobs: int, apart: bool, killed: str = KILLED
+    pieces: Sequence[Piece], jobs: int, apart: bool, killed: str
 ) -> Iterator[tuple[Piece, Made | str]]:
     """Yield each piece with what it became, or a sentence why it became nothing, as they are done.
 
@@ -80,20 +92,25 @@ def worked(
     """
     if not apart and (jobs == 1 or len(pieces) < WORTH_A_PROCESS):
         for piece in pieces:
-            yield piece, work(piece)
+            yield piece, _tried(piece.make)
     elif pieces:
-        yield from _worked_apart(work, pieces, jobs, killed)
+        yield from _worked_apart(pieces, jobs, killed)
 
 
-def _worked_apart(
-    work: Callable[[Piece], Made | str], pieces: Sequence[Piece], jobs: int, killed: str
-) -> Iterator[tuple[Piece, Made | str]]:
+def _tried(make: Callable[[], Made]) -> Made | str:
+    try:
+        return make()
+    except KurbelError as error:
+        return str(error)
+
+
+def _worked_apart(pieces: Sequence[Piece], jobs: int, killed: str) -> Iterator[tuple[Piece, Made | str]]:
     # Later than most imports: a handbook without changes needs no processes.
     from concurrent.futures import as_completed
 
     left = dict(enumerate(pieces))
     with _pool(min(jobs, len(pieces))) as pool:
-        places = {pool.submit(work, piece): place for place, piece in left.items()}
+        places = {pool.submit(_tried, piece.make): place for place, piece in left.items()}
         for future in as_completed(places):
             if not _was_killed(future):
                 yield left.pop(places[future]), future.result()
@@ -104,7 +121,7 @@ def _worked_apart(
             yield piece, NOT_TRIED
             continue
         with _pool(1) as pool:
-            alone = pool.submit(work, piece)
+            alone = pool.submit(_tried, piece.make)
             ended = _was_killed(alone)
             count += ended
             yield piece, killed if ended else alone.result()
