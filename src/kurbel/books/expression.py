@@ -54,7 +54,8 @@ def fraction_root(square: Fraction) -> Fraction:
 
 
 class Expression:
-    """An expression that was read once; `names` are the other cells in it.
+    """An expression that was read once; `names` are the other cells in it, `transcendental` has a logarithm
+    or an arc.
 
     `numbers` stand in place of their names, also in sines and cosines.
     """
@@ -62,15 +63,9 @@ class Expression:
     def __init__(self, text: str, numbers: Mapping[str, Fraction] | None = None) -> None:
         self.text = text
         self._tree = _parsed(text, numbers or {})
-        self.names = frozenset(node.id for node in ast.walk(self._tree) if isinstance(node, ast.Name)) - {
-            *FUNCTIONS
-        }
-
-    @property
-    def transcendental(self) -> bool:
-        """Whether it has a logarithm or an arc."""
-        names = (node.id for node in ast.walk(self._tree) if isinstance(node, ast.Name))
-        return bool({"ln", "arccos"} & {*names})
+        named = {node.id for node in ast.walk(self._tree) if isinstance(node, ast.Name)}
+        self.names = frozenset(named - {*FUNCTIONS})
+        self.transcendental = bool(named & {"ln", "arccos"})
 
     def value(self, kind: Kind, cell: Callable[[str], Any]) -> Any:
         """Return the value on a kind of number, with those of the cells that it names."""
@@ -164,14 +159,11 @@ def _value(tree: ast.expr, kind: Kind, cell: Callable[[str], Any]) -> Any:
             return _value(left, kind, cell) ** int(power)
         case ast.BinOp(left=left, op=op, right=right):
             return _OPERATIONS[type(op)](_value(left, kind, cell), _value(right, kind, cell))
+        case ast.Call(func=ast.Name(id="sin"), args=[inner]):
+            return kind.circle(_rational(inner, "")).sine
+        case ast.Call(func=ast.Name(id="cos"), args=[inner]):
+            return kind.circle(_rational(inner, "")).cosine
         case ast.Call(func=ast.Name(id=name), args=[inner]):
-            return _called(name, inner, kind, cell)
+            functions = {"ln": kind.ln, "arccos": kind.arccos, "sqrt": kind.root}
+            return functions[name](_value(inner, kind, cell))
     raise AssertionError(tree)
-
-
-def _called(name: str, inner: ast.expr, kind: Kind, cell: Callable[[str], Any]) -> Any:
-    if name in ("sin", "cos"):
-        circle = kind.circle(_rational(inner, ""))
-        return circle.sine if name == "sin" else circle.cosine
-    functions = {"ln": kind.ln, "arccos": kind.arccos, "sqrt": kind.root}
-    return functions[name](_value(inner, kind, cell))

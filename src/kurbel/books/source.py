@@ -133,7 +133,8 @@ class SourceTable:
     @cached_property
     def cells(self) -> tuple[SourceCell, ...]:
         """The printed values in their order."""
-        cells = tuple(_cells(self.file, self.method))
+        starts = f"it starts with its heads, {';'.join(COLUMNS)}"
+        cells = tuple(read_rows(self.file, KIND, _head, self._cell, starts, NONE))
         places = [cell.place for cell in cells]
         for cell in cells:
             if places.count(cell.place) > 1:
@@ -148,6 +149,29 @@ class SourceTable:
     def at(self, cell: SourceCell) -> str:
         """Return where the cell stands, for the start of a sentence."""
         return place(shown(self.file), cell.line)
+
+    def _cell(self, texts: list[str], head: Head, line: int) -> SourceCell:
+        row = {column.name: text for column, text in zip(head.columns, texts, strict=True)}
+        known = {name: row.get(name, "").strip() for name in COLUMNS}
+        if not known["place"].isidentifier():
+            raise NotationError(f'the place "{known["place"][:40]}" is no name; write it as x_45')
+        if not known["quantity"] and not known["formula"]:
+            raise NotationError(f"{known['place']} has neither a quantity nor a formula")
+        if known["quantity"] and known["formula"]:
+            raise NotationError(
+                f"{known['place']} has a quantity and a formula; leave one out, or call the formula way"
+            )
+        return SourceCell(
+            known["place"],
+            printed_value(known["printed"]) if known["printed"] else None,
+            known["quantity"],
+            {axis: known[axis] for axis in AXIS_KEYS if known[axis]},
+            known["method"] or self.method,
+            line,
+            Expression(known["formula"]) if known["formula"] else None,
+            Expression(known["way"]) if known["way"] else None,
+            known["label"] or ("" if known["quantity"] else known["place"].replace("_", " ")),
+        )
 
     def _check_circles(self, cells: Sequence[SourceCell]) -> None:
         """Raise SourceError where a cell's value would need itself."""
@@ -204,14 +228,6 @@ def source_tables(folder: str | os.PathLike[str] | None = None) -> Mapping[str, 
     return {table.key: table for book in books(folder) for table in book.tables}
 
 
-def _cells(file: Path, method: str) -> Iterator[SourceCell]:
-    def cell_of(texts: list[str], head: Head, line: int) -> SourceCell:
-        names = [column.name for column in head.columns]
-        return _cell(dict(zip(names, texts, strict=True)), method, line)
-
-    return read_rows(file, KIND, _head, cell_of, f"it starts with its heads, {';'.join(COLUMNS)}", NONE)
-
-
 def _head(line: str) -> Head:
     head = whole_head(line, ";")
     names = [column.name for column in head.columns]
@@ -224,26 +240,3 @@ def _head(line: str) -> Head:
         if needed not in names:
             raise NotationError(f"there is no column {needed}, which every source has")
     return head
-
-
-def _cell(row: Mapping[str, str], method: str, line: int) -> SourceCell:
-    known = {name: row.get(name, "").strip() for name in COLUMNS}
-    if not known["place"].isidentifier():
-        raise NotationError(f'the place "{known["place"][:40]}" is no name; write it as x_45')
-    if not known["quantity"] and not known["formula"]:
-        raise NotationError(f"{known['place']} has neither a quantity nor a formula")
-    if known["quantity"] and known["formula"]:
-        raise NotationError(
-            f"{known['place']} has a quantity and a formula; leave one out, or call the formula way"
-        )
-    return SourceCell(
-        known["place"],
-        printed_value(known["printed"]) if known["printed"] else None,
-        known["quantity"],
-        {axis: known[axis] for axis in AXIS_KEYS if known[axis]},
-        known["method"] or method,
-        line,
-        Expression(known["formula"]) if known["formula"] else None,
-        Expression(known["way"]) if known["way"] else None,
-        known["label"] or ("" if known["quantity"] else known["place"].replace("_", " ")),
-    )
