@@ -20,7 +20,7 @@ _DASHES = {None: "---", "left": ":---", "center": ":---:", "right": "---:"}
 
 class Printer(ProsePrinter):
     # Two lists in a row, or a list that begins another, need different marks: "- - -" is a rule.
-    depth = 0
+    depth = lists = 0
     emphasised, strong = ("<em>", "</em>"), ("<strong>", "</strong>")
     rule, line_end = "___", "\\\n"
     bar = "|"
@@ -34,10 +34,9 @@ class Printer(ProsePrinter):
         lists = 0
         for before, block in zip((None, *blocks), blocks, strict=False):
             lists = lists + 1 if isinstance(before, prose.Listing) and isinstance(block, prose.Listing) else 0
-            piece = self._listed(block, lists) if isinstance(block, prose.Listing) else self.block(block)
-            if between == "\n" and _merge(before, block):
-                piece = f"<!-- -->\n{piece}"
-            pieces.append(piece)
+            # Without an empty line between them two quotations would be one.
+            apart = between == "\n" and isinstance(before, prose.Quote) and isinstance(block, prose.Quote)
+            pieces.append("<!-- -->\n" * apart + self.but(lists=lists).block(block))
         return between.join(pieces)
 
     def heading(self, level: int, content: prose.Inlines) -> str:
@@ -55,11 +54,7 @@ class Printer(ProsePrinter):
         return indented(self.blocks(content), "> ", "> ")
 
     def listing(self, listing: prose.Listing) -> str:
-        return self._listed(listing, 0)
-
-    def _listed(self, listing: prose.Listing, lists: int) -> str:
-        """Return a list that follows so many others."""
-        odd = (lists + self.depth) % 2
+        odd = (self.lists + self.depth) % 2
         within = self.but(depth=self.depth + 1)
         between = "\n" if listing.tight else "\n\n"
         items = []
@@ -114,11 +109,6 @@ def _is_free(inline: prose.Inline, before: prose.Inline | None, after: prose.Inl
         and first.text[0].isalnum()
         and last.text[-1].isalnum()
     )
-
-
-def _merge(before: prose.Block | None, block: prose.Block) -> bool:
-    """Tell whether two blocks would be one without an empty line between them."""
-    return isinstance(before, prose.Quote) and isinstance(block, prose.Quote)
 
 
 def _longest(text: str) -> int:
