@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
+from operator import attrgetter
 from typing import Any, NamedTuple
 
 from kurbel.drive.crank import Crank, known
@@ -13,7 +14,6 @@ from kurbel.exact.numerals import Label
 from kurbel.kernel import rod
 from kurbel.kernel.rod import Loaded, Masses
 from kurbel.motion.evaluation import OFFSET, At
-from kurbel.motion.quantities import Scale
 from kurbel.page.quantity import Formula, Quantity, Words, words
 
 RodFormula = Callable[[Loaded], Any]
@@ -41,14 +41,6 @@ class RodForce(NamedTuple):
     @property
     def unit(self) -> Label:
         return "M R^2 ω^2" if self.is_torque else "M R ω^2"
-
-    @property
-    def plain_unit(self) -> str:
-        return self.unit.replace("^2", "²")
-
-    @property
-    def newtons(self) -> str:
-        return "N m" if self.is_torque else "N"
 
     def scale(self, crank: Crank, numbers: Kind) -> Any:
         """M R ω² in newtons, or M R² ω² in newton metres."""
@@ -112,72 +104,50 @@ _PARTS: tuple[tuple[str, str, Words], ...] = (
 def inertia_registry() -> Mapping[str, Quantity]:
     """Return every force by every model: inertia_guide, inertia_guide_two_mass, inertia_guide_railway_n; and
     the parts of the acceleration, of which they come."""
-    forces = {entry.key: entry for force in ROD_FORCES.values() for entry in _entries(force)}
-    return forces | {key: _part(key, letter, name) for key, letter, name in _PARTS}
+    forces = (one for force in ROD_FORCES.values() for model in ROD_MODELS for one in _entries(force, model))
+    return {one.key: one for one in (*forces, *(_part(*said) for said in _PARTS))}
 
 
-def _entries(force: RodForce) -> Iterator[Quantity]:
-    for model in ROD_MODELS:
-        key = f"inertia_{force.key}" + ("" if model == "exact" else f"_{model.replace('-', '_')}")
-        yield _entry(
-            key, force, model, f"${force.letter}/({force.unit})$", force.plain_unit, 4, None, needs="rod"
-        )
-        yield _entry(
-            f"{key}_{force.newtons.replace(' ', '').lower()}", force, model,
-            f"${force.letter}$ in {force.newtons}", force.newtons, 1, force.scale, needs="inertia",
-        )  # fmt: skip
+def _entries(force: RodForce, model: str) -> Iterator[Quantity]:
+    """Yield the force by a model in units of the rod's mass, and in newtons."""
 
-
-def _entry(
-    key: str,
-    force: RodForce,
-    model: str,
-    heading: str,
-    unit: str,
-    decimals: int,
-    scale: Scale | None,
-    needs: str,
-) -> Quantity:
     def kernel(at: At) -> Any:
         masses = known(at.crank.rod).masses(model, at.numbers.of)
         return force.formula(Loaded(at.circle, at.ratio, masses, at.offset))
 
-    return Quantity(
-        key=key,
-        name=force.name,
-        symbol=f"${force.letter}$",
-        unit=words(unit),
-        decimals=decimals,
-        # The exact formulas hold for the infinite rod too.
-        formulas=dict.fromkeys(("exact", "infinite", OFFSET), Formula(kernel)),
-        # One force by several models stands under its letter.
-        spanners=(force.name, words(heading)),
-        part=ROD_MODELS[model],
-        scale=scale,
-        needs=needs,
-        of=model,
-        heading=ROD_MODELS[model],
-    )
+    key = f"inertia_{force.key}" + ("" if model == "exact" else f"_{model.replace('-', '_')}")
+    share = _entry(key, force.letter, force.name, force.unit, model, kernel)
+    yield share
+    unit = "N m" if force.is_torque else "N"
+    yield share._replace(
+        key=f"{key}_{unit.replace(' ', '').lower()}", unit=words(unit), decimals=1, scale=force.scale,
+        spanners=(force.name, words(f"${force.letter}$ in {unit}")), needs="inertia",
+    )  # fmt: skip
 
 
 def _part(key: str, letter: str, name: Words) -> Quantity:
     """A part of the acceleration, which the masses do not change."""
-    part = key.removesuffix("_acceleration")
+    part = attrgetter(key.removesuffix("_acceleration"))
+    return _entry(
+        key, letter, name, "R ω^2", "exact", lambda at: part(rod.parts(at.circle, at.ratio, at.offset))
+    )
 
-    def kernel(at: At) -> Any:
-        return getattr(rod.parts(at.circle, at.ratio, at.offset), part)
 
-    heading = words(f"${letter}/(R ω^2)$")
+def _entry(
+    key: str, letter: str, name: Words, unit: Label, model: str, kernel: Callable[[At], Any]
+) -> Quantity:
     return Quantity(
         key=key,
         name=name,
         symbol=f"${letter}$",
-        unit=words("R ω²"),
+        unit=words(unit.replace("^2", "²")),
         decimals=4,
+        # The exact formulas hold for the infinite rod too.
         formulas=dict.fromkeys(("exact", "infinite", OFFSET), Formula(kernel)),
-        heading=ROD_MODELS["exact"],
-        spanners=(name, heading),
-        part=ROD_MODELS["exact"],
+        # One force by several models stands under its letter.
+        spanners=(name, words(f"${letter}/({unit})$")),
+        heading=ROD_MODELS[model],
+        part=ROD_MODELS[model],
         needs="rod",
-        of="exact",
+        of=model,
     )
