@@ -14,27 +14,7 @@ from itertools import groupby
 from typing import NamedTuple
 
 from kurbel.errors import LayoutError
-from kurbel.page.formula import (
-    SIGNS,
-    SYMBOLS,
-    Formula,
-    Fraction,
-    Group,
-    MalformedError,
-    Node,
-    Nodes,
-    Numeral,
-    Root,
-    Script,
-    Sign,
-    Space,
-    Symbol,
-    Upright,
-    Variable,
-    Word,
-    is_function,
-    parse_formula,
-)
+from kurbel.page import formula as tree
 
 
 class Prose(NamedTuple):
@@ -47,7 +27,7 @@ class Mark(NamedTuple):
     text: str
 
 
-Part = Prose | Formula | Mark
+Part = Prose | tree.Formula | Mark
 
 _PART = re.compile(r"\\(?P<dollar>\$)|\$(?P<formula>[^$]*)(?P<end>\$?)|\[\^(?P<mark>[^\]]+)\]")
 # Everything that breaks or jumps within a line; the no-break and thin spaces of typography stay.
@@ -64,7 +44,7 @@ def parse(label: str) -> tuple[Part, ...]:
     """
     try:
         return tuple(_joined(_parts(WHITE.sub(" ", label))))
-    except MalformedError as error:
+    except tree.MalformedError as error:
         raise LayoutError(f'the label "{label}" cannot be set: {error}') from None
 
 
@@ -78,9 +58,9 @@ def _parts(label: str) -> Iterator[Part]:
         elif match["mark"]:
             yield Mark(match["mark"])
         elif not match["end"]:
-            raise MalformedError(r"a formula needs a second $; a dollar sign in prose is written \$")
+            raise tree.MalformedError(r"a formula needs a second $; a dollar sign in prose is written \$")
         else:
-            yield parse_formula(match["formula"])
+            yield tree.parse_formula(match["formula"])
     yield Prose(label[done:])
 
 
@@ -105,7 +85,7 @@ def plain(label: str, mark: str = ".") -> str:
 def set_label(
     label: str,
     escape: Callable[[str], str],
-    formula: Callable[[Formula], str],
+    formula: Callable[[tree.Formula], str],
     note: Callable[[str], str],
 ) -> str:
     """Return a label in a notation given by the three functions that set its prose, formulas and marks."""
@@ -114,7 +94,7 @@ def set_label(
         match part:
             case Prose(text):
                 pieces.append(escape(text))
-            case Formula():
+            case tree.Formula():
                 pieces.append(formula(part))
             case Mark(text):
                 pieces.append(note(text))
@@ -137,77 +117,77 @@ def mark_text(mark: str) -> str:
     return "".join(POWERS[character] for character in closed) if set(closed) <= POWERS.keys() else closed
 
 
-def formula_plain(formula: Formula, mark: str = ".") -> str:
+def formula_plain(formula: tree.Formula, mark: str = ".") -> str:
     """Return a formula in one line of Unicode: sin(φ±ψ)/cos ψ, xₘ, φ²."""
     return _text(formula.content, mark)
 
 
-def _text(nodes: Nodes, mark: str) -> str:
+def _text(nodes: tree.Nodes, mark: str) -> str:
     return "".join(_text_node(nodes, place, mark) for place in range(len(nodes)))
 
 
-def _text_node(nodes: Nodes, place: int, mark: str) -> str:
+def _text_node(nodes: tree.Nodes, place: int, mark: str) -> str:
     match nodes[place]:
-        case Sign(text):
-            return SIGNS[text][0]
-        case Symbol(text):
-            return SYMBOLS[text][0]
-        case Numeral(text):
+        case tree.Sign(text):
+            return tree.SIGNS[text][0]
+        case tree.Symbol(text):
+            return tree.SYMBOLS[text][0]
+        case tree.Numeral(text):
             return text.replace(".", mark)
-        case Space():
+        case tree.Space():
             return " "
-        case Group(content, fences):
+        case tree.Group(content, fences):
             return f"{fences[0]}{_text(content, mark)}{fences[1]}"
-        case Root((Numeral(text),)) if text.isdigit():
+        case tree.Root((tree.Numeral(text),)) if text.isdigit():
             return f"√{text}"
-        case Root(content):
+        case tree.Root(content):
             return f"√({_text(content, mark)})"
-        case Fraction(top, bottom):
+        case tree.Fraction(top, bottom):
             return _text_fraction(nodes, place, top, bottom, mark)
-        case Script(Root(content), index, power):
+        case tree.Script(tree.Root(content), index, power):
             scripts = _small(index, "_", _INDICES, mark) + _small(power, "^", POWERS, mark)
             return f"√({_text(content, mark)}){scripts}"
-        case Script(base, index, power):
+        case tree.Script(base, index, power):
             scripts = _small(index, "_", _INDICES, mark) + _small(power, "^", POWERS, mark)
             return _text((base,), mark) + scripts
-        case Word(text) | Variable(text) | Upright(text):
+        case tree.Word(text) | tree.Variable(text) | tree.Upright(text):
             return text
 
 
-def _text_fraction(nodes: Nodes, place: int, top: Nodes, bottom: Nodes, mark: str) -> str:
+def _text_fraction(nodes: tree.Nodes, place: int, top: tree.Nodes, bottom: tree.Nodes, mark: str) -> str:
     """Write a fraction with a stroke, and with parentheses where the stroke alone would be misread."""
-    alone_before = place == 0 or isinstance(beside(nodes, place, -1), Sign)
-    alone_after = place == len(nodes) - 1 or isinstance(beside(nodes, place, 1), Sign)
+    alone_before = place == 0 or isinstance(beside(nodes, place, -1), tree.Sign)
+    alone_after = place == len(nodes) - 1 or isinstance(beside(nodes, place, 1), tree.Sign)
     above, below = _text(top, mark), _text(bottom, mark)
     if is_sum(top) or _is_open(top) or (len(top) > 1 and not alone_before):
         above = f"({above})"
-    if is_sum(bottom) or (len(bottom) > 1 and not (alone_after and is_function(bottom[0]))):
+    if is_sum(bottom) or (len(bottom) > 1 and not (alone_after and tree.is_function(bottom[0]))):
         below = f"({below})"
     return f"{above}/{below}"
 
 
-def _is_open(nodes: Nodes) -> bool:
+def _is_open(nodes: tree.Nodes) -> bool:
     """Tell whether the argument of a function has no parentheses: (cos φ)/2 is not cos φ/2."""
     return any(
-        is_function(node) and not isinstance(after, Group)
+        tree.is_function(node) and not isinstance(after, tree.Group)
         for node, after in zip(nodes, (*nodes[1:], None), strict=True)
     )
 
 
-def beside(nodes: Nodes, place: int, step: int) -> Node:
+def beside(nodes: tree.Nodes, place: int, step: int) -> tree.Node:
     """Return the next node that is not a space; spaces never end a sequence."""
     place += step
-    return nodes[place + step] if isinstance(nodes[place], Space) else nodes[place]
+    return nodes[place + step] if isinstance(nodes[place], tree.Space) else nodes[place]
 
 
-def is_sum(nodes: Nodes) -> bool:
-    return any(isinstance(node, Sign | Fraction) for node in nodes)
+def is_sum(nodes: tree.Nodes) -> bool:
+    return any(isinstance(node, tree.Sign | tree.Fraction) for node in nodes)
 
 
 _INDICES = dict(zip("0123456789aehijklmnoprstuvxβγρφχ", "₀₁₂₃₄₅₆₇₈₉ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓᵦᵧᵨᵩᵪ", strict=True))
 
 
-def _small(nodes: Nodes, sign: str, small: dict[str, str], mark: str) -> str:
+def _small(nodes: tree.Nodes, sign: str, small: dict[str, str], mark: str) -> str:
     if not nodes:
         return ""
     text = _text(nodes, mark)
