@@ -107,14 +107,14 @@ def _of_cosine(polynomial: fmpz_poly) -> fmpz_poly | None:
 
 def _solved(factor: fmpz_poly) -> Iterator[ClosedForm]:
     """Yield the roots of a factor of degree 1 or 2, if they are real and short."""
-    coefficients = [int(one) for one in factor.coeffs()]
-    if len(coefficients) == 2:
-        root = Fraction(-coefficients[0], coefficients[1])
-        forms = [ClosedForm(root.numerator, 0, 1, root.denominator)]
-    elif len(coefficients) == 3:
-        forms = list(_quadratic(*coefficients))
-    else:
-        return
+    match [int(one) for one in factor.coeffs()]:
+        case [constant, linear]:
+            root = Fraction(-constant, linear)
+            forms = [ClosedForm(root.numerator, 0, 1, root.denominator)]
+        case [constant, linear, square]:
+            forms = list(_quadratic(constant, linear, square))
+        case _:
+            return
     yield from (form for form in forms if max(abs(form.plain), form.radicand, form.below) < LARGEST)
 
 
