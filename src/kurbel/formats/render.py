@@ -14,7 +14,7 @@ import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from functools import cache
-from typing import TYPE_CHECKING, Any, BinaryIO
+from typing import TYPE_CHECKING, BinaryIO
 
 from kurbel.errors import ChoiceError, OutputError
 from kurbel.formats.page import blank, page
@@ -85,11 +85,12 @@ def render_document(
 
 
 def _filled(form: PageFormat, template: str, values: Mapping[str, object], templates: str | None) -> str:
+    environment = _environment(form, templates)
     if templates is None:
-        return _environment(form).get_template(template).render(values)
+        return environment.get_template(template).render(values)
     from kurbel.formats.sandbox import filled
 
-    return filled(_sandbox(form, templates), template, values, templates)
+    return filled(environment, template, values, templates)
 
 
 def _own_template(table: Table, name: str, templates: str | None) -> str:
@@ -102,32 +103,26 @@ def _own_template(table: Table, name: str, templates: str | None) -> str:
 
 
 @cache
-def _environment(form: PageFormat) -> Environment:
-    from jinja2 import ChoiceLoader, Environment, FileSystemLoader, PrefixLoader
+def _environment(form: PageFormat, templates: str | None) -> Environment:
+    """Return what loads the templates of a format; a user's own run in a sandbox."""
+    from jinja2 import BaseLoader, ChoiceLoader, Environment, FileSystemLoader, PrefixLoader, StrictUndefined
 
+    kind: type[Environment] = Environment
     own = PrefixLoader({"base": FileSystemLoader(form.templates)})
-    loader = ChoiceLoader([own, FileSystemLoader(template_folder())])
-    return _prepared(Environment, form, auto_reload=False, loader=loader)
+    loader: BaseLoader = ChoiceLoader([own, FileSystemLoader(template_folder())])
+    if templates is not None:
+        from kurbel.formats.sandbox import Folders, Sandbox
 
-
-@cache
-def _sandbox(form: PageFormat, templates: str) -> Environment:
-    from kurbel.formats.sandbox import Folders, Sandbox
-
-    return _prepared(Sandbox, form, loader=Folders(templates, {"base": form.templates}))
-
-
-def _prepared(kind: type[Environment], form: PageFormat, **options: Any) -> Environment:
-    from jinja2 import StrictUndefined
-
+        kind, loader = Sandbox, Folders(templates, {"base": form.templates})
     # No autoescape: every string of a page is finished text of its format, formulas included.
     environment = kind(
+        loader=loader,
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
         keep_trailing_newline=True,
+        auto_reload=templates is not None,
         **form.writer.delimiters,
-        **options,
     )
     environment.filters.update(blank=blank, **form.writer.filters())
     return environment

@@ -17,8 +17,8 @@ if TYPE_CHECKING:
     from kurbel.formats.columns import Field
     from kurbel.formats.page import Page, PagePanel
 
-    # Called with the decimal mark, yields the columns of each chunk by their names.
-    Chunks = Callable[[str], Iterator[Mapping[str, Field]]]
+# Called with the decimal mark, yields the columns of each chunk by their names.
+Chunks = Callable[[str], Iterator[Mapping[str, "Field"]]]
 
 
 class RecordsWriter(ABC):

@@ -6,15 +6,12 @@ import csv
 import re
 from collections.abc import Iterator, Sequence
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from kurbel.exact.numerals import DECIMALS, Number, number_text
-from kurbel.formats.writer import RecordsWriter
+from kurbel.formats.writer import Chunks, RecordsWriter
 from kurbel.page.labels import plain
 from kurbel.page.table import Table, Value
-
-if TYPE_CHECKING:
-    from kurbel.formats.writer import Chunks
 
 
 class Writer(RecordsWriter):

@@ -8,13 +8,12 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from kurbel.exact.numerals import Number, number_text
-from kurbel.formats.writer import RecordsWriter
+from kurbel.formats.writer import Chunks, RecordsWriter
 from kurbel.page.labels import plain
 from kurbel.page.table import Records, Table, Value
 
 if TYPE_CHECKING:
-    from kurbel.formats.columns import Scaled
-    from kurbel.formats.writer import Chunks
+    from kurbel.formats.columns import Field
 
 
 class Writer(RecordsWriter):
@@ -39,7 +38,7 @@ class Writer(RecordsWriter):
 
         before = _opening(table)
         for fields in chunks("."):
-            line: list[Scaled | bytes] = []
+            line: list[Field] = []
             for place, name in enumerate(names):
                 line += [f'{", " if place else "{"}"{name}": '.encode(), _quoted(fields[name])]
             # Every line ends with the separator; the last one of the table must not.
@@ -49,7 +48,7 @@ class Writer(RecordsWriter):
         yield _CLOSING.encode()
 
 
-def _quoted(value: Scaled | bytes) -> Scaled | bytes:
+def _quoted(value: Field) -> Field:
     return b'"' + value + b'"' if isinstance(value, bytes) else value
 
 
