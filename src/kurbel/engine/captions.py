@@ -10,7 +10,7 @@ from kurbel.engine.engine import Load, Steam
 from kurbel.engine.quantities import AT_ANGLE, ENGINE_METHODS, EXTREMES, FORCES
 from kurbel.engine.request import OVER_ANGLE, EngineRequest
 from kurbel.exact.numerals import Label, Number, number_text
-from kurbel.motion.drive_notes import moving_notes
+from kurbel.motion.captions import moving_notes
 from kurbel.page.quantity import AND, FOR, Quantity, enumerated_letters, filled, words
 from kurbel.page.table import Note
 from kurbel.reading.notation import plain, ratio_text

@@ -14,7 +14,7 @@ from kurbel.exact.numerals import Label, Number
 from kurbel.kernel.circle import circle
 from kurbel.linkage.linkage import certified, value
 from kurbel.linkage.quantities import FORCE
-from kurbel.motion.drive_notes import drive_notes, force_notes
+from kurbel.motion.captions import drive_notes, force_notes
 from kurbel.motion.evaluation import NEEDS, needed
 from kurbel.motion.page import AngleQuestion, check_pairs
 from kurbel.page.axes import AngleAxis, ColumnAxis, Place, RatioAxis

@@ -1,17 +1,34 @@
-"""What a page about motion says of itself: caption, formulas, signs, in both languages."""
+"""What pages about motion say, in both languages: caption, formulas, signs, what is known of the drive."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Protocol
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from functools import partial
+from math import isqrt
+from typing import TYPE_CHECKING, Any, Protocol
 
-from kurbel.drive.crank import Crank
-from kurbel.exact.numerals import Label
-from kurbel.motion.drive_notes import drive_notes, force_notes, moving_notes
+from kurbel.drive.crank import Crank, known
+from kurbel.drive.load import figure
+from kurbel.exact.certify import Kind, settled
+from kurbel.exact.numerals import Label, Number, finite_decimals, number_text
+from kurbel.kernel import kinematics
+from kurbel.kernel.circle import root
 from kurbel.motion.evaluation import DIFFERENCE, LOADED, METHODS, OFFSET, OUT, RETURN
-from kurbel.page.quantity import AND, Column, Quantity, enumerated, filled, for_ratio, words
+from kurbel.page.quantity import (
+    AND,
+    Column,
+    Quantity,
+    Words,
+    enumerated,
+    filled,
+    for_ratio,
+    words,
+)
+from kurbel.reading.notation import ratio_text
 
 if TYPE_CHECKING:
+    from kurbel.drive.rod import Rod
     from kurbel.motion.page import Request
     from kurbel.page.layouts import Layout
 
@@ -36,7 +53,29 @@ SYMBOLS = {
 }
 # For columns that the layout's own caption does not know.
 PLAIN_CAPTION = "{quantities}{for_ratio}; {method}"
-WORDS: Mapping[str, Mapping[str, str]] = {
+WORDS: Mapping[str, Words] = {
+    "offset": words(
+        "Geschränkt, $e = {offset} R$, $R:L = {ratio}$: Totlagen $φ_i = {inner}°$ und $φ_o = {outer}°$, Hub "
+        "${stroke} R$"
+        "|Offset $e = {offset} R$, $R:L = {ratio}$: dead centres at $φ_i = {inner}°$ and $φ_o = {outer}°$, "
+        "stroke ${stroke} R$"
+    ),
+    "machine": words('$R = {radius} "mm"${rod}{speed}'),
+    "rod": words(', $L = {rod} "mm"$'),
+    "speed": words(
+        '; {turns}$v = {pin} "m/s"$, mittlere Kolbengeschwindigkeit $c_m = {mean} "m/s"$, $v:c_m = '
+        "{quotient}$"
+        '|; {turns}$v = {pin} "m/s"$, mean piston speed $c_m = {mean} "m/s"$, $v:c_m = {quotient}$'
+    ),
+    "masses": words("Massen: |Masses: "),
+    "reciprocating": words("Kolben und Kreuzkopf|piston and crosshead"),
+    "rotating": words("Kurbel weniger Gegengewicht, am Zapfen|crank less counterweight, at its pin"),
+    "connecting_rod": words(
+        "Schubstange: Schwerpunkt $a = {centre} {length}$ vom Kreuzkopfzapfen, $k = {gyration} {length}$, "
+        "$k^2 - a b = {couple} {length}^2${mass}"
+        "|Rod: centre of mass $a = {centre} {length}$ from the crosshead pin, $k = {gyration} {length}$, "
+        "$k^2 - a b = {couple} {length}^2${mass}"
+    ),
     "difference": words(
         "Unterschied: genauer Wert weniger Näherung, vor dem Runden gebildet."
         "|Difference: exact value less first order, taken before rounding."
@@ -153,3 +192,92 @@ def _signed(line: Label, page: Formulated, sign: str, rod_angle: bool) -> Label:
         "{ratio}": page.layout.ratio_symbol.replace(":", "/"),
     }
     return filled(line, parts.items())
+
+
+def drive_notes(cranks: Sequence[Crank], lang: str) -> list[Label]:
+    """Return the lines about lengths and speeds, and those about offsets."""
+    lines = [_machine(crank, lang) for crank in cranks if crank.radius is not None]
+    return lines + [_offset(crank, lang) for crank in cranks if crank.offset and crank.ratio]
+
+
+def force_notes(cranks: Sequence[Crank], lang: str) -> Iterable[Label]:
+    """Return the lines about the piston forces."""
+    return dict.fromkeys(crank.force.note(lang) for crank in cranks if crank.force is not None)
+
+
+def moving_notes(crank: Crank, ratio_symbol: str, lang: str) -> Iterator[Label]:
+    """Yield the lines about the moving masses, with the size and the speed that make forces of them."""
+    moving, speed, radius = known(crank.moving), known(crank.speed), ratio_symbol[0]
+    said = {"reciprocating": moving.reciprocating, "rotating": moving.rotating}
+    parts = [f'{WORDS[key][lang]} ${figure(mass)} "kg"$' for key, mass in said.items() if mass]
+    value = figure(60 * speed.value if speed.turns else speed.value)
+    turns = f'n = {value} "min"^(-1)' if speed.turns else f'ω = {value} "rad/s"'
+    parts += [f'${radius} = {figure(1000 * known(crank.radius))} "mm"$', f"${turns}$"]
+    yield WORDS["masses"][lang] + ", ".join(parts)
+    if moving.rod is not None:
+        yield connecting_rod(moving.rod, lang, ratio_symbol[-1])
+
+
+def connecting_rod(rod: Rod, lang: str, length: str = "L") -> Label:
+    """Return the line about a rod: where its masses are, and its mass if that is known."""
+    square = rod.gyration_square
+    return WORDS["connecting_rod"][lang].format(
+        length=length,
+        centre=figure(1 - rod.centre),
+        gyration=_root(square) or digits_text(lambda numbers: root(numbers.of(square)), 4, algebraic=True),
+        couple=figure(rod.couple),
+        mass=f', $M = {figure(rod.mass)} "kg"$' if rod.mass is not None else "",
+    )
+
+
+def _root(square: Fraction) -> str:
+    """The square root of a fraction that has a short one, else nothing."""
+    found = Fraction(isqrt(square.numerator), isqrt(square.denominator))
+    return figure(found) if found * found == square and finite_decimals(found) is not None else ""
+
+
+def _machine(crank: Crank, lang: str) -> Label:
+    radius = 1000 * known(crank.radius)
+    rod = WORDS["rod"][lang].format(rod=figure(radius / crank.ratio)) if crank.ratio else ""
+    speed = _speed(crank, lang) if crank.speed else ""
+    return WORDS["machine"][lang].format(radius=figure(radius), rod=rod, speed=speed)
+
+
+def _speed(crank: Crank, lang: str) -> str:
+    speed = known(crank.speed)
+    turns, radians = f'$n = {figure(speed.value * 60)} "min"^(-1)$', f'$ω = {figure(speed.value)} "rad/s"$'
+    quotient = digits_text(lambda numbers: numbers.pi / crank.stroke(numbers), 4, algebraic=False)
+    return WORDS["speed"][lang].format(
+        turns=f"{turns if speed.turns else radians}, ",
+        pin=digits_text(crank.pin_velocity, 3, algebraic=not speed.turns),
+        mean=digits_text(lambda numbers: _mean_speed(crank, numbers), 3, algebraic=speed.turns),
+        quotient=quotient if crank.offset else "π:2",
+    )
+
+
+def _mean_speed(crank: Crank, numbers: Kind) -> Any:
+    """c_m in m/s. Of turns it is S n/30, without the π that the crank-pin velocity has."""
+    speed = known(crank.speed)
+    if speed.turns:
+        stroke = crank.stroke(numbers) * numbers.of(known(crank.radius))
+        return kinematics.mean_piston_speed(stroke, numbers.of(60 * speed.value))
+    return crank.pin_velocity(numbers) * kinematics.mean_piston_velocity(crank.stroke(numbers), numbers.pi)
+
+
+def _offset(crank: Crank, lang: str) -> Label:
+    def dead_centre(sign: int, numbers: Kind) -> Any:
+        sine = kinematics.dead_centre_sine(numbers.of(sign * crank.ratio), numbers.of(sign * crank.offset))
+        return numbers.arc(sine) + (0 if sign == OUT else 180)
+
+    return WORDS["offset"][lang].format(
+        offset=figure(crank.offset),
+        ratio=ratio_text(crank.ratio),
+        inner=digits_text(partial(dead_centre, OUT), 3, algebraic=False),
+        outer=digits_text(partial(dead_centre, RETURN), 3, algebraic=False),
+        stroke=digits_text(crank.stroke, 4, algebraic=True),
+    )
+
+
+def digits_text(value: Callable[[Kind], Any], decimals: int, algebraic: bool) -> str:
+    """Return the digits of a value that is either algebraic or an arc or a multiple or fraction of π."""
+    return number_text(Number(settled(value, decimals, algebraic=algebraic), decimals))

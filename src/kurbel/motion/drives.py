@@ -40,8 +40,7 @@ from kurbel.exact.place import SQUARE, Centre, Place, exact_place
 from kurbel.exact.surd import Field, SecondRootError, Surd
 from kurbel.kernel import kinematics
 from kurbel.kernel.circle import Circle
-from kurbel.motion.captions import Formulated, formula_lines
-from kurbel.motion.drive_notes import drive_notes
+from kurbel.motion.captions import Formulated, drive_notes, formula_lines
 from kurbel.motion.evaluation import OUT, certified, is_known, is_transcendental, value
 from kurbel.motion.quantities import registry
 from kurbel.page.quantity import Column, Formula, Quantity

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property
@@ -12,15 +12,14 @@ from kurbel.drive.crank import Crank, known
 from kurbel.exact.certify import NEVER_TIES, Kind, rounded, settled
 from kurbel.exact.numerals import Label, Number, nearest, number_text
 from kurbel.kernel.rod import Masses
-from kurbel.motion.captions import notes
-from kurbel.motion.drive_notes import drive_notes, rod_notes
+from kurbel.motion.captions import connecting_rod, drive_notes, notes
 from kurbel.motion.inertia import ROD_FORCES, ROD_MODELS, RodForce, inertia_registry
 from kurbel.motion.inertia_peak import Peak
 from kurbel.motion.page import MOTION, CrankQuestion, Request
 from kurbel.motion.quantities import registry
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.layouts import layout
-from kurbel.page.quantity import Column, Formula, Quantity, bare, entry, for_ratio, words
+from kurbel.page.quantity import Column, Formula, Quantity, bare, entry, enumerated_letters, for_ratio, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field
 
@@ -34,6 +33,9 @@ GREATEST, ERROR = "greatest", "error"
 # Of what is in no unit of its own.
 UNITS = "M R ω², M R² ω²"
 WORDS = {
+    "mirrored": words("bei $360° - φ$ |at $360° - φ$ "),
+    "same": words("{letters} gleich|{letters} the same"),
+    "opposite": words("{letters} entgegengesetzt|{letters} opposite"),
     "force": words("Kraft|Force"),
     "errors": words(
         "größter Fehler in % der größten genauen Kraft der Umdrehung{where}: "
@@ -168,10 +170,26 @@ def _caption(question: ErrorsRequest) -> Label:
     return question.layout.caption[lang].replace("{for_ratio}", ratio)
 
 
+def _rod_notes(question: CrankQuestion, shown: Collection[str]) -> Iterator[Label]:
+    """Yield the lines about the connecting rods, and where cranks are straight the symmetry of the letters
+    shown."""
+    cranks, lang = question.cranks, question.lang
+    yield from dict.fromkeys(connecting_rod(crank.rod, lang) for crank in cranks if crank.rod is not None)
+    if any(crank.offset for crank in cranks):
+        return
+    said = [
+        WORDS[key][lang].format(letters=enumerated_letters([one for one in letters if one in shown], lang))
+        for key, letters in (("same", ("X", "P")), ("opposite", ("N", "Y", "M_d")))
+        if set(letters) & set(shown)
+    ]
+    if said:
+        yield WORDS["mirrored"][lang] + ", ".join(said)
+
+
 def _notes(question: ErrorsRequest) -> Iterator[Label]:
     yield from (note[question.lang] for note in question.layout.notes)
     yield from drive_notes(question.cranks, question.lang)
-    yield from rod_notes(question.cranks, question.lang, [force.letter for force in FORCES])
+    yield from _rod_notes(question, [force.letter for force in FORCES])
 
 
 def _number(question: ErrorsRequest, column: Column, place: Place, times: int) -> Number | None:
@@ -248,7 +266,7 @@ def _with_rods() -> Mapping[str, Quantity]:
 def _forces_notes(question: Request) -> Iterator[Label]:
     yield from notes(question)
     shown = {column.quantity.symbol.strip("$") for column in question.page_columns}
-    yield from rod_notes(question.cranks, question.lang, shown)
+    yield from _rod_notes(question, shown)
 
 
 INERTIA = MOTION._replace(

@@ -11,7 +11,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.certify import Kind, ball, settled
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel.forces import square_position
-from kurbel.motion.drive_notes import drive_notes, force_notes
+from kurbel.motion.captions import drive_notes, force_notes
 from kurbel.motion.evaluation import (
     OUT,
     TANGENT,

@@ -7,13 +7,14 @@ from fractions import Fraction
 from functools import partial
 from typing import Any
 
-from kurbel.exact.certify import Kind, settled
-from kurbel.exact.numerals import Label, Number, finite_decimals, number_text
+from kurbel.exact.certify import Kind
+from kurbel.exact.numerals import Label, finite_decimals
 from kurbel.linkage.arc.crank import ArcCrank
 from kurbel.linkage.arc.quantities import LEFT
 from kurbel.linkage.quantities import FORCE
 from kurbel.linkage.question import LinkageRequest, captioned, force_lines
 from kurbel.motion.captions import WORDS as MOTION_WORDS
+from kurbel.motion.captions import digits_text
 from kurbel.motion.evaluation import OUT, RETURN
 from kurbel.page.quantity import Formula, Quantity, Words, filled, words
 from kurbel.reading.notation import plain, ratio_text
@@ -146,4 +147,4 @@ def _printed(value: Callable[[Kind], Any], decimals: int) -> str:
     or, where Δ is m/n of a turn, (n + 2 m)/(n - 2 m) with φ(n) <= 8, hence n <= 30: no denominator of a
     reduced one is a multiple of 32.
     """
-    return number_text(Number(settled(value, decimals, algebraic=False), decimals))
+    return digits_text(value, decimals, algebraic=False)
