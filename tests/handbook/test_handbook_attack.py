@@ -9,6 +9,7 @@ import subprocess
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 import pytest
 from cli import Result, kurbel
@@ -17,7 +18,7 @@ from programs import Programs, wait_until
 from kurbel.documents.document import Document
 from kurbel.errors import KurbelError
 from kurbel.formats.pdf import by_tex as pdf_tex
-from kurbel.handbook.pages import make_pdf
+from kurbel.handbook.pages import document_of, make_pdf
 from kurbel.handbook.pool import Made, Task
 
 MANIFEST = """\
@@ -173,14 +174,13 @@ def test_documents_are_not_made_of_files_that_are_gone(
 
     build(book(tmp_path / "whole"))
     folder = book(tmp_path / "disturbed")
-    document = handbook_build.Build.document
 
-    def disturbed(one: handbook_build.Build) -> Document:
+    def disturbed(*given: Any) -> Document:
         (folder / "pages/tables/wege.md").unlink()
-        return document(one)
+        return document_of(*given)
 
     with monkeypatch.context() as patch:
-        patch.setattr(handbook_build.Build, "document", disturbed)
+        patch.setattr(handbook_build, "document_of", disturbed)
         result = build(folder)
     assert result.code == 1
     assert "tables/wege.md was changed or removed while the handbook was built; build it again" in result.err

@@ -19,7 +19,7 @@ from kurbel.formats.registry import compiled_format
 from kurbel.handbook.pool import MOST_PROCESSES, cores
 
 if TYPE_CHECKING:
-    from kurbel.handbook.build import Build, Built
+    from kurbel.handbook.build import Build
     from kurbel.handbook.folder import Folder
     from kurbel.handbook.manifest import Manifest, Part
 
@@ -137,21 +137,20 @@ def listed(folder: str) -> None:
 
     manifest, output = _opened(folder)
     one = Build(manifest, output)
-    stale = {part.name for part in one.stale()}
     click.echo(f"{output.path}: {', '.join(manifest.formats)}")
     for number, chapter in enumerate(manifest.chapters, 1):
         click.echo(f"\n{number} {chapter.title} ({chapter.name})")
-        rows = [_row(one, part, part.name in stale) for part in chapter.parts]
+        rows = [_row(one, part) for part in chapter.parts]
         lines = tabulate(rows, tablefmt="plain", disable_numparse=True).splitlines() if rows else []
         for line in lines:
             click.echo(f"    {line.rstrip()}")
 
 
-def _row(one: Build, part: Part, stale: bool) -> tuple[str, ...]:
+def _row(one: Build, part: Part) -> tuple[str, ...]:
     """Return what the list says of a part: its name, what it is made of, whether it would be made anew."""
     if not part.words:
         return "text", part.file or " ".join(part.text.split())[:MOST_SHOWN], ""
-    return part.name, part.shown, one.novelty(part) if stale else "unchanged"
+    return part.name, part.shown, one.novelty(part)
 
 
 @handbook.command(short_help="Build again each time a file is saved.")
@@ -195,7 +194,7 @@ def _build_words(folder: str, engine: str | None = None) -> str:
     return join(["kurbel", "handbook", "build", *where, *(["--pdf-engine", engine] if engine else [])])
 
 
-def _report(manifest: Manifest, done: Built) -> str:
+def _report(manifest: Manifest, done: Build) -> str:
     """Say what failed; return how many did, as the end of a sentence, or nothing."""
     for failure in done.failures:
         line = f", line {failure.line}" if failure.line else ""

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Collection, Iterable, Mapping
 from functools import partial
 from typing import Any
 
-from kurbel.documents.document import Document
 from kurbel.errors import HandbookError, KurbelError
 from kurbel.formats.registry import FORMATS
 from kurbel.handbook.folder import Done, Folder, digest, key_of
@@ -26,25 +24,15 @@ Maker = Callable[[Task], Made]
 Bar = Callable[[Iterable[Any], int], Iterable[Any]]
 
 
-@dataclass
-class Built:
-    """What a build did, file by file, and what failed."""
-
-    written: list[str] = field(default_factory=list)
-    unchanged: list[str] = field(default_factory=list)
-    removed: list[str] = field(default_factory=list)
-    failures: list[Failure] = field(default_factory=list)
-
-
 def build(
     manifest: Manifest,
     folder: Folder,
     make: Maker,
     jobs: int,
-    bar: Bar = lambda steps, count: steps,
+    bar: Bar,
     waiting: Callable[[], None] = lambda: None,
-) -> Built:
-    """Build what changed and return what was done.
+) -> Build:
+    """Build what changed and return the build, which knows what was done.
 
     `make` makes a part, perhaps in another process; `bar` sees the parts pass as they are made; `waiting` is
     called if another build of the same folder is under way. Parts that fail are in the report, and the others
@@ -54,18 +42,22 @@ def build(
         one = Build(manifest, folder)
         one.make_parts(make, jobs, bar)
         one.make_documents()
-        return one.finish()
+        one.finish()
+        return one
 
 
 class Build:
-    """One build of a manifest into a folder."""
+    """One build of a manifest into a folder: what it did, file by file, and what failed."""
 
     def __init__(self, manifest: Manifest, folder: Folder) -> None:
+        self.written: list[str] = []
+        self.unchanged: list[str] = []
+        self.removed: list[str] = []
+        self.failures: list[Failure] = []
         self.manifest = manifest
         self.folder = folder
         self.old = folder.state()
         self.new: dict[str, Done] = {}
-        self.built = Built()
         self.started = time.time_ns()
         self.templates = manifest.templates and os.path.join(manifest.folder, manifest.templates)
         if self.templates and not os.path.isdir(self.templates):
@@ -74,23 +66,20 @@ class Build:
         self.apart = manifest.templates is not None or manifest.layouts is not None
         self.print = key_of(fingerprint(), self.templates and digest_of(self.templates))
         # A PDF brings along what it is set from.
-        wanted = {*manifest.formats, *([ENGINES[manifest.pdf.engine].source] if self.sets_pdf else [])}
-        self.formats = tuple(name for name in FORMATS if name in wanted and name != PDF)
+        source = {ENGINES[manifest.pdf.engine].source} if PDF in manifest.formats else set()
+        self.formats = tuple(name for name in FORMATS if name in {*manifest.formats, *source} - {PDF})
         # What documents are made of beside their own format.
         self.figures = tuple(sorted({FORMATS[name].figures for name in self.formats} - {""}))
-
-    @property
-    def sets_pdf(self) -> bool:
-        return PDF in self.manifest.formats
 
     def part_key(self, part: Part) -> str:
         machine = self.manifest.machine
         return key_of(self.print, part._replace(line=0), machine, self.formats, self.figures)
 
-    def stale(self) -> list[Part]:
-        """Return the parts that must be made; the others count as made."""
-        parts = (part for part in self.manifest.parts() if part.words)
-        return [part for part in parts if not self.is_made(part.name, self.part_key(part))]
+    def novelty(self, part: Part) -> str:
+        """Return in a word why a part must be made, or that it need not be."""
+        if self.is_made(part.name, self.part_key(part)):
+            return "unchanged"
+        return "changed" if part.name in self.old else "new"
 
     def is_made(self, name: str, key: str) -> bool:
         """Tell whether it lies there as it would be made again; then it counts as made."""
@@ -108,49 +97,31 @@ class Build:
     def input(self, path: str) -> str:
         return os.path.join(self.manifest.folder, path)
 
-    def novelty(self, part: Part) -> str:
-        """Return in a word why a part must be made."""
-        return "changed" if part.name in self.old else "new"
-
     def make_parts(self, make: Maker, jobs: int, bar: Bar) -> None:
         given = self.manifest.folder, self.manifest.machine, self.templates, self.formats, self.figures
-        self.make(
-            [
-                Piece(part.name, self.part_key(part), partial(make, Task(part, *given, PATIENCE)), part.line)
-                for part in self.stale()
-            ],
-            jobs,
-            bar=bar,
-        )
+        pieces = [
+            Piece(part.name, key, partial(make, Task(part, *given, PATIENCE)), part.line)
+            for part in self.manifest.parts()
+            if part.words and not self.is_made(part.name, key := self.part_key(part))
+        ]
+        made = worked(pieces, jobs, self.apart, STOPPED if self.apart else KILLED)
+        self.take(bar(made, len(pieces)))
 
-    def make(
-        self,
-        pieces: Sequence[Piece],
-        jobs: int = 1,
-        apart: bool | None = None,
-        stopped: str = STOPPED,
-        bar: Bar = lambda steps, count: steps,
-    ) -> None:
-        """Make the pieces; `apart` in other processes, by default where there are templates of one's own."""
-        apart = self.apart if apart is None else apart
-        made = worked(pieces, jobs, apart, stopped if self.apart else KILLED)
-        for piece, one in bar(made, len(pieces)):
-            self.take(piece, one)
-
-    def take(self, piece: Piece, made: Made | str) -> None:
-        """Write what was made of a part or a document, or note what kept it from being made."""
-        try:
-            if isinstance(made, str):
-                raise HandbookError(made)
-            for path, content in made.files.items():
-                if self.folder.write(path, content):
-                    self.built.written.append(path)
-        except KurbelError as error:
-            self.fail(piece.name, str(error), piece.line)
-            return
-        files = {path: digest(content) for path, content in made.files.items()}
-        inputs = {path: self.hash_of_input(path) for path in made.inputs}
-        self.new[piece.name] = Done(piece.key, inputs, files, made.about)
+    def take(self, made: Iterable[tuple[Piece, Made | str]]) -> None:
+        """Write what was made of parts or documents, or note what kept them from being made."""
+        for piece, one in made:
+            try:
+                if isinstance(one, str):
+                    raise HandbookError(one)
+                for path, content in one.files.items():
+                    if self.folder.write(path, content):
+                        self.written.append(path)
+            except KurbelError as error:
+                self.fail(piece.name, str(error), piece.line)
+                continue
+            files = {path: digest(content) for path, content in one.files.items()}
+            inputs = {path: self.hash_of_input(path) for path in one.inputs}
+            self.new[piece.name] = Done(piece.key, inputs, files, one.about)
 
     def hash_of_input(self, path: str) -> str:
         """Return the hash of a file that a part was made of, or nothing if it was saved since.
@@ -162,7 +133,7 @@ class Build:
 
     def fail(self, name: str, said: str, line: int = 0) -> None:
         """Note what failed; what an earlier build made of it stays."""
-        self.built.failures.append(Failure(line, name, said))
+        self.failures.append(Failure(line, name, said))
         self.keep(name)
 
     def keep(self, name: str) -> None:
@@ -170,34 +141,24 @@ class Build:
         if name in self.old:
             self.new[name] = self.old[name]
 
-    def finish(self) -> Built:
+    def finish(self) -> None:
         """Remove what is no longer built, and keep what this build knows for the next."""
-        files = self.hashes()
+        files = _hashes(self.new)
         # Of earlier builds, also of those on another machine.
         for path, hashed in (self.folder.contents() | _hashes(self.old)).items():
             # What somebody changed by hand is not ours to remove.
             if path not in files and self.folder.has(path, hashed):
                 self.folder.remove(path)
-                self.built.removed.append(path)
+                self.removed.append(path)
         self.folder.list_contents(files)
         self.folder.keep_state(self.new)
-        written = {*self.built.written}
-        self.built.unchanged += [path for path in files if path not in written]
-        return self.built
-
-    def hashes(self) -> dict[str, str]:
-        """Return all files made so far with their hashes."""
-        return _hashes(self.new)
-
-    def document(self) -> Document:
-        """Return the whole handbook with what its parts have become."""
-        made = {name: done.about for name, done in self.new.items() if done.about}
-        return document_of(self.manifest, made, self.built.failures)
+        self.unchanged += files.keys() - {*self.written}
 
     def make_documents(self) -> None:
         """Make the documents whose contents changed, from the parts as they are now."""
-        document = self.document()
-        content, hashes = key_of(document), self.hashes()
+        made = {name: done.about for name, done in self.new.items() if done.about}
+        document = document_of(self.manifest, made, self.failures)
+        content, hashes = key_of(document), _hashes(self.new)
         pieces = []
         for name in (name for name in self.formats if FORMATS[name].figures):
             paths = fragment_paths(document, name)
@@ -210,13 +171,13 @@ class Build:
                 texts = {stem: read[path].decode("utf-8", "replace") for stem, path in paths.items()}
                 work = partial(make_document, document, name, texts, self.templates)
                 pieces.append(Piece(_named(name), key, work))
-        self.make(pieces)
-        if self.sets_pdf:
+        self.take(worked(pieces, 1, self.apart, STOPPED))
+        if PDF in self.manifest.formats:
             self.make_pdf()
 
     def read(self, name: str, paths: Collection[str]) -> dict[str, bytes] | None:
         """Return what a document is made of; it fails where a file is no longer what was made."""
-        hashes, read = self.hashes(), {}
+        hashes, read = _hashes(self.new), {}
         try:
             for path in paths:
                 if path not in hashes:
@@ -237,10 +198,10 @@ class Build:
         """Set the PDF if anything that it is made of changed."""
         engine, standards = self.manifest.pdf.engine, self.manifest.pdf.standards
         source, name = _named(ENGINES[engine].source), _named(PDF)
-        if source not in self.new or any(failure.name == source for failure in self.built.failures):
+        if source not in self.new or any(failure.name == source for failure in self.failures):
             self.keep(name)
             return
-        hashes = self.hashes()
+        hashes = _hashes(self.new)
         used = {path: hashes[path] for path in hashes if path.endswith(ENGINES[engine].suffixes)}
         key = key_of(
             self.print, engine, standards, os.environ.get("SOURCE_DATE_EPOCH"), _program(engine), used
@@ -250,7 +211,8 @@ class Build:
         work = partial(make_pdf, self.folder.path, engine, standards, self.apart)
         # Typst takes much memory to set many pages, in a process of its own. A TeX is one by itself, and is
         # ended by whoever started it: the end of this build must reach it.
-        self.make([Piece(name, key, work)], apart=ENGINES[engine].grows, stopped=PDF_STOPPED)
+        stopped = PDF_STOPPED if self.apart else KILLED
+        self.take(worked([Piece(name, key, work)], 1, ENGINES[engine].grows, stopped))
 
 
 def _hashes(state: Mapping[str, Done]) -> dict[str, str]:

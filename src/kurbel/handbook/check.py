@@ -10,7 +10,7 @@ from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
 from kurbel.formats.registry import FORMATS
-from kurbel.handbook.build import Bar, Built, Maker, build
+from kurbel.handbook.build import Bar, Build, Maker, build
 from kurbel.handbook.folder import CONTENTS, Folder
 from kurbel.handbook.manifest import Manifest
 
@@ -35,7 +35,7 @@ class Stale(NamedTuple):
     difference: tuple[str, ...] = ()
 
 
-def check(manifest: Manifest, folder: Folder, make: Maker, jobs: int, bar: Bar) -> tuple[Built, list[Stale]]:
+def check(manifest: Manifest, folder: Folder, make: Maker, jobs: int, bar: Bar) -> tuple[Build, list[Stale]]:
     """Build all anew in a folder of its own, and return what failed and which files are stale.
 
     Nothing that an earlier build knew is believed, and nothing of the folder is changed. Where a part fails,

@@ -153,7 +153,8 @@ class _Reader:
                 raise self.error(place, 'a chapter has no title; write title = "..."')
             name = one.name or slug(one.title)
             self.check_name((*place, "name"), name, self.chapter_names)
-            own = {**_with_lang(defaults, one.lang), **self.options((*place, "defaults"), one.defaults)}
+            own = {**defaults, "lang": one.lang or defaults["lang"]}
+            own |= self.options((*place, "defaults"), one.defaults)
             yield ChapterPlan(one.title, name, own["lang"], tuple(self.parts(place, one.part, own)))
 
     def parts(self, chapter: Place, given: Sequence[PartKeys], defaults: Mapping[str, Any]) -> Iterator[Part]:
@@ -163,7 +164,7 @@ class _Reader:
             if len(contents) != 1:
                 found = " and ".join(contents) or "none of them"
                 raise self.error(place, f"a part has one of run, text and file, and this one has {found}")
-            options = _with_lang(defaults, one.lang)
+            options = {**defaults, "lang": one.lang or defaults["lang"]}
             if one.run is not None:
                 yield self.table(place, one.run, one, options)
                 continue
@@ -217,10 +218,6 @@ class _Reader:
                 )
             options[name.replace("-", "_")] = value
         return options
-
-
-def _with_lang(options: Mapping[str, Any], lang: str | None) -> dict[str, Any]:
-    return {**options, "lang": lang} if lang else {**options}
 
 
 _NAME = re.compile(r"[A-Za-z0-9]+(?:-+[A-Za-z0-9]+)*")
