@@ -31,7 +31,7 @@ from kurbel.engine.engine import Engine, Load, Steam
 from kurbel.engine.request import EngineRequest
 from kurbel.engine.turn import Turn
 from kurbel.linkage.arc.crank import ArcCrank
-from kurbel.linkage.parallel.crank import ParallelCrank
+from kurbel.linkage.parallel import ParallelCrank
 from kurbel.linkage.question import LinkageRequest
 from kurbel.motion.mechanism import STRAIGHT
 from kurbel.motion.page import Request

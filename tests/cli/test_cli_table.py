@@ -20,7 +20,7 @@ from kurbel.balance.page import balance_registry
 from kurbel.engine.quantities import engine_registry
 from kurbel.linkage import beam
 from kurbel.linkage.arc.quantities import arc_registry
-from kurbel.linkage.parallel.mechanism import parallel_registry
+from kurbel.linkage.parallel import parallel_registry
 from kurbel.motion.inertia import inertia_registry
 from kurbel.motion.inertia_page import error_columns
 from kurbel.motion.quantities import registry

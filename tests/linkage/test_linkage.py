@@ -27,7 +27,7 @@ from kurbel.kernel.parallel import coupler
 from kurbel.linkage.arc.crank import ArcCrank
 from kurbel.linkage.arc.quantities import arc_registry
 from kurbel.linkage.linkage import certified, value
-from kurbel.linkage.parallel.crank import CHANGE_POINTS
+from kurbel.linkage.parallel import CHANGE_POINTS
 from kurbel.linkage.quantities import FORCE
 from kurbel.motion.evaluation import OUT, RETURN
 

@@ -20,8 +20,7 @@ from kurbel.kernel.circle import circle
 from kurbel.kernel.parallel import coupler_place
 from kurbel.linkage.arc.crank import ArcCrank
 from kurbel.linkage.linkage import certified, value
-from kurbel.linkage.parallel.crank import ParallelCrank
-from kurbel.linkage.parallel.mechanism import parallel_registry
+from kurbel.linkage.parallel import ParallelCrank, parallel_registry
 from kurbel.motion.evaluation import OUT, RETURN
 
 PLACES = [(OUT, "0"), (OUT, "73.1"), (OUT, "251"), (RETURN, "38.5"), (RETURN, "-77")]

@@ -24,7 +24,7 @@ import kurbel
 from kurbel.drive.crank import Crank
 from kurbel.errors import ChoiceError, MissingExtraError, ProblemError
 from kurbel.linkage.arc.crank import ArcCrank
-from kurbel.linkage.parallel.crank import SHAFTS, ParallelCrank
+from kurbel.linkage.parallel import SHAFTS, ParallelCrank
 from kurbel.page.formula import FUNCTIONS, GREEK, SIGNS, SYMBOLS
 from kurbel.plot import style as plot_style
 from kurbel.plot.arc import arc_mechanism, arc_position

@@ -21,9 +21,7 @@ MECHANISMS: Mapping[str, Registered] = {
     "straight": Registered("motion", "kurbel.motion.mechanism:STRAIGHT", "default"),
     "offset": Registered("motion", "kurbel.motion.mechanism:OFFSET"),
     "arc": Registered("arc crank", "kurbel.linkage.arc.mechanism:MECHANISM", "the rod moves a rocker"),
-    "parallel": Registered(
-        "parallel crank", "kurbel.linkage.parallel.mechanism:MECHANISM", "two equal cranks"
-    ),
+    "parallel": Registered("parallel crank", "kurbel.linkage.parallel:MECHANISM", "two equal cranks"),
     # Another mechanism is one more line here.
 }
 # The crank drives without a crosshead, whose pages are their own.
