@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 DEFAULT = "text"
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Format:
     """What all formats state.
 
@@ -100,7 +100,7 @@ class Engine(NamedTuple):
     obeys: bool = False
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class CompiledFormat(Format):
     """A format of bytes, made of the document in another format.
 
@@ -116,7 +116,7 @@ class CompiledFormat(Format):
         return writer
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class PageFormat(Format):
     """A format of pages.
 

@@ -98,7 +98,7 @@ def parts(circle: Circle[Number], ratio: Number, offset: Number | None = None) -
     return Parts(common, _turning(circle, ratio, slant, offset), ratio * (pull * pull) + 0)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class Loaded:
     """The crank drive at a crank angle: its masses, and the force F on the piston, positive against X.
 

@@ -102,7 +102,7 @@ def subject(key: str) -> Subject:
     return found
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Question:
     """A layout that is asked for, with the digits, the language and the columns of its page.
 

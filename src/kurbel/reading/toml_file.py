@@ -167,13 +167,12 @@ def shown(value: Any) -> str:
     return f'"{value}"'[:42] if isinstance(value, str) else str(value)[:40]
 
 
-_TOKEN = re.compile(
+_TOKEN = (
     r'(?P<text>"""(?:[^"\\]|\\.|"(?!""))*+"{3,5}|\'\'\'(?:[^\']|\'(?!\'\'))*+\'{3,5}'
     r'|"(?:[^"\\\n]|\\.)*+"|\'[^\'\n]*+\')'
     r"|(?P<mark>\[|\]|\{|\}|,|=|\.|\n)"
     r"|(?P<word>[^\s\"'\[\]{},=.#]++)"
-    r"|#[^\n]*+",
-    re.DOTALL,
+    r"|#[^\n]*+"
 )
 
 
@@ -272,7 +271,7 @@ class _Lines:
 def _tokens(text: str) -> Iterator[tuple[int, str]]:
     """Yield the tokens, but for comments, each with the line that it begins in."""
     line, counted = 1, 0
-    for found in _TOKEN.finditer(text):
+    for found in re.finditer(_TOKEN, text, re.DOTALL):
         if found.lastgroup:
             line += text.count("\n", counted, found.start())
             counted = found.start()
