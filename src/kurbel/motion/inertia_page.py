@@ -8,12 +8,12 @@ from fractions import Fraction
 from functools import cache, cached_property
 from typing import Any
 
-from kurbel.drive.crank import Crank, known
-from kurbel.exact.certify import NEVER_TIES, Kind, rounded, settled
+from kurbel.drive.crank import known
+from kurbel.exact.certify import Kind, settled
 from kurbel.exact.numerals import Label, Number, nearest, number_text
 from kurbel.kernel.rod import Masses
 from kurbel.motion.captions import connecting_rod, drive_notes, notes
-from kurbel.motion.inertia import ROD_FORCES, ROD_MODELS, RodForce, inertia_registry
+from kurbel.motion.inertia import ROD_FORCES, ROD_MODELS, inertia_registry
 from kurbel.motion.inertia_peak import Peak
 from kurbel.motion.page import MOTION, CrankQuestion, Request
 from kurbel.motion.quantities import registry
@@ -44,20 +44,18 @@ WORDS = {
     "model": words("Ersatz der Stange|In place of the rod"),
 }
 
-# What a peak, or an error beside the greatest exact force, comes to: of its value on a kind of number.
-Of = Callable[[Peak], Any]
+
+# A kernel call takes the peak of a force or of an error, that of the exact force, and a kind of number.
+def _itself(peak: Peak, whole: Peak, numbers: Kind) -> Any:
+    return peak.on(numbers)
 
 
-def _itself(peak: Peak, whole: Peak, numbers: Kind, of: Of) -> Any:
-    return of(peak)
+def _in_newtons(peak: Peak, whole: Peak, numbers: Kind) -> Any:
+    return peak.on(numbers) * peak.force.scale(peak.crank, numbers)
 
 
-def _in_newtons(peak: Peak, whole: Peak, numbers: Kind, of: Of) -> Any:
-    return of(peak) * peak.force.scale(peak.crank, numbers)
-
-
-def _in_percent(peak: Peak, whole: Peak, numbers: Kind, of: Of) -> Any:
-    return 100 * of(peak) / of(whole)
+def _in_percent(peak: Peak, whole: Peak, numbers: Kind) -> Any:
+    return 100 * peak.on(numbers) / whole.on(numbers)
 
 
 @cache
@@ -66,7 +64,7 @@ def error_columns() -> Mapping[str, Quantity]:
     greatest, error = "größter Betrag|greatest", "größter Fehler|greatest error"
     percent, at = "größter Fehler in %|greatest error in %", "bei $φ$|at $φ$"
     names = "größter Betrag in N, N m|greatest in N, N m", "größter Betrag bei φ|greatest at φ"
-    entries = (
+    rows = (
         ("greatest", greatest, greatest, "", 4, GREATEST, _itself),
         ("greatest_n", names[0], "in N, N m", "N, N m", 1, GREATEST, _in_newtons),
         ("greatest_phi", names[1], at, "°", DEGREE_DECIMALS, GREATEST, _itself),
@@ -74,21 +72,14 @@ def error_columns() -> Mapping[str, Quantity]:
         ("error_percent", percent, percent, PERCENT, PERCENT_DECIMALS, ERROR, _in_percent),
         ("error_phi", "größter Fehler bei φ|greatest error at φ", at, "°", DEGREE_DECIMALS, ERROR, _itself),
     )
-    return {
-        key: entry(
-            key,
-            name,
-            "",
-            unit,
-            decimals,
-            {EXACT: Formula(kernel)},
-            heading,
-            minutes=unit == "°",
-            needs="inertia" if kernel is _in_newtons else "rod",
-            of=of,
-        )
-        for key, name, heading, unit, decimals, of, kernel in entries
-    }
+    return {row[0]: _entry(*row) for row in rows}
+
+
+def _entry(
+    key: str, name: str, heading: str, unit: str, decimals: int, of: str, kernel: Callable[..., Any]
+) -> Quantity:
+    needs, formulas = "inertia" if kernel is _in_newtons else "rod", {EXACT: Formula(kernel)}
+    return entry(key, name, "", unit, decimals, formulas, heading, minutes=unit == "°", needs=needs, of=of)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -102,22 +93,18 @@ class ErrorsRequest(CrankQuestion):
         return own if own.unit else own._replace(unit=UNITS)
 
     @cached_property
-    def peaks(self) -> dict[tuple[int, str, str, bool], Peak]:
-        """The peaks that were found, each once."""
-        return {}
+    def peak(self) -> Callable[[int, int, str, bool], Peak]:
+        """Find where a force, or the error of a model, is greatest, each once."""
+        return cache(self._peak)
 
-    def peak(self, ratio: int, force: RodForce, model: str, of_error: bool) -> Peak:
-        """Return where the force, or the error of the model, is greatest."""
-        key = ratio, force.key, model, of_error
-        if key not in self.peaks:
-            rod = known(self.cranks[ratio].rod)
-            masses = rod.masses(model, Fraction)
-            if of_error:
-                # Forces are sums of shares of the masses, and so are errors.
-                true = rod.masses(EXACT, Fraction)
-                masses = Masses(*(one - other for one, other in zip(masses, true, strict=True)))
-            self.peaks[key] = Peak(force, self.cranks[ratio], masses)
-        return self.peaks[key]
+    def _peak(self, ratio: int, force: int, model: str, of_error: bool) -> Peak:
+        rod = known(self.cranks[ratio].rod)
+        masses = rod.masses(model, Fraction)
+        if of_error:
+            # Forces are sums of shares of the masses, and so are errors.
+            true = rod.masses(EXACT, Fraction)
+            masses = Masses(*(one - other for one, other in zip(masses, true, strict=True)))
+        return Peak(FORCES[force], self.cranks[ratio], masses)
 
 
 def _error_notes(request: Request) -> Iterator[Label]:
@@ -193,53 +180,35 @@ def _notes(question: ErrorsRequest) -> Iterator[Label]:
 
 
 def _number(question: ErrorsRequest, column: Column, place: Place, times: int) -> Number | None:
-    quantity, decimals = column.quantity, column.places
-    peak = _peak(question, quantity, place)
-    if peak is None:
+    quantity, decimals, rounding = column.quantity, column.places, question.rounding
+    where, model = (place["ratio"], place["force"]), MODELS[place["model"]]
+    if quantity.of == ERROR and model == EXACT:
         return None
+    peak, whole = question.peak(*where, model, quantity.of == ERROR), question.peak(*where, EXACT, False)
     if quantity.minutes:
-        return _angle(peak, times, decimals, question.rounding)
-    whole = question.peak(place["ratio"], peak.force, EXACT, False)
-    percent = quantity.unit["en"] == PERCENT
-    if percent:
+        return _angle(peak, times, decimals, rounding)
+    concerned: tuple[Peak, ...] = (peak,)
+    if quantity.unit["en"] == PERCENT:
         if whole.vanishes:
             return None
         share = peak.share_of(whole)
         if share is not None:
-            return nearest(100 * share, decimals, question.rounding)
-
-    concerned = (peak, whole) if percent else (peak,)
-    exact = all(one.separation() is not None for one in concerned) and not _by_turns(quantity, peak.crank)
-
-    def at(kind: Kind) -> Any:
-        # Of bounds, which know no π, peaks have their separation.
-        of = Peak.separation if kind.pi is None else Peak.value
-        return quantity.formulas[EXACT].kernel(peak, whole, kind, of)
-
-    return Number(settled(at, decimals, question.rounding, exact), decimals)
-
-
-def _peak(question: ErrorsRequest, quantity: Quantity, place: Place) -> Peak | None:
-    """Return the peak that the column is about; the exact model has no error."""
-    model, of_error = MODELS[place["model"]], quantity.of == ERROR
-    if of_error and model == EXACT:
-        return None
-    return question.peak(place["ratio"], FORCES[place["force"]], model, of_error)
-
-
-def _by_turns(quantity: Quantity, crank: Crank) -> bool:
-    """Whether the value has a factor π², which no algebraic number makes up for."""
-    return quantity.needs == "inertia" and crank.speed is not None and crank.speed.turns
+            return nearest(100 * share, decimals, rounding)
+        concerned = (peak, whole)
+    # No algebraic number makes up for the factor π² of turns a second.
+    by_turns = quantity.needs == "inertia" and known(peak.crank.speed).turns
+    exact = not by_turns and all(one.separation() is not None for one in concerned)
+    kernel = quantity.formulas[EXACT].kernel
+    return Number(settled(lambda kind: kernel(peak, whole, kind), decimals, rounding, exact), decimals)
 
 
 def _angle(peak: Peak, share: int, decimals: int, rounding: str) -> Number | None:
     """Return where it is greatest, in parts of a degree."""
     if peak.is_level:
         return None
-    exact = peak.exact_degrees
-    if exact is not None:
-        return nearest(share * exact, decimals, rounding)
-    return Number(rounded(lambda: share * peak.degrees(), decimals, rounding, NEVER_TIES), decimals)
+    if peak.exact_degrees is not None:
+        return nearest(share * peak.exact_degrees, decimals, rounding)
+    return Number(settled(lambda _: share * peak.degrees(), decimals, rounding, algebraic=False), decimals)
 
 
 SUBJECT = Subject(

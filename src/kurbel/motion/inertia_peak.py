@@ -18,7 +18,16 @@ from flint import arb
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import GUARD_BITS, MOST_BITS, ball, ball_circle, half_turn_circle, pi, vanishes
+from kurbel.exact.certify import (
+    GUARD_BITS,
+    MOST_BITS,
+    Kind,
+    ball,
+    ball_circle,
+    half_turn_circle,
+    pi,
+    vanishes,
+)
 from kurbel.exact.jet import Jet, ball_jets, jets
 from kurbel.exact.roots import ISOLATING_BITS, Root, interval, isolate, refined
 from kurbel.exact.separation import Separation, circle_separation
@@ -75,6 +84,10 @@ class Peak:
         for other in others:
             first = first.max(other)
         return first
+
+    def on(self, numbers: Kind) -> Any:
+        """Return the magnitude on balls, on bounds, which know no π, its separation."""
+        return self.separation() if numbers.pi is None else self.value()
 
     @property
     def exact_degrees(self) -> Fraction | None:
