@@ -16,7 +16,7 @@ from flint import arb
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import Kind, ball, ball_degrees, pi, settled
+from kurbel.exact.certify import ball, ball_degrees, pi, settled
 from kurbel.exact.numerals import Number
 from kurbel.kernel import beam
 from kurbel.page.quantity import Formula, Quantity, entry
@@ -178,10 +178,9 @@ def _entry(
     )  # fmt: skip
 
 
-def value(quantity: Quantity, engine: BeamEngine, method: str) -> arb:
+def value(quantity: Quantity, engine: BeamEngine, method: str) -> Any:
     """Return the quantity in its unit, in degrees or radii, at the precision in force."""
-    found: arb = quantity.formulas[method].kernel(engine, quantity.stroke)
-    return found
+    return quantity.formulas[method].kernel(engine, quantity.stroke)
 
 
 def certified(
@@ -203,7 +202,5 @@ def certified(
     hold both cos μ and cos ν, hence sin(ν - μ).
     """
 
-    def at(_: Kind) -> arb:
-        return times * value(quantity, engine, method)
-
-    return Number(settled(at, decimals, rounding, algebraic=False), decimals)
+    scaled = settled(lambda _: times * value(quantity, engine, method), decimals, rounding, algebraic=False)
+    return Number(scaled, decimals)

@@ -43,7 +43,7 @@ class LinkageDrive(Drive):
         """Yield what pages of the drive say of it, on both strokes."""
         page = layout(self.page)
         drives = tuple(one.drive for one in question.drives)
-        known = LinkageRequest(layout=page, angles=(Fraction(0),), drives=drives).subject.quantities()
+        known = subject(page.subject).quantities()
         keys = [column.key for column in question.page_columns if column.key in known]
         both = (each for key in keys or ["path"] for each in (key, f"{key}_return") if each in known)
         request = LinkageRequest(

@@ -109,12 +109,11 @@ class Drive(ABC):
         if place.degrees is not None:
             return self.certified(quantity, place.degrees, decimals, rounding)
         ties = ties_at(place, self._surd(column, stroke))
-        return rounded(
-            lambda: self.value(quantity, half_turn_circle(place.half_turns()), balls()),
-            decimals,
-            rounding,
-            ties,
-        )
+
+        def at() -> Any:
+            return self.value(quantity, half_turn_circle(place.half_turns()), balls())
+
+        return rounded(at, decimals, rounding, ties)
 
     @abstractmethod
     def value(self, quantity: Quantity, circle: Circle[Any], numbers: Kind) -> Any:
@@ -135,6 +134,13 @@ class Drive(ABC):
     def ends(self, stroke: int) -> tuple[Place, Place]:
         """Return the dead centres of the stroke, from that where it begins."""
         begin, end = (exact_place(Fraction(at), SQUARE, flint.fmpz_poly([1 - 2 * at, 1])) for at in (0, 1))
+        return begin, end
+
+    def rests(self, velocity: Quantity, angles: Iterable[Callable[[], arb]]) -> tuple[Place, Place]:
+        """Return the places at these angles, in half turns, where a velocity is zero."""
+        jet = self.jet(velocity)
+        assert jet is not None
+        begin, end = (Place(angle, self.centre, jet.value.norm()) for angle in angles)
         return begin, end
 
     def formula_lines(self, question: Formulated, columns: Sequence[Column]) -> Iterator[Label]:
@@ -172,13 +178,11 @@ class Drive(ABC):
     def _course(self, quantity: str, stroke: int) -> Course:
         one = self.asked(quantity, stroke)
 
-        def at(half_turns: arb) -> arb:
-            found: arb = self.value(one, half_turn_circle(half_turns), balls())
-            return found
+        def at(half_turns: arb) -> Any:
+            return self.value(one, half_turn_circle(half_turns), balls())
 
-        def slope(half_turns: arb) -> arb:
-            found: arb = self.value(one, ball_jets(half_turns), balls()).slope * pi()
-            return found
+        def slope(half_turns: arb) -> Any:
+            return self.value(one, ball_jets(half_turns), balls()).slope * pi()
 
         begin, end = self.ends(stroke)
         jet = self.jet(one)
@@ -219,18 +223,13 @@ class SlideDrive(Drive):
     def ends(self, stroke: int) -> tuple[Place, Place]:
         if self.is_straight:
             return super().ends(stroke)
-        velocity = self.jet(self.asked("c", stroke))
-        assert velocity is not None
-        still = velocity.value.norm()
 
         def dead_centre(side: int) -> arb:
             numbers = (ball(side * one) for one in (self.crank.ratio, self.crank.offset))
             return ball_degrees(kinematics.dead_centre_sine(*numbers)) / 180
 
-        return (
-            Place(lambda: dead_centre(stroke), SQUARE, still),
-            Place(lambda: 1 + dead_centre(-stroke), SQUARE, still),
-        )
+        angles = (lambda: dead_centre(stroke), lambda: 1 + dead_centre(-stroke))
+        return self.rests(self.asked("c", stroke), angles)
 
     def formula_lines(self, question: Formulated, columns: Sequence[Column]) -> Iterator[Label]:
         return formula_lines(question, columns)
@@ -243,9 +242,8 @@ class SlideDrive(Drive):
             kind = bounds()
             bits = (self.value(quantity, kind.circle(180 * half_turns), kind) - kind.of(wanted)).bits()
 
-            def apart() -> arb:
-                found: arb = self.value(quantity, ball_circle(180 * half_turns), balls()) - ball(wanted)
-                return found
+            def apart() -> Any:
+                return self.value(quantity, ball_circle(180 * half_turns), balls()) - ball(wanted)
 
             return vanishes(apart, float(bits))
 

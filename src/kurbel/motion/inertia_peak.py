@@ -133,13 +133,11 @@ class Peak:
         assert isinstance(jet, Jet)
         return jet
 
-    def _slope(self, half_turns: arb) -> arb:
-        slope: arb = self._jet(self.force.smooth, half_turns).slope
-        return slope
+    def _slope(self, half_turns: arb) -> Any:
+        return self._jet(self.force.smooth, half_turns).slope
 
-    def _bend(self, half_turns: arb) -> arb:
-        bend: arb = self._jet(self.force.smooth, half_turns).bend
-        return bend * pi()
+    def _bend(self, half_turns: arb) -> Any:
+        return self._jet(self.force.smooth, half_turns).bend * pi()
 
     def _candidates(self) -> Iterator[Root]:
         """Yield the quarters of the turn and all zeros of the slope between them.
@@ -199,7 +197,7 @@ class Peak:
         # A magnitude has no slope where it is zero.
         return nearer if nearer.is_finite() else value
 
-    def _around(self, at: arb) -> arb:
+    def _around(self, at: arb) -> Any:
         """Return all values within an interval that precision does not narrow, by mean-value forms."""
         if flint.ctx.prec > MOST_BITS:
             raise ProblemError(
@@ -208,8 +206,7 @@ class Peak:
             )
         middle, wide = self._jet(self.force.formula, at.mid()), self._jet(self.force.formula, at)
         away = (at - at.mid()) * pi()
-        value: arb = middle.value + away * (middle.slope + away * wide.bend)
-        return value
+        return middle.value + away * (middle.slope + away * wide.bend)
 
 
 def _constant(value: Fraction) -> Jet:

@@ -7,6 +7,7 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 from math import pi, tan
+from typing import Any
 
 from flint import arb
 
@@ -76,37 +77,30 @@ class ArcDrive(LinkageDrive):
         return quantity.of != STROKE and super().is_free(quantity)
 
     def ends(self, stroke: int) -> tuple[Place, Place]:
-        velocity = self.jet(self.asked("velocity", stroke))
-        assert velocity is not None
-        begin, end = (Place(one, self.centre, velocity.value.norm()) for one in self._dead_angles(stroke))
-        return begin, end
+        return self.rests(self.asked("velocity", stroke), self._dead_angles(stroke))
 
     def unclosed(self, quantity: Quantity, course: Course) -> Course:
         velocity = self.asked("velocity", quantity.stroke)
 
-        def rise(half_turns: arb) -> arb:
-            found: arb = self.value(velocity, half_turn_circle(half_turns), balls()) * self._gauge(quantity)
-            return found
+        def rise(half_turns: arb) -> Any:
+            return self.value(velocity, half_turn_circle(half_turns), balls()) * self._gauge(quantity)
 
         ends = {"path": (Fraction(0), None), PATH_SHARE: (Fraction(0), Fraction(1))}
         return replace(course, slope=rise, ends=ends.get(quantity.key, (None, None)))
 
     def _dead_angles(self, stroke: int) -> tuple[Callable[[], arb], Callable[[], arb]]:
-        def begin() -> arb:
-            found: arb = self.arc.dead_angle(stroke, balls()) / 180
-            return found
+        def begin() -> Any:
+            return self.arc.dead_angle(stroke, balls()) / 180
 
-        def end() -> arb:
-            found: arb = begin() + 1 + stroke * self.arc.lead(balls()) / 180
-            return found
+        def end() -> Any:
+            return begin() + 1 + stroke * self.arc.lead(balls()) / 180
 
         return begin, end
 
-    def _gauge(self, quantity: Quantity) -> arb:
+    def _gauge(self, quantity: Quantity) -> Any:
         """Return by how much the path, its share or the rocker's angle grows in half a turn at v = 1."""
         if quantity.key == "path":
             return ball_pi()
         if quantity.key == PATH_SHARE:
-            share: arb = ball_pi() / self.arc.arc_stroke(balls())
-            return share
+            return ball_pi() / self.arc.arc_stroke(balls())
         return ball(-180 * quantity.stroke * self.arc.curvature)
