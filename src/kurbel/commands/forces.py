@@ -6,7 +6,7 @@ from typing import Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
 from kurbel.commands.machines import MASSES, STEAM, engine_of, for_masses, is_heavy, rod_of, weighed
-from kurbel.commands.motion import angles_of, mechanism_of, of_other_mechanisms, sheet_of
+from kurbel.commands.motion import angles_of, meant, of_other_mechanisms, sheet_of
 from kurbel.commands.options import Choice, LayoutName, Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.drive import load
@@ -30,10 +30,9 @@ _LOADS = {
 
 def _mechanism(values: Mapping[str, Any]) -> Mechanism:
     """Return which crank drive is meant; layouts tell it that are about the arc or the parallel crank."""
-    name, folder = values["layout"], values["layouts"]
-    if name and layout(name, folder).subject not in SUBJECTS:
-        name = None
-    return mechanism_of(values["mechanism"], values["offset"], name, folder)
+    name = values["layout"]
+    own = name and layout(name, values["layouts"]).subject in SUBJECTS
+    return meant(values, layout=name if own else None)
 
 
 def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:

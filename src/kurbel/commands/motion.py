@@ -13,21 +13,21 @@ from kurbel.drive.mechanisms import MECHANISMS, MOTIONS
 from kurbel.errors import ProblemError
 from kurbel.motion import mechanism as mechanisms
 from kurbel.motion.mechanism import Mechanism
-from kurbel.page.layouts import Folder, Layout, layout_of
+from kurbel.page.layouts import Layout, layout_of
 from kurbel.page.subject import Question
 from kurbel.reading import notation
-from kurbel.reading.given import Exact, as_angle, as_angles, as_names
+from kurbel.reading.given import as_angle, as_angles, as_names
 
 FULL_TURN = Fraction(360)
 STEP = Fraction(10)
 
 
-def mechanism_of(
-    mechanism: str | None, offset: Exact | None, layout: str | None = None, layouts: Folder | None = None
-) -> Mechanism:
-    """Return which crank drive is meant: where it is not said, by the layout, else by the offset."""
+def meant(values: Mapping[str, Any], **instead: Any) -> Mechanism:
+    """Return which crank drive options describe: where it is not said, by the layout, else by the offset."""
+    values = {**values, **instead}
+    mechanism, offset, layout = values["mechanism"], values["offset"], values.get("layout")
     if not mechanism and layout is not None:
-        subject = layout_of(layout, MOTIONS, layouts).subject
+        subject = layout_of(layout, MOTIONS, values["layouts"]).subject
         fitting = [name for name, one in MECHANISMS.items() if one.subject == subject]
         mechanism = fitting[0] if len(fitting) == 1 else None
     return mechanisms.mechanism(mechanism or ("straight" if offset is None else "offset"))
@@ -35,9 +35,7 @@ def mechanism_of(
 
 def described(given: Mapping[str, Any], **more: Any) -> tuple[Mechanism, Described]:
     """Return which crank drive options describe, and how; raise ProblemError if they do not say enough."""
-    layouts = given.get("layouts") if given.get("layout") else None
-    chosen = mechanism_of(given["mechanism"], given["offset"], given.get("layout"), layouts)
-    said = Described.of(given, **more)
+    chosen, said = meant(given), Described.of(given, **more)
     chosen.check(said)
     return chosen, said
 
@@ -45,11 +43,6 @@ def described(given: Mapping[str, Any], **more: Any) -> tuple[Mechanism, Describ
 def sheet_of(given: Mapping[str, Any]) -> dict[str, Any]:
     """Return how the page is to be printed."""
     return {name: given[name] for name in Sheet.__annotations__ if name in given}
-
-
-def meant(values: Mapping[str, Any]) -> Mechanism:
-    """Return which crank drive options describe."""
-    return mechanism_of(values["mechanism"], values["offset"], values.get("layout"), values.get("layouts"))
 
 
 def of_other_mechanisms(

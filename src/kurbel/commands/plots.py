@@ -6,7 +6,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Annotated, Any, TypeAlias, Unpack
 
 from kurbel.commands import parameters as option
-from kurbel.commands.motion import described, ends_of, meant, mechanism_of, of_other_mechanisms, some
+from kurbel.commands.motion import described, ends_of, meant, of_other_mechanisms, some
 from kurbel.commands.options import Columns, Option
 from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import draws
@@ -72,7 +72,7 @@ def _of_sliding(values: Mapping[str, Any]) -> dict[str, str]:
         return of_other_mechanisms(values, chosen)
     return {
         "mechanism": f"the polar diagram of {chosen.title} is not drawn; leave --mechanism out",
-        **of_other_mechanisms(values, mechanism_of(None, values["offset"])),
+        **of_other_mechanisms(values, meant(values, mechanism=None)),
     }
 
 

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping
 from typing import Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
-from kurbel.commands.motion import described, mechanism_of, of_other_mechanisms, sheet_of, some
+from kurbel.commands.motion import described, meant, of_other_mechanisms, sheet_of, some
 from kurbel.commands.options import Option
 from kurbel.commands.subject import makes_table
 from kurbel.errors import NotationError
@@ -15,7 +15,7 @@ from kurbel.reading.given import as_names
 
 def _of_drives(values: Mapping[str, Any]) -> Mapping[str, str]:
     # No layout tells the mechanism.
-    return of_other_mechanisms(values, mechanism_of(values["mechanism"], values["offset"]))
+    return of_other_mechanisms(values, meant(values, layout=None))
 
 
 class Drives(option.Linked, option.Sheet, total=False):
