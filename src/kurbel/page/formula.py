@@ -47,20 +47,13 @@ SYMBOLS = {
     "″": ("″", r"{}^{\prime\prime}"),
     "…": ("…", r"\dots"),
 }
-_GREEK_SMALL = (
-    "α alpha β beta γ gamma δ delta ε varepsilon ζ zeta η eta ϑ vartheta θ theta ι iota κ kappa λ lambda"
+_GREEK = (
+    "α alpha β beta γ gamma δ delta ε varepsilon ζ zeta η eta ϑ vartheta θ theta ι iota κ kappa λ lambda "
+    "μ mu ν nu ξ xi π pi ρ varrho σ sigma τ tau υ upsilon φ varphi χ chi ψ psi ω omega "
+    "Γ Gamma Δ Delta Θ Theta Λ Lambda Ξ Xi Π Pi Σ Sigma Φ Phi Ψ Psi Ω Omega"
 )
-_GREEK_REST = "μ mu ν nu ξ xi π pi ρ varrho σ sigma τ tau υ upsilon φ varphi χ chi ψ psi ω omega"
-_GREEK_CAPITALS = "Γ Gamma Δ Delta Θ Theta Λ Lambda Ξ Xi Π Pi Σ Sigma Φ Phi Ψ Psi Ω Omega"
-
-
-def _greek(*tables: str) -> dict[str, str]:
-    words = " ".join(tables).split()
-    return {letter: f"\\{name}" for letter, name in zip(words[::2], words[1::2], strict=True)}
-
-
-GREEK = _greek(_GREEK_SMALL, _GREEK_REST, _GREEK_CAPITALS)
-CAPITALS = frozenset(_greek(_GREEK_CAPITALS))
+GREEK = {letter: f"\\{name}" for letter, name in re.findall(r"(\S+) (\S+)", _GREEK)}
+CAPITALS = frozenset(letter for letter in GREEK if letter.isupper())
 
 
 class Word(NamedTuple):
@@ -141,7 +134,11 @@ _DEEPEST = 20
 
 def parse_formula(source: str) -> Formula:
     """Return the tree of a formula; raise MalformedError if it is not understood."""
-    return Formula(_Parser(source).formula())
+    parser = _Parser(source)
+    content = parser.sequence()
+    if parser.peek():
+        raise MalformedError(f"a closing {parser.peek()} has no partner")
+    return Formula(content)
 
 
 class MalformedError(Exception):
@@ -167,12 +164,6 @@ class _Parser:
     def skip_space(self) -> None:
         if self.peek() == " ":
             self.at += 1
-
-    def formula(self) -> Nodes:
-        content = self.sequence()
-        if self.peek():
-            raise MalformedError(f"a closing {self.peek()} has no partner")
-        return content
 
     def sequence(self) -> Nodes:
         """Read up to a closing parenthesis or the end."""
