@@ -180,8 +180,7 @@ class Engine:
             check_load(self.crank.offset, self.steam.name)
         if self.crank.ratio > LARGEST_RATIO:
             raise ProblemError("crank ratio R:L is nearer to 1 than 10^-12; no engine is built so")
-        if not 1 <= len(self.cranks) <= MOST_CRANKS:
-            raise ProblemError(f"the engine has {len(self.cranks)} cranks; 1 to {MOST_CRANKS} are allowed")
+        check_count(len(self.cranks))
         if self.cranks[0] != 0:
             raise ProblemError(
                 f"the first crank is at {about(self.cranks[0])}°; angles count from the first crank,"
@@ -241,3 +240,9 @@ class Engine:
     def plain(self) -> bool:
         """Whether it is the book's: one crank, double-acting."""
         return self.double and len(self.cranks) == 1
+
+
+def check_count(cranks: int) -> None:
+    """Raise ProblemError unless an engine can have so many cranks."""
+    if not 1 <= cranks <= MOST_CRANKS:
+        raise ProblemError(f"the engine has {cranks} cranks; 1 to {MOST_CRANKS} are allowed")

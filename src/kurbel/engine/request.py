@@ -11,7 +11,7 @@ from kurbel.drive.crank import Crank, check_angles
 from kurbel.drive.flywheel import Flywheel
 from kurbel.engine.cylinder import AnyTurn
 from kurbel.engine.digits import check_card
-from kurbel.engine.engine import MOST_CRANKS, Diagram, Engine, Load, Steam
+from kurbel.engine.engine import Diagram, Engine, Load, Steam, check_count
 from kurbel.engine.quantities import ENGINE_METHODS, OUTSTROKE, RETURN_STROKE, WHOLE, Where
 from kurbel.engine.turn import turn_of
 from kurbel.errors import ProblemError
@@ -68,8 +68,7 @@ class EngineRequest(Question):
         if not self.drives:
             raise ProblemError("no crank ratio was given; write one as 1:5")
         # A range of angles may be too long to be written out.
-        if not 1 <= len(self.cranks) <= MOST_CRANKS:
-            raise ProblemError(f"the engine has {len(self.cranks)} cranks; 1 to {MOST_CRANKS} are allowed")
+        check_count(len(self.cranks))
         for ratio in range(len(self.drives)):
             self.engine(0, ratio)
         if self.layout.subject == "machine" and self.first.crank.moving is None:
