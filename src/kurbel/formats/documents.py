@@ -44,7 +44,10 @@ class DocumentTitle(NamedTuple):
 
 
 class DocumentPart(NamedTuple):
-    """A text; or a table or a figure with its number, "Table 3". `alt` is the caption as plain text."""
+    """A text; or a table or a figure with its number, "Table 3". `alt` is the caption as plain text.
+
+    `lang` is the language where it is not the document's.
+    """
 
     kind: str
     name: str = ""
@@ -53,6 +56,7 @@ class DocumentPart(NamedTuple):
     caption: str = ""
     alt: str = ""
     text: str = ""
+    lang: str = ""
 
 
 class DocumentChapter(NamedTuple):
@@ -190,7 +194,7 @@ class DocumentMaker(ABC):
 
     def text_part(self, item: Item) -> Any:
         """Return a text as the templates read it."""
-        return DocumentPart("text", text=self.text(item))
+        return DocumentPart("text", text=self.text(item), lang=self.other(item.lang))
 
     def part(self, item: Item) -> Any:
         """Return a table or a figure as the templates read it; the text of a figure is empty."""
@@ -202,6 +206,7 @@ class DocumentMaker(ABC):
             self.titled(item.caption, item.lang),
             self.plain(item.caption, item.lang),
             self.fragments[item.name] if item.kind == "table" else "",
+            self.other(item.lang),
         )
 
 

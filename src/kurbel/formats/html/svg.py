@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -72,19 +72,17 @@ def _prune(root: Element) -> None:
 
 def _name(root: Element, name: str, own_page: bool) -> None:
     """Give ids, and what refers to them, names of their own, and colours those of a page of ours."""
-    targets = {found for one in root.iter() for found in _targets(one)}
+    values = [value for one in root.iter() for value in one.attrib.values()]
+    targets = {match[2] for value in values for match in _TARGET.finditer(value)}
+    targets |= {one.get("href", "").removeprefix("#") for one in root.iter()}
     for one in root.iter():
         if one.get("id") not in targets:
             one.attrib.pop("id", None)
         for key, value in one.attrib.items():
             renamed = _SPACE.sub(" ", _renamed(key, value, name)).strip()
-            one.attrib[key] = _COLOUR.sub(_page_colour, renamed) if own_page else renamed
-
-
-def _targets(one: Element) -> Iterator[str]:
-    yield one.get("href", "").removeprefix("#")
-    for value in one.attrib.values():
-        yield from (match[2] for match in _TARGET.finditer(value))
+            if own_page:
+                renamed = _COLOUR.sub(lambda colour: f"var(--{COLOURS[colour[0]]})", renamed)
+            one.attrib[key] = renamed
 
 
 def _renamed(key: str, value: str, name: str) -> str:
@@ -93,7 +91,3 @@ def _renamed(key: str, value: str, name: str) -> str:
     if key == "href":
         return f"#{name}-{value.removeprefix('#')}"
     return _TARGET.sub(rf"\g<1>{name}-\g<2>", value)
-
-
-def _page_colour(match: re.Match[str]) -> str:
-    return f"var(--{COLOURS[match[0]]})"

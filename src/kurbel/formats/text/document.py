@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from kurbel.documents.document import Chapter, Item
-from kurbel.formats.documents import DocumentMaker
+from kurbel.formats.documents import DocumentMaker, DocumentPart
 from kurbel.formats.text.writer import wrapped
 
 # As wide as texts are.
@@ -14,7 +14,7 @@ CHAPTER, TITLE = "━", "═"
 
 
 class TextPart(NamedTuple):
-    """A text; or a table or a figure with its number, and as it stands in the contents."""
+    """A table or a figure with its number, and as it stands in the contents."""
 
     kind: str
     name: str
@@ -28,7 +28,7 @@ class TextChapter(NamedTuple):
 
     heading: str
     entry: str
-    parts: tuple[TextPart, ...]
+    parts: tuple[TextPart | DocumentPart, ...]
 
 
 class Maker(DocumentMaker):
@@ -43,9 +43,6 @@ class Maker(DocumentMaker):
     def chapter(self, chapter: Chapter) -> TextChapter:
         title = f"{chapter.number}  {self.titled(chapter.title, chapter.lang)}"
         return TextChapter(_underlined(title, CHAPTER), wrapped(title, WIDTH, 3), self.parts(chapter))
-
-    def text_part(self, item: Item) -> TextPart:
-        return TextPart("text", "", "", "", self.text(item))
 
     def part(self, item: Item) -> TextPart:
         number, caption = self.number(item), self.titled(item.caption, item.lang)

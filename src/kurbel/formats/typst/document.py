@@ -17,7 +17,7 @@ _WIDE = re.compile(r"let \(wide, high\) = \(([0-9.]+)em")
 
 
 class TypstPart(NamedTuple):
-    """A text, table or figure; `path`, `alt` and `label` are strings of code.
+    """A table or a figure; `path`, `alt` and `label` are strings of code.
 
     `lang` is the language where it is not the document's; `alt` is the caption for readers that do not see
     the figure; `narrow` is a table that surely is no wider than the text.
@@ -50,9 +50,6 @@ class Maker(DocumentMaker):
 
     def title(self, label: Label, lang: str = "") -> DocumentTitle:
         return self.titles(label, lang, string)
-
-    def text_part(self, item: Item) -> TypstPart:
-        return TypstPart("text", "", "", self.text(item), "", self.other(item.lang))
 
     def part(self, item: Item) -> TypstPart:
         table = item.kind == "table"
