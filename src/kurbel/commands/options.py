@@ -11,8 +11,8 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Collection, Iterable, Mapping
-from importlib import import_module
 from os import PathLike
+from pkgutil import resolve_name
 from typing import Any, NamedTuple, cast, get_args
 
 from kurbel.errors import NotationError
@@ -71,8 +71,7 @@ class Choice(Kind):
     def names(self) -> Iterable[str]:
         found = self._names
         if isinstance(found, str):
-            module, _, name = found.partition(":")
-            found = cast("Iterable[str]", getattr(import_module(module), name))
+            found = cast("Iterable[str]", resolve_name(found))
         return found() if callable(found) else found
 
     def read(self, text: str, typed: Mapping[str, Any]) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Mapping
 from functools import wraps
-from importlib import import_module
+from pkgutil import resolve_name
 from typing import TYPE_CHECKING, Any, NamedTuple, ParamSpec, Protocol, TypeVar, cast
 
 from kurbel.commands.options import Parameter, check_kinds, described, is_given, parameters_of, signature_of
@@ -51,8 +51,7 @@ class Command(NamedTuple):
 
     def built(self, question: Any) -> Page:
         """Return the table that was asked for."""
-        module, _, name = self.builder.partition(":")
-        return cast("Page", getattr(import_module(module), name)(question))
+        return cast("Page", resolve_name(self.builder)(question))
 
     def refuse(self, values: Mapping[str, Any], given: Callable[[str], bool]) -> None:
         """Raise ProblemError for what was given in vain."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from importlib import import_module
+from pkgutil import resolve_name
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Protocol
 
 from kurbel.errors import ProblemError
@@ -96,11 +96,8 @@ def examples() -> str:
 
 
 def piston_forces() -> Iterator[type[PistonForce]]:
-    """Yield the loads that --force describes."""
-    for entry in LOADS.values():
-        if entry.place:
-            module, _, name = entry.place.partition(":")
-            yield getattr(import_module(module), name)
+    """Return the loads that --force describes."""
+    return (resolve_name(entry.place) for entry in LOADS.values() if entry.place)
 
 
 def figure(value: Fraction) -> str:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from typing import Any, NamedTuple
+from typing import Any
 
 from kurbel.exact.numerals import Label
 from kurbel.kernel import linkage
 from kurbel.kernel.linkage import Place
 from kurbel.motion import quantities
+from kurbel.motion.quantities import Force
 from kurbel.page.quantity import Formula, Quantity
 
 DECIMALS = 4
@@ -16,42 +17,31 @@ DECIMALS = 4
 FORCE = "force"
 
 
-class Force(NamedTuple):
-    """A force that one force F calls up: in which direction it is positive, and the kernel's formula."""
-
-    name: str
-    letter: str
-    direction: str
-    kernel: Callable[[Place[Any]], Any]
-
-
 FORCES: Mapping[str, Force] = {
+    **quantities.FORCES,
     "rod_force": Force(
         "Stangenkraft|Rod force", "S",
         "$S$ am Stangenende, auf dem Hingang Druck, auf dem Rückgang Zug"
         "|$S$ at the rod's end, thrust on the outstroke, pull on the return",
-        linkage.rod_force,
     ),
     "guide_force": Force(
         "Schwingenkraft|Rocker force", "N",
         "$N$ längs der Schwinge auf das Stangenende, nach der Seite, auf der in diesem Hub der Kurbelzapfen"
         " läuft"
         "|$N$ along the rocker on the rod's end, towards the side on which the crank pin runs in that stroke",
-        linkage.rocker_force,
-    ),
-    "tangential_force": Force(
-        "Tangentialkraft|Tangential force", "T", "$T$ im Drehsinn|$T$ as the crank turns",
-        linkage.tangential_force,
-    ),
-    "radial_force": Force(
-        "Radialkraft|Radial force", "Z", "$Z$ nach der Welle hin|$Z$ towards the shaft", linkage.radial_force
     ),
 }  # fmt: skip
+_KERNELS: Mapping[str, Callable[[Place[Any]], Any]] = {
+    "rod_force": linkage.rod_force,
+    "guide_force": linkage.rocker_force,
+    "tangential_force": linkage.tangential_force,
+    "radial_force": linkage.radial_force,
+}
 
 
 def force_formula(key: str, printed: Label, symbols: tuple[Label, ...] = ()) -> Formula:
     """Return the formula of a force as a page prints it."""
-    kernel = FORCES[key].kernel
+    kernel = _KERNELS[key]
     return Formula(lambda at: kernel(at.place), printed, symbols)
 
 
@@ -59,6 +49,6 @@ def force_entries(printed: Mapping[str, Formula]) -> Iterator[Quantity]:
     """Yield the forces with these formulas as shares of F and in newtons, and the torque that they make."""
     for key, formula in printed.items():
         formulas = {"exact": formula}
-        yield from quantities.force_entries(key, *FORCES[key][:3], formulas, formulas, of=FORCE)
+        yield from quantities.force_entries(key, FORCES[key], formulas, formulas, of=FORCE)
     torque = {"exact": force_formula("tangential_force", "$M_d/(F R) = T/F$")}
     yield from quantities.torque_entries(torque, torque, of=FORCE)

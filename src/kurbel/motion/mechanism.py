@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Collection, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
-from importlib import import_module
+from pkgutil import resolve_name
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from kurbel.drive.crank import Crank, Described
@@ -153,8 +153,7 @@ def mechanism(name: str) -> Mechanism:
 
 @cache
 def _at(place: str) -> Mechanism:
-    module, _, name = place.partition(":")
-    found = getattr(import_module(module), name)
+    found = resolve_name(place)
     assert isinstance(found, Mechanism)
     return found
 

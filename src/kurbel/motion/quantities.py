@@ -133,7 +133,7 @@ def _motion_entries() -> Iterator[Quantity]:
     )  # fmt: skip
 
 
-class _Force(NamedTuple):
+class Force(NamedTuple):
     """A force of the drive: name, letter, in which direction it is positive; what is printed of it, also of
     the offset crank and, in closed form, where the rod touches the crank circle, if one force calls it up."""
 
@@ -146,55 +146,55 @@ class _Force(NamedTuple):
 
 
 # Where masses count, those at the end show what one force alone does not.
-_FORCES: Mapping[str, _Force] = {
-    "rod_force": _Force(
+FORCES: Mapping[str, Force] = {
+    "rod_force": Force(
         "Stangenkraft|Rod force", "S",
         "$S$ am Kreuzkopf, auf dem Hingang Druck, auf dem Rückgang Zug"
         "|$S$ at the crosshead, thrust on the outstroke, pull on the return",
         "$S/F = 1/(cos ψ)$", "$S/F = 1/(cos ψ)$", "F sqrt((R/L)^2 + 1)",
     ),
-    "guide_force": _Force(
+    "guide_force": Force(
         "Führungsdruck|Guide force", "N",
         "$N$ auf den Kreuzkopf, nach der Seite, auf der in diesem Hub der Kurbelzapfen läuft"
         "|$N$ on the crosshead, towards the side on which the crank pin runs in that stroke",
         "$N/F = {guide}tan ψ$", "$N/F = tan ψ$", "(F R)/L",
     ),
-    "tangential_force": _Force(
+    "tangential_force": Force(
         "Tangentialkraft|Tangential force", "T", "$T$ im Drehsinn|$T$ as the crank turns",
         "$T/F = sin({angle} {slant} ψ)/(cos ψ)$", "$T/F = sin({angle} + ψ)/(cos ψ)$", "F sqrt((R/L)^2 + 1)",
     ),
-    "radial_force": _Force(
+    "radial_force": Force(
         "Radialkraft|Radial force", "Z", "$Z$ nach der Welle hin|$Z$ towards the shaft",
         "$Z/F = cos({angle} {slant} ψ)/(cos ψ)$", "$Z/F = cos({angle} + ψ)/(cos ψ)$", "0",
     ),
-    "crosshead_pin_force": _Force(
+    "crosshead_pin_force": Force(
         "Kraft am Kreuzkopfzapfen|Crosshead-pin force", "B",
         "$B$ Betrag am Kreuzkopfzapfen|$B$ magnitude at the crosshead pin",
     ),
-    "crank_pin_force": _Force(
+    "crank_pin_force": Force(
         "Kraft am Kurbelzapfen|Crank-pin force", "K",
         "$K$ Betrag am Kurbelzapfen|$K$ magnitude at the crank pin",
     ),
-    "bearing_along": _Force(
+    "bearing_along": Force(
         "Lagerkraft längs|Bearing force along", "H_x",
         "$H_x$ auf das Hauptlager, in der Richtung des Hubes"
         "|$H_x$ on the main bearing, in the direction of the stroke",
     ),
-    "bearing_across": _Force(
+    "bearing_across": Force(
         "Lagerkraft quer|Bearing force across", "H_y",
         "$H_y$ auf das Hauptlager, nach der Seite des Kurbelzapfens"
         "|$H_y$ on the main bearing, towards the side of the crank pin",
     ),
-    "bearing_force": _Force(
+    "bearing_force": Force(
         "Lagerkraft|Bearing force", "H", "$H$ Betrag am Hauptlager|$H$ magnitude at the main bearing"
     ),
 }  # fmt: skip
 
 
 def _force_entries() -> Iterator[Quantity]:
-    for key, one in _FORCES.items():
+    for key, one in FORCES.items():
         shares = _unloaded(key, one.printed, one.oblique, one.closed) if one.printed else {}
-        for each in force_entries(key, *one[:3], shares, _in_newtons(key, shares)):
+        for each in force_entries(key, one, shares, _in_newtons(key, shares)):
             yield from on_strokes(each)
     ratio = "$M_d/(F R) = T/F$"
     torque = _unloaded("tangential_force", ratio, ratio, "F R sqrt((R/L)^2 + 1)")
@@ -203,12 +203,12 @@ def _force_entries() -> Iterator[Quantity]:
 
 
 def force_entries(
-    key: str, name: str, letter: str, direction: str, shares: Formulas, newton: Formulas, **rest: Any
+    key: str, force: Force, shares: Formulas, newton: Formulas, **rest: Any
 ) -> Iterator[Quantity]:
     """Yield a force as a share of the piston force, if that alone calls it up, and in newtons."""
-    symbol, said = f"${letter}$", words(direction)
+    name, symbol, said = force.name, f"${force.letter}$", words(force.direction)
     if shares:
-        share = f"${letter}/F$"
+        share = f"${force.letter}/F$"
         yield spanned(key, name, symbol, share, "$F$", 4, shares, names=(key,), direction=said, **rest)
     needs = "force" if shares else "masses"
     yield spanned(

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
-from importlib import import_module
 from math import prod
+from pkgutil import resolve_name
 from types import MappingProxyType
 from typing import Any, ClassVar, NamedTuple
 
@@ -96,8 +96,7 @@ class Subject(NamedTuple):
 @cache
 def subject(key: str) -> Subject:
     """Return what pages are about that say so."""
-    module, _, name = SUBJECTS[key].partition(":")
-    found = getattr(import_module(module), name)
+    found = resolve_name(SUBJECTS[key])
     assert isinstance(found, Subject)
     return found
 
