@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from fractions import Fraction
+from typing import Any
 
 import pytest
 from cli import printed
@@ -48,6 +49,21 @@ def test_columns_of_floats_and_lines_of_balls_are_the_same_bytes(
     assert asked(angles).angles is angles
     assert streamed(asked(angles), format_name, decimal) == one_by_one
     assert one_by_one.count(b"\n") > 2 * len(angles)
+
+
+def test_the_page_and_the_records_of_a_table_are_computed_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    computed: list[Crank] = []
+    original = motion_page.columns_in_balls
+
+    def counted(columns: Any, crank: Crank, angles: Sequence[Fraction], rounding: str) -> list[list[int]]:
+        computed.append(crank)
+        return original(columns, crank, angles, rounding)
+
+    monkeypatch.setattr(motion_page, "columns_in_balls", counted)
+    request = asked(notation.angles(["0..180:10"]))
+    table = build(request)
+    assert [*table.records.rows] == [*table.records.rows]
+    assert computed == list(request.cranks)
 
 
 def test_all_angles_of_a_list_have_the_same_decimals(monkeypatch: pytest.MonkeyPatch) -> None:
