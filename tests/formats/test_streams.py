@@ -53,7 +53,7 @@ def test_columns_of_floats_and_lines_of_balls_are_the_same_bytes(
 
 def test_the_page_and_the_records_of_a_table_are_computed_once(monkeypatch: pytest.MonkeyPatch) -> None:
     computed: list[Crank] = []
-    original = motion_page.columns_in_balls
+    original = evaluation.columns_in_balls
 
     def counted(columns: Any, crank: Crank, angles: Sequence[Fraction], rounding: str) -> list[list[int]]:
         computed.append(crank)
