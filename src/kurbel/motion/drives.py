@@ -23,7 +23,6 @@ from kurbel.exact.certify import (
     Kind,
     TieBits,
     ball,
-    ball_circle,
     ball_degrees,
     balls,
     bounds,
@@ -218,7 +217,14 @@ class SlideDrive(Drive):
     def unclosed(self, quantity: Quantity, course: Course) -> Course:
         # A stroke √a - √b with an irrational root is irrational.
         ends = (Fraction(0), Fraction(1) if quantity.key == "x_stroke" else None)
-        return replace(course, ends=ends, is_exactly=self._exactly(quantity))
+
+        def is_exactly(half_turns: Fraction, wanted: Fraction) -> bool:
+            def apart(kind: Kind) -> Any:
+                return self.value(quantity, kind.circle(180 * half_turns), kind) - kind.of(wanted)
+
+            return vanishes(lambda: apart(balls()), float(apart(bounds()).bits()))
+
+        return replace(course, ends=ends, is_exactly=is_exactly)
 
     def ends(self, stroke: int) -> tuple[Place, Place]:
         if self.is_straight:
@@ -236,18 +242,6 @@ class SlideDrive(Drive):
 
     def closing_lines(self, question: Formulated) -> Iterable[Label]:
         return drive_notes(question.cranks, question.lang)
-
-    def _exactly(self, quantity: Quantity) -> Callable[[Fraction, Fraction], bool]:
-        def is_exactly(half_turns: Fraction, wanted: Fraction) -> bool:
-            kind = bounds()
-            bits = (self.value(quantity, kind.circle(180 * half_turns), kind) - kind.of(wanted)).bits()
-
-            def apart() -> Any:
-                return self.value(quantity, ball_circle(180 * half_turns), balls()) - ball(wanted)
-
-            return vanishes(apart, float(bits))
-
-        return is_exactly
 
 
 @cache
