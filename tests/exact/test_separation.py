@@ -14,7 +14,7 @@ from mpmath import mp
 
 from kurbel.drive.crank import Crank
 from kurbel.exact import certify
-from kurbel.exact.certify import Kind, bounds
+from kurbel.exact.kind import Kind, bounds
 from kurbel.exact.separation import Separation, circle_separation
 from kurbel.kernel.circle import Circle
 from kurbel.motion.evaluation import DIFFERENCE, value

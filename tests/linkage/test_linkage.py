@@ -19,7 +19,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import balls
+from kurbel.exact.kind import balls
 from kurbel.kernel import kinematics
 from kurbel.kernel import linkage as kernel
 from kurbel.kernel.circle import Circle, circle

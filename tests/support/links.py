@@ -13,7 +13,7 @@ from mpmath import mp
 from numpy.typing import NDArray
 
 from kurbel.drive.crank import Crank
-from kurbel.exact.certify import Kind
+from kurbel.exact.kind import Kind
 from kurbel.kernel.circle import arcsine, circle
 from kurbel.linkage.arc.crank import ArcCrank
 from kurbel.linkage.arc.quantities import arc_registry

@@ -18,7 +18,8 @@ import flint
 from kurbel.balance import harmonics
 from kurbel.drive.crank import LARGEST_ANGLE, Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import NEVER_TIES, Kind, balls, rounded
+from kurbel.exact.certify import NEVER_TIES, rounded
+from kurbel.exact.kind import Kind, balls
 from kurbel.exact.numerals import Number
 from kurbel.kernel import balance
 from kurbel.kernel.balance import Star

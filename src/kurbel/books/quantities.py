@@ -14,7 +14,8 @@ from kurbel.engine.quantities import ENGINE_METHODS, SPANS, Where, applies, engi
 from kurbel.engine.quantities import value as engine_value
 from kurbel.engine.turn import turn_of
 from kurbel.errors import NotationError
-from kurbel.exact.certify import ball, balls, bounds
+from kurbel.exact.certify import ball
+from kurbel.exact.kind import balls, bounds
 from kurbel.exact.numerals import Label
 from kurbel.linkage import beam
 from kurbel.motion import evaluation

@@ -16,7 +16,7 @@ from kurbel.reading.notation import Progression, about, ratio_text
 
 if TYPE_CHECKING:
     from kurbel.drive.rod import Moving, Rod
-    from kurbel.exact.certify import Kind
+    from kurbel.exact.kind import Kind
     from kurbel.reading.units import Speed
 
 LONGEST_ROD = 10**9

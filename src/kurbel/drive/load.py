@@ -14,7 +14,7 @@ from kurbel.reading.given import Exact, as_force
 from kurbel.reading.notation import about, plain
 
 if TYPE_CHECKING:
-    from kurbel.exact.certify import Kind
+    from kurbel.exact.kind import Kind
     from kurbel.kernel.turning import Stroke
 
 LARGEST_FORCE = 10**12

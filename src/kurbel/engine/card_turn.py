@@ -22,7 +22,7 @@ from kurbel.engine.card_force import CardStroke
 from kurbel.engine.cylinder import AnyTurn, Cylinder, Peak
 from kurbel.engine.engine import Diagram, Engine
 from kurbel.errors import CardError, ProblemError
-from kurbel.exact.certify import floats
+from kurbel.exact.kind import floats
 from kurbel.kernel.circle import Circle, circle
 
 # Between two samples of half a degree the excess has one zero at most, unless the card is all noise; that a

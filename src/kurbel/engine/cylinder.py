@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 from kurbel.drive.crank_forces import CrankForce, Weights
 from kurbel.drive.load import Load
 from kurbel.engine.engine import Engine
-from kurbel.exact.certify import Kind
+from kurbel.exact.kind import Kind
 from kurbel.kernel import turning
 from kurbel.kernel.circle import Circle, Number
 from kurbel.kernel.rod import Loaded, kinetic_energy, torque_slope

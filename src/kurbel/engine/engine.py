@@ -19,7 +19,7 @@ from kurbel.reading.notation import about, plain
 if TYPE_CHECKING:
     from kurbel.engine.card import Card
     from kurbel.engine.card_force import CardStroke
-    from kurbel.exact.certify import Kind
+    from kurbel.exact.kind import Kind
     from kurbel.kernel.turning import Stroke
 
 LARGEST_EXPANSION = 10**6

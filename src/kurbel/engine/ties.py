@@ -21,7 +21,8 @@ from kurbel.drive.crank_forces import CrankForce, Weights
 from kurbel.engine.cylinder import MOTIONS, SIGNS
 from kurbel.engine.engine import Engine
 from kurbel.engine.turn import Turn
-from kurbel.exact.certify import Kind, TieBits, balls, bounds, vanishes
+from kurbel.exact.certify import TieBits, vanishes
+from kurbel.exact.kind import Kind, balls, bounds
 from kurbel.exact.separation import Separation
 from kurbel.kernel import turning
 from kurbel.kernel.circle import Circle, Number

@@ -17,7 +17,8 @@ import flint
 from kurbel.engine.cylinder import SIGNS, AnyTurn, Cylinder, Peak
 from kurbel.engine.engine import Engine
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import ball, ball_circle, balls, half_turn_circle
+from kurbel.exact.certify import ball, ball_circle, half_turn_circle
+from kurbel.exact.kind import balls
 from kurbel.exact.roots import ISOLATING_BITS, Function, Root, isolate, refined
 from kurbel.kernel import steam
 from kurbel.kernel.circle import Circle, Number, root

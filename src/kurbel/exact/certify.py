@@ -7,12 +7,11 @@ formula (separation.py) and still touches, the value lies on the boundary: a tie
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from fractions import Fraction
 from functools import cache, lru_cache
 from math import inf
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING
 
 import flint
 from flint import arb
@@ -22,7 +21,7 @@ from kurbel.kernel.circle import Circle
 from kurbel.kernel.kinematics import rod_sine
 
 if TYPE_CHECKING:
-    from kurbel.exact.surd import Field
+    pass
 
 # A page has up to 50 decimals, and no product of formulas here loses more than a few bits.
 GUARD_BITS = 40
@@ -138,59 +137,3 @@ def _signed(magnitude: int, scaled: arb) -> int:
 def pi() -> arb:
     """Return π at the precision in force."""
     return flint.arb.pi()
-
-
-class Kind(NamedTuple):
-    """A kind of number: how it is made of a rational number, the circle of an angle in degrees, the arcsine
-    in degrees, π, the rod angle in degrees of circle, λ and e/R or None, and what an exponent is to it.
-
-    Separation bounds have neither arcs nor π; functions of the crank angle come with their own circle.
-    """
-
-    of: Callable[[Fraction], Any]
-    circle: Any = None
-    arc: Any = None
-    pi: Any = None
-    rod_angle: Any = None
-    exponent: Any = None
-
-
-def balls() -> Kind:
-    """Return balls at the precision in force."""
-    return Kind(ball, ball_circle, ball_degrees, pi(), rod_angle, ball)
-
-
-def bounds() -> Kind:
-    """Return separation bounds."""
-    from kurbel.exact.separation import Separation, circle_separation
-
-    return Kind(Separation.rational, circle_separation, exponent=Fraction)
-
-
-def settled(
-    value: Callable[[Kind], Any], decimals: int, rounding: str = "half-away", algebraic: bool = True
-) -> int:
-    """Return what `rounded` does of a value on any kind of number; one that is not `algebraic` never ties."""
-
-    def tie_bits(boundary: Fraction) -> float:
-        kind = bounds()
-        return float((value(kind) - kind.of(boundary)).bits())
-
-    return rounded(lambda: value(balls()), decimals, rounding, tie_bits if algebraic else NEVER_TIES)
-
-
-def floats() -> Kind:
-    """Return floats, or arrays of them."""
-    from kurbel.kernel import circle as on_floats
-
-    def angle(point: Any, ratio: Any, offset: Any) -> Any:
-        return on_floats.rod_angle(point, ratio, offset or 0.0)
-
-    return Kind(float, on_floats.circle, on_floats.arcsine, math.pi, angle, float)
-
-
-def surds(field: Field) -> Kind:
-    """Return functions of the tangent in the field, with their slopes."""
-    from kurbel.exact.jet import Jet
-
-    return Kind(lambda number: Jet(field.of(number), field.of(0), field.of(0)))

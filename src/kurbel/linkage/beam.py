@@ -16,7 +16,8 @@ from flint import arb
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import ball, ball_degrees, pi, settled
+from kurbel.exact.certify import ball, ball_degrees, pi
+from kurbel.exact.kind import settled
 from kurbel.exact.numerals import Number
 from kurbel.kernel import beam
 from kurbel.page.quantity import Formula, Quantity, entry

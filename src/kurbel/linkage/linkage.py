@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from kurbel.exact.certify import Kind, settled
+from kurbel.exact.kind import Kind, settled
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.linkage import Place
 from kurbel.page.quantity import Quantity, Words

@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Any, ClassVar
 
 from kurbel.drive.load import FORCE
-from kurbel.exact.certify import Kind
+from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
 from kurbel.kernel.circle import Circle
 from kurbel.linkage import linkage

@@ -11,7 +11,7 @@ from typing import Any, NoReturn
 from kurbel.drive.crank import Crank, Described
 from kurbel.drive.load import PistonForce
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import Kind
+from kurbel.exact.kind import Kind
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.linkage import Place
 from kurbel.kernel.parallel import coupler, coupler_place

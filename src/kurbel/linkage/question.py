@@ -9,7 +9,7 @@ from typing import Any
 
 from kurbel.drive.crank import check_angles
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import floats
+from kurbel.exact.kind import floats
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel.circle import circle
 from kurbel.linkage.linkage import certified, value

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 from kurbel.drive.crank import Crank, known
 from kurbel.drive.load import figure
-from kurbel.exact.certify import Kind, settled
+from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number, finite_decimals, number_text
 from kurbel.kernel import kinematics
 from kurbel.kernel.circle import root

@@ -20,20 +20,17 @@ from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import (
     NEVER_TIES,
-    Kind,
     TieBits,
     ball,
     ball_degrees,
-    balls,
-    bounds,
     half_turn_circle,
     pi,
     rounded,
-    surds,
     vanishes,
 )
 from kurbel.exact.course import Course
 from kurbel.exact.jet import Jet, ball_jets, jets
+from kurbel.exact.kind import Kind, balls, bounds, surds
 from kurbel.exact.numerals import Label
 from kurbel.exact.place import SQUARE, Centre, Place, exact_place
 from kurbel.exact.surd import Field, SecondRootError, Surd

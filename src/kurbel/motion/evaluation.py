@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.drive.crank import Crank, known, largest
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import Kind, ball, ball_circle, bounds, floats, settled, vanishes
+from kurbel.exact.kind import Kind, balls, bounds, floats, settled
 from kurbel.kernel import kinematics
 from kurbel.page.quantity import Column, Quantity, Words, words
 from kurbel.reading.notation import Progression
@@ -182,14 +182,14 @@ def _weighs(quantity: Quantity, method: str, crank: Crank, angle: Fraction) -> b
     """Whether the masses may have a part in the force that has the factor π²."""
     if LOADED not in quantity.formulas or crank.moving is None or not (crank.speed and crank.speed.turns):
         return False
+    from kurbel.exact.certify import vanishes
+
     alone = replace(crank, force=None)
 
-    def part() -> Any:
-        return value(quantity, method, alone, ball_circle(angle), Kind(ball))
+    def part(kind: Kind) -> Any:
+        return value(quantity, method, alone, kind.circle(angle), kind)
 
-    kind = bounds()
-    bound = value(quantity, method, alone, kind.circle(angle), kind)
-    return not vanishes(part, float(bound.bits()))
+    return not vanishes(lambda: part(balls()), float(part(bounds()).bits()))
 
 
 def greatest_load(crank: Crank) -> Fraction:

@@ -9,7 +9,7 @@ from operator import attrgetter
 from typing import Any, NamedTuple
 
 from kurbel.drive.crank import Crank, known
-from kurbel.exact.certify import Kind
+from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
 from kurbel.kernel import rod
 from kurbel.kernel.rod import Loaded, Masses

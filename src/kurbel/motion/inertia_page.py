@@ -9,7 +9,7 @@ from functools import cache, cached_property
 from typing import Any
 
 from kurbel.drive.crank import known
-from kurbel.exact.certify import Kind, settled
+from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number, nearest, number_text
 from kurbel.kernel.rod import Masses
 from kurbel.motion.captions import connecting_rod, drive_notes, notes

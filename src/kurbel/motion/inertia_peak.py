@@ -18,17 +18,9 @@ from flint import arb
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import (
-    GUARD_BITS,
-    MOST_BITS,
-    Kind,
-    ball,
-    ball_circle,
-    half_turn_circle,
-    pi,
-    vanishes,
-)
+from kurbel.exact.certify import GUARD_BITS, MOST_BITS, ball, ball_circle, half_turn_circle, pi, vanishes
 from kurbel.exact.jet import Jet, ball_jets, jets
+from kurbel.exact.kind import Kind
 from kurbel.exact.roots import ISOLATING_BITS, Root, interval, isolate, refined
 from kurbel.exact.separation import Separation, circle_separation
 from kurbel.kernel.circle import Circle

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from kurbel.drive.crank import Crank, known
 from kurbel.drive.crank_forces import CRANK_FORCES
-from kurbel.exact.certify import Kind
+from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
 from kurbel.kernel import kinematics
 from kurbel.motion.evaluation import (

@@ -8,7 +8,8 @@ from functools import cache
 from typing import Any
 
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import Kind, ball, settled
+from kurbel.exact.certify import ball
+from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel.forces import square_position
 from kurbel.motion.captions import drive_notes, force_notes

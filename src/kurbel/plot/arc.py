@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, NamedTuple
 
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import floats
+from kurbel.exact.kind import floats
 from kurbel.kernel.circle import circle
 from kurbel.linkage.arc.crank import ArcCrank
 from kurbel.linkage.arc.quantities import arc_registry

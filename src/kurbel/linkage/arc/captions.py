@@ -7,7 +7,7 @@ from fractions import Fraction
 from functools import partial
 from typing import Any
 
-from kurbel.exact.certify import Kind
+from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label, finite_decimals
 from kurbel.linkage.arc.crank import ArcCrank
 from kurbel.linkage.arc.quantities import LEFT

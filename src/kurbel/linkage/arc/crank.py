@@ -9,7 +9,7 @@ from typing import Any
 
 from kurbel.drive.crank import LONGEST_ROD, Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import Kind
+from kurbel.exact.kind import Kind
 from kurbel.kernel import linkage
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.linkage import Arc, Place

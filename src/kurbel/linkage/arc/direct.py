@@ -12,7 +12,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import Any, TypeAlias
 
-from kurbel.exact.certify import Kind
+from kurbel.exact.kind import Kind
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.linkage import Arc, Place
 

@@ -11,9 +11,10 @@ from typing import Any
 
 from flint import arb
 
-from kurbel.exact.certify import ball, balls, half_turn_circle
+from kurbel.exact.certify import ball, half_turn_circle
 from kurbel.exact.certify import pi as ball_pi
 from kurbel.exact.course import Course
+from kurbel.exact.kind import balls
 from kurbel.exact.place import SQUARE, Centre, Place
 from kurbel.linkage.arc.crank import STROKE, ArcCrank
 from kurbel.linkage.arc.quantities import arc_registry

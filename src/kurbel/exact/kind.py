@@ -1,0 +1,74 @@
+"""The kinds of number on which a formula runs, and what settles the digits of one that runs on any.
+
+Neither floats nor separation bounds load flint.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+if TYPE_CHECKING:
+    from kurbel.exact.surd import Field
+
+
+class Kind(NamedTuple):
+    """A kind of number: how it is made of a rational number, the circle of an angle in degrees, the arcsine
+    in degrees, π, the rod angle in degrees of circle, λ and e/R or None, and what an exponent is to it.
+
+    Separation bounds have neither arcs nor π; functions of the crank angle come with their own circle.
+    """
+
+    of: Callable[[Fraction], Any]
+    circle: Any = None
+    arc: Any = None
+    pi: Any = None
+    rod_angle: Any = None
+    exponent: Any = None
+
+
+def balls() -> Kind:
+    """Return balls at the precision in force."""
+    from kurbel.exact import certify as on
+
+    return Kind(on.ball, on.ball_circle, on.ball_degrees, on.pi(), on.rod_angle, on.ball)
+
+
+def bounds() -> Kind:
+    """Return separation bounds."""
+    from kurbel.exact.separation import Separation, circle_separation
+
+    return Kind(Separation.rational, circle_separation, exponent=Fraction)
+
+
+def settled(
+    value: Callable[[Kind], Any], decimals: int, rounding: str = "half-away", algebraic: bool = True
+) -> int:
+    """Return what `rounded` does of a value on any kind of number; one that is not `algebraic` never ties."""
+    from kurbel.exact import certify
+
+    def tie_bits(boundary: Fraction) -> float:
+        kind = bounds()
+        return float((value(kind) - kind.of(boundary)).bits())
+
+    free = tie_bits if algebraic else certify.NEVER_TIES
+    return certify.rounded(lambda: value(balls()), decimals, rounding, free)
+
+
+def floats() -> Kind:
+    """Return floats, or arrays of them."""
+    from kurbel.kernel import circle as on_floats
+
+    def angle(point: Any, ratio: Any, offset: Any) -> Any:
+        return on_floats.rod_angle(point, ratio, offset or 0.0)
+
+    return Kind(float, on_floats.circle, on_floats.arcsine, math.pi, angle, float)
+
+
+def surds(field: Field) -> Kind:
+    """Return functions of the tangent in the field, with their slopes."""
+    from kurbel.exact.jet import Jet
+
+    return Kind(lambda number: Jet(field.of(number), field.of(0), field.of(0)))
