@@ -16,7 +16,7 @@ from kurbel.linkage.question import LinkageRequest, captioned, force_lines
 from kurbel.motion.captions import WORDS as MOTION_WORDS
 from kurbel.motion.captions import digits_text
 from kurbel.motion.evaluation import OUT, RETURN
-from kurbel.page.quantity import Formula, Quantity, Words, filled, words
+from kurbel.page.quantity import Words, filled, words
 from kurbel.reading.notation import plain, ratio_text
 
 # {±} belongs to the stroke, {β±} to the stroke and the side of the pivot, {β+} and {β-} to that side alone.
@@ -68,7 +68,11 @@ def _formula_lines(request: LinkageRequest) -> Iterator[Label]:
     lang, columns = request.lang, request.page_columns
     strokes = {column.quantity.stroke for column in columns}
     side = 1 if request.drives[0].curvature > 0 else -1
-    shown = [(column.quantity, _formula(column.quantity, side)) for column in columns]
+    shown = [
+        # As they are printed with the pivot on this side.
+        (one, one.formulas[LEFT if side < 0 and LEFT in one.formulas else "exact"])
+        for one in (column.quantity for column in columns)
+    ]
     printed = [
         formula.printed.replace("{part}", one.part[lang])
         for one, formula in shown
@@ -87,11 +91,6 @@ def _formula_lines(request: LinkageRequest) -> Iterator[Label]:
         yield MOTION_WORDS["offset_return"][lang].replace("{angle}", request.layout.angle_symbol)
     if len(strokes) > 1:
         yield MOTION_WORDS["signs"][lang]
-
-
-def _formula(quantity: Quantity, side: int) -> Formula:
-    """Return the formula as it is printed with the pivot on this side."""
-    return quantity.formulas[LEFT if side < 0 and LEFT in quantity.formulas else "exact"]
 
 
 def _signed(line: Label, strokes: set[int], side: int) -> Label:
@@ -133,9 +132,7 @@ def _links(crank: ArcCrank) -> Sequence[Label]:
 
 
 def _length(length: Fraction) -> str:
-    return (
-        plain(length) if finite_decimals(length) is not None else f"{length.numerator}/{length.denominator}"
-    )
+    return str(length) if finite_decimals(length) is None else plain(length)
 
 
 def _printed(value: Callable[[Kind], Any], decimals: int) -> str:

@@ -6,12 +6,10 @@ from collections.abc import Callable, Iterator, Mapping
 from functools import cache
 from typing import Any
 
-from kurbel.exact.numerals import Label
 from kurbel.kernel import linkage
 from kurbel.linkage.arc.crank import STROKE
 from kurbel.linkage.linkage import At
 from kurbel.linkage.quantities import DECIMALS, force_entries, force_formula
-from kurbel.motion.evaluation import OUT, RETURN
 from kurbel.motion.quantities import on_strokes, spanned
 from kurbel.page.quantity import Formula, Quantity
 
@@ -24,12 +22,8 @@ Formulas = Mapping[str, Formula]
 _ZETA, _TAU = "$ζ = φ - θ$", "$τ = ψ + θ$"
 
 
-def _half_arc(at: At, half_sine: Any) -> Any:
-    return 2 * at.kind.arc(half_sine)
-
-
 def _turned(at: At) -> Any:
-    return _half_arc(at, linkage.path_half_sine(at.place, at.arc))
+    return 2 * at.kind.arc(linkage.path_half_sine(at.place, at.arc))
 
 
 def _path(at: At) -> Any:
@@ -37,37 +31,34 @@ def _path(at: At) -> Any:
 
 
 def _rocker(at: At) -> Any:
-    return _half_arc(at, linkage.rocker_half_sine(at.arc)) - _turned(at)
+    return 2 * at.kind.arc(linkage.rocker_half_sine(at.arc)) - _turned(at)
 
 
 def _slant(at: At) -> Any:
     return at.kind.arc(at.place.slant)
 
 
-def _by_rocker(kernel: Callable[..., Any]) -> Callable[[At], Any]:
-    def call(at: At) -> Any:
-        return kernel(at.place, at.arc) / at.kind.of(at.drive.rocker)
-
-    return call
+def _of(kernel: Callable[..., Any], *said: Any) -> Formula:
+    return Formula(lambda at: kernel(at.place, at.arc), *said)
 
 
-def _of(kernel: Callable[..., Any]) -> Callable[[At], Any]:
-    return lambda at: kernel(at.place, at.arc)
+def _by_rocker(kernel: Callable[..., Any]) -> Formula:
+    return Formula(lambda at: kernel(at.place, at.arc) / at.kind.of(at.drive.rocker))
 
 
-_PATHS: Mapping[int, Formulas] = {
-    OUT: {
+_PATHS: Mapping[str, Formulas] = {
+    "path": {
         "exact": Formula(_path, "{part} $x = B (θ_i - θ)$"),
         LEFT: Formula(_path, "{part} $x = B (θ - θ_i)$"),
     },
-    RETURN: {
+    "path_return": {
         "exact": Formula(_path, "{part} $x = B (θ - θ_o)$"),
         LEFT: Formula(_path, "{part} $x = B (θ_o - θ)$"),
     },
 }
-_VELOCITY = Formula(_of(linkage.velocity), "$c/v = (sin(ζ + τ))/(cos τ)$", (_ZETA, _TAU))
-_ACCELERATION = Formula(
-    _of(linkage.acceleration),
+_VELOCITY = _of(linkage.velocity, "$c/v = (sin(ζ + τ))/(cos τ)$", (_ZETA, _TAU))
+_ACCELERATION = _of(
+    linkage.acceleration,
     "$(p R)/v^2 = cos ζ {±} λ (cos^2 ζ)/(cos^3 τ) - (sin ζ {β±} β c^2/v^2) tan τ$",
     (_ZETA, _TAU, "$λ = R/L$", "$β = R/B$"),
 )
@@ -76,77 +67,56 @@ _ACCELERATION = Formula(
 @cache
 def arc_registry() -> Mapping[str, Quantity]:
     """Return every quantity of the arc crank by its key, the return stroke's beside the outstroke's."""
-    return {one.key: one for one in (*_arc_entries(), *_arc_forces())}
+    entries = (one for each in (*_arc_entries(), *_arc_forces()) for one in on_strokes(each))
+    return {one.key: one._replace(formulas=_PATHS.get(one.key, one.formulas)) for one in entries}
 
 
 def _arc_entries() -> Iterator[Quantity]:
-    for one in _both(
-        "path", "Weg auf dem Bogen|Path along the arc", "$x$", "$x/R$", "R", Formula(_path),
+    yield _entry(
+        "path", "Weg auf dem Bogen|Path along the arc", "x", "R", Formula(_path),
         is_arc=True, of=STROKE, names=("path", "x"),
-    ):  # fmt: skip
-        yield one._replace(formulas=_PATHS[one.stroke])
-    yield from _both(
-        "velocity", "Geschwindigkeit|Velocity", "$c$", "$c/v$", "v", _VELOCITY, names=("velocity", "c")
-    )
-    yield from _both(
-        "acceleration", "Beschleunigung|Acceleration", "$p$", "$(p R)/v^2$", "v²/R", _ACCELERATION,
+    )  # fmt: skip
+    yield _entry("velocity", "Geschwindigkeit|Velocity", "c", "v", _VELOCITY, names=("velocity", "c"))
+    yield _entry(
+        "acceleration", "Beschleunigung|Acceleration", "p", "v²/R", _ACCELERATION, "$(p R)/v^2$",
         names=("acceleration", "p"),
     )  # fmt: skip
-    yield from _angle(
-        "rocker", "Schwingenwinkel|Rocker angle", "$θ$", Formula(_rocker), names=("rocker", "θ")
+    yield _entry("rocker", "Schwingenwinkel|Rocker angle", "θ", "°", Formula(_rocker), names=("rocker", "θ"))
+    yield _entry(
+        "rod", "Schubstangenwinkel|Rod angle", "ψ", "°", Formula(lambda at: _slant(at) - _rocker(at))
     )
-    yield from _angle(
-        "rod", "Schubstangenwinkel|Rod angle", "$ψ$", Formula(lambda at: _slant(at) - _rocker(at))
-    )
-    yield from _angle("slant", "Stange gegen Bogen|Rod against arc", "$τ$", Formula(_slant, "", (_TAU,)))
-    for key, name, symbol, kernel in (
+    yield _entry("slant", "Stange gegen Bogen|Rod against arc", "τ", "°", Formula(_slant, "", (_TAU,)))
+    for key, name, letter, kernel in (
         ("chord", "Sehne des Weges|Chord of the path", "q", linkage.chord),
         ("slide_path", "Weg längs der Schubrichtung|Path along the slide", "x_s", linkage.slide_path),
         ("rise", "Weg quer zur Schubrichtung|Path across the slide", "y_s", linkage.rise),
     ):
-        yield from _both(key, name, f"${symbol}$", f"${symbol}/R$", "R", Formula(_of(kernel)), of=STROKE)
-    yield from _angle(
-        "turn", "Drehung der Schwinge|Turn of the rocker", "$ϑ$", Formula(lambda at: abs(_turned(at)))
+        yield _entry(key, name, letter, "R", _of(kernel), of=STROKE)
+    yield _entry(
+        "turn", "Drehung der Schwinge|Turn of the rocker", "ϑ", "°", Formula(lambda at: abs(_turned(at)))
     )
-    for key, name, symbol, unit, turning in (
+    for key, name, letter, velocity, acceleration in (
         (
-            "turn_velocity", "Winkelgeschwindigkeit der Schwinge|Angular velocity of the rocker", "ω_B", "ω",
-            _by_rocker(linkage.velocity),
+            "turn", "der Schwinge|of the rocker", "B",
+            _by_rocker(linkage.velocity), _by_rocker(linkage.acceleration),
         ),
-        (
-            "turn_acceleration", "Winkelbeschleunigung der Schwinge|Angular acceleration of the rocker",
-            "ε_B", "ω²", _by_rocker(linkage.acceleration),
-        ),
-        (
-            "rod_velocity", "Winkelgeschwindigkeit der Stange|Angular velocity of the rod", "ω_L", "ω",
-            _of(linkage.rod_velocity),
-        ),
-        (
-            "rod_acceleration", "Winkelbeschleunigung der Stange|Angular acceleration of the rod",
-            "ε_L", "ω²", _of(linkage.rod_acceleration),
-        ),
+        ("rod", "der Stange|of the rod", "L", _of(linkage.rod_velocity), _of(linkage.rod_acceleration)),
     ):  # fmt: skip
-        heading = f"${symbol}/{unit.replace('²', '^2')}$"
-        yield from _both(key, name, f"${symbol}$", heading, unit, Formula(turning))
+        de, en = name.split("|")
+        speed = f"Winkelgeschwindigkeit {de}|Angular velocity {en}"
+        yield _entry(f"{key}_velocity", speed, f"ω_{letter}", "ω", velocity)
+        gain = f"Winkelbeschleunigung {de}|Angular acceleration {en}"
+        yield _entry(f"{key}_acceleration", gain, f"ε_{letter}", "ω²", acceleration)
 
 
-def _angle(key: str, name: str, symbol: Label, formula: Formula, **rest: Any) -> Iterator[Quantity]:
-    return _both(
-        key, name, symbol, f"{symbol} in °", "°", formula, decimals=ANGLE_DECIMALS, is_arc=True, **rest
-    )
-
-
-def _both(
-    key: str,
-    name: str,
-    symbol: Label,
-    heading: Label,
-    unit: str,
-    formula: Formula,
-    decimals: int = DECIMALS,
-    **rest: Any,
-) -> Iterator[Quantity]:
-    return on_strokes(spanned(key, name, symbol, heading, unit, decimals, {"exact": formula}, **rest))
+def _entry(
+    key: str, name: str, letter: str, unit: str, formula: Formula, heading: str = "", **rest: Any
+) -> Quantity:
+    """An entry, an arc if it is in degrees, headed by letter and unit unless another head is given."""
+    symbol, said = f"${letter}$", {"is_arc": unit == "°", **rest}
+    heading = heading or (f"{symbol} in °" if unit == "°" else f"${letter}/{unit.replace('²', '^2')}$")
+    decimals = ANGLE_DECIMALS if unit == "°" else DECIMALS
+    return spanned(key, name, symbol, heading, unit, decimals, {"exact": formula}, **said)
 
 
 def _arc_forces() -> Iterator[Quantity]:
@@ -158,5 +128,4 @@ def _arc_forces() -> Iterator[Quantity]:
         ),
         "radial_force": force_formula("radial_force", "$Z/F = (cos(ζ + τ))/(cos τ)$", (_ZETA, _TAU)),
     }
-    for one in force_entries(printed):
-        yield from on_strokes(one)
+    return force_entries(printed)
