@@ -206,6 +206,11 @@ def test_the_help_of_plot_loads_no_matplotlib() -> None:
     assert not loaded(RUN, "plot", "--help") & set(HEAVY)
 
 
+def test_a_table_loads_no_reader_of_models_and_a_long_one_no_balls() -> None:
+    assert "msgspec" not in loaded(RUN, "table", "--ratio", "1:5")
+    assert "flint" not in loaded(RUN, "table", "--step", "0.05", "-f", "csv")
+
+
 PAGES = [
     ("table", "--ratio", "1:5"),
     ("delta", "--eps", "2..6"),
