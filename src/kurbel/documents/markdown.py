@@ -13,7 +13,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator
 from functools import lru_cache
 from itertools import groupby
-from typing import NamedTuple, cast
+from typing import cast
 from urllib.parse import unquote
 
 from markdown_it import MarkdownIt
@@ -57,7 +57,7 @@ def _parser() -> MarkdownIt:
     parser = MarkdownIt("commonmark", {"html": False, "maxNesting": 20}).enable("table")
     # What links may be is said in a sentence; an address that is refused here would only be printed.
     parser.validateLink = lambda url: True  # type: ignore[method-assign]
-    parser.inline.ruler.push("formula", _placed(_formula))
+    parser.inline.ruler.push("formula", _placed(_read_formula))
     for name, rule in (("link", link), ("autolink", autolink), ("image", image)):
         parser.inline.ruler.at(name, _placed(rule))
     return parser
@@ -78,7 +78,7 @@ def _placed(rule: InlineRule) -> InlineRule:
     return placed
 
 
-def _formula(state: StateInline, silent: bool) -> bool:
+def _read_formula(state: StateInline, silent: bool) -> bool:
     """Read a formula between dollar signs, in which no character is Markdown. A lone sign is one, too."""
     start = state.pos
     if state.src[start] != "$":
@@ -105,7 +105,7 @@ def _block(node: SyntaxTreeNode, depth: int) -> prose.Block:
         case "heading":
             if content := _content(node):
                 return prose.Heading(int(node.tag[1]), content)
-            raise ProseError(_line(node), r"a heading has no words; a # in prose is written \#")
+            raise _refused(node, r"a heading has no words; a # in prose is written \#")
         case "fence" | "code_block":
             return prose.CodeBlock(_lines(node.content.expandtabs(_TAB)))
         case "hr":
@@ -121,7 +121,7 @@ def _block(node: SyntaxTreeNode, depth: int) -> prose.Block:
 
 def _deeper(node: SyntaxTreeNode, depth: int) -> prose.Blocks:
     if depth == DEEPEST:
-        raise ProseError(_line(node), f"lists and quotations are nested more than {DEEPEST} deep")
+        raise _refused(node, f"lists and quotations are nested more than {DEEPEST} deep")
     return _blocks(node, depth + 1)
 
 
@@ -146,77 +146,74 @@ def _grid(node: SyntaxTreeNode) -> prose.Grid:
 
 def _content(node: SyntaxTreeNode) -> prose.Inlines:
     """Return what a paragraph, heading or cell holds, without white space and ends of lines around it."""
-    content = _Run(node.children[0]).inlines(node.children[0], 1) if node.children else ()
+    content = _inlines(node.children[0], 1) if node.children else ()
     kept = [place for place, inline in enumerate(content) if inline not in (prose.Break(), prose.Text(" "))]
     return content[kept[0] : kept[-1] + 1] if kept else ()
-
-
-def _line(node: SyntaxTreeNode) -> int:
-    """Return the line of the text in which a node begins; what has none begins with what is around it."""
-    while not node.map and node.parent:
-        node = node.parent
-    return node.map[0] + 1 if node.map else 1
 
 
 def _lines(code: str) -> tuple[str, ...]:
     return tuple(code.removesuffix("\n").split("\n")) if code else ()
 
 
-class _Run(NamedTuple):
-    """A run of text, whose nodes say where in it they stand."""
+def _inlines(outside: SyntaxTreeNode, depth: int) -> prose.Inlines:
+    """Return the inlines in a node, a run of text or emphasis in it, at a depth from 1."""
+    if depth > _DEEPEST_INLINE:
+        raise _refused(outside, f"emphasis is nested more than {_DEEPEST_INLINE} deep")
+    return tuple(_joined(_inline(node, depth) for node in outside.children))
 
-    node: SyntaxTreeNode
 
-    def inlines(self, outside: SyntaxTreeNode, depth: int) -> prose.Inlines:
-        """Return the inlines in a node, the run itself or emphasis, at a depth from 1."""
-        if depth > _DEEPEST_INLINE:
-            raise ProseError(_line(self.node), f"emphasis is nested more than {_DEEPEST_INLINE} deep")
-        return tuple(_joined(self._inline(node, depth) for node in outside.children))
+def _inline(node: SyntaxTreeNode, depth: int) -> prose.Inline:
+    match node.type:
+        case "text" | "text_special":
+            return prose.Text(node.content)
+        case "softbreak":
+            return prose.Text(" ")
+        case "hardbreak":
+            return prose.Break()
+        case "code_inline":
+            return prose.Code(node.content)
+        case "em":
+            return prose.Emphasis(_inlines(node, depth + 1))
+        case "strong":
+            return prose.Strong(_inlines(node, depth + 1))
+        case "link":
+            return _link(node, str(node.attrs["href"]), _inlines(node, depth + 1))
+        case "formula":
+            return _formula(node)
+        case "image":
+            raise _refused(node, "a text can hold no images; a figure has its own place")
+    raise AssertionError(node.type)
 
-    def _inline(self, node: SyntaxTreeNode, depth: int) -> prose.Inline:
-        match node.type:
-            case "text" | "text_special":
-                return prose.Text(node.content)
-            case "softbreak":
-                return prose.Text(" ")
-            case "hardbreak":
-                return prose.Break()
-            case "code_inline":
-                return prose.Code(node.content)
-            case "em":
-                return prose.Emphasis(self.inlines(node, depth + 1))
-            case "strong":
-                return prose.Strong(self.inlines(node, depth + 1))
-            case "link":
-                return self._link(node, str(node.attrs["href"]), self.inlines(node, depth + 1))
-            case "formula":
-                return self._formula(node)
-            case "image":
-                raise self._refused(node, "a text can hold no images; a figure has its own place")
-        raise AssertionError(node.type)
 
-    def _link(self, node: SyntaxTreeNode, address: str, content: prose.Inlines) -> prose.Inline:
-        if address.startswith("#") and address != "#":
-            return prose.Refer(unquote(address[1:]), content)
-        if _SCHEME.match(address):
-            return prose.Link(address, content or (prose.Text(address),))
-        raise self._refused(
-            node,
-            f'the link to "{address[:60]}" cannot be set; it must begin with http:, https: or mailto:,'
-            " or be # and the name of a table, figure or chapter",
-        )
+def _link(node: SyntaxTreeNode, address: str, content: prose.Inlines) -> prose.Inline:
+    if address.startswith("#") and address != "#":
+        return prose.Refer(unquote(address[1:]), content)
+    if _SCHEME.match(address):
+        return prose.Link(address, content or (prose.Text(address),))
+    raise _refused(
+        node,
+        f'the link to "{address[:60]}" cannot be set; it must begin with http:, https: or mailto:,'
+        " or be # and the name of a table, figure or chapter",
+    )
 
-    def _formula(self, node: SyntaxTreeNode) -> Formula:
-        if node.markup == "$":
-            raise self._refused(node, r"a formula needs a second $; a dollar sign in prose is written \$")
-        try:
-            return parse_formula(node.content)
-        except MalformedError as error:
-            written = WHITE.sub(" ", node.content)[:60]
-            raise self._refused(node, f'the formula "{written}" cannot be set: {error}') from None
 
-    def _refused(self, node: SyntaxTreeNode, reason: str) -> ProseError:
-        return ProseError(_line(self.node) + self.node.content.count("\n", 0, node.meta["at"]), reason)
+def _formula(node: SyntaxTreeNode) -> Formula:
+    if node.markup == "$":
+        raise _refused(node, r"a formula needs a second $; a dollar sign in prose is written \$")
+    try:
+        return parse_formula(node.content)
+    except MalformedError as error:
+        written = WHITE.sub(" ", node.content)[:60]
+        raise _refused(node, f'the formula "{written}" cannot be set: {error}') from None
+
+
+def _refused(node: SyntaxTreeNode, reason: str) -> ProseError:
+    """Return the error with the line of a block, or of the place in a run of text where a node was found."""
+    around = node
+    while not around.map and around.parent:
+        around = around.parent
+    line = around.map[0] + 1 if around.map else 1
+    return ProseError(line + around.content.count("\n", 0, node.meta.get("at", 0)), reason)
 
 
 def _joined(inlines: Iterable[prose.Inline]) -> Iterator[prose.Inline]:
