@@ -11,7 +11,6 @@ from typing import NamedTuple
 
 from kurbel.errors import MarkerError
 
-EXAMPLE = "table --ratio 1:5"
 BOM = b"\xef\xbb\xbf"
 # The encodings of two bytes a letter, whichever comes first.
 _WIDE = "kurbel".encode("utf-16-le")[:-1]
@@ -54,7 +53,7 @@ class Kind(NamedTuple):
     @property
     def opening(self) -> str:
         """An opening marker, as an example."""
-        return " ".join(filter(None, (self.left, f"kurbel: {EXAMPLE}", self.right)))
+        return " ".join(filter(None, (self.left, "kurbel: table --ratio 1:5", self.right)))
 
     @property
     def closing(self) -> str:
@@ -125,25 +124,18 @@ def _last_end(document: bytes) -> int:
 
 def _marker(line: bytes, kind: Kind, where: str, bare: bytes) -> str | None:
     """Return the words of an opening marker, "" for a closing one, None for a line that is none."""
-    inner = _comment(line.strip(b" \t\r\n\f"), kind)
-    if inner == b"/kurbel":
+    left, right = kind.left.encode(), kind.right.encode()
+    marker = re.escape(left) + rb"[ \t]*(?:/kurbel[ \t]*|kurbel:(.*))" + re.escape(right)
+    found = re.fullmatch(marker, line.strip(b" \t\r\n\f"), re.DOTALL)
+    if found and found[1] is None:
         return ""
-    if inner is not None and inner.startswith(b"kurbel:"):
-        return _words(inner.removeprefix(b"kurbel:"), kind, where)
+    if found and not (right and right in found[1]):
+        return _words(found[1], kind, where)
     if kind.comment.search(bare):
         raise MarkerError(
             f"{where}: a marker stands alone on its line, whole, as {kind.opening} or {kind.closing}"
         )
     return None
-
-
-def _comment(text: bytes, kind: Kind) -> bytes | None:
-    """Return what a line says that is one comment and nothing else."""
-    left, right = kind.left.encode(), kind.right.encode()
-    if not (text.startswith(left) and text.endswith(right) and len(text) >= len(left) + len(right)):
-        return None
-    inner = text.removeprefix(left).removesuffix(right)
-    return None if right and right in inner else inner.strip(b" \t")
 
 
 def _words(text: bytes, kind: Kind, where: str) -> str:

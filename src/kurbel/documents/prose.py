@@ -112,20 +112,18 @@ def stepwise(blocks: Blocks, above: list[int]) -> Blocks:
     A text that begins with ### and goes on with # has two headings of level 1. `above` are the levels, as
     typed, of the headings that hold at the end of the blocks; the next text of a chapter goes on with them.
     """
-    return tuple(_stepwise(blocks, above))
+    return tuple(_stepped(block, above) for block in blocks)
 
 
-def _stepwise(blocks: Blocks, above: list[int]) -> Iterator[Block]:
-    for block in blocks:
-        match block:
-            case Heading(level):
-                while above and above[-1] >= level:
-                    above.pop()
-                above.append(level)
-                yield replace(block, level=len(above))
-            case Quote(content):
-                yield replace(block, content=stepwise(content, above))
-            case Listing(items=items):
-                yield replace(block, items=tuple(stepwise(item, above) for item in items))
-            case _:
-                yield block
+def _stepped(block: Block, above: list[int]) -> Block:
+    match block:
+        case Heading(level):
+            while above and above[-1] >= level:
+                above.pop()
+            above.append(level)
+            return replace(block, level=len(above))
+        case Quote(content):
+            return Quote(stepwise(content, above))
+        case Listing(items=items):
+            return replace(block, items=tuple(stepwise(item, above) for item in items))
+    return block

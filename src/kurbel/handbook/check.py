@@ -64,19 +64,19 @@ def _changed(folder: Folder, anew: Folder) -> Iterator[Stale]:
             yield Stale(path, "missing")
         elif old != anew.read(path):
             differing.append(path)
-    shown = set(_worth_showing(differing))
+    shown = _worth_showing(differing)
     for path in differing:
         difference = _difference(path, folder, anew) if path in shown else ()
         yield Stale(path, "differs", tuple(difference))
 
 
-def _worth_showing(paths: list[str]) -> Iterator[str]:
+def _worth_showing(paths: list[str]) -> set[str]:
     tables = [path for path in paths if path.startswith("tables/")]
-    by_name: dict[str, list[str]] = {}
-    for path in tables or [path for path in paths if path.endswith(READABLE)]:
-        by_name.setdefault(os.path.splitext(path)[0], []).append(path)
-    for same in by_name.values():
-        yield min(same, key=lambda path: READABLE.index(os.path.splitext(path)[1]))
+    readable = map(os.path.splitext, tables or [path for path in paths if path.endswith(READABLE)])
+    best: dict[str, str] = {}
+    for name, suffix in sorted(readable, key=lambda parts: READABLE.index(parts[1])):
+        best.setdefault(name, name + suffix)
+    return {*best.values()}
 
 
 def _difference(path: str, folder: Folder, anew: Folder) -> Iterator[str]:

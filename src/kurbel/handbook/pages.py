@@ -5,8 +5,9 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from functools import partial
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
+from kurbel.documents import prose
 from kurbel.documents.document import Chapter, Document, Item
 from kurbel.errors import HandbookError, KurbelError
 from kurbel.formats.registry import FORMATS
@@ -16,9 +17,6 @@ from kurbel.handbook.model import COMPILED, ENGINES
 from kurbel.handbook.pool import GIGABYTES, PATIENCE, PDF_PATIENCE, About, Made, deadline
 from kurbel.page.labels import primed
 from kurbel.reading.given import did_you_mean
-
-if TYPE_CHECKING:
-    from kurbel.documents.prose import Blocks
 
 WORDS = {"de": "Fehlt", "en": "Missing"}
 
@@ -73,15 +71,14 @@ class _Items:
         # With a name it is what should have been a table or a figure, and references lead to its chapter.
         return Item("text", part.name, lang=lang, blocks=blocks)
 
-    def text(self, part: Part, lang: str, above: list[int]) -> Blocks:
+    def text(self, part: Part, lang: str, above: list[int]) -> prose.Blocks:
         """Return a text, of the manifest or of its own file, or a failure in its place."""
         from kurbel.documents.markdown import LONGEST, parse_prose
-        from kurbel.documents.prose import references, stepwise
 
         try:
             text = _text_of(os.path.join(self.folder, part.file), LONGEST) if part.file else part.text
             blocks = parse_prose(text)
-            for name in references(blocks):
+            for name in prose.references(blocks):
                 if name not in self.names:
                     raise HandbookError(
                         f'there is no table, figure or chapter "{name[:60]}"{did_you_mean(name, self.names)}'
@@ -89,7 +86,7 @@ class _Items:
         except KurbelError as error:
             self.failures.append(Failure(part.line, part.file or "text", str(error)))
             return _missing(str(error), part, lang)
-        return stepwise(blocks, above)
+        return prose.stepwise(blocks, above)
 
 
 def _text_of(path: str, longest: int) -> str:
@@ -106,13 +103,12 @@ def _text_of(path: str, longest: int) -> str:
     return text
 
 
-def _missing(said: str, part: Part, lang: str) -> Blocks:
+def _missing(said: str, part: Part, lang: str) -> prose.Blocks:
     """Return a text that nobody overlooks in place of what is not there."""
-    from kurbel.documents.prose import Paragraph, Quote, Strong, Text
-
     what = part.shown if part.words else part.file or part.text[:40]
-    head = Strong((Text(primed(f"{WORDS[lang]}: {_printable(what)}.")),))
-    return (Quote((Paragraph((head, Text(primed(f" {_printable(said)}")))),)),)
+    head = prose.Strong((prose.Text(primed(f"{WORDS[lang]}: {_printable(what)}.")),))
+    rest = prose.Text(primed(f" {_printable(said)}"))
+    return (prose.Quote((prose.Paragraph((head, rest)),)),)
 
 
 def _printable(text: str) -> str:
