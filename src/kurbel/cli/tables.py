@@ -27,7 +27,6 @@ from kurbel.cli.options import (
 from kurbel.commands.subject import Command
 from kurbel.errors import ProblemError
 from kurbel.formats.registry import DEFAULT, FORMATS, CompiledFormat, Format, RecordsFormat, for_suffix
-from kurbel.formats.render import whole_file
 from kurbel.page.table import Table
 
 if TYPE_CHECKING:
@@ -196,6 +195,8 @@ def _format(given: Given) -> Format:
 
 
 def _write(pieces: Iterator[bytes], output: str, rows: int) -> None:
+    from kurbel.formats.render import whole_file
+
     # The first piece is made before the file is opened, so that bad input leaves no trace.
     first = next(pieces)
     with whole_file(output) as stream, _bar(rows) as bar:

@@ -17,7 +17,6 @@ from functools import cache
 from typing import TYPE_CHECKING, BinaryIO
 
 from kurbel.errors import ChoiceError, OutputError
-from kurbel.formats.page import blank, page
 from kurbel.formats.registry import PageFormat, RecordsFormat, by_name
 from kurbel.page.labels import plain
 from kurbel.page.layouts import template_folder
@@ -55,6 +54,8 @@ def render(
         return "".join(form.writer.rows(table, form.decimal_name(table.lang, decimal)))
     if not isinstance(form, PageFormat):
         raise ChoiceError(f"a {form.name} is bytes and no text; make it with kurbel.typeset_{form.name}")
+    from kurbel.formats.page import page
+
     mark, writer = form.decimal_mark(table.lang, decimal), form.writer
     if not _own_template(table, form.name, templates):
         written = writer.written(table, mark, width)
@@ -106,6 +107,8 @@ def _own_template(table: Table, name: str, templates: str | None) -> str:
 def _environment(form: PageFormat, templates: str | None) -> Environment:
     """Return what loads the templates of a format; a user's own run in a sandbox."""
     from jinja2 import BaseLoader, ChoiceLoader, Environment, FileSystemLoader, PrefixLoader, StrictUndefined
+
+    from kurbel.formats.page import blank
 
     kind: type[Environment] = Environment
     own = PrefixLoader({"base": FileSystemLoader(form.templates)})
