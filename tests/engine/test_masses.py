@@ -67,7 +67,7 @@ TWO_A_SECOND = Speed(Fraction(2))
 
 
 def heavy(ratio: Fraction, speed: Speed = TWO_A_SECOND) -> Crank:
-    connecting = Rod.of_gyration(1 - Fraction("0.6"), Fraction("0.3"), Fraction(150))
+    connecting = Rod.from_crosshead(Fraction("0.6"), Fraction("0.3"), Fraction(150))
     moving = Moving(Fraction(300), connecting)
     return Crank(ratio, radius=Fraction("0.3"), speed=speed, moving=moving)
 

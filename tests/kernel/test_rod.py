@@ -419,8 +419,8 @@ def test_rods_beyond_their_pins_are_allowed() -> None:
 
 
 def test_gyration_is_squared() -> None:
-    assert Rod.of_gyration(THIRD, HALF, Fraction(7)) == Rod(THIRD, Fraction(1, 4), Fraction(7))
-    assert "k is -0.5 L; it must be above 0" in sentence(lambda: Rod.of_gyration(THIRD, -HALF))
+    assert Rod.from_crosshead(1 - THIRD, HALF, Fraction(7)) == Rod(THIRD, Fraction(1, 4), Fraction(7))
+    assert "k is -0.5 L; it must be above 0" in sentence(lambda: Rod.from_crosshead(THIRD, -HALF))
 
 
 def test_models_share_out_the_mass() -> None:

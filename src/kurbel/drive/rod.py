@@ -55,16 +55,6 @@ class Rod:
             )
 
     @classmethod
-    def of_gyration(cls, centre: Fraction, gyration: Fraction, mass: Fraction | None = None) -> Rod:
-        """Return the rod with this a/L and k/L."""
-        if gyration <= 0:
-            raise ProblemError(
-                f"the rod's radius of gyration k is {about(gyration)} L; it must be above 0,"
-                " for no rod has all its mass in one point"
-            )
-        return cls(centre, gyration * gyration, mass)
-
-    @classmethod
     def from_crosshead(cls, centre: Fraction, gyration: Fraction, mass: Fraction | None = None) -> Rod:
         """Return the rod with this a/L and k/L, a counted from the crosshead pin as Ensslin does."""
         if not 0 <= centre <= 1:
@@ -72,7 +62,12 @@ class Rod:
                 f"the rod's centre of mass is {about(centre)} L from the crosshead pin; it must lie within"
                 " 0..1, between the pins, for no rod has most of its mass beyond one"
             )
-        return cls.of_gyration(1 - centre, gyration, mass)
+        if gyration <= 0:
+            raise ProblemError(
+                f"the rod's radius of gyration k is {about(gyration)} L; it must be above 0,"
+                " for no rod has all its mass in one point"
+            )
+        return cls(1 - centre, gyration * gyration, mass)
 
     @property
     def couple(self) -> Fraction:

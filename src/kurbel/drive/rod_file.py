@@ -94,11 +94,7 @@ def _position_unit(unit: str, length: Fraction | None) -> Fraction:
     """Return the share of the rod's length that the unit is."""
     if unit in _LENGTHS:
         return _LENGTHS[unit]
-    metres = _factor(unit, "m", "[length]")
-    if metres is None:
-        raise NotationError(
-            f'the position has the unit "{clipped(unit)}", which is no length; write mm, cm, m, inch or %'
-        )
+    metres = _factor(unit, "position", "m", "length", "mm, cm, m, inch")
     if length is None:
         raise NotationError(
             f"the position is in {clipped(unit)} and the rod's length is not known; give the length,"
@@ -108,22 +104,18 @@ def _position_unit(unit: str, length: Fraction | None) -> Fraction:
 
 
 def _mass_unit(unit: str) -> Fraction:
-    if unit in _SHARES:
-        return _SHARES[unit]
-    kilograms = _factor(unit, "kg", "[mass]")
-    if kilograms is None:
-        raise NotationError(
-            f'the mass has the unit "{clipped(unit)}", which is no mass; write kg, g, t, lb or %'
-        )
-    return kilograms
+    return _SHARES[unit] if unit in _SHARES else _factor(unit, "mass", "kg", "mass", "kg, g, t, lb")
 
 
-def _factor(unit: str, base: str, dimension: str) -> Fraction | None:
-    if not _UNIT.fullmatch(unit):
-        return None
+def _factor(unit: str, what: str, base: str, dimension: str, examples: str) -> Fraction:
     from kurbel.reading.units import unit_in
 
-    return unit_in(unit, base, dimension)
+    factor = unit_in(unit, base, f"[{dimension}]") if _UNIT.fullmatch(unit) else None
+    if factor is None:
+        raise NotationError(
+            f'the {what} has the unit "{clipped(unit)}", which is no {dimension}; write {examples} or %'
+        )
+    return factor
 
 
 def _head(line: str) -> Head:

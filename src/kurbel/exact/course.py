@@ -139,13 +139,10 @@ class Course:
 
         root = _bracket(function, self.slope, low, high, rising)
         place = Place(lambda: refined(function, self.slope, root), low.centre, polynomial)
-        return recognised(place, self._confirmation(target))
-
-    def _confirmation(self, target: Target) -> Callable[[Fraction], bool] | None:
         is_exactly, wanted = self.is_exactly, target.exact
         if is_exactly is None or wanted is None:
-            return None
-        return lambda half_turns: is_exactly(half_turns, wanted)
+            return recognised(place)
+        return recognised(place, lambda half_turns: is_exactly(half_turns, wanted))
 
 
 def _bracket(function: Function, slope: Function, low: Place, high: Place, rising: bool) -> Root:

@@ -209,7 +209,8 @@ class SlideDrive(Drive):
         found = super().asked(quantity, stroke)
         if quantity != "psi":
             return found
-        return found._replace(formulas=dict.fromkeys(found.formulas, Formula(_rod_sine)), is_arc=False)
+        sine = Formula(lambda at: kinematics.rod_sine(at.circle, at.ratio, at.offset or 0))
+        return found._replace(formulas=dict.fromkeys(found.formulas, sine), is_arc=False)
 
     def unclosed(self, quantity: Quantity, course: Course) -> Course:
         # A stroke √a - √b with an irrational root is irrational.
@@ -245,11 +246,6 @@ class SlideDrive(Drive):
 def slide_columns() -> Mapping[str, Quantity]:
     """Return what can be shown of a place of the straight or offset crank."""
     return {key: one for key, one in registry().items() if one.stroke == OUT}
-
-
-def _rod_sine(at: Any) -> Any:
-    offset = at.numbers.of(Fraction(0)) if at.offset is None else at.offset
-    return kinematics.rod_sine(at.circle, at.ratio, offset)
 
 
 def slide_drives(cranks: Sequence[Crank], method: str) -> tuple[SlideDrive, ...]:

@@ -135,9 +135,13 @@ class Request(CrankQuestion, AngleQuestion):
     @cached_property
     def values(self) -> list[Sequence[Any]]:
         """The scaled digits of the page by crank, column and angle."""
-        compute = columns_in_floats if self.bulk else columns_in_balls
         angles = angle_pairs(self.angles) if self.layout.pairs else self.angles
-        return [compute(self.page_columns, crank, angles, self.rounding) for crank in self.cranks]
+        return [self.scaled(crank, angles) for crank in self.cranks]
+
+    def scaled(self, crank: Crank, angles: Sequence[Fraction]) -> Sequence[Any]:
+        """Return the scaled digits of every column at these angles."""
+        compute = columns_in_floats if self.bulk else columns_in_balls
+        return compute(self.page_columns, crank, angles, self.rounding)
 
     def curves(self, degrees: Any) -> list[list[list[float]]]:
         from kurbel.exact.bulk import evaluate
@@ -179,15 +183,14 @@ class RecordRows(Rows):
 
     def chunks(self) -> Iterator[tuple[Crank, Sequence[Fraction], Mapping[str, Any]]]:
         """Yield ratio by ratio and chunk by chunk the scaled digits of every column by its key."""
-        question, columns = self.question, self.question.page_columns
-        compute = columns_in_floats if question.bulk else columns_in_balls
+        question = self.question
         # What fits one chunk is computed once for the page and for all its records.
         kept = len(question) <= CHUNK and not question.layout.pairs
         for number, crank in enumerate(question.cranks):
             for start in range(0, len(question.angles), CHUNK):
                 part = question.angles[start : start + CHUNK]
-                values = question.values[number] if kept else compute(columns, crank, part, question.rounding)
-                yield crank, part, {column.key: one for column, one in zip(columns, values, strict=True)}
+                values = question.values[number] if kept else question.scaled(crank, part)
+                yield crank, part, dict(zip(self.columns, values, strict=True))
 
 
 def _number(question: Request, column: Column, place: Place, times: int) -> Number:

@@ -10,7 +10,6 @@ from typing import Any, NamedTuple
 
 from kurbel.drive.crank import Crank, known
 from kurbel.drive.crank_forces import CRANK_FORCES
-from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
 from kurbel.kernel import kinematics
 from kurbel.motion.evaluation import (
@@ -25,7 +24,6 @@ from kurbel.motion.evaluation import (
 from kurbel.page.quantity import Formula, Quantity, entry, words
 
 Formulas = Mapping[str, Formula]
-Scale = Callable[[Crank, Kind], Any]
 # What keys say of their unit at their end.
 _UNIT = re.compile(r"_(?:mm|mps2?|nm?|stroke|percent)$")
 

@@ -32,15 +32,10 @@ RIGHT_ANGLE = 90
 @cache
 def quantities() -> Mapping[str, Quantity]:
     """Return what the sheet can show: the outstroke's; on the return stroke forces mirror these."""
-    phi = registry()["psi"]._replace(
-        key="phi", name=PHI, symbol="$φ$", formulas={TANGENT: Formula(_crank_angle, "arctan(L/R)")}
-    )
+    angle = Formula(lambda slant: RIGHT_ANGLE - slant, "arctan(L/R)")
+    phi = registry()["psi"]._replace(key="phi", name=PHI, symbol="$φ$", formulas={TANGENT: angle})
     own = (one for one in registry().values() if one.stroke == OUT)
     return {one.key: _headed(one) for one in (phi, *own)}
-
-
-def _crank_angle(slant: Any) -> Any:
-    return RIGHT_ANGLE - slant
 
 
 def _headed(quantity: Quantity) -> Quantity:
