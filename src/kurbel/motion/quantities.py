@@ -24,6 +24,7 @@ from kurbel.motion.evaluation import (
 from kurbel.page.quantity import Formula, Quantity, entry, words
 
 Formulas = Mapping[str, Formula]
+Kernel = Callable[..., Any]
 # What keys say of their unit at their end.
 _UNIT = re.compile(r"_(?:mm|mps2?|nm?|stroke|percent)$")
 
@@ -31,55 +32,47 @@ _UNIT = re.compile(r"_(?:mm|mps2?|nm?|stroke|percent)$")
 # (cos ψ knows no sign), {angle} the letter of the crank angle.
 
 
-def _motion(
-    straight: Callable[..., Any],
-    offset: Callable[..., Any],
-    series: Callable[..., Any],
-    printed: Mapping[str, Label],
-) -> Formulas:
+def _motion(straight: Kernel, series: Kernel, offset: Kernel, *printed: Label) -> Formulas:
+    """Return the formulas by the methods exact, series and infinite, and of the offset crank, as printed."""
+
     def exact(at: At) -> Any:
         return straight(at.circle, at.ratio)
 
-    return {
-        "exact": Formula(exact, printed["exact"]),
-        "series": Formula(lambda at: series(at.circle, at.ratio), printed["series"]),
-        "infinite": Formula(exact, printed["infinite"]),
-        OFFSET: Formula(lambda at: offset(at.circle, at.ratio, at.offset), printed[OFFSET]),
+    kernels = {
+        "exact": exact,
+        "series": lambda at: series(at.circle, at.ratio),
+        "infinite": exact,
+        OFFSET: lambda at: offset(at.circle, at.ratio, at.offset),
     }
+    return {key: Formula(one, text) for (key, one), text in zip(kernels.items(), printed, strict=True)}
 
 
 PATH = _motion(
     kinematics.piston_path,
-    kinematics.offset_path,
     kinematics.piston_path_first_order,
-    {
-        "exact": "$x/R = 1 - cos {angle} {±} (1 - cos ψ)/λ$",
-        "series": "$x/R = 1 - cos {angle} {±} 1/2 λ sin^2 {angle}$",
-        "infinite": "$x/R = 1 - cos {angle}$",
-        OFFSET: "$x/R = (cos φ_i - cos {angle}) + (cos ψ_i - cos ψ)/λ$",
-    },
+    kinematics.offset_path,
+    "$x/R = 1 - cos {angle} {±} (1 - cos ψ)/λ$",
+    "$x/R = 1 - cos {angle} {±} 1/2 λ sin^2 {angle}$",
+    "$x/R = 1 - cos {angle}$",
+    "$x/R = (cos φ_i - cos {angle}) + (cos ψ_i - cos ψ)/λ$",
 )
 VELOCITY = _motion(
     kinematics.piston_velocity,
-    kinematics.offset_velocity,
     kinematics.piston_velocity_first_order,
-    {
-        "exact": "$c/v = sin {angle} {±} (λ sin {angle} cos {angle})/(cos ψ)$",
-        "series": "$c/v = sin {angle} {±} 1/2 λ sin 2 {angle}$",
-        "infinite": "$c/v = sin {angle}$",
-        OFFSET: "$c/v = sin {angle} + cos {angle} tan ψ$",
-    },
+    kinematics.offset_velocity,
+    "$c/v = sin {angle} {±} (λ sin {angle} cos {angle})/(cos ψ)$",
+    "$c/v = sin {angle} {±} 1/2 λ sin 2 {angle}$",
+    "$c/v = sin {angle}$",
+    "$c/v = sin {angle} + cos {angle} tan ψ$",
 )
 ACCELERATION = _motion(
     kinematics.piston_acceleration,
-    kinematics.offset_acceleration,
     kinematics.piston_acceleration_first_order,
-    {
-        "exact": "$(p R)/v^2 = cos {angle} {±} λ (cos 2 {angle} + λ^2 sin^4 {angle})/(cos^3 ψ)$",
-        "series": "$(p R)/v^2 = cos {angle} {±} λ cos 2 {angle}$",
-        "infinite": "$(p R)/v^2 = cos {angle}$",
-        OFFSET: "$(p R)/v^2 = cos {angle} - sin {angle} tan ψ + λ (cos^2 {angle})/(cos^3 ψ)$",
-    },
+    kinematics.offset_acceleration,
+    "$(p R)/v^2 = cos {angle} {±} λ (cos 2 {angle} + λ^2 sin^4 {angle})/(cos^3 ψ)$",
+    "$(p R)/v^2 = cos {angle} {±} λ cos 2 {angle}$",
+    "$(p R)/v^2 = cos {angle}$",
+    "$(p R)/v^2 = cos {angle} - sin {angle} tan ψ + λ (cos^2 {angle})/(cos^3 ψ)$",
 )
 
 
@@ -100,32 +93,33 @@ ROD_ANGLE: Formulas = {
 @cache
 def registry() -> Mapping[str, Quantity]:
     """Return every quantity by its key, in the order in which `kurbel quantities` lists them."""
-    return {entry.key: entry for entry in (*_motion_entries(), *_force_entries())}
+    entries = (*_motion_entries(), *_force_entries())
+    return {one.key: one for each in entries for one in on_strokes(each)}
 
 
 def _motion_entries() -> Iterator[Quantity]:
     path, velocity = "Kolbenweg|Piston path", "Kolbengeschwindigkeit|Piston velocity"
     acceleration = "Kolbenbeschleunigung|Piston acceleration"
-    yield from _both("x", path, "$x$", "$x/R$", "$R$", 4, PATH, names=("x",))
-    yield from _both(
+    yield spanned("x", path, "$x$", "$x/R$", "$R$", 4, PATH, names=("x",))
+    yield spanned(
         "x_stroke", path, "$x$", "in Teilen des Hubes|in strokes", "Hub|stroke", 4, PATH,
         scale=lambda crank, numbers: 1 / crank.stroke(numbers), names=("s",),
     )  # fmt: skip
-    yield from _both(
+    yield spanned(
         "x_percent", path, "$x$", "in % des Hubes|in % of stroke", "% des Hubes|% of the stroke", 2, PATH,
         scale=lambda crank, numbers: 100 / crank.stroke(numbers),
     )  # fmt: skip
-    yield from _both("x_mm", path, "$x$", "$x$ in mm", "mm", 2, PATH, scale=Crank.millimetres, needs="length")
-    yield from _both("c", velocity, "$c$", "$c/v$", "$v$", 4, VELOCITY, names=("c",))
-    yield from _both(
+    yield spanned("x_mm", path, "$x$", "$x$ in mm", "mm", 2, PATH, scale=Crank.millimetres, needs="length")
+    yield spanned("c", velocity, "$c$", "$c/v$", "$v$", 4, VELOCITY, names=("c",))
+    yield spanned(
         "c_mps", velocity, "$c$", "$c$ in m/s", "m/s", 3, VELOCITY, scale=Crank.pin_velocity, needs="speed"
     )
-    yield from _both("p", acceleration, "$p$", "$(p R)/v^2$", "v²/R", 4, ACCELERATION, names=("p",))
-    yield from _both(
+    yield spanned("p", acceleration, "$p$", "$(p R)/v^2$", "v²/R", 4, ACCELERATION, names=("p",))
+    yield spanned(
         "p_mps2", acceleration, "$p$", "$p$ in m/s²", "m/s²", 2, ACCELERATION, scale=Crank.pin_acceleration,
         needs="speed",
     )  # fmt: skip
-    yield from _both(
+    yield spanned(
         "psi", "Schubstangenwinkel|Rod angle", "$ψ$", "$ψ$ in °", "°", 3, ROD_ANGLE,
         is_arc=True, bound=60.0, names=("psi", "ψ"),
     )  # fmt: skip
@@ -192,12 +186,10 @@ FORCES: Mapping[str, Force] = {
 def _force_entries() -> Iterator[Quantity]:
     for key, one in FORCES.items():
         shares = _unloaded(key, one.printed, one.oblique, one.closed) if one.printed else {}
-        for each in force_entries(key, one, shares, _in_newtons(key, shares)):
-            yield from on_strokes(each)
+        yield from force_entries(key, one, shares, _in_newtons(key, shares))
     ratio = "$M_d/(F R) = T/F$"
     torque = _unloaded("tangential_force", ratio, ratio, "F R sqrt((R/L)^2 + 1)")
-    for each in torque_entries(torque, _in_newtons("tangential_force", torque)):
-        yield from on_strokes(each)
+    yield from torque_entries(torque, _in_newtons("tangential_force", torque))
 
 
 def force_entries(
@@ -277,7 +269,3 @@ def on_strokes(one: Quantity) -> Iterator[Quantity]:
             stroke=stroke,
             names=one.names if stroke == OUT else (),
         )
-
-
-def _both(*said: Any, **rest: Any) -> Iterator[Quantity]:
-    return on_strokes(spanned(*said, **rest))
