@@ -59,6 +59,12 @@ class Crank:
             return numbers.of(Fraction(2))
         return kinematics.stroke(numbers.of(self.ratio), numbers.of(self.offset))
 
+    def dead_angle(self, stroke: int, numbers: Kind) -> Any:
+        """Return φ_i, or for a stroke of -1, the return, φ_o - 180°, in degrees."""
+        return numbers.arc(
+            kinematics.dead_centre_sine(numbers.of(stroke * self.ratio), numbers.of(stroke * self.offset))
+        )
+
     def pin_velocity(self, numbers: Kind) -> Any:
         """Return v = R ω of the crank pin in m/s; bounds, which know no π, leave it out."""
         speed, radius = known(self.speed), known(self.radius)

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from kurbel.drive.rod import Rod
     from kurbel.motion.page import Request
     from kurbel.page.layouts import Layout
+    from kurbel.reading.units import Speed
 
 
 class Formulated(Protocol):
@@ -60,8 +61,6 @@ WORDS: Mapping[str, Words] = {
         "|Offset $e = {offset} R$, $R:L = {ratio}$: dead centres at $φ_i = {inner}°$ and $φ_o = {outer}°$, "
         "stroke ${stroke} R$"
     ),
-    "machine": words('$R = {radius} "mm"${rod}{speed}'),
-    "rod": words(', $L = {rod} "mm"$'),
     "speed": words(
         '; {turns}$v = {pin} "m/s"$, mittlere Kolbengeschwindigkeit $c_m = {mean} "m/s"$, $v:c_m = '
         "{quotient}$"
@@ -210,9 +209,7 @@ def moving_notes(crank: Crank, ratio_symbol: str, lang: str) -> Iterator[Label]:
     moving, speed, radius = known(crank.moving), known(crank.speed), ratio_symbol[0]
     said = {"reciprocating": moving.reciprocating, "rotating": moving.rotating}
     parts = [f'{WORDS[key][lang]} ${figure(mass)} "kg"$' for key, mass in said.items() if mass]
-    value = figure(60 * speed.value if speed.turns else speed.value)
-    turns = f'n = {value} "min"^(-1)' if speed.turns else f'ω = {value} "rad/s"'
-    parts += [f'${radius} = {figure(1000 * known(crank.radius))} "mm"$', f"${turns}$"]
+    parts += [f'${radius} = {figure(1000 * known(crank.radius))} "mm"$', _turns(speed)]
     yield WORDS["masses"][lang] + ", ".join(parts)
     if moving.rod is not None:
         yield connecting_rod(moving.rod, lang, ratio_symbol[-1])
@@ -238,21 +235,24 @@ def _root(square: Fraction) -> str:
 
 def _machine(crank: Crank, lang: str) -> Label:
     radius = 1000 * known(crank.radius)
-    rod = WORDS["rod"][lang].format(rod=figure(radius / crank.ratio)) if crank.ratio else ""
-    speed = _speed(crank, lang) if crank.speed else ""
-    return WORDS["machine"][lang].format(radius=figure(radius), rod=rod, speed=speed)
+    rod = f', $L = {figure(radius / crank.ratio)} "mm"$' if crank.ratio else ""
+    return f'$R = {figure(radius)} "mm"${rod}' + (_speed(crank, lang) if crank.speed else "")
 
 
 def _speed(crank: Crank, lang: str) -> str:
     speed = known(crank.speed)
-    turns, radians = f'$n = {figure(speed.value * 60)} "min"^(-1)$', f'$ω = {figure(speed.value)} "rad/s"$'
     quotient = digits_text(lambda numbers: numbers.pi / crank.stroke(numbers), 4, algebraic=False)
     return WORDS["speed"][lang].format(
-        turns=f"{turns if speed.turns else radians}, ",
+        turns=f"{_turns(speed)}, ",
         pin=digits_text(crank.pin_velocity, 3, algebraic=not speed.turns),
         mean=digits_text(lambda numbers: _mean_speed(crank, numbers), 3, algebraic=speed.turns),
         quotient=quotient if crank.offset else "π:2",
     )
+
+
+def _turns(speed: Speed) -> Label:
+    value = figure(60 * speed.value if speed.turns else speed.value)
+    return f'$n = {value} "min"^(-1)$' if speed.turns else f'$ω = {value} "rad/s"$'
 
 
 def _mean_speed(crank: Crank, numbers: Kind) -> Any:
@@ -265,15 +265,14 @@ def _mean_speed(crank: Crank, numbers: Kind) -> Any:
 
 
 def _offset(crank: Crank, lang: str) -> Label:
-    def dead_centre(sign: int, numbers: Kind) -> Any:
-        sine = kinematics.dead_centre_sine(numbers.of(sign * crank.ratio), numbers.of(sign * crank.offset))
-        return numbers.arc(sine) + (0 if sign == OUT else 180)
+    def outer(numbers: Kind) -> Any:
+        return crank.dead_angle(RETURN, numbers) + 180
 
     return WORDS["offset"][lang].format(
         offset=figure(crank.offset),
         ratio=ratio_text(crank.ratio),
-        inner=digits_text(partial(dead_centre, OUT), 3, algebraic=False),
-        outer=digits_text(partial(dead_centre, RETURN), 3, algebraic=False),
+        inner=digits_text(partial(crank.dead_angle, OUT), 3, algebraic=False),
+        outer=digits_text(outer, 3, algebraic=False),
         stroke=digits_text(crank.stroke, 4, algebraic=True),
     )
 

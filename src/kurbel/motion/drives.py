@@ -21,8 +21,6 @@ from kurbel.errors import ProblemError
 from kurbel.exact.certify import (
     NEVER_TIES,
     TieBits,
-    ball,
-    ball_degrees,
     half_turn_circle,
     pi,
     rounded,
@@ -227,12 +225,8 @@ class SlideDrive(Drive):
     def ends(self, stroke: int) -> tuple[Place, Place]:
         if self.is_straight:
             return super().ends(stroke)
-
-        def dead_centre(side: int) -> arb:
-            numbers = (ball(side * one) for one in (self.crank.ratio, self.crank.offset))
-            return ball_degrees(kinematics.dead_centre_sine(*numbers)) / 180
-
-        angles = (lambda: dead_centre(stroke), lambda: 1 + dead_centre(-stroke))
+        angle = self.crank.dead_angle
+        angles = (lambda: angle(stroke, balls()) / 180, lambda: 1 + angle(-stroke, balls()) / 180)
         return self.rests(self.asked("c", stroke), angles)
 
     def formula_lines(self, question: Formulated, columns: Sequence[Column]) -> Iterator[Label]:
