@@ -13,7 +13,7 @@ from typing import Any
 
 import pytest
 from cli import Result, kurbel
-from programs import Programs, wait_until
+from programs import Programs, is_running, wait_until
 
 from kurbel.documents.document import Document
 from kurbel.errors import KurbelError
@@ -279,11 +279,3 @@ def test_a_build_that_is_ended_ends_its_tex(programs: Programs, tmp_path: Path) 
     process.communicate()
     assert process.returncode == 143
     wait_until(lambda: not is_running(int(number.read_text())))
-
-
-def is_running(number: int) -> bool:
-    try:
-        os.kill(number, 0)
-    except ProcessLookupError:
-        return False
-    return True

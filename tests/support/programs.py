@@ -80,6 +80,16 @@ def is_alone(process: subprocess.Popen[bytes]) -> bool:
     return False
 
 
+def is_running(number: int) -> bool:
+    """Whether the process runs; one that has ended, and that nobody has asked about yet, does not."""
+    try:
+        os.kill(number, 0)
+        state = subprocess.run(["ps", "-o", "stat=", "-p", str(number)], stdout=subprocess.PIPE, check=False)
+    except ProcessLookupError:
+        return False
+    return state.stdout.decode().strip()[:1] not in ("", "Z")
+
+
 def wait_until(condition: Callable[[], bool]) -> None:
     """Return as soon as the condition holds; it is looked at over and over."""
     for _ in range(int(PATIENCE / 0.005)):
