@@ -8,7 +8,7 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from threading import Timer
 from types import TracebackType
@@ -73,21 +73,21 @@ def _end_group(process: subprocess.Popen[bytes]) -> None:
 
 def is_alone(process: subprocess.Popen[bytes]) -> bool:
     """Whether nothing that the program started, and that stayed in its group, runs any longer."""
-    try:
-        os.killpg(process.pid, 0)
-    except ProcessLookupError:
-        return True
-    return False
+    return not any(group == process.pid for _, group in _running())
 
 
 def is_running(number: int) -> bool:
-    """Whether the process runs; one that has ended, and that nobody has asked about yet, does not."""
-    try:
-        os.kill(number, 0)
-        state = subprocess.run(["ps", "-o", "stat=", "-p", str(number)], stdout=subprocess.PIPE, check=False)
-    except ProcessLookupError:
-        return False
-    return state.stdout.decode().strip()[:1] not in ("", "Z")
+    """Whether the process of this number runs."""
+    return any(own == number for own, _ in _running())
+
+
+def _running() -> Iterator[tuple[int, int]]:
+    """Yield each process and its group, but for those that have ended and that nobody has asked about yet."""
+    listed = subprocess.run(["ps", "-e", "-o", "pid=,pgid=,stat="], stdout=subprocess.PIPE, check=True)
+    for line in listed.stdout.decode().splitlines():
+        number, group, state = line.split(maxsplit=2)
+        if not state.startswith("Z"):
+            yield int(number), int(group)
 
 
 def wait_until(condition: Callable[[], bool]) -> None:
