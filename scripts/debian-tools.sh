@@ -1,8 +1,8 @@
 #!/bin/sh
-# Install the programs that check printed pages and completion: TeX, Chromium, pdftotext, fish, patch, npm.
+# Install the programs that check printed pages and completion: TeX, Chromium, pdftotext, ps, fish, patch, npm.
 set -eu
 
-packages="texlive-latex-base texlive-latex-recommended texlive-luatex texlive-latex-extra texlive-lang-german latexmk lmodern chromium poppler-utils fish patch"
+packages="texlive-latex-base texlive-latex-recommended texlive-luatex texlive-latex-extra texlive-lang-german latexmk lmodern chromium poppler-utils procps fish patch"
 # A Node.js that is not from Debian brings its own npm, and Debian's would replace it.
 command -v npm >/dev/null || packages="$packages nodejs npm"
 

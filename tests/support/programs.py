@@ -15,6 +15,7 @@ from types import TracebackType
 from typing import Any
 
 import pytest
+from tools import require
 
 # Bounds what hangs, however busy the machine is; nothing that works takes so long.
 PATIENCE = 900.0
@@ -83,7 +84,9 @@ def is_running(number: int) -> bool:
 
 def _running() -> Iterator[tuple[int, int]]:
     """Yield each process and its group, but for those that have ended and that nobody has asked about yet."""
-    listed = subprocess.run(["ps", "-e", "-o", "pid=,pgid=,stat="], stdout=subprocess.PIPE, check=True)
+    listed = subprocess.run(
+        [require("ps"), "-e", "-o", "pid=,pgid=,stat="], stdout=subprocess.PIPE, check=True
+    )
     for line in listed.stdout.decode().splitlines():
         number, group, state = line.split(maxsplit=2)
         if not state.startswith("Z"):
