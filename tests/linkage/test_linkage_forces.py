@@ -102,7 +102,8 @@ def test_a_long_rocker_gives_the_forces_of_the_straight_and_the_offset_crank(
 
 @pytest.mark.parametrize("degrees", ["0", "31.7", "90", "200", "301"])
 def test_the_torque_of_the_parallel_crank_is_that_of_virtual_work(degrees: str) -> None:
-    drive, phi = ParallelCrank(Fraction(3, 10), PistonForce(Fraction(10_000))), real(Fraction(degrees))
+    pushed = Crank(Fraction(0), radius=Fraction(3, 10), force=PistonForce(Fraction(10_000)))
+    drive, phi = ParallelCrank(pushed), real(Fraction(degrees))
     with mp.workdps(DIGITS):
         slope = mp.diff(lambda angle: 1 - mp.cos(mp.radians(angle)), phi) * 180 / mp.pi
         along = mp.cos(mp.radians(phi))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
@@ -170,6 +170,11 @@ class Described(NamedTuple):
         """R in metres of 2R."""
         return None if self.stroke is None else as_length(self.stroke, "stroke") / 2
 
+    @property
+    def rodless(self) -> Crank:
+        """What is known of the crank of a drive without a rod."""
+        return replace(RODLESS, radius=self.radius, force=self.force)
+
     def cranks(self, default: Sequence[str]) -> tuple[Crank, ...]:
         """Return the straight or offset cranks, of a layout's ratios if nothing gives one."""
         if self.ratio is not None and self.stroke is not None and self.rod is not None:
@@ -228,3 +233,7 @@ def radii(value: Exact, what: str) -> Fraction:
             f'{what} "{value[:40]}" has a unit; lengths of the arc crank are in units of R, for example 6'
         )
     return as_number(share, what)
+
+
+# Of a drive without a rod.
+RODLESS = Crank(Fraction(0))

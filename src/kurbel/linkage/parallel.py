@@ -8,8 +8,7 @@ from fractions import Fraction
 from functools import cache
 from typing import Any, NoReturn
 
-from kurbel.drive.crank import Crank, Described
-from kurbel.drive.load import PistonForce
+from kurbel.drive.crank import RODLESS, Crank, Described
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.kernel.circle import Circle
@@ -38,16 +37,11 @@ class ParallelCrank(Linkage):
     no length.
     """
 
-    radius: Fraction | None = None
-    force: PistonForce | None = None
+    crank: Crank = RODLESS
 
     def place(self, stroke: int, circle: Circle[Any], kind: Kind) -> Place[Any]:
         """Return where any point of the rod stands, which moves alike on both strokes."""
         return coupler_place(circle)
-
-    @property
-    def crank(self) -> Crank:
-        return Crank(Fraction(0), radius=self.radius, force=self.force)
 
     def outline(self) -> Outline:
         return Outline(TITLE, ((0, 0), (SHAFTS, 0)), -1, SHAFTS + 1, _stand)
@@ -136,7 +130,7 @@ class Parallel(LinkageMechanism):
     forces_layout = "forces-parallel"
 
     def drives(self, said: Described, ratios: Sequence[str]) -> tuple[ParallelCrank, ...]:
-        return (ParallelCrank(said.radius, said.force),)
+        return (ParallelCrank(said.rodless),)
 
     def solved(self, drives: Sequence[Any], method: str | None) -> NoReturn:
         raise ProblemError(
