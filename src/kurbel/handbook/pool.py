@@ -146,6 +146,8 @@ def _pool(jobs: int) -> Iterator[ProcessPoolExecutor]:
     except BaseException:
         for child in active_children():
             child.kill()
+        # The rest of what one of them had begun to send would be waited for without end.
+        pool._result_queue._writer.close()  # type: ignore[attr-defined]
         raise
     finally:
         pool.shutdown(cancel_futures=True)
