@@ -91,12 +91,11 @@ def _number(question: LinkageRequest, column: Column, place: Place, times: int) 
     return Number(scaled * times, column.places)
 
 
-def captioned(question: LinkageRequest, **parts: Label) -> Label:
-    """Return the layout's caption with its quantities and, under their names, further parts."""
+def captioned(question: LinkageRequest, for_drive: Label = "") -> Label:
+    """Return the layout's caption with its quantities and what tells the drive."""
     lang = question.lang
     names = enumerated((one.quantity.name[lang] for one in question.page_columns), lang)
-    own = {"{quantities}": names, **{f"{{{name}}}": part for name, part in parts.items()}}
-    return filled(question.layout.caption[lang], own.items())
+    return filled(question.layout.caption[lang], [("{quantities}", names), ("{for_drive}", for_drive)])
 
 
 def plain_notes(force: Words, motion: Words, *further: Words) -> Callable[[LinkageRequest], Iterator[Label]]:

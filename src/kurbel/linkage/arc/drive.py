@@ -18,7 +18,6 @@ from kurbel.exact.kind import balls
 from kurbel.exact.place import SQUARE, Centre, Place
 from kurbel.linkage.arc.crank import STROKE, ArcCrank
 from kurbel.linkage.arc.quantities import arc_registry
-from kurbel.linkage.linkage import At
 from kurbel.linkage.mechanism import LinkageDrive
 from kurbel.motion.evaluation import OUT, STROKES
 from kurbel.motion.quantities import registry
@@ -32,24 +31,17 @@ HALF_REACH = 0.45
 @cache
 def arc_columns() -> Mapping[str, Quantity]:
     """Return what can be shown of a place: the outstroke's quantities, which stand for either stroke."""
-    found = {}
-    for key, one in arc_registry().items():
-        if one.stroke == OUT:
-            found[key] = one
-            if key == "path":
-                share, path = registry()["x_stroke"], one.formulas["exact"].kernel
-                found[PATH_SHARE] = one._replace(
-                    key=PATH_SHARE,
-                    heading=share.heading,
-                    unit=share.unit,
-                    names=share.names,
-                    formulas={"exact": Formula(_share(path))},
-                )
-    return found
-
-
-def _share(path: Callable[[At], arb]) -> Callable[[At], arb]:
-    return lambda at: path(at) / at.drive.arc_stroke(at.kind)
+    own = {key: one for key, one in arc_registry().items() if one.stroke == OUT}
+    path, share = own["path"], registry()["x_stroke"]
+    kernel = path.formulas["exact"].kernel
+    part = path._replace(
+        key=PATH_SHARE,
+        heading=share.heading,
+        unit=share.unit,
+        names=share.names,
+        formulas={"exact": Formula(lambda at: kernel(at) / at.drive.arc_stroke(at.kind))},
+    )
+    return {"path": path, PATH_SHARE: part, **own}
 
 
 class ArcDrive(LinkageDrive):
@@ -93,10 +85,7 @@ class ArcDrive(LinkageDrive):
         def begin() -> Any:
             return self.arc.dead_angle(stroke, balls()) / 180
 
-        def end() -> Any:
-            return begin() + 1 + stroke * self.arc.lead(balls()) / 180
-
-        return begin, end
+        return begin, lambda: begin() + 1 + stroke * self.arc.lead(balls()) / 180
 
     def _gauge(self, quantity: Quantity) -> Any:
         """Return by how much the path, its share or the rocker's angle grows in half a turn at v = 1."""
