@@ -117,8 +117,11 @@ def is_known(quantity: Quantity, crank: Crank) -> bool:
 
 def needed(quantity: Quantity, cranks: Sequence[Crank]) -> str:
     """Return the sentence that refuses a quantity of cranks of which too little is known, else nothing."""
-    if all(is_known(quantity, crank) for crank in cranks):
-        return ""
+    return "" if all(is_known(quantity, crank) for crank in cranks) else unknown(quantity)
+
+
+def unknown(quantity: Quantity) -> str:
+    """Return the sentence that refuses a quantity of which too little is known."""
     options = " and ".join(NEEDS[quantity.needs])
     return f"column {quantity.key} is in {quantity.plain_unit('en')} and needs {options}"
 

@@ -12,7 +12,7 @@ from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, degrees_text
 from kurbel.motion.drives import Drive
-from kurbel.motion.evaluation import NEEDS, OUT, RETURN, STROKES
+from kurbel.motion.evaluation import NEEDS, OUT, RETURN, STROKES, unknown
 from kurbel.motion.mechanism import mechanism
 from kurbel.motion.quantities import registry
 from kurbel.page.axes import PHI, Axis, ColumnAxis, ListAxis, Place, RatioAxis
@@ -133,8 +133,7 @@ class SolveRequest(Question):
             return ""
         if not quantity.needs:
             return f"column {quantity.key} belongs to another mechanism or method; leave it out"
-        options = " and ".join(NEEDS[quantity.needs])
-        return f"column {quantity.key} is in {quantity.plain_unit('en')} and needs {options}"
+        return unknown(quantity)
 
     def methods_of(self, column: LayoutColumn) -> tuple[str, ...]:
         return (self.method,)
