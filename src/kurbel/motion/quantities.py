@@ -6,10 +6,9 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from functools import cache
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.drive.crank import Crank, known
-from kurbel.drive.crank_forces import CRANK_FORCES
 from kurbel.exact.numerals import Label
 from kurbel.kernel import kinematics
 from kurbel.motion.evaluation import (
@@ -22,6 +21,9 @@ from kurbel.motion.evaluation import (
     At,
 )
 from kurbel.page.quantity import Formula, Quantity, entry, words
+
+if TYPE_CHECKING:
+    from kurbel.drive.crank_forces import CrankForce
 
 Formulas = Mapping[str, Formula]
 Kernel = Callable[..., Any]
@@ -217,11 +219,16 @@ def torque_entries(shares: Formulas, newton: Formulas, **rest: Any) -> Iterator[
     )  # fmt: skip
 
 
-def _unloaded(key: str, printed: Label, oblique: Label, closed: Label) -> Formulas:
-    kernel = CRANK_FORCES[key].bare
+def _crank_force(key: str) -> CrankForce:
+    # A table of the motion needs none.
+    from kurbel.drive.crank_forces import CRANK_FORCES
 
+    return CRANK_FORCES[key]
+
+
+def _unloaded(key: str, printed: Label, oblique: Label, closed: Label) -> Formulas:
     def call(at: At) -> Any:
-        return kernel(at.circle, at.ratio, at.offset)
+        return _crank_force(key).bare(at.circle, at.ratio, at.offset)
 
     formulas = {"exact": printed, "infinite": "", OFFSET: oblique, TANGENT: closed}
     return {method: Formula(call, text) for method, text in formulas.items()}
@@ -229,13 +236,11 @@ def _unloaded(key: str, printed: Label, oblique: Label, closed: Label) -> Formul
 
 def _in_newtons(key: str, shares: Formulas) -> Formulas:
     """Return the formulas of the force that acts at the place, with masses too, which no line holds."""
-    loaded = CRANK_FORCES[key].loaded
-
     def call(at: At) -> Any:
         crank, of = at.crank, at.numbers.of
         weights = known(crank.moving).weights(of, crank.pin_acceleration(at.numbers))
         net = at.acting(of(crank.force.first if crank.force else Fraction(0)))
-        return loaded(at.circle, at.ratio, weights, at.offset, net)
+        return _crank_force(key).loaded(at.circle, at.ratio, weights, at.offset, net)
 
     def acting(share: Formula) -> Formula:
         return Formula(lambda at: at.acting(share.kernel(at)), share.printed)
