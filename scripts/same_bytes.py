@@ -257,10 +257,15 @@ def compare(old: Recording, new: Recording, chosen: argparse.Namespace) -> int:
 
 
 def is_wanted(old: Came, new: Came, changes: Sequence[Mapping[str, str]]) -> bool:
-    """Tell whether the wanted changes, each a pattern and what takes its place, make the new of the old."""
+    """Tell whether the wanted changes, each a pattern and what takes its place, make the new of the old.
+
+    A change without a pattern is of command lines whose difference was read and is wanted as it is.
+    """
     text = "\0".join(said(old))
     for change in changes:
         if re.search(change.get("lines", ""), old["line"]):
+            if "old" not in change:
+                return True
             text = re.sub(change["old"], change["new"], text)
     return text == "\0".join(said(new))
 
