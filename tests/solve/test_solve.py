@@ -18,13 +18,15 @@ from mpmath import mp
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import NoRootError, ProblemError
-from kurbel.exact.certify import ball
+from kurbel.exact.certify import ball, half_turn_circle
 from kurbel.exact.course import Course, Target
 from kurbel.exact.place import SQUARE, exact_place
+from kurbel.kernel import kinematics
 from kurbel.linkage.arc.crank import ArcCrank
 from kurbel.linkage.arc.drive import ArcDrive, arc_columns
 from kurbel.motion.drives import Drive, SlideDrive, condition_names, slide_columns
-from kurbel.motion.evaluation import OUT, RETURN
+from kurbel.motion.evaluation import OFFSET, OUT, RETURN, At
+from kurbel.page.quantity import Formula, entry
 from kurbel.reading.units import Speed
 from kurbel.reading.where import VALUE, Condition, read_condition
 from kurbel.solve.solve import Root, solve, target_of
@@ -504,3 +506,51 @@ def test_names_of_conditions_are_quantities_of_their_drives() -> None:
     assert {arc.column_of(name) for name in condition_names(arc_columns().values()).values()} <= set(
         arc.columns
     )
+
+
+def with_entry(drive: SlideDrive, key: str, kernel: Callable[..., Any], **said: Any) -> SlideDrive:
+    """Return the drive with another quantity."""
+    one = entry(
+        key, key, f"${key}$", "", 4, {"exact": Formula(kernel), OFFSET: Formula(kernel)}, names=(key,), **said
+    )
+    drive.entries = {**drive.entries, key: one}
+    return drive
+
+
+def test_a_quantity_of_which_nothing_proves_where_it_rises_is_refused() -> None:
+    crank = Crank(Fraction(1, 5))
+
+    def total(at: At) -> Any:
+        along = kinematics.piston_acceleration(at.circle, at.ratio)
+        return (1 + along * along) ** 0.5
+
+    refused = with_entry(SlideDrive(crank), "total", total)
+    for text in ("total=min", "total=1.1"):
+        with pytest.raises(
+            ProblemError, match="conditions on total are not solved for R:L = 1:5: nothing proves"
+        ):
+            solved(refused, text)
+    refused = with_entry(
+        SlideDrive(Crank(Fraction(1, 3), Fraction(1, 2))),
+        "mu",
+        lambda at: 90 - at.numbers.rod_angle(at.circle, at.ratio, at.offset),
+        is_arc=True,
+    )
+    with pytest.raises(ProblemError, match="conditions on mu are not solved"):
+        solved(refused, "mu=85")
+
+
+def test_an_arc_that_rises_is_had_once_on_a_stroke() -> None:
+    """arcsin x/3 of the straight crank: x/3 < 1 on the whole stroke."""
+    drive = with_entry(
+        SlideDrive(Crank(Fraction(1, 5))),
+        "lift",
+        lambda at: at.numbers.arc(kinematics.piston_path(at.circle, at.ratio) / 3),
+        is_arc=True,
+        rises=True,
+    )
+    (root_out, root_back) = solved(drive, "lift=30")
+    for one in (root_out, root_back):
+        ratio = Fraction(1, 5) * one.stroke
+        path = kinematics.piston_path(half_turn_circle(one.place.half_turns()), ball(ratio))
+        assert abs(float(path) - 1.5) < 1e-12

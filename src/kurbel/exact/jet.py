@@ -59,6 +59,12 @@ class Jet:
         slope = self.slope / (2 * value)
         return Jet(value, slope, (self.bend / 2 - slope * slope) / value)
 
+    def asin(self) -> Jet:
+        """Return the arc that has this sine, within a right angle."""
+        cosine = (1 - self.value * self.value) ** 0.5
+        slope = self.slope / cosine
+        return Jet(self.value.asin(), slope, (self.bend + self.value * slope * slope) / cosine)
+
 
 def _jet(number: Any) -> Jet:
     return number if isinstance(number, Jet) else Jet(number, 0, 0)

@@ -150,7 +150,7 @@ class Drive(ABC):
         return self.entries[self.column_of(quantity)]._replace(stroke=stroke)
 
     def unclosed(self, quantity: Quantity, course: Course) -> Course:
-        """Return the course of a quantity of which algebra decides nothing between the dead centres."""
+        """Return the course of a quantity that rises, of which algebra decides nothing else."""
         return course
 
     def jet(self, quantity: Quantity) -> Jet | None:
@@ -180,6 +180,11 @@ class Drive(ABC):
 
         begin, end = self.ends(stroke)
         jet = self.jet(one)
+        if jet is None and not one.rises:
+            raise ProblemError(
+                f"conditions on {quantity} are not solved{self.where}: nothing proves where it rises and"
+                " where it falls; solve for a quantity with fewer roots"
+            )
         if jet is None:
             return self.unclosed(one, Course(at, slope, begin, end))
         return Course(at, slope, begin, end, jet.value, jet.slope)

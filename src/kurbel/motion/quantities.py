@@ -102,10 +102,10 @@ def registry() -> Mapping[str, Quantity]:
 def _motion_entries() -> Iterator[Quantity]:
     path, velocity = "Kolbenweg|Piston path", "Kolbengeschwindigkeit|Piston velocity"
     acceleration = "Kolbenbeschleunigung|Piston acceleration"
-    yield spanned("x", path, "$x$", "$x/R$", "$R$", 4, PATH, names=("x",))
+    yield spanned("x", path, "$x$", "$x/R$", "$R$", 4, PATH, names=("x",), rises=True)
     yield spanned(
         "x_stroke", path, "$x$", "in Teilen des Hubes|in strokes", "Hub|stroke", 4, PATH,
-        scale=lambda crank, numbers: 1 / crank.stroke(numbers), names=("s",),
+        scale=lambda crank, numbers: 1 / crank.stroke(numbers), names=("s",), rises=True,
     )  # fmt: skip
     yield spanned(
         "x_percent", path, "$x$", "in % des Hubes|in % of stroke", "% des Hubes|% of the stroke", 2, PATH,
@@ -236,6 +236,7 @@ def _unloaded(key: str, printed: Label, oblique: Label, closed: Label) -> Formul
 
 def _in_newtons(key: str, shares: Formulas) -> Formulas:
     """Return the formulas of the force that acts at the place, with masses too, which no line holds."""
+
     def call(at: At) -> Any:
         crank, of = at.crank, at.numbers.of
         weights = known(crank.moving).weights(of, crank.pin_acceleration(at.numbers))

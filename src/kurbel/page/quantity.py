@@ -46,8 +46,8 @@ class Quantity(NamedTuple):
     quantity's unit of the kernel's. `ties` is how near it can come to a rounding boundary where that is not
     the rule of its subject, and `bound` how far a float can lie from the true value, in units of the
     subject's own bound. `needs` names what must be known of the drive or the load, `of` what it is a number
-    of: a turn, a stroke, an angle. `names` are those under which conditions know it. `direction` says in
-    which direction it counts.
+    of: a turn, a stroke, an angle. `names` are those under which conditions know it; `rises` tells that
+    between the dead centres it only rises or only falls. `direction` says in which direction it counts.
     """
 
     key: str
@@ -68,6 +68,7 @@ class Quantity(NamedTuple):
     needs: str = ""
     of: str = ""
     names: tuple[str, ...] = ()
+    rises: bool = False
     direction: Words | None = None
 
     def plain_unit(self, lang: str) -> str:

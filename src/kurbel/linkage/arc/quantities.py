@@ -74,14 +74,22 @@ def arc_registry() -> Mapping[str, Quantity]:
 def _arc_entries() -> Iterator[Quantity]:
     yield _entry(
         "path", "Weg auf dem Bogen|Path along the arc", "x", "R", Formula(_path),
-        is_arc=True, of=STROKE, names=("path", "x"),
+        is_arc=True, of=STROKE, names=("path", "x"), rises=True,
     )  # fmt: skip
     yield _entry("velocity", "Geschwindigkeit|Velocity", "c", "v", _VELOCITY, names=("velocity", "c"))
     yield _entry(
         "acceleration", "Beschleunigung|Acceleration", "p", "v²/R", _ACCELERATION, "$(p R)/v^2$",
         names=("acceleration", "p"),
     )  # fmt: skip
-    yield _entry("rocker", "Schwingenwinkel|Rocker angle", "θ", "°", Formula(_rocker), names=("rocker", "θ"))
+    yield _entry(
+        "rocker",
+        "Schwingenwinkel|Rocker angle",
+        "θ",
+        "°",
+        Formula(_rocker),
+        names=("rocker", "θ"),
+        rises=True,
+    )
     yield _entry(
         "rod", "Schubstangenwinkel|Rod angle", "ψ", "°", Formula(lambda at: _slant(at) - _rocker(at))
     )
