@@ -90,15 +90,15 @@ class House:
         return (self.desk / "pages" / "handbook.html").read_text(encoding="utf-8")
 
 
-def built(name: str, folder: Path) -> House:
-    """Return the house after the steps of a page; what it types must print what stands there."""
+def built(name: str, folder: Path, typed: bool = True) -> House:
+    """Return the house after the steps of a page; what is typed there must print what stands there."""
     house, page = House(folder), PAGES / f"{name}.md"
     text = page.read_text(encoding="utf-8")
     for indent, kind, step, block in BLOCK.findall(text):
         block = textwrap.dedent(block)
         if step:
             house.do(step, block)
-        elif kind == "console":
+        elif kind == "console" and typed:
             shown = "".join(f"$ {command}\n{house.kurbel(command)}" for command in COMMAND.findall(block))
             if os.environ.get("KURBEL_PROMOTE") == "1":
                 page.write_text(
@@ -256,6 +256,47 @@ def test_what_a_new_mechanism_does_not_have_is_refused_with_a_sentence(yoke: Hou
         yoke.kurbel("kurbel forces --mechanism yoke --eps 4")
     with pytest.raises(AssertionError, match="the polar diagram of the Scotch yoke is not drawn"):
         yoke.kurbel("kurbel plot --polar --mechanism yoke -o polar.svg")
+
+
+@pytest.fixture(scope="module")
+def double(tmp_path_factory: pytest.TempPathFactory) -> House:
+    """The yoke with a stroke, a ratio and a letter of its own."""
+    house = built("mechanism", tmp_path_factory.mktemp("double"), typed=False)
+    changed = {
+        "src/kurbel/linkage/yoke/quantities.py": {
+            '"$x/R = 1 - cos φ$")': '"$x/R = 1 - cos φ$", ("$φ$ von innen",))',
+        },
+        "src/kurbel/linkage/yoke/yoke.py": {"    def outline(": '    stroke = "4 R"\n\n    def outline('},
+        "src/kurbel/linkage/yoke/mechanism.py": {
+            "quantities=yoke_registry,": "quantities=yoke_registry, ratios=True,",
+            "def drives(": 'takes = ("ratio",)\n\n    def drives(',
+            "return (Yoke(said.rodless),)": "return tuple(map(Yoke, said.cranks(ratios)))",
+        },
+        "templates/yoke/layout.toml": {
+            'down = ["angle"]': 'ratios = ["1:5"]\ndown = ["ratio", "angle"]',
+        },
+    }
+    for path, parts in changed.items():
+        for old, new in parts.items():
+            house.do(f"replace={shlex.quote(old)} in={path}", new)
+    return house
+
+
+def test_pages_of_a_new_mechanism_say_its_letters_and_its_ratio(double: House) -> None:
+    page = double.kurbel("kurbel table --mechanism yoke --lang en --step 90 --columns phi,path,velocity")
+    assert "x/R = 1 − cos φ, c/v = sin φ, p R/v² = cos φ, φ von innen" in page
+    assert "Path and velocity of a Scotch yoke for R:L = 1:5" in " ".join(page.split())
+    assert "1:3" in double.kurbel("kurbel table --mechanism yoke --ratio 1:3 --step 90 -f markdown")
+    many = double.kurbel("kurbel table --mechanism yoke --ratio '1:3;1:4' --lang en --step 90 -f markdown")
+    assert many.splitlines()[0] == "**Path, velocity and acceleration of a Scotch yoke**"
+    assert many.count("R:L = 1:3") == many.count("R:L = 1:4") == 1
+
+
+def test_pages_of_conditions_say_the_stroke_and_the_ratio_of_a_new_mechanism(double: House) -> None:
+    words = "kurbel solve --mechanism yoke --where s=25% --lang en --ratio"
+    one = " ".join(double.kurbel(f"{words} 1:3").split())
+    assert "for R:L = 1:3, x/S = 25 %" in one
+    assert "from the inner one; S = 4 R" in one
 
 
 @pytest.fixture(scope="module")

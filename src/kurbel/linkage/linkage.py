@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from kurbel.exact.kind import Kind, settled
+from kurbel.exact.numerals import Label
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.linkage import Place
 from kurbel.page.quantity import Quantity, Words
@@ -61,6 +62,11 @@ class Linkage(ABC):
     __slots__ = ()
 
     crank: Any
+
+    @property
+    def stroke(self) -> Label:
+        """The stroke as pages of conditions print it, nothing where no line holds it."""
+        return "2 R"
 
     @abstractmethod
     def place(self, stroke: int, circle: Circle[Any], kind: Kind) -> Place[Any]:

@@ -22,13 +22,19 @@ from kurbel.page.subject import subject
 
 
 class LinkageDrive(Drive):
-    """A drive of `entries` with dead centres at 0° and 180°, and the layout whose page speaks of it."""
+    """A drive of `entries` with dead centres at 0° and 180°, and the layout whose page speaks of it.
 
-    has_rod = False
+    It has a rod if its pages are of ratios.
+    """
 
     def __init__(self, drive: Linkage, entries: Mapping[str, Quantity], page: str) -> None:
         super().__init__(drive.crank, entries)
         self.drive, self.page = drive, page
+        self.has_rod = "ratio" in subject(layout(page).subject).axes
+
+    @property
+    def stroke(self) -> Label:
+        return self.drive.stroke
 
     def value(self, quantity: Quantity, circle: Circle[Any], numbers: Kind) -> Any:
         return linkage.value(quantity, self.drive, circle, numbers)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
@@ -18,7 +18,7 @@ from kurbel.motion.captions import drive_notes, force_notes
 from kurbel.motion.evaluation import NEEDS, needed
 from kurbel.motion.page import AngleQuestion, check_pairs
 from kurbel.page.axes import AngleAxis, ColumnAxis, Place, RatioAxis
-from kurbel.page.quantity import Column, Quantity, Words, enumerated, filled
+from kurbel.page.quantity import Column, Formula, Quantity, Words, enumerated, filled, for_ratio
 from kurbel.page.subject import Subject
 
 
@@ -91,11 +91,20 @@ def _number(question: LinkageRequest, column: Column, place: Place, times: int) 
     return Number(scaled * times, column.places)
 
 
-def captioned(question: LinkageRequest, for_drive: Label = "") -> Label:
-    """Return the layout's caption with its quantities and what tells the drive."""
-    lang = question.lang
+def captioned(question: LinkageRequest, for_drive: Label | None = None) -> Label:
+    """Return the layout's caption with its quantities and what tells the drive, else its one ratio.
+
+    The ratio stands at the end of a caption without a place for it, unless rows or heads have it.
+    """
+    lang, layout = question.lang, question.layout
     names = enumerated((one.quantity.name[lang] for one in question.page_columns), lang)
-    return filled(question.layout.caption[lang], [("{quantities}", names), ("{for_drive}", for_drive)])
+    caption = layout.caption[lang]
+    if for_drive is None:
+        one = len(question.ratios) == 1
+        for_drive = for_ratio(question.ratios[0], lang, layout.ratio_symbol) if one else ""
+        if "{for_drive}" not in caption and "ratio" not in (*layout.stub, *layout.across):
+            caption += "{for_drive}"
+    return filled(caption, [("{quantities}", names), ("{for_drive}", for_drive)])
 
 
 def plain_notes(force: Words, motion: Words, *further: Words) -> Callable[[LinkageRequest], Iterator[Label]]:
@@ -107,13 +116,21 @@ def plain_notes(force: Words, motion: Words, *further: Words) -> Callable[[Linka
         own = (question.entry(column.quantity) for column in question.layout.columns)
         shown = [one for one in own if not question.missing(one)]
         shown += (column.quantity for column in question.page_columns)
-        yield ", ".join(dict.fromkeys(one.formulas["exact"].printed for one in shown))
+        if line := formula_line([one.formulas["exact"] for one in shown]):
+            yield line
         if any(one.of != FORCE for one in shown):
             yield motion[question.lang]
         yield from (one[question.lang] for one in further)
         yield from force_lines(question, force)
 
     return notes
+
+
+def formula_line(formulas: Sequence[Formula]) -> Label:
+    """Return these formulas as they are printed, each once, then what is to be said of their letters."""
+    printed = (one.printed for one in formulas)
+    symbols = (symbol for one in formulas for symbol in one.symbols)
+    return ", ".join(filter(None, dict.fromkeys((*printed, *symbols))))
 
 
 def force_lines(question: LinkageRequest, force: Words) -> Iterator[Label]:

@@ -80,6 +80,11 @@ class Drive(ABC):
         return True
 
     @property
+    def stroke(self) -> Label:
+        """The stroke as pages print it where the drive is straight, nothing where no line holds it."""
+        return "2 R"
+
+    @property
     def names(self) -> Mapping[str, str]:
         """The names of quantities in conditions, and what they stand for."""
         return condition_names(self.entries.values())

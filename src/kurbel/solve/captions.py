@@ -32,10 +32,11 @@ WORDS: Mapping[str, Words] = {
         "${symbol} = {value}$ des Wertes im Totpunkt|${symbol} = {value}$ of the value at the dead centre"
     ),
     "straight": words(
-        "$φ$ vom Totpunkt des Hubes, in der Umdrehung vom inneren Totpunkt; $S = 2 R$"
-        "|$φ$ from the dead centre of the stroke, over the turn from the inner one; $S = 2 R$"
+        "$φ$ vom Totpunkt des Hubes, in der Umdrehung vom inneren Totpunkt; {stroke}"
+        "|$φ$ from the dead centre of the stroke, over the turn from the inner one; {stroke}"
     ),
-    "oblique": words("$φ$ von der Schubrichtung an; $S$ Hub|$φ$ from the slide direction; $S$ stroke"),
+    "oblique": words("$φ$ von der Schubrichtung an; {stroke}|$φ$ from the slide direction; {stroke}"),
+    "length": words("$S$ Hub|$S$ stroke"),
     "extremes": words(
         "größte und kleinste Werte: eines jeden Hubes|greatest and least values: of each stroke"
     ),
@@ -85,7 +86,9 @@ def notes(request: SolveRequest) -> Iterator[Label]:
     """Yield the lines below the table: angles, formulas, closed forms, lengths."""
     lang = request.lang
     straight = all(one.is_straight for one in request.drives)
-    yield WORDS["straight" if straight else "oblique"][lang]
+    strokes = {one.stroke if straight else "" for one in request.drives}
+    said = f"$S = {strokes.pop()}$" if len(strokes) == 1 and all(strokes) else WORDS["length"][lang]
+    yield WORDS["straight" if straight else "oblique"][lang].format(stroke=said)
     if any(condition.kind in (MAX, MIN) for condition in request.conditions):
         yield WORDS["extremes"][lang]
     yield from request.drives[0].formula_lines(request, list(_digits(request)))

@@ -47,8 +47,6 @@ def arc_columns() -> Mapping[str, Quantity]:
 class ArcDrive(LinkageDrive):
     """The arc crank."""
 
-    has_rod = True
-
     def __init__(self, crank: ArcCrank) -> None:
         super().__init__(crank, arc_columns(), "arc")
         self.arc = crank
