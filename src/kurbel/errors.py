@@ -60,6 +60,10 @@ class LayoutError(FailedError):
     """A layout.toml or a template that cannot be used."""
 
 
+class FormatError(FailedError):
+    """A folder of an output format that cannot be used."""
+
+
 class SourceError(FailedError):
     """A source of printed values cannot be used."""
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import ast
+import re
 import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from cli import printed
+from cli import printed, refusal
 
 import kurbel.formats
 from kurbel.errors import ChoiceError
@@ -153,6 +154,29 @@ def test_a_folder_elsewhere_is_a_format(tmp_path: Path) -> None:
     assert target.read_text() == "0\t0,0000\n180\t2,0000\n360\t0,0000\n"
     with pytest.raises(ChoiceError, match=r"\.txt, \.tab, \.md"):
         for_suffix("page.docx")
+
+
+@pytest.mark.usefixtures("elsewhere")
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (TABS.replace('"tabs"', '"tab"'), "the format folder tabs is 'tab'; its name must be 'tabs'"),
+        (TABS.replace("rank=15, ", ""), "tabs cannot be read: TypeError: .* argument: 'rank'"),
+        (
+            "import no_such_module",
+            "tabs cannot be read: ModuleNotFoundError: No module named 'no_such_module'",
+        ),
+        ("FORMAT = 1", "the format folder tabs is 1; its name must be 'tabs'"),
+        ("", "tabs cannot be read: AttributeError: "),
+    ],
+)
+@pytest.mark.parametrize("wanted", ["text", "tabs", "csv"])
+def test_a_folder_of_which_no_format_is_made_is_named_in_one_sentence(
+    text: str, said: str, wanted: str, tmp_path: Path
+) -> None:
+    (tmp_path / "tabs" / "__init__.py").write_text(text)
+    answer = refusal("table", "--ratio=1:5", "-f", wanted, code=1)
+    assert re.search(said, answer), answer
 
 
 def test_a_format_elsewhere_is_gone_with_its_folder() -> None:

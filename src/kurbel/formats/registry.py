@@ -14,7 +14,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple
 
 import kurbel.formats
-from kurbel.errors import ChoiceError
+from kurbel.errors import ChoiceError, FormatError
 from kurbel.exact.numerals import DECIMAL_OF_LANGUAGE, DECIMALS
 
 if TYPE_CHECKING:
@@ -145,7 +145,8 @@ class PageFormat(Format):
 
 
 class _Formats(Mapping[str, Format]):
-    """The formats by their names, in their order; asked for by name, only its own folder is read.
+    """The formats by their names, in their order; asked for by name, only its own folder is read. What no
+    format can be made of raises FormatError.
 
     A folder elsewhere joins them once its parent is on `kurbel.formats.__path__`.
     """
@@ -153,7 +154,14 @@ class _Formats(Mapping[str, Format]):
     def __getitem__(self, name: str) -> Format:
         if name not in _folders(*kurbel.formats.__path__):
             raise KeyError(name)
-        form: Format = import_module(f"kurbel.formats.{name}").FORMAT
+        try:
+            form = import_module(f"kurbel.formats.{name}").FORMAT
+        except Exception as error:
+            said = " ".join(f"{type(error).__name__}: {error}".split())[:300]
+            raise FormatError(f"the format folder {name} cannot be read: {said}") from error
+        if not isinstance(form, Format) or form.name != name:
+            found = getattr(form, "name", form)
+            raise FormatError(f"FORMAT in the format folder {name} is {found!r}; its name must be {name!r}")
         return form
 
     def __iter__(self) -> Iterator[str]:
