@@ -290,7 +290,7 @@ def test_every_way_to_share_out_the_axes_makes_a_page(
     others = [line for line in usual.splitlines() if line.split(" =")[0] not in (*shared, *ARRANGED)]
     text = "\n".join((*(f"{name} = {json.dumps(names)}" for name, names in shared.items()), *others))
     folder = own(tmp_path_factory.mktemp("axes"), text)
-    words = (about.sample or about.command).replace(f" --layout {about.layout}", "").split()
+    words = SUBJECTS[key].sample.replace(f" --layout {about.layout}", "").split()
     if about.whole and axes[end:] != ["column"]:
         said = refusal(*words, "--layouts", folder, "--layout", "mine", code=1)
         assert f'line 3: across must be ["column"]; the other axes of {key} belong together' in said

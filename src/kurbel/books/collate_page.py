@@ -214,7 +214,6 @@ SUBJECT = Subject(
     key="collation",
     layout="collation",
     command="collate",
-    sample="collate roetscher-112",
     axes={"place": _PlaceAxis, "column": ColumnAxis},
     axis_keys=KEYS,
     own_first=False,

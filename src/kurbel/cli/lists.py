@@ -12,7 +12,6 @@ from kurbel.commands.options import Parameter
 from kurbel.commands.parameters import LAYOUTS
 from kurbel.page.axes import PHI, RATIO
 from kurbel.page.layouts import SUBJECTS, Layout, layout, layout_names
-from kurbel.page.subject import subject
 from kurbel.reading.given import File
 
 LANG = lang_option("list")
@@ -27,14 +26,15 @@ def layouts(layouts: File | None, lang: str) -> None:
 
 def _printing(layout: Layout, folder: File | None) -> str:
     """Return what prints the layout."""
-    about = subject(layout.subject)
     own = ("--layouts", str(folder)) if layout.folder and folder else ()
-    return shlex.join(("kurbel", *(about.sample or about.command).split(), *own, "--layout", layout.key))
+    return shlex.join(("kurbel", *SUBJECTS[layout.subject].sample.split(), *own, "--layout", layout.key))
 
 
 @click.command(params=[LANG])
 def quantities(lang: str) -> None:
     """List the quantities that columns can show, with their units and the commands that print them."""
+    from kurbel.page.subject import subject
+
     rows = [("ratio", RATIO[lang], "", "table"), ("phi", PHI[lang], "°", "table")]
     for about in map(subject, SUBJECTS):
         for one, command in about.entries():

@@ -6,21 +6,31 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 
+class Pages(NamedTuple):
+    """Where it stands what pages are about, and what prints one, with all that it needs."""
+
+    place: str
+    sample: str
+
+
 class Registered(NamedTuple):
     """What the pages of a mechanism are about, where it stands, and what sets it apart in the help.
 
-    A module that has it beside a SUBJECT of its own registers that too.
+    A module that has it beside a SUBJECT of its own registers that too, whose pages need those `options`.
     """
 
     subject: str
     place: str
     note: str = ""
+    options: str = ""
 
 
 MECHANISMS: Mapping[str, Registered] = {
     "straight": Registered("motion", "kurbel.motion.mechanism:STRAIGHT", "default"),
     "offset": Registered("motion", "kurbel.motion.mechanism:OFFSET"),
-    "arc": Registered("arc crank", "kurbel.linkage.arc.mechanism:MECHANISM", "the rod moves a rocker"),
+    "arc": Registered(
+        "arc crank", "kurbel.linkage.arc.mechanism:MECHANISM", "the rod moves a rocker", " --rocker 6"
+    ),
     "parallel": Registered("parallel crank", "kurbel.linkage.parallel:MECHANISM", "two equal cranks"),
     # Another mechanism is one more line here.
 }
@@ -28,9 +38,11 @@ MECHANISMS: Mapping[str, Registered] = {
 LINKAGES = tuple(name for name, one in MECHANISMS.items() if one.subject != "motion")
 # What pages about the motion of a mechanism can be about.
 MOTIONS = tuple(dict.fromkeys(one.subject for one in MECHANISMS.values()))
-# Where the subjects of the linkages stand.
-SUBJECTS: Mapping[str, str] = {
-    MECHANISMS[name].subject: f"{MECHANISMS[name].place.partition(':')[0]}:SUBJECT" for name in LINKAGES
+# The subjects of the linkages.
+SUBJECTS: Mapping[str, Pages] = {
+    one.subject: Pages(f"{one.place.partition(':')[0]}:SUBJECT", f"table --mechanism {name}{one.options}")
+    for name, one in MECHANISMS.items()
+    if name in LINKAGES
 }
 
 

@@ -58,14 +58,13 @@ def _listed() -> Iterator[tuple[str, Quantity]]:
 
 
 def _subject(
-    key: str, layout: str, command: str, sample: str, of: tuple[str, ...], **inner: Callable[[Any], Axis]
+    key: str, layout: str, command: str, of: tuple[str, ...], **inner: Callable[[Any], Axis]
 ) -> Subject:
     """Return pages of quantities that are `of` one of these, with an inner axis or none."""
     return Subject(
         key=key,
         layout=layout,
         command=command,
-        sample=f"{command.partition(' ')[0]} {sample}",
         axes={"expansion": ExpansionAxis, "ratio": RatioAxis, **inner, "column": ColumnAxis},
         axis_keys=("epsilon", "ratio", *("phi" if name == "angle" else name for name in inner)),
         quantities=engine_registry,
@@ -80,14 +79,12 @@ def _subject(
     )
 
 
-_STEAM, _WORK = "--eps 4", "--power 50kW --speed 120/min --delta 1:100"
-_MASSES = f"{_STEAM} --bore 300mm --pressure 8bar --stroke 600mm --speed 120/min --reciprocating 300kg"
 _OF_TURNS, _OF_CRANKS = ("turn", *EXTREMES), ("crank", "angle")
 _OF_STROKES = (*_OF_TURNS, "stroke")
-IRREGULARITY = _subject("irregularity", "weisbach-150", "delta", "", _OF_TURNS)
-STROKES = _subject("strokes", "delta-detail", "delta --detail", "", _OF_STROKES, stroke=stroke_axis)
-TURNING = _subject("turning", "turning", "turning", "", ("angle", "turn"), angle=AngleAxis)
-CRANK_FORCES = _subject("crank forces", "engine-forces", "forces", _STEAM, _OF_CRANKS, angle=AngleAxis)
-MACHINE = _subject("machine", "machine-forces", "forces", _MASSES, _OF_CRANKS, angle=AngleAxis)
-FLYWHEEL = _subject("flywheel", "flywheel", "flywheel", _WORK, ("flywheel",), target=target_axis)
+IRREGULARITY = _subject("irregularity", "weisbach-150", "delta", _OF_TURNS)
+STROKES = _subject("strokes", "delta-detail", "delta --detail", _OF_STROKES, stroke=stroke_axis)
+TURNING = _subject("turning", "turning", "turning", ("angle", "turn"), angle=AngleAxis)
+CRANK_FORCES = _subject("crank forces", "engine-forces", "forces", _OF_CRANKS, angle=AngleAxis)
+MACHINE = _subject("machine", "machine-forces", "forces", _OF_CRANKS, angle=AngleAxis)
+FLYWHEEL = _subject("flywheel", "flywheel", "flywheel", ("flywheel",), target=target_axis)
 PAGES = (IRREGULARITY, STROKES, TURNING, CRANK_FORCES, MACHINE, FLYWHEEL)

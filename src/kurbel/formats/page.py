@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence, Set
-from itertools import accumulate, groupby, islice, pairwise, zip_longest
+from itertools import accumulate, chain, groupby, islice, pairwise, zip_longest
 from typing import Literal, NamedTuple
 
 from kurbel.exact.numerals import Label, Number, number_text
@@ -80,7 +80,7 @@ class PagePanel(NamedTuple):
     @property
     def rows(self) -> tuple[tuple[PageCell, ...], ...]:
         """The rows of all groups."""
-        return tuple(row for group in self.groups for row in group.rows)
+        return tuple(chain.from_iterable(group.rows for group in self.groups))
 
     @property
     def spanners(self) -> tuple[tuple[HeadCell, ...], ...]:
@@ -141,9 +141,9 @@ def page(table: Table, writer: PageWriter, mark: str) -> Page:
 
 
 def _figure_widths(panel: PagePanel) -> Iterator[int]:
+    rows = panel.rows
     for place, column in enumerate(panel.columns):
-        cells = (row[place] for row in panel.rows)
-        texts = (cell.text + cell.tail for cell in cells if cell.kind == "number")
+        texts = [row[place].text + row[place].tail for row in rows if row[place].kind == "number"]
         yield max(map(len, texts), default=0) if column.align == "right" else 0
 
 

@@ -151,8 +151,9 @@ def em(text: str) -> float:
 
 
 def _cell_widths(panel: PagePanel) -> list[float]:
+    rows = panel.rows
     return [
-        max((em(row[place].text + row[place].tail) for row in panel.rows), default=0.0)
+        max((em(row[place].text + row[place].tail) for row in rows), default=0.0)
         for place in range(len(panel.columns))
     ]
 

@@ -59,7 +59,6 @@ def linkage_subject(
     quantities: Callable[[], Mapping[str, Quantity]],
     notes: Callable[[LinkageRequest], Iterator[Label]],
     caption: Callable[[LinkageRequest], Label] | None = None,
-    sample: str = "",
     ratios: bool = False,
 ) -> Subject:
     """Return what pages of a drive are about; `ratios` if it has a rod."""
@@ -73,7 +72,6 @@ def linkage_subject(
         key=key,
         layout=layout,
         command=command,
-        sample=sample,
         axes={"ratio": RatioAxis, **over_angle} if ratios else over_angle,
         axis_keys=("ratio", "phi") if ratios else ("phi",),
         quantities=quantities,

@@ -10,6 +10,7 @@ from functools import cache
 from typing import Annotated, Any, ClassVar, TypeAlias
 
 from kurbel.drive import mechanisms
+from kurbel.drive.mechanisms import Pages
 from kurbel.errors import ChoiceError, LayoutError
 from kurbel.exact.numerals import MOST_DIGITS, Label
 from kurbel.reading.given import File, choose
@@ -18,24 +19,26 @@ from kurbel.reading.toml_file import Choice, Fault, TomlFile, TomlKind, about, w
 LANGUAGES = ("de", "en")
 Folder: TypeAlias = str | os.PathLike[str]
 KIND = TomlKind("layout", LayoutError, 200_000, "a layout has axes and columns", "pages/mine/layout.toml")
-# What pages can be about: by its name, where each subject stands.
-SUBJECTS: Mapping[str, str] = {
-    "motion": "kurbel.motion.page:MOTION",
-    "tangent": "kurbel.motion.tangent_page:SUBJECT",
-    "irregularity": "kurbel.engine.page:IRREGULARITY",
-    "strokes": "kurbel.engine.page:STROKES",
-    "turning": "kurbel.engine.page:TURNING",
-    "crank forces": "kurbel.engine.page:CRANK_FORCES",
-    "machine": "kurbel.engine.page:MACHINE",
-    "flywheel": "kurbel.engine.page:FLYWHEEL",
-    "dead centres": "kurbel.linkage.beam_page:SUBJECT",
-    "harmonics": "kurbel.balance.harmonics_page:SUBJECT",
-    "balance": "kurbel.balance.page:SUBJECT",
+_INERTIA = "inertia --centre 0.65 --gyration 0.35"
+_MACHINE = "forces --eps 4 --bore 300mm --pressure 8bar --stroke 600mm --speed 120/min --reciprocating 300kg"
+# What pages can be about, by its name.
+SUBJECTS: Mapping[str, Pages] = {
+    "motion": Pages("kurbel.motion.page:MOTION", "table"),
+    "tangent": Pages("kurbel.motion.tangent_page:SUBJECT", "forces --at tangent"),
+    "irregularity": Pages("kurbel.engine.page:IRREGULARITY", "delta"),
+    "strokes": Pages("kurbel.engine.page:STROKES", "delta"),
+    "turning": Pages("kurbel.engine.page:TURNING", "turning"),
+    "crank forces": Pages("kurbel.engine.page:CRANK_FORCES", "forces --eps 4"),
+    "machine": Pages("kurbel.engine.page:MACHINE", _MACHINE),
+    "flywheel": Pages("kurbel.engine.page:FLYWHEEL", "flywheel --power 50kW --speed 120/min --delta 1:100"),
+    "dead centres": Pages("kurbel.linkage.beam_page:SUBJECT", "deadcentres"),
+    "harmonics": Pages("kurbel.balance.harmonics_page:SUBJECT", "harmonics"),
+    "balance": Pages("kurbel.balance.page:SUBJECT", "balance"),
     **mechanisms.SUBJECTS,
-    "inertia": "kurbel.motion.inertia_page:INERTIA",
-    "inertia errors": "kurbel.motion.inertia_page:SUBJECT",
-    "roots": "kurbel.solve.page:SUBJECT",
-    "collation": "kurbel.books.collate_page:SUBJECT",
+    "inertia": Pages("kurbel.motion.inertia_page:INERTIA", _INERTIA),
+    "inertia errors": Pages("kurbel.motion.inertia_page:SUBJECT", _INERTIA),
+    "roots": Pages("kurbel.solve.page:SUBJECT", "solve --where p=0"),
+    "collation": Pages("kurbel.books.collate_page:SUBJECT", "collate roetscher-112"),
 }
 
 

@@ -29,12 +29,11 @@ class Subject(NamedTuple):
 
     `axes` by their names, outermost first, each made of the question; "column" is that of the quantities.
     `number` is what stands at a place, times a factor; the question keeps what it computed once. `layout`
-    is the default layout, `command` what prints its pages, `sample` the same with all that a page needs.
-    `of` is what the quantities are numbers of that a layout can show beside its own, all if it is empty;
-    its own stand first in lists unless all come in the order of the quantities. `exists` leaves out
-    places that a grid has too many, `marks` are those of notes at a place, `beside` the columns that
-    follow one in records, `rows` the records where they are long or others than the page's, and `grid`
-    the page where it is that of another layout.
+    is the default layout, `command` what prints its pages. `of` is what the quantities are numbers of that
+    a layout can show beside its own, all if it is empty; its own stand first in lists unless all come in
+    the order of the quantities. `exists` leaves out places that a grid has too many, `marks` are those of
+    notes at a place, `beside` the columns that follow one in records, `rows` the records where they are
+    long or others than the page's, and `grid` the page where it is that of another layout.
 
     Lists of quantities name those that are `listed`, each with the command that prints it, by default all
     that any of its layouts can show; with `letters` the symbol stands beside the name. `options` tell what
@@ -51,7 +50,6 @@ class Subject(NamedTuple):
     caption: Callable[[Any], Label]
     notes: Callable[[Any], Iterable[Label | Note]]
     page_notes: Callable[[Any], Iterable[Label]] = lambda question: ()
-    sample: str = ""
     own_first: bool = True
     of: tuple[str, ...] = ()
     exists: Callable[[Any, Place], bool] = _everywhere
@@ -96,7 +94,7 @@ class Subject(NamedTuple):
 @cache
 def subject(key: str) -> Subject:
     """Return what pages are about that say so."""
-    found = resolve_name(SUBJECTS[key])
+    found = resolve_name(SUBJECTS[key].place)
     assert isinstance(found, Subject)
     return found
 

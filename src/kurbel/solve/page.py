@@ -215,7 +215,6 @@ SUBJECT = Subject(
     key="roots",
     layout="solve",
     command="solve",
-    sample="solve --where p=0",
     axes={
         "ratio": RatioAxis,
         "condition": _condition_axis,

@@ -20,7 +20,6 @@ SUBJECT = linkage_subject(
     "arc crank",
     layout="arc",
     command="table --mechanism arc",
-    sample="table --mechanism arc --rocker 6",
     quantities=arc_registry,
     caption=captions.caption,
     notes=captions.notes,
