@@ -84,6 +84,10 @@ class Drive(ABC):
         """The stroke as pages print it where the drive is straight, nothing where no line holds it."""
         return "2 R"
 
+    def at_dead_centre(self, stroke: int) -> Fraction | None:
+        """Return the acceleration where the stroke begins, in v²/R, where it is known to be rational."""
+        return None
+
     @property
     def names(self) -> Mapping[str, str]:
         """The names of quantities in conditions, and what they stand for."""
@@ -205,6 +209,10 @@ class SlideDrive(Drive):
     @property
     def is_straight(self) -> bool:
         return not (self.crank.offset and self.crank.ratio)
+
+    def at_dead_centre(self, stroke: int) -> Fraction | None:
+        # p = 1 ± λ by every formula.
+        return 1 + stroke * self.ratio if self.is_straight else None
 
     def value(self, quantity: Quantity, circle: Circle[Any], numbers: Kind) -> Any:
         return value(quantity, self.method, self.crank, circle, numbers)

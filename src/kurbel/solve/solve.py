@@ -118,9 +118,8 @@ def _share_at_dead_centre(drive: Drive, condition: Condition, stroke: int) -> Ta
     share, course = condition.value, drive.course(condition.quantity, stroke)
     if not share:
         return Target.rational(share)
-    if drive.is_straight:
-        # p = 1 ± λ by every formula.
-        return Target.rational(share * (1 + stroke * drive.ratio))
+    if (whole := drive.at_dead_centre(stroke)) is not None:
+        return Target.rational(share * whole)
     return Target(lambda: ball(share) * course.value(course.begin.half_turns()), None, share == 1)
 
 
