@@ -8,6 +8,7 @@ import pydoc
 import re
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -184,6 +185,13 @@ WRONG: list[tuple[Any, dict[str, Any], str]] = [
     (kurbel.dead_centres_table, {"beam": []}, "no beam arm was given"),
     (kurbel.plot_motion, {"ratio": []}, "no crank ratio was given"),
     (kurbel.plot_polar, {"ratio": ()}, "no crank ratio was given"),
+    (kurbel.table, {"angle": b"0"}, "angle is bytes; give text or numbers"),
+    (kurbel.table, {"label": 5}, "label is 5; it must be text"),
+    (kurbel.table, {"digits": "x"}, 'digits "x" cannot be printed'),
+    (kurbel.table, {"digits": True}, "whole number from 0 to 50"),
+    (kurbel.delta_table, {"single_acting": "no"}, "single_acting is no; it must be True or False"),
+    (kurbel.delta_table, {"card": "a\0b"}, "card is a\\0b, which is not the name of a file"),
+    (kurbel.table, {"columns": (one for one in ("phi", "nope"))}, "nope"),
 ]
 
 
@@ -198,3 +206,27 @@ def test_values_of_another_kind_are_answered_with_a_sentence(
 def test_none_leaves_an_option_out() -> None:
     nothing: dict[str, Any] = dict.fromkeys(("lang", "rounding", "label"))
     assert str(kurbel.table("1:5", step=90, **nothing)) == str(kurbel.table("1:5", step=90))
+
+
+SAME: list[tuple[Callable[..., Any], dict[str, Any], dict[str, Any]]] = [
+    (kurbel.table, {"angle": iter((0, 90))}, {"angle": "0;90"}),
+    (kurbel.table, {"ratio": (one for one in ("1:4", "1:5"))}, {"ratio": "1:4;1:5"}),
+    (kurbel.table, {"columns": map(str, ("phi", "x"))}, {"columns": "phi,x"}),
+    (kurbel.table, {"angle": np.array(90), "ratio": np.array(0.2)}, {"angle": 90, "ratio": "1:5"}),
+    (kurbel.table, {"digits": "3"}, {"digits": 3}),
+    (kurbel.table, {"digits": np.int64(3)}, {"digits": 3}),
+    (kurbel.delta_table, {"eps": 4, "method": iter(("weisbach",))}, {"eps": 4, "method": "weisbach"}),
+    (kurbel.harmonics_table, {"ratio": "1:5", "orders": "6"}, {"ratio": "1:5", "orders": 6}),
+]
+
+
+@pytest.mark.parametrize(("function", "given", "plain"), SAME, ids=[str(one[2]) for one in SAME])
+def test_iterators_numbers_as_text_and_arrays_of_one_number_are_read(
+    function: Callable[..., Any], given: dict[str, Any], plain: dict[str, Any]
+) -> None:
+    assert str(function(**given)) == str(function(**plain))
+
+
+def test_a_name_with_a_nul_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(KurbelError, match="a NUL in its name"):
+        kurbel.table("1:5").save(str(tmp_path / "a\0.tex"))

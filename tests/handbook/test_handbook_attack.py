@@ -279,3 +279,15 @@ def test_a_build_that_is_ended_ends_its_tex(programs: Programs, tmp_path: Path) 
     process.communicate()
     assert process.returncode == 143
     wait_until(lambda: not is_running(int(number.read_text())))
+
+
+def test_a_file_with_a_nul_in_its_name_fails_its_table_with_a_sentence(tmp_path: Path) -> None:
+    folder = tmp_path / "book"
+    folder.mkdir()
+    run = "delta --card a\\u0000b"
+    manifest = f'title = "T"\nformats = ["csv"]\n[[chapter]]\ntitle = "A"\n[[chapter.part]]\nrun = "{run}"\n'
+    (folder / "handbook.toml").write_text(manifest, encoding="utf-8")
+    came = kurbel("handbook", "build", "-j", "1", str(folder))
+    assert came.code == 1
+    assert "line 6" in came.err
+    assert "the name of a file has a NUL" in came.err

@@ -14,7 +14,7 @@ from kurbel.commands import options as kinds
 from kurbel.commands.options import Parameter, is_given
 from kurbel.commands.parameters import LANG
 from kurbel.commands.subject import Command
-from kurbel.errors import MachineError, ProblemError
+from kurbel.errors import MachineError, NotationError, ProblemError
 from kurbel.exact.numerals import DECIMALS
 from kurbel.formats.registry import FORMATS
 from kurbel.reading.given import File, as_length, as_ratios
@@ -83,6 +83,8 @@ class FileName(click.Path):
     ) -> File:
         document = ctx and ctx.find_object(Document)
         file = value if isinstance(value, File) else File(value, document.folder if document else "")
+        if "\0" in file.name:
+            raise NotationError("the name of a file has a NUL, which no file can have")
         super().convert(os.fspath(file), param, ctx)
         return file
 

@@ -10,7 +10,7 @@ or behind them if they are `last`, unless it has an order of its own. Their defa
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from os import PathLike
 from pkgutil import resolve_name
 from typing import Any, NamedTuple, cast, get_args
@@ -32,8 +32,11 @@ class Kind:
         """Return what was typed as a value. Raises KurbelError."""
         return text
 
-    def check(self, value: Any, name: str) -> None:
-        """Raise KurbelError for what Python gave that can be no value of the option with this name."""
+    def taken(self, value: Any, name: str) -> Any:
+        """Return what Python gave as a value of the option with this name. Raises KurbelError."""
+        if isinstance(value, bytes):
+            raise NotationError(f"{name} is bytes; give text or numbers")
+        return value
 
     def known(self, typed: Mapping[str, Any]) -> Iterable[str]:
         """Return the texts that shells offer."""
@@ -45,16 +48,28 @@ class Kind:
 
 
 TEXT = Kind()
-# Said or not.
-FLAG = Kind()
+
+
+class Flag(Kind):
+    """Said or not."""
+
+    def taken(self, value: Any, name: str) -> Any:
+        if not isinstance(value, bool):
+            raise NotationError(f"{name} is {str(value)[:40]}; it must be True or False")
+        return value
+
+
+FLAG = Flag()
 
 
 class File(Kind):
     """A file or a folder that is read."""
 
-    def check(self, value: Any, name: str) -> None:
-        if not isinstance(value, str | PathLike):
-            raise NotationError(f"{name} is {str(value)[:40]}, which is not the name of a file or a folder")
+    def taken(self, value: Any, name: str) -> Any:
+        if not isinstance(value, str | PathLike) or "\0" in str(value):
+            said = str(value)[:40].replace("\0", "\\0")
+            raise NotationError(f"{name} is {said}, which is not the name of a file or a folder")
+        return value
 
 
 FILE = File()
@@ -77,8 +92,8 @@ class Choice(Kind):
     def read(self, text: str, typed: Mapping[str, Any]) -> str:
         return choose(text, self.names, self.name)
 
-    def check(self, value: Any, name: str) -> None:
-        self.read(value, {})
+    def taken(self, value: Any, name: str) -> Any:
+        return self.read(value, {})
 
     def known(self, typed: Mapping[str, Any]) -> Iterable[str]:
         return self.names
@@ -100,6 +115,12 @@ class Count(Kind):
                 f'{self.what} "{text[:40]}" cannot be printed; write a whole number from {self.bounds}'
             )
         return self.allowed[str(text)]
+
+    def taken(self, value: Any, name: str) -> Any:
+        # An integer is checked where it is used; one of NumPy is no `int`.
+        if type(value) is int or not (isinstance(value, str) or hasattr(value, "__index__")):
+            return value
+        return self.read(str(value), {})
 
 
 class Columns(Kind):
@@ -146,9 +167,10 @@ class LayoutName(Kind):
 
         return text if text in layout_names(_folder(typed)) else choose(text, self.known(typed), self.name)
 
-    def check(self, value: Any, name: str) -> None:
+    def taken(self, value: Any, name: str) -> Any:
         if not isinstance(value, str):
             raise NotationError(f"{name} is {str(value)[:40]}, which is not the name of a layout")
+        return value
 
     def known(self, typed: Mapping[str, Any]) -> Iterable[str]:
         from kurbel.page.layouts import layout, layout_names
@@ -197,6 +219,20 @@ class Parameter(NamedTuple):
     def flag(self) -> str:
         return f"--{self.name.replace('_', '-')}"
 
+    def taken(self, value: Any) -> Any:
+        """Return what Python gave, an iterator as a list. Raises KurbelError for another kind."""
+        if isinstance(value, Iterator):
+            value = tuple(value)
+        elif getattr(value, "shape", None) == ():
+            # An array of no dimension is a number.
+            value = value.item()
+        if value is None or value is False:
+            return value
+        kind, one = self.option.kind, isinstance(value, str | bytes | PathLike)
+        if one or not self.option.many or not isinstance(value, Iterable):
+            return kind.taken(value, self.name)
+        return value if kind is TEXT else [kind.taken(each, self.name) for each in value]
+
 
 def signature_of(function: Callable[..., Any], order: str = "") -> inspect.Signature:
     """Return the signature of a function, with the options that it shares one by one.
@@ -236,16 +272,6 @@ def parameters_of(signature: inspect.Signature) -> Mapping[str, Parameter]:
         default = None if required else one.default
         found[name] = Parameter(name.rstrip("_"), _option(one.annotation), default, required)
     return found
-
-
-def check_kinds(parameters: Iterable[Parameter], values: Mapping[str, Any]) -> None:
-    """Raise KurbelError for a name that is none of those allowed, and for a file that is no name."""
-    for parameter in parameters:
-        value = values[parameter.name]
-        if value is not None and value is not False:
-            one_of_them = isinstance(value, str | PathLike) or not isinstance(value, Iterable)
-            for one in [value] if one_of_them or not parameter.option.many else value:
-                parameter.option.kind.check(one, parameter.name)
 
 
 def is_given(value: Any) -> bool:

@@ -8,7 +8,7 @@ from functools import wraps
 from pkgutil import resolve_name
 from typing import TYPE_CHECKING, Any, NamedTuple, ParamSpec, Protocol, TypeVar, cast
 
-from kurbel.commands.options import Parameter, check_kinds, described, is_given, parameters_of, signature_of
+from kurbel.commands.options import Parameter, described, is_given, parameters_of, signature_of
 from kurbel.errors import ProblemError
 
 if TYPE_CHECKING:
@@ -124,9 +124,10 @@ def _checked(command: Command) -> Callable[..., Any]:
         for name in [name for name, value in bound.arguments.items() if value is None]:
             if not command.parameters[name].required:
                 del bound.arguments[name]
+        for name, value in bound.arguments.items():
+            bound.arguments[name] = command.parameters[name].taken(value)
         bound.apply_defaults()
         values = {command.parameters[name].name: value for name, value in bound.arguments.items()}
-        check_kinds(command.parameters.values(), values)
         command.refuse(values, lambda name: is_given(values[name]))
         return command.ask(**bound.arguments)
 

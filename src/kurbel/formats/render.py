@@ -141,6 +141,8 @@ def whole_file(target: str) -> Iterator[BinaryIO]:
         yield sys.stdout.buffer
         sys.stdout.buffer.flush()
         return
+    if "\0" in target:
+        raise OutputError("cannot write a file with a NUL in its name")
     # Later than most imports: the first table on a terminal is there sooner without it.
     from pathlib import Path
 

@@ -246,5 +246,7 @@ def check_rounding(digits: int | None, rounding: str) -> None:
 
 def check_label(label: str) -> None:
     """Raise a KurbelError unless cross references can bear the label."""
-    if any(not (one.isascii() and (one.isalnum() or one in "-.:")) for one in str(label)):
-        raise ProblemError(f'label "{str(label)[:40]}" may have letters, digits and the signs -.: only')
+    if not isinstance(label, str):
+        raise ProblemError(f"label is {str(label)[:40]}; it must be text")
+    if any(not (one.isascii() and (one.isalnum() or one in "-.:")) for one in label):
+        raise ProblemError(f'label "{label[:40]}" may have letters, digits and the signs -.: only')
