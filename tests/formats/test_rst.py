@@ -13,7 +13,7 @@ from typing import Any
 import handbook
 import pytest
 from docutils import nodes
-from docutils.core import publish_doctree
+from docutils.core import publish_doctree, publish_string
 from docutils.parsers.rst import roles
 from docutils.utils import unescape
 from everything import everything
@@ -33,6 +33,7 @@ from kurbel.formats.printer import set_prose
 from kurbel.formats.render import render
 from kurbel.formats.rst.grid import GridCell, grid_lines
 from kurbel.formats.rst.writer import escape, finish, role
+from kurbel.page.formula import FUNCTIONS, GREEK, SIGNS, SYMBOLS, parse_formula
 from kurbel.page.labels import plain
 from kurbel.page.layouts import LANGUAGES, layout_names
 
@@ -103,6 +104,22 @@ def test_prose_beside_markup_is_printed_as_it_is(before: str, after: str) -> Non
     before, after = (" ".join(text.split()) for text in (before, after))
     source = finish(escape(before) + role("sup", "x") + escape(after))
     assert letters(read(f"Wort {source}\n")) == "".join(f"Wort{before}x{after}".split())
+
+
+def test_docutils_makes_mathml_of_every_sign_of_a_formula() -> None:
+    functions = [f"{name} x" for name in FUNCTIONS]
+    sums, values = [f"a {sign} b" for sign in SIGNS], [f"a + {symbol}" for symbol in SYMBOLS if symbol != '"']
+    shapes = ["[(1 + x)/(sqrt(2))]^2", 'x_(max) = 1.5 "m/s"']
+    formulas = [*GREEK, *functions, *sums, *values, *shapes]
+    lines = [
+        finish(page_format("rst").writer.formula(parse_formula(one), ",", display=True)) for one in formulas
+    ]
+    said = io.StringIO()
+    options = {"warning_stream": said, "_disable_config": True, "math_output": "MathML"}
+    page = publish_string("\n\n".join(lines), writer="html5", settings_overrides=options).decode()
+    assert said.getvalue() == ""
+    assert page.count("<math ") == len(formulas)
+    assert ">…</m" in page
 
 
 def test_escaped_spaces_stand_only_where_markup_would_join_its_neighbours() -> None:

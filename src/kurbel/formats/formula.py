@@ -62,10 +62,11 @@ def _is_unit(node: tree.Node) -> bool:
 
 
 class TexMath(NamedTuple):
-    """Sets formulas with a decimal mark; `upright` sets the words in them."""
+    """Sets formulas with a decimal mark; `upright` sets the words in them, `dots` is the command of …."""
 
     mark: str
     upright: Callable[[str], str]
+    dots: str = tree.SYMBOLS["…"][1]
 
     def set(self, nodes: tree.Nodes) -> str:
         r"""Return what stands between dollar signs: x/R, \frac{1}{4{,}5}\cos\varphi. Needs amsmath."""
@@ -88,6 +89,8 @@ class TexMath(NamedTuple):
                 return text.replace(".", "{,}" if self.mark == "," else self.mark)
             case tree.Sign(text):
                 return tree.SIGNS[text][1]
+            case tree.Symbol("…"):
+                return self.dots
             case tree.Symbol(text):
                 return tree.SYMBOLS[text][1]
             case tree.Upright(text):

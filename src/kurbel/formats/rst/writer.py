@@ -31,7 +31,8 @@ class Writer(PageWriter):
         `display` gives fractions their full size.
         """
         size = r"\displaystyle " if display and has_bar(formula.content) else ""
-        tex = TexMath(mark, lambda text: text.translate(_UPRIGHT))
+        # docutils, which makes MathML of formulas, does not know \dots.
+        tex = TexMath(mark, lambda text: text.translate(_UPRIGHT), dots=r"\ldots")
         return role("math", size + tex.set(formula.content))
 
     def finish(self, label: str) -> str:
