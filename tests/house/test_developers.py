@@ -297,6 +297,9 @@ def test_pages_of_conditions_say_the_stroke_and_the_ratio_of_a_new_mechanism(dou
     one = " ".join(double.kurbel(f"{words} 1:3").split())
     assert "for R:L = 1:3, x/S = 25 %" in one
     assert "from the inner one; S = 4 R" in one
+    double.kurbel("kurbel plot --mechanism yoke --ratio 1:3 --positions 50 --lang en -o double.svg")
+    drawn = (double.desk / "double.svg").read_text(encoding="utf-8")
+    assert "Scotch yoke for R:L = 1:3" in drawn, re.findall("<title.*?</title>", drawn)
     # Whatever the ratio is, p is cos φ.
     share = double.kurbel("kurbel solve --mechanism yoke --ratio 1:3 --where 'p = 1/2 of dead centre' -f csv")
     assert [line.split(",")[3] for line in share.splitlines()[1:]] == ["60.0000", "60.0000"]

@@ -85,7 +85,8 @@ def links_drawing(drive: Linkage, angles: Sequence[Fraction], lang: str, mark: s
     _check_positions(angles)
     outline = drive.outline()
     assert outline is not None
-    return Drawing(outlined(outline, angles, mark), outline.title[lang])
+    ratio = for_ratio(drive.crank.ratio, lang) if drive.crank.ratio else ""
+    return Drawing(outlined(outline, angles, mark), outline.title[lang] + ratio)
 
 
 def _check_positions(angles: Sequence[Fraction]) -> None:
