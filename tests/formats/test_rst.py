@@ -88,6 +88,8 @@ _LIST = re.compile(r"<(?:li|ol|ul|hr|pre|a)\b")
 @example("```0\u00a0```")
 @example("a *b*c **d *e*** `` `f ``g")
 @example("- a\n\n> b\n\n> c\n\n1. d\n\n\n1) e")
+@example('# x `a\tb` y\n\n`c\td` `e`\n\n| `f\tg` | h |\n|-|-|\n| `i\tj` | $"k\tl"$ |')
+@example("```\na\u2028b\u2029c\n```\n\n# `d\u2028e`\n\n- `f\u2029g`\n\nh\u2028i")
 @settings(max_examples=200, deadline=None)
 @given(TEXTS)
 def test_any_text_is_read_without_a_warning_and_shows_its_characters(text: str) -> None:
@@ -287,6 +289,14 @@ def test_document_names_its_captions_for_those_who_do_not_see_the_figure() -> No
     (figure,) = handbook.small().items("figure")
     assert f":alt: {plain(figure.caption, ',')}\n" in pages["rst/01-kurz.rst"]
     compile(pages["rst/conf.py"], "conf.py", "exec")
+
+
+def test_blanks_around_a_title_are_not_printed() -> None:
+    blank = Document(" Buch ", "de", "", (Chapter(" $x/R$ Kopf ", "kopf", 1, ()),), " Unter", " Wer")
+    files = document_files(blank, "rst", {})
+    seen = read(files["rst/index.rst"].split(".. toctree")[0]), read(files["rst/01-kopf.rst"])
+    assert [title.astext() for one in seen for title in one.findall(nodes.title)] == ["Buch", "x/R Kopf"]
+    assert not [quote for one in seen for quote in one.findall(nodes.block_quote)]
 
 
 def test_headings_in_lists_and_quotations_are_no_sections() -> None:

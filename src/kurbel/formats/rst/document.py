@@ -39,7 +39,8 @@ class Maker(DocumentMaker):
         return super().parts(chapter._replace(items=tuple(items)))
 
     def titled(self, label: Label, lang: str = "") -> str:
-        return finish(super().titled(label, lang))
+        # A line that begins with a blank would be a quotation.
+        return finish(super().titled(label, lang)).strip(" ")
 
     def part(self, item: Item) -> DocumentPart:
         part: DocumentPart = super().part(item)

@@ -16,6 +16,10 @@ _INDENT = " " * 3
 _COMMENT = ".."
 _TITLE = str.maketrans({"\\": r"\\", "`": r"\`", "<": r"\<", ">": r"\>"})
 _LAST_LINE = re.compile(r"_(?=$)")
+# docutils ends a line at these, too.
+_SEPARATORS = str.maketrans(dict.fromkeys("\u2028\u2029", " "))
+# It widens tabs, which would make a heading longer than its line and part the cells of a table.
+_ENDS = str.maketrans(dict.fromkeys("\n\t", " "))
 
 
 class Printer(ProsePrinter):
@@ -23,6 +27,9 @@ class Printer(ProsePrinter):
     depth = 0
     # A transition may neither begin nor end a section, nor stand in a list.
     rule = ".. container:: kurbel-rule\n\n   \\* \\* \\*"
+
+    def document(self, blocks: prose.Blocks) -> str:
+        return super().document(blocks).translate(_SEPARATORS)
 
     def blocks(self, blocks: prose.Blocks, between: str = "\n\n") -> str:
         pieces: list[str] = []
@@ -89,8 +96,8 @@ class Printer(ProsePrinter):
                     yield self.inline(inline)
 
     def _line(self, content: prose.Inlines) -> str:
-        """Return inlines where no line may end."""
-        return self.inlines(content).replace("\n", " ").strip(" ")
+        """Return inlines where no line may end and no tab stand."""
+        return self.inlines(content).translate(_ENDS).strip(" ")
 
     def code(self, text: str) -> str:
         inner = text.replace("\u00a0", " ").strip()
