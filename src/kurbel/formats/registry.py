@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple
@@ -33,7 +33,8 @@ class Format:
     `rank` is its place where formats are listed, `media` what it is in a few words. `decimal` is "language"
     or "point": where the decimal mark comes from unless the user sets it. `usual` formats are built by a
     handbook that names none. Of several, the `legible` one of the lowest number, from 1, shows a reader best
-    what changed. What only pages have is empty here: see `PageFormat`.
+    what changed. What only pages or compiled documents have is empty here: see `PageFormat` and
+    `CompiledFormat`.
     """
 
     kind: ClassVar[Literal["page", "records", "compiled"]]
@@ -48,6 +49,9 @@ class Format:
     breaks: bool = False
     figures: str = ""
     folder: str = ""
+    marked: bool = False
+    draws: bool = False
+    engines: Mapping[str, Engine] = field(default_factory=dict)
 
     def decimal_name(self, lang: str, decimal: str | None = None) -> str:
         """Return "comma" or "point": what the user asks for, else the rule of the format."""
@@ -100,7 +104,6 @@ class Engine(NamedTuple):
     obeys: bool = False
 
 
-@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class CompiledFormat(Format):
     """A format of bytes, made of the document in another format.
 
@@ -108,7 +111,6 @@ class CompiledFormat(Format):
     """
 
     kind = "compiled"
-    engines: Mapping[str, Engine]
 
     @property
     def writer(self) -> CompiledWriter:
@@ -116,7 +118,6 @@ class CompiledFormat(Format):
         return writer
 
 
-@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class PageFormat(Format):
     """A format of pages.
 
@@ -127,8 +128,6 @@ class PageFormat(Format):
     """
 
     kind = "page"
-    marked: bool = False
-    draws: bool = False
 
     @property
     def writer(self) -> PageWriter:

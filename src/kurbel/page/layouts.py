@@ -106,7 +106,7 @@ class Subject(Choice, what="subject", allowed=SUBJECTS):
 _MOTION, _NO_NOTES = Subject("motion"), Notes()
 Names = tuple[str, ...]
 LARGEST_BLOCK = 500
-_NAME = re.compile(r"[A-Za-z0-9]+(?:-+[A-Za-z0-9]+)*")
+_NAME = r"[A-Za-z0-9]+(?:-+[A-Za-z0-9]+)*"
 
 
 @dataclass(frozen=True, repr=False)
@@ -230,7 +230,7 @@ def layout_names(folder: Folder | None = None) -> tuple[str, ...]:
         file = layout_file(folder, name)
         if name in own:
             raise LayoutError(f"{file} has the name of a layout of kurbel's; give it another")
-        if not _NAME.fullmatch(name):
+        if not re.fullmatch(_NAME, name):
             raise LayoutError(f"{file}: the folder {name[:60]} names the layout; use letters, digits and -")
     return tuple(sorted(own + theirs))
 
