@@ -220,7 +220,7 @@ class Setter:
         return done
 
     def cell(self, cell: Cell, decimals: int) -> PageCell:
-        marks = "".join(self.note_mark(mark) for mark in cell.notes)
+        marks = "".join(map(self.note_mark, cell.notes))
         match cell.value:
             case Number() as number:
                 text = number_text(number, self.mark, self.writer.minus)

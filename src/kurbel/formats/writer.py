@@ -147,7 +147,7 @@ _EM = {character: width for characters, width in _CHARACTERS for character in ch
 
 def em(text: str) -> float:
     """Return the width of a text in units of the type size."""
-    return sum(_EM.get(character, 0.52) for character in text)
+    return sum([_EM.get(character, 0.52) for character in text])
 
 
 def _cell_widths(panel: PagePanel) -> list[float]:
