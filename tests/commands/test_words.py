@@ -195,7 +195,7 @@ WRONG: list[tuple[Any, dict[str, Any], str]] = [
 ]
 
 
-@pytest.mark.parametrize(("function", "given", "said"), WRONG, ids=[str(one[1]) for one in WRONG])
+@pytest.mark.parametrize(("function", "given", "said"), WRONG, ids=[one[2] for one in WRONG])
 def test_values_of_another_kind_are_answered_with_a_sentence(
     function: Any, given: dict[str, Any], said: str
 ) -> None:
