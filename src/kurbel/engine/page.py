@@ -8,6 +8,7 @@ from typing import Any
 from kurbel.engine import captions
 from kurbel.engine.axes import ExpansionAxis, stroke_axis, target_axis
 from kurbel.engine.digits import Asked, error_number, estimate, estimated, settled
+from kurbel.engine.engine import Steam
 from kurbel.engine.quantities import EXTREMES, WHOLE, applies, engine_registry
 from kurbel.engine.request import EngineRequest
 from kurbel.exact.numerals import Number
@@ -76,6 +77,7 @@ def _subject(
         beside=_error_of,
         listed=_listed if key == "irregularity" else tuple,
         letters=True,
+        limits={"expansion": Steam},
     )
 
 

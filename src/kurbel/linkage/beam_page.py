@@ -105,4 +105,5 @@ SUBJECT = Subject(
     number=_number,
     caption=_caption,
     notes=_notes,
+    limits={"arm": lambda arm: BeamEngine(arm, Fraction(0))},
 )

@@ -45,7 +45,7 @@ def own_grid(question: Question) -> tuple[Layout, Grid]:
     """Return the layout, and the axes of the page with what stands at their places."""
     about, layout, columns = question.subject, question.layout, question.page_columns
     if not columns:
-        raise ProblemError(question.no_column)
+        raise ProblemError(question.columnless)
     check_size(layout, {name: axis.size for name, axis in question.axes.items()})
 
     def cell(place: Place) -> Cell:

@@ -5,13 +5,15 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from typing import Any
 
+from kurbel.drive.crank import Crank, check_angles
 from kurbel.errors import KurbelError, LayoutError
 from kurbel.page.formula import GREEK
 from kurbel.page.labels import Mark, parse
 from kurbel.page.layouts import LANGUAGES, Layout, layout, layout_names
-from kurbel.page.subject import subject
+from kurbel.page.subject import Limit, subject
 from kurbel.reading import notation
 from kurbel.reading.given import choose
 from kurbel.reading.toml_file import Place, TomlFile
@@ -62,10 +64,11 @@ def _faults_of_axes(page: Layout) -> Iterator[tuple[Place, str]]:
 
 
 def _faults_of_values(page: Layout) -> Iterator[tuple[Place, str]]:
-    for axis, (key, read) in VALUES.items():
+    limits: Mapping[str, Limit] = {"ratio": Crank, **subject(page.subject).limits}
+    for axis, (key, _) in VALUES.items():
         texts: tuple[str, ...] = getattr(page, key)
         for index, text in enumerate(texts):
-            yield from _refused((key, index), read, [text])
+            yield from _refused((key, index), partial(_within, limits, axis), [text])
         if axis in subject(page.subject).axes and not texts:
             yield (key,), f"{key} is empty; a page about {page.subject} needs them where none are typed"
     if not _is_letter(page.angle_symbol):
@@ -73,6 +76,16 @@ def _faults_of_values(page: Layout) -> Iterator[tuple[Place, str]]:
     first, colon, second = page.ratio_symbol.partition(":")
     if not (colon and _is_letter(first) and _is_letter(second)):
         yield ("ratio_symbol",), f'ratio_symbol is "{page.ratio_symbol[:20]}"; it must be two letters, as R:L'
+
+
+def _within(limits: Mapping[str, Limit], axis: str, texts: Sequence[str]) -> None:
+    """Raise KurbelError for values of an axis that cannot be read, or that no drive has."""
+    values = VALUES[axis][1](texts)
+    if axis == "angle":
+        check_angles(values)
+    elif limit := limits.get(axis):
+        for value in values:
+            limit(value)
 
 
 def _is_letter(text: str) -> bool:
@@ -118,7 +131,10 @@ def _faults_of_words(page: Layout) -> Iterator[tuple[Place, str]]:
     for lang in LANGUAGES:
         for place, text in _labels(page, lang):
             for found in _PLACE.findall(text):
-                yield from _unknown(place, found, known.get(str(place[0])) or ["none"], "place")
+                if places := known.get(str(place[0])):
+                    yield from _unknown(place, found, places, "place")
+                else:
+                    yield place, f"{found[:60]} is a place, and none is filled here; write words"
             yield from _refused(place, _check_label, text)
 
 

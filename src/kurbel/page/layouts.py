@@ -90,12 +90,13 @@ class Notes(tuple[Words, ...]):
     SCHEMA: ClassVar[Mapping[str, Any]] = _of_languages({"type": "array", "items": {"type": "string"}})
 
     @classmethod
-    def read(cls, given: Any, _: str) -> Notes:
-        lists: list[Any] = [given.get(one) for one in LANGUAGES] if isinstance(given, dict) else []
-        if not lists or len(given) != len(lists) or not all(isinstance(one, list) for one in lists):
+    def read(cls, given: Any, name: str) -> Notes:
+        known = isinstance(given, dict) and len(given) == len(LANGUAGES)
+        lists: list[Any] = [given.get(one) for one in LANGUAGES] if known else [None]
+        if not all(isinstance(one, list) and all(isinstance(text, str) for text in one) for one in lists):
             raise Fault('lists of texts, de = ["..."] and en = ["..."]')
-        if len({*map(len, lists)}) > 1 or not all(isinstance(text, str) for one in lists for text in one):
-            raise Fault("as many texts in one language as in the other")
+        if len({*map(len, lists)}) > 1:
+            raise LayoutError(f"{name} has more texts in one language than in the other")
         return cls(Words(zip(LANGUAGES, texts, strict=True)) for texts in zip(*lists, strict=True))
 
 
@@ -221,10 +222,11 @@ def layout_names(folder: Folder | None = None) -> tuple[str, ...]:
     own = _names(template_folder())
     if folder is None:
         return own
+    if not os.fspath(folder):
+        raise LayoutError("the folder of layouts has no name; give one, such as pages")
     if not os.path.isdir(folder):
         raise LayoutError(f"cannot read the layouts {folder}: there is no such folder")
-    theirs = _names(folder)
-    if not theirs:
+    if not (theirs := _names(folder)):
         raise LayoutError(f"{folder} has no layouts: no folder in it has a layout.toml")
     for name in theirs:
         file = layout_file(folder, name)

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cache, cached_property
 from math import prod
 from pkgutil import resolve_name
 from types import MappingProxyType
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar, NamedTuple, TypeAlias
 
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS, Label
@@ -18,6 +19,8 @@ from kurbel.page.quantity import Column, Quantity
 from kurbel.page.table import Field, Note, Records, Value
 from kurbel.reading.given import choose
 from kurbel.reading.notation import MOST_ROWS
+
+Limit: TypeAlias = Callable[[Fraction], object]
 
 
 def _everywhere(question: Any, place: Place) -> bool:
@@ -37,7 +40,8 @@ class Subject(NamedTuple):
 
     Lists of quantities name those that are `listed`, each with the command that prints it, by default all
     that any of its layouts can show; with `letters` the symbol stands beside the name. `options` tell what
-    quantities need, by their `needs`.
+    quantities need, by their `needs`. `limits` raise KurbelError for a value of an axis that is beyond
+    them, whatever else is given.
     """
 
     key: str
@@ -60,6 +64,7 @@ class Subject(NamedTuple):
     listed: Callable[[], Iterable[tuple[str, Quantity]]] | None = None
     letters: bool = False
     options: Mapping[str, tuple[str, ...]] = MappingProxyType({})
+    limits: Mapping[str, Limit] = MappingProxyType({})
 
     @property
     def whole(self) -> bool:
@@ -122,7 +127,7 @@ class Question:
         check_label(self.label)
         self.check()
         if not self.page_columns and not self.axes_suffice:
-            raise ProblemError(self.no_column)
+            raise ProblemError(self.columnless)
         if len(self) > MOST_ROWS:
             raise ProblemError(f"{self.too_long()}; at most 10^9 are allowed")
 
@@ -140,6 +145,14 @@ class Question:
     @property
     def subject(self) -> Subject:
         return subject(self.layout.subject)
+
+    @property
+    def columnless(self) -> str:
+        """Why this page, which has no column beside its axes, is refused."""
+        hidden = [] if self.columns else [self._hidden(column) for column in self.layout.columns]
+        if hidden and all(hidden):
+            return f"layout {self.layout.key} has no column to show: {hidden[0]}"
+        return self.no_column
 
     @property
     def no_column(self) -> str:
@@ -186,9 +199,13 @@ class Question:
 
     def shows(self, column: LayoutColumn) -> bool:
         """Whether the layout's column is shown where none were asked for."""
+        return not self._hidden(column)
+
+    def _hidden(self, column: LayoutColumn) -> str:
+        """Return why the layout's column cannot be shown, nothing if it can."""
         if column.unless and not self.missing(self.entry(column.unless)):
-            return False
-        return not self.missing(self.entry(column.quantity))
+            return f"column {column.key} gives way to {column.unless}"
+        return self.missing(self.entry(column.quantity))
 
     def chosen(self, keys: Sequence[str]) -> list[LayoutColumn]:
         """Return the columns of these keys, with the heads of the layout where they are its own."""
