@@ -117,10 +117,8 @@ class Count(Kind):
         return self.allowed[str(text)]
 
     def taken(self, value: Any, name: str) -> Any:
-        # An integer is checked where it is used; one of NumPy is no `int`.
-        if type(value) is int or not (isinstance(value, str) or hasattr(value, "__index__")):
-            return value
-        return self.read(str(value), {})
+        # Others are refused where they are used.
+        return self.allowed.get(str(value), value)
 
 
 class Columns(Kind):
