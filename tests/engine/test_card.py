@@ -14,8 +14,8 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 from places import CARDS
 
-from kurbel.engine.card import Card
-from kurbel.engine.card_file import position_unit, pressure_unit, read_card
+from kurbel.engine.card.card import Card
+from kurbel.engine.card.file import position_unit, pressure_unit, read_card
 from kurbel.errors import CardError, KurbelError, MissingExtraError, NotationError
 from kurbel.reading import csv_file, units
 
@@ -396,7 +396,7 @@ def test_a_long_name_is_cut_and_made_printable(tmp_path: Path) -> None:
 def test_without_pint_the_sentence_says_what_to_install(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from kurbel.engine import card_file
+    from kurbel.engine.card import file as card_file
 
     units.registry.cache_clear()
     card_file._factor.cache_clear()

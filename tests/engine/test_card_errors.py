@@ -22,9 +22,9 @@ from cli import printed, refusal
 from places import CARDS
 
 from kurbel.drive.crank import Crank
-from kurbel.engine.card import Card
-from kurbel.engine.card_file import read_card
-from kurbel.engine.card_turn import CardTurn
+from kurbel.engine.card.card import Card
+from kurbel.engine.card.file import read_card
+from kurbel.engine.card.turn import CardTurn
 from kurbel.engine.digits import Asked, estimate, estimated
 from kurbel.engine.engine import Diagram, Engine, Steam
 from kurbel.engine.quantities import OUTSTROKE, RETURN_STROKE, WHOLE, Where, applies

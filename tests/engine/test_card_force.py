@@ -12,9 +12,9 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 from places import CARDS
 
-from kurbel.engine.card import Card
-from kurbel.engine.card_file import read_card
-from kurbel.engine.card_force import CardStroke, Curve, card_strokes, curve
+from kurbel.engine.card.card import Card
+from kurbel.engine.card.file import read_card
+from kurbel.engine.card.force import CardStroke, Curve, card_strokes, curve
 from kurbel.errors import ProblemError
 
 EXPANSIONS = (1.5, 2, 2.7, 3, 4, 6, 10)

@@ -111,7 +111,7 @@ def _steams(given: Mapping[str, Any], page: Layout) -> Sequence[Steam | Diagram]
         clearance = as_share(0 if given["clearance"] is None else given["clearance"], "clearance")
         values = as_numbers(page.expansions if given["eps"] is None else given["eps"], "expansion ratio")
         return [Steam(expansion, back, exponent, clearance) for expansion in values]
-    from kurbel.engine.card_file import read_card
+    from kurbel.engine.card.file import read_card
 
     for name in ("eps", "back", "exponent", "clearance"):
         if is_given(given[name]):

@@ -17,7 +17,7 @@ from kurbel.exact.numerals import Number, finite_decimals, nearest
 from kurbel.page.quantity import Column, Quantity, bare
 
 if TYPE_CHECKING:
-    from kurbel.engine.card_turn import CardTurn
+    from kurbel.engine.card.turn import CardTurn
 
 # A quantity with no decimals of its own is printed to so many figures.
 FIGURES = 5

@@ -17,8 +17,8 @@ from kurbel.motion.mechanism import check_load
 from kurbel.reading.notation import about, plain
 
 if TYPE_CHECKING:
-    from kurbel.engine.card import Card
-    from kurbel.engine.card_force import CardStroke
+    from kurbel.engine.card.card import Card
+    from kurbel.engine.card.force import CardStroke
     from kurbel.exact.kind import Kind
     from kurbel.kernel.turning import Stroke
 
@@ -132,7 +132,7 @@ class Diagram:
 
     def strokes(self, kind: Kind, double: bool) -> tuple[CardStroke, CardStroke]:
         """Return the force of both strokes, on floats or arrays."""
-        from kurbel.engine.card_force import card_strokes
+        from kurbel.engine.card.force import card_strokes
 
         return card_strokes(self.card, double, self.other_side, self.pressure)
 

@@ -175,7 +175,7 @@ def turn_of(engine: Engine, method: str) -> AnyTurn:
     if engine.crank.moving is not None and method != "exact":
         raise ProblemError(f'method "{method}" has no formulas for the masses; use exact')
     if engine.carded:
-        from kurbel.engine.card_turn import CardTurn
+        from kurbel.engine.card.turn import CardTurn
 
         return CardTurn(engine, method)
     if method != "weisbach":

@@ -28,7 +28,7 @@ from collections.abc import Callable
 from functools import lru_cache
 from typing import NamedTuple
 
-from kurbel.engine.card import LEAST_STEP, Card
+from kurbel.engine.card.card import LEAST_STEP, Card
 from kurbel.errors import CardError, NotationError
 from kurbel.reading.csv_file import (
     Column,

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import CubicHermiteSpline, PPoly
 from scipy.optimize import brentq
 
-from kurbel.engine.card import Card
+from kurbel.engine.card.card import Card
 from kurbel.errors import ProblemError
 
 Points: TypeAlias = NDArray[np.float64]

@@ -18,7 +18,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from kurbel.drive.crank_forces import CrankForce
-from kurbel.engine.card_force import CardStroke
+from kurbel.engine.card.force import CardStroke
 from kurbel.engine.cylinder import AnyTurn, Cylinder, Peak
 from kurbel.engine.engine import Diagram, Engine
 from kurbel.errors import CardError, ProblemError
