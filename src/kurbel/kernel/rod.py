@@ -30,9 +30,10 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Generic, NamedTuple, TypeVar
 
-from kurbel.kernel import kinematics
+from kurbel.kernel import kinematics, moving
 from kurbel.kernel.circle import Circle, Number, root
 from kurbel.kernel.forces import Slant, rod_slant, tangential_force
+from kurbel.kernel.moving import Link
 
 Kind = TypeVar("Kind")
 
@@ -161,7 +162,7 @@ class Loaded:
 
     def pin_force(self) -> Number:
         """Return the magnitude of the force between crank pin and rod."""
-        return _magnitude(self.pin_force_along(), self.pin_force_across())
+        return magnitude(self.pin_force_along(), self.pin_force_across())
 
     def thrust(self) -> Number:
         """Return the force of the crosshead on the rod along the slide, positive against X: F - m p."""
@@ -178,7 +179,7 @@ class Loaded:
 
     def crosshead_pin_force(self) -> Number:
         """Return the magnitude of the force between crosshead pin and rod."""
-        return _magnitude(self.thrust(), self.guide_force())
+        return magnitude(self.thrust(), self.guide_force())
 
     def radial_force(self) -> Number:
         """Return the force of the rod on the crank pin along the crank, positive towards the shaft.
@@ -197,19 +198,27 @@ class Loaded:
         return work + self.turning * (self.circle.cosine / self.slant.cosine) + 0
 
 
-def kinetic_energy(circle: Circle[Number], ratio: Number, masses: Masses[Number]) -> Number:
-    """Return ½ m_B c² + ½ m q (cos φ/cos ψ)² of a straight crank, the part of the energy that changes.
+def kinetic_energy(
+    circle: Circle[Number], ratio: Number, masses: Masses[Number], offset: Number | None = None
+) -> Number:
+    """Return ½ m_B c² + ½ m q (cos φ/cos ψ)², the part of the masses' energy that changes.
 
     In units of m R² ω²; q is the couple. The mass at the crank pin turns evenly. Re-derived.
     """
-    velocity = kinematics.piston_velocity(circle, ratio)
-    turning = circle.cosine / kinematics.rod_cosine(circle, ratio)
-    return (masses.crosshead * velocity * velocity + masses.couple * turning * turning) / 2
+    velocity = tangential_force(circle, ratio, offset)
+    turning = circle.cosine / rod_slant(circle, ratio, offset).cosine
+    return moving.kinetic_energy(velocity, turning, masses.crosshead, masses.couple)
 
 
-def torque_slope(circle: Circle[Number], ratio: Number, masses: Masses[Number]) -> Number:
-    """Return the change of a straight crank's `Loaded.torque` with the angle in radians. Re-derived."""
+def torque_slope(
+    circle: Circle[Number], ratio: Number, masses: Masses[Number], offset: Number | None = None
+) -> Number:
+    """Return the change of `Loaded.torque` without F with the angle in radians. Re-derived."""
     sine, cosine = circle.sine, circle.cosine
+    if offset is not None:
+        slant = rod_slant(circle, ratio, offset)
+        link = Link(sine, cosine, slant.sine, slant.cosine, ratio)
+        return moving.torque_slope(link, masses.crosshead, masses.couple)
     w = kinematics.rod_cosine(circle, ratio)
     velocity = kinematics.piston_velocity(circle, ratio)
     acceleration = kinematics.piston_acceleration(circle, ratio)
@@ -221,8 +230,8 @@ def torque_slope(circle: Circle[Number], ratio: Number, masses: Masses[Number]) 
     turning = cosine / w
     slower = -sine * (1 - ratio) * (1 + ratio) / (w * w * w)
     curved = -cosine * (1 - ratio) * (1 + ratio) / (w * w * w) * (1 + 3 * (ratio * sine / w) ** 2)
-    moving = acceleration * acceleration + velocity * jerk
-    return -(masses.crosshead * moving + masses.couple * (slower * slower + turning * curved))
+    driven = acceleration * acceleration + velocity * jerk
+    return -(masses.crosshead * driven + masses.couple * (slower * slower + turning * curved))
 
 
 def _piston_acceleration(circle: Circle[Number], ratio: Number, offset: Number | None) -> Number:
@@ -240,7 +249,8 @@ def _turning(circle: Circle[Number], ratio: Number, slant: Slant[Number], offset
     return above / (slant.cosine * slant.cosine * slant.cosine)
 
 
-def _magnitude(along: Number, across: Number) -> Number:
+def magnitude(along: Number, across: Number) -> Number:
+    """Return the length of a force from two components square to each other."""
     square = along * along + across * across
     if hasattr(square, "abs_upper") and square.contains(0):
         # The square of a ball that holds 0 reaches below 0, where there is no root.
