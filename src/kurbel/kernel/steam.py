@@ -27,7 +27,7 @@ class Expansion(NamedTuple):
 
     def pressure(self, share: Number) -> Number:
         """Return the pressure on the piston at a share of the stroke, back pressure not taken off."""
-        return _power(1 / self.growth(share), self.exponent)
+        return power(1 / self.growth(share), self.exponent)
 
     def force(self, share: Number) -> Number:
         """Return the net pressure, less the back pressure."""
@@ -38,7 +38,7 @@ class Expansion(NamedTuple):
 
         Source: Weisbach-Herrmann, § 150 (A₁ + A₂ - A₃); the exponent and the clearance are ours.
         """
-        gain = _expansion_work(self.growth(share), self.exponent)
+        gain = expansion_work(self.growth(share), self.exponent)
         return self.full_pressure_work(share) + (self.cut_off + self.clearance) * gain
 
     def full_pressure_work(self, share: Number) -> Number:
@@ -84,15 +84,16 @@ def best_back(cut_off: Number, exponent: Number, clearance: Number) -> Number:
 
     1/ε for n = 1, κ = 0. Source: Weisbach-Herrmann, § 150 (Q = εR); the exponent and the clearance are ours.
     """
-    return _power((cut_off + clearance) / (1 + clearance), exponent)
+    return power((cut_off + clearance) / (1 + clearance), exponent)
 
 
-def _power(base: Number, exponent: Number) -> Number:
+def power(base: Number, exponent: Number) -> Number:
+    """Return a power, of which the first needs no root."""
     return base if exponent == 1 else base**exponent
 
 
-def _expansion_work(volumes: Number, exponent: Number) -> Number:
-    """∫ V^-n dV from 1 to so many volumes."""
+def expansion_work(volumes: Number, exponent: Number) -> Number:
+    """Return ∫ V^-n dV from 1 to so many volumes."""
     if exponent == 1:
         return logarithm(volumes)
     return (1 - volumes ** (1 - exponent)) / (exponent - 1)

@@ -1,0 +1,172 @@
+"""The pressure in one end of a cylinder over the share of the stroke: constant, or p V^n = const, by pieces.
+
+Pressures are in any one unit, work in that unit times the whole stroke. The share counts from the dead centre
+at which the stroke begins, 0 to 1, whichever end it is: the volume of the end that the piston leaves grows as
+clearance + share, that of the other shrinks as clearance + 1 - share. Numbers are floats, arrays, balls or
+separation bounds; a ball that lies over a corner gives one that holds both sides, a bound that of all pieces.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from functools import reduce
+from typing import NamedTuple, Protocol
+
+from kurbel.kernel.circle import Number
+from kurbel.kernel.steam import expansion_work, larger, power, smaller
+
+
+class Piece(Protocol):
+    """A pressure between two corners, and its work from one share to another."""
+
+    def pressure(self, share: Number) -> Number: ...
+
+    def work(self, start: Number, end: Number) -> Number: ...
+
+    def slope(self, share: Number) -> Number: ...
+
+
+class Constant(NamedTuple):
+    """A pressure that does not change."""
+
+    level: Number
+
+    def pressure(self, share: Number) -> Number:
+        return self.level
+
+    def work(self, start: Number, end: Number) -> Number:
+        return self.level * (end - start)
+
+    def slope(self, share: Number) -> Number:
+        return 0 * self.level
+
+
+class Polytrope(NamedTuple):
+    """p V^n = const through a pressure at a volume, where V is the first volume plus or minus the share.
+
+    Volumes are shares of the volume swept in a stroke; `growing` is 1 or -1. n = 1 is Mariotte's law.
+    """
+
+    level: Number
+    volume: Number
+    exponent: Number
+    first: Number
+    growing: int
+
+    def pressure(self, share: Number) -> Number:
+        return self.level * power(self.volume / self._filled(share), self.exponent)
+
+    def work(self, start: Number, end: Number) -> Number:
+        """Return the work on the piston as it moves on; that of a shrinking volume is the pressure's own."""
+        begun = self._filled(start)
+        gain = expansion_work(self._filled(end) / begun, self.exponent)
+        return self.pressure(start) * begun * self.growing * gain
+
+    def slope(self, share: Number) -> Number:
+        return -self.exponent * self.growing * self.pressure(share) / self._filled(share)
+
+    def _filled(self, share: Number) -> Number:
+        return self.first + self.growing * share
+
+
+class Law(NamedTuple):
+    """The pieces of a stroke in their order, and the shares of the corners at which they meet.
+
+    At a corner the pressure is continuous, unless two pieces have another there; then a float or an array has
+    the pressure before it.
+    """
+
+    pieces: tuple[Piece, ...]
+    corners: tuple[Number, ...] = ()
+
+    def pressure(self, share: Number) -> Number:
+        """Return the pressure at a share of the stroke."""
+        return self._at(share, lambda index, at: self.pieces[index].pressure(at))
+
+    def work(self, share: Number) -> Number:
+        """Return ∫ of the pressure over the share from the dead centre on."""
+        return self._at(share, self._work)
+
+    def slope(self, share: Number) -> Number:
+        """Return the change of the pressure with the share."""
+        return self._at(share, lambda index, at: self.pieces[index].slope(at))
+
+    def around(self, share: Number) -> tuple[int, ...]:
+        """Return the pieces on which a float or a ball lies: at a corner those on both sides."""
+        last = len(self.corners)
+        return tuple(
+            index
+            for index in range(last + 1)
+            if not (index and share < self.corners[index - 1])
+            and not (index < last and share > self.corners[index])
+        )
+
+    def _at(self, share: Number, value: Callable[[int, Number], Number]) -> Number:
+        if not self.corners:
+            return value(0, share) + 0 * share if hasattr(share, "shape") else value(0, share)
+        if hasattr(share, "shape"):
+            return self._of_array(share, value)
+        if hasattr(share, "union") and not hasattr(share, "rad"):
+            # Of bounds nothing tells on which piece they lie, and none need be kept within one.
+            return _either([value(index, share) for index in range(len(self.pieces))])
+        return _either([value(index, self._within(index, share)) for index in self.around(share)])
+
+    def _of_array(self, share: Number, value: Callable[[int, Number], Number]) -> Number:
+        import numpy as np
+
+        every = [value(index, self._within(index, share)) + 0 * share for index in range(len(self.pieces))]
+        return np.select([share <= corner for corner in self.corners], every[:-1], every[-1])
+
+    def _within(self, index: int, share: Number) -> Number:
+        """Return the share as far as it lies on a piece: beyond it the volume may be nothing."""
+        if index:
+            share = larger(share, self.corners[index - 1])
+        return smaller(share, self.corners[index]) if index < len(self.corners) else share
+
+    def _work(self, index: int, share: Number) -> Number:
+        starts = (0 * share, *self.corners)
+        before = (self.pieces[one].work(starts[one], starts[one + 1]) for one in range(index))
+        return sum(before, self.pieces[index].work(starts[index], share))
+
+
+class Between(NamedTuple):
+    """A stroke of the piston between two ends of a cylinder: the law behind it less the law before it."""
+
+    behind: Law
+    before: Law
+
+    def force(self, share: Number) -> Number:
+        """Return the net pressure in the direction of the stroke."""
+        return self.behind.pressure(share) - self.before.pressure(share)
+
+    def work(self, share: Number) -> Number:
+        """Return the work done on the piston from the dead centre to a share of the stroke."""
+        return self.behind.work(share) - self.before.work(share)
+
+    def slope(self, share: Number) -> Number:
+        """Return the change of the force with the share."""
+        return self.behind.slope(share) - self.before.slope(share)
+
+    @property
+    def corners(self) -> tuple[Number, ...]:
+        """The shares within the stroke at which the force has a corner or jumps, in no order."""
+        return (*self.behind.corners, *self.before.corners)
+
+    def only(self, behind: Iterable[int], before: Iterable[int]) -> Between:
+        """Return the stroke of some of the pieces alone."""
+        return Between(_of_pieces(self.behind, behind), _of_pieces(self.before, before))
+
+
+def steady(level: Number) -> Law:
+    """Return a pressure that is the same over the whole stroke."""
+    return Law((Constant(level),))
+
+
+def _of_pieces(law: Law, indices: Iterable[int]) -> Law:
+    kept = tuple(law.pieces[index] for index in indices)
+    return Law(kept, law.corners[: len(kept) - 1])
+
+
+def _either(values: Sequence[Number]) -> Number:
+    """Return what holds all values; of floats, which meet at the corner, the first."""
+    return reduce(lambda one, other: one.union(other), values) if hasattr(values[0], "union") else values[0]
