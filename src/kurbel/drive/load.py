@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
 LARGEST_FORCE = 10**12
 FORCE, MASSES, STEAM, CARD = "force", "masses", "steam", "card"
+COMPRESSOR, PUMP, GAS = "compressor", "pump", "gas"
 
 
 class Registered(NamedTuple):
@@ -35,6 +36,9 @@ LOADS: Mapping[str, Registered] = {
     MASSES: Registered("moving masses"),
     STEAM: Registered("steam"),
     CARD: Registered("an indicator card"),
+    COMPRESSOR: Registered("a compressor"),
+    PUMP: Registered("a pump"),
+    GAS: Registered("the cycle of a gas engine"),
     # Another load is one more line here.
 }
 

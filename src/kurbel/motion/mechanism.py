@@ -10,7 +10,7 @@ from pkgutil import resolve_name
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from kurbel.drive.crank import Crank, Described
-from kurbel.drive.load import CARD, FORCE, LOADS, MASSES, STEAM
+from kurbel.drive.load import CARD, COMPRESSOR, FORCE, GAS, LOADS, MASSES, PUMP, STEAM
 from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.errors import ProblemError
 
@@ -97,7 +97,7 @@ class StraightCrank(Mechanism):
     layout = "kinematics"
     forces_layout = "forces"
     takes: ClassVar[tuple[str, ...]] = ("ratio", "stroke", "rod", "speed", "method")
-    loads: ClassVar[tuple[str, ...]] = (FORCE, MASSES, STEAM, CARD)
+    loads: ClassVar[tuple[str, ...]] = (FORCE, MASSES, STEAM, CARD, COMPRESSOR, PUMP, GAS)
     motion = MOTION
     forces = FORCES
     examples: ClassVar[Mapping[str, str]] = {

@@ -1,0 +1,1 @@
+"""What acts on the piston beside steam and cards: compressors, pumps, and the cycles of gas engines."""
