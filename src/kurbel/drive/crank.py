@@ -15,6 +15,7 @@ from kurbel.reading.given import Exact, as_fraction, as_length, as_number, as_ra
 from kurbel.reading.notation import Progression, about, ratio_text
 
 if TYPE_CHECKING:
+    from kurbel.drive.moved import Moved
     from kurbel.drive.rod import Moving, Rod
     from kurbel.exact.kind import Kind
     from kurbel.reading.units import Speed
@@ -47,6 +48,17 @@ class Crank:
     force: PistonForce | None = None
     rod: Rod | None = None
     moving: Moving | None = None
+
+    @property
+    def crank(self) -> Crank:
+        """What is known of the crank, as of other drives."""
+        return self
+
+    def moved(self, kind: Kind, method: str) -> Moved:
+        """Return the drive as a turn of an engine asks it, by a method, on a kind of number."""
+        from kurbel.drive.moved import moved
+
+        return moved(self, kind, method)
 
     @property
     def rod_length(self) -> Fraction | None:

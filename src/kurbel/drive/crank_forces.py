@@ -6,6 +6,7 @@ They are of a crank angle, in the frame of its stroke; kernel/forces.py and kern
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from operator import attrgetter, methodcaller
 from typing import Any, NamedTuple
 
 from kurbel.kernel import forces
@@ -30,7 +31,7 @@ class Weights(NamedTuple):
 
 class CrankForce(NamedTuple):
     """A force of the crank drive: `bare` without masses, in the piston force, of circle, ratio and e/R or
-    None; `loaded` of circle, ratio, weights, e/R or None and piston force.
+    None; `on` the drive with its masses under a piston force, those `on_shaft` if it is the main bearing's.
 
     `framed` forces have a direction in the frame of the outstroke: away from its dead centre and towards the
     side of the crank pin. On the return stroke that is the other way round than along the stroke. Of a
@@ -38,41 +39,40 @@ class CrankForce(NamedTuple):
     """
 
     bare: Callable[[Any, Any, Any], Any]
-    loaded: Callable[[Any, Any, Weights, Any, Any], Any]
+    on: Callable[[Loaded], Any]
     framed: bool = False
     magnitude: bool = False
+    on_shaft: bool = False
 
-    def of(self, circle: Any, ratio: Any, weights: Weights | None, net: Any) -> Any:
-        """Return the force that a net pressure on the piston calls up in a straight crank drive."""
-        if weights is not None:
-            return self.loaded(circle, ratio, weights, None, net)
-        force = net * self.bare(circle, ratio, None)
-        return abs(force) if self.magnitude else force
-
-
-def _of_rod(force: Callable[[Loaded], Any]) -> Callable[..., Any]:
-    return lambda circle, ratio, one, e, net: force(
-        Loaded(circle, ratio, one.masses, e, net, one.reciprocating)
-    )
-
-
-def _on_shaft(force: Callable[[Loaded], Any], sign: int = 1) -> Callable[..., Any]:
-    return lambda circle, ratio, one, e, net: sign * force(Loaded(circle, ratio, one.on_shaft, e, net))
+    def loaded(self, circle: Any, ratio: Any, weights: Weights, offset: Any, net: Any) -> Any:
+        """Return the force in a straight or offset crank drive with these masses."""
+        if self.on_shaft:
+            return self.on(Loaded(circle, ratio, weights.on_shaft, offset, net))
+        return self.on(Loaded(circle, ratio, weights.masses, offset, net, weights.reciprocating))
 
 
 def _unit(circle: Any, ratio: Any, offset: Any) -> Any:
     return 1
 
 
+def _across(drive: Loaded) -> Any:
+    return -1 * drive.pin_force_across()
+
+
+# Other drives know the same forces by these names.
+_THRUST, _ROD, _GUIDE = attrgetter("piston_force"), methodcaller("rod_force"), methodcaller("guide_force")
+_PIN, _CROSSHEAD = methodcaller("pin_force"), methodcaller("crosshead_pin_force")
+_TORQUE, _RADIAL = methodcaller("torque"), methodcaller("radial_force")
+_ALONG = methodcaller("pin_force_along")
 CRANK_FORCES: Mapping[str, CrankForce] = {
-    "piston_force": CrankForce(_unit, lambda circle, ratio, one, e, net: net, framed=True),
-    "rod_force": CrankForce(forces.rod_force, _of_rod(Loaded.rod_force), framed=True),
-    "guide_force": CrankForce(forces.guide_force, _of_rod(Loaded.guide_force), framed=True),
-    "crosshead_pin_force": CrankForce(forces.rod_force, _of_rod(Loaded.crosshead_pin_force), magnitude=True),
-    "crank_pin_force": CrankForce(forces.rod_force, _of_rod(Loaded.pin_force), magnitude=True),
-    "tangential_force": CrankForce(forces.tangential_force, _of_rod(Loaded.torque)),
-    "radial_force": CrankForce(forces.radial_force, _of_rod(Loaded.radial_force)),
-    "bearing_along": CrankForce(_unit, _on_shaft(Loaded.pin_force_along), framed=True),
-    "bearing_across": CrankForce(forces.guide_force, _on_shaft(Loaded.pin_force_across, -1), framed=True),
-    "bearing_force": CrankForce(forces.rod_force, _on_shaft(Loaded.pin_force), magnitude=True),
+    "piston_force": CrankForce(_unit, _THRUST, framed=True),
+    "rod_force": CrankForce(forces.rod_force, _ROD, framed=True),
+    "guide_force": CrankForce(forces.guide_force, _GUIDE, framed=True),
+    "crosshead_pin_force": CrankForce(forces.rod_force, _CROSSHEAD, magnitude=True),
+    "crank_pin_force": CrankForce(forces.rod_force, _PIN, magnitude=True),
+    "tangential_force": CrankForce(forces.tangential_force, _TORQUE),
+    "radial_force": CrankForce(forces.radial_force, _RADIAL),
+    "bearing_along": CrankForce(_unit, _ALONG, framed=True, on_shaft=True),
+    "bearing_across": CrankForce(forces.guide_force, _across, framed=True, on_shaft=True),
+    "bearing_force": CrankForce(forces.rod_force, _PIN, magnitude=True, on_shaft=True),
 }

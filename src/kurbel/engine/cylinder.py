@@ -1,29 +1,29 @@
 """A crank drive under its load, on any kind of number: the motion of the one, the force of the other.
 
 Of the drive a turn asks where the piston is on a stroke and how fast; of the load, which force acts on it
-there. Forces are in units of Q, energies in Q R; angles are half turns.
+there. Forces are in units of Q, energies in Q R; angles are half turns. A cylinder whose cycle takes two
+turns has four strokes.
 """
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import reduce
 from typing import Any, NamedTuple
 
 from kurbel.drive.crank_forces import CrankForce, Weights
 from kurbel.drive.load import Load
+from kurbel.drive.moved import Moved
 from kurbel.engine.engine import Engine
 from kurbel.exact.kind import Kind
 from kurbel.kernel import turning
 from kurbel.kernel.circle import Circle, Number
-from kurbel.kernel.rod import Loaded, kinetic_energy, torque_slope
 from kurbel.kernel.steam import larger, smaller
-from kurbel.kernel.turning import Motion, Stroke
+from kurbel.kernel.turning import Stroke
 from kurbel.motion.evaluation import OUT, RETURN
 
-MOTIONS = {"exact": turning.EXACT, "series": turning.FIRST_ORDER, "weisbach": turning.FIRST_ORDER}
 SIGNS = (OUT, RETURN)
 
 
@@ -36,64 +36,87 @@ class Peak(NamedTuple):
     stroke: int
 
 
-class Cylinder(NamedTuple):
-    """A crank drive under its load: angles count from the dead centre of the stroke, 0 or 1, that it is in.
+class Standing(NamedTuple):
+    """Where a crank stands: which part of the engine it is of, the stroke that it is in, counted in its
+    cycle, and the half turns φ less those of the strokes before."""
 
-    `circle` makes the circle of them. Balls are of one precision.
+    part: int
+    stroke: int
+    angle: Any
+
+
+class Cylinder(NamedTuple):
+    """A crank drive under its load, of a cycle of two strokes or four.
+
+    An angle is φ in half turns, less the number of strokes before this one; `circle` makes the circle of
+    it. Balls are of one precision. `unit` is Q R of these cylinders in those of the engine, None if they
+    are the same.
     """
 
-    ratio: Number
-    motion: Motion
-    strokes: tuple[Stroke, Stroke]
+    drive: Moved
+    strokes: Sequence[Stroke]
     mean: Number
     weights: Weights | None
     kind: Kind
     circle: Callable[[Any], Circle[Any]]
+    unit: Number | None = None
 
-    def at(self, stroke: int, angle: Any) -> tuple[Circle[Any], Number]:
-        """Return what a formula takes: the circle, and the ratio with the sign of the stroke."""
-        return self.circle(angle), self.ratio * SIGNS[stroke]
+    def share(self, stroke: int, circle: Circle[Any]) -> Number:
+        """Return the share of the stroke that the piston has gone."""
+        return self.drive.path(stroke % 2, circle) / self.drive.length
 
     def effort(self, stroke: int, angle: Any) -> Number:
         """Return the tangential force of load and masses."""
-        place = self.at(stroke, angle)
-        force = turning.tangential_force(self.strokes[stroke], self.motion, *place)
-        return force if self.weights is None else force + Loaded(*place, self.weights.masses).torque()
+        circle, way = self.circle(angle), stroke % 2
+        force = self.strokes[stroke].force(self.share(stroke, circle)) * self.drive.velocity(way, circle)
+        if self.weights is not None:
+            force = force + self.drive.loaded(way, circle, self.weights.masses, 0).torque()
+        return self._whole(force)
 
     def force(self, force: CrankForce, stroke: int, angle: Any) -> Number:
-        """Return a force of the drive."""
-        place = self.at(stroke, angle)
-        net = self.strokes[stroke].force(self.motion.path(*place) / 2)
-        return force.of(*place, self.weights, net) * (SIGNS[stroke] if force.framed else 1)
+        """Return a force of the drive, in its own Q."""
+        circle, way = self.circle(angle), stroke % 2
+        net = self.strokes[stroke].force(self.share(stroke, circle))
+        found = self.drive.force(force, way, circle, self.weights, net)
+        return found * (SIGNS[way] if force.framed else 1)
 
     def slope(self, stroke: int, angle: Any) -> Number:
         """Return the change of the effort with the half turns, of a load that knows that of its force."""
-        place = self.at(stroke, angle)
+        circle, way = self.circle(angle), stroke % 2
         acting: Any = self.strokes[stroke]
-        share, velocity = self.motion.path(*place) / 2, self.motion.velocity(*place)
-        total = acting.slope(share) * velocity * velocity / 2
-        total += acting.force(share) * self.motion.acceleration(*place)
+        share, velocity = self.share(stroke, circle), self.drive.velocity(way, circle)
+        total = acting.slope(share) * velocity * velocity / self.drive.length
+        total += acting.force(share) * self.drive.acceleration(way, circle)
         if self.weights is not None:
-            total += torque_slope(*place, self.weights.masses)
-        return total * self.kind.pi
+            total += self.drive.torque_slope(way, circle, self.weights.masses)
+        return self._whole(total * self.kind.pi)
 
     def energy(self, stroke: int, angle: Any) -> Number:
-        """Return the work of the excess over the mean since the inner dead centre."""
-        place = self.at(stroke, angle)
-        work = turning.work_done(self.strokes[stroke], self.motion, *place)
+        """Return the work of the excess over the mean since the cycle began, but for a constant."""
+        circle, length = self.circle(angle), self.drive.length
+        work = length * self.strokes[stroke].work(self.share(stroke, circle))
         if self.weights is not None:
-            work -= kinetic_energy(*place, self.weights.masses)
-        before = 2 * self.strokes[0].work(1) if stroke else 0
+            work -= self.drive.kinetic_energy(stroke % 2, circle, self.weights.masses)
+        before = length * sum(one.work(1) for one in self.strokes[:stroke]) if stroke else 0
         turned = angle + stroke
         if isinstance(turned, Fraction):
             turned = self.kind.of(turned)
-        return before + work - self.mean * turned * self.kind.pi
+        return self._whole(before + work - self.mean * turned * self.kind.pi)
+
+    @property
+    def whole_mean(self) -> Number:
+        """The mean tangential force in the engine's unit."""
+        return self._whole(self.mean)
+
+    def _whole(self, value: Number) -> Number:
+        return value if self.unit is None else value * self.unit
 
 
 class AnyTurn(ABC):
-    """A turn of an engine by a method: in balls or, of an indicator card, in floats with an error.
+    """A cycle of an engine, one turn or two, by a method: in balls or, of an indicator card, in floats with
+    an error.
 
-    Angles are half turns from the inner dead centre of the first crank.
+    Angles are half turns of the first crank's φ; energies count from its inner dead centre.
     """
 
     def __init__(self, engine: Engine, method: str) -> None:
@@ -102,20 +125,69 @@ class AnyTurn(ABC):
 
     @property
     @abstractmethod
-    def cylinder(self) -> Cylinder:
-        """The cylinders' common formulas, of balls at the precision in force."""
+    def cylinders(self) -> Sequence[Cylinder]:
+        """The formulas of each part of the engine, of balls at the precision in force."""
 
-    def cylinder_on(self, kind: Kind, circle: Callable[[Any], Circle[Any]]) -> Cylinder:
-        """Return what all cylinders of the engine have in common, on a kind of number."""
-        load: Load = self.engine.steam
-        strokes = load.strokes(kind, self.engine.double)
-        mean, weights = turning.mean_force(strokes, kind.pi), self.engine.weights(kind)
-        ratio = kind.of(self.engine.crank.ratio)
-        return Cylinder(ratio, MOTIONS[self.method], strokes, mean, weights, kind, circle)
+    @property
+    def cylinder(self) -> Cylinder:
+        """Those of its first part."""
+        return self.cylinders[0]
+
+    def cylinders_on(self, kind: Kind, circle: Callable[[Any], Circle[Any]]) -> tuple[Cylinder, ...]:
+        """Return what the cylinders of each part have in common, on a kind of number."""
+        return tuple(self._cylinder_on(part, kind, circle) for part in self.engine.parts)
+
+    def _cylinder_on(self, part: Engine, kind: Kind, circle: Callable[[Any], Circle[Any]]) -> Cylinder:
+        load: Load = part.steam
+        strokes, drive = load.strokes(kind, part.double), part.drive.moved(kind, self.method)
+        mean, weights = turning.mean_force(strokes, kind.pi, drive.length), part.weights(kind)
+        unit = None if part is self.engine.parts[0] else self._unit(part, kind)
+        return Cylinder(drive, strokes, mean, weights, kind, circle, unit)
+
+    def _unit(self, part: Engine, kind: Kind) -> Number:
+        moments = []
+        for one in (part, self.engine.parts[0]):
+            assert one.load is not None
+            assert one.pressure is not None
+            assert one.crank.radius is not None
+            moments.append(one.pressure * one.load.bore**2 * one.crank.radius)
+        return kind.of(moments[0] / moments[1])
+
+    @property
+    def cycle(self) -> int:
+        """The half turns after which everything comes again."""
+        return max(len(one.strokes) for one in self.cylinders)
+
+    def standing(self, half_turns: Fraction, part: int, start: Fraction) -> Standing:
+        """Return where a crank of a part stands that follows the engine's by so many half turns."""
+        one = self.cylinders[part]
+        since = (half_turns - start) % len(one.strokes)
+        stroke = int(since)
+        if not one.drive.regular:
+            stroke, since = self._irregular(since, part, len(one.strokes))
+        return Standing(part, stroke, since - stroke)
+
+    def _irregular(self, since: Fraction, part: int, cycle: int) -> tuple[int, Fraction]:
+        """Return the stroke of a crank and its half turns, from the dead centre on where its cycle begins."""
+        if not self.has_reached(since, part, 0):
+            since += cycle
+        elif self.has_reached(since, part, cycle):
+            since -= cycle
+        return sum(self.has_reached(since, part, stroke) for stroke in range(1, cycle)), since
+
+    @abstractmethod
+    def has_reached(self, since: Fraction, part: int, stroke: int) -> bool:
+        """Whether a stroke of a part has begun at so many half turns of its φ; at its dead centre it has."""
+
+    def positions(self, half_turns: Fraction) -> Iterator[Standing]:
+        """Yield where each crank stands."""
+        for part, one in enumerate(self.engine.parts):
+            for start in one.starts:
+                yield self.standing(half_turns, part, start)
 
     @abstractmethod
     def peaks(self, greatest: bool, stroke: int | None = None) -> Sequence[Peak]:
-        """Return where in the turn, or in a stroke of the one crank, the speed is least or greatest.
+        """Return where in the cycle, or in a stroke of the one crank, the speed is least or greatest.
 
         Several where they cannot be told apart, as with an infinite rod.
         """
@@ -123,11 +195,12 @@ class AnyTurn(ABC):
     def extreme(self, greatest: bool, stroke: int | None = None) -> Peak:
         """Return the first of the peaks with what all of their energies may be.
 
-        The place is in half turns from the beginning of the turn or of the stroke.
+        The place is in half turns from the beginning of the cycle or of the stroke.
         """
         peaks = self.peaks(greatest, stroke)
         energy = reduce(larger if greatest else smaller, (one.energy for one in peaks))
-        return peaks[0]._replace(place=peaks[0].place - (stroke or 0), energy=energy)
+        begun = (stroke or 0) + self.cylinder.drive.dead_centre((stroke or 0) % 2)
+        return peaks[0]._replace(place=peaks[0].place - begun, energy=energy)
 
     @property
     def pi(self) -> Number:
@@ -138,10 +211,10 @@ class AnyTurn(ABC):
 
     def force_unit(self) -> Number:
         """The force Q in newtons."""
-        load, pressure = self.engine.load, self.engine.pressure
-        assert load is not None
-        assert pressure is not None
-        return self.of(pressure * load.bore**2 / 4) * self.pi
+        first = self.engine.parts[0]
+        assert first.load is not None
+        assert first.pressure is not None
+        return self.of(first.pressure * first.load.bore**2 / 4) * self.pi
 
     def torque_unit(self) -> Number:
         """The moment Q R about the shaft in newton metres."""
@@ -149,27 +222,38 @@ class AnyTurn(ABC):
         return self.force_unit() * self.of(self.engine.crank.radius)
 
     def mean_force(self) -> Number:
-        """P/Q, the mean tangential force of all cranks together."""
-        return self.cylinder.mean * len(self.engine.cranks)
+        """P/Q, the mean tangential force of all cranks together; negative where the shaft drives them."""
+        parts = zip(self.engine.parts, self.cylinders, strict=True)
+        return sum(one.whole_mean * len(part.starts) for part, one in parts)
 
     def tangential_force(self, half_turns: Fraction) -> Number:
         """The tangential force T/Q of all cranks."""
-        return sum(self.cylinder.effort(*one) for one in self.engine.positions(half_turns))
+        cylinders = self.cylinders
+        return sum(cylinders[part].effort(*one) for part, *one in self.positions(half_turns))
 
     def crank_force(self, force: CrankForce, half_turns: Fraction) -> Number:
         """A force of the first crank in Q."""
-        return self.cylinder.force(force, *self.first(half_turns))
+        _, *first = self.first(half_turns)
+        return self.cylinder.force(force, *first)
 
-    def first(self, half_turns: Fraction) -> tuple[int, Fraction]:
-        """Return the stroke of the first crank and the half turns since that began."""
-        return next(self.engine.positions(half_turns))
+    def first(self, half_turns: Fraction) -> Standing:
+        """Return where the first crank stands."""
+        return self.standing(half_turns, 0, self.engine.parts[0].starts[0])
+
+    @abstractmethod
+    def begun(self) -> Sequence[Standing]:
+        """Return where the cranks stand as the first is in its inner dead centre."""
 
     def energy_at(self, half_turns: Fraction) -> Number:
         """The excess work W/(Q R) since the first crank's inner dead centre."""
-        energy, positions = self.cylinder.energy, self.engine.positions
-        since = sum(energy(*one) for one in positions(half_turns))
-        return since - sum(energy(*one) for one in positions(Fraction(0)))
+        cylinders = self.cylinders
+        since, before = (
+            sum(cylinders[part].energy(*one) for part, *one in standing)
+            for standing in (self.positions(half_turns), self.begun())
+        )
+        return since - before
 
     def irregularity(self) -> Number:
-        """Return δ in units of P R/(m₁ v₁²)."""
-        return (self.extreme(greatest=True).energy - self.extreme(greatest=False).energy) / self.mean_force()
+        """Return δ in units of |P| R/(m₁ v₁²)."""
+        swing = self.extreme(greatest=True).energy - self.extreme(greatest=False).energy
+        return swing / abs(self.mean_force())

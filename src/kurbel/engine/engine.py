@@ -8,15 +8,15 @@ from fractions import Fraction
 from math import floor
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from kurbel.drive.crank import Crank
-from kurbel.drive.crank_forces import Weights
 from kurbel.drive.load import CARD, STEAM
 from kurbel.errors import ProblemError
 from kurbel.kernel.steam import Expansion, IdleStroke, best_back
-from kurbel.motion.mechanism import check_load
 from kurbel.reading.notation import about, plain
 
 if TYPE_CHECKING:
+    from kurbel.drive.crank import Crank
+    from kurbel.drive.crank_forces import Weights
+    from kurbel.drive.moved import Drive
     from kurbel.engine.card.card import Card
     from kurbel.engine.card.force import CardStroke
     from kurbel.exact.kind import Kind
@@ -162,13 +162,13 @@ class Load:
 
 @dataclass(frozen=True, slots=True)
 class Engine:
-    """A straight crank drive whose piston is driven by steam, double-acting or not, on one crank or several.
+    """A crank drive under a load on its piston, double-acting or not, on one crank or several.
 
     `cranks` are the angles in degrees by which each crank follows the first; all have cylinders alike. A
-    double-acting cylinder works on both strokes, another on the outstroke and idles on the return.
+    double-acting cylinder works on both strokes; of another the load says what its return stroke does.
     """
 
-    crank: Crank
+    drive: Drive
     steam: Steam | Diagram
     double: bool = True
     cranks: tuple[Fraction, ...] = (Fraction(0),)
@@ -176,8 +176,6 @@ class Engine:
 
     def __post_init__(self) -> None:
         self._check_load()
-        if self.crank.offset:
-            check_load(self.crank.offset, self.steam.name)
         if self.crank.ratio > LARGEST_RATIO:
             raise ProblemError("crank ratio R:L is nearer to 1 than 10^-12; no engine is built so")
         check_count(len(self.cranks))
@@ -187,12 +185,20 @@ class Engine:
                 " write them as 0;90"
             )
 
-    def positions(self, half_turns: Fraction) -> Iterator[tuple[int, Fraction]]:
-        """Yield for each crank the stroke that it is in, 0 or 1, and the half turns since that began."""
-        for start in self.cranks:
-            since = (half_turns - start / 180) % 2
-            stroke = int(since >= 1)
-            yield stroke, since - stroke
+    @property
+    def crank(self) -> Crank:
+        """What is known of the crank."""
+        return self.drive.crank
+
+    @property
+    def parts(self) -> tuple[Engine, ...]:
+        """The engines whose cylinders are alike."""
+        return (self,)
+
+    @property
+    def starts(self) -> tuple[Fraction, ...]:
+        """The half turns by which the cranks follow that of the whole engine."""
+        return tuple(crank / 180 for crank in self.cranks)
 
     @property
     def pressure(self) -> Fraction | None:
@@ -238,7 +244,7 @@ class Engine:
 
     @property
     def plain(self) -> bool:
-        """Whether it is the book's: one crank, double-acting."""
+        """Whether it has one crank and is double-acting, as the book's."""
         return self.double and len(self.cranks) == 1
 
 

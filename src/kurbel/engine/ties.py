@@ -12,21 +12,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
+from functools import wraps
 from math import inf, lcm
 from typing import Any, NamedTuple
 
 import flint
 
 from kurbel.drive.crank_forces import CrankForce, Weights
-from kurbel.engine.cylinder import MOTIONS, SIGNS
-from kurbel.engine.engine import Engine
+from kurbel.engine.engine import Engine, Steam
 from kurbel.engine.turn import Turn
-from kurbel.exact.certify import TieBits, vanishes
+from kurbel.exact.certify import NEVER_TIES, TieBits, vanishes
 from kurbel.exact.kind import Kind, balls, bounds
 from kurbel.exact.separation import Separation
-from kurbel.kernel import turning
 from kurbel.kernel.circle import Circle, Number
-from kurbel.kernel.rod import Loaded, kinetic_energy
 
 FIRST_BITS = 200
 
@@ -35,7 +33,7 @@ _BOUNDS, _BALLS = bounds(), balls()
 
 
 class _Crank(NamedTuple):
-    """Where a crank stands: its stroke and the half turns since that began; weight -1 where W is zero."""
+    """Where a crank stands: its stroke and the half turns φ in it; weight -1 where W is zero."""
 
     stroke: int
     angle: Fraction
@@ -49,16 +47,15 @@ class _On:
         self.engine, self.kind = turn.engine, kind
         self.steam = turn.engine.ideal.numbers(kind.of, kind.exponent)
         # With an infinite rod the exact formulas have roots of 1, which would count as roots.
-        self.motion = MOTIONS[turn.method] if turn.engine.crank.ratio else turning.FIRST_ORDER
+        self.drive = turn.engine.drive.moved(kind, turn.method if turn.engine.crank.ratio else "series")
 
-    def place(self, crank: _Crank) -> tuple[Circle[Number], Number]:
-        """The circle of the crank's angle and the ratio with the sign of its stroke."""
-        ratio = SIGNS[crank.stroke] * self.engine.crank.ratio
-        return self.kind.circle(180 * crank.angle), self.kind.of(ratio)
+    def place(self, crank: _Crank) -> tuple[int, Circle[Number]]:
+        """The stroke of a crank and the circle of its angle."""
+        return crank.stroke, self.kind.circle(180 * crank.angle)
 
     def share(self, crank: _Crank) -> Number:
         """The share of the stroke travelled."""
-        return self.motion.path(*self.place(crank)) / 2
+        return self.drive.path(*self.place(crank)) / self.drive.length
 
     def net_pressure(self, crank: _Crank) -> Number:
         return self.steam.force(self.share(crank))
@@ -67,12 +64,26 @@ class _On:
         return self.share(crank) - self.kind.of(1 / self.engine.ideal.expansion)
 
 
+def _where_known(rule: Callable[..., TieBits]) -> Callable[..., TieBits | None]:
+    """Return the rule of a turn, the last but one of its arguments, for ideal steam on cranks alike whose
+    pistons have algebraic paths; of others a value on a boundary stays unsettled."""
+
+    @wraps(rule)
+    def ruled(*about: Any) -> TieBits | None:
+        turn: Turn = about[-2]
+        known = len(turn.engine.parts) == 1 and isinstance(turn.engine.steam, Steam)
+        return rule(*about) if known and turn.cylinder.drive.algebraic else NEVER_TIES
+
+    return ruled
+
+
+@_where_known
 def force_ties(turn: Turn, half_turns: Fraction) -> TieBits:
     """Return how near the tangential force at an exact angle can come to a boundary."""
     cranks = _cranks(turn, half_turns)
 
     def torque(on: _On, weights: Weights) -> Any:
-        return sum(Loaded(*on.place(crank), weights.masses).torque() for crank in cranks)
+        return sum(on.drive.loaded(*on.place(crank), weights.masses, 0).torque() for crank in cranks)
 
     def bits(boundary: Fraction) -> float:
         if not _without_masses(turn, torque):
@@ -80,21 +91,27 @@ def force_ties(turn: Turn, half_turns: Fraction) -> TieBits:
         on, total = _On(turn, _BOUNDS), Separation.rational(-boundary)
         for crank in cranks:
             if _works(turn.engine, crank):
-                total += _pressure_bounds(turn, crank) * on.motion.velocity(*on.place(crank))
+                total += _pressure_bounds(turn, crank) * on.drive.velocity(*on.place(crank))
         return float(total.bits())
 
     return bits
 
 
+@_where_known
 def energy_ties(turn: Turn, half_turns: Fraction) -> TieBits:
     """Return how near the excess energy at an exact angle can come to a boundary, inf if it equals none."""
     cranks = [*_cranks(turn, half_turns), *_cranks(turn, Fraction(0), -1)]
     mariotte = turn.engine.ideal.exponent == 1
 
     def gain(on: _On, weights: Weights) -> Any:
-        return sum(crank.weight * kinetic_energy(*on.place(crank), weights.masses) for crank in cranks)
+        return sum(
+            crank.weight * on.drive.kinetic_energy(*on.place(crank), weights.masses) for crank in cranks
+        )
 
     def bits(boundary: Fraction) -> float:
+        # The mean works from a dead centre on, whose share of a turn is irrational unless it is regular.
+        if not turn.cylinder.drive.regular:
+            return inf
         # The masses have the energy that they had where W is zero, and all growths of volume with their
         # powers the product 1, or there is a transcendental part.
         if not _without_masses(turn, gain) or (mariotte and not _vanishes(turn, _growth_off_one(cranks))):
@@ -110,22 +127,25 @@ def back_ties(turn: Turn, half_turns: Fraction) -> TieBits:
     return lambda boundary: float((back - Separation.rational(boundary)).bits())
 
 
+@_where_known
 def crank_force_ties(force: CrankForce, turn: Turn, half_turns: Fraction) -> TieBits:
     """Return the same for a force of the first crank in Q."""
     crank = _cranks(turn, half_turns)[0]
 
     def of_masses(on: _On, weights: Weights) -> Any:
-        return force.loaded(*on.place(crank), weights, None, on.kind.of(Fraction(0)))
+        return on.drive.force(force, *on.place(crank), weights, on.kind.of(Fraction(0)))
 
     def bits(boundary: Fraction) -> float:
         if not _without_masses(turn, of_masses):
             return inf
-        alone = _pressure_bounds(turn, crank) * force.bare(*_On(turn, _BOUNDS).place(crank), None)
+        on = _On(turn, _BOUNDS)
+        alone = _pressure_bounds(turn, crank) * on.drive.bare(force, *on.place(crank))
         return float((alone - Separation.rational(boundary)).bits())
 
     return bits
 
 
+@_where_known
 def newton_ties(force: CrankForce, turn: Turn, half_turns: Fraction) -> TieBits:
     """Return the same in newtons: the steam's share has the factor π, that of the masses π² or none."""
     crank = _cranks(turn, half_turns)[0]
@@ -139,7 +159,8 @@ def newton_ties(force: CrankForce, turn: Turn, half_turns: Fraction) -> TieBits:
         if drive.speed.turns:
             return inf
         weights = drive.moving.weights(_BOUNDS.of, _BOUNDS.of(drive.radius * drive.speed.value**2))
-        alone = force.loaded(*_On(turn, _BOUNDS).place(crank), weights, None, Separation.rational(0))
+        on = _On(turn, _BOUNDS)
+        alone = on.drive.force(force, *on.place(crank), weights, Separation.rational(0))
         return float((alone - Separation.rational(boundary)).bits())
 
     return bits
@@ -192,7 +213,7 @@ def _at_full_pressure(turn: Turn, crank: _Crank) -> bool:
 
 
 def _cranks(turn: Turn, half_turns: Fraction, weight: int = 1) -> list[_Crank]:
-    return [_Crank(stroke, angle, weight) for stroke, angle in turn.engine.positions(half_turns)]
+    return [_Crank(stroke, angle, weight) for _, stroke, angle in turn.positions(half_turns)]
 
 
 def _energy(turn: Turn, cranks: Sequence[_Crank]) -> Separation:

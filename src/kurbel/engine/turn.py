@@ -1,42 +1,52 @@
-"""A turn of the engine in ball arithmetic: all places where its speed is least or greatest, with proof.
+"""A cycle of the engine in ball arithmetic: all places where its speed is least or greatest, with proof.
 
-Angles are half turns from the inner dead centre of the first crank, 0 to 2. Between two dead centres, of
+Angles are half turns of the first crank's φ, from its inner dead centre on. Between two dead centres, of
 whatever cranks, the excess of the tangential forces over their mean is one smooth formula but for the
-cut-offs; such a piece is where zeros are searched.
+corners of the forces; such a piece is where zeros are searched. Dead centres that no rational number of half
+turns says are kept between two near ones, over which the excess is proved not to vanish.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from fractions import Fraction
 from functools import cache, cached_property, partial
 from itertools import pairwise
+from math import floor
 from typing import NamedTuple, TypeAlias
 
 import flint
 
-from kurbel.engine.cylinder import SIGNS, AnyTurn, Cylinder, Peak
+from kurbel.engine.cylinder import AnyTurn, Cylinder, Peak, Standing
 from kurbel.engine.engine import Engine
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import ball, ball_circle, half_turn_circle
 from kurbel.exact.kind import balls
-from kurbel.exact.roots import ISOLATING_BITS, Function, Root, isolate, refined
-from kurbel.kernel import steam
-from kurbel.kernel.circle import Circle, Number, root
+from kurbel.exact.roots import ISOLATING_BITS, Function, Root, interval, isolate, refined
+from kurbel.kernel.circle import Circle, Number
 
-# Two speeds that agree to so many bits are taken for equal, as on the two strokes of the infinite rod.
+# Two speeds that agree to so many bits are taken for equal, as on the two strokes of the infinite rod; so
+# is an angle and that of a dead centre.
 EQUAL_BITS = 200
-
+# So near are the numbers between which a dead centre lies.
+GAP_BITS = 100
 
 # Half turns: an exact number of them, or a ball.
 Angle: TypeAlias = Fraction | Number
 
 
 class Piece(NamedTuple):
-    """What lies between two dead centres: each crank's stroke, and where that stroke began."""
+    """What lies between two dead centres: of each crank its part of the engine, its stroke, and the half
+    turns to take off for the angle in it."""
 
     start: Fraction
     end: Fraction
-    strokes: tuple[tuple[int, Fraction], ...]
+    strokes: tuple[tuple[int, int, Fraction], ...]
+
+    @property
+    def stroke(self) -> int:
+        """That of the first crank."""
+        return self.strokes[0][1]
 
 
 class Extremum(NamedTuple):
@@ -49,75 +59,158 @@ class Extremum(NamedTuple):
 
 
 class Turn(AnyTurn):
-    """One turn of an engine by a method, in balls."""
+    """One cycle of an engine by a method, in balls."""
 
     def __init__(self, engine: Engine, method: str) -> None:
         super().__init__(engine, method)
-        self._cylinders: dict[int, Cylinder] = {}
+        self._cylinders: dict[int, tuple[Cylinder, ...]] = {}
         self._extremes = cache(self._choose)
 
     @property
-    def cylinder(self) -> Cylinder:
+    def cylinders(self) -> tuple[Cylinder, ...]:
         bits = flint.ctx.prec
         if bits not in self._cylinders:
-            self._cylinders[bits] = self.cylinder_on(balls(), circle)
+            self._cylinders[bits] = self.cylinders_on(balls(), circle)
         return self._cylinders[bits]
+
+    def has_reached(self, since: Fraction, part: int, stroke: int) -> bool:
+        """Whether the stroke has begun; at its dead centre it has."""
+        for bits in (ISOLATING_BITS, EQUAL_BITS):
+            with flint.ctx.workprec(bits):
+                beyond = ball(since - stroke) - self.cylinders[part].drive.dead_centre(stroke % 2)
+            if not beyond.contains(0):
+                return bool(beyond > 0)
+        return True
 
     @cached_property
     def pieces(self) -> tuple[Piece, ...]:
-        starts = [crank / 180 % 2 for crank in self.engine.cranks]
-        ends = sorted({Fraction(0), Fraction(2), *starts, *((start + 1) % 2 for start in starts)})
-        return tuple(
-            Piece(low, high, tuple((int((low - start) % 2), low - (low - start) % 1) for start in starts))
-            for low, high in pairwise(ends)
-        )
+        return tuple(self._piece(low, high) for (_, low), (high, _) in pairwise(self._gaps))
+
+    def _piece(self, low: Fraction, high: Fraction) -> Piece:
+        middle = (low + high) / 2
+        standing = self.positions(middle)
+        return Piece(low, high, tuple((part, stroke, middle - angle) for part, stroke, angle in standing))
+
+    @cached_property
+    def _gaps(self) -> list[tuple[Fraction, Fraction]]:
+        """The dead centres of all cranks over a cycle, each between two numbers or exactly."""
+        first, *others = self._dead_centres()
+        start, cycle = first[0], self.cycle
+        last = first[0] + cycle, first[1] + cycle
+        shifted = ((low - floor((low - start) / cycle) * cycle, high - low) for low, high in others)
+        gaps = [first]
+        for low, high in sorted([*((low, low + width) for low, width in shifted), last]):
+            # Dead centres of two cranks that are one, or as good as one.
+            if low <= gaps[-1][1]:
+                low, high = gaps[-1][0], max(high, gaps[-1][1])
+                gaps.pop()
+            gaps.append((low, high))
+        return gaps
+
+    def _dead_centres(self) -> Iterator[tuple[Fraction, Fraction]]:
+        for part, one in enumerate(self.engine.parts):
+            drive = self.cylinders[part].drive
+            for start in one.starts:
+                for stroke in range(self.cycle):
+                    begun = start + stroke
+                    if drive.regular:
+                        yield begun, begun
+                    else:
+                        with flint.ctx.workprec(GAP_BITS):
+                            yield _ends(self.cylinders[part].drive.dead_centre(stroke % 2), begun)
+
+    def begun(self) -> list[Standing]:
+        dead = self.cylinder.drive.dead_centre(0)
+        place = dead if dead else Fraction(0)
+        return [
+            Standing(part, stroke, _since(place, begun)) for part, stroke, begun in self.pieces[0].strokes
+        ]
+
+    def angle_of(self, part: int, stroke: int, share: Number) -> Number:
+        """Return the half turns of φ, on the return less one, at which a piston has gone a share."""
+        cylinder, way = self.cylinders[part], stroke % 2
+        known = cylinder.drive.angle_at(way, share)
+        if known is not None:
+            return known
+
+        def lacking(angle: Number) -> Number:
+            return cylinder.share(stroke, circle(angle)) - share
+
+        def speed(angle: Number) -> Number:
+            return cylinder.drive.velocity(way, circle(angle)) / cylinder.drive.length * flint.arb.pi()
+
+        begin, end = self._ends_of(part, stroke)
+        (low, _), (_, high) = _ends(begin), _ends(end)
+        return refined(lacking, speed, Root(low, high, True))
+
+    def _ends_of(self, part: int, stroke: int) -> tuple[Number, Number]:
+        """Return the half turns of φ, on the return less one, at which a stroke begins and ends."""
+        drive, way = self.cylinders[part].drive, stroke % 2
+        return drive.dead_centre(way), 1 + drive.dead_centre(1 - way)
 
     def cut_off(self, stroke: int) -> Number:
         """The crank angle at cut-off, in half turns from the dead centre of the stroke."""
+        begin, end = self._ends_of(0, stroke)
         expansion = self.engine.ideal.expansion
         if expansion == 1:
             # The stroke ends uncut, and rounding may put the sine above 1.
-            return flint.arb(1)
-        cylinder = self.cylinder
-        versine = cylinder.motion.versine_at(ball(2 / expansion), cylinder.ratio * SIGNS[stroke])
-        return 2 * root(versine / 2).asin() / flint.arb.pi()
+            return flint.arb(1) * (end - begin)
+        return self.angle_of(0, stroke, ball(1 / expansion)) - begin
 
     def back(self) -> Number:
         """The back pressure R_b/Q."""
         return self.engine.ideal.numbers(ball).back
 
     def excess(self, piece: Piece, place: Angle) -> Number:
-        effort = self.cylinder.effort
-        total = sum(effort(stroke, _since(place, begun)) for stroke, begun in piece.strokes)
+        cylinders = self.cylinders
+        total = sum(
+            cylinders[part].effort(stroke, _since(place, begun)) for part, stroke, begun in piece.strokes
+        )
         return total - self.mean_force()
 
     def slope(self, piece: Piece, place: Angle) -> Number:
-        slope = self.cylinder.slope
-        return sum(slope(stroke, _since(place, begun)) for stroke, begun in piece.strokes)
+        cylinders = self.cylinders
+        return sum(
+            cylinders[part].slope(stroke, _since(place, begun)) for part, stroke, begun in piece.strokes
+        )
 
     def energy(self, piece: Piece, place: Angle) -> Number:
         """The excess work W/(Q R) since the first crank's inner dead centre."""
-        energy, first = self.cylinder.energy, self.pieces[0].strokes
+        cylinders = self.cylinders
         return sum(
-            energy(stroke, _since(place, begun)) - energy(at_zero, -zero)
-            for (stroke, begun), (at_zero, zero) in zip(piece.strokes, first, strict=True)
+            cylinders[part].energy(stroke, _since(place, begun)) - cylinders[part].energy(*before)
+            for (part, stroke, begun), (_, *before) in zip(piece.strokes, self.begun(), strict=True)
         )
 
     @cached_property
     def extrema(self) -> tuple[Extremum, ...]:
-        """Every stationary place of the speed over the turn, in order."""
+        """Every stationary place of the speed over the cycle, in order."""
+        for before, after in pairwise((self.pieces[-1], *self.pieces)):
+            self._check_gap(before, after)
         return tuple(extremum for piece in self.pieces for extremum in self._stationary(piece))
 
+    def _check_gap(self, before: Piece, after: Piece) -> None:
+        """Raise ProblemError if the speed may turn so near to a dead centre that it is not told from it."""
+        low, high = before.end, after.start
+        if high < low:
+            low -= self.cycle
+        if low == high:
+            return
+        with flint.ctx.workprec(GAP_BITS):
+            behind, beyond = interval(before.end, before.end + high - low), interval(low, high)
+            if (self.excess(before, behind).union(self.excess(after, beyond))).contains(0):
+                raise ProblemError("the speed turns in a dead centre; its extremes cannot be told apart")
+
     def _stationary(self, piece: Piece) -> list[Extremum]:
-        return _zeros(piece, partial(self.excess, piece), partial(self.slope, piece))
+        return stationary(piece, partial(self.excess, piece), partial(self.slope, piece))
 
     def peaks(self, greatest: bool, stroke: int | None = None) -> list[Peak]:
         found = [(one, place(one)) for one in self._extremes(greatest, stroke)]
-        return [Peak(at, self.energy(one.piece, at), int(one.piece.start)) for one, at in found]
+        return [Peak(at, self.energy(one.piece, at), one.piece.stroke) for one, at in found]
 
     def _choose(self, greatest: bool, stroke: int | None) -> list[Extremum]:
         """Return the extremum of greatest or least energy; several only if they cannot be told apart."""
-        within = [one for one in self.extrema if stroke in (None, one.piece.start)]
+        within = [one for one in self.extrema if stroke in (None, one.piece.stroke)]
         # The speed is greatest where the excess falls.
         left = [one for one in within if one.root.rising is not greatest]
         sign = -1 if greatest else 1
@@ -130,44 +223,6 @@ class Turn(AnyTurn):
         if any(one.root.rising is None for one in left):
             raise ProblemError("the speed rests where it should turn; its extremes cannot be told apart")
         return left
-
-
-class WeisbachTurn(Turn):
-    """A turn with the angles of Weisbach's own relations, for Mariotte's law and one double-acting crank.
-
-    α₁ is the first zero of the first-order excess, as sin α₁ = P/(Q - R) ± ½λ sin 2α₁ says; α₂ comes from
-    cot(α₂/2), or where the speed turns before the cut-off from the second zero. Where it turns shortly after
-    the cut-off, his simplified cot(α₂/2) may place α₂ shortly before. Source: § 150.
-    """
-
-    def _stationary(self, piece: Piece) -> list[Extremum]:
-        zeros = super()._stationary(piece)
-        if not self._turns_beyond_cut_off(piece):
-            return zeros
-        relation, slope = partial(self._relation, piece, 0), partial(self._relation, piece, 1)
-        return [zeros[0], *_zeros(piece, relation, slope)]
-
-    @property
-    def expands_first(self) -> bool:
-        """Whether on both strokes the speed is greatest beyond the cut-off, where his cot(α₂/2) holds."""
-        return all(map(self._turns_beyond_cut_off, self.pieces))
-
-    def _turns_beyond_cut_off(self, piece: Piece) -> bool:
-        (stroke, begun) = piece.strokes[0]
-        with flint.ctx.workprec(EQUAL_BITS):
-            return bool(self.excess(piece, self.cut_off(stroke) + ball(begun)) > 0)
-
-    def _relation(self, piece: Piece, part: int, at: Number) -> Number:
-        """His equation for α₂ as a function with that zero, or its slope over the half turns."""
-        (stroke, begun) = piece.strokes[0]
-        angle = at - ball(begun)
-        acting = self.engine.ideal.numbers(ball)
-        loss = acting.back / acting.cut_off
-        work = acting.work(flint.arb(1)) / acting.cut_off
-        ratio = self.cylinder.ratio * SIGNS[stroke]
-        half = (angle / 2).sin_cos_pi()
-        relation = steam.weisbach_maximum(half, circle(angle), ratio, loss, work, flint.arb.pi())
-        return relation[part] * (flint.arb.pi() if part else 1)
 
 
 def turn_of(engine: Engine, method: str) -> AnyTurn:
@@ -185,6 +240,8 @@ def turn_of(engine: Engine, method: str) -> AnyTurn:
             'method "weisbach" is for one double-acting crank, exponent 1 and no clearance, as in § 150;'
             " use exact or series"
         )
+    from kurbel.engine.weisbach import WeisbachTurn
+
     return WeisbachTurn(engine, method)
 
 
@@ -193,9 +250,15 @@ def place(extremum: Extremum) -> Number:
     return refined(extremum.function, extremum.slope, extremum.root)
 
 
-def _zeros(piece: Piece, function: Function, slope: Function) -> list[Extremum]:
+def stationary(piece: Piece, function: Function, slope: Function) -> list[Extremum]:
     found = isolate(function, slope, piece.start, piece.end)
     return [Extremum(piece, zero, function, slope) for zero in found]
+
+
+def _ends(number: Number, begun: Fraction = Fraction(0)) -> tuple[Fraction, Fraction]:
+    """Return two numbers between which a ball lies, from a beginning on."""
+    low, high = (end.fmpq() for end in (number.lower(), number.upper()))
+    return begun + Fraction(int(low.p), int(low.q)), begun + Fraction(int(high.p), int(high.q))
 
 
 def _since(place: Angle, begun: Fraction) -> Angle:

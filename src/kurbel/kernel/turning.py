@@ -6,7 +6,7 @@ net pressure on its piston over the share travelled, and the work of that pressu
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import NamedTuple, Protocol
 
 from kurbel.kernel import kinematics, steam
@@ -46,25 +46,15 @@ FIRST_ORDER = Motion(
 )
 
 
-def tangential_force(stroke: Stroke, motion: Motion, circle: Circle[Number], ratio: Number) -> Number:
-    """Return the tangential force at the crank pin, F c/v, in the direction in which the crank turns.
+def mean_force(strokes: Sequence[Stroke], pi: Number, length: Number = 2) -> Number:
+    """Return the constant tangential force that does the work of all strokes of a cycle, two or four.
 
-    Source: Weisbach-Herrmann, § 150; the principle of virtual displacements.
+    `length` is that of the stroke in R. Source: Weisbach-Herrmann, § 150 (P π r for one stroke).
     """
-    return stroke.force(motion.path(circle, ratio) / 2) * motion.velocity(circle, ratio)
-
-
-def work_done(stroke: Stroke, motion: Motion, circle: Circle[Number], ratio: Number) -> Number:
-    """Return the work of the piston force from the dead centre on, in units of Q R."""
-    return 2 * stroke.work(motion.path(circle, ratio) / 2)
-
-
-def mean_force(strokes: tuple[Stroke, Stroke], pi: Number) -> Number:
-    """Return the constant tangential force that does the work of both strokes in one turn.
-
-    Source: Weisbach-Herrmann, § 150 (P π r for one stroke).
-    """
-    return (strokes[0].work(1) + strokes[1].work(1)) / pi
+    work = sum(one.work(1) for one in strokes)
+    if len(strokes) == length == 2:
+        return work / pi
+    return work * length / (len(strokes) * pi)
 
 
 def energy_swing(irregularity: Number, mean_torque: Number) -> Number:

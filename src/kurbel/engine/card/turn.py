@@ -7,7 +7,7 @@ card supports.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
@@ -19,7 +19,7 @@ from scipy.optimize import brentq
 
 from kurbel.drive.crank_forces import CrankForce
 from kurbel.engine.card.force import CardStroke
-from kurbel.engine.cylinder import AnyTurn, Cylinder, Peak
+from kurbel.engine.cylinder import AnyTurn, Cylinder, Peak, Standing
 from kurbel.engine.engine import Diagram, Engine
 from kurbel.errors import CardError, ProblemError
 from kurbel.exact.kind import floats
@@ -59,12 +59,12 @@ class CardTurn(AnyTurn):
             )
 
     @cached_property
-    def cylinder(self) -> Cylinder:
-        return self.cylinder_on(floats(), _circle)
+    def cylinders(self) -> tuple[Cylinder, ...]:
+        return self.cylinders_on(floats(), _circle)
 
-    @cached_property
-    def strokes(self) -> tuple[CardStroke, CardStroke]:
-        return self.diagram.strokes(floats(), self.engine.double)
+    @property
+    def strokes(self) -> Sequence[Any]:
+        return self.cylinder.strokes
 
     @cached_property
     def coarser(self) -> tuple[CardTurn, ...]:
@@ -107,9 +107,9 @@ class CardTurn(AnyTurn):
 
         Where the tangential force passes its mean at a small angle, little of it moves the place far.
         """
-        place = self.extreme(greatest, stroke).place + (stroke or 0)
+        place = self.peaks(greatest, stroke)[0].place
         slope = (self.excess(place + BESIDE) - self.excess(place - BESIDE)) / (2 * BESIDE)
-        halves = (half.extreme(greatest, stroke).place + (stroke or 0) for half in self.coarser)
+        halves = (half.peaks(greatest, stroke)[0].place for half in self.coarser)
         apart = max(abs(place - half) for half in halves)
         return float(max(apart, 2 * self.force_apart / (abs(slope) + NOTHING)))
 
@@ -120,35 +120,62 @@ class CardTurn(AnyTurn):
     def _excesses(self, places: Any) -> Any:
         """The excess at an array of half turns."""
         total = np.full(len(places), -self.mean_force())
-        for start in self.engine.cranks:
-            since = (places - float(start / 180)) % 2
-            effort = self.cylinder.effort
-            total += np.where(since >= 1, effort(1, since - 1.0), effort(0, since))
+        for start, cylinder in self._cranks():
+            begins = [
+                stroke + cylinder.drive.dead_centre(stroke % 2) for stroke in range(len(cylinder.strokes))
+            ]
+            since = (places - float(start) - begins[0]) % len(begins) + begins[0]
+            strokes = np.searchsorted(begins, since, side="right") - 1
+            for stroke in range(len(begins)):
+                here = strokes == stroke
+                total[here] += cylinder.effort(stroke, since[here] - stroke)
         return total
+
+    def _cranks(self) -> Iterator[tuple[Fraction, Cylinder]]:
+        """Yield each crank's start, and its cylinder."""
+        for part, cylinder in zip(self.engine.parts, self.cylinders, strict=True):
+            for start in part.starts:
+                yield start, cylinder
+
+    def has_reached(self, since: Fraction, part: int, stroke: int) -> bool:
+        begun = stroke + self.cylinders[part].drive.dead_centre(stroke % 2)
+        return bool(float(since) - begun >= -ZERO_TOLERANCE)
+
+    def begun(self) -> list[Standing]:
+        return [*self.positions(Fraction(self.cylinder.drive.dead_centre(0)))]
 
     def crank_force_error(self, force: CrankForce, half_turns: Fraction) -> float:
         """How far such a force may be off, in Q: as far as the net pressure there, by the rod's slant."""
-        stroke, angle = self.first(half_turns)
-        place = self.cylinder.at(stroke, angle)
-        share = self.cylinder.motion.path(*place) / 2
+        _, stroke, angle = self.first(half_turns)
+        circle = self.cylinder.circle(angle)
+        share = self.cylinder.share(stroke, circle)
         own = self.strokes[stroke].force(share)
         apart = max(abs(float(own - half.strokes[stroke].force(share))) for half in self.coarser)
-        return max(apart, self.force_apart) * abs(float(force.bare(*place, None)))
+        return max(apart, self.force_apart) * abs(float(self.cylinder.drive.bare(force, stroke % 2, circle)))
 
     @cached_property
     def extrema(self) -> tuple[Peak, ...]:
-        """Every place at which the speed is least or greatest over the turn, in order."""
-        dead_centres = {float((start / 180 + half) % 2) for start in self.engine.cranks for half in (0, 1)}
-        places = sorted({2 * index / (SAMPLES - 1) for index in range(SAMPLES)} | dead_centres)
+        """Every place at which the speed is least or greatest over the cycle, in order."""
+        turns, first = self.cycle // 2, float(self.cylinder.drive.dead_centre(0))
+        dead_centres = {
+            (float(start + stroke) + cylinder.drive.dead_centre(stroke % 2) - first) % self.cycle + first
+            for start, cylinder in self._cranks()
+            for stroke in range(self.cycle)
+        }
+        samples = turns * (SAMPLES - 1)
+        places = sorted({first + self.cycle * index / samples for index in range(samples + 1)} | dead_centres)
         forces = self._excesses(np.array(places)).tolist()
-        samples = zip(places, forces, strict=True)
         zeros = [
             brentq(self.excess, low, high, xtol=ZERO_TOLERANCE)
-            for (low, before), (high, after) in pairwise(samples)
+            for (low, before), (high, after) in pairwise(zip(places, forces, strict=True))
             if before * after < 0
         ]
         zeros += [place for place, force in zip(places, forces, strict=True) if force == 0]
-        return tuple(Peak(zero, float(self.energy_at(Fraction(zero))), int(zero)) for zero in sorted(zeros))
+        return tuple(self._peak(zero) for zero in sorted(zeros))
+
+    def _peak(self, zero: float) -> Peak:
+        place = Fraction(zero)
+        return Peak(zero, float(self.energy_at(place)), self.first(place).stroke)
 
     def peaks(self, greatest: bool, stroke: int | None = None) -> list[Peak]:
         within = [peak for peak in self.extrema if stroke in (None, peak.stroke)]
