@@ -316,7 +316,8 @@ def slope(work: Callable[[float], float], share: float) -> float:
 
 def share_at(turn: CardTurn, place: float) -> float:
     """Return the share of its stroke that the piston has travelled, so many half turns into the turn."""
-    return float(turn.cylinder.motion.path(circle(180.0 * (place % 1)), -0.2 if place >= 1 else 0.2)) / 2
+    stroke = int(place >= 1)
+    return float(turn.cylinder.share(stroke, circle(180.0 * (place % 1))))
 
 
 @pytest.mark.parametrize(

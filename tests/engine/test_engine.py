@@ -155,13 +155,6 @@ def test_given_back_pressure_stays_as_given() -> None:
     )
 
 
-def test_offset_crank_is_refused() -> None:
-    assert sentence_of_engine(Crank(FIFTH, Fraction(1, 3)), STEAM) == (
-        "the offset crank under steam is not computed; steam can act on the straight crank, and the offset"
-        " crank takes a constant force or moving masses"
-    )
-
-
 @pytest.mark.parametrize("count", [0, MOST_CRANKS + 1])
 def test_too_few_or_too_many_cranks_are_refused(count: int) -> None:
     assert sentence_of_engine(Crank(FIFTH), STEAM, cranks=(NOTHING,) * count) == (

@@ -135,7 +135,6 @@ class OffsetCrank(StraightCrank):
     name = "offset"
     title = "the offset crank"
     takes = (*StraightCrank.takes, "offset")
-    loads = (FORCE, MASSES)
 
     def lacking(self, said: Described) -> str:
         if said.offset is not None:
