@@ -24,7 +24,7 @@ from typing import TYPE_CHECKING
 from kurbel.errors import KurbelError
 
 if TYPE_CHECKING:
-    from kurbel.commands.balance import balance_table, harmonics_table
+    from kurbel.commands.balance import balance_table, firing_table, harmonics_table
     from kurbel.commands.books import collation_table, example_table
     from kurbel.commands.engine import dead_centres_table, delta_table, flywheel_table, turning_table
     from kurbel.commands.engine_plots import plot_engine_forces, plot_engine_polar, plot_turning
@@ -51,6 +51,7 @@ __all__ = [
     "delta",
     "delta_table",
     "example_table",
+    "firing_table",
     "flywheel_table",
     "forces_table",
     "harmonics_table",
@@ -69,7 +70,7 @@ __all__ = [
     "typeset_pdf",
 ]
 _MODULES = {
-    "kurbel.commands.balance": ("balance_table", "harmonics_table"),
+    "kurbel.commands.balance": ("balance_table", "firing_table", "harmonics_table"),
     "kurbel.commands.books": ("collation_table", "example_table"),
     "kurbel.commands.engine": ("dead_centres_table", "delta_table", "flywheel_table", "turning_table"),
     "kurbel.commands.engine_plots": ("plot_engine_forces", "plot_engine_polar", "plot_turning"),

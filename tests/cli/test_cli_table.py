@@ -16,6 +16,7 @@ from textbook import Drive, evaluate, rounded
 from textbook import printed as digits
 
 from kurbel.balance import harmonics
+from kurbel.balance.firing_page import cylinders_registry, orders_registry
 from kurbel.balance.page import balance_registry
 from kurbel.engine.quantities import engine_registry
 from kurbel.linkage import beam
@@ -220,10 +221,11 @@ def test_quantities_are_listed_a_line_each() -> None:
     keys = [line.split()[0] for line in lines]
     motion, engines = ["ratio", "phi", *registry()], [*engine_registry(), *beam.registry()]
     links = [*arc_registry(), *parallel_registry()]
+    firing = [*orders_registry(), *cylinders_registry()]
     rods = [*inertia_registry(), *error_columns()]
     assert keys == [
-        *motion, *engines, *("value" for _ in harmonics.HARMONICS), *balance_registry(), *links, *rods,
-        *(one.key for _, one in own_columns()),
+        *motion, *engines, *("value" for _ in harmonics.HARMONICS), *balance_registry(), *firing,
+        *links, *rods, *(one.key for _, one in own_columns()),
     ]  # fmt: skip
     assert all(len(line.split()) > 2 for line in lines)
     assert printed("quantities", "--lang", "en").out.splitlines() != lines

@@ -29,6 +29,8 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "dead centres": ("deadcentres",),
     "harmonics": ("harmonics",),
     "balance": ("balance",),
+    "firing orders": ("firing",),
+    "firing": ("firing", "--order=1-3-4-2"),
     "collation": ("collate", "roetscher-112"),
     "arc crank": ("table", "--mechanism=arc", "--rocker=6"),
     "parallel crank": ("table", "--mechanism=parallel"),
@@ -48,6 +50,7 @@ MOTION = about("motion")
 ENGINES = about("irregularity", "strokes", "turning", "crank forces", "machine", "flywheel")
 BEAMS = about("dead centres")
 BALANCES = about("harmonics", "balance")
+FIRINGS = about("firing orders", "firing")
 COLLATIONS = about("collation")
 LINKAGES = about("arc crank", "parallel crank")
 # What `kurbel table` prints.
@@ -81,6 +84,8 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
     "dead centres": (kurbel.dead_centres_table, {}),
     "harmonics": (kurbel.harmonics_table, {}),
     "balance": (kurbel.balance_table, {}),
+    "firing orders": (kurbel.firing_table, {}),
+    "firing": (kurbel.firing_table, {"order": "1-3-4-2"}),
     "collation": (kurbel.collation_table, {"table": "roetscher-112"}),
     "arc crank": (kurbel.table, {"mechanism": "arc", "rocker": 6}),
     "parallel crank": (kurbel.table, {"mechanism": "parallel"}),

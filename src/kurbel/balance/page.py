@@ -209,22 +209,23 @@ def _number(question: BalanceRequest, column: Column, place: Place, times: int) 
 
 
 def _caption(question: BalanceRequest) -> Label:
-    return caption(question).replace("{engine}", _engine(question))
+    return caption(question).replace(
+        "{engine}", engine_label(question.engine, question.arrangement, question.lang)
+    )
 
 
-def _engine(request: BalanceRequest) -> Label:
-    if request.engine:
-        return dict(zip(("de", "en"), ENGINES[request.engine], strict=True))[request.lang]
-    return WORDS["cylinders"][request.lang].format(count=len(request.arrangement.cylinders))
+def engine_label(name: str, arrangement: Arrangement, lang: str) -> Label:
+    """Return what an engine is called by its name, or how many cylinders it has."""
+    if name:
+        return dict(zip(("de", "en"), ENGINES[name], strict=True))[lang]
+    return WORDS["cylinders"][lang].format(count=len(arrangement.cylinders))
 
 
 def _notes(request: BalanceRequest) -> Iterator[Label]:
     lang, cylinders = request.lang, request.arrangement.cylinders
-    yield WORDS["cranks"][lang] + _list(angle_text(one.crank) for one in cylinders)
-    if any(one.bank for one in cylinders):
-        yield WORDS["banks"][lang] + _list(angle_text(one.bank) for one in cylinders)
+    yield from angle_notes(request.arrangement, lang)
     if len(cylinders) > 1:
-        yield WORDS["positions"][lang] + _list(_exact(one.position) for one in cylinders)
+        yield WORDS["positions"][lang] + listed(_exact(one.position) for one in cylinders)
     yield WORDS["angles"][lang]
     yield WORDS["symbols"][lang]
     spacing = "spacing" if request.engine else "unit"
@@ -235,7 +236,16 @@ def _notes(request: BalanceRequest) -> Iterator[Label]:
     yield from series_notes(request)
 
 
-def _list(values: Iterable[str]) -> Label:
+def angle_notes(arrangement: Arrangement, lang: str) -> Iterator[Label]:
+    """Yield the angles of the cranks and, where there are several banks, of these."""
+    cylinders = arrangement.cylinders
+    yield WORDS["cranks"][lang] + listed(angle_text(one.crank) for one in cylinders)
+    if any(one.bank for one in cylinders):
+        yield WORDS["banks"][lang] + listed(angle_text(one.bank) for one in cylinders)
+
+
+def listed(values: Iterable[str]) -> Label:
+    """Return values in a row: $0°$; $180°$."""
     return "; ".join(f"${value}$" for value in values)
 
 

@@ -29,6 +29,25 @@ Method = Annotated[
     option.METHOD._replace(help="exact, series (first order in λ) or infinite (rod of infinite length)."),
 ]
 
+Engine = Annotated[
+    str | None,
+    Option(
+        "inline-1, inline-2-180, inline-2-360, inline-3 to inline-6, v2-90, v6-90, v8-90, v12-60,"
+        " boxer-2, boxer-4; default: inline-4.",
+        kind=Choice("engine", usual),
+    ),
+]
+CylinderCranks = Annotated[
+    option.Given | None,
+    Option("Another engine: the crank of every cylinder, 0;180;180;0.", "ANGLES", unit="degrees"),
+]
+Banks = Annotated[
+    option.Given | None,
+    Option(
+        "Directions of its cylinders, counted as the cranks: -45;45; default 0.", "ANGLES", unit="degrees"
+    ),
+]
+
 
 @makes_table()
 def harmonics_table(
@@ -72,19 +91,9 @@ def harmonics_table(
 
 @makes_table()
 def balance_table(
-    engine: Annotated[
-        str | None,
-        Option(
-            "inline-1, inline-2-180, inline-2-360, inline-3 to inline-6, v2-90, v6-90, v8-90, v12-60,"
-            " boxer-2, boxer-4; default: inline-4.",
-            kind=Choice("engine", usual),
-        ),
-    ] = None,
+    engine: Engine = None,
     *,
-    cranks: Annotated[
-        option.Given | None,
-        Option("Another engine: the crank of every cylinder, 0;180;180;0.", "ANGLES", unit="degrees"),
-    ] = None,
+    cranks: CylinderCranks = None,
     positions: Annotated[
         option.Given | None,
         Option(
@@ -93,14 +102,7 @@ def balance_table(
             unit="a unit of your own",
         ),
     ] = None,
-    banks: Annotated[
-        option.Given | None,
-        Option(
-            "Directions of its cylinders, counted as the cranks: -45;45; default 0.",
-            "ANGLES",
-            unit="degrees",
-        ),
-    ] = None,
+    banks: Banks = None,
     share: Annotated[
         Exact,
         Option("Share of each reciprocating mass that counterweights balance: 0.5, 50%.", "SHARE"),
@@ -147,5 +149,72 @@ def balance_table(
         last_order=orders,
         method=method,
         columns=as_names(columns, "order,along"),
+        **sheet,
+    )
+
+
+@makes_table(machine=False)
+def firing_table(
+    engine: Engine = None,
+    *,
+    cranks: CylinderCranks = None,
+    banks: Banks = None,
+    order: Annotated[
+        str | None,
+        Option("Firing order whose cranks are sought, or of these cranks: 1-3-4-2.", "ORDER"),
+    ] = None,
+    intervals: Annotated[
+        option.Given | None,
+        Option(
+            "With --order: the angles from each firing to the next, 315;405; default: equal ones.",
+            "ANGLES",
+            unit="degrees",
+        ),
+    ] = None,
+    strokes: Annotated[
+        int, Option("Strokes of a cycle: 4 (default) or 2.", "N", Count("number of strokes", 2, 4))
+    ] = 4,
+    columns: Annotated[
+        option.Names, option.columns_option("firing-orders", "number,firing_order,longest")
+    ] = (),
+    layouts: option.Layouts = None,
+    layout: Annotated[str | None, option.layout_option("firing orders", "firing")] = None,
+    **sheet: Unpack[option.Sheet],
+) -> Question:
+    """Print the firing orders that an engine's cranks allow; with --order the cranks that it needs.
+
+    \b
+    kurbel firing --cranks '0;180;180;0'
+    kurbel firing --engine v8-90
+    kurbel firing --order 1-5-3-6-2-4
+    kurbel firing --order 1-2 --banks '0;45' --intervals '405;315'
+    \f
+    >>> import kurbel
+    >>> page = kurbel.firing_table(cranks="0;180;180;0", columns="firing_order")
+    >>> print(kurbel.typeset(page, "csv"), end="")
+    firing_order
+    1-2-4-3
+    1-3-4-2
+    """
+    from kurbel.balance.firing import read_order
+    from kurbel.balance.firing_page import FiringRequest, asked
+
+    page = layout_of(layout or ("firing" if order else "firing-orders"), ("firing orders", "firing"), layouts)
+    sought = () if order is None else read_order(order)
+    name, arrangement = asked(
+        engine,
+        () if cranks is None else as_crank_angles(cranks),
+        () if banks is None else as_crank_angles(banks),
+        sought,
+        strokes,
+        () if intervals is None else as_crank_angles(intervals),
+    )
+    return FiringRequest(
+        layout=page,
+        arrangement=arrangement,
+        strokes=strokes,
+        order=sought,
+        engine=name,
+        columns=as_names(columns, "firing_order" if order is None else "crank,fires_at"),
         **sheet,
     )

@@ -34,6 +34,8 @@ SUBJECTS: Mapping[str, Pages] = {
     "dead centres": Pages("kurbel.linkage.beam_page:SUBJECT", "deadcentres"),
     "harmonics": Pages("kurbel.balance.harmonics_page:SUBJECT", "harmonics"),
     "balance": Pages("kurbel.balance.page:SUBJECT", "balance"),
+    "firing orders": Pages("kurbel.balance.firing_page:ORDERS", "firing"),
+    "firing": Pages("kurbel.balance.firing_page:FIRING", "firing --order 1-3-4-2"),
     **mechanisms.SUBJECTS,
     "inertia": Pages("kurbel.motion.inertia_page:INERTIA", _INERTIA),
     "inertia errors": Pages("kurbel.motion.inertia_page:SUBJECT", _INERTIA),
