@@ -25,6 +25,7 @@ from kurbel.books.source import source_tables
 from kurbel.books.truth import BALLS
 from kurbel.books.verdict import (
     CARRIED,
+    COARSER,
     DIGIT,
     EXCHANGED,
     FOLLOWS,
@@ -162,6 +163,10 @@ def test_no_text_does_anything_else(text: str) -> None:
         ("0,357", 355, {"on_the_way": 357}, ON_THE_WAY, ""),
         ("0,357", 355, {"on_the_way": 358}, DIGIT, "7:5"),
         ("0,417", 355, {"others": {"series": lambda: 417, "infinite": lambda: 417}}, OTHER_FORMULA, "series"),
+        ("79°20'", 79 * 60 + 16, {"coarsely": lambda: 79 * 6 + 2}, COARSER, "0°10'"),
+        ("79°20'", 79 * 60 + 14, {"coarsely": lambda: 79 * 6 + 1}, UNEXPLAINED, ""),
+        ("79°20'", 79 * 60 + 16, {"on_the_way": 79 * 60 + 20, "slips": ("a",)}, CARRIED, "a"),
+        ("0,360", 364, {"coarsely": lambda: 36}, DIGIT, "0:4"),
         ("-0,355", 355, {}, SIGN, ""),
         ("0,014", -14, {}, SIGN, ""),
         ("0,981", 991, {}, DIGIT, "8:9"),
@@ -181,8 +186,8 @@ def test_the_first_verdict_that_the_evidence_bears_out_is_given(
 
 
 def test_verdicts_are_tried_in_the_order_of_the_registry() -> None:
-    order = [RIGHT, LAST_PLACE, ON_THE_WAY, OTHER_FORMULA, SIGN, DIGIT, EXCHANGED, CARRIED, UNEXPLAINED]
-    assert list(VERDICTS) == order
+    order = [RIGHT, LAST_PLACE, ON_THE_WAY, OTHER_FORMULA, COARSER, SIGN, DIGIT, EXCHANGED, CARRIED]
+    assert list(VERDICTS) == [*order, UNEXPLAINED]
 
 
 # The books ------------------------------------------------------------------------------------------------
@@ -237,7 +242,7 @@ def test_formulas_of_cells_have_the_value_that_mpmath_gives() -> None:
                 unit = mp.mpf(one.printed.unit.numerator) / one.printed.unit.denominator
                 right = int(mp.floor(value / unit + mp.mpf("0.5")))
                 assert one.off is not None and one.printed.scaled - one.off == right, one.cell.place
-    assert count == 50
+    assert count == 56
 
 
 def test_every_book_says_what_it_states_and_what_was_inferred() -> None:
@@ -384,6 +389,40 @@ def test_a_missing_file_or_quantity_is_answered_with_a_sentence(tmp_path: Path) 
         library.collation_table()
 
 
+ROUNDED = {
+    ("blau-33", "stroke_a"): (LAST_PLACE, FOLLOWS),
+    ("blau-33", "stroke_b"): (LAST_PLACE, FOLLOWS),
+    ("blau-33", "alpha_a"): (COARSER, "0°10'"),
+    ("blau-34", "alpha"): (COARSER, "0°10'"),
+    ("blau-34", "sin_alpha"): (LAST_PLACE, FOLLOWS),
+    ("blau-31", "stroke_135"): (LAST_PLACE, ""),
+}
+
+
+@pytest.mark.parametrize(("key", "place"), ROUNDED)
+def test_how_blau_came_to_a_last_place_is_said(key: str, place: str) -> None:
+    """0,911/2 and 0,895/2 are ties; α to ten minutes; sin 69°30' is 0,93667; 1,757/2 is no 0,878."""
+    found = {one.cell.place: one.verdict for one in Collation(TABLES[key])}
+    assert found[place] == ROUNDED[key, place]
+
+
+def test_what_is_rounded_is_so_by_mpmath() -> None:
+    assert Fraction("0.911") / 2 == Fraction("0.4555") and Fraction("0.895") / 2 == Fraction("0.4475")
+    for cosine, tens in (((mp.sqrt(33) - 5) / 4, 79 * 6 + 2), ((mp.sqrt(41) - 5) / 4, 69 * 6 + 3)):
+        assert mp.nint(mp.degrees(mp.acos(cosine)) * 6) == tens
+    assert mp.nstr(mp.sin(mp.radians(69.5)), 3) == "0.937"
+    assert mp.nstr(mp.sqrt(1 - ((mp.sqrt(41) - 5) / 4) ** 2), 3) == "0.936"
+
+
+def test_weisbach_is_not_called_right_about_his_second_angle_without_the_true_one() -> None:
+    true = {row["cell"]: row for row in rows("weisbach/150.csv")}
+    for lang in ("de", "en"):
+        said = " ".join(printed("collate", "weisbach-150", f"--lang={lang}").out.split())
+        for method in ("series", "exact"):
+            for cell in ("alpha_max", "alpha_max_return"):
+                assert true[cell][method].replace("'", "′") in said
+
+
 # Books of one's own ---------------------------------------------------------------------------------------
 
 BOOK = """
@@ -449,6 +488,8 @@ def test_a_book_of_ones_own_is_a_folder(tmp_path: Path) -> None:
             VALUES,
             "line 13: notes is a table; it must be lists of lines, notes.de and notes.en",
         ),
+        (f'{BOOK}notes.de = ["{{b exat}}"]\n', VALUES, 'line 13: there is no method "exat" (did you mean'),
+        (f'{BOOK}notes.de = ["{{a exact}}"]\n', VALUES, 'there is no place with a quantity "a"; choose'),
         (f'{BOOK}notes.de = "abc"\n', VALUES, "notes is a table; it must be lists of lines"),
         (BOOK.replace("A Book", "\\u001b[31m"), VALUES, "; it must be a line of text"),
         (

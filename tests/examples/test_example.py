@@ -95,6 +95,10 @@ def position(target: Callable[[Given], Real]) -> dict[str, Callable[[Given], Rea
         "root": lambda given: 2 * (roots(given)[0] - roots(given)[1]),
         "quarter_root": lambda given: (roots(given)[0] - roots(given)[1]) / 2,
         "numerator": lambda given: 4 * roots(given)[0],
+        "dead_centre": lambda given: evaluate("p", "series", drive(given), Fraction(0)),
+        "vertex": lambda given: (roots(given)[0] + roots(given)[1]) / 2,
+        "vertex_square": lambda given: (roots(given)[0] + roots(given)[1]) ** 2 / 4,
+        "vertex_radicand": lambda given: (roots(given)[0] - roots(given)[1]) ** 2 / 4,
     }
 
 
@@ -377,7 +381,7 @@ def test_every_printed_value_stands_in_its_example() -> None:
         held = [cell.printed.text for cell in cells if cell.printed and "table" not in cell.place]
         assert Counter(shown) == Counter(held), (key, number)
         counted += len(held)
-    assert counted == 80
+    assert counted == 86
 
 
 def test_figures_of_section_150_are_those_of_its_register() -> None:
@@ -457,6 +461,11 @@ ERRORS = [
     ),
     (("blau", "33", "--ratio=1:4", "--ratio=x"), 'crank ratio "x" is not a ratio R:L; write it as 1:5,'),
     (("weisbach", "149", "--beam=1"), "beam arm a is 1 r; it must be longer than the crank radius r,"),
+    (
+        ("-f", "json", "-o", "list.json"),
+        "--format is for the page of an example, and none is named; name one",
+    ),
+    (("blau", "--ratio=1:4"), "--ratio is for the page of an example, and none is named; name one, such as"),
     (("weisbach", "150", "--eps=4", "--back=0.9"), "back pressure b = 0.9 leaves no work at ε = 4;"),
 ]
 

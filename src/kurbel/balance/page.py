@@ -94,7 +94,7 @@ WORDS: Mapping[str, Words] = {
     ),
     "share": words(
         "Gegengewichte, der Kurbel gegenüber umlaufend, gleichen von jeder Masse $m$ den Teil {share} aus"
-        "|Counterweights, turning opposite the crank, balance the share {share} of every mass $m$"
+        "|Counterweights, opposite the crank and turning with it, balance the share {share} of every mass $m$"
     ),
     "spacing": words("$a$ Abstand benachbarter Kurbeln|$a$ distance of neighbouring cranks"),
     "unit": words("$a$ Längeneinheit der Lagen|$a$ unit of length of the positions"),

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 
-from kurbel.books.collation import Collated
-from kurbel.books.quantities import AXES, quantity_label
+from kurbel.books.collation import Collated, cell_truth
+from kurbel.books.quantities import AXES, methods_of, quantity_label
 from kurbel.books.source import SourceCell
-from kurbel.books.verdict import DIGIT, FOLLOWS, LAST_PLACE, OTHER_FORMULA, VERDICTS
+from kurbel.books.verdict import COARSER, DIGIT, FOLLOWS, LAST_PLACE, OTHER_FORMULA, VERDICTS
 from kurbel.exact.numerals import Label, Number
 from kurbel.page.quantity import Words, words
+from kurbel.reading.given import choose
 
 WORDS: Mapping[str, Words] = {
     "place": words("Stelle|Place"),
@@ -36,6 +38,8 @@ WORDS: Mapping[str, Words] = {
     "follows": words("folgt aus den gedruckten Zwischenwerten|follows from the printed intermediate values"),
     "table": words("Tafel|Table"),
 }
+# Of a note: {alpha_max series}.
+_VALUE = re.compile(r"\{(\w+) (\w+)\}")
 METHOD_NAMES: Mapping[str, Mapping[str, str]] = {
     "exact": words("genau|exact"),
     "series": words("erste Ordnung|first order"),
@@ -75,6 +79,21 @@ def place_label(one: Collated, lang: str, beside: SourceCell | None = None) -> L
     return ", ".join(parts)
 
 
+def filled_note(note: Label, collated: Iterable[Collated]) -> Label:
+    """Return a note with its values: {place method} is what would be printed at a place by another method.
+
+    Raises ChoiceError for a place or a method that is not there.
+    """
+    by_place = {one.cell.place: one for one in collated if one.cell.quantity}
+
+    def value(match: re.Match[str]) -> Label:
+        one = by_place[choose(match[1], by_place, "place with a quantity")]
+        method = choose(match[2], methods_of(one.cell.quantity), "method")
+        return _characters(cell_truth(one.cell, method).written_as(one.printed).text)
+
+    return _VALUE.sub(value, note)
+
+
 def verdict_text(one: Collated, collated: Iterable[Collated], lang: str) -> Label:
     """Return the verdict with what it is about."""
     said = VERDICTS[one.verdict.kind][lang]
@@ -92,6 +111,8 @@ def _detail(one: Collated, collated: Iterable[Collated], lang: str) -> Label:
         return WORDS[words][lang].format(digit, found.detail[2:])
     if found.kind == OTHER_FORMULA:
         return METHOD_NAMES[found.detail][lang]
+    if found.kind == COARSER:
+        return _characters(found.detail.removeprefix("0°"))
     if (found.kind, found.detail) == (LAST_PLACE, FOLLOWS):
         return WORDS["follows"][lang]
     by_place = {each.cell.place: each for each in collated}

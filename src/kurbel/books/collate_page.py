@@ -9,7 +9,14 @@ from fractions import Fraction
 from functools import cache, cached_property
 from itertools import count
 
-from kurbel.books.apparatus import WORDS, place_label, printed_cell, recomputed_cell, verdict_text
+from kurbel.books.apparatus import (
+    WORDS,
+    filled_note,
+    place_label,
+    printed_cell,
+    recomputed_cell,
+    verdict_text,
+)
 from kurbel.books.collation import Collated
 from kurbel.books.source import AXIS_KEYS, SourceCell, SourceTable
 from kurbel.books.verdict import ALL, DEVIATIONS, RIGHT, VERDICTS
@@ -173,10 +180,19 @@ def _notes(request: CollateRequest) -> Iterator[Note]:
     found = (f"{counted[kind]} {words[lang]}" for kind, words in VERDICTS.items() if counted[kind])
     said = WORDS["one" if len(request.collated) == 1 else "summary"][lang]
     yield Note(said.format(count=len(request.collated), verdicts=", ".join(found)))
-    yield from (Note(note) for note in request.table.notes[lang])
+    for note in request.table.notes[lang]:
+        yield Note(_filled(request, note))
     yield Note(WORDS["units"][lang])
     if request.deviations:
         yield Note(WORDS["careful"][lang])
+
+
+def _filled(request: CollateRequest, note: Label) -> Label:
+    try:
+        return filled_note(note, request.collated)
+    except ChoiceError as error:
+        table = request.table
+        raise table.book.file.error(("tables", table.name, "notes", request.lang), error) from None
 
 
 def _records(request: CollateRequest) -> Records:

@@ -5,7 +5,7 @@ A true value is rounded once to the last place that is printed, half away from z
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from functools import partial
 from typing import NamedTuple
@@ -13,8 +13,8 @@ from typing import NamedTuple
 from kurbel.books.printed_value import Printed, Units
 from kurbel.books.quantities import AXES, methods_of, quantity_truth
 from kurbel.books.source import SourceCell, SourceTable
-from kurbel.books.truth import Truth, constant, formula_truth, kept
-from kurbel.books.verdict import RIGHT, Evidence, Verdict, verdict
+from kurbel.books.truth import Truth, formula_truth, kept
+from kurbel.books.verdict import ROUNDINGS, Evidence, Verdict, verdict
 from kurbel.errors import KurbelError, SourceError
 
 
@@ -69,10 +69,13 @@ class Collation:
         if cell.quantity:
             return cell_truth(cell, cell.method)
         assert cell.formula is not None
-        return formula_truth(cell.formula, lambda name: self.truth(self._by_place[name]))
+        return formula_truth(cell.formula, self._truth_at)
+
+    def _truth_at(self, place: str) -> Truth:
+        return self.truth(self._by_place[place])
 
     def _way(self, cell: SourceCell) -> tuple[Truth | None, tuple[str, ...]]:
-        """Return the value from what was printed before, and which of that is not right itself."""
+        """Return the value from what was printed before, and what of that is neither right nor rounded."""
         way = cell.way or cell.formula
         if way is None or not way.names:
             return None, ()
@@ -80,9 +83,8 @@ class Collation:
         before = {name: one.value for name, one in printed.items() if one is not None}
         if len(before) < len(printed):
             return None, ()
-        found = formula_truth(way, lambda name: constant(before[name]))
-        slips = tuple(name for name in sorted(way.names) if self.collated(name).verdict.kind != RIGHT)
-        return found, slips
+        slips = (name for name in sorted(way.names) if self.collated(name).verdict.kind not in ROUNDINGS)
+        return formula_truth(way.with_numbers(before), self._truth_at), tuple(slips)
 
 
 def collate(
@@ -95,7 +97,8 @@ def collate(
     shown = ""
     if printed.exact and truth.rational is None and right != printed.scaled:
         shown = truth.written_as(Printed("", 0, Fraction(1, 10**6), ",")).text
-    return collated_units(cell, right, on_the_way, slips, shown)
+    coarser = printed.coarser()
+    return collated_units(cell, right, on_the_way, slips, shown, lambda: truth.in_units(coarser))
 
 
 def collated_units(
@@ -104,29 +107,32 @@ def collated_units(
     on_the_way: Units | None = None,
     slips: tuple[str, ...] = (),
     shown: str = "",
+    coarsely: Callable[[], Units | None] | None = None,
 ) -> Collated:
     """Return a value that is so many units of its last place by rights, with its verdict.
 
-    `shown` is what it should be where no quotient is known to be.
+    `shown` is what it should be where no quotient is known to be, `coarsely` the value in the coarser place.
     """
     printed = cell.printed
     assert printed is not None
     methods = methods_of(cell.quantity) if cell.quantity else ()
-    others = {method: partial(_units_by, cell, method) for method in methods if method != cell.method}
-    found = verdict(Evidence(printed, right, others, on_the_way, slips))
+    others = {
+        method: partial(_units_by, cell, method, printed) for method in methods if method != cell.method
+    }
+    coarsely = coarsely or partial(_units_by, cell, cell.method, printed.coarser())
+    found = verdict(Evidence(printed, right, others, on_the_way, slips, coarsely))
     in_places = right is not None and (not printed.exact or right == printed.scaled)
     off = int(printed.scaled - right) if right is not None and in_places else None
     return Collated(cell, printed, shown or printed.standing_for(right or 0), off, found)
 
 
-def _units_by(cell: SourceCell, method: str) -> Units | None:
-    """Return what the cell is by another method in its unit, None where that has no formula for it."""
+def _units_by(cell: SourceCell, method: str, like: Printed) -> Units | None:
+    """Return what the cell is by a method in the unit of `like`, None where that has no formula for it."""
     try:
         truth = cell_truth(cell, method)
     except KurbelError:
         return None
-    assert cell.printed is not None
-    return truth.in_units(cell.printed)
+    return truth.in_units(like)
 
 
 def cell_truth(cell: SourceCell, method: str) -> Truth:

@@ -57,22 +57,29 @@ class Expression:
     """An expression that was read once; `names` are the other cells in it, `transcendental` has a logarithm
     or an arc.
 
-    `numbers` stand in place of their names, also in sines and cosines.
+    `numbers` stand in place of their names, also in sines and cosines. With `later` those of names in sines
+    and cosines are to come, by `with_numbers`.
     """
 
-    def __init__(self, text: str, numbers: Mapping[str, Fraction] | None = None) -> None:
+    def __init__(
+        self, text: str, numbers: Mapping[str, Fraction] | None = None, *, later: bool = False
+    ) -> None:
         self.text = text
-        self._tree = _parsed(text, numbers or {})
+        self._tree = _parsed(text, numbers or {}, later)
         named = {node.id for node in ast.walk(self._tree) if isinstance(node, ast.Name)}
         self.names = frozenset(named - {*FUNCTIONS})
         self.transcendental = bool(named & {"ln", "arccos"})
+
+    def with_numbers(self, numbers: Mapping[str, Fraction]) -> Expression:
+        """Return the same with numbers in place of their names."""
+        return Expression(self.text, numbers)
 
     def value(self, kind: Kind, cell: Callable[[str], Any]) -> Any:
         """Return the value on a kind of number, with those of the cells that it names."""
         return _value(self._tree, kind, cell)
 
 
-def _parsed(text: str, numbers: Mapping[str, Fraction]) -> ast.expr:
+def _parsed(text: str, numbers: Mapping[str, Fraction], later: bool) -> ast.expr:
     if len(text) > LONGEST:
         raise NotationError(f"an expression of {len(text)} characters is too long; {LONGEST} are allowed")
     written = text.replace("^", "**")
@@ -81,7 +88,7 @@ def _parsed(text: str, numbers: Mapping[str, Fraction]) -> ast.expr:
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         raise NotationError(f'"{text[:60]}" is no expression; write one such as 1 - cos(45)') from None
     read: ast.expr = _Numbers(written, numbers).visit(tree).body
-    _check(read, text)
+    _check(read, text, later)
     return read
 
 
@@ -109,27 +116,31 @@ def _constant(value: Fraction, place: ast.expr) -> ast.Constant:
     return ast.copy_location(ast.Constant(value), place)  # type: ignore[arg-type]
 
 
-def _check(tree: ast.expr, text: str) -> None:
+def _check(tree: ast.expr, text: str, later: bool) -> None:
     """Raise NotationError for anything but numbers, names, the four operations, powers and functions."""
     match tree:
         case ast.Constant() | ast.Name():
             return
         case ast.UnaryOp(op=ast.USub(), operand=inner):
-            _check(inner, text)
+            _check(inner, text, later)
         case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=power)) if power in range(10):
-            _check(left, text)
+            _check(left, text, later)
         case ast.BinOp(left=left, op=op, right=right) if type(op) in _OPERATIONS:
-            _check(left, text)
-            _check(right, text)
+            _check(left, text, later)
+            _check(right, text, later)
         case ast.Call(func=ast.Name(id=name), args=[inner], keywords=[]) if name in FUNCTIONS:
-            _check(inner, text)
-            if name in ("sin", "cos"):
+            _check(inner, text, later)
+            if name in ("sin", "cos") and not (later and _has_names(inner)):
                 _rational(inner, text)
         case _:
             raise NotationError(
                 f'"{text[:60]}" has what no expression may; it has numbers, names of cells, + - * / ^,'
                 f" brackets, {', '.join(FUNCTIONS)}"
             )
+
+
+def _has_names(tree: ast.expr) -> bool:
+    return any(isinstance(node, ast.Name) for node in ast.walk(tree))
 
 
 def _rational(tree: ast.expr, text: str) -> Fraction:

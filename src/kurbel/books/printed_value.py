@@ -10,6 +10,8 @@ from kurbel.errors import NotationError
 from kurbel.exact.numerals import Label, Number, number_text
 
 LONGEST = 100
+# Units of the last place in one of the next.
+NEXT_PLACE = 10
 _DECIMAL = re.compile(r"([-−]?)([0-9]+)(?:([.,])([0-9]+))?")
 _ARC = re.compile(r"([-−]?)([0-9]+)°\s*(?:([0-9]+)(½)?['′])?")
 _QUOTIENT = re.compile(r"([-−]?)([0-9]+)/([0-9]+)")
@@ -62,6 +64,15 @@ class Printed(NamedTuple):
             value = scaled * self.unit
             return Printed(text, value.numerator, Fraction(1, value.denominator), self.form)
         return self._replace(text=text, scaled=int(scaled))
+
+    @property
+    def in_tens(self) -> bool:
+        """Whether it may be meant to ten minutes: 79°20'. A decimal fraction promises all its places."""
+        return self.form == "'" and self.scaled % NEXT_PLACE == 0
+
+    def coarser(self) -> Printed:
+        """Return the value in units ten times as great; one in tens is the same."""
+        return self._replace(scaled=self.scaled // NEXT_PLACE, unit=self.unit * NEXT_PLACE)
 
     def in_formula(self) -> str:
         """Return the value for a formula, with a decimal point: 0.343, 79°20', 5/4; for prose 32°51½′."""

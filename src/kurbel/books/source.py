@@ -169,7 +169,7 @@ class SourceTable:
             known["method"] or self.method,
             line,
             Expression(known["formula"]) if known["formula"] else None,
-            Expression(known["way"]) if known["way"] else None,
+            Expression(known["way"], later=True) if known["way"] else None,
             known["label"] or ("" if known["quantity"] else known["place"].replace("_", " ")),
         )
 

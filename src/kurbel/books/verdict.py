@@ -9,22 +9,26 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
-from kurbel.books.printed_value import Printed, Units
+from kurbel.books.printed_value import NEXT_PLACE, Printed, Units
 from kurbel.page.quantity import Words, words
 
 RIGHT, LAST_PLACE, ON_THE_WAY, OTHER_FORMULA = "right", "last_place", "rounded_on_the_way", "other_formula"
+COARSER = "coarser_place"
 SIGN, DIGIT, EXCHANGED, CARRIED, UNEXPLAINED = "sign", "digit", "exchanged", "carried_over", "unexplained"
 # Which of the values a page shows.
 ALL, DEVIATIONS = "all", "deviations"
 ONLY = (ALL, DEVIATIONS)
 # Of a last place that the printed intermediates give.
 FOLLOWS = "follows"
+# What is a rounding, and no slip that other values could carry on.
+ROUNDINGS = (RIGHT, LAST_PLACE, ON_THE_WAY, COARSER)
 # In the order in which they are tried.
 VERDICTS: Mapping[str, Words] = {
     RIGHT: words("richtig|right"),
     LAST_PLACE: words("letzte Stelle|last place"),
     ON_THE_WAY: words("unterwegs gerundet|rounded on the way"),
     OTHER_FORMULA: words("andere Formel|another formula"),
+    COARSER: words("richtig auf gröbere Stelle|right to a coarser place"),
     SIGN: words("Vorzeichen|sign"),
     DIGIT: words("eine Ziffer|one digit"),
     EXCHANGED: words("zwei Ziffern vertauscht|two digits exchanged"),
@@ -34,7 +38,8 @@ VERDICTS: Mapping[str, Words] = {
 
 
 class Verdict(NamedTuple):
-    """A verdict, and what it is about: the other method, the digit, the cell that the slip is in."""
+    """A verdict, and what it is about: the other method, the coarser place, the digit, the cell that the slip
+    is in."""
 
     kind: str
     detail: str = ""
@@ -44,7 +49,8 @@ class Evidence(NamedTuple):
     """What is known of a printed value: recomputed in its unit, the same by other methods, and in what cells.
 
     `right` is None for what no quotient is, where one is printed. `on_the_way` is the value from the
-    intermediates as printed, None without any; `slips` are those of them that are not right themselves.
+    intermediates as printed, None without any; `slips` are those of them that are neither right nor merely
+    rounded. `coarsely` is the value in units of 10'.
     """
 
     printed: Printed
@@ -52,6 +58,7 @@ class Evidence(NamedTuple):
     others: Mapping[str, Callable[[], Units | None]]
     on_the_way: Units | None = None
     slips: tuple[str, ...] = ()
+    coarsely: Callable[[], Units | None] = lambda: None
 
 
 def verdict(evidence: Evidence) -> Verdict:
@@ -67,6 +74,8 @@ def verdict(evidence: Evidence) -> Verdict:
     for method, value in evidence.others.items():
         if value() == printed.scaled:
             return Verdict(OTHER_FORMULA, method)
+    if printed.in_tens and evidence.coarsely() == printed.coarser().scaled:
+        return Verdict(COARSER, printed.standing_for(NEXT_PLACE))
     if right is not None:
         if printed.scaled == -right:
             return Verdict(SIGN)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import click
@@ -45,7 +45,9 @@ class ExampleCommand(TableCommand):
     def run(self, given: Given) -> int:
         if given.values["number"] is not None:
             return super().run(given)
-        _print_list(given.values["source"], given.values["lang"])
+        keys = _keys(given.values["source"])
+        _refuse_options(given)
+        _print_list(keys, given.values["lang"])
         return 0
 
     def made(self, given: Given) -> Any:
@@ -58,13 +60,27 @@ class ExampleCommand(TableCommand):
         printing.print(self.made_by.built(question))
 
 
-def _print_list(key: str | None, lang: str) -> None:
-    """Print the examples of a source, or of all, a line each."""
-    from tabulate import tabulate
-
+def _keys(key: str | None) -> Sequence[str]:
+    """Return the source of that key alone, or all."""
     from kurbel.examples.source import source, source_keys
 
-    keys = source_keys() if key is None else [source(key).key]
+    return source_keys() if key is None else [source(key).key]
+
+
+def _refuse_options(given: Given) -> None:
+    """Raise ProblemError for an option that the list of the examples has no use for."""
+    for name in given.values:
+        if name not in ("source", "number", "lang") and given.typed(name):
+            raise ProblemError(
+                f"--{name} is for the page of an example, and none is named; name one, such as blau 33, or"
+                f" leave --{name} out for the list"
+            )
+
+
+def _print_list(keys: Sequence[str], lang: str) -> None:
+    """Print the examples of sources, a line each."""
+    from tabulate import tabulate
+
     rows = [row for one in keys for row in _rows(one, lang)]
     click.echo(tabulate(rows, tablefmt="plain", disable_numparse=True))
 
