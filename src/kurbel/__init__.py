@@ -26,10 +26,10 @@ from kurbel.errors import KurbelError
 if TYPE_CHECKING:
     from kurbel.commands.balance import balance_table, firing_table, harmonics_table
     from kurbel.commands.books import collation_table, example_table
-    from kurbel.commands.engine import dead_centres_table, delta_table, flywheel_table, turning_table
+    from kurbel.commands.engine import delta_table, flywheel_table, turning_table
     from kurbel.commands.engine_plots import plot_engine_forces, plot_engine_polar, plot_turning
     from kurbel.commands.forces import forces_table, inertia_table
-    from kurbel.commands.motion import table
+    from kurbel.commands.motion import dead_centres_table, table
     from kurbel.commands.numbers import certified, compute, typeset
     from kurbel.commands.plots import plot_forces, plot_mechanism, plot_motion, plot_polar
     from kurbel.commands.shown import Drawing, Table
@@ -72,10 +72,10 @@ __all__ = [
 _MODULES = {
     "kurbel.commands.balance": ("balance_table", "firing_table", "harmonics_table"),
     "kurbel.commands.books": ("collation_table", "example_table"),
-    "kurbel.commands.engine": ("dead_centres_table", "delta_table", "flywheel_table", "turning_table"),
+    "kurbel.commands.engine": ("delta_table", "flywheel_table", "turning_table"),
     "kurbel.commands.engine_plots": ("plot_engine_forces", "plot_engine_polar", "plot_turning"),
     "kurbel.commands.forces": ("forces_table", "inertia_table"),
-    "kurbel.commands.motion": ("table",),
+    "kurbel.commands.motion": ("dead_centres_table", "table"),
     "kurbel.commands.numbers": ("certified", "compute", "typeset"),
     "kurbel.commands.plots": ("plot_forces", "plot_mechanism", "plot_motion", "plot_polar"),
     "kurbel.commands.shown": ("Drawing", "Table"),

@@ -27,6 +27,7 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "machine": ("forces", "--eps=4", *MACHINE, "--reciprocating=300kg", *ROD, "--rotating=-40kg"),
     "flywheel": ("flywheel", "--power=50kW", "--speed=120/min", "--delta=1:50;1:100", "--radius=1.5m"),
     "dead centres": ("deadcentres",),
+    "drive dead centres": ("deadcentres", "--mechanism=arc", "--rocker=6"),
     "harmonics": ("harmonics",),
     "balance": ("balance",),
     "firing orders": ("firing",),
@@ -48,7 +49,7 @@ def about(*subjects: str) -> list[str]:
 
 MOTION = about("motion")
 ENGINES = about("irregularity", "strokes", "turning", "crank forces", "machine", "flywheel")
-BEAMS = about("dead centres")
+BEAMS = about("dead centres", "drive dead centres")
 BALANCES = about("harmonics", "balance")
 FIRINGS = about("firing orders", "firing")
 COLLATIONS = about("collation")
@@ -82,6 +83,7 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
         kurbel.flywheel_table, {"power": 50_000, "speed": 2, "delta": "1:50;1:100", "radius": "1.5m"}
     ),
     "dead centres": (kurbel.dead_centres_table, {}),
+    "drive dead centres": (kurbel.dead_centres_table, {"mechanism": "arc", "rocker": 6}),
     "harmonics": (kurbel.harmonics_table, {}),
     "balance": (kurbel.balance_table, {}),
     "firing orders": (kurbel.firing_table, {}),

@@ -26,7 +26,10 @@ COMMANDS = {
         "Print tangential force and excess energy over the crank angle.",
     ),
     "flywheel": ("kurbel.commands.engine:flywheel_table", "Print the flywheel that keeps an engine even."),
-    "deadcentres": ("kurbel.commands.engine:dead_centres_table", "Print the dead centres of a beam engine."),
+    "deadcentres": (
+        "kurbel.commands.motion:dead_centres_table",
+        "Print the dead centres of a beam engine or a crank drive.",
+    ),
     "harmonics": (
         "kurbel.commands.balance:harmonics_table",
         "Print the harmonics of the piston's path, velocity or acceleration.",

@@ -1,4 +1,4 @@
-"""The steam engine and how evenly it turns; the dead centres of its beam."""
+"""The steam engine and how evenly it turns."""
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
@@ -6,7 +6,6 @@ from typing import Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
 from kurbel.commands.machines import engine_of, for_masses, is_heavy
-from kurbel.commands.motion import ratios_of
 from kurbel.commands.options import FLAG, Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.errors import ProblemError
@@ -20,7 +19,6 @@ from kurbel.reading.given import (
     as_irregularities,
     as_length,
     as_names,
-    as_numbers,
     as_power,
     as_ratios,
     as_speed,
@@ -164,48 +162,3 @@ def flywheel_table(
     wheels = tuple(Flywheel(watts, turns, each, size) for each in targets)
     about = {**given, "eps": eps, "speed": speed}
     return engine_of(page, about, flywheels=wheels, columns=as_names(columns, EXAMPLE))
-
-
-@makes_table(machine=False)
-def dead_centres_table(
-    beam: Annotated[
-        option.Given | None,
-        Option("Arm of the beam in crank radii: 3; lists 3;4, ranges 3..6:0.5.", "A:R", many=True),
-    ] = None,
-    *,
-    ratio: Annotated[
-        option.Given | None,
-        option.RATIO._replace(help="Crank ratio: 1:5; lists and ranges 1:3..6."),
-    ] = None,
-    exact: Annotated[
-        bool,
-        Option("From the true geometry of the linkage; default: the formulas of § 149.", kind=FLAG),
-    ] = False,
-    columns: Annotated[option.Names, option.columns_option("weisbach-149", "mu,nu,path_1", ".")] = (),
-    layouts: option.Layouts = None,
-    layout: Annotated[str, option.layout_option("dead centres")] = "weisbach-149",
-    **sheet: Unpack[option.Sheet],
-) -> Question:
-    """Print the dead centres of a beam engine: angles μ and ν of the rod, their distance, the small paths.
-
-    \b
-    kurbel deadcentres --beam 3 --ratio 1:5
-    kurbel deadcentres --beam 3 --ratio 1:5 --exact
-    \f
-    >>> import kurbel
-    >>> page = kurbel.dead_centres_table(3, ratio="1:5", columns="mu,path_1")
-    >>> print(kurbel.typeset(page, "csv"), end="")
-    mu,path_1
-    0.7958,0.00010
-    """
-    from kurbel.linkage.beam_page import BeamRequest
-
-    page = layout_of(layout, ("dead centres",), layouts)
-    return BeamRequest(
-        layout=page,
-        arms=as_numbers(page.arms if beam is None else beam, "beam arm"),
-        ratios=ratios_of(page, ratio),
-        exact=exact,
-        columns=as_names(columns, "mu,nu"),
-        **sheet,
-    )

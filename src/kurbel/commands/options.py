@@ -122,12 +122,13 @@ class Count(Kind):
 
 
 class Columns(Kind):
-    """Names of columns, parted by commas; which there are depends on the layout, by default this one."""
+    """Names of columns, parted by commas; which there are depends on the layout, by default this one, or that
+    of a page that is the same for every mechanism."""
 
     name = "names"
 
-    def __init__(self, layout: str) -> None:
-        self.layout = layout
+    def __init__(self, layout: str, of_mechanisms: str = "") -> None:
+        self.layout, self.of_mechanisms = layout, of_mechanisms
 
     def offered(self, begun: str, typed: Mapping[str, Any]) -> Iterable[str]:
         from kurbel.page.layouts import layout
@@ -144,7 +145,7 @@ class Columns(Kind):
         if mechanism := typed.get("mechanism"):
             from kurbel.motion.mechanism import mechanism as mechanism_of
 
-            return mechanism_of(mechanism).layout
+            return self.of_mechanisms or mechanism_of(mechanism).layout
         if typed.get("forces") and (typed.get("eps") or typed.get("card")):
             from kurbel.commands.engine_plots import ENGINE_LAYOUT
 

@@ -85,6 +85,21 @@ class Crank:
         rational = numbers.of(2 * radius * speed.value)
         return rational if numbers.pi is None else rational * numbers.pi
 
+    def mean_velocity(self, numbers: Kind) -> Any:
+        """Return c_m of the piston in m/s. Of turns it is S n/30, without the π of the crank-pin velocity.
+
+        Source: Blau, eq. (23), (24); S is the drive's own stroke.
+        """
+        speed = known(self.speed)
+        if speed.turns:
+            stroke = self.stroke(numbers) * numbers.of(known(self.radius))
+            return kinematics.mean_piston_speed(stroke, numbers.of(60 * speed.value))
+        return self.pin_velocity(numbers) * kinematics.mean_piston_velocity(self.stroke(numbers), numbers.pi)
+
+    def pin_to_mean(self, numbers: Kind) -> Any:
+        """Return v : c_m = π R : S. Source: Blau, eq. (24), for any stroke."""
+        return numbers.pi / self.stroke(numbers)
+
     def pin_acceleration(self, numbers: Kind) -> Any:
         """Return v²/R of the crank pin in m/s²."""
         velocity = self.pin_velocity(numbers)

@@ -12,9 +12,8 @@ from kurbel.drive.crank import Crank, known
 from kurbel.drive.load import figure
 from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number, finite_decimals, number_text
-from kurbel.kernel import kinematics
 from kurbel.kernel.circle import root
-from kurbel.motion.evaluation import DIFFERENCE, LOADED, METHODS, OFFSET, OUT, RETURN
+from kurbel.motion.evaluation import DIFFERENCE, LOADED, METHODS, OFFSET, OUT, RETURN, TURN
 from kurbel.page.quantity import (
     AND,
     Column,
@@ -144,7 +143,7 @@ def formula_lines(page: Formulated, columns: Sequence[Column]) -> Iterator[Label
         columns = [column for column in columns if LOADED not in column.quantity.formulas]
     if not columns:
         return
-    strokes = {column.quantity.stroke for column in columns}
+    strokes = {column.quantity.stroke for column in columns} - {TURN}
     sign = "±" if len(strokes) > 1 else "+" if strokes == {OUT} else "-"
     shown = {
         # Where no rod is finite, the formulas that divide by λ say nothing.
@@ -209,7 +208,7 @@ def moving_notes(crank: Crank, ratio_symbol: str, lang: str) -> Iterator[Label]:
     moving, speed, radius = known(crank.moving), known(crank.speed), ratio_symbol[0]
     said = {"reciprocating": moving.reciprocating, "rotating": moving.rotating}
     parts = [f'{WORDS[key][lang]} ${figure(mass)} "kg"$' for key, mass in said.items() if mass]
-    parts += [f'${radius} = {figure(1000 * known(crank.radius))} "mm"$', _turns(speed)]
+    parts += [f'${radius} = {figure(1000 * known(crank.radius))} "mm"$', turns_label(speed)]
     yield WORDS["masses"][lang] + ", ".join(parts)
     if moving.rod is not None:
         yield connecting_rod(moving.rod, lang, ratio_symbol[-1])
@@ -241,27 +240,19 @@ def _machine(crank: Crank, lang: str) -> Label:
 
 def _speed(crank: Crank, lang: str) -> str:
     speed = known(crank.speed)
-    quotient = digits_text(lambda numbers: numbers.pi / crank.stroke(numbers), 4, algebraic=False)
+    quotient = digits_text(crank.pin_to_mean, 4, algebraic=False)
     return WORDS["speed"][lang].format(
-        turns=f"{_turns(speed)}, ",
+        turns=f"{turns_label(speed)}, ",
         pin=digits_text(crank.pin_velocity, 3, algebraic=not speed.turns),
-        mean=digits_text(lambda numbers: _mean_speed(crank, numbers), 3, algebraic=speed.turns),
+        mean=digits_text(crank.mean_velocity, 3, algebraic=speed.turns),
         quotient=quotient if crank.offset else "π:2",
     )
 
 
-def _turns(speed: Speed) -> Label:
+def turns_label(speed: Speed) -> Label:
+    """Return the speed as it was given, as n or ω."""
     value = figure(60 * speed.value if speed.turns else speed.value)
     return f'$n = {value} "min"^(-1)$' if speed.turns else f'$ω = {value} "rad/s"$'
-
-
-def _mean_speed(crank: Crank, numbers: Kind) -> Any:
-    """c_m in m/s. Of turns it is S n/30, without the π that the crank-pin velocity has."""
-    speed = known(crank.speed)
-    if speed.turns:
-        stroke = crank.stroke(numbers) * numbers.of(known(crank.radius))
-        return kinematics.mean_piston_speed(stroke, numbers.of(60 * speed.value))
-    return crank.pin_velocity(numbers) * kinematics.mean_piston_velocity(crank.stroke(numbers), numbers.pi)
 
 
 def _offset(crank: Crank, lang: str) -> Label:

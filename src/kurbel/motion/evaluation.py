@@ -34,14 +34,15 @@ MOST_DECIMALS = 18
 NEEDS: Mapping[str, tuple[str, ...]] = {
     "": (),
     "length": ("--stroke",),
-    "speed": ("--stroke", "--speed"),
+    **dict.fromkeys(("speed", "mean speed"), ("--stroke", "--speed")),
     "force": ("--force",),
     "torque": ("--force", "--stroke"),
     "masses": ("--reciprocating", "--stroke", "--speed"),
     "rod": ("--centre", "--gyration"),
     "inertia": ("--rod-mass", "--stroke", "--speed"),
 }
-OUT, RETURN = 1, -1
+# What a quantity is of: a stroke, or the turn, of which it is one number.
+OUT, RETURN, TURN = 1, -1, 0
 STROKES = {OUT: words("Hingang|Outstroke"), RETURN: words("Rückgang|Return")}
 
 
@@ -105,7 +106,7 @@ def is_known(quantity: Quantity, crank: Crank) -> bool:
     pushed = crank.force is not None or crank.moving is not None
     known = {
         "length": crank.radius is not None,
-        "speed": crank.speed is not None,
+        **dict.fromkeys(("speed", "mean speed"), crank.speed is not None),
         "force": pushed,
         "torque": crank.radius is not None and pushed,
         "masses": crank.moving is not None,
@@ -127,22 +128,22 @@ def unknown(quantity: Quantity) -> str:
 
 
 def is_transcendental(quantity: Quantity, crank: Crank) -> bool:
-    """Whether no value can lie on a rounding boundary, for it is an arc or a multiple of π.
+    """Whether no value can lie on a rounding boundary, for it is an arc or has the factor π, as v = S π n/60.
 
     An arc: sin ψ = λ(sin φ - e/R) relates at most two sines of rational angles and a rational number.
     Such relations exist only for ψ = 0 and ±30°, which are whole degrees, and as cos 36° - cos 72° = 1/2,
     which would need λ = 1 (Conway and Jones, Acta Arithmetica 30, 1976, theorem 7).
     """
-    by_speed = quantity.needs in ("speed", "inertia")
-    return quantity.is_arc or (by_speed and crank.speed is not None and crank.speed.turns)
+    if quantity.is_arc or crank.speed is None or quantity.needs not in ("speed", "mean speed", "inertia"):
+        return quantity.is_arc
+    return crank.speed.turns is not (quantity.needs == "mean speed")
 
 
 def value(quantity: Quantity, method: str, crank: Crank, circle: Any, numbers: Kind) -> Any:
     """Return the quantity in its unit, on the kind of number that circle and `numbers` are of."""
     ratio = numbers.of(quantity.stroke * (Fraction(0) if method == "infinite" else crank.ratio))
     offset = numbers.of(quantity.stroke * crank.offset) if crank.offset else None
-    kernel = kernel_of(quantity, method, crank)
-    found = kernel(At(circle, ratio, offset, crank, numbers))
+    found = kernel_of(quantity, method, crank)(At(circle, ratio, offset, crank, numbers))
     return found * quantity.scale(crank, numbers) if quantity.scale else found
 
 

@@ -11,15 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from kurbel.drive.crank import Crank, known
 from kurbel.exact.numerals import Label
 from kurbel.kernel import kinematics
-from kurbel.motion.evaluation import (
-    LOADED,
-    OFFSET,
-    OUT,
-    RETURN,
-    STROKES,
-    TANGENT,
-    At,
-)
+from kurbel.motion.evaluation import LOADED, OFFSET, OUT, RETURN, STROKES, TANGENT, TURN, At
 from kurbel.page.quantity import Formula, Quantity, entry, words
 
 if TYPE_CHECKING:
@@ -96,7 +88,8 @@ ROD_ANGLE: Formulas = {
 def registry() -> Mapping[str, Quantity]:
     """Return every quantity by its key, in the order in which `kurbel quantities` lists them."""
     entries = (*_motion_entries(), *_force_entries())
-    return {one.key: one for each in entries for one in on_strokes(each)}
+    of_strokes = [one for each in entries for one in on_strokes(each)]
+    return {one.key: one for one in (*of_strokes, *_speed_entries())}
 
 
 def _motion_entries() -> Iterator[Quantity]:
@@ -125,6 +118,35 @@ def _motion_entries() -> Iterator[Quantity]:
         "psi", "Schubstangenwinkel|Rod angle", "$ψ$", "$ψ$ in °", "°", 3, ROD_ANGLE,
         is_arc=True, bound=60.0, names=("psi", "ψ"),
     )  # fmt: skip
+
+
+def _speed_entries() -> Iterator[Quantity]:
+    """Yield what is one number for the whole turn: its scale."""
+    for key, name, head, unit, printed, oblique, scale, needs in (
+        (
+            "v_mps", "Kurbelzapfengeschwindigkeit|Crank-pin velocity", "v", "m/s", " = (S π n)/60",
+            " = (R π n)/30", Crank.pin_velocity, "speed",
+        ),
+        (
+            "c_m_mps", "Mittlere Kolbengeschwindigkeit|Mean piston speed", "c_m", "m/s", " = (S n)/30",
+            " = (S n)/30", Crank.mean_velocity, "mean speed",
+        ),
+        (
+            "v_c_m", "Verhältnis der Geschwindigkeiten|Ratio of the velocities", "v:c_m", "", " = π:2",
+            " = π R:S", Crank.pin_to_mean, "",
+        ),
+    ):  # fmt: skip
+        one = Formula(lambda at: at.numbers.of(Fraction(1)), f"${head}{printed}$")
+        formulas = {
+            "exact": one,
+            "series": one,
+            "infinite": one,
+            OFFSET: one._replace(printed=f"${head}{oblique}$"),
+        }
+        yield spanned(
+            key, name, f"${head}$", f"${head}$" + (unit and f" in {unit}"), unit, 3 if unit else 4, formulas,
+            stroke=TURN, is_arc=not unit, scale=scale, needs=needs,
+        )  # fmt: skip
 
 
 class Force(NamedTuple):

@@ -32,6 +32,9 @@ SUBJECTS: Mapping[str, Pages] = {
     "machine": Pages("kurbel.engine.page:MACHINE", _MACHINE),
     "flywheel": Pages("kurbel.engine.page:FLYWHEEL", "flywheel --power 50kW --speed 120/min --delta 1:100"),
     "dead centres": Pages("kurbel.linkage.beam_page:SUBJECT", "deadcentres"),
+    "drive dead centres": Pages(
+        "kurbel.linkage.dead_centres:SUBJECT", "deadcentres --mechanism arc --rocker 6"
+    ),
     "harmonics": Pages("kurbel.balance.harmonics_page:SUBJECT", "harmonics"),
     "balance": Pages("kurbel.balance.page:SUBJECT", "balance"),
     "firing orders": Pages("kurbel.balance.firing_page:ORDERS", "firing"),

@@ -53,7 +53,7 @@ def motion_panels(question: AngleQuestion) -> list[Panel]:
     for column, of_drives in zip(question.page_columns, question.curves(np.asarray(angles)), strict=True):
         one = column.quantity
         for drive, drawn in enumerate(of_drives):
-            stroke = STROKES[one.stroke][lang]
+            stroke = STROKES[one.stroke][lang] if one.stroke in STROKES else ""
             told = (f"$R:L = {ratio_text(ratios[drive])}$", stroke) if ratios else ()
             traces.append(Trace(one, told, angles, drawn))
     return panels_of(traces, lang, apart=len(ratios) > 1)

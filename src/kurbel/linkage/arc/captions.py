@@ -113,7 +113,7 @@ def _dead_centres(crank: ArcCrank, lang: str) -> Label:
         return crank.dead_angle(RETURN, kind) + 180
 
     return WORDS["dead_centres"][lang].format(
-        drive=", ".join(_links(crank)),
+        drive=", ".join(links(crank)),
         inner=_printed(partial(crank.dead_angle, OUT), angle),
         outer=_printed(outer, angle),
         swing=_printed(crank.swing, angle),
@@ -123,7 +123,8 @@ def _dead_centres(crank: ArcCrank, lang: str) -> Label:
     )
 
 
-def _links(crank: ArcCrank) -> Sequence[Label]:
+def links(crank: ArcCrank) -> Sequence[Label]:
+    """Return the ratio and the lengths of an arc crank with their letters."""
     ratio = crank.crank.ratio
     distance = crank.distance or (1 / ratio if ratio else None)
     lengths = {"B": crank.rocker, "D": distance, "H": crank.pivot_height}

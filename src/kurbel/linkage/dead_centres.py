@@ -1,0 +1,261 @@
+"""The pages of the dead centres of crank drives: where they lie, the way between them and its times."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import cache
+from typing import Any, NamedTuple
+
+from kurbel.drive.crank import Crank, Described, known
+from kurbel.drive.load import figure
+from kurbel.errors import ProblemError
+from kurbel.exact.kind import Kind, settled
+from kurbel.exact.numerals import Label, Number
+from kurbel.kernel import kinematics
+from kurbel.linkage.arc.captions import links
+from kurbel.linkage.arc.crank import ArcCrank
+from kurbel.motion.captions import drive_notes, turns_label
+from kurbel.motion.evaluation import NEEDS, OUT, RETURN, is_known, unknown
+from kurbel.motion.mechanism import Mechanism, mechanism
+from kurbel.page.axes import ColumnAxis, LetteredRatioAxis, Place
+from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, filled, words
+from kurbel.page.subject import Question, Subject
+from kurbel.reading.given import as_speed
+
+ANGLES, SHARES, LENGTHS = 3, 4, 2
+ROCKER = "rocker"
+NAMES: Mapping[str, Words] = {
+    "straight": words("gerader Kurbeltrieb|straight crank"),
+    "offset": words("geschränkter Kurbeltrieb|offset crank"),
+    "arc": words("Bogenschubkurbel|arc crank"),
+}
+WORDS: Mapping[str, Words] = {
+    "angles": words(
+        "Totlagen von der Schubrichtung im Drehsinn; $Δ = φ_o - φ_i - 180°$,"
+        " $t_h:t_r = (180° + Δ):(180° - Δ)$"
+        "|Dead centres from the slide direction as the crank turns; $Δ = φ_o - φ_i - 180°$,"
+        " $t_h:t_r = (180° + Δ):(180° - Δ)$"
+    ),
+    "slide": words(
+        "$μ$ zwischen Schubstange und Senkrechter zur Schubrichtung"
+        "|$μ$ between the rod and the square to the slide"
+    ),
+    "arc": words(
+        "$S$ auf dem Bogen, $μ$ zwischen Schubstange und Schwinge"
+        "|$S$ along the arc, $μ$ between rod and rocker"
+    ),
+}
+
+
+def crank_of(drive: Crank | ArcCrank) -> Crank:
+    """Return what is known of a drive's ratio, radius and speed."""
+    return drive if isinstance(drive, Crank) else drive.crank
+
+
+def drives_of(chosen: Mechanism, said: Described, ratios: Sequence[str]) -> tuple[Any, ...]:
+    """Return the drives that were described, with their speed.
+
+    Raises ProblemError for a mechanism whose links have no dead centres.
+    """
+    if chosen.name not in NAMES:
+        *others, last = (mechanism(name).title for name in NAMES)
+        raise ProblemError(
+            f"{chosen.title} has no stroke between dead centres; {', '.join(others)} and {last} have one"
+        )
+    drives = chosen.drives(said, ratios)
+    if chosen.name != "arc" or said.speed is None:
+        return drives
+    turns = as_speed(said.speed)
+    return tuple(replace(drive, crank=replace(drive.crank, speed=turns)) for drive in drives)
+
+
+class Ends(NamedTuple):
+    """A drive and the dead centres between which it moves, on a kind of number."""
+
+    drive: Crank | ArcCrank
+    kind: Kind
+
+    def inner(self) -> Any:
+        """Return φ_i in degrees, from the slide direction as the crank turns."""
+        return self.drive.dead_angle(OUT, self.kind)
+
+    def outer(self) -> Any:
+        """Return φ_o in degrees."""
+        return self.drive.dead_angle(RETURN, self.kind) + 180
+
+    def lead(self) -> Any:
+        """Return Δ in degrees, by which the crank turns more than 180° during the outstroke."""
+        # The dead centres of far-swinging links may lie more than a turn apart as they are counted.
+        drive = self.drive
+        return self.outer() - self.inner() - 180 if isinstance(drive, Crank) else drive.lead(self.kind)
+
+    def time_ratio(self) -> Any:
+        """Return the time of the outstroke over that of the return, the crank turning uniformly."""
+        lead = self.lead()
+        return (180 + lead) / (180 - lead)
+
+    def stroke(self) -> Any:
+        """Return the way between the dead centres in units of R: of an arc crank along its arc."""
+        drive = self.drive
+        return drive.stroke(self.kind) if isinstance(drive, Crank) else drive.arc_stroke(self.kind)
+
+    def stroke_mm(self) -> Any:
+        """Return the same in millimetres."""
+        return self.stroke() * crank_of(self.drive).millimetres(self.kind)
+
+    def swing(self) -> Any:
+        """Return the angle in degrees through which the rocker of an arc crank swings."""
+        assert isinstance(self.drive, ArcCrank)
+        return self.drive.swing(self.kind)
+
+    def transmission(self) -> Any:
+        """Return the least angle in degrees between the rod and what guides its end."""
+        if isinstance(self.drive, ArcCrank):
+            return self.drive.least_transmission(self.kind)
+        crank = self.drive
+        return 90 - self.kind.arc(self.kind.of(crank.ratio * (1 + abs(crank.offset))))
+
+    def pin_velocity(self) -> Any:
+        """Return v in m/s."""
+        return crank_of(self.drive).pin_velocity(self.kind)
+
+    def mean_velocity(self) -> Any:
+        """Return c_m = S n/30 in m/s, the way being this drive's own."""
+        if isinstance(self.drive, Crank):
+            return self.drive.mean_velocity(self.kind)
+        return self.pin_velocity() * kinematics.mean_piston_velocity(self.stroke(), self.kind.pi)
+
+    def pin_to_mean(self) -> Any:
+        """Return v : c_m."""
+        return self.kind.pi / self.stroke()
+
+
+Row = tuple[str, str, Label, str, int, Callable[[Ends], Any], str]
+_ROWS: tuple[Row, ...] = (
+    ("phi_i", "innere Totlage|Inner dead centre", "φ_i", "°", ANGLES, Ends.inner, ""),
+    ("phi_o", "äußere Totlage|Outer dead centre", "φ_o", "°", ANGLES, Ends.outer, ""),
+    ("lead", "Kurbelwinkel des Hingangs über 180°|Crank angle of the outstroke above 180°", "Δ", "°", ANGLES,
+     Ends.lead, ""),
+    ("time_ratio", "Zeitverhältnis Hingang zu Rückgang|Time of the outstroke to that of the return",
+     "t_h:t_r", "", SHARES, Ends.time_ratio, ""),
+    ("stroke", "Hub|Stroke", "S", "R", SHARES, Ends.stroke, ""),
+    ("stroke_mm", "Hub|Stroke", "S", "mm", LENGTHS, Ends.stroke_mm, "length"),
+    ("swing", "Schwingungswinkel|Swing", "Δ θ", "°", ANGLES, Ends.swing, ROCKER),
+    ("transmission", "kleinster Übertragungswinkel|Least transmission angle", "μ_(min)", "°", ANGLES,
+     Ends.transmission, ""),
+    ("v_mps", "Kurbelzapfengeschwindigkeit|Crank-pin velocity", "v", "m/s", ANGLES, Ends.pin_velocity,
+     "speed"),
+    ("c_m_mps", "mittlere Kolbengeschwindigkeit|Mean piston speed", "c_m", "m/s", ANGLES, Ends.mean_velocity,
+     "mean speed"),
+    ("v_c_m", "Verhältnis der Geschwindigkeiten|Ratio of the velocities", "v:c_m", "", SHARES,
+     Ends.pin_to_mean, ""),
+)  # fmt: skip
+
+
+@cache
+def registry() -> Mapping[str, Quantity]:
+    """Return every quantity by its key, in the order of the page; a kernel call takes the `Ends`."""
+    entries = (_entry(*row) for row in _ROWS)
+    return {one.key: one for one in entries}
+
+
+def _entry(
+    key: str, name: str, letter: Label, unit: str, decimals: int, kernel: Callable[[Ends], Any], needs: str
+) -> Quantity:
+    symbol = f"${letter}$"
+    heading = "|".join(f"{one} {symbol}" for one in name.split("|"))
+    return entry(
+        key, name, symbol, f"${unit}$" if unit == "R" else unit, decimals, {"exact": Formula(kernel)},
+        heading, needs=needs,
+    )  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class DeadCentresRequest(Question):
+    """What is asked for: the dead centres of drives of one mechanism, alike but for their ratios."""
+
+    mechanism: str
+    drives: tuple[Any, ...]
+
+    def check(self) -> None:
+        if not self.drives:
+            raise ProblemError("no crank ratio was given; write one as --ratio 1:5")
+
+    @property
+    def ratios(self) -> list[Fraction]:
+        return [crank_of(drive).ratio for drive in self.drives]
+
+    def missing(self, quantity: Quantity) -> str:
+        if quantity.needs == ROCKER:
+            if self.mechanism == "arc":
+                return ""
+            return f"column {quantity.key} is of a rocker; add --mechanism arc, for example with --rocker 6"
+        cranks = [crank_of(drive) for drive in self.drives]
+        return "" if all(is_known(quantity, crank) for crank in cranks) else unknown(quantity)
+
+
+def _is_algebraic(quantity: Quantity, drive: Crank | ArcCrank) -> bool:
+    """Whether a value is no arc and has no factor π, so that it can lie on a rounding boundary."""
+    crank = crank_of(drive)
+    if quantity.key == "v_mps":
+        return not known(crank.speed).turns
+    if not isinstance(drive, Crank):
+        return False
+    return quantity.key in ("stroke", "stroke_mm") or (quantity.key == "c_m_mps" and known(crank.speed).turns)
+
+
+def _number(question: DeadCentresRequest, column: Column, place: Place, times: int) -> Number:
+    """The printed number; for the boundaries see linkage/arc/captions.py, and for fewer decimals the error
+    of one that is not settled."""
+    quantity, drive = column.quantity, question.drives[place["ratio"]]
+    kernel = quantity.formulas["exact"].kernel
+
+    def value(kind: Kind) -> Any:
+        return times * kernel(Ends(drive, kind))
+
+    return Number(
+        settled(value, column.places, question.rounding, _is_algebraic(quantity, drive)), column.places
+    )
+
+
+def _caption(question: DeadCentresRequest) -> Label:
+    lang = question.lang
+    return filled(question.layout.caption[lang], [("{drive}", NAMES[question.mechanism][lang])])
+
+
+def _notes(question: DeadCentresRequest) -> Iterator[Label]:
+    lang, drives = question.lang, question.drives
+    yield from (note[lang] for note in question.layout.notes)
+    yield WORDS["angles"][lang]
+    yield WORDS["arc" if question.mechanism == "arc" else "slide"][lang]
+    yield from dict.fromkeys(line for drive in drives for line in _sizes(drive, lang))
+
+
+def _sizes(drive: Crank | ArcCrank, lang: str) -> Iterator[Label]:
+    """Yield the lines with what was given of a drive beside its ratio."""
+    crank = crank_of(drive)
+    if isinstance(drive, ArcCrank):
+        yield ", ".join(links(drive))
+    elif crank.offset:
+        yield f"$e = {figure(crank.offset)} R$"
+    if crank.radius is None:
+        return
+    # The speeds that it makes stand in the table.
+    turns = [] if crank.speed is None else [turns_label(crank.speed)]
+    yield "; ".join([*drive_notes([replace(crank, offset=Fraction(0), speed=None)], lang), *turns])
+
+
+SUBJECT = Subject(
+    key="drive dead centres",
+    layout="dead-centres",
+    command="deadcentres --mechanism arc --rocker 6",
+    axes={"ratio": LetteredRatioAxis, "column": ColumnAxis},
+    axis_keys=("ratio",),
+    quantities=registry,
+    number=_number,
+    caption=_caption,
+    notes=_notes,
+    options=NEEDS,
+)
