@@ -785,16 +785,15 @@ def test_a_mechanism_without_forces_in_the_environment_hinders_no_drawing_of_for
     assert printed(*words, KURBEL_PLOT_MECHANISM="arc", KURBEL_PLOT_ROCKER="6").out == printed(*words).out
 
 
-def test_an_engine_is_not_drawn_without_the_offset_of_the_machine(tmp_path: Path) -> None:
+@drawn
+def test_an_engine_is_drawn_with_the_offset_of_the_machine(tmp_path: Path) -> None:
     file = tmp_path / "engine.toml"
     file.write_text("[crank]\noffset = 0.2\n[steam]\neps = 3\n", encoding="utf-8")
-    words = ("plot", "--machine", str(file), "-f", "svg")
-    sentence = (
-        "the offset crank under steam is not computed; steam can act on the straight crank, and the offset"
-        " crank takes a constant force or moving masses"
-    )
     for kind in ("--forces", "--polar", "--turning"):
-        assert refusal(*words, kind) == sentence
+        words = ("plot", kind, "--step", "30", "-f", "svg")
+        typed = printed(*words, "--eps", "3", "--offset", "0.2").out
+        assert printed(*words, "--machine", str(file)).out == typed
+        assert typed != printed(*words, "--eps", "3").out
 
 
 @drawn
@@ -837,8 +836,8 @@ REFUSALS = [
         "--force says nothing about the forces of an engine; leave it out",
     ),
     (
-        ("--forces", "--eps", "4", "--offset", "0.1"),
-        "--offset says nothing about the forces of an engine; leave it out",
+        ("--forces", "--eps", "4", "--offset", "4"),
+        "offset e = 4 R is too large for R:L = 1:5; the crank turns only if |e| < L - R = 4 R",
     ),
     (
         ("--forces", "--eps", "4", "--columns", "mean_force"),
@@ -899,7 +898,7 @@ REFUSALS = [
     ),
     (
         ("--mechanism", "arc", "--polar", "--eps", "4"),
-        "--mechanism says nothing about the polar diagram of an engine; leave it out",
+        "the arc crank needs the length of its rocker; add --rocker, for example --rocker 6",
     ),
     (("--rocker", "6"), "--rocker does not belong to the straight crank; it is for --mechanism arc"),
     (
@@ -922,7 +921,10 @@ REFUSALS = [
     (("--positions", "30", "--columns", "x"), "--columns says nothing about the mechanism; leave it out"),
     (("--positions", "30", "--step", "5"), "--step says nothing about the mechanism; leave it out"),
     (("--polar", "--speed", "2/s"), "--speed says nothing about the polar diagram; leave it out"),
-    (("--turning", "--offset", "0.1"), "--offset says nothing about the turning effort; leave it out"),
+    (
+        ("--turning", "--rocker", "6"),
+        "--rocker does not belong to the straight crank; it is for --mechanism arc",
+    ),
     (("--polar", "--ratio", "1:4;1:5"), "--polar draws one crank drive, and 2 ratios were given; choose one"),
     (("--polar", "--method", "series"), 'method "series" has no formula for tangential_force; use exact'),
     (

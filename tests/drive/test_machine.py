@@ -185,19 +185,17 @@ def test_a_mark_before_the_text_is_read_over(machine: str, tmp_path: Path) -> No
     assert printed("delta", "--machine", str(marked)).out == printed("delta", "--machine", machine).out
 
 
-def test_an_offset_is_refused_where_the_crank_is_taken_for_straight(tmp_path: Path) -> None:
+def test_an_offset_is_read_but_where_the_crank_is_taken_for_straight(tmp_path: Path) -> None:
     path = tmp_path / "engine.toml"
     path.write_text('[crank]\noffset = "0.2"\n[steam]\neps = 4\n', encoding="utf-8")
-    for command in ("delta", "turning", "harmonics", "balance"):
+    for command in ("harmonics", "balance"):
         assert refusal(command, "--machine", str(path), code=1).endswith(
             f"crank.offset is 0.2, and kurbel {command} is about the straight crank;"
             " leave the offset out of the machine"
         )
-    said = refusal("forces", "--machine", str(path))
-    assert said == (
-        "the offset crank under steam is not computed; steam can act on the straight crank, and the offset"
-        " crank takes a constant force or moving masses"
-    )
+    for command in ("delta", "turning", "forces"):
+        typed = printed(command, "--offset", "0.2", "--eps", "4").out
+        assert printed(command, "--machine", str(path)).out == typed
     assert printed("table", "--machine", str(path)).out == printed("table", "--offset", "0.2").out
 
 

@@ -371,7 +371,7 @@ def test_a_card_weighs_the_masses_by_its_own_pressure() -> None:
         ("--layout engine-forces", "layout engine-forces is of a steam engine; add --eps or --card"),
         ("--eps 4 --layout machine-forces", "layout machine-forces is of an engine with its masses; give"),
         ("--eps 4 --force 1kN", "--force does not go with the steam of an engine, --eps or --card; leave"),
-        ("--eps 4 --offset 0.1", "the offset crank under steam is not computed"),
+        ("--eps 4 --offset 4", "offset e = 4 R is too large for R:L = 1:5; the crank turns only if |e| < L"),
         ("--at tangent --eps 4", "--eps does not go with --at tangent, a position under one piston force"),
         ("--eps 4 --columns torque_nm", "column torque_nm needs --stroke, --bore and, but for a card"),
         ("--eps 4 --bore 1m --pressure 1m", 'pressure "1m" is in meter; it must be a pressure'),

@@ -172,8 +172,8 @@ def test_pages_state_formulas_and_directions() -> None:
     [
         (
             ("--eps", "4"),
-            "the arc crank under steam is not computed; steam can act on the straight crank, and the arc"
-            " crank takes a constant force",
+            "the arc crank under steam is not computed; steam can act on the straight crank or the offset"
+            " crank, and the arc crank takes a constant force",
         ),
         (
             ("--reciprocating", "3"),

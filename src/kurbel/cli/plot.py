@@ -6,7 +6,6 @@ import sys
 from typing import NamedTuple
 
 import click
-from click.core import ParameterSource
 
 from kurbel.cli.options import RIVALS, Given, Option, Type, click_option, machine_option, resolved
 from kurbel.cli.tables import MakingCommand
@@ -15,10 +14,7 @@ from kurbel.commands.machines import MASSES, STEAM
 from kurbel.commands.options import Choice, is_given
 from kurbel.commands.shown import Drawing
 from kurbel.commands.subject import Command
-from kurbel.drive import load
 from kurbel.errors import ProblemError
-from kurbel.motion.mechanism import check_load
-from kurbel.reading.given import as_number
 
 HELP = """\
 Draw path, velocity and acceleration over the crank angle, or what --positions, --forces, --polar and
@@ -79,8 +75,6 @@ class PlotCommand(MakingCommand):
     def made(self, given: Given) -> tuple[Drawing, int]:
         """Return the drawing, and the exit code of the command."""
         kind = _kind(given)
-        if kind.command.ask.__module__ == engine_plots.__name__:
-            _check_offset_of_machine(given)
         for name in set(given.values) - SHARED - kind.takes:
             given.drop(name)
         return kind.command.ask(**resolved(kind.command, given, RIVALS["plot"])), 0
@@ -122,13 +116,6 @@ def _refusal(name: str, kind: Kind, flag: str) -> str:
     if name in OF_ENGINES and flag in ("", "positions"):
         return f"{option} describes a steam engine; --forces, --polar and --turning draw one"
     return f"{option} says nothing about {kind.name}; leave it out"
-
-
-def _check_offset_of_machine(given: Given) -> None:
-    """Raise ProblemError for an engine whose machine has an offset: none may be drawn without it."""
-    from_file = given.sources["offset"] is ParameterSource.DEFAULT_MAP
-    if from_file and (offset := as_number(given.values["offset"] or "0", "offset")):
-        check_load(offset, load.CARD if given.values["card"] else load.STEAM)
 
 
 def _format(given: Given) -> str:

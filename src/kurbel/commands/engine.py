@@ -6,6 +6,7 @@ from typing import Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
 from kurbel.commands.machines import engine_of, for_masses, is_heavy
+from kurbel.commands.motion import meant, of_other_mechanisms
 from kurbel.commands.options import FLAG, Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.errors import ProblemError
@@ -29,11 +30,16 @@ ONLY_MASSES = ("stroke", "bore", "pressure")
 EXAMPLE = "epsilon,delta"
 ORDER = (
     "ratio back exponent clearance card other_side single_acting cranks method reciprocating rod_mass centre"
-    " gyration rod_file stroke rod bore pressure"
+    " gyration rod_file stroke rod bore pressure offset mechanism rocker pivot"
 )
 
 
-@makes_table(needless=for_masses("speed", *ONLY_MASSES), order=ORDER)
+def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
+    """Refuse what describes other crank drives."""
+    return of_other_mechanisms(values, meant(values, layout=None), ("stroke", "speed", "method"))
+
+
+@makes_table(foreign=_foreign, needless=for_masses("speed", *ONLY_MASSES), order=ORDER)
 def delta_table(
     eps: option.Eps = None,
     *,
@@ -75,7 +81,7 @@ def delta_table(
     return engine_of(page, {**given, "eps": eps, "speed": speed}, columns=names)
 
 
-@makes_table(needless=for_masses("speed", *ONLY_MASSES), order=ORDER)
+@makes_table(foreign=_foreign, needless=for_masses("speed", *ONLY_MASSES), order=ORDER)
 def turning_table(
     eps: option.Eps = None,
     *,
@@ -121,7 +127,7 @@ def _power_of_steam(values: Mapping[str, Any]) -> Mapping[str, str]:
     return for_masses(*ONLY_MASSES)(values)
 
 
-@makes_table(needless=_power_of_steam, order=ORDER)
+@makes_table(foreign=_foreign, needless=_power_of_steam, order=ORDER)
 def flywheel_table(
     eps: option.Eps = None,
     *,

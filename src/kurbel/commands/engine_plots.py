@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any, Unpack
 
 from kurbel.commands import parameters as option
 from kurbel.commands.machines import engine_of, is_heavy, load_of
+from kurbel.commands.motion import of_other_mechanisms
 from kurbel.commands.plots import CurveStep, DrawnColumns, DrawnSpeed, LabelLang, curve_angles, only, page_of
 from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import draws
@@ -18,16 +19,14 @@ if TYPE_CHECKING:
 ENGINE_LAYOUT, MACHINE_LAYOUT = "engine-forces", "machine-forces"
 
 
-class Drawn(option.Cylinder, option.MovingRod, total=False):
-    """A steam engine, as it is drawn."""
+class Drawn(option.Cylinder, option.MovingRod, option.Linked, total=False):
+    """An engine, as it is drawn."""
 
     ratio: option.Ratios
     method: option.Method
     from_: option.From
     to: option.To
     step: CurveStep
-    stroke: option.Stroke
-    rod: option.Rod
     speed: DrawnSpeed
     reciprocating: option.Reciprocating
     rotating: option.Rotating
@@ -35,7 +34,12 @@ class Drawn(option.Cylinder, option.MovingRod, total=False):
     decimal: option.Decimal
 
 
-@draws()
+def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
+    """Refuse what describes other crank drives."""
+    return of_other_mechanisms(values, shared=("stroke", "speed", "method"))
+
+
+@draws(foreign=_foreign)
 def plot_engine_forces(
     eps: option.Eps = None, *, columns: DrawnColumns = (), **given: Unpack[Drawn]
 ) -> Drawing:
@@ -48,7 +52,7 @@ def plot_engine_forces(
     return Drawing.of(curves_drawing(question, force_panels(question), mark), given["lang"], mark)
 
 
-@draws()
+@draws(foreign=_foreign)
 def plot_engine_polar(eps: option.Eps = None, **given: Unpack[Drawn]) -> Drawing:
     """Draw the polar diagram of the force on the crank pin of a steam engine."""
     from kurbel.plot.drawings import polar_drawing
@@ -61,7 +65,7 @@ def plot_engine_polar(eps: option.Eps = None, **given: Unpack[Drawn]) -> Drawing
     return Drawing.of(polar_drawing(question, engine_pin_force(question), mark), given["lang"], mark)
 
 
-@draws()
+@draws(foreign=_foreign)
 def plot_turning(eps: option.Eps = None, *, cranks: option.Cranks = None, **given: Unpack[Drawn]) -> Drawing:
     """Draw the turning effort of a steam engine: tangential force, its mean and the excess energy."""
     from kurbel.plot.drawings import curves_drawing

@@ -13,10 +13,10 @@ from kurbel.drive import load
 from kurbel.drive.crank import Described
 from kurbel.drive.mechanisms import LINKAGES, SUBJECTS
 from kurbel.errors import ProblemError
-from kurbel.motion.mechanism import Mechanism, check_load, uncomputed
+from kurbel.motion.mechanism import Mechanism, uncomputed
 from kurbel.page.layouts import layout, layout_of
 from kurbel.page.subject import Question
-from kurbel.reading.given import Exact, as_names, as_number
+from kurbel.reading.given import Exact, as_names
 
 OF_ENGINES = ("crank forces", "machine")
 INERTIA = ("inertia", "inertia errors")
@@ -162,9 +162,7 @@ def forces_table(
         page = layout_of(layout or "forces-tangent", ("tangent",), layouts)
         names = as_names(columns, "phi,rod_force")
         return TangentRequest(layout=page, cranks=said.cranks(page.ratios), columns=names, **sheet)
-    if about == "engine" and chosen.crosshead:
-        carded = is_given(given["card"])
-        check_load(as_number(given["offset"] or 0, "offset"), load.CARD if carded else load.STEAM)
+    if about == "engine":
         name = layout or ("machine-forces" if is_heavy(given) else "engine-forces")
         page = layout_of(name, OF_ENGINES, layouts)
         names = as_names(columns, "epsilon,delta")
@@ -175,7 +173,7 @@ def forces_table(
         raise ProblemError(f"layout {name} is of a steam engine; add --eps or --card")
     drives = chosen.drives(said, page.ratios)
     return chosen.question(
-        weighed(drives, all_given) if chosen.crosshead else drives,
+        weighed(chosen, drives, all_given) if chosen.crosshead else drives,
         layout=page,
         angles=angles_of(page, given),
         columns=as_names(columns, chosen.examples["forces"]),

@@ -8,11 +8,11 @@ from fractions import Fraction
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
-from kurbel.commands.motion import sheet_of
+from kurbel.commands.motion import described, sheet_of
 from kurbel.commands.options import is_given
 from kurbel.commands.parameters import MovingRod
-from kurbel.drive.crank import Described
 from kurbel.errors import ProblemError
+from kurbel.motion.mechanism import Mechanism, uncomputed
 from kurbel.page.layouts import Layout
 from kurbel.reading.given import (
     as_crank_angles,
@@ -28,7 +28,6 @@ from kurbel.reading.given import (
 )
 
 if TYPE_CHECKING:
-    from kurbel.drive.crank import Crank
     from kurbel.drive.rod import Rod
     from kurbel.engine.engine import Diagram, Load, Steam
     from kurbel.engine.request import EngineRequest
@@ -56,13 +55,14 @@ def rod_of(given: Mapping[str, Any], length: Fraction | None) -> Rod:
     )
 
 
-def weighed(cranks: Sequence[Crank], given: Mapping[str, Any], *beside: str) -> list[Crank]:
-    """Return the cranks with the masses given, and the speed that makes forces of them.
+def weighed(chosen: Mechanism, drives: Sequence[Any], given: Mapping[str, Any], *beside: str) -> list[Any]:
+    """Return the drives with the masses given, and the speed that makes forces of them.
 
     `beside` are the names of further options that every mass needs.
     """
     if not is_heavy(given):
-        return list(cranks)
+        return list(drives)
+    cranks = [chosen.crank(drive) for drive in drives]
     missing = [f"--{name}" for name in ("speed", *beside) if given[name] is None]
     if any(crank.radius is None for crank in cranks):
         missing.insert(0, "--stroke")
@@ -78,7 +78,11 @@ def weighed(cranks: Sequence[Crank], given: Mapping[str, Any], *beside: str) -> 
         rod_of(given, length) if any(given[name] is not None for name in MovingRod.__annotations__) else None,
         _read(as_signed_mass, given.get("rotating"), "rotating mass") or Fraction(0),
     )
-    return [replace(crank, speed=as_speed(given["speed"]), moving=moving) for crank in cranks]
+    speed = as_speed(given["speed"])
+    return [
+        chosen.with_crank(drive, replace(crank, speed=speed, moving=moving))
+        for drive, crank in zip(drives, cranks, strict=True)
+    ]
 
 
 def is_heavy(values: Mapping[str, Any]) -> bool:
@@ -146,12 +150,18 @@ def engine_of(page: Layout, given: Mapping[str, Any], **rest: Any) -> EngineRequ
     """Return what is asked for of the engines that options describe: with their masses, under their steam."""
     from kurbel.engine.request import EngineRequest
 
-    drives = Described(given["ratio"], given["stroke"], given["rod"]).cranks(page.ratios)
+    # A speed alone makes no force, and the methods are an engine's own.
+    known = {name: value for name, value in given.items() if name not in ("speed", "method", "force")}
+    chosen, said = described({**known, "layout": None})
+    steams = _steams(given, page)
+    if sentence := uncomputed(chosen, steams[0].name) if steams else "":
+        raise ProblemError(sentence)
     cranks, methods = given.get("cranks"), given["method"] or ()
     return EngineRequest(
         layout=page,
-        steams=_steams(given, page),
-        drives=weighed(drives, given, *_of_load(given)),
+        steams=steams,
+        drives=weighed(chosen, chosen.drives(said, page.ratios), given, *_of_load(given)),
+        mechanism=chosen,
         double=not given["single_acting"],
         cranks=as_crank_angles("0" if cranks is None else cranks),
         methods=tuple(dict.fromkeys((methods,) if isinstance(methods, str) else methods)),

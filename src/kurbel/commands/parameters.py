@@ -249,8 +249,8 @@ class MovingRod(TypedDict, total=False):
     ]  # fmt: skip
 
 
-class Engine(Steam, MovingRod, Sheet, total=False):
-    """A steam engine, under which masses and at which cranks."""
+class Engine(Steam, MovingRod, Linked, Sheet, total=False):
+    """An engine: its crank drive, its load, its masses and its cranks."""
 
     ratio: Annotated[
         Given | None,
@@ -264,5 +264,3 @@ class Engine(Steam, MovingRod, Sheet, total=False):
         ),
     ]  # fmt: skip
     reciprocating: Reciprocating
-    stroke: Annotated[Exact | None, STROKE._replace(help="Stroke 2R: 600mm.")]
-    rod: Rod

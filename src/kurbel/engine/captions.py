@@ -173,6 +173,7 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
     if any(column.methods == ("weisbach",) for column in columns):
         yield WORDS["weisbach"][lang]
     yield "; ".join(_engine(request, lang))
+    yield from request.mechanism.loaded_notes(request.drives, lang)
     if request.first.crank.moving is not None:
         yield from moving_notes(request.first.crank, request.layout.ratio_symbol, lang)
     if request.carded:

@@ -11,6 +11,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import reduce
+from itertools import product
 from typing import Any, NamedTuple
 
 from kurbel.drive.crank_forces import CrankForce, Weights
@@ -25,6 +26,8 @@ from kurbel.kernel.turning import Stroke
 from kurbel.motion.evaluation import OUT, RETURN
 
 SIGNS = (OUT, RETURN)
+# Half turns beyond a dead centre of which a float is known.
+JUST_BEYOND = Fraction(1, 10**13)
 
 
 class Peak(NamedTuple):
@@ -201,6 +204,15 @@ class AnyTurn(ABC):
         energy = reduce(larger if greatest else smaller, (one.energy for one in peaks))
         begun = (stroke or 0) + self.cylinder.drive.dead_centre((stroke or 0) % 2)
         return peaks[0]._replace(place=peaks[0].place - begun, energy=energy)
+
+    def dead_centres(self) -> Iterator[Fraction]:
+        """Yield the half turns of all dead centres over a cycle, in any order; those that are
+        irrational, just beyond."""
+        for part, cylinder in zip(self.engine.parts, self.cylinders, strict=True):
+            for start, stroke in product(part.starts, range(self.cycle)):
+                begun = cylinder.drive.dead_centre(stroke % 2)
+                beyond = Fraction(0) if cylinder.drive.regular else Fraction(float(begun)) + JUST_BEYOND
+                yield start + stroke + beyond
 
     @property
     def pi(self) -> Number:

@@ -7,14 +7,16 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, lru_cache
 
-from kurbel.drive.crank import Crank, check_angles
+from kurbel.drive.crank import check_angles
 from kurbel.drive.flywheel import Flywheel
+from kurbel.drive.moved import Drive
 from kurbel.engine.cylinder import AnyTurn
 from kurbel.engine.digits import check_card
 from kurbel.engine.engine import Diagram, Engine, Load, Steam, check_count
 from kurbel.engine.quantities import ENGINE_METHODS, OUTSTROKE, RETURN_STROKE, WHOLE, Where
 from kurbel.engine.turn import turn_of
 from kurbel.errors import ProblemError
+from kurbel.motion.mechanism import STRAIGHT, Mechanism
 from kurbel.page.axes import Place
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, Quantity, words
@@ -44,7 +46,8 @@ class EngineRequest(Question):
     """
 
     steams: Sequence[Steam | Diagram]
-    drives: Sequence[Crank]
+    drives: Sequence[Drive]
+    mechanism: Mechanism = STRAIGHT
     double: bool = True
     cranks: Sequence[Fraction] = (Fraction(0),)
     methods: tuple[str, ...] = ()
@@ -126,7 +129,7 @@ class EngineRequest(Question):
 
     @property
     def ratios(self) -> list[Fraction]:
-        return [drive.ratio for drive in self.drives]
+        return [drive.crank.ratio for drive in self.drives]
 
     @property
     def spans(self) -> tuple[int | None, ...]:

@@ -143,6 +143,14 @@ class Turn(AnyTurn):
         (low, _), (_, high) = _ends(begin), _ends(end)
         return refined(lacking, speed, Root(low, high, True))
 
+    def corners(self) -> Iterator[Fraction]:
+        """Yield the half turns, as floats are, of all corners of the forces, over a cycle in any order."""
+        for part, (one, cylinder) in enumerate(zip(self.engine.parts, self.cylinders, strict=True)):
+            for stroke, acting in enumerate(cylinder.strokes):
+                for share in acting.corners:
+                    corner = stroke + Fraction(float(self.angle_of(part, stroke, share)))
+                    yield from (start + corner for start in one.starts)
+
     def _ends_of(self, part: int, stroke: int) -> tuple[Number, Number]:
         """Return the half turns of φ, on the return less one, at which a stroke begins and ends."""
         drive, way = self.cylinders[part].drive, stroke % 2

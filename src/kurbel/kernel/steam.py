@@ -29,6 +29,11 @@ class Expansion(NamedTuple):
         """Return the pressure on the piston at a share of the stroke, back pressure not taken off."""
         return power(1 / self.growth(share), self.exponent)
 
+    @property
+    def corners(self) -> tuple[Number, ...]:
+        """The shares of the stroke at which the force has a corner."""
+        return (self.cut_off,) if self.cut_off < 1 else ()
+
     def force(self, share: Number) -> Number:
         """Return the net pressure, less the back pressure."""
         return self.pressure(share) - self.back
@@ -68,6 +73,10 @@ class Expansion(NamedTuple):
 
 class IdleStroke(NamedTuple):
     """A stroke on which no net pressure acts."""
+
+    @property
+    def corners(self) -> tuple[Number, ...]:
+        return ()
 
     def force(self, share: Number) -> Number:
         return share * 0

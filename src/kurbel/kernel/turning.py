@@ -16,7 +16,13 @@ Formula = Callable[[Circle[Number], Number], Number]
 
 
 class Stroke(Protocol):
-    """The net pressure on the piston and its work, over the share of the stroke travelled."""
+    """The net pressure on the piston and its work, over the share of the stroke travelled.
+
+    `corners` are the shares at which the force has one. All but those of a card know their `slope`.
+    """
+
+    @property
+    def corners(self) -> Sequence[Number]: ...
 
     def force(self, share: Number) -> Number: ...
 

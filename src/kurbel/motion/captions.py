@@ -194,8 +194,14 @@ def _signed(line: Label, page: Formulated, sign: str, rod_angle: bool) -> Label:
 
 def drive_notes(cranks: Sequence[Crank], lang: str) -> list[Label]:
     """Return the lines about lengths and speeds, and those about offsets."""
-    lines = [_machine(crank, lang) for crank in cranks if crank.radius is not None]
-    return lines + [_offset(crank, lang) for crank in cranks if crank.offset and crank.ratio]
+    return [_machine(crank, lang) for crank in cranks if crank.radius is not None] + offset_notes(
+        cranks, lang
+    )
+
+
+def offset_notes(cranks: Sequence[Crank], lang: str) -> list[Label]:
+    """Return the lines about offsets: the dead centres and the stroke."""
+    return [_offset(crank, lang) for crank in cranks if crank.offset and crank.ratio]
 
 
 def force_notes(cranks: Sequence[Crank], lang: str) -> Iterable[Label]:

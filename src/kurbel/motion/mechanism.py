@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Collection, Mapping, Sequence
-from fractions import Fraction
+from dataclasses import replace
 from functools import cache
 from pkgutil import resolve_name
 from typing import TYPE_CHECKING, Any, ClassVar
@@ -13,6 +13,7 @@ from kurbel.drive.crank import Crank, Described
 from kurbel.drive.load import CARD, COMPRESSOR, FORCE, GAS, LOADS, MASSES, PUMP, STEAM
 from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.errors import ProblemError
+from kurbel.exact.numerals import Label
 
 if TYPE_CHECKING:
     from kurbel.motion.drives import Drive, SlideDrive
@@ -68,6 +69,14 @@ class Mechanism(ABC):
         found: Crank = drive.crank
         return found
 
+    def with_crank(self, drive: Any, crank: Crank) -> Any:
+        """Return a drive with another radius, speed, force or masses."""
+        return replace(drive, crank=crank)
+
+    def loaded_notes(self, drives: Sequence[Any], lang: str) -> Sequence[Label]:
+        """Return what pages of engines say of their drives."""
+        return ()
+
     @abstractmethod
     def question(self, drives: Sequence[Any], method: str | None = None, **asked: Any) -> AngleQuestion:
         """Return what is asked for of drives at crank angles."""
@@ -114,6 +123,14 @@ class StraightCrank(Mechanism):
 
     def crank(self, drive: Crank) -> Crank:
         return drive
+
+    def with_crank(self, drive: Crank, crank: Crank) -> Crank:
+        return crank
+
+    def loaded_notes(self, drives: Sequence[Crank], lang: str) -> Sequence[Label]:
+        from kurbel.motion.captions import offset_notes
+
+        return offset_notes(drives, lang) if any(drive.offset for drive in drives) else ()
 
     def question(self, drives: Sequence[Crank], method: str | None = None, **asked: Any) -> Request:
         from kurbel.motion.page import Request
@@ -193,9 +210,3 @@ def _loads(chosen: Mechanism) -> list[str]:
     """Return the loads of a mechanism: on a crosshead any force that is known of a share of its stroke."""
     forces = [load for load, one in LOADS.items() if one.place] if chosen.crosshead else []
     return list(dict.fromkeys((*chosen.loads, *forces)))
-
-
-def check_load(offset: Fraction, load: str) -> None:
-    """Raise ProblemError for a load that is not computed of the straight crank, or of one with an offset."""
-    if sentence := uncomputed(mechanism("offset" if offset else "straight"), load):
-        raise ProblemError(sentence)

@@ -152,16 +152,15 @@ def _values(quantities: Sequence[Quantity], turn: AnyTurn, half_turns: Fraction)
 
 def _dead_centres(turn: AnyTurn, first: Fraction, last: Fraction) -> Iterator[Fraction]:
     """Yield the dead centres of all cranks between two angles."""
-    for start in turn.engine.cranks:
-        yield from _every(180, start, first, last)
+    for place in turn.dead_centres():
+        yield from _every(180 * turn.cycle, 180 * place, first, last)
 
 
 def _cut_offs(turn: AnyTurn, first: Fraction, last: Fraction) -> Iterator[Fraction]:
     """Yield the angles of cut-off between two: a curve that leaves them out has no sharp tips."""
     if isinstance(turn, Turn):
-        for start, stroke in product(turn.engine.cranks, (0, 1)):
-            corner = start + 180 * (stroke + Fraction(float(turn.cut_off(stroke))))
-            yield from _every(360, corner, first, last)
+        for place in turn.corners():
+            yield from _every(180 * turn.cycle, 180 * place, first, last)
 
 
 def _every(step: int, start: Fraction, first: Fraction, last: Fraction) -> Iterator[Fraction]:

@@ -52,6 +52,11 @@ class CardStroke(NamedTuple):
     behind: Curve
     before: Curve
 
+    @property
+    def corners(self) -> tuple[float, ...]:
+        """The shares of the stroke at which the slope of a pressure jumps."""
+        return tuple(sorted({*self.behind.corners, *self.before.corners}))
+
     def force(self, share: Any) -> Any:
         """Return the net force in the direction of travel; share is a float or a float64 array."""
         return _at(self.behind.pressure, share) - _at(self.before.pressure, share)
