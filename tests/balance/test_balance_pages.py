@@ -211,7 +211,10 @@ def test_every_engine_has_a_name_and_a_page(engine: str, lang: str) -> None:
 
 
 def test_cells_of_a_page_are_its_records() -> None:
-    page = kurbel.balance_table("v6-90", ratio=["1:4", "1:5"], orders=4, columns=list(balance_registry()))
+    # With masses every column is known.
+    weighed = {"reciprocating": 2, "stroke": 0.09, "speed": 50, "spacing": 0.1}
+    columns = list(balance_registry())
+    page = kurbel.balance_table("v6-90", ratio=["1:4", "1:5"], orders=4, columns=columns, **weighed)
     heads = {
         key: tuple(one["de"] for one in (*column.spanners, column.heading))
         for key, column in balance_registry().items()
@@ -322,6 +325,6 @@ def test_pages_are_not_made_as_pages_of_something_else(name: str) -> None:
 
 def test_every_column_of_the_balance_is_listed_with_its_command() -> None:
     lines = [line.split() for line in printed("quantities", "--lang=en").out.splitlines()]
-    listed = {line[0] for line in lines if line[-1] == "balance"}
+    listed = {line[0] for line in lines if "balance" in line}
     assert listed == set(balance_registry())
     assert [line[-1] for line in lines if line[0] == "value"] == ["x", "c", "p"]

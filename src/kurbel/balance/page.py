@@ -29,6 +29,7 @@ from kurbel.balance.harmonics_page import (
     harmonic_number,
     series_notes,
 )
+from kurbel.balance.newtons import IN_NEWTONS, Weighed
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, finite_decimals
@@ -40,7 +41,8 @@ from kurbel.reading.given import choose
 from kurbel.reading.notation import plain
 
 DEFAULT_ENGINE = "inline-4"
-DECIMALS = 4
+DECIMALS, NEWTON_DECIMALS = 4, 1
+NEEDS: Mapping[str, tuple[str, ...]] = {IN_NEWTONS: ("--reciprocating", "--stroke", "--speed")}
 RESIDUALS = ("force", "moment")
 FACTOR = "factor"
 # Key, name, spanner and head of the lengths of `balance.LENGTHS`.
@@ -121,21 +123,43 @@ def balance_registry() -> Mapping[str, Quantity]:
     entries = [entry(FACTOR, name, "$B_k$", "", DECIMALS, {"exact": Formula(HARMONICS["p"].value)})]
     for key, name, spanner, head in _LENGTHS:
         formulas = {"exact": Formula(LENGTHS[key].value)}
-        entries += [entry(key, name, "", "m R ω²", DECIMALS, formulas, head, spanners=(words(spanner),))]
+        own = entry(key, name, "", "m R ω²", DECIMALS, formulas, head, spanners=(words(spanner),))
+        entries += [own, _in_newtons(own)]
     return {one.key: one for one in entries}
+
+
+def _in_newtons(own: Quantity) -> Quantity:
+    unit = words("N, N m")
+    spanners = tuple({lang: f"{one[lang]} in {unit[lang]}" for lang in one} for one in own.spanners)
+    return own._replace(
+        key=own.key + IN_NEWTONS, unit=unit, decimals=NEWTON_DECIMALS, spanners=spanners, needs=IN_NEWTONS
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
 class BalanceRequest(OrdersRequest):
     """What is asked for: the forces and moments of an arrangement with several crank ratios.
 
-    `engine` is its name, empty where the cranks were given one by one.
+    `engine` is its name, empty where the cranks were given one by one; `weighed` makes newtons where masses,
+    size and speed are known.
     """
 
     arrangement: Arrangement
     engine: str = ""
+    weighed: Weighed | None = None
 
     no_column = "there is no column beside the axes; add one, such as along"
+
+    def missing(self, quantity: Quantity) -> str:
+        if quantity.needs != IN_NEWTONS or self.weighed is not None:
+            return ""
+        *first, last = NEEDS[IN_NEWTONS]
+        return f"column {quantity.key} is in N and N m and needs {', '.join(first)} and {last}"
+
+    @property
+    def in_own_units(self) -> bool:
+        """Whether a column is in units of m R ω²."""
+        return any(one.key != FACTOR and not one.quantity.needs for one in self.page_columns)
 
     @cached_property
     def residuals(self) -> Mapping[tuple[str, int], Residual]:
@@ -186,25 +210,29 @@ def _placed(arrangement: Arrangement, positions: Sequence[Fraction]) -> tuple[Cy
 
 
 def _residual_axis(question: BalanceRequest) -> ListAxis:
-    """Forces and moments, with their units."""
+    """Forces and moments, with their units where the heads have none."""
     lang = question.lang
-    return ListAxis(
-        RESIDUALS,
-        Field("residual", WORDS["residual"][lang]),
-        str,
-        lambda key: WORDS["in"][lang].format(residual=WORDS[key][lang], unit=UNITS[key]),
-    )
+
+    def head(key: str) -> Label:
+        name = WORDS[key][lang]
+        return WORDS["in"][lang].format(residual=name, unit=UNITS[key]) if question.in_own_units else name
+
+    return ListAxis(RESIDUALS, Field("residual", WORDS["residual"][lang]), str, head)
 
 
-def _number(question: BalanceRequest, column: Column, place: Place, times: int) -> Number:
+def _number(question: BalanceRequest, column: Column, place: Place, times: int) -> Number | None:
     key, order = RESIDUALS[place["residual"]], question.orders[place["order"]]
     crank, method = Crank(question.ratios[place["ratio"]]), question.method
     if column.key == FACTOR:
         return harmonic_number(HARMONICS["p"], order, crank, column.places, method, question.rounding)
-    length, residual = LENGTHS[column.key], question.residuals[key, order]
+    length, residual = LENGTHS[column.key.removesuffix(IN_NEWTONS)], question.residuals[key, order]
     scale = factor(order, crank, method)
     if scale == 0 or length.vanishes(residual):
         return EXACT_ZERO
+    if column.quantity.needs and question.weighed is not None:
+        if not question.weighed.knows(key):
+            return None
+        scale = question.weighed.times(scale, key)
     return certified_length(length, residual, column.places, scale, question.rounding)
 
 
@@ -230,6 +258,8 @@ def _notes(request: BalanceRequest) -> Iterator[Label]:
     yield WORDS["symbols"][lang]
     spacing = "spacing" if request.engine else "unit"
     yield WORDS[spacing][lang] + WORDS["middle"][lang]
+    if request.weighed is not None:
+        yield from request.weighed.notes(request.layout.ratio_symbol, lang)
     if request.arrangement.share:
         yield WORDS["share"][lang].format(share=f"${_exact(request.arrangement.share)}$")
     yield WORDS["zero"][lang]
@@ -264,4 +294,5 @@ SUBJECT = Subject(
     number=_number,
     caption=_caption,
     notes=_notes,
+    options=NEEDS,
 )

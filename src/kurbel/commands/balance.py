@@ -1,16 +1,22 @@
 """The harmonics of the piston's motion, and what engines leave unbalanced."""
 
-from typing import Annotated, Unpack
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Annotated, Any, Unpack
 
 from kurbel.balance.arrangement import usual
 from kurbel.balance.harmonics import HARMONICS, MOST_ORDERS
 from kurbel.commands import parameters as option
-from kurbel.commands.motion import ratios_of
-from kurbel.commands.options import Choice, Count, Option
+from kurbel.commands.machines import MASSES, is_heavy, weighed
+from kurbel.commands.motion import ratios_of, sheet_of
+from kurbel.commands.options import Choice, Count, Option, is_given
 from kurbel.commands.subject import makes_table
-from kurbel.page.layouts import layout_of
+from kurbel.drive.crank import Described
+from kurbel.page.layouts import Layout, layout_of
 from kurbel.page.subject import Question
-from kurbel.reading.given import Exact, as_crank_angles, as_names, as_places, as_share
+from kurbel.reading.given import Exact, as_crank_angles, as_length, as_names, as_places, as_share
+
+if TYPE_CHECKING:
+    from kurbel.balance.newtons import Weighed
 
 Ratios = Annotated[
     option.Given | None,
@@ -33,7 +39,7 @@ Engine = Annotated[
     str | None,
     Option(
         "inline-1, inline-2-180, inline-2-360, inline-3 to inline-6, v2-90, v6-90, v8-90, v12-60,"
-        " boxer-2, boxer-4; default: inline-4.",
+        " boxer-2, boxer-4; default: inline-4, with masses inline-1.",
         kind=Choice("engine", usual),
     ),
 ]
@@ -89,7 +95,54 @@ def harmonics_table(
     )
 
 
-@makes_table()
+NEWTONS = ("stroke", "speed")
+
+
+class Heavy(option.MovingRod, option.Sheet, total=False):
+    """The masses of each cylinder, with what makes forces of them."""
+
+    reciprocating: Annotated[
+        Exact | None,
+        Option(
+            "Mass of piston and crosshead of a cylinder: 2kg. Masses need --stroke and --speed.", "MASS",
+            unit="kg",
+        ),
+    ]  # fmt: skip
+    stroke: option.Stroke
+    speed: Annotated[Exact | None, option.SPEED._replace(help="Speed, for the masses: 120/min, 12.5rad/s.")]
+    spacing: Annotated[
+        Exact | None,
+        Option("Unit of the positions, for moments in N m: 100mm.", "LENGTH", unit="m"),
+    ]
+    layouts: option.Layouts
+
+
+def _weightless(values: Mapping[str, Any]) -> Mapping[str, str]:
+    if not is_heavy(values):
+        why = "is for moving masses; add --reciprocating or a rod, --rod-mass"
+        return {name: f"--{name} {why}" for name in (*NEWTONS, "spacing")}
+    if missing := [f"--{name}" for name in NEWTONS if not is_given(values[name])]:
+        why = f"needs {' and '.join(missing)} to become a force"
+        return {name: f"--{name.replace('_', '-')} {why}" for name in MASSES if name in values}
+    return {}
+
+
+def _weighed(page: Layout, given: Mapping[str, Any]) -> "Weighed | None":
+    """Return what makes newtons, None where a machine or the environment does not say enough."""
+    from kurbel.balance.newtons import Weighed
+
+    if not is_heavy(given) or not all(is_given(given[name]) for name in NEWTONS):
+        return None
+    crank, *_ = weighed(Described(given["ratio"], given["stroke"]).cranks(page.ratios), given)
+    spacing = given["spacing"]
+    return Weighed(crank, None if spacing is None else as_length(spacing, "spacing"))
+
+
+@makes_table(
+    needless=_weightless,
+    order="cranks positions banks share ratio orders method reciprocating rod_mass centre gyration rod_file"
+    " stroke speed spacing columns",
+)
 def balance_table(
     engine: Engine = None,
     *,
@@ -111,16 +164,19 @@ def balance_table(
     orders: Orders = 2,
     method: Method = "exact",
     columns: Annotated[option.Names, option.columns_option("balance", "order,along,forward")] = (),
-    layouts: option.Layouts = None,
     layout: Annotated[str, option.layout_option("balance")] = "balance",
-    **sheet: Unpack[option.Sheet],
+    **given: Unpack[Heavy],
 ) -> Question:
     """Print the free forces and moments of an engine by orders.
+
+    In units of m R ω²; with masses, --stroke and --speed in newtons, moments with --spacing in N m.
 
     \b
     kurbel balance --engine inline-4 --ratio 1:4
     kurbel balance --engine v2-90 --share 0.5 --orders 6
     kurbel balance --cranks '0;0;90;90' --positions '0;0;1;1' --banks '-45;45;-45;45'
+    kurbel balance --reciprocating 2kg --stroke 90mm --speed 3000/min --spacing 100mm
+    kurbel balance --engine inline-1 --machine engine.toml
     \f
     >>> import kurbel
     >>> page = kurbel.balance_table("inline-4", ratio="1:5", columns="residual,order,along,across")
@@ -133,9 +189,12 @@ def balance_table(
     """
     from kurbel.balance.page import BalanceRequest, arranged
 
-    page = layout_of(layout, ("balance",), layouts)
+    page = layout_of(layout, ("balance",), given["layouts"])
+    weights = _weighed(page, {**given, "ratio": ratio})
+    # Masses are those of one cylinder, and a machine that says no more has one.
+    alone = weights is not None and engine is None and cranks is None
     name, arrangement = arranged(
-        engine,
+        "inline-1" if alone else engine,
         () if cranks is None else as_crank_angles(cranks),
         () if positions is None else as_places(positions, "position"),
         () if banks is None else as_crank_angles(banks),
@@ -149,7 +208,8 @@ def balance_table(
         last_order=orders,
         method=method,
         columns=as_names(columns, "order,along"),
-        **sheet,
+        weighed=weights,
+        **sheet_of(given),
     )
 
 
