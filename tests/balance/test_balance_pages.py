@@ -212,7 +212,7 @@ def test_every_engine_has_a_name_and_a_page(engine: str, lang: str) -> None:
 
 def test_cells_of_a_page_are_its_records() -> None:
     # With masses every column is known.
-    weighed = {"reciprocating": 2, "stroke": 0.09, "speed": 50, "spacing": 0.1}
+    weighed: dict[str, Any] = {"reciprocating": 2, "stroke": 0.09, "speed": 50, "spacing": 0.1}
     columns = list(balance_registry())
     page = kurbel.balance_table("v6-90", ratio=["1:4", "1:5"], orders=4, columns=columns, **weighed)
     heads = {

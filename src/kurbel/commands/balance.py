@@ -11,6 +11,7 @@ from kurbel.commands.motion import ratios_of, sheet_of
 from kurbel.commands.options import Choice, Count, Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.drive.crank import Described
+from kurbel.motion.mechanism import mechanism
 from kurbel.page.layouts import Layout, layout_of
 from kurbel.page.subject import Question
 from kurbel.reading.given import Exact, as_crank_angles, as_length, as_names, as_places, as_share
@@ -133,7 +134,8 @@ def _weighed(page: Layout, given: Mapping[str, Any]) -> "Weighed | None":
 
     if not is_heavy(given) or not all(is_given(given[name]) for name in NEWTONS):
         return None
-    crank, *_ = weighed(Described(given["ratio"], given["stroke"]).cranks(page.ratios), given)
+    cranks = Described(given["ratio"], given["stroke"]).cranks(page.ratios)
+    crank, *_ = weighed(mechanism("straight"), cranks, given)
     spacing = given["spacing"]
     return Weighed(crank, None if spacing is None else as_length(spacing, "spacing"))
 
