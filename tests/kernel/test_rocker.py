@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
-from functools import partial
-from typing import NamedTuple
 
 import numpy as np
 import pytest
-from bodies import Mass, Real, moment, of_body
-from links import CRANKS, DIGITS, arc_crank, links, pointer, real, shown
+from bodies import Mass, Real, of_body
+from links import CRANKS, DIGITS, arc_crank, real, shown
 from mpmath import mp
 from numpy.testing import assert_allclose
+from rockers import Heavy
 
 from kurbel.exact.kind import Kind
 from kurbel.kernel import rocker, rod
@@ -29,6 +28,7 @@ BODY = [Mass(mp.mpf("-0.2"), mp.mpf("0.5")), Mass(mp.mpf("0.7"), mp.mpf("0.2"), 
 BODY += [Mass(mp.mpf("0.7"), mp.mpf("0.2"), mp.mpf("-0.3")), Mass(mp.mpf("0.9"), mp.mpf("0.1"))]
 ROD, RECIPROCATING, ROCKER, FORCE = mp.mpf("1.7"), mp.mpf("0.9"), mp.mpf("2.3"), mp.mpf("1.3")
 NUMBERS = Kind(real)
+HEAVY = Heavy(CRANKS[0], BODY, ROD, RECIPROCATING, ROCKER, mp.mpf(0), FORCE)
 FORCES = (
     "guide_force", "rod_force", "crosshead_pin_force", "pin_force", "pin_force_along", "pin_force_across",
     "radial_force", "torque", "thrust",
@@ -52,81 +52,14 @@ def masses() -> Masses[Real]:
 def loaded(crank: ArcCrank, stroke: int, angle: Real, force: Real = FORCE) -> LoadedRocker:
     """The kernel's, at an angle that counts as those of the stroke do."""
     at = crank.at(stroke, on_circle(angle), NUMBERS)
-    return LoadedRocker(at.circle, at.place, at.arc, masses(), force, RECIPROCATING, ROCKER)
-
-
-class Joints(NamedTuple):
-    """Crank pin, joint, rod's and rocker's angles of closed links over the crank angle."""
-
-    crank: ArcCrank
-
-    def joint(self, phi: Real) -> Real:
-        machine = links(self.crank)
-        return machine.end(machine.angles(phi)[1])
-
-    def point(self, phi: Real, mass: Mass) -> Real:
-        pin, joint = pointer(phi), self.joint(phi)
-        return pin + (mass.share + 1j * mass.aside) * (joint - pin)
-
-    def acceleration(self, phi: Real, mass: Mass) -> Real:
-        bent = mp.diff(self.joint, phi, 2)
-        return -pointer(phi) + (mass.share + 1j * mass.aside) * (bent + pointer(phi))
-
-    def energy(self, phi: Real) -> Real:
-        rod_energy = ROD * mp.fsum(
-            one.mass * abs(mp.diff(partial(self.point, mass=one), phi)) ** 2 for one in BODY
-        )
-        return (rod_energy + (RECIPROCATING + ROCKER) * abs(mp.diff(self.joint, phi)) ** 2) / 2
-
-
-def pair(number: Real) -> list[Real]:
-    return [number.real, number.imag]
-
-
-def newton(crank: ArcCrank, stroke: int, angle: Real) -> dict[str, Real]:
-    """Solve the equations of motion of rod, joint and rocker; F acts on the joint along the stroke."""
-    phi = angle + (0 if stroke == OUT else mp.pi)
-    machine, drive = links(crank), Joints(crank)
-    pin, joint = pointer(phi), drive.joint(phi)
-    arm = joint - machine.pivot
-    way = -1j * machine.right * stroke * arm / machine.rocker
-    pulls = [(ROD * one.mass * drive.acceleration(phi, one), drive.point(phi, one) - pin) for one in BODY]
-    bent = mp.diff(drive.joint, phi, 2)
-    # Unknown are the forces of the crank pin and of the joint on the rod, and of the rocker on the joint.
-    along = joint - pin
-    rows = [[1, 0, 1, 0, 0, 0], [0, 1, 0, 1, 0, 0], [0, 0, -along.imag, along.real, 0, 0]]
-    rows += [[0, 0, -1, 0, 1, 0], [0, 0, 0, -1, 0, 1], [0, 0, 0, 0, arm.imag, -arm.real]]
-    total = mp.fsum(pull for pull, _ in pulls)
-    turned = mp.fsum(moment(pair(at), pair(pull)) for pull, at in pulls)
-    # J times the angular acceleration of the rocker is J/B² times the moment of its end's acceleration.
-    right = [*pair(total), turned, *pair(RECIPROCATING * bent - FORCE * way)]
-    right.append(ROCKER * moment(pair(arm), pair(bent)))
-    found = mp.lu_solve(mp.matrix(rows), mp.matrix(right))
-    on_pin, on_end, of_rocker = (mp.mpc(found[i], found[i + 1]) for i in (0, 2, 4))
-    # The frame of the stroke: X against the way, Y to its right.
-    across, line = -1j * way, (pin - joint) / machine.rod
-    return {
-        "guide_force": dot(of_rocker, across),
-        "thrust": dot(on_end, way),
-        "rod_force": stroke * dot(on_end, line),
-        "crosshead_pin_force": abs(on_end),
-        "pin_force": abs(on_pin),
-        "pin_force_along": stroke * on_pin.real,
-        "pin_force_across": stroke * on_pin.imag,
-        "radial_force": dot(on_pin, pin),
-        "torque": -moment(pair(pin), pair(on_pin)),
-    }
-
-
-def dot(one: Real, other: Real) -> Real:
-    return one.real * other.real + one.imag * other.imag
+    return LoadedRocker(at.circle, at.place, at.arc, masses()._replace(rocker=ROCKER), force, RECIPROCATING)
 
 
 @STROKES
 @EACH
 def test_forces_obey_newton(crank: ArcCrank, stroke: int) -> None:
     for angle in (mp.mpf("0.3"), mp.mpf("2.2"), mp.mpf("4.9")):
-        expected = newton(crank, stroke, angle)
+        expected = HEAVY._replace(crank=crank).newton(stroke, angle)
         here = loaded(crank, stroke, angle)
         for name in FORCES:
             assert abs(getattr(here, name)() - expected[name]) < 1e-16 * (1 + abs(expected[name])), name
@@ -137,12 +70,12 @@ def test_forces_obey_newton(crank: ArcCrank, stroke: int) -> None:
 def test_torque_is_the_work_of_the_force_less_the_gain_of_energy(crank: ArcCrank, stroke: int) -> None:
     angle = mp.mpf("1.1")
     phi = angle + (0 if stroke == OUT else mp.pi)
-    drive = Joints(crank)
+    drive = HEAVY._replace(crank=crank)
     here = loaded(crank, stroke, angle)
     path = abs(mp.diff(drive.joint, phi)) * mp.sign(here.place.velocity)
     assert abs(here.torque() - FORCE * path + mp.diff(drive.energy, phi)) < 1e-14
     # The mass at the crank pin has an energy that never changes.
-    own = rocker.kinetic_energy(here.place, here.masses, ROCKER) + here.masses.pin / 2
+    own = rocker.kinetic_energy(here.place, here.masses) + here.masses.pin / 2
     assert abs(own - drive.energy(phi)) < 1e-16
 
 
@@ -151,7 +84,7 @@ def test_torque_is_the_work_of_the_force_less_the_gain_of_energy(crank: ArcCrank
 def test_torque_slope_is_the_slope_of_the_torque(crank: ArcCrank, stroke: int) -> None:
     for angle in (mp.mpf("0.4"), mp.mpf("3.6")):
         here = loaded(crank, stroke, angle)
-        found = rocker.torque_slope(here.place, here.arc, here.masses, ROCKER)
+        found = rocker.torque_slope(here.place, here.arc, here.masses)
         expected = mp.diff(lambda at: loaded(crank, stroke, at, 0 * FORCE).torque(), angle)
         assert abs(found - expected) < 1e-18 * (1 + abs(expected))
 

@@ -173,12 +173,7 @@ def test_pages_state_formulas_and_directions() -> None:
         (
             ("--eps", "4"),
             "the arc crank under steam is not computed; steam can act on the straight crank or the offset"
-            " crank, and the arc crank takes a constant force",
-        ),
-        (
-            ("--reciprocating", "3"),
-            "the arc crank under moving masses is not computed; moving masses can act on the straight crank"
-            " or the offset crank, and the arc crank takes a constant force",
+            " crank, and the arc crank takes a constant force or moving masses",
         ),
         (("--at", "tangent"), "--at does not belong to the arc crank; it is for --mechanism straight"),
         (("--columns", "torque_nm"), "column torque_nm is in N m and needs --force and --stroke"),

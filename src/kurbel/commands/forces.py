@@ -24,7 +24,7 @@ POSITIONS = ("tangent",)
 _LOADS = {
     **dict.fromkeys((*STEAM, "bore", "pressure", "cranks"), load.STEAM),
     "card": load.CARD,
-    **dict.fromkeys(MASSES, load.MASSES),
+    **dict.fromkeys((*MASSES, "rocker_inertia"), load.MASSES),
 }
 
 
@@ -38,9 +38,9 @@ def _mechanism(values: Mapping[str, Any]) -> Mechanism:
 def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
     """Refuse what describes other crank drives, and the loads and positions that theirs do not have."""
     chosen = _mechanism(values)
-    refused = of_other_mechanisms(values, chosen, ("stroke",))
+    refused = of_other_mechanisms(values, chosen, ("stroke", "speed") if is_heavy(values) else ("stroke",))
     if not chosen.crosshead:
-        loads = {name: one for name, one in _LOADS.items() if is_given(values[name])}
+        loads = {name: one for name, one in _LOADS.items() if is_given(values.get(name))}
         refused |= {name: said for name, one in loads.items() if (said := uncomputed(chosen, one))}
         refused["at"] = f"--at does not belong to {chosen.title}; it is for --mechanism straight"
     return refused
@@ -91,6 +91,7 @@ class Forces(option.Run, option.Linked, option.Steam, option.MovingRod, option.S
     eps: option.Eps
     reciprocating: option.Reciprocating
     rotating: option.Rotating
+    rocker_inertia: option.RockerInertia
     layouts: option.Layouts
 
 
@@ -99,7 +100,7 @@ class Forces(option.Run, option.Linked, option.Steam, option.MovingRod, option.S
     needless=_needless,
     order="angle from_ to step columns offset stroke rod mechanism rocker pivot force at eps back exponent"
     " clearance card other_side single_acting cranks bore pressure reciprocating rod_mass centre gyration"
-    " rod_file rotating speed",
+    " rod_file rotating rocker_inertia speed",
 )
 def forces_table(
     ratio: option.Ratios = None,
@@ -173,7 +174,7 @@ def forces_table(
         raise ProblemError(f"layout {name} is of a steam engine; add --eps or --card")
     drives = chosen.drives(said, page.ratios)
     return chosen.question(
-        weighed(chosen, drives, all_given) if chosen.crosshead else drives,
+        weighed(chosen, drives, all_given),
         layout=page,
         angles=angles_of(page, given),
         columns=as_names(columns, chosen.examples["forces"]),

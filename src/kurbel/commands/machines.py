@@ -16,6 +16,7 @@ from kurbel.motion.mechanism import Mechanism, uncomputed
 from kurbel.page.layouts import Layout
 from kurbel.reading.given import (
     as_crank_angles,
+    as_inertia,
     as_length,
     as_mass,
     as_number,
@@ -67,7 +68,7 @@ def weighed(chosen: Mechanism, drives: Sequence[Any], given: Mapping[str, Any], 
     if any(crank.radius is None for crank in cranks):
         missing.insert(0, "--stroke")
     if missing:
-        first = next(name for name in MASSES if given.get(name) is not None)
+        first = next(name for name in (*MASSES, "rocker_inertia") if given.get(name) is not None)
         raise ProblemError(f"--{first.replace('_', '-')} needs {', '.join(missing)} to become a force")
     from kurbel.drive.rod import Moving
 
@@ -77,6 +78,7 @@ def weighed(chosen: Mechanism, drives: Sequence[Any], given: Mapping[str, Any], 
         _read(as_mass, given["reciprocating"], "reciprocating mass") or Fraction(0),
         rod_of(given, length) if any(given[name] is not None for name in MovingRod.__annotations__) else None,
         _read(as_signed_mass, given.get("rotating"), "rotating mass") or Fraction(0),
+        _read(as_inertia, given.get("rocker_inertia"), "rocker inertia") or Fraction(0),
     )
     speed = as_speed(given["speed"])
     return [
@@ -87,7 +89,7 @@ def weighed(chosen: Mechanism, drives: Sequence[Any], given: Mapping[str, Any], 
 
 def is_heavy(values: Mapping[str, Any]) -> bool:
     """Whether any mass is among the options."""
-    return any(values.get(name) is not None for name in MASSES)
+    return any(values.get(name) is not None for name in (*MASSES, "rocker_inertia"))
 
 
 def for_masses(*names: str) -> Callable[[Mapping[str, Any]], Mapping[str, str]]:

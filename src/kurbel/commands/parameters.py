@@ -107,6 +107,10 @@ Rotating = Annotated[
         "MASS", unit="kg",
     ),
 ]  # fmt: skip
+RockerInertia = Annotated[
+    Exact | None,
+    Option("Moment of inertia of the rocker about its pivot: '20kg m²'.", "INERTIA", unit="kg m²"),
+]
 
 Layouts = Annotated[Path | None, LAYOUTS]
 Lang = Annotated[str, LANG]

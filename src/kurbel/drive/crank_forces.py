@@ -39,7 +39,7 @@ class CrankForce(NamedTuple):
     """
 
     bare: Callable[[Any, Any, Any], Any]
-    on: Callable[[Loaded], Any]
+    on: Callable[[Any], Any]
     framed: bool = False
     magnitude: bool = False
     on_shaft: bool = False

@@ -138,14 +138,22 @@ def check_section(section: Section) -> None:
 @dataclass(frozen=True, slots=True)
 class Moving:
     """The moving masses of one crank drive in kg: piston and crosshead, the rod, and `rotating`, the crank's
-    own at its pin, which is negative where counterweights outweigh it.
+    own at its pin, which is negative where counterweights outweigh it. `rocker` is the moment of inertia of a
+    rocker about its pivot, in kg m², and `arm` its length in metres.
     """
 
     reciprocating: Fraction
     rod: Rod | None = None
     rotating: Fraction = Fraction(0)
+    rocker: Fraction = Fraction(0)
+    arm: Fraction | None = None
 
     def __post_init__(self) -> None:
+        if not 0 <= self.rocker <= LARGEST_MASS:
+            raise ProblemError(
+                f"the rocker's moment of inertia is {about(self.rocker)} kg m²; it must lie within"
+                " 0..10^9 kg m²"
+            )
         if not 0 <= self.reciprocating <= LARGEST_MASS:
             raise ProblemError(
                 f"the reciprocating mass is {about(self.reciprocating)} kg; it must lie within 0..10^9 kg"
@@ -159,10 +167,12 @@ class Moving:
 
     @property
     def joined(self) -> Masses[Fraction]:
-        """The masses of rod and reciprocating parts, in kg."""
+        """The masses of rod and reciprocating parts, and of a rocker at its end, in kg."""
+        end = self.rocker / self.arm**2 if self.arm else Fraction(0)
         if self.rod is None:
-            return Masses(Fraction(0), self.reciprocating, Fraction(0))
-        return joined(self.rod.masses("exact", Fraction), self.rod.mass, self.reciprocating)
+            return Masses(Fraction(0), self.reciprocating, Fraction(0), end)
+        own = joined(self.rod.masses("exact", Fraction), self.rod.mass, self.reciprocating)
+        return own._replace(rocker=end)
 
     def weights(self, of: Callable[[Fraction], Any], factor: Any) -> Weights:
         """Return the masses times a factor, in a kind of number."""

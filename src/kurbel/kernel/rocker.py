@@ -30,7 +30,7 @@ class LoadedRocker:
     """The arc crank at a crank angle: its masses, and the force F on the rocker's end, positive against X.
 
     `circle` is that of the crank angle from the slide direction. `masses` are those of the rod joined with
-    the `reciprocating` one, which goes with the rocker's end and has no part of the rod; `rocker` is J/B².
+    the `reciprocating` one, which goes with the rocker's end and has no part of the rod, and J/B².
     """
 
     circle: Circle[Number]
@@ -39,7 +39,6 @@ class LoadedRocker:
     masses: Masses[Number]
     piston_force: Number = 0
     reciprocating: Number = 0
-    rocker: Number = 0
 
     @cached_property
     def acceleration(self) -> Number:
@@ -62,7 +61,7 @@ class LoadedRocker:
     @cached_property
     def push(self) -> Number:
         """F - (m_B + J/B²) p."""
-        return self.piston_force - (self.masses.crosshead + self.rocker) * self.acceleration
+        return self.piston_force - (self.masses.crosshead + self.masses.rocker) * self.acceleration
 
     @cached_property
     def across(self) -> Number:
@@ -79,7 +78,7 @@ class LoadedRocker:
 
     def thrust(self) -> Number:
         """Return the force of the joint on the rod along the arc, positive against X."""
-        return self.piston_force - (self.reciprocating + self.rocker) * self.acceleration
+        return self.piston_force - (self.reciprocating + self.masses.rocker) * self.acceleration
 
     def rod_force(self) -> Number:
         """Return the force along the rod at its rocker end, positive where it presses the rod."""
@@ -136,15 +135,13 @@ class LoadedRocker:
         )
 
 
-def kinetic_energy(place: Place[Number], masses: Masses[Number], rocker: Number = 0) -> Number:
+def kinetic_energy(place: Place[Number], masses: Masses[Number]) -> Number:
     """Return the part of the masses' kinetic energy that changes, in units of m R² ω²."""
     turning = place.cosine / place.slant_cosine
-    return moving.kinetic_energy(place.velocity, turning, masses.crosshead + rocker, masses.couple)
+    return moving.kinetic_energy(place.velocity, turning, masses.crosshead + masses.rocker, masses.couple)
 
 
-def torque_slope(
-    place: Place[Number], arc: Arc[Number], masses: Masses[Number], rocker: Number = 0
-) -> Number:
+def torque_slope(place: Place[Number], arc: Arc[Number], masses: Masses[Number]) -> Number:
     """Return the change of `LoadedRocker.torque` without F with the angle in radians."""
     link = Link(place.sine, place.cosine, place.slant, place.slant_cosine, arc.ratio, arc.curvature)
-    return moving.torque_slope(link, masses.crosshead + rocker, masses.couple)
+    return moving.torque_slope(link, masses.crosshead + masses.rocker, masses.couple)

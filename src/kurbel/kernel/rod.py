@@ -39,11 +39,15 @@ Kind = TypeVar("Kind")
 
 
 class Masses(NamedTuple, Generic[Kind]):
-    """What moves like the rod: a mass at A, one at B, and the couple m (k² - a b)/L², 0 for two masses."""
+    """What moves like the rod: a mass at A, one at B, and the couple m (k² - a b)/L², 0 for two masses.
+
+    `rocker` is one that a rocker in place of the guide has at B along its arc alone: kernel/rocker.py.
+    """
 
     pin: Kind
     crosshead: Kind
     couple: Kind | int = 0
+    rocker: Kind | int = 0
 
 
 class Parts(NamedTuple, Generic[Kind]):
@@ -77,7 +81,7 @@ def joined(masses: Masses[Number], rod: Number, reciprocating: Number) -> Masses
 
     The forces are then in the unit of mass times R ω², and so must the piston force be.
     """
-    pin, crosshead, couple = (rod * part for part in masses)
+    pin, crosshead, couple, *_ = (rod * part for part in masses)
     return Masses(pin, crosshead + reciprocating, couple)
 
 

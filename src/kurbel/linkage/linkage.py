@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from kurbel.exact.kind import Kind, settled
+from kurbel.drive.crank import Crank
+from kurbel.exact.kind import Kind, balls, bounds, settled
 from kurbel.exact.numerals import Label
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.linkage import Place
+from kurbel.motion.evaluation import LOADED
 from kurbel.page.quantity import Quantity, Words
 
 
@@ -63,6 +66,12 @@ class Linkage(ABC):
 
     crank: Any
 
+    def of(self, crank: Crank) -> Linkage:
+        """Return the drive with what else is known of its crank."""
+        own: Any = self
+        changed: Linkage = replace(own, crank=crank)
+        return changed
+
     @property
     def stroke(self) -> Label:
         """The stroke as pages of conditions print it, nothing where no line holds it."""
@@ -91,7 +100,8 @@ def value(quantity: Quantity, drive: Linkage, circle: Circle[Any], kind: Kind, d
     `direct` gives an algebraic quantity a small separation bound.
     """
     at = drive.direct(quantity, circle, kind) if direct else drive.at(quantity.stroke, circle, kind)
-    found = quantity.formulas["exact"].kernel(at)
+    heavy = drive.crank.moving is not None and LOADED in quantity.formulas
+    found = quantity.formulas[LOADED if heavy else "exact"].kernel(at)
     return found * quantity.scale(drive.crank, kind) if quantity.scale else found
 
 
@@ -104,10 +114,29 @@ def certified(
     p + q cos φ + r sin φ with rational p, q, r and q² + r² < 1; where ψ is a rational number of degrees that
     is one of 0, ±30°, ±45° and ±60° (Conway and Jones, Acta Arithmetica 30, 1976, theorem 7). Rocker and rod
     angles on a boundary are not excluded; `certify.rounded` then raises ProblemError.
+
+    What the masses add is algebraic, times π² where the speed counts turns. With a part of theirs that is not
+    zero a force is then transcendental.
     """
 
     def at(kind: Kind) -> Any:
-        # Bounds have no arcs, and are to be small.
-        return value(quantity, drive, kind.circle(angle), kind, direct=kind.arc is None)
+        return _value_at(quantity, drive, angle, kind)
 
-    return settled(at, decimals, rounding, not quantity.is_arc)
+    return settled(at, decimals, rounding, not (quantity.is_arc or _weighs(quantity, drive, angle)))
+
+
+def _value_at(quantity: Quantity, drive: Linkage, angle: Fraction, kind: Kind) -> Any:
+    # Bounds have no arcs, and are to be small.
+    return value(quantity, drive, kind.circle(angle), kind, direct=kind.arc is None)
+
+
+def _weighs(quantity: Quantity, drive: Linkage, angle: Fraction) -> bool:
+    """Whether the masses may have a part in the force that has the factor π²."""
+    crank = drive.crank
+    if crank.moving is None or LOADED not in quantity.formulas or not (crank.speed and crank.speed.turns):
+        return False
+    from kurbel.exact.certify import vanishes
+
+    alone = drive.of(replace(crank, force=None))
+    bits = float(_value_at(quantity, alone, angle, bounds()).bits())
+    return not vanishes(lambda: _value_at(quantity, alone, angle, balls()), bits)

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import Any, ClassVar
 
+from kurbel.drive.crank import Crank
 from kurbel.drive.load import FORCE
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
@@ -63,7 +64,7 @@ class LinkageDrive(Drive):
 class LinkageMechanism(Mechanism):
     """A crank drive whose pages are of its own subject, under no load or a constant force."""
 
-    loads = (FORCE,)
+    loads: ClassVar[tuple[str, ...]] = (FORCE,)
     forces = FORCES
     drawing = "kurbel.plot.drawings:links_drawing"
     examples: ClassVar[Mapping[str, str]] = {
@@ -72,6 +73,9 @@ class LinkageMechanism(Mechanism):
         "plot": "path,velocity",
         "plot forces": "rod_force,guide_force",
     }
+
+    def with_crank(self, drive: Linkage, crank: Crank) -> Linkage:
+        return drive.of(crank)
 
     def question(self, drives: Sequence[Linkage], method: str | None = None, **asked: Any) -> LinkageRequest:
         return LinkageRequest(drives=tuple(drives), **asked)

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from types import MappingProxyType
 from typing import Any
 
 from kurbel.exact.numerals import Label
 from kurbel.kernel import linkage
 from kurbel.kernel.linkage import Place
 from kurbel.motion import quantities
+from kurbel.motion.evaluation import LOADED
 from kurbel.motion.quantities import Force
 from kurbel.page.quantity import Formula, Quantity
 
@@ -30,6 +32,10 @@ FORCES: Mapping[str, Force] = {
         " läuft"
         "|$N$ along the rocker on the rod's end, towards the side on which the crank pin runs in that stroke",
     ),
+    "crosshead_pin_force": Force(
+        "Kraft am Schwingenzapfen|Rocker-pin force", "G",
+        "$G$ Betrag am Zapfen von Stange und Schwinge|$G$ magnitude at the pin of rod and rocker",
+    ),
 }  # fmt: skip
 _KERNELS: Mapping[str, Callable[[Place[Any]], Any]] = {
     "rod_force": linkage.rod_force,
@@ -45,10 +51,23 @@ def force_formula(key: str, printed: Label, symbols: tuple[Label, ...] = ()) -> 
     return Formula(lambda at: kernel(at.place), printed, symbols)
 
 
-def force_entries(printed: Mapping[str, Formula]) -> Iterator[Quantity]:
-    """Yield the forces with these formulas as shares of F and in newtons, and the torque that they make."""
-    for key, formula in printed.items():
-        formulas = {"exact": formula}
-        yield from quantities.force_entries(key, FORCES[key], formulas, formulas, of=FORCE)
+def force_entries(
+    printed: Mapping[str, Formula], loaded: Mapping[str, Formula] = MappingProxyType({})
+) -> Iterator[Quantity]:
+    """Yield the forces with these formulas as shares of F and in newtons, and the torque that they make.
+
+    `loaded` are the formulas in newtons of a drive with moving masses, also of forces that these alone show.
+    """
+    for key in {**printed, **loaded}:
+        shares = {"exact": printed[key]} if key in printed else {}
+        yield from quantities.force_entries(
+            key, FORCES[key], shares, _in_newtons(key, shares, loaded), of=FORCE
+        )
     torque = {"exact": force_formula("tangential_force", "$M_d/(F R) = T/F$")}
-    yield from quantities.torque_entries(torque, torque, of=FORCE)
+    yield from quantities.torque_entries(torque, _in_newtons("tangential_force", torque, loaded), of=FORCE)
+
+
+def _in_newtons(
+    key: str, shares: Mapping[str, Formula], loaded: Mapping[str, Formula]
+) -> Mapping[str, Formula]:
+    return {**shares, LOADED: loaded[key]} if key in loaded else shares

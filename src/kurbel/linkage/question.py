@@ -5,16 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from types import MappingProxyType
 from typing import Any
 
-from kurbel.drive.crank import check_angles
+from kurbel.drive.crank import Crank, check_angles
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import floats
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel.circle import circle
 from kurbel.linkage.linkage import certified, value
 from kurbel.linkage.quantities import FORCE
-from kurbel.motion.captions import drive_notes, force_notes
+from kurbel.motion.captions import drive_notes, force_notes, moving_notes
 from kurbel.motion.evaluation import NEEDS, needed
 from kurbel.motion.page import AngleQuestion, check_pairs
 from kurbel.page.axes import AngleAxis, ColumnAxis, Place, RatioAxis
@@ -131,12 +132,22 @@ def formula_line(formulas: Sequence[Formula]) -> Label:
     return ", ".join(filter(None, dict.fromkeys((*printed, *symbols))))
 
 
-def force_lines(question: LinkageRequest, force: Words) -> Iterator[Label]:
-    """Yield in which directions forces are positive, and what makes newtons of them."""
+def force_lines(
+    question: LinkageRequest, force: Words, named: Mapping[str, Words] = MappingProxyType({})
+) -> Iterator[Label]:
+    """Yield in which directions forces are positive, and what makes newtons of them.
+
+    Of a drive that may have masses, `named` says where they are.
+    """
     lang, shown = question.lang, [column.quantity for column in question.page_columns]
+    first: Crank = question.drives[0].crank
     if any(one.of == FORCE for one in shown):
+        acting = [force[lang]] if first.force or not first.moving else []
         said = (one.direction[lang] for one in shown if one.direction)
-        yield "; ".join(dict.fromkeys([force[lang], *said]))
-    cranks = [replace(drive.crank, offset=Fraction(0)) for drive in question.drives]
+        yield "; ".join(dict.fromkeys([*acting, *said]))
+    # Neither the offset nor the mean speed is that of a slide.
+    cranks = [replace(drive.crank, offset=Fraction(0), moving=None, speed=None) for drive in question.drives]
     yield from drive_notes(cranks, lang)
     yield from force_notes(cranks, lang)
+    if first.moving is not None:
+        yield from moving_notes(first, question.layout.ratio_symbol, lang, named)

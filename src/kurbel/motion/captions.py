@@ -209,21 +209,28 @@ def force_notes(cranks: Sequence[Crank], lang: str) -> Iterable[Label]:
     return dict.fromkeys(crank.force.note(lang) for crank in cranks if crank.force is not None)
 
 
-def moving_notes(crank: Crank, ratio_symbol: str, lang: str) -> Iterator[Label]:
-    """Yield the lines about the moving masses, with the size and the speed that make forces of them."""
+def moving_notes(
+    crank: Crank, ratio_symbol: str, lang: str, named: Mapping[str, Words] = WORDS
+) -> Iterator[Label]:
+    """Yield the lines about the moving masses, with the size and the speed that make forces of them.
+
+    A drive without a crosshead has names of its own for where they are.
+    """
     moving, speed, radius = known(crank.moving), known(crank.speed), ratio_symbol[0]
     said = {"reciprocating": moving.reciprocating, "rotating": moving.rotating}
-    parts = [f'{WORDS[key][lang]} ${figure(mass)} "kg"$' for key, mass in said.items() if mass]
+    parts = [f'{named[key][lang]} ${figure(mass)} "kg"$' for key, mass in said.items() if mass]
+    if moving.rocker:
+        parts.append(f'{named["rocker"][lang]} $J = {figure(moving.rocker)} "kg m"^2$')
     parts += [f'${radius} = {figure(1000 * known(crank.radius))} "mm"$', turns_label(speed)]
     yield WORDS["masses"][lang] + ", ".join(parts)
     if moving.rod is not None:
-        yield connecting_rod(moving.rod, lang, ratio_symbol[-1])
+        yield connecting_rod(moving.rod, lang, ratio_symbol[-1], named)
 
 
-def connecting_rod(rod: Rod, lang: str, length: str = "L") -> Label:
+def connecting_rod(rod: Rod, lang: str, length: str = "L", named: Mapping[str, Words] = WORDS) -> Label:
     """Return the line about a rod: where its masses are, and its mass if that is known."""
     square = rod.gyration_square
-    return WORDS["connecting_rod"][lang].format(
+    return named["connecting_rod"][lang].format(
         length=length,
         centre=figure(1 - rod.centre),
         gyration=_root(square) or digits_text(lambda numbers: root(numbers.of(square)), 4, algebraic=True),

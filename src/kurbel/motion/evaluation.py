@@ -200,7 +200,7 @@ def greatest_load(crank: Crank) -> Fraction:
     """Return a bound of the forces in newtons that piston force and moving masses call up, but for the rod's
     slant: without the factor (2π)² where the speed counts turns."""
     moving, speed = known(crank.moving), known(crank.speed)
-    pin, crosshead, couple = moving.joined
+    pin, crosshead, couple, _ = moving.joined
     masses = abs(pin) + crosshead + abs(Fraction(couple)) + moving.reciprocating + abs(moving.rotating)
     factor = 40 if speed.turns else 1
     force = crank.force.first * crank.force.growth if crank.force else Fraction(0)

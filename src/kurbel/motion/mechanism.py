@@ -188,7 +188,8 @@ def of_other_mechanisms(
             unit = ", whose page is in units of R and v" if option in _LENGTHS else ""
             others = " or ".join(filter(None, (", ".join(takers[:-1]), takers[-1])))
             refused[option] = (
-                f"--{option} does not belong to {chosen.title}{unit}; it is for --mechanism {others}"
+                f"--{option.replace('_', '-')} does not belong to {chosen.title}{unit}; it is for"
+                f" --mechanism {others}"
             )
     return refused
 

@@ -175,10 +175,11 @@ def _measured(name: str) -> Callable[..., Fraction]:
     return _exactly(read)
 
 
-# Metres, kilograms, pascals, newtons, watts.
+# Metres, kilograms, kilogram square metres, pascals, newtons, watts.
 as_length = _measured("length")
 as_mass = _measured("mass")
 as_signed_mass = _measured("signed_mass")
+as_inertia = _measured("moment_of_inertia")
 as_pressure = _measured("pressure")
 as_force = _measured("force")
 as_power = _measured("power")

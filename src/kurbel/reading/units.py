@@ -27,6 +27,7 @@ _LARGEST = 10**9
 # and its PS are petasiemens.
 _TRANSLATED = {
     "s²": "s/s", "s^2": "s/s", "s**2": "s/s",
+    **{f"kg{by}m{two}": "kg*m*m" for by in ("", " ", "*", "·") for two in ("²", "^2", "**2")},
     "U/min": "rpm", "Upm": "rpm", "U/s": "turn/s", "min⁻¹": "/min", "PS": "metric_horsepower",
 }  # fmt: skip
 
@@ -74,6 +75,8 @@ power = Measure("a power such as 50kW or 68PS", "[power]", "W", 10**12, "power")
 # "200kg", "0.3 t"; "-40kg" where a counterweight outweighs it
 mass = Measure("a mass such as 200kg", "[mass]", "kg", _LARGEST)
 signed_mass = Measure("a mass such as -40kg", "[mass]", "kg")
+# "20kg m²", "20 kg*m**2"
+moment_of_inertia = Measure("a moment of inertia such as 20kg m²", "[mass]*[length]**2", "kg*m**2", _LARGEST)
 # "10kN", "1000 kgf"
 force = Measure("a force such as 10kN", "[force]", "N", 10**12, "force")
 # "1.013bar"; below 0 where it counts from the atmosphere

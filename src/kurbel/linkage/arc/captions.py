@@ -15,7 +15,7 @@ from kurbel.linkage.quantities import FORCE
 from kurbel.linkage.question import LinkageRequest, captioned, force_lines
 from kurbel.motion.captions import WORDS as MOTION_WORDS
 from kurbel.motion.captions import digits_text
-from kurbel.motion.evaluation import OUT, RETURN
+from kurbel.motion.evaluation import LOADED, OUT, RETURN
 from kurbel.page.quantity import Words, filled, words
 from kurbel.reading.notation import plain, ratio_text
 
@@ -46,6 +46,18 @@ WORDS: Mapping[str, Words] = {
     "force": words(
         "$F$ längs des Bogens, in der Richtung des Hubes|$F$ along the arc, in the direction of the stroke"
     ),
+    "reciprocating": words("am Schwingenende|at the rocker's end"),
+    "rocker": words("Schwinge um ihren Drehpunkt|rocker about its pivot"),
+    "rotating": MOTION_WORDS["rotating"],
+    "connecting_rod": words(
+        "|".join(
+            MOTION_WORDS["connecting_rod"][lang].replace(slide, rocker)
+            for lang, slide, rocker in (
+                ("de", "Kreuzkopfzapfen", "Schwingenzapfen"),
+                ("en", "crosshead pin", "rocker pin"),
+            )
+        )
+    ),
 }
 
 
@@ -60,7 +72,7 @@ def caption(request: LinkageRequest) -> Label:
 def notes(request: LinkageRequest) -> Iterator[Label]:
     """Yield the lines below the table: the formulas, and what each drive does between its dead centres."""
     yield from _formula_lines(request)
-    yield from force_lines(request, WORDS["force"])
+    yield from force_lines(request, WORDS["force"], WORDS)
     yield from (_dead_centres(crank, request.lang) for crank in request.drives)
 
 
@@ -68,10 +80,12 @@ def _formula_lines(request: LinkageRequest) -> Iterator[Label]:
     lang, columns = request.lang, request.page_columns
     strokes = {column.quantity.stroke for column in columns}
     side = 1 if request.drives[0].curvature > 0 else -1
+    heavy = any(drive.crank.moving for drive in request.drives)
     shown = [
-        # As they are printed with the pivot on this side.
+        # As they are printed with the pivot on this side; what masses add has no formula that a line holds.
         (one, one.formulas[LEFT if side < 0 and LEFT in one.formulas else "exact"])
         for one in (column.quantity for column in columns)
+        if not (heavy and LOADED in one.formulas)
     ]
     printed = [
         formula.printed.replace("{part}", one.part[lang])
@@ -83,13 +97,14 @@ def _formula_lines(request: LinkageRequest) -> Iterator[Label]:
     symbols = (symbol for _, formula in shown for symbol in formula.symbols)
     if line := ", ".join(dict.fromkeys((*printed, *symbols))):
         yield _signed(line, strokes, side)
-    if any(crank.crank.ratio for crank in request.drives):
+    if shown and any(crank.crank.ratio for crank in request.drives):
         yield WORDS["closure"][lang].format(closure=_signed(CLOSURE, strokes, side))
-    forces = all(column.quantity.of == FORCE for column in columns)
-    yield WORDS["angles"][lang] + ("" if forces else WORDS["radians"][lang])
+    if shown:
+        forces = all(one.of == FORCE for one, _ in shown)
+        yield WORDS["angles"][lang] + ("" if forces else WORDS["radians"][lang])
     if RETURN in strokes:
         yield MOTION_WORDS["offset_return"][lang].replace("{angle}", request.layout.angle_symbol)
-    if len(strokes) > 1:
+    if shown and len(strokes) > 1:
         yield MOTION_WORDS["signs"][lang]
 
 

@@ -1,4 +1,4 @@
-"""The arc crank, checked once, and what it does between its dead centres; see kernel/linkage.py."""
+"""The arc crank, checked once; see kernel/linkage.py."""
 
 from __future__ import annotations
 
@@ -10,23 +10,19 @@ from typing import Any
 from kurbel.drive.crank import LONGEST_ROD, Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
-from kurbel.kernel import linkage
 from kurbel.kernel.circle import Circle
-from kurbel.kernel.linkage import Arc, Place
 from kurbel.linkage.arc.direct import direct
-from kurbel.linkage.linkage import At, Linkage
-from kurbel.motion.evaluation import OUT, RETURN
+from kurbel.linkage.arc.rocker import STROKE, RockerCrank
+from kurbel.linkage.linkage import At
 from kurbel.page.quantity import Quantity
 from kurbel.reading.notation import about
 
-# What quantities are of that count from the dead centre where the stroke begins.
-STROKE = "stroke"
 # Lengths in a message are multiples of 1/_STEPS R, rounded so that a length changed by as much will do.
 _STEPS = 10**6
 
 
 @dataclass(frozen=True, slots=True)
-class ArcCrank(Linkage):
+class ArcCrank(RockerCrank):
     """An arc crank: the rod of the crank drive moves a rocker of length B, in units of R as all lengths here.
 
     The pivot lies `distance` from the shaft along the slide direction, from which φ counts, and `height` to
@@ -67,38 +63,9 @@ class ArcCrank(Linkage):
                 " leave the distance out, or give the rod a length"
             )
 
-    def dead_centre(self, stroke: int, kind: Kind) -> Arc[Any]:
-        """Return it where the stroke begins, at the inner dead centre (OUT) or the outer (RETURN)."""
-        return linkage.arc(*map(kind.of, self.numbers(stroke)))
-
-    def dead_angle(self, stroke: int, kind: Kind) -> Any:
-        """Return φ_i, or for RETURN φ_o - 180°, in degrees within ±180°."""
-        arc = self.dead_centre(stroke, kind)
-        return 2 * kind.arc(linkage.half_sine(arc.sine, arc.cosine))
-
-    def swing(self, kind: Kind) -> Any:
-        """Return the rocker's swing in degrees; its way along the arc is `arc_stroke`."""
-        return abs(2 * kind.arc(linkage.swing_half_sine(*self._dead_centres(kind))))
-
-    def arc_stroke(self, kind: Kind) -> Any:
-        """Return the way of the rod's end along its arc between the dead centres, in units of R."""
-        return self.swing(kind) * kind.pi / 180 * kind.of(self.rocker)
-
-    def lead(self, kind: Kind) -> Any:
-        """Return Δ in degrees, by which the crank turns more than 180° during the outstroke."""
-        return 2 * kind.arc(linkage.lead_half_sine(*self._dead_centres(kind)))
-
-    def time_ratio(self, kind: Kind) -> Any:
-        """Return the time of the outstroke over that of the return stroke."""
-        more = self.lead(kind)
-        return (180 + more) / (180 - more)
-
-    def least_transmission(self, kind: Kind) -> Any:
-        """Return the least angle between the lines of rod and rocker during a turn, in degrees."""
-        return 90 - kind.arc(linkage.steepest_slant(*map(kind.of, self.numbers(OUT))))
-
-    def _dead_centres(self, kind: Kind) -> tuple[Arc[Any], Arc[Any]]:
-        return self.dead_centre(OUT, kind), self.dead_centre(RETURN, kind)
+    def figures(self, stroke: int, kind: Kind) -> tuple[Any, Any, Any, Any]:
+        one, other, third, fourth = map(kind.of, self.numbers(stroke))
+        return one, other, third, fourth
 
     def numbers(self, stroke: int) -> tuple[Fraction, Fraction, Fraction, Fraction]:
         """Return λ, β, η and σ with the sign of the stroke."""
@@ -108,22 +75,6 @@ class ArcCrank(Linkage):
             stroke * self.offset,
             stroke * self.shift,
         )
-
-    def place(self, stroke: int, circle: Circle[Any], kind: Kind) -> Place[Any]:
-        """Return where the rod's end stands on its arc."""
-        return self.at(stroke, circle, kind).place
-
-    def at(self, stroke: int, circle: Circle[Any], kind: Kind) -> At:
-        """Return the same, with the dead centre.
-
-        path, chord, turn, slide_path, rise, velocity and acceleration count from the dead centre where the
-        stroke begins and are positive away from it, rise towards the side of the crank pin during the stroke.
-        rocker is θ from the position square to the slide direction, in the crank's sense; slant is ψ, the
-        angle of the rod from the arc's tangent, rod its angle from the slide direction, both positive as ψ of
-        the straight crank.
-        """
-        arc = self.dead_centre(stroke, kind)
-        return At(linkage.place(linkage.from_dead_centre(circle, arc), arc), self, kind, circle, arc)
 
     def direct(self, quantity: Quantity, circle: Circle[Any], kind: Kind) -> At:
         place, arc = direct(self.numbers(quantity.stroke), circle, quantity.of == STROKE, kind)

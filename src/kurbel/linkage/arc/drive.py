@@ -16,8 +16,9 @@ from kurbel.exact.certify import pi as ball_pi
 from kurbel.exact.course import Course
 from kurbel.exact.kind import balls
 from kurbel.exact.place import SQUARE, Centre, Place
-from kurbel.linkage.arc.crank import STROKE, ArcCrank
+from kurbel.linkage.arc.crank import ArcCrank
 from kurbel.linkage.arc.quantities import arc_registry
+from kurbel.linkage.arc.rocker import STROKE
 from kurbel.linkage.mechanism import LinkageDrive
 from kurbel.motion.evaluation import OUT, STROKES
 from kurbel.motion.quantities import registry

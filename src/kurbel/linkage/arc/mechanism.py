@@ -7,6 +7,7 @@ from fractions import Fraction
 from typing import Any
 
 from kurbel.drive.crank import Crank, Described, radii
+from kurbel.drive.load import FORCE, MASSES
 from kurbel.errors import NotationError, ProblemError
 from kurbel.linkage.arc import captions
 from kurbel.linkage.arc.crank import ArcCrank
@@ -32,7 +33,8 @@ class Arc(LinkageMechanism):
     title = "the arc crank"
     layout = "arc"
     forces_layout = "forces-arc"
-    takes = ("ratio", "offset", "rocker", "pivot", "method")
+    takes = ("ratio", "offset", "rocker", "pivot", "rocker_inertia", "method")
+    loads = (FORCE, MASSES)
     motion = (("path", "path"), ("velocity", "velocity"), ("acceleration", "acceleration"))
     drawing = "kurbel.plot.drawings:arc_drawing"
 

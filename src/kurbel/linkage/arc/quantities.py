@@ -6,10 +6,11 @@ from collections.abc import Callable, Iterator, Mapping
 from functools import cache
 from typing import Any
 
+from kurbel.drive.crank_forces import CRANK_FORCES, CrankForce
 from kurbel.kernel import linkage
-from kurbel.linkage.arc.crank import STROKE
+from kurbel.linkage.arc.rocker import STROKE
 from kurbel.linkage.linkage import At
-from kurbel.linkage.quantities import DECIMALS, force_entries, force_formula
+from kurbel.linkage.quantities import DECIMALS, FORCES, force_entries, force_formula
 from kurbel.motion.quantities import on_strokes, spanned
 from kurbel.page.quantity import Formula, Quantity
 
@@ -62,6 +63,14 @@ _ACCELERATION = _of(
     "$(p R)/v^2 = cos ζ {±} λ (cos^2 ζ)/(cos^3 τ) - (sin ζ {β±} β c^2/v^2) tan τ$",
     (_ZETA, _TAU, "$λ = R/L$", "$β = R/B$"),
 )
+
+
+def _loaded(force: CrankForce) -> Formula:
+    """A force with the moving masses, which no line holds."""
+    return Formula(lambda at: at.drive.loaded(at, force))
+
+
+_LOADED: Formulas = {key: _loaded(CRANK_FORCES[key]) for key in FORCES}
 
 
 @cache
@@ -136,4 +145,4 @@ def _arc_forces() -> Iterator[Quantity]:
         ),
         "radial_force": force_formula("radial_force", "$Z/F = (cos(ζ + τ))/(cos τ)$", (_ZETA, _TAU)),
     }
-    return force_entries(printed)
+    return force_entries(printed, _LOADED)

@@ -1,0 +1,106 @@
+"""A crank whose rod moves a rocker, and what it does between its dead centres; see kernel/linkage.py."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+from kurbel.drive.crank import Crank, known
+from kurbel.drive.crank_forces import CrankForce
+from kurbel.exact.kind import Kind
+from kurbel.kernel import linkage
+from kurbel.kernel.circle import Circle
+from kurbel.kernel.linkage import Arc, Place
+from kurbel.kernel.rocker import LoadedRocker
+from kurbel.linkage.linkage import At, Linkage
+from kurbel.motion.evaluation import OUT, RETURN
+
+# What quantities are of that count from the dead centre where the stroke begins.
+STROKE = "stroke"
+
+
+class RockerCrank(Linkage):
+    """A crank drive whose rod moves a rocker of this length in units of R."""
+
+    __slots__ = ()
+
+    crank: Crank
+    rocker: Fraction
+
+    @abstractmethod
+    def figures(self, stroke: int, kind: Kind) -> tuple[Any, Any, Any, Any]:
+        """Return λ, β, η and σ with the sign of the stroke, on a kind of number."""
+
+    @property
+    @abstractmethod
+    def curvature(self) -> Fraction:
+        """β = R/B, negative with the pivot on the left of the end's way from the inner dead centre."""
+
+    def dead_centre(self, stroke: int, kind: Kind) -> Arc[Any]:
+        """Return it where the stroke begins, at the inner dead centre (OUT) or the outer (RETURN)."""
+        return linkage.arc(*self.figures(stroke, kind))
+
+    def dead_angle(self, stroke: int, kind: Kind) -> Any:
+        """Return φ_i, or for RETURN φ_o - 180°, in degrees within ±180°."""
+        arc = self.dead_centre(stroke, kind)
+        return 2 * kind.arc(linkage.half_sine(arc.sine, arc.cosine))
+
+    def swing(self, kind: Kind) -> Any:
+        """Return the rocker's swing in degrees; its way along the arc is `arc_stroke`."""
+        return abs(2 * kind.arc(linkage.swing_half_sine(*self._dead_centres(kind))))
+
+    def arc_stroke(self, kind: Kind) -> Any:
+        """Return the way of the rod's end along its arc between the dead centres, in units of R."""
+        return self.swing(kind) * kind.pi / 180 * kind.of(self.rocker)
+
+    def lead(self, kind: Kind) -> Any:
+        """Return Δ in degrees, by which the crank turns more than 180° during the outstroke."""
+        return 2 * kind.arc(linkage.lead_half_sine(*self._dead_centres(kind)))
+
+    def time_ratio(self, kind: Kind) -> Any:
+        """Return the time of the outstroke over that of the return stroke."""
+        more = self.lead(kind)
+        return (180 + more) / (180 - more)
+
+    def least_transmission(self, kind: Kind) -> Any:
+        """Return the least angle between the lines of rod and rocker during a turn, in degrees."""
+        return 90 - kind.arc(linkage.steepest_slant(*self.figures(OUT, kind)))
+
+    def _dead_centres(self, kind: Kind) -> tuple[Arc[Any], Arc[Any]]:
+        return self.dead_centre(OUT, kind), self.dead_centre(RETURN, kind)
+
+    def place(self, stroke: int, circle: Circle[Any], kind: Kind) -> Place[Any]:
+        """Return where the rod's end stands on its arc."""
+        return self.at(stroke, circle, kind).place
+
+    def at(self, stroke: int, circle: Circle[Any], kind: Kind) -> At:
+        """Return the same, with the dead centre.
+
+        path, chord, turn, slide_path, rise, velocity and acceleration count from the dead centre where the
+        stroke begins and are positive away from it, rise towards the side of the crank pin during the stroke.
+        rocker is θ from the position square to the slide direction, in the crank's sense; slant is ψ, the
+        angle of the rod from the arc's tangent, rod its angle from the slide direction, both positive as ψ of
+        the straight crank.
+        """
+        arc = self.dead_centre(stroke, kind)
+        return At(linkage.place(linkage.from_dead_centre(circle, arc), arc), self, kind, circle, arc)
+
+    def of(self, crank: Crank) -> RockerCrank:
+        """Return the drive with what else is known of its crank; its masses then know the rocker's length."""
+        if crank.moving is not None:
+            moving = replace(crank.moving, arm=self.rocker * known(crank.radius))
+            crank = replace(crank, moving=moving)
+        changed = super().of(crank)
+        assert isinstance(changed, RockerCrank)
+        return changed
+
+    def loaded(self, at: At, force: CrankForce) -> Any:
+        """Return a force in newtons that its masses and its force on the rocker's end call up together."""
+        crank, of = self.crank, at.kind.of
+        weights = known(crank.moving).weights(of, crank.pin_acceleration(at.kind))
+        net = of(crank.force.first if crank.force else Fraction(0))
+        masses = weights.on_shaft if force.on_shaft else weights.masses
+        reciprocating = 0 if force.on_shaft else weights.reciprocating
+        return force.on(LoadedRocker(at.circle, at.place, at.arc, masses, net, reciprocating))
