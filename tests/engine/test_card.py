@@ -9,13 +9,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from cards import read_card
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 from places import CARDS
 
 from kurbel.engine.card.card import Card
-from kurbel.engine.card.file import position_unit, pressure_unit, read_card
+from kurbel.engine.card.file import position_unit, pressure_unit
 from kurbel.errors import CardError, KurbelError, MissingExtraError, NotationError
 from kurbel.reading import csv_file, units
 

@@ -18,12 +18,12 @@ from typing import NamedTuple
 
 import flint
 import pytest
+from cards import read_card
 from cli import printed, refusal
 from places import CARDS
 
 from kurbel.drive.crank import Crank
 from kurbel.engine.card.card import Card
-from kurbel.engine.card.file import read_card
 from kurbel.engine.card.turn import CardTurn
 from kurbel.engine.digits import Asked, estimate, estimated
 from kurbel.engine.engine import Diagram, Engine, Steam

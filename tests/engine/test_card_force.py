@@ -7,13 +7,13 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
+from cards import read_card
 from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 from places import CARDS
 
 from kurbel.engine.card.card import Card
-from kurbel.engine.card.file import read_card
 from kurbel.engine.card.force import CardStroke, Curve, card_strokes, curve
 from kurbel.errors import ProblemError
 

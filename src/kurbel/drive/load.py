@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from pkgutil import resolve_name
@@ -124,6 +124,7 @@ class Load(Protocol):
         """What it is: a key of LOADS."""
         ...
 
-    def strokes(self, kind: Kind, double: bool) -> tuple[Stroke, Stroke]:
-        """Return the outstroke and the return; on that a cylinder that is not `double` idles."""
+    def strokes(self, kind: Kind, double: bool) -> Sequence[Stroke]:
+        """Return the strokes of a cycle, two or four, beginning with an outstroke; on the return a cylinder
+        that is not `double` idles, unless its load does something there."""
         ...

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import floor
 from typing import TYPE_CHECKING, Any, ClassVar
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from kurbel.drive.crank_forces import Weights
     from kurbel.drive.moved import Drive
     from kurbel.engine.card.card import Card
+    from kurbel.engine.card.cycle import AngleCard, CycleCard
     from kurbel.engine.card.force import CardStroke
     from kurbel.exact.kind import Kind
     from kurbel.kernel.turning import Stroke
@@ -121,7 +122,7 @@ class Diagram:
 
     name: ClassVar[str] = CARD
 
-    card: Card
+    card: Card | CycleCard | AngleCard
     other_side: float | None = None
     unit: float | None = None
 
@@ -130,15 +131,27 @@ class Diagram:
         """The pressure in Pa that Q is of."""
         return self.card.admission if self.unit is None else self.unit
 
-    def strokes(self, kind: Kind, double: bool) -> tuple[CardStroke, CardStroke]:
-        """Return the force of both strokes, on floats or arrays."""
+    def strokes(self, kind: Kind, double: bool) -> tuple[CardStroke, ...]:
+        """Return the force of the strokes of a cycle, two or four, on floats or arrays."""
         from kurbel.engine.card.force import card_strokes
 
-        return card_strokes(self.card, double, self.other_side, self.pressure)
+        return card_strokes(self.measured, double, self.other_side, self.pressure)
+
+    @property
+    def measured(self) -> Card | CycleCard:
+        """The card by the shares of the strokes, as the one of an engine is."""
+        from kurbel.engine.card.cycle import AngleCard
+
+        assert not isinstance(self.card, AngleCard)
+        return self.card
+
+    def on(self, drive: Drive) -> Diagram:
+        """Return the diagram by the shares of the strokes that the drive's piston has gone."""
+        return replace(self, card=self.card.on(drive))
 
     def halves(self) -> Iterator[Diagram]:
         """Yield the cards that have every second point of this one, in the same Q."""
-        for card in self.card.halves():
+        for card in self.measured.halves():
             yield Diagram(card, self.other_side, self.pressure)
 
 
@@ -175,6 +188,8 @@ class Engine:
     load: Load | None = None
 
     def __post_init__(self) -> None:
+        if isinstance(self.steam, Diagram):
+            object.__setattr__(self, "steam", self.steam.on(self.drive))
         self._check_load()
         if self.crank.ratio > LARGEST_RATIO:
             raise ProblemError("crank ratio R:L is nearer to 1 than 10^-12; no engine is built so")

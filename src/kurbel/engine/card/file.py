@@ -11,6 +11,20 @@
 `p_forward` is the pressure while the piston goes away from that dead centre, `p_return` while it comes back.
 Both are measured from one zero, vacuum or atmosphere.
 
+A cylinder of four strokes has four pressures at a position, which counts from the inner dead centre:
+
+    position [%];p_expansion [bar];p_exhaust [bar];p_suction [bar];p_compression [bar]
+
+Pressures of a test bench are over the crank angle, by rows in its order, with one cycle of 720°, or of 360°:
+
+    angle [°];p [bar]
+    0;31,5
+    1;32,2
+    ...
+    719;30,8
+
+`angle` counts from the inner dead centre in which the cylinder fires; it may begin elsewhere, at -360 too.
+
 The pressures have a unit that pint knows (extra `units`), such as bar, kPa, MPa, psi, atm, at, kp/cm², N/mm²:
 in the head, as `p_forward [bar]`, `p_forward (bar)`, `p_forward/bar`, `p_forward in bar` or `p_forward bar`,
 or behind each value, as `8,1 bar`. `position` may have %. Columns are in any order, more of them are ignored.
@@ -28,7 +42,8 @@ from collections.abc import Callable
 from functools import lru_cache
 from typing import NamedTuple
 
-from kurbel.engine.card.card import LEAST_STEP, Card
+from kurbel.engine.card.card import LEAST_STEP, Card, check_positions, check_pressures
+from kurbel.engine.card.cycle import AngleCard, CycleCard
 from kurbel.errors import CardError, NotationError
 from kurbel.reading.csv_file import (
     Column,
@@ -48,6 +63,10 @@ KIND = Kind("card", "point", CardError)
 LEAST_POINTS = 8
 
 _NAMES = ("position", "p_forward", "p_return")
+_FOUR_STROKES = ("position", "p_expansion", "p_exhaust", "p_suction", "p_compression")
+_BY_ANGLE = ("angle", "p")
+# What is no pressure.
+_PLAIN = ("position", "angle")
 _WORD = r"([A-Za-zµ]+)(?:\^|\*\*)?([2²]?)"
 _UNIT = re.compile(rf"{_WORD}(?:\s*[/·*]\s*{_WORD})*")
 # As engineers wrote it, the kg of a pressure is a force; pint's is a mass, and it knows no kp.
@@ -55,17 +74,16 @@ _FORCES = {"kp": "kgf", "kg": "kgf", "lb": "lbf", "lbs": "lbf"}
 _PRESSURES = ("bar", "mbar", "Pa", "hPa", "kPa", "MPa", "psi", "atm", "at")
 _EXAMPLES = "bar, kPa, MPa, psi, atm, at or kp/cm²"
 _SHARES = {"": 1.0, "1": 1.0, "-": 1.0, "%": 0.01}
+_DEGREES = ("", "°", "deg", "degree", "degrees", "°CA", "degCA")
 
 
 class _Point(NamedTuple):
     line: int
-    position: float
-    forward: float
-    back: float
+    values: tuple[float, ...]
     step: float
 
 
-def read_card(path: str | os.PathLike[str]) -> Card:
+def read_card(path: str | os.PathLike[str]) -> Card | CycleCard | AngleCard:
     """Return the card in a CSV file; the text above says how it is written.
 
     Raises CardError for a file that is none, with its name and line, and MissingExtraError without pint.
@@ -75,35 +93,56 @@ def read_card(path: str | os.PathLike[str]) -> Card:
     name = shown(path)
     if len(points) < LEAST_POINTS:
         raise CardError(f"{name} has {len(points)} points; a card has at least {LEAST_POINTS}")
-    lines, positions, forward, back, steps = zip(*points, strict=True)
+    lines, values, steps = zip(*points, strict=True)
     # Trailing zeros are often left out: the finest step is that of all.
-    return Card(positions, forward, back, name, lines, min(steps))
+    resolution, (first, *columns) = min(steps), zip(*values, strict=True)
+    if len(columns) == 1:
+        return AngleCard(first, columns[0], name, lines, resolution)
+    if len(columns) == 2:
+        return Card(first, columns[0], columns[1], name, lines, resolution)
+    check_positions(first, name, lines)
+    for what, column in zip(_FOUR_STROKES[1:], columns, strict=True):
+        check_pressures(what, column, name, lines)
+    back = tuple(1 - position for position in reversed(first))
+    strokes = ((back, one[::-1]) if index % 2 else (first, one) for index, one in enumerate(columns))
+    return CycleCard(tuple(strokes), name, resolution)
 
 
 def _point(texts: list[str], head: Head, line: int) -> _Point:
     fields = zip(texts, head.columns, strict=True)
-    (position, _), (forward, one), (back, other) = (_read(*field, head.delimiter) for field in fields)
-    # Steps added up end at 1.0000000000000002.
-    position = next((end for end in (0.0, 1.0) if abs(position - end) < LEAST_STEP), position)
-    return _Point(line, position, forward, back, min(one, other))
+    (first, _), *pressures = (_read(*field, head.delimiter) for field in fields)
+    if head.columns[0].name == "position":
+        # Steps added up end at 1.0000000000000002.
+        first = next((end for end in (0.0, 1.0) if abs(first - end) < LEAST_STEP), first)
+    return _Point(line, (first, *(value for value, _ in pressures)), min(step for _, step in pressures))
 
 
 def _head(line: str) -> Head:
-    head, fields = read_head(line, _NAMES)
+    wanted = _form(line)
+    head, fields = read_head(line, wanted)
     check_once(head, KIND.noun)
     names = [column.name for column in head.columns]
-    missing = [name for name in _NAMES if name not in names]
+    missing = [name for name in wanted if name not in names]
     if missing:
         found = [clipped(field) for field in fields]
         near = did_you_mean(missing[0], [field for field in found if name_and_unit(field)[0] not in names])
+        needed = ", ".join(name if name in _PLAIN else f"{name} [bar]" for name in wanted)
         raise NotationError(
             f"there is no column {' and no '.join(missing)}{near}; the heads are"
-            f" {clipped(', '.join(found), 60)}, and a card needs position, p_forward [bar], p_return [bar]"
+            f" {clipped(', '.join(found), 60)}, and a card needs {needed}"
         )
     for column in head.columns:
         if column.unit:
             _factor(column.name, column.unit)
     return head
+
+
+def _form(line: str) -> tuple[str, ...]:
+    """Return the columns of the form in which a card is written, by those that no other form has."""
+    for form, own in ((_FOUR_STROKES, _FOUR_STROKES[1:]), (_BY_ANGLE, _BY_ANGLE[:1])):
+        if read_head(line, own)[0].columns:
+            return form
+    return _NAMES
 
 
 def _read(text: str, column: Column, delimiter: str) -> tuple[float, float]:
@@ -134,6 +173,13 @@ def position_unit(text: str) -> float:
     return _SHARES[text]
 
 
+def angle_unit(text: str) -> float:
+    """Return the degrees that the unit is: 1 for "", "°" and "deg"."""
+    if text not in _DEGREES:
+        raise NotationError(f'has the unit "{clipped(text)}"; crank angles are in degrees, °')
+    return 1.0
+
+
 def pressure_unit(text: str) -> float:
     """Return the pressure in Pa that the unit is: "bar", "kPa", "psi", "at", "kp/cm²", "N/mm^2"."""
     if not text:
@@ -160,6 +206,6 @@ def _pint_word(word: re.Match[str]) -> str:
 
 _FACTORS: dict[str, Callable[[str], float]] = {
     "position": position_unit,
-    "p_forward": pressure_unit,
-    "p_return": pressure_unit,
+    "angle": angle_unit,
+    **dict.fromkeys((*_NAMES[1:], *_FOUR_STROKES[1:], "p"), pressure_unit),
 }

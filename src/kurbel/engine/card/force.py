@@ -20,6 +20,7 @@ from scipy.interpolate import CubicHermiteSpline, PPoly
 from scipy.optimize import brentq
 
 from kurbel.engine.card.card import Card
+from kurbel.engine.card.cycle import CycleCard
 from kurbel.errors import ProblemError
 
 Points: TypeAlias = NDArray[np.float64]
@@ -67,9 +68,9 @@ class CardStroke(NamedTuple):
 
 
 def card_strokes(
-    card: Card, double_acting: bool, other_side: float | None = None, unit: float | None = None
-) -> tuple[CardStroke, CardStroke]:
-    """Return the outstroke and the return stroke of a piston whose cylinder end gave the card.
+    card: Card | CycleCard, double_acting: bool, other_side: float | None = None, unit: float | None = None
+) -> tuple[CardStroke, ...]:
+    """Return the strokes of a piston whose cylinder end gave the card, two or four.
 
     Double-acting: both ends give this card, each from its own dead centre, so that the pressure before the
     piston is p_return at the position 1 - share; the strokes are alike. Single-acting: the other face has
@@ -77,12 +78,14 @@ def card_strokes(
     ends are left out. `unit` in Pa stands in for the card's own greatest p_forward. Derived by us.
     """
     scale = card.admission if unit is None else unit
-    driving = _scaled(card.positions, card.forward, scale)
-    # The end that exhausts comes back: its positions run from 1 to 0.
-    coming = tuple(1 - position for position in reversed(card.positions))
-    exhausting = _scaled(coming, card.back[::-1], scale)
+    curves = [_scaled(*course, scale) for course in card.courses()]
     if double_acting:
-        both = CardStroke(driving, exhausting)
+        if len(curves) > 2:
+            raise ProblemError(
+                f"{card.name} is over two turns, and its cylinder works on one side of the piston; add"
+                " --single-acting and, for the other face, --other-side, for example 1bar"
+            )
+        both = CardStroke(*curves)
         return both, both
     if other_side is None:
         raise ProblemError(
@@ -90,10 +93,12 @@ def card_strokes(
             " give it as --other-side, for example 1bar"
         )
     other = _scaled((0.0, 1.0), (other_side, other_side), scale)
-    return CardStroke(driving, other), CardStroke(other, exhausting)
+    return tuple(
+        CardStroke(other, one) if index % 2 else CardStroke(one, other) for index, one in enumerate(curves)
+    )
 
 
-def _scaled(positions: tuple[float, ...], pressures: tuple[float, ...], scale: float) -> Curve:
+def _scaled(positions: Sequence[float], pressures: Sequence[float], scale: float) -> Curve:
     return curve(positions, [pressure / scale for pressure in pressures])
 
 
