@@ -19,8 +19,9 @@ from kurbel.balance import harmonics
 from kurbel.balance.firing_page import cylinders_registry, orders_registry
 from kurbel.balance.page import balance_registry
 from kurbel.engine.quantities import engine_registry
-from kurbel.linkage import beam
+from kurbel.linkage import beam, dead_centres
 from kurbel.linkage.arc.quantities import arc_registry
+from kurbel.linkage.coupled import coupled_registry
 from kurbel.linkage.parallel import parallel_registry
 from kurbel.motion.inertia import inertia_registry
 from kurbel.motion.inertia_page import error_columns
@@ -219,8 +220,8 @@ def test_layouts_are_listed_a_line_each() -> None:
 def test_quantities_are_listed_a_line_each() -> None:
     lines = printed("quantities").out.splitlines()
     keys = [line.split()[0] for line in lines]
-    motion, engines = ["ratio", "phi", *registry()], [*engine_registry(), *beam.registry()]
-    links = [*arc_registry(), *parallel_registry()]
+    motion, engines = ["ratio", "phi", *registry()], [*engine_registry(), *beam.registry(), *dead_centres.registry()]
+    links = [*arc_registry(), *parallel_registry(), *coupled_registry()]
     firing = [*orders_registry(), *cylinders_registry()]
     rods = [*inertia_registry(), *error_columns()]
     assert keys == [

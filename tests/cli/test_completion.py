@@ -53,7 +53,7 @@ def test_layouts_formats_and_columns_are_completed(shell: str) -> None:
     assert set(completed(shell, "table", "--columns", "")) == {"ratio", "phi", *registry()}
     assert completed(shell, "table", "--columns", "x_m") == ["x_mm"]
     assert completed(shell, "plot", "--format", "") == ["svg", "png", "pdf"]
-    assert completed(shell, "plot", "--columns", "x,c_m") == ["x,c_mps"]
+    assert completed(shell, "plot", "--columns", "x,c_mp") == ["x,c_mps"]
 
 
 @pytest.mark.parametrize("shell", SHELLS)
@@ -98,7 +98,7 @@ def test_a_command_completes_the_layouts_of_its_subject_only() -> None:
     assert completed("bash", "balance", "--layout", "") == ["balance"]
     assert completed("bash", "inertia", "--layout", "") == about("inertia", "inertia errors")
     assert completed("bash", "forces", "--layout", "") == about(
-        "motion", "crank forces", "machine", "tangent", "arc crank", "parallel crank"
+        "motion", "crank forces", "machine", "tangent", "arc crank", "parallel crank", "coupled axles"
     )
 
 
@@ -133,7 +133,7 @@ def test_columns_of_an_engine_are_those_that_its_page_can_show() -> None:
 
 def test_engines_and_columns_of_the_balance_are_completed() -> None:
     assert completed("bash", "balance", "--engine", "box") == ["boxer-2", "boxer-4"]
-    assert completed("bash", "balance", "--columns", "order,gr") == ["order,greatest"]
+    assert completed("bash", "balance", "--columns", "order,gr") == ["order,greatest", "order,greatest_n"]
     assert completed("bash", "harmonics", "--quantity", "") == ["x", "c", "p"]
     assert completed("bash", "table", "--layout", "harmonics", "--columns", "v") == ["value"]
 

@@ -35,6 +35,7 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "collation": ("collate", "roetscher-112"),
     "arc crank": ("table", "--mechanism=arc", "--rocker=6"),
     "parallel crank": ("table", "--mechanism=parallel"),
+    "coupled axles": ("forces", "--mechanism=parallel", "--axles=3"),
     "inertia": ("inertia", "--centre=0.65", "--gyration=0.35"),
     "inertia errors": ("inertia", "--centre=0.65", "--gyration=0.35"),
     "tangent": ("forces", "--at=tangent"),
@@ -53,7 +54,7 @@ BEAMS = about("dead centres", "drive dead centres")
 BALANCES = about("harmonics", "balance")
 FIRINGS = about("firing orders", "firing")
 COLLATIONS = about("collation")
-LINKAGES = about("arc crank", "parallel crank")
+LINKAGES = about("arc crank", "parallel crank", "coupled axles")
 # What `kurbel table` prints.
 DRIVES = about("motion", "arc crank", "parallel crank")
 RODS = about("inertia", "inertia errors", "tangent")
@@ -91,6 +92,7 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
     "collation": (kurbel.collation_table, {"table": "roetscher-112"}),
     "arc crank": (kurbel.table, {"mechanism": "arc", "rocker": 6}),
     "parallel crank": (kurbel.table, {"mechanism": "parallel"}),
+    "coupled axles": (kurbel.forces_table, {"mechanism": "parallel", "axles": 3}),
     **dict.fromkeys(
         ("inertia", "inertia errors"), (kurbel.inertia_table, {"centre": 0.65, "gyration": "35%"})
     ),

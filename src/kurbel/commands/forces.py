@@ -13,7 +13,7 @@ from kurbel.drive import load
 from kurbel.drive.crank import Described
 from kurbel.drive.mechanisms import LINKAGES, SUBJECTS
 from kurbel.errors import ProblemError
-from kurbel.motion.mechanism import Mechanism, uncomputed
+from kurbel.motion.mechanism import Mechanism, mechanism, uncomputed
 from kurbel.page.layouts import layout, layout_of
 from kurbel.page.subject import Question
 from kurbel.reading.given import Exact, as_names
@@ -21,6 +21,8 @@ from kurbel.reading.given import Exact, as_names
 OF_ENGINES = ("crank forces", "machine")
 INERTIA = ("inertia", "inertia errors")
 POSITIONS = ("tangent",)
+COUPLED = "coupled axles"
+AXLES = ("axles", "driven")
 _LOADS = {
     **dict.fromkeys((*STEAM, "bore", "pressure", "cranks"), load.STEAM),
     "card": load.CARD,
@@ -31,19 +33,27 @@ _LOADS = {
 def _mechanism(values: Mapping[str, Any]) -> Mechanism:
     """Return which crank drive is meant; layouts tell it that are about the arc or the parallel crank."""
     name = values["layout"]
-    own = name and layout(name, values["layouts"]).subject in SUBJECTS
-    return meant(values, layout=name if own else None)
+    if _is_coupled(values) and not values["mechanism"]:
+        return mechanism("parallel")
+    subject = layout(name, values["layouts"]).subject if name else ""
+    return meant(values, layout=name if subject in SUBJECTS else None)
 
 
 def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
     """Refuse what describes other crank drives, and the loads and positions that theirs do not have."""
     chosen = _mechanism(values)
     refused = of_other_mechanisms(values, chosen, ("stroke", "speed") if is_heavy(values) else ("stroke",))
+    if chosen.name != "parallel":
+        refused |= _refused(AXLES, f"does not belong to {chosen.title}; it is for --mechanism parallel")
     if not chosen.crosshead:
         loads = {name: one for name, one in _LOADS.items() if is_given(values.get(name))}
         refused |= {name: said for name, one in loads.items() if (said := uncomputed(chosen, one))}
         refused["at"] = f"--at does not belong to {chosen.title}; it is for --mechanism straight"
     return refused
+
+
+def _is_coupled(values: Mapping[str, Any]) -> bool:
+    return bool(values["layout"]) and layout(values["layout"], values["layouts"]).subject == COUPLED
 
 
 def _about(values: Mapping[str, Any]) -> str:
@@ -56,6 +66,11 @@ def _about(values: Mapping[str, Any]) -> str:
 
 
 def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
+    lone = {} if is_given(values["axles"]) else _refused(("driven",), "is for coupled axles; add --axles 3")
+    return {**lone, **_of_case(values)}
+
+
+def _of_case(values: Mapping[str, Any]) -> Mapping[str, str]:
     match _about(values):
         case "tangent":
             angles = "does not go with --at tangent, a position with an angle of its own; leave it out"
@@ -88,6 +103,17 @@ class Forces(option.Run, option.Linked, option.Steam, option.MovingRod, option.S
     """A crank drive and all that can act on it."""
 
     force: option.Force
+    axles: Annotated[
+        option.Given | None,
+        Option(
+            "Parallel crank: so many coupled axles alike, 3, or the weights on them, by which they share the"
+            " effort: 14;15;14.",
+            "WEIGHTS",
+        ),
+    ]
+    driven: Annotated[
+        Exact | None, Option("With --axles: which of them the force F drives; default 1, the first.", "N")
+    ]
     eps: option.Eps
     reciprocating: option.Reciprocating
     rotating: option.Rotating
@@ -98,9 +124,9 @@ class Forces(option.Run, option.Linked, option.Steam, option.MovingRod, option.S
 @makes_table(
     foreign=_foreign,
     needless=_needless,
-    order="angle from_ to step columns offset stroke rod mechanism rocker pivot force at eps back exponent"
-    " clearance card other_side single_acting cranks bore pressure reciprocating rod_mass centre gyration"
-    " rod_file rotating rocker_inertia speed",
+    order="angle from_ to step columns offset stroke rod mechanism rocker pivot axles driven force at eps"
+    " back exponent clearance card other_side single_acting cranks bore pressure reciprocating rod_mass"
+    " centre gyration rod_file rotating rocker_inertia speed",
 )
 def forces_table(
     ratio: option.Ratios = None,
@@ -123,7 +149,7 @@ def forces_table(
         Option(
             "Page layout; default: forces; with --eps or --card engine-forces, with masses machine-forces;"
             f" of the {' or '.join(LINKAGES)} crank {', '.join(f'forces-{name}' for name in LINKAGES)}.",
-            kind=LayoutName(("motion", *OF_ENGINES, "tangent", *SUBJECTS)),
+            kind=LayoutName(("motion", *OF_ENGINES, "tangent", *SUBJECTS, COUPLED)),
         ),
     ] = None,
     **given: Unpack[Forces],
@@ -138,6 +164,7 @@ def forces_table(
     kurbel forces --ratio 1:5 --force 10kN --stroke 600mm
     kurbel forces --ratio 1:5 --at tangent
     kurbel forces --mechanism arc --ratio 1:5 --rocker 6
+    kurbel forces --mechanism parallel --axles '14;15;14' --driven 2
     kurbel forces --eps 4 --bore 300mm --pressure 8bar
     kurbel forces --machine engine.toml
     \f
@@ -163,6 +190,18 @@ def forces_table(
         page = layout_of(layout or "forces-tangent", ("tangent",), layouts)
         names = as_names(columns, "phi,rod_force")
         return TangentRequest(layout=page, cranks=said.cranks(page.ratios), columns=names, **sheet)
+    if chosen.name == "parallel" and (is_given(given["axles"]) or _is_coupled(all_given)):
+        from kurbel.linkage.coupled import CoupledRequest, axles_of
+
+        page = layout_of(layout or "forces-coupled", (COUPLED,), layouts)
+        return CoupledRequest(
+            layout=page,
+            drives=tuple(chosen.drives(said, page.ratios)),
+            axles=axles_of(given["axles"], given["driven"]),
+            angles=angles_of(page, given),
+            columns=as_names(columns, chosen.examples["forces"]),
+            **sheet,
+        )
     if about == "engine":
         name = layout or ("machine-forces" if is_heavy(given) else "engine-forces")
         page = layout_of(name, OF_ENGINES, layouts)

@@ -40,6 +40,7 @@ SUBJECTS: Mapping[str, Pages] = {
     "firing orders": Pages("kurbel.balance.firing_page:ORDERS", "firing"),
     "firing": Pages("kurbel.balance.firing_page:FIRING", "firing --order 1-3-4-2"),
     **mechanisms.SUBJECTS,
+    "coupled axles": Pages("kurbel.linkage.coupled:SUBJECT", "forces --mechanism parallel --axles 3"),
     "inertia": Pages("kurbel.motion.inertia_page:INERTIA", _INERTIA),
     "inertia errors": Pages("kurbel.motion.inertia_page:SUBJECT", _INERTIA),
     "roots": Pages("kurbel.solve.page:SUBJECT", "solve --where p=0"),
