@@ -220,7 +220,8 @@ def test_layouts_are_listed_a_line_each() -> None:
 def test_quantities_are_listed_a_line_each() -> None:
     lines = printed("quantities").out.splitlines()
     keys = [line.split()[0] for line in lines]
-    motion, engines = ["ratio", "phi", *registry()], [*engine_registry(), *beam.registry(), *dead_centres.registry()]
+    motion = ["ratio", "phi", *registry()]
+    engines = [*engine_registry(), *beam.registry(), *dead_centres.registry()]
     links = [*arc_registry(), *parallel_registry(), *coupled_registry()]
     firing = [*orders_registry(), *cylinders_registry()]
     rods = [*inertia_registry(), *error_columns()]
