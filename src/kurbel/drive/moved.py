@@ -61,7 +61,7 @@ class Moved(ABC):
     @abstractmethod
     def loaded(
         self, stroke: int, circle: Circle[Any], masses: Masses[Any], net: Number, reciprocating: Number = 0
-    ) -> Loaded:
+    ) -> Any:
         """Return the drive with its masses under a force on the piston, or what knows the same forces."""
 
     @abstractmethod

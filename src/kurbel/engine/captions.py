@@ -10,7 +10,6 @@ from kurbel.engine.engine import Load, Steam
 from kurbel.engine.quantities import AT_ANGLE, ENGINE_METHODS, EXTREMES, FORCES
 from kurbel.engine.request import OVER_ANGLE, EngineRequest
 from kurbel.exact.numerals import Label, Number, number_text
-from kurbel.motion.captions import moving_notes
 from kurbel.page.quantity import AND, FOR, Quantity, enumerated_letters, filled, words
 from kurbel.page.table import Note
 from kurbel.reading.notation import plain, ratio_text
@@ -175,7 +174,7 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
     yield "; ".join(_engine(request, lang))
     yield from request.mechanism.loaded_notes(request.drives, lang)
     if request.first.crank.moving is not None:
-        yield from moving_notes(request.first.crank, request.layout.ratio_symbol, lang)
+        yield from request.mechanism.masses_notes(request.first.crank, request.layout.ratio_symbol, lang)
     if request.carded:
         yield from _errors(request)
 

@@ -154,12 +154,15 @@ class EngineRequest(Question):
         return f"there is no column beside the axes; add one, such as {example}"
 
     def entry(self, key: str) -> Quantity:
-        one = super().entry(key)
+        one = self.mechanism.named(super().entry(key))
         if not self.layout.unit:
             return one
         # The page's last column has the units.
         named = {lang: f"{name} {one.symbol}" for lang, name in one.name.items()}
         return one._replace(spanners=(), heading=named)
+
+    def column(self, column: LayoutColumn) -> Column:
+        return self.mechanism.headed(super().column(column))
 
     def shows(self, column: LayoutColumn) -> bool:
         methods = _methods(column.method)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 from pkgutil import resolve_name
@@ -18,7 +18,7 @@ from kurbel.exact.numerals import Label
 if TYPE_CHECKING:
     from kurbel.motion.drives import Drive, SlideDrive
     from kurbel.motion.page import AngleQuestion, Request
-    from kurbel.page.quantity import Quantity
+    from kurbel.page.quantity import Column, Quantity
 
 _LENGTHS = ("stroke", "rod", "speed")
 
@@ -76,6 +76,20 @@ class Mechanism(ABC):
     def loaded_notes(self, drives: Sequence[Any], lang: str) -> Sequence[Label]:
         """Return what pages of engines say of their drives."""
         return ()
+
+    def masses_notes(self, crank: Crank, ratio_symbol: str, lang: str) -> Iterable[Label]:
+        """Return what pages say of the moving masses."""
+        from kurbel.motion.captions import moving_notes
+
+        return moving_notes(crank, ratio_symbol, lang)
+
+    def named(self, quantity: Quantity) -> Quantity:
+        """Return a quantity of an engine as it is called in this drive."""
+        return quantity
+
+    def headed(self, column: Column) -> Column:
+        """Return a column of a page about engines under the heads of this drive."""
+        return column
 
     @abstractmethod
     def question(self, drives: Sequence[Any], method: str | None = None, **asked: Any) -> AngleQuestion:

@@ -46,6 +46,10 @@ WORDS: Mapping[str, Words] = {
     "force": words(
         "$F$ längs des Bogens, in der Richtung des Hubes|$F$ along the arc, in the direction of the stroke"
     ),
+    "piston": words(
+        "Der Kolben wirkt am Schwingenende, längs seines Bogens, auf dem Wege und Hub zählen"
+        "|The piston acts at the rocker's end, along its arc, on which paths and the stroke count"
+    ),
     "reciprocating": words("am Schwingenende|at the rocker's end"),
     "rocker": words("Schwinge um ihren Drehpunkt|rocker about its pivot"),
     "rotating": MOTION_WORDS["rotating"],
@@ -74,6 +78,11 @@ def notes(request: LinkageRequest) -> Iterator[Label]:
     yield from _formula_lines(request)
     yield from force_lines(request, WORDS["force"], WORDS)
     yield from (_dead_centres(crank, request.lang) for crank in request.drives)
+
+
+def engine_notes(drives: Sequence[ArcCrank], lang: str) -> list[Label]:
+    """Return what pages of engines say of these drives."""
+    return [WORDS["piston"][lang], *(_dead_centres(drive, lang) for drive in drives)]
 
 
 def _formula_lines(request: LinkageRequest) -> Iterator[Label]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 from math import isqrt
-from typing import Any
+from typing import Any, ClassVar
 
 from kurbel.drive.crank import LONGEST_ROD, Crank
 from kurbel.errors import ProblemError
@@ -37,6 +37,8 @@ class ArcCrank(RockerCrank):
     crank turns, the rocker swings, and the links never lie in line. λ = 0, the infinite rod, needs the
     default distance.
     """
+
+    title: ClassVar[str] = "the arc crank"
 
     crank: Crank
     rocker: Fraction

@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
 from kurbel.drive.crank import Crank, Described, radii
-from kurbel.drive.load import FORCE, MASSES
+from kurbel.drive.load import CARD, COMPRESSOR, FORCE, GAS, MASSES, PUMP, STEAM
 from kurbel.errors import NotationError, ProblemError
+from kurbel.exact.numerals import Label
 from kurbel.linkage.arc import captions
 from kurbel.linkage.arc.crank import ArcCrank
 from kurbel.linkage.arc.drive import ArcDrive, arc_columns
+from kurbel.linkage.arc.names import NAMES, headed, named
 from kurbel.linkage.arc.quantities import arc_registry
 from kurbel.linkage.mechanism import LinkageMechanism
 from kurbel.linkage.question import linkage_subject
-from kurbel.page.quantity import Quantity
+from kurbel.motion.captions import moving_notes
+from kurbel.page.quantity import Column, Quantity
 
 SUBJECT = linkage_subject(
     "arc crank",
@@ -30,11 +33,11 @@ SUBJECT = linkage_subject(
 
 class Arc(LinkageMechanism):
     name = "arc"
-    title = "the arc crank"
+    title = ArcCrank.title
     layout = "arc"
     forces_layout = "forces-arc"
     takes = ("ratio", "offset", "rocker", "pivot", "rocker_inertia", "method")
-    loads = (FORCE, MASSES)
+    loads = (FORCE, MASSES, STEAM, CARD, COMPRESSOR, PUMP, GAS)
     motion = (("path", "path"), ("velocity", "velocity"), ("acceleration", "acceleration"))
     drawing = "kurbel.plot.drawings:arc_drawing"
 
@@ -56,6 +59,18 @@ class Arc(LinkageMechanism):
             ArcCrank(Crank(value, across, radius, force=said.force), rocker, *places)
             for value in said.ratios(ratios)
         )
+
+    def loaded_notes(self, drives: Sequence[Any], lang: str) -> Sequence[Label]:
+        return captions.engine_notes(drives, lang)
+
+    def masses_notes(self, crank: Crank, ratio_symbol: str, lang: str) -> Iterable[Label]:
+        return moving_notes(crank, ratio_symbol, lang, captions.WORDS)
+
+    def named(self, quantity: Quantity) -> Quantity:
+        return named(quantity, NAMES)
+
+    def headed(self, column: Column) -> Column:
+        return headed(column, NAMES)
 
     def solved(self, drives: Sequence[Any], method: str | None) -> tuple[ArcDrive, ...]:
         return tuple(map(ArcDrive, drives))

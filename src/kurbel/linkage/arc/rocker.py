@@ -5,15 +5,17 @@ from __future__ import annotations
 from abc import abstractmethod
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any
+from typing import Any, ClassVar
 
 from kurbel.drive.crank import Crank, known
 from kurbel.drive.crank_forces import CrankForce
+from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.kernel import linkage
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.linkage import Arc, Place
 from kurbel.kernel.rocker import LoadedRocker
+from kurbel.linkage.arc.moved import MovedRocker
 from kurbel.linkage.linkage import At, Linkage
 from kurbel.motion.evaluation import OUT, RETURN
 
@@ -26,6 +28,7 @@ class RockerCrank(Linkage):
 
     __slots__ = ()
 
+    title: ClassVar[str]
     crank: Crank
     rocker: Fraction
 
@@ -86,6 +89,12 @@ class RockerCrank(Linkage):
         """
         arc = self.dead_centre(stroke, kind)
         return At(linkage.place(linkage.from_dead_centre(circle, arc), arc), self, kind, circle, arc)
+
+    def moved(self, kind: Kind, method: str) -> MovedRocker:
+        """Return the drive as a turn of an engine asks it."""
+        if method != "exact":
+            raise ProblemError(f'method "{method}" has no formulas for {self.title}; use exact')
+        return MovedRocker(self, kind)
 
     def of(self, crank: Crank) -> RockerCrank:
         """Return the drive with what else is known of its crank; its masses then know the rocker's length."""
