@@ -170,11 +170,6 @@ def test_pages_state_formulas_and_directions() -> None:
 @pytest.mark.parametrize(
     ("more", "said"),
     [
-        (
-            ("--eps", "4"),
-            "the arc crank under steam is not computed; steam can act on the straight crank or the offset"
-            " crank, and the arc crank takes a constant force or moving masses",
-        ),
         (("--at", "tangent"), "--at does not belong to the arc crank; it is for --mechanism straight"),
         (("--columns", "torque_nm"), "column torque_nm is in N m and needs --force and --stroke"),
         (("--layout", "forces"), "layout forces is about something else; choose from arc, forces-arc"),
@@ -182,3 +177,10 @@ def test_pages_state_formulas_and_directions() -> None:
 )
 def test_what_is_not_computed_is_refused_in_one_sentence(more: tuple[str, ...], said: str) -> None:
     assert refusal(*ARC, *more) == said
+
+
+def test_loads_that_act_on_other_drives_are_named() -> None:
+    assert refusal("forces", "--mechanism", "parallel", "--eps", "4") == (
+        "the parallel crank under steam is not computed; steam can act on the straight crank or the offset"
+        " crank or the arc crank, and the parallel crank takes a constant force"
+    )

@@ -261,9 +261,10 @@ def machine_defaults(command: click.Command, file: File) -> dict[str, Any]:
     machine = read_machine(file)
     if "rod" not in names:
         machine = with_ratio(machine)
-    if machine.get("offset") and "offset" not in names:
-        raise MachineError(
-            f"{file}: crank.offset is {machine['offset']}, and kurbel {command.name} is about the"
-            " straight crank; leave the offset out of the machine"
-        )
+    for name in ("offset", "mechanism"):
+        if machine.get(name, "straight") != "straight" and name not in names:
+            raise MachineError(
+                f"{file}: crank.{name} is {machine[name]}, and kurbel {command.name} is about the"
+                f" straight crank; leave the {name} out of the machine"
+            )
     return {name: value for name, value in machine.items() if name in names}

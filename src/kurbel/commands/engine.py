@@ -30,7 +30,7 @@ ONLY_MASSES = ("stroke", "bore", "pressure")
 EXAMPLE = "epsilon,delta"
 ORDER = (
     "ratio back exponent clearance card other_side single_acting cranks method reciprocating rod_mass centre"
-    " gyration rod_file stroke rod bore pressure offset mechanism rocker pivot"
+    " gyration rod_file stroke rod bore pressure offset mechanism rocker pivot rocker_inertia"
 )
 
 

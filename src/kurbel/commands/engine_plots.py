@@ -30,6 +30,7 @@ class Drawn(option.Cylinder, option.MovingRod, option.Linked, total=False):
     speed: DrawnSpeed
     reciprocating: option.Reciprocating
     rotating: option.Rotating
+    rocker_inertia: option.RockerInertia
     lang: LabelLang
     decimal: option.Decimal
 

@@ -26,7 +26,7 @@ AXLES = ("axles", "driven")
 _LOADS = {
     **dict.fromkeys((*STEAM, "bore", "pressure", "cranks"), load.STEAM),
     "card": load.CARD,
-    **dict.fromkeys((*MASSES, "rocker_inertia"), load.MASSES),
+    **dict.fromkeys(MASSES, load.MASSES),
 }
 
 

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
 # The options, by their names, that describe the steam and the masses.
 STEAM = ("eps", "back", "exponent", "clearance", "card", "other_side", "single_acting")
-MASSES = ("reciprocating", *MovingRod.__annotations__, "rotating")
+MASSES = ("reciprocating", *MovingRod.__annotations__, "rotating", "rocker_inertia")
 _UNKNOWN = "that of the rod is not known; add --stroke and one --ratio, or give a share of the rod's length"
 
 
@@ -68,7 +68,7 @@ def weighed(chosen: Mechanism, drives: Sequence[Any], given: Mapping[str, Any], 
     if any(crank.radius is None for crank in cranks):
         missing.insert(0, "--stroke")
     if missing:
-        first = next(name for name in (*MASSES, "rocker_inertia") if given.get(name) is not None)
+        first = next(name for name in MASSES if given.get(name) is not None)
         raise ProblemError(f"--{first.replace('_', '-')} needs {', '.join(missing)} to become a force")
     from kurbel.drive.rod import Moving
 
@@ -89,7 +89,7 @@ def weighed(chosen: Mechanism, drives: Sequence[Any], given: Mapping[str, Any], 
 
 def is_heavy(values: Mapping[str, Any]) -> bool:
     """Whether any mass is among the options."""
-    return any(values.get(name) is not None for name in (*MASSES, "rocker_inertia"))
+    return any(values.get(name) is not None for name in MASSES)
 
 
 def for_masses(*names: str) -> Callable[[Mapping[str, Any]], Mapping[str, str]]:

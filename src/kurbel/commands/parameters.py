@@ -268,3 +268,4 @@ class Engine(Steam, MovingRod, Linked, Sheet, total=False):
         ),
     ]  # fmt: skip
     reciprocating: Reciprocating
+    rocker_inertia: RockerInertia

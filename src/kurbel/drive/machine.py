@@ -91,6 +91,9 @@ class Crank(Section):
     rod: Annotated[One | None, about('length of the rod, such as "1500mm"')] = None
     speed: Annotated[One | None, about('speed, such as "120/min"')] = None
     offset: Annotated[One | None, about("offset e as a share of R, or a length")] = None
+    mechanism: Annotated[One | None, about('crank drive, such as "arc"; straight or offset by itself')] = None
+    rocker: Annotated[One | None, about("length of the arc crank's rocker in units of R")] = None
+    pivot: Annotated[One | None, about('its pivot along and across the slide, such as "5;6"')] = None
     cranks: Annotated[Joined | None, about("angles in degrees by which several cranks follow the first")] = (
         field(name="angles", default=None)
     )
@@ -120,6 +123,9 @@ class Masses(Section):
         One | None, about("its radius of gyration about that, in rod lengths or a length")
     ] = None
     rotating: Annotated[One | None, about("mass of the crank itself at its pin, less counterweights")] = None
+    rocker_inertia: Annotated[
+        One | None, about('moment of inertia of a rocker about its pivot, such as "20kg m²"')
+    ] = field(name="rocker", default=None)
     rod_file: Annotated[File | None, about("its masses, a CSV file beside this one")] = field(
         name="file", default=None
     )
