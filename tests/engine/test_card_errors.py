@@ -334,7 +334,9 @@ def test_errors_of_work_reach_a_quantity_as_far_as_is_stated(key: str, least: fl
     reached = []
     for change in changes([*shares, 1.0]):
         turn = card_turn(change)
-        apart = max(abs(own.strokes[0].work(share) - turn.strokes[0].work(share)) for share in EVEN)
+        apart = max(
+            abs(own.cylinder.strokes[0].work(share) - turn.cylinder.strokes[0].work(share)) for share in EVEN
+        )
         reached.append(
             abs(value_of(column.quantity, turn, whole) - value_of(column.quantity, own, whole)) / apart
         )

@@ -12,18 +12,20 @@ from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import reduce
 from itertools import product
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.drive.crank_forces import CrankForce, Weights
-from kurbel.drive.load import Load
 from kurbel.drive.moved import Moved
-from kurbel.engine.engine import Engine
 from kurbel.exact.kind import Kind
 from kurbel.kernel import turning
 from kurbel.kernel.circle import Circle, Number
 from kurbel.kernel.steam import larger, smaller
 from kurbel.kernel.turning import Stroke
 from kurbel.motion.evaluation import OUT, RETURN
+
+if TYPE_CHECKING:
+    from kurbel.engine.assembly import Assembly
+    from kurbel.engine.engine import Engine
 
 SIGNS = (OUT, RETURN)
 # Half turns beyond a dead centre of which a float is known.
@@ -122,9 +124,14 @@ class AnyTurn(ABC):
     Angles are half turns of the first crank's φ; energies count from its inner dead centre.
     """
 
-    def __init__(self, engine: Engine, method: str) -> None:
+    def __init__(self, engine: Engine | Assembly, method: str) -> None:
         self.engine = engine
         self.method = method
+
+    @property
+    def part(self) -> Engine:
+        """The first part of the engine, or the engine."""
+        return self.engine.parts[0]
 
     @property
     @abstractmethod
@@ -141,15 +148,14 @@ class AnyTurn(ABC):
         return tuple(self._cylinder_on(part, kind, circle) for part in self.engine.parts)
 
     def _cylinder_on(self, part: Engine, kind: Kind, circle: Callable[[Any], Circle[Any]]) -> Cylinder:
-        load: Load = part.steam
-        strokes, drive = load.strokes(kind, part.double), part.drive.moved(kind, self.method)
+        strokes, drive = part.steam.strokes(kind, part.double), part.drive.moved(kind, self.method)
         mean, weights = turning.mean_force(strokes, kind.pi, drive.length), part.weights(kind)
-        unit = None if part is self.engine.parts[0] else self._unit(part, kind)
+        unit = None if part is self.part else self._unit(part, kind)
         return Cylinder(drive, strokes, mean, weights, kind, circle, unit)
 
     def _unit(self, part: Engine, kind: Kind) -> Number:
         moments = []
-        for one in (part, self.engine.parts[0]):
+        for one in (part, self.part):
             assert one.load is not None
             assert one.pressure is not None
             assert one.crank.radius is not None
@@ -223,7 +229,7 @@ class AnyTurn(ABC):
 
     def force_unit(self) -> Number:
         """The force Q in newtons."""
-        first = self.engine.parts[0]
+        first = self.part
         assert first.load is not None
         assert first.pressure is not None
         return self.of(first.pressure * first.load.bore**2 / 4) * self.pi
@@ -250,7 +256,7 @@ class AnyTurn(ABC):
 
     def first(self, half_turns: Fraction) -> Standing:
         """Return where the first crank stands."""
-        return self.standing(half_turns, 0, self.engine.parts[0].starts[0])
+        return self.standing(half_turns, 0, self.part.starts[0])
 
     @abstractmethod
     def begun(self) -> Sequence[Standing]:
@@ -259,11 +265,13 @@ class AnyTurn(ABC):
     def energy_at(self, half_turns: Fraction) -> Number:
         """The excess work W/(Q R) since the first crank's inner dead centre."""
         cylinders = self.cylinders
-        since, before = (
-            sum(cylinders[part].energy(*one) for part, *one in standing)
-            for standing in (self.positions(half_turns), self.begun())
-        )
-        return since - before
+        since = sum(cylinders[part].energy(*one) for part, *one in self.positions(half_turns))
+        return since - self.energy_begun()
+
+    def energy_begun(self) -> Number:
+        """The energies of all cranks in the first one's inner dead centre, from where they count."""
+        cylinders = self.cylinders
+        return sum(cylinders[part].energy(*one) for part, *one in self.begun())
 
     def irregularity(self) -> Number:
         """Return δ in units of |P| R/(m₁ v₁²)."""

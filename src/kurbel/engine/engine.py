@@ -16,6 +16,7 @@ from kurbel.reading.notation import about, plain
 if TYPE_CHECKING:
     from kurbel.drive.crank import Crank
     from kurbel.drive.crank_forces import Weights
+    from kurbel.drive.load import Load as Acting
     from kurbel.drive.moved import Drive
     from kurbel.engine.card.card import Card
     from kurbel.engine.card.cycle import AngleCard, CycleCard
@@ -178,14 +179,16 @@ class Engine:
     """A crank drive under a load on its piston, double-acting or not, on one crank or several.
 
     `cranks` are the angles in degrees by which each crank follows the first; all have cylinders alike. A
-    double-acting cylinder works on both strokes; of another the load says what its return stroke does.
+    double-acting cylinder works on both strokes; of another the load says what its return stroke does. `lag`
+    are the degrees by which the first crank follows that of an engine which this one is a part of.
     """
 
     drive: Drive
-    steam: Steam | Diagram
+    steam: Acting
     double: bool = True
     cranks: tuple[Fraction, ...] = (Fraction(0),)
     load: Load | None = None
+    lag: Fraction = Fraction(0)
 
     def __post_init__(self) -> None:
         if isinstance(self.steam, Diagram):
@@ -212,8 +215,8 @@ class Engine:
 
     @property
     def starts(self) -> tuple[Fraction, ...]:
-        """The half turns by which the cranks follow that of the whole engine."""
-        return tuple(crank / 180 for crank in self.cranks)
+        """The half turns by which the cranks follow the first of the whole engine."""
+        return tuple((self.lag + crank) / 180 for crank in self.cranks)
 
     @property
     def pressure(self) -> Fraction | None:

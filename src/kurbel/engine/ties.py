@@ -25,6 +25,7 @@ from kurbel.exact.certify import NEVER_TIES, TieBits, vanishes
 from kurbel.exact.kind import Kind, balls, bounds
 from kurbel.exact.separation import Separation
 from kurbel.kernel.circle import Circle, Number
+from kurbel.kernel.steam import Expansion
 
 FIRST_BITS = 200
 
@@ -44,35 +45,40 @@ class _On:
     """The terms of a turn's sums, each of a crank, on a kind of number."""
 
     def __init__(self, turn: Turn, kind: Kind) -> None:
-        self.engine, self.kind = turn.engine, kind
-        self.steam = turn.engine.ideal.numbers(kind.of, kind.exponent)
+        self.engine, self.kind = turn.part, kind
+        self.strokes = turn.part.steam.strokes(kind, turn.part.double)
         # With an infinite rod the exact formulas have roots of 1, which would count as roots.
-        self.drive = turn.engine.drive.moved(kind, turn.method if turn.engine.crank.ratio else "series")
+        self.drive = turn.part.drive.moved(kind, turn.method if turn.part.crank.ratio else "series")
 
     def place(self, crank: _Crank) -> tuple[int, Circle[Number]]:
-        """The stroke of a crank and the circle of its angle."""
-        return crank.stroke, self.kind.circle(180 * crank.angle)
+        """The way of a crank, out or back, and the circle of its angle."""
+        return crank.stroke % 2, self.kind.circle(180 * crank.angle)
 
     def share(self, crank: _Crank) -> Number:
         """The share of the stroke travelled."""
         return self.drive.path(*self.place(crank)) / self.drive.length
 
     def net_pressure(self, crank: _Crank) -> Number:
-        return self.steam.force(self.share(crank))
+        return self.strokes[crank.stroke].force(self.share(crank))
+
+    @property
+    def steam(self) -> Expansion:
+        """Ideal steam, as it is on the strokes that do not idle."""
+        return self.engine.ideal.numbers(self.kind.of, self.kind.exponent)
 
     def beyond_cut_off(self, crank: _Crank) -> Number:
         return self.share(crank) - self.kind.of(1 / self.engine.ideal.expansion)
 
 
 def _where_known(rule: Callable[..., TieBits]) -> Callable[..., TieBits | None]:
-    """Return the rule of a turn, the last but one of its arguments, for ideal steam on cranks alike whose
-    pistons have algebraic paths; of others a value on a boundary stays unsettled."""
+    """Return the rule of a turn, the last but one of its arguments, for cranks alike whose pistons have
+    algebraic paths; of others a value on a boundary stays unsettled."""
 
     @wraps(rule)
     def ruled(*about: Any) -> TieBits | None:
         turn: Turn = about[-2]
-        known = len(turn.engine.parts) == 1 and isinstance(turn.engine.steam, Steam)
-        return rule(*about) if known and turn.cylinder.drive.algebraic else NEVER_TIES
+        known = len(turn.engine.parts) == 1 and turn.cylinder.drive.algebraic
+        return rule(*about) if known else NEVER_TIES
 
     return ruled
 
@@ -90,7 +96,7 @@ def force_ties(turn: Turn, half_turns: Fraction) -> TieBits:
             return inf
         on, total = _On(turn, _BOUNDS), Separation.rational(-boundary)
         for crank in cranks:
-            if _works(turn.engine, crank):
+            if not _is_steam(turn) or _works(turn.part, crank):
                 total += _pressure_bounds(turn, crank) * on.drive.velocity(*on.place(crank))
         return float(total.bits())
 
@@ -101,7 +107,6 @@ def force_ties(turn: Turn, half_turns: Fraction) -> TieBits:
 def energy_ties(turn: Turn, half_turns: Fraction) -> TieBits:
     """Return how near the excess energy at an exact angle can come to a boundary, inf if it equals none."""
     cranks = [*_cranks(turn, half_turns), *_cranks(turn, Fraction(0), -1)]
-    mariotte = turn.engine.ideal.exponent == 1
 
     def gain(on: _On, weights: Weights) -> Any:
         return sum(
@@ -109,12 +114,15 @@ def energy_ties(turn: Turn, half_turns: Fraction) -> TieBits:
         )
 
     def bits(boundary: Fraction) -> float:
-        # The mean works from a dead centre on, whose share of a turn is irrational unless it is regular.
-        if not turn.cylinder.drive.regular:
+        # The mean works from a dead centre on, whose share of a turn is irrational unless it is regular; of
+        # other loads the logarithms are not known.
+        if not turn.cylinder.drive.regular or not _is_steam(turn):
             return inf
         # The masses have the energy that they had where W is zero, and all growths of volume with their
         # powers the product 1, or there is a transcendental part.
-        if not _without_masses(turn, gain) or (mariotte and not _vanishes(turn, _growth_off_one(cranks))):
+        if not _without_masses(turn, gain) or (
+            _is_mariotte(turn) and not _vanishes(turn, _growth_off_one(cranks))
+        ):
             return inf
         return (_energy(turn, cranks) - Separation.rational(boundary)).bits()
 
@@ -151,7 +159,7 @@ def newton_ties(force: CrankForce, turn: Turn, half_turns: Fraction) -> TieBits:
     crank = _cranks(turn, half_turns)[0]
 
     def bits(boundary: Fraction) -> float:
-        drive = turn.engine.crank
+        drive = turn.part.crank
         if drive.moving is None or not _without_steam(turn, crank):
             return inf
         assert drive.speed is not None
@@ -166,16 +174,28 @@ def newton_ties(force: CrankForce, turn: Turn, half_turns: Fraction) -> TieBits:
     return bits
 
 
+def _is_mariotte(turn: Turn) -> bool:
+    return turn.part.ideal.exponent == 1
+
+
+def _is_steam(turn: Turn) -> bool:
+    """Whether ideal steam drives the piston, of which more is known than of other loads."""
+    return isinstance(turn.part.steam, Steam)
+
+
 def _works(engine: Engine, crank: _Crank) -> bool:
-    """Whether the stroke that the crank is in does not idle."""
+    """Whether the stroke that the crank is in does not idle, of steam."""
     return engine.double or not crank.stroke
 
 
 def _pressure_bounds(turn: Turn, crank: _Crank) -> Separation:
     """The net pressure on the piston; a stroke that idles is bounded by that of full pressure."""
     on = _On(turn, _BOUNDS)
+    if not _is_steam(turn):
+        other: Separation = on.net_pressure(crank)
+        return other
     # The power of a polytropic expansion has a high degree; at full pressure there is none.
-    full = not _works(turn.engine, crank) or _at_full_pressure(turn, crank)
+    full = not _works(turn.part, crank) or _at_full_pressure(turn, crank)
     pressure: Separation = 1 - on.steam.back if full else on.net_pressure(crank)
     return pressure
 
@@ -187,7 +207,7 @@ def _vanishes(turn: Turn, value: Callable[[_On], Any]) -> bool:
 
 def _without_masses(turn: Turn, part: Callable[[_On, Weights], Any]) -> bool:
     """Whether the masses, in kg, have no part in a sum."""
-    moving = turn.engine.crank.moving
+    moving = turn.part.crank.moving
     return moving is None or _vanishes(
         turn, lambda on: part(on, moving.weights(on.kind.of, on.kind.of(Fraction(1))))
     )
@@ -195,7 +215,7 @@ def _without_masses(turn: Turn, part: Callable[[_On, Weights], Any]) -> bool:
 
 def _without_steam(turn: Turn, crank: _Crank) -> bool:
     """Whether no net pressure acts on the piston, for certain."""
-    if not _works(turn.engine, crank):
+    if _is_steam(turn) and not _works(turn.part, crank):
         return True
     return vanishes(
         lambda: _On(turn, _BALLS).net_pressure(crank), float(_pressure_bounds(turn, crank).bits())
@@ -219,13 +239,13 @@ def _cranks(turn: Turn, half_turns: Fraction, weight: int = 1) -> list[_Crank]:
 def _energy(turn: Turn, cranks: Sequence[_Crank]) -> Separation:
     """The energy without its logarithms."""
     on = _On(turn, _BOUNDS)
-    work = on.steam.full_pressure_work if turn.engine.ideal.exponent == 1 else on.steam.work
+    work = on.steam.full_pressure_work if _is_mariotte(turn) else on.steam.work
     whole = work(Separation.rational(1))
     # The mean works π P in half a turn, which is half of what both strokes do.
-    strokes = sum((_strokes(turn.engine, crank) * crank.weight for crank in cranks), Fraction(0))
+    strokes = sum((_strokes(turn.part, crank) * crank.weight for crank in cranks), Fraction(0))
     total = whole * Separation.rational(strokes) if strokes else Separation.rational(0)
     for crank in cranks:
-        if _works(turn.engine, crank):
+        if _works(turn.part, crank):
             total += 2 * crank.weight * work(on.share(crank))
     return total
 

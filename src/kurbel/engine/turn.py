@@ -13,17 +13,20 @@ from fractions import Fraction
 from functools import cache, cached_property, partial
 from itertools import pairwise
 from math import floor
-from typing import NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 import flint
 
 from kurbel.engine.cylinder import AnyTurn, Cylinder, Peak, Standing
-from kurbel.engine.engine import Engine
+from kurbel.engine.engine import Engine, Steam
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import ball, ball_circle, half_turn_circle
 from kurbel.exact.kind import balls
 from kurbel.exact.roots import ISOLATING_BITS, Function, Root, interval, isolate, refined
 from kurbel.kernel.circle import Circle, Number
+
+if TYPE_CHECKING:
+    from kurbel.engine.assembly import Assembly
 
 # Two speeds that agree to so many bits are taken for equal, as on the two strokes of the infinite rod; so
 # is an angle and that of a dead centre.
@@ -61,9 +64,10 @@ class Extremum(NamedTuple):
 class Turn(AnyTurn):
     """One cycle of an engine by a method, in balls."""
 
-    def __init__(self, engine: Engine, method: str) -> None:
+    def __init__(self, engine: Engine | Assembly, method: str) -> None:
         super().__init__(engine, method)
         self._cylinders: dict[int, tuple[Cylinder, ...]] = {}
+        self._energies: dict[int, Number] = {}
         self._extremes = cache(self._choose)
 
     @property
@@ -159,7 +163,7 @@ class Turn(AnyTurn):
     def cut_off(self, stroke: int) -> Number:
         """The crank angle at cut-off, in half turns from the dead centre of the stroke."""
         begin, end = self._ends_of(0, stroke)
-        expansion = self.engine.ideal.expansion
+        expansion = self.part.ideal.expansion
         if expansion == 1:
             # The stroke ends uncut, and rounding may put the sine above 1.
             return flint.arb(1) * (end - begin)
@@ -167,7 +171,7 @@ class Turn(AnyTurn):
 
     def back(self) -> Number:
         """The back pressure R_b/Q."""
-        return self.engine.ideal.numbers(ball).back
+        return self.part.ideal.numbers(ball).back
 
     def excess(self, piece: Piece, place: Angle) -> Number:
         cylinders = self.cylinders
@@ -185,10 +189,16 @@ class Turn(AnyTurn):
     def energy(self, piece: Piece, place: Angle) -> Number:
         """The excess work W/(Q R) since the first crank's inner dead centre."""
         cylinders = self.cylinders
-        return sum(
-            cylinders[part].energy(stroke, _since(place, begun)) - cylinders[part].energy(*before)
-            for (part, stroke, begun), (_, *before) in zip(piece.strokes, self.begun(), strict=True)
+        since = sum(
+            cylinders[part].energy(stroke, _since(place, begun)) for part, stroke, begun in piece.strokes
         )
+        return since - self.energy_begun()
+
+    def energy_begun(self) -> Number:
+        bits = flint.ctx.prec
+        if bits not in self._energies:
+            self._energies[bits] = super().energy_begun()
+        return self._energies[bits]
 
     @cached_property
     def extrema(self) -> tuple[Extremum, ...]:
@@ -233,9 +243,9 @@ class Turn(AnyTurn):
         return left
 
 
-def turn_of(engine: Engine, method: str) -> AnyTurn:
+def turn_of(engine: Engine | Assembly, method: str) -> AnyTurn:
     """Return the engine's turn by a method: exact, series or weisbach; of an indicator card in floats."""
-    if engine.crank.moving is not None and method != "exact":
+    if any(part.crank.moving is not None for part in engine.parts) and method != "exact":
         raise ProblemError(f'method "{method}" has no formulas for the masses; use exact')
     if engine.carded:
         from kurbel.engine.card.turn import CardTurn
@@ -243,7 +253,8 @@ def turn_of(engine: Engine, method: str) -> AnyTurn:
         return CardTurn(engine, method)
     if method != "weisbach":
         return Turn(engine, method)
-    if not engine.plain or engine.ideal.exponent != 1 or engine.ideal.clearance:
+    ideal = engine.parts[0].steam
+    if not engine.plain or not isinstance(ideal, Steam) or ideal.exponent != 1 or ideal.clearance:
         raise ProblemError(
             'method "weisbach" is for one double-acting crank, exponent 1 and no clearance, as in § 150;'
             " use exact or series"

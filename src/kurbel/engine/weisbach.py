@@ -42,7 +42,7 @@ class WeisbachTurn(Turn):
         """His equation for α₂ as a function with that zero, or its slope over the half turns."""
         (_, stroke, begun) = piece.strokes[0]
         angle = at - ball(begun)
-        acting = self.engine.ideal.numbers(ball)
+        acting = self.part.ideal.numbers(ball)
         loss = acting.back / acting.cut_off
         work = acting.work(flint.arb(1)) / acting.cut_off
         ratio = ball(SIGNS[stroke] * self.engine.crank.ratio)

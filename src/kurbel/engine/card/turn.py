@@ -7,7 +7,7 @@ card supports.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
@@ -18,6 +18,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from kurbel.drive.crank_forces import CrankForce
+from kurbel.engine.assembly import Assembly
 from kurbel.engine.card.force import CardStroke
 from kurbel.engine.cylinder import AnyTurn, Cylinder, Peak, Standing
 from kurbel.engine.engine import Diagram, Engine
@@ -42,15 +43,15 @@ BESIDE = 1e-3
 class CardTurn(AnyTurn):
     """One turn by a method: exact or series kinematics."""
 
-    def __init__(self, engine: Engine, method: str) -> None:
+    def __init__(self, engine: Engine | Assembly, method: str) -> None:
         if method == "weisbach":
             raise ProblemError(
                 'method "weisbach" has no equations for an indicator card; use exact or series'
             )
         super().__init__(engine, method)
-        assert isinstance(engine.steam, Diagram)
-        self.diagram = engine.steam
-        mean = self.cylinder.mean
+        self.diagrams = tuple(part.steam for part in engine.parts if isinstance(part.steam, Diagram))
+        self.diagram = self.diagrams[0]
+        mean = self.mean_force() / len(engine.cranks)
         # Half a card, in the unit of the whole, may well do no work.
         if self.diagram.unit is None and mean < LEAST_FORCE:
             raise CardError(
@@ -62,15 +63,20 @@ class CardTurn(AnyTurn):
     def cylinders(self) -> tuple[Cylinder, ...]:
         return self.cylinders_on(floats(), _circle)
 
-    @property
-    def strokes(self) -> Sequence[Any]:
-        return self.cylinder.strokes
-
     @cached_property
     def coarser(self) -> tuple[CardTurn, ...]:
-        """The turns of the two cards that have every second point of this one's, in the same Q."""
-        halves = self.diagram.halves()
-        return tuple(CardTurn(replace(self.engine, steam=half), self.method) for half in halves)
+        """The turns of the cards that have every second point of these, in the same Q."""
+        return tuple(CardTurn(engine, self.method) for engine in self._halves())
+
+    def _halves(self) -> Iterator[Engine | Assembly]:
+        parts = [
+            [replace(part, steam=half) for half in part.steam.halves()]
+            if isinstance(part.steam, Diagram)
+            else [part, part]
+            for part in self.engine.parts
+        ]
+        for half in zip(*parts, strict=True):
+            yield half[0] if len(half) == 1 else Assembly(half)
 
     @cached_property
     def gain(self) -> float:
@@ -88,19 +94,21 @@ class CardTurn(AnyTurn):
         """The mean difference of force from the coarser cards', and the step of the pressures, in Q."""
         return float(np.sqrt(np.mean(np.square(self._apart(CardStroke.force))))) + self.step
 
-    def _apart(self, value: Callable[[CardStroke, Any], Any]) -> list[Any]:
+    def _apart(self, value: Callable[[Any, Any], Any]) -> list[Any]:
         """The differences of a value over the strokes from those of the coarser cards."""
         shares = np.linspace(0, 1, SAMPLES)
         return [
-            value(own, shares) - value(other, shares)
+            (value(own, shares) - value(other, shares)) * (1.0 if mine.unit is None else mine.unit)
             for half in self.coarser
-            for own, other in zip(self.strokes, half.strokes, strict=True)
+            for mine, coarse in zip(self.cylinders, half.cylinders, strict=True)
+            if isinstance(mine.strokes[0], CardStroke)
+            for own, other in zip(mine.strokes, coarse.strokes, strict=True)
         ]
 
     @property
     def step(self) -> float:
         """The last place of the pressures as written, in Q."""
-        return self.diagram.card.resolution / self.diagram.pressure
+        return max(one.card.resolution / one.pressure for one in self.diagrams)
 
     def place_error(self, greatest: bool, stroke: int | None) -> float:
         """How far the place of an extreme may be off, in half turns.
@@ -149,8 +157,8 @@ class CardTurn(AnyTurn):
         _, stroke, angle = self.first(half_turns)
         circle = self.cylinder.circle(angle)
         share = self.cylinder.share(stroke, circle)
-        own = self.strokes[stroke].force(share)
-        apart = max(abs(float(own - half.strokes[stroke].force(share))) for half in self.coarser)
+        own = self.cylinder.strokes[stroke].force(share)
+        apart = max(abs(float(own - half.cylinder.strokes[stroke].force(share))) for half in self.coarser)
         return max(apart, self.force_apart) * abs(float(self.cylinder.drive.bare(force, stroke % 2, circle)))
 
     @cached_property
