@@ -29,6 +29,7 @@ ROWS = {
     "roetscher-112": ("--angle=0;60", "--ratio=1:5;1:4"),
     "delta-tafel": ("--eps=2;4",),
     "delta-verfahren": ("--eps=4",),
+    "delta-flywheel": ("--eps=2;4",),
     "weisbach-150": ("--eps=4",),
     "collation": ("--only=deviations",),
     "harmonics": ("--orders=2",),
@@ -36,7 +37,7 @@ ROWS = {
 }
 OVER_ANGLES = (
     "arc", "blau-kolbenwege", "engine-forces", "forces", "forces-arc", "forces-parallel", "inertia",
-    "kinematics", "lueger-kolbenbewegung", "machine-forces", "parallel", "turning", "verfahren",
+    "kinematics", "lueger-kolbenbewegung", "machine-forces", "parallel", "speed", "turning", "verfahren",
 )  # fmt: skip
 ROWS |= {name: ("--angle=0;60",) for name in OVER_ANGLES}
 MACHINE = ("--stroke=600mm", "--rod=1500mm", "--speed=120/min")

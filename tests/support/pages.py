@@ -22,7 +22,9 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "motion": ("table",),
     "irregularity": ("delta",),
     "strokes": ("delta",),
+    "evenness": ("delta", "--flywheel=50"),
     "turning": ("turning",),
+    "speed": ("turning", "--flywheel=50", "--speed=120/min"),
     "crank forces": ("forces", "--eps=4"),
     "machine": ("forces", "--eps=4", *MACHINE, "--reciprocating=300kg", *ROD, "--rotating=-40kg"),
     "flywheel": ("flywheel", "--power=50kW", "--speed=120/min", "--delta=1:50;1:100", "--radius=1.5m"),
@@ -49,7 +51,9 @@ def about(*subjects: str) -> list[str]:
 
 
 MOTION = about("motion")
-ENGINES = about("irregularity", "strokes", "turning", "crank forces", "machine", "flywheel")
+ENGINES = about(
+    "irregularity", "strokes", "evenness", "turning", "speed", "crank forces", "machine", "flywheel"
+)
 BEAMS = about("dead centres", "drive dead centres")
 BALANCES = about("harmonics", "balance")
 FIRINGS = about("firing orders", "firing")
@@ -74,7 +78,9 @@ def command(name: str) -> tuple[str, ...]:
 FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
     "motion": (kurbel.table, {}),
     **dict.fromkeys(("irregularity", "strokes"), (kurbel.delta_table, {})),
+    "evenness": (kurbel.delta_table, {"flywheel": 50}),
     "turning": (kurbel.turning_table, {}),
+    "speed": (kurbel.turning_table, {"flywheel": 50, "speed": 2}),
     "crank forces": (kurbel.forces_table, {"eps": 4}),
     "machine": (kurbel.forces_table, {
         "eps": 4, "stroke": 0.6, "speed": 2, "bore": 0.3, "pressure": 800_000, "reciprocating": 300,

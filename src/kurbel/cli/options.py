@@ -37,12 +37,14 @@ _ROD: Rivals = (
     *((name, "rod_file") for name in ("rod_mass", "centre", "gyration")),
     *(("rod_file", name) for name in ("centre", "gyration")),
 )
+_WHEEL: Rivals = (("flywheel", "inertia"), ("inertia", "flywheel"))
 RIVALS: Mapping[str, Rivals] = {
     "table": (*_ANGLES, ("mechanism", "layout"), ("layout", "mechanism")),
     # A force that is typed outdoes the steam of a machine.
     "forces": (*_ANGLES, *_STEAM, *_ROD, ("eps", "force"), ("card", "force")),
     "inertia": (*_ANGLES, *_ROD),
-    **dict.fromkeys(("delta", "turning", "flywheel", "plot"), (*_STEAM, *_ROD)),
+    **dict.fromkeys(("delta", "turning"), (*_STEAM, *_ROD, *_WHEEL)),
+    **dict.fromkeys(("flywheel", "plot"), (*_STEAM, *_ROD)),
     "balance": (("engine", "cranks"), *((name, "engine") for name in ("cranks", "positions", "banks"))),
 }
 _LENGTHS = ("ratio", "stroke", "rod")

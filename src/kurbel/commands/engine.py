@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from typing import Annotated, Any, Unpack
+from typing import TYPE_CHECKING, Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
 from kurbel.commands.machines import engine_of, for_masses, is_heavy
@@ -10,7 +10,7 @@ from kurbel.commands.motion import meant, of_other_mechanisms
 from kurbel.commands.options import FLAG, Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.errors import ProblemError
-from kurbel.page.layouts import layout_of
+from kurbel.page.layouts import Layout, layout_of
 from kurbel.page.subject import Question
 from kurbel.reading import notation
 from kurbel.reading.given import (
@@ -25,13 +25,39 @@ from kurbel.reading.given import (
     as_speed,
 )
 
+if TYPE_CHECKING:
+    from kurbel.drive.wheel import Wheel
+
 # What a page without forces takes for the masses' sake alone.
 ONLY_MASSES = ("stroke", "bore", "pressure")
+WITH_MASSES = "with masses the power follows from pressure, bore, stroke and speed; leave --power out"
 EXAMPLE = "epsilon,delta"
 ORDER = (
     "ratio back exponent clearance card other_side single_acting cranks method reciprocating rod_mass centre"
     " gyration rod_file stroke rod bore pressure offset mechanism rocker pivot rocker_inertia"
 )
+# Pages of an engine, and those of one with its flywheel.
+DELTA, WITH_WHEEL = ("irregularity", "strokes", "evenness"), ("speed", "evenness")
+
+
+class Turning(option.Engine, total=False):
+    """An engine with its flywheel."""
+
+    flywheel: Annotated[
+        Exact | None,
+        Option("Flywheel, for the speed over the turn: its number m₁v₁²/(P r), 50.", "M"),
+    ]
+    inertia: Annotated[
+        Exact | None,
+        Option(
+            "The same by its moment of inertia: 1200kgm2. It needs --speed, and --power or the bore and the"
+            " pressure.",
+            "J", unit="kg m²",
+        ),
+    ]  # fmt: skip
+    power: Annotated[
+        Exact | None, Option("Power of the engine, for --inertia: 50kW, 68PS.", "POWER", unit="W")
+    ]
 
 
 def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
@@ -39,7 +65,38 @@ def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
     return of_other_mechanisms(values, meant(values, layout=None), ("stroke", "speed", "method"))
 
 
-@makes_table(foreign=_foreign, needless=for_masses("speed", *ONLY_MASSES), order=ORDER)
+def _of_wheel(values: Mapping[str, Any]) -> Mapping[str, str]:
+    """Refuse what says nothing beside a flywheel or without one, and a flywheel of which nothing is asked."""
+    given = [name for name in ("flywheel", "inertia") if values[name] is not None]
+    if "inertia" in given:
+        refused: dict[str, str] = {}
+    else:
+        refused = dict(for_masses(*(() if given else ("speed",)), *ONLY_MASSES)(values))
+        refused["power"] = "--power is for --inertia, whose flywheel is weighed against it; leave it out"
+    if is_heavy(values):
+        refused["power"] = WITH_MASSES
+    if given and (instead := _without_wheel(values)):
+        refused |= {name: f"--{name} says nothing on this page; {instead}" for name in given}
+    return refused
+
+
+def _without_wheel(values: Mapping[str, Any]) -> str:
+    """Return how a flywheel would be used, where nothing that is asked for has to do with it."""
+    from kurbel.engine.speed.quantities import of_runs
+
+    if values.get("detail"):
+        return "leave --detail or the flywheel out"
+    layout, names = values["layout"], as_names(values["columns"], EXAMPLE)
+    if (
+        layout
+        and layout_of(layout, ("turning", *DELTA, "speed"), values["layouts"]).subject not in WITH_WHEEL
+    ):
+        return f"leave --layout {layout} or the flywheel out"
+    example = "speed" if "angle" in values else "delta_mean"
+    return "" if not names or of_runs() & {*names} else f"add a column such as {example}"
+
+
+@makes_table(foreign=_foreign, needless=_of_wheel, order=ORDER)
 def delta_table(
     eps: option.Eps = None,
     *,
@@ -49,8 +106,8 @@ def delta_table(
     ] = False,
     columns: Annotated[option.Names, option.columns_option("weisbach-150", "epsilon,delta,mean_force")] = (),
     layouts: option.Layouts = None,
-    layout: Annotated[str | None, option.layout_option("irregularity", "strokes")] = None,
-    **given: Unpack[option.Engine],
+    layout: Annotated[str | None, option.layout_option(*DELTA)] = None,
+    **given: Unpack[Turning],
 ) -> Question:
     """Print the degree of irregularity δ of a steam engine over the expansion ratio ε.
 
@@ -60,6 +117,8 @@ def delta_table(
     kurbel delta --eps 2..6 --method exact --method series --method weisbach
     kurbel delta --eps 2..8 --ratio '1:4;1:5;1:∞' --back 0.1 -f latex -o anhang.tex
     kurbel delta --eps 4 --cranks '0;90' --detail
+    kurbel delta --eps 2..6 --flywheel 50
+    kurbel delta --eps 4 --inertia 3584.3kgm2 --power 50kW --speed 120/min
     \f
     >>> import kurbel
     >>> print(kurbel.typeset(kurbel.delta_table("2..4"), "csv"), end="")
@@ -76,12 +135,14 @@ def delta_table(
         by_stroke = detail or ((is_given(given["card"]) or "alpha_cutoff" in names) and not several)
         ratio = given["ratio"]
         many = "delta-tafel" if len(as_ratios(() if ratio is None else ratio)) > 1 else "weisbach-150"
-        layout = "delta-detail" if by_stroke else "delta-verfahren" if several else many
-    page = layout_of(layout, ("irregularity", "strokes"), layouts)
-    return engine_of(page, {**given, "eps": eps, "speed": speed}, columns=names)
+        wheeled = "delta-flywheel" if _has_wheel(given) and not detail else ""
+        layout = wheeled or ("delta-detail" if by_stroke else "delta-verfahren" if several else many)
+    page = layout_of(layout, DELTA, layouts)
+    about = {**given, "eps": eps, "speed": speed}
+    return engine_of(page, about, columns=names, wheel=_wheel(page, about))
 
 
-@makes_table(foreign=_foreign, needless=for_masses("speed", *ONLY_MASSES), order=ORDER)
+@makes_table(foreign=_foreign, needless=_of_wheel, order=ORDER)
 def turning_table(
     eps: option.Eps = None,
     *,
@@ -96,8 +157,8 @@ def turning_table(
     ] = None,
     columns: Annotated[option.Names, option.columns_option("turning", "phi,tangential,energy")] = (),
     layouts: option.Layouts = None,
-    layout: Annotated[str, option.layout_option("turning")] = "turning",
-    **given: Unpack[option.Engine],
+    layout: Annotated[str | None, option.layout_option("turning", "speed")] = None,
+    **given: Unpack[Turning],
 ) -> Question:
     """Print the turning effort of a steam engine: tangential force and excess energy over the crank angle.
 
@@ -105,8 +166,10 @@ def turning_table(
     kurbel turning --eps 4 --ratio 1:5
     kurbel turning --eps 4 --cranks '0;90' --step 15
     kurbel turning --eps 4 --step 0.5 -f csv -o drehkraft.csv
+    kurbel turning --eps 4 --flywheel 50 --columns phi,speed
     """
-    page = layout_of(layout, ("turning",), layouts)
+    chosen = layout or ("speed" if _has_wheel(given) else "turning")
+    page = layout_of(chosen, ("turning", "speed"), layouts)
     if step is not None:
         if angle is not None:
             raise ProblemError(
@@ -116,14 +179,26 @@ def turning_table(
     else:
         angles = as_angles(page.angles if angle is None else angle)
     about = {**given, "eps": eps, "speed": speed}
-    return engine_of(page, about, angles=angles, columns=as_names(columns, EXAMPLE))
+    names = as_names(columns, EXAMPLE)
+    return engine_of(page, about, angles=angles, columns=names, wheel=_wheel(page, about))
+
+
+def _has_wheel(given: Mapping[str, Any]) -> bool:
+    return given["flywheel"] is not None or given["inertia"] is not None
+
+
+def _wheel(page: Layout, given: Mapping[str, Any]) -> "Wheel | None":
+    """Return the flywheel that options describe, of a page on which it says something."""
+    if page.subject not in WITH_WHEEL:
+        return None
+    from kurbel.drive.wheel import given_wheel
+
+    return given_wheel(given, is_heavy(given))
 
 
 def _power_of_steam(values: Mapping[str, Any]) -> Mapping[str, str]:
     if is_heavy(values):
-        return {
-            "power": "with masses the power follows from pressure, bore, stroke and speed; leave --power out"
-        }
+        return {"power": WITH_MASSES}
     return for_masses(*ONLY_MASSES)(values)
 
 

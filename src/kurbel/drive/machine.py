@@ -135,6 +135,10 @@ class Flywheel(Section):
     power: Annotated[One | None, about('power, such as "50kW"')] = None
     delta: Annotated[Several | None, about('degree of irregularity to keep, such as "1:100"')] = None
     radius: Annotated[One | None, about("radius at which the mass of the rim is wanted")] = None
+    flywheel: Annotated[One | None, about("the flywheel itself, by its number m₁v₁²/(P r)")] = field(
+        name="number", default=None
+    )
+    inertia: Annotated[One | None, about('or by its moment of inertia, such as "1200kgm2"')] = None
 
 
 class Machine(Section):

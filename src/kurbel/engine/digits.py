@@ -26,6 +26,8 @@ FLOAT_ERROR = 1e-12
 # A gain from which on the points are on a curve, not in a cloud.
 CLEAN = 8
 # What follows from δ, in proportion to it.
+# What is asked of a turn with its flywheel, which knows its errors.
+OF_RUNS = ("speed", "evenness")
 SWINGS = ("swing_share", "swing", "inertia", "mass")
 
 
@@ -128,14 +130,21 @@ def error_number(error: float) -> Number:
     return Number(ceil(error * 10**decimals), decimals)
 
 
-def _sensitivity(quantity: Quantity, turn: CardTurn, value: float) -> float:
+def _sensitivity(quantity: Quantity, turn: Any, value: float) -> float:
     """How far the quantity is off where the work of a stroke is off by 1."""
-    work = 2 * len(turn.engine.cranks)
-    # An extreme energy 2 A - P α errs by the work twice; δ is the difference of two of them over P.
-    irregularity = float((4 + 0.64 * turn.irregularity()) * work / 2 / turn.mean_force())
+    if quantity.of in OF_RUNS:
+        return float(turn.sensitivity(quantity.key, value, _of_irregularity(turn.turn)))
+    work, irregularity = 2 * len(turn.engine.cranks), _of_irregularity(turn)
     if quantity.of == "flywheel":
         return irregularity / float(turn.irregularity()) * value if quantity.key in SWINGS else 0.0
     return {"delta": irregularity, "mean_force": work}.get(quantity.key, 2 * work * _newtons(quantity, turn))
+
+
+def _of_irregularity(turn: CardTurn) -> float:
+    """How far δ is off there."""
+    # An extreme energy 2 A - P α errs by the work twice; δ is the difference of two of them over P.
+    work = 2 * len(turn.engine.cranks)
+    return float((4 + 0.64 * turn.irregularity()) * work / 2 / abs(turn.mean_force()))
 
 
 def _newtons(quantity: Quantity, turn: CardTurn) -> float:

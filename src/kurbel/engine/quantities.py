@@ -56,7 +56,7 @@ ENGINE_METHODS: Mapping[str, Method] = {
 # What the extremes of the speed are called, and which of them is the greatest.
 EXTREMES = {"least": False, "greatest": True}
 # What is of a crank angle has no least and no greatest place.
-AT_ANGLE = ("angle", "crank")
+AT_ANGLE = ("angle", "crank", "speed")
 
 
 class Where(NamedTuple):

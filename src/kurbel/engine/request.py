@@ -10,6 +10,7 @@ from functools import cached_property, lru_cache
 from kurbel.drive.crank import check_angles
 from kurbel.drive.flywheel import Flywheel
 from kurbel.drive.moved import Drive
+from kurbel.drive.wheel import Wheel
 from kurbel.engine.cylinder import AnyTurn
 from kurbel.engine.digits import check_card
 from kurbel.engine.engine import Diagram, Engine, Load, Steam, check_count
@@ -25,13 +26,17 @@ from kurbel.page.table import Field
 from kurbel.reading.given import choose
 
 # What pages of a run of crank angles are about.
-OVER_ANGLE = ("turning", "crank forces", "machine")
+OVER_ANGLE = ("turning", "speed", "crank forces", "machine")
+# What pages of a given flywheel are about.
+WITH_FLYWHEEL = ("speed", "evenness")
 # What a quantity needs to be known.
 UNKNOWN: Mapping[str, str] = {
     "steam": "an ideal card, with an expansion ratio",
     "radius": "the radius at which the mass is, --radius",
     "load": "--bore and, but for a card, --pressure",
     "torque": "--stroke, --bore and, but for a card, --pressure",
+    "turns": "the mean speed, --speed",
+    "inertia": "the flywheel by its --inertia",
 }
 # Turns take tens of kilobytes each, and records may be of a million engines. A page has its own at hand.
 KEPT_TURNS = 512
@@ -43,6 +48,7 @@ class EngineRequest(Question):
     """What is asked for: the engines of all steams or cards (outer) and crank drives (inner).
 
     `double` and `cranks` are those of Engine. `methods` empty leaves them to the layout, or is exact.
+    `flywheels` are what is asked for, `wheel` is the one given.
     """
 
     steams: Sequence[Steam | Diagram]
@@ -53,6 +59,7 @@ class EngineRequest(Question):
     methods: tuple[str, ...] = ()
     angles: Sequence[Fraction] = (Fraction(0),)
     flywheels: tuple[Flywheel, ...] = ()
+    wheel: Wheel | None = None
     load: Load | None = None
 
     def check(self) -> None:
@@ -81,6 +88,21 @@ class EngineRequest(Question):
             )
         if self.layout.subject == "flywheel" and not self.flywheels:
             raise ProblemError("no degree of irregularity was given; write one as 1:100")
+        if self.layout.subject in WITH_FLYWHEEL:
+            self._check_wheel()
+
+    def _check_wheel(self) -> None:
+        if self.wheel is None:
+            raise ProblemError(
+                f"layout {self.layout.key} is of an engine with its flywheel; give that as --flywheel 50, its"
+                " number m₁v₁²/(P r), or as --inertia 1200kgm2"
+            )
+        weighed = self.wheel.power is not None or (self.load and self.first.crank.radius)
+        if self.wheel.inertia is not None and not weighed:
+            raise ProblemError(
+                "--inertia needs the mean torque that it takes up; add --power, or --stroke, --bore and the"
+                " pressure"
+            )
 
     def _check_methods(self) -> None:
         for method in self.methods:
@@ -91,7 +113,7 @@ class EngineRequest(Question):
                 f"layout {self.layout.key} shows one method, and {len(self.methods)} were given;"
                 f" {'use --layout delta-verfahren' if compared else 'leave the others out'}"
             )
-        if self.layout.subject in OVER_ANGLE and "weisbach" in self.methods:
+        if self.layout.subject in OVER_ANGLE and "weisbach" in self.methods and self.wheel is None:
             raise ProblemError(
                 'method "weisbach" is about the angles of the extremes, which a turning effort has not;'
                 " use series"
@@ -177,6 +199,8 @@ class EngineRequest(Question):
             "load": self.load is None,
             "torque": self.load is None or self.first.crank.radius is None,
             "radius": not self.flywheels or self.flywheels[0].radius is None,
+            "turns": self.wheel is None or self.wheel.speed is None,
+            "inertia": self.wheel is None or self.wheel.inertia is None,
         }
         needed = UNKNOWN[quantity.needs] if lacks.get(quantity.needs) else ""
         if quantity.of == "stroke" and not self.first.plain:

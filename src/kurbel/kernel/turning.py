@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from typing import NamedTuple, Protocol
 
 from kurbel.kernel import kinematics, steam
-from kurbel.kernel.circle import Circle, Number
+from kurbel.kernel.circle import Circle, Number, root
 
 Formula = Callable[[Circle[Number], Number], Number]
 
@@ -75,3 +75,41 @@ def moment_of_inertia(swing: Number, irregularity: Number, speed: Number) -> Num
     Source: Weisbach-Herrmann, § 150, with m₁ r² = J.
     """
     return swing / (irregularity * speed * speed)
+
+
+def root_speed(excess: Number, number: Number) -> Number:
+    """Return v/v₁ = √(1 + 2 w/M), from ½ m₁ (v² - v₁²) = W; no number where the flywheel comes to rest.
+
+    v₁ is the speed at the inner dead centre of the first crank. The excess w = W/(P r) is the work of the
+    turning effort above its mean since then, in units of the mean torque; the number M = m₁ v₁²/(P r) is that
+    of the flywheel, m₁ = J/r². Of a driven machine P is its magnitude.
+    Source: Weisbach-Herrmann, § 150 (v = √(v₁² + 2 L/m₁)).
+    """
+    return root(1 + 2 * excess / number)
+
+
+def first_order_speed(excess: Number, number: Number) -> Number:
+    """Return v/v₁ = 1 + w/M, the root law to first order. Source: Weisbach-Herrmann, § 150."""
+    return 1 + excess / number
+
+
+def irregularity_of_mean(greatest: Number, least: Number) -> Number:
+    """Return δ = (v_max - v_min)/v_m from the extreme speeds, v_m = ½ (v_max + v_min)."""
+    return 2 * (greatest - least) / (greatest + least)
+
+
+def number_of_mean(at_mean: Number, greatest: Number, least: Number) -> Number:
+    """Return M of a flywheel that turns at a mean speed v_m = ½ (v_max + v_min), by the root law.
+
+    `at_mean` is m₁ v_m²/(P r), above half the energy swing; `greatest` and `least` are the extremes of the
+    excess. From v_max² - v_min² = 2 (w_max - w_min) and v_max + v_min = 2, in v_m. Re-derived.
+    """
+    swing = greatest - least
+    fastest = 1 + swing / (2 * at_mean)
+    return at_mean * fastest * fastest - 2 * greatest
+
+
+def first_number_of_mean(at_mean: Number, greatest: Number, least: Number) -> Number:
+    """Return the same where the speed is that of first order. Re-derived."""
+    start = (1 + root(1 - 2 * (greatest + least) / at_mean)) / 2
+    return at_mean * start * start

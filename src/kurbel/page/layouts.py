@@ -28,6 +28,8 @@ SUBJECTS: Mapping[str, Pages] = {
     "irregularity": Pages("kurbel.engine.page:IRREGULARITY", "delta"),
     "strokes": Pages("kurbel.engine.page:STROKES", "delta"),
     "turning": Pages("kurbel.engine.page:TURNING", "turning"),
+    "speed": Pages("kurbel.engine.speed.page:SPEED", "turning --flywheel 50 --speed 120/min"),
+    "evenness": Pages("kurbel.engine.speed.page:EVENNESS", "delta --flywheel 50"),
     "crank forces": Pages("kurbel.engine.page:CRANK_FORCES", "forces --eps 4"),
     "machine": Pages("kurbel.engine.page:MACHINE", _MACHINE),
     "flywheel": Pages("kurbel.engine.page:FLYWHEEL", "flywheel --power 50kW --speed 120/min --delta 1:100"),

@@ -27,7 +27,7 @@ _LARGEST = 10**9
 # and its PS are petasiemens.
 _TRANSLATED = {
     "s²": "s/s", "s^2": "s/s", "s**2": "s/s",
-    **{f"kg{by}m{two}": "kg*m*m" for by in ("", " ", "*", "·") for two in ("²", "^2", "**2")},
+    **{f"kg{by}m{two}": "kg*m*m" for by in ("", " ", "*", "·") for two in ("²", "^2", "**2", "2")},
     "U/min": "rpm", "Upm": "rpm", "U/s": "turn/s", "min⁻¹": "/min", "PS": "metric_horsepower",
 }  # fmt: skip
 

@@ -127,7 +127,16 @@ class CardTurn(AnyTurn):
 
     def _excesses(self, places: Any) -> Any:
         """The excess at an array of half turns."""
-        total = np.full(len(places), -self.mean_force())
+        return self._sum(Cylinder.effort, places, -self.mean_force())
+
+    def energies(self, places: Any) -> Any:
+        """Return the excess work since the inner dead centre at an array of half turns."""
+        before = sum(self.cylinders[part].energy(*begun) for part, *begun in self.begun())
+        return self._sum(Cylinder.energy, places, -before)
+
+    def _sum(self, value: Callable[[Cylinder, int, Any], Any], places: Any, first: float) -> Any:
+        """The sum of a number and of what each crank has at an array of half turns."""
+        total = np.full_like(places, first)
         for start, cylinder in self._cranks():
             begins = [
                 stroke + cylinder.drive.dead_centre(stroke % 2) for stroke in range(len(cylinder.strokes))
@@ -136,7 +145,7 @@ class CardTurn(AnyTurn):
             strokes = np.searchsorted(begins, since, side="right") - 1
             for stroke in range(len(begins)):
                 here = strokes == stroke
-                total[here] += cylinder.effort(stroke, since[here] - stroke)
+                total[here] += value(cylinder, stroke, since[here] - stroke)
         return total
 
     def _cranks(self) -> Iterator[tuple[Fraction, Cylinder]]:
@@ -164,14 +173,7 @@ class CardTurn(AnyTurn):
     @cached_property
     def extrema(self) -> tuple[Peak, ...]:
         """Every place at which the speed is least or greatest over the cycle, in order."""
-        turns, first = self.cycle // 2, float(self.cylinder.drive.dead_centre(0))
-        dead_centres = {
-            (float(start + stroke) + cylinder.drive.dead_centre(stroke % 2) - first) % self.cycle + first
-            for start, cylinder in self._cranks()
-            for stroke in range(self.cycle)
-        }
-        samples = turns * (SAMPLES - 1)
-        places = sorted({first + self.cycle * index / samples for index in range(samples + 1)} | dead_centres)
+        places = self.samples(SAMPLES - 1)
         forces = self._excesses(np.array(places)).tolist()
         zeros = [
             brentq(self.excess, low, high, xtol=ZERO_TOLERANCE)
@@ -180,6 +182,17 @@ class CardTurn(AnyTurn):
         ]
         zeros += [place for place, force in zip(places, forces, strict=True) if force == 0]
         return tuple(self._peak(zero) for zero in sorted(zeros))
+
+    def samples(self, steps: int) -> list[float]:
+        """Return places over the cycle, so many steps in a turn, and all dead centres."""
+        turns, first = self.cycle // 2, float(self.cylinder.drive.dead_centre(0))
+        dead_centres = {
+            (float(start + stroke) + cylinder.drive.dead_centre(stroke % 2) - first) % self.cycle + first
+            for start, cylinder in self._cranks()
+            for stroke in range(self.cycle)
+        }
+        every = {first + self.cycle * index / (turns * steps) for index in range(turns * steps + 1)}
+        return sorted(every | dead_centres)
 
     def _peak(self, zero: float) -> Peak:
         place = Fraction(zero)

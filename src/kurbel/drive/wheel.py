@@ -1,0 +1,77 @@
+"""A flywheel that is given, and what it turns against: the speed over the turn follows from it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+from kurbel.errors import ProblemError
+from kurbel.reading.given import as_inertia, as_number, as_power, as_speed
+from kurbel.reading.notation import about
+
+if TYPE_CHECKING:
+    from kurbel.reading.units import Speed
+
+# No engine is beyond these, and figures beyond them do not fit a page.
+LEAST, MOST = Fraction(1, 10**9), Fraction(10**12)
+CONSTANT, SQUARE = "constant", "square"
+RESISTANCES = (CONSTANT, SQUARE)
+
+
+@dataclass(frozen=True, slots=True)
+class Wheel:
+    """A flywheel, by its `number` M = m₁ v₁²/(P r) or its moment of inertia in kg m², one of which is given.
+
+    `speed` is the mean one, ½ (ω_max + ω_min), and `power` in watts makes the mean torque with it; None
+    where they are not known. Against a `resistance` that is not constant it is as the square of the speed.
+    """
+
+    number: Fraction | None = None
+    inertia: Fraction | None = None
+    speed: Speed | None = None
+    power: Fraction | None = None
+    resistance: str = CONSTANT
+
+    def __post_init__(self) -> None:
+        if self.number is not None:
+            _check("the number of the flywheel, m₁v₁²/(P r),", self.number)
+        if self.inertia is not None:
+            _check("the moment of inertia", self.inertia, " kg m²")
+        if self.power is not None:
+            _check("the power", self.power, " W")
+
+    @property
+    def named(self) -> str:
+        """What sentences call it."""
+        if self.inertia is not None:
+            return f"the flywheel of J = {about(self.inertia)} kg m²"
+        assert self.number is not None
+        return f"the flywheel of m₁v₁²/(P r) = {about(self.number)}"
+
+
+def given_wheel(given: Mapping[str, Any], heavy: bool) -> Wheel | None:
+    """Return the flywheel that options describe, None if none does.
+
+    With masses, where the engine is `heavy`, its power follows from the pressures. Raises KurbelError.
+    """
+    number, inertia = given["flywheel"], given["inertia"]
+    if number is None and inertia is None:
+        return None
+    if number is not None and inertia is not None:
+        raise ProblemError("--flywheel and --inertia both describe the flywheel; leave one out")
+    if inertia is not None and given["speed"] is None:
+        raise ProblemError("--inertia needs the mean speed; add --speed, for example --speed 120/min")
+    return Wheel(
+        None if number is None else as_number(number, "flywheel"),
+        None if inertia is None else as_inertia(inertia, "moment of inertia"),
+        None if given["speed"] is None else as_speed(given["speed"]),
+        None if heavy or given["power"] is None else as_power(given["power"]),
+        given.get("resistance") or CONSTANT,
+    )
+
+
+def _check(what: str, value: Fraction, unit: str = "") -> None:
+    if not LEAST <= value <= MOST:
+        raise ProblemError(f"{what} is {about(value)}{unit}; it must lie within 10^-9 and 10^12{unit}")

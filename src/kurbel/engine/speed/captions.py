@@ -1,0 +1,61 @@
+"""What a page about an engine with a given flywheel says beside what it says of the engine."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from kurbel.engine import captions
+from kurbel.engine.request import EngineRequest
+from kurbel.exact.numerals import Label
+from kurbel.motion.captions import turns_label
+from kurbel.page.quantity import words
+from kurbel.page.table import Note
+from kurbel.reading.notation import plain
+
+WORDS = {
+    "root": words("$v/v_1 = sqrt(1 + 2 W/(m_1 v_1^2))$"),
+    "first_order": words(
+        "$v/v_1 = 1 + W/(m_1 v_1^2)$, erste Ordnung nach Weisbach"
+        "|$v/v_1 = 1 + W/(m_1 v_1^2)$, to first order, by Weisbach"
+    ),
+    "letters": words(
+        "$v_1$ Kurbelgeschwindigkeit im inneren Totpunkt, $m_1 = J/r^2$ Schwungmasse am Kurbelhalbmesser $r$,"
+        " $P$ mittlere Umfangskraft"
+        "|$v_1$ crank-pin velocity at the inner dead centre, $m_1 = J/r^2$ flywheel mass at the crank radius"
+        " $r$, $P$ mean tangential force"
+    ),
+    "mean": words(
+        '$n$ gegeben als Mittel $1/2 (n_"max" + n_"min")$|$n$ given as the mean $1/2 (n_"max" + n_"min")$'
+    ),
+    "constant": words("Widerstandsmoment gleichbleibend|constant resisting torque"),
+    "delta_mean": words('$δ_m = (v_"max" - v_"min")/v_m$, $v_m = 1/2 (v_"max" + v_"min")$'),
+    "delta_first": words(
+        '$δ_1 = (v_"max" - v_"min")/v_1$, nach Weisbach|$δ_1 = (v_"max" - v_"min")/v_1$, by Weisbach'
+    ),
+}
+
+
+def notes(request: EngineRequest) -> Iterator[Label | Note]:
+    """Yield the lines below the table: the law of the speed, the flywheel, the definitions, the engine."""
+    lang = request.lang
+    methods = dict.fromkeys(method for column in request.page_columns for method in column.methods)
+    laws = dict.fromkeys("first_order" if one == "weisbach" else "root" for one in methods)
+    yield "; ".join([*(WORDS[law][lang] for law in laws), WORDS["letters"][lang]])
+    keys = {column.key.rpartition("_")[2] for column in request.page_columns if "_" in column.key}
+    yield from (WORDS[f"delta_{one}"][lang] for one in ("mean", "first") if one in keys)
+    yield "; ".join(_wheel(request, lang))
+    yield from captions.notes(request)
+
+
+def _wheel(request: EngineRequest, lang: str) -> Iterator[Label]:
+    wheel = request.wheel
+    assert wheel is not None
+    if wheel.number is not None:
+        yield f"$(m_1 v_1^2)/(P r) = {plain(wheel.number)}$"
+    if wheel.inertia is not None:
+        yield f'$J = {plain(wheel.inertia)} "kg m"^2$'
+    if wheel.speed is not None:
+        yield f"{turns_label(wheel.speed)}, {WORDS['mean'][lang]}"
+    if wheel.power is not None and wheel.inertia is not None:
+        yield f'$N = {plain(wheel.power)} "W"$'
+    yield WORDS["constant"][lang]

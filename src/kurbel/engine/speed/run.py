@@ -1,0 +1,212 @@
+"""An engine that turns with a given flywheel against a constant torque, in steady state.
+
+Speeds are in units of v₁, that at the inner dead centre of the first crank; angles are half turns from there.
+The work above the mean of every turn is the same, and so is the speed at each angle: `root_speed` or, by
+Weisbach's method, `first_order_speed` gives it of the work.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+from functools import cached_property, lru_cache
+from math import ceil, floor, log10
+from typing import TYPE_CHECKING
+
+import flint
+
+from kurbel.drive.wheel import Wheel
+from kurbel.engine.cylinder import AnyTurn
+from kurbel.engine.turn import Turn
+from kurbel.errors import ProblemError
+from kurbel.exact.continued import Continued
+from kurbel.kernel import turning
+from kurbel.kernel.circle import Number
+from kurbel.reading.notation import plain
+
+if TYPE_CHECKING:
+    from kurbel.engine.speed.clock import Clock
+
+# Steps of a search for where the crank comes to rest, a degree each, and how far it is narrowed, in degrees.
+SEARCHED = 360
+NARROWED = 1e-7
+CHECKED_BITS = 128
+KEPT = 512
+
+
+class Run:
+    """A turn of an engine with its flywheel. Raises ProblemError where it does not pass the turn."""
+
+    def __init__(self, turn: AnyTurn, wheel: Wheel) -> None:
+        self.turn = turn
+        self.wheel = wheel
+        self._numbers: dict[int, Number] = {}
+        with flint.ctx.workprec(CHECKED_BITS):
+            self._check()
+
+    @property
+    def method(self) -> str:
+        return self.turn.method
+
+    @property
+    def law(self) -> Callable[[Number, Number], Number]:
+        """How the speed follows from the excess."""
+        return turning.first_order_speed if self.method == "weisbach" else turning.root_speed
+
+    def excess(self, energy: Number) -> Number:
+        """Return w = W/(P r) of an excess work in Q r."""
+        return energy / abs(self.turn.mean_force())
+
+    def extreme_excess(self, greatest: bool) -> Number:
+        return self.excess(self.turn.extreme(greatest).energy)
+
+    @property
+    def number(self) -> Number:
+        """M = m₁ v₁²/(P r)."""
+        if self.wheel.number is not None:
+            return self.turn.of(self.wheel.number)
+        bits = flint.ctx.prec
+        if bits not in self._numbers:
+            extremes = self.extreme_excess(greatest=True), self.extreme_excess(greatest=False)
+            first = self.method == "weisbach"
+            found = turning.first_number_of_mean if first else turning.number_of_mean
+            self._numbers[bits] = found(self.at_mean, *extremes)
+        return self._numbers[bits]
+
+    @property
+    def at_mean(self) -> Number:
+        """J ω_m²/(P r), that number at the mean speed."""
+        assert self.wheel.inertia is not None
+        mean = self.mean_omega
+        return self.turn.of(self.wheel.inertia) * mean * mean / self.mean_torque
+
+    @property
+    def mean_torque(self) -> Number:
+        """P r in N m."""
+        power = self.wheel.power
+        if power is None:
+            return abs(self.turn.mean_force()) * self.turn.torque_unit()
+        return self.turn.of(power) / self.mean_omega
+
+    @property
+    def mean_omega(self) -> Number:
+        """The mean speed ½ (ω_max + ω_min) in 1/s."""
+        given = self.wheel.speed
+        assert given is not None
+        return self.turn.of(2 * given.value) * self.turn.pi if given.turns else self.turn.of(given.value)
+
+    @property
+    def first_omega(self) -> Number:
+        """ω₁ in 1/s."""
+        return 2 * self.mean_omega / (self.extreme_speed(greatest=True) + self.extreme_speed(greatest=False))
+
+    def speed_of(self, energy: Number) -> Number:
+        """Return v/v₁ where the excess work is such."""
+        return self.law(self.excess(energy), self.number)
+
+    def continued_speed(self, energy: Continued) -> Continued:
+        """Return the same of a continued one."""
+        mean, number = (Continued.of(one) for one in (abs(self.turn.mean_force()), self.number))
+        return Continued.of(self.law(energy / mean, number))
+
+    def speed(self, half_turns: Fraction) -> Number:
+        """Return v/v₁ at an angle."""
+        return self.speed_of(self.turn.energy_at(half_turns))
+
+    def extreme_place(self, greatest: bool) -> Number:
+        """Return where the speed is greatest or least."""
+        return self.turn.peaks(greatest)[0].place
+
+    def extreme_speed(self, greatest: bool) -> Number:
+        """Return v_max/v₁ or v_min/v₁."""
+        return self.law(self.extreme_excess(greatest), self.number)
+
+    def irregularity(self) -> Number:
+        """Return (v_max - v_min)/v_m."""
+        return turning.irregularity_of_mean(
+            self.extreme_speed(greatest=True), self.extreme_speed(greatest=False)
+        )
+
+    def first_irregularity(self) -> Number:
+        """Return (v_max - v_min)/v₁, as Weisbach defines it."""
+        return self.extreme_speed(greatest=True) - self.extreme_speed(greatest=False)
+
+    @cached_property
+    def clock(self) -> Clock:
+        """What knows the time."""
+        from kurbel.engine.speed.clock import Clock
+
+        assert isinstance(self.turn, Turn)
+        return Clock(self, self.turn)
+
+    def turned(self, half_turns: Fraction) -> Number:
+        """Return the time at an angle, in half turns at v₁."""
+        return self.clock.time(half_turns)
+
+    def time(self, half_turns: Fraction) -> Number:
+        """Return the seconds since the inner dead centre."""
+        return self.turned(half_turns) * self.turn.pi / self.first_omega
+
+    def _check(self) -> None:
+        least, greatest = self.extreme_excess(greatest=False), self.extreme_excess(greatest=True)
+        if self.wheel.inertia is not None:
+            self._check_mean(least, greatest)
+            return
+        bound = -least if self.method == "weisbach" else -2 * least
+        if not self.number > bound:
+            self._refuse(self._rest(), f"m₁v₁²/(P r) must be above {_above(bound)}")
+
+    def _check_mean(self, least: Number, greatest: Number) -> None:
+        at_mean = self.at_mean
+        bound = half = (greatest - least) / 2
+        if self.method == "weisbach":
+            # Of first order v_1 is a root of a quadratic equation; for all its roots v_min may be above zero.
+            bound = 2 * (greatest + least) if greatest + least > half else half * half / -least
+        if not at_mean > bound:
+            inertia = self.turn.of(self.wheel.inertia or Fraction(0)) * bound / at_mean
+            place = 180 * float(self.extreme_place(greatest=False))
+            self._refuse(place, f"J must be above {_above(inertia)} kg m²")
+
+    def _rest(self) -> float:
+        """Return the first angle in degrees at which the speed is zero."""
+        number = float(self.number) / (1 if self.method == "weisbach" else 2)
+
+        def left(degrees: Fraction) -> float:
+            return 1 + float(self.excess(self.turn.energy_at(degrees / 180))) / number
+
+        turns = range(SEARCHED * self.turn.cycle // 2 + 1)
+        steps = map(Fraction, turns)
+        high = next((one for one in steps if not left(one) > 0), None)
+        if high is None:
+            return 180 * float(self.extreme_place(greatest=False))
+        low = max(high - 1, Fraction(0))
+        while high - low > NARROWED:
+            middle = (low + high) / 2
+            low, high = (middle, high) if left(middle) > 0 else (low, middle)
+        return float(high)
+
+    def _refuse(self, degrees: float, bound: str) -> None:
+        raise ProblemError(
+            f"{self.wheel.named} is too light to pass the turn: at φ = {plain(Fraction(f'{degrees:.1f}'))}°"
+            f" it would come to rest; {bound}"
+        )
+
+
+@lru_cache(KEPT)
+def run_of(turn: AnyTurn, wheel: Wheel) -> Run:
+    """Return the engine's run with the flywheel; the latest ones are kept."""
+    if turn.engine.crank.moving is not None:
+        raise ProblemError("the speed over the turn is without moving masses; leave them out")
+    if turn.engine.carded:
+        from kurbel.engine.speed.card import CardRun
+
+        return CardRun(turn, wheel)
+    return Run(turn, wheel)
+
+
+def _above(bound: Number) -> str:
+    """Return a number to three figures, rounded up."""
+    value = float(bound)
+    decimals = 2 - floor(log10(value))
+    scale = Fraction(10) ** decimals
+    return plain(Fraction(ceil(Fraction(value) * scale)) / scale)

@@ -1,0 +1,135 @@
+"""The speed over the turn with a given flywheel, against an integrated equation of motion."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+
+import flint
+import numpy as np
+import pytest
+from cli import kurbel, printed, refusal
+from equation_of_motion import Motion, Shaft
+from numpy.testing import assert_allclose
+from places import CARDS
+
+from kurbel.drive.crank import Crank
+from kurbel.drive.wheel import Wheel
+from kurbel.engine.engine import Engine, Steam
+from kurbel.engine.speed.run import run_of
+from kurbel.engine.turn import turn_of
+from kurbel.reading.units import Speed
+
+PLANTS = [
+    (Fraction(4), Fraction(1, 5), Fraction(0), True, (0,), 3),
+    (Fraction(5, 2), Fraction(2, 7), Fraction(0), False, (0, 90), 20),
+    (Fraction(3), Fraction(1, 4), Fraction(1, 5), True, (0, 140), 2),
+]
+ANGLES = np.radians([7, 61, 103, 170, 203, 259, 341])
+BITS = 100
+
+
+@pytest.mark.parametrize(("expansion", "ratio", "offset", "double", "cranks", "number"), PLANTS)
+def test_speed_and_time_are_those_of_the_equation_of_motion(
+    expansion: Fraction, ratio: Fraction, offset: Fraction, double: bool, cranks: tuple[int, ...], number: int
+) -> None:
+    back = Fraction(1, 7)
+    shaft = Shaft(1.0, float(expansion), float(back), float(1 / ratio), float(offset), double, cranks)
+    motion = Motion(shaft)
+    # With J = 1 the speed at the dead centre follows from J ω²/P; the other one is 5π.
+    first = math.sqrt(number * motion.mean)
+    speeds, times = motion.turn(first, ANGLES)
+    least, greatest = motion.extremes(first)
+    steam = Steam(expansion, back)
+    engine = Engine(Crank(ratio, offset), steam, double, tuple(map(Fraction, cranks)))
+    run = run_of(turn_of(engine, "exact"), Wheel(Fraction(number), speed=Speed(Fraction(5, 2))))
+    unit = 5 * math.pi / (greatest + least) * 2
+    places = [Fraction(round(math.degrees(one))) / 180 for one in ANGLES] + [Fraction(2)]
+    with flint.ctx.workprec(BITS):
+        found = [(float(run.speed(one)), float(run.time(one))) for one in places[:-1]]
+        assert_allclose(float(run.extreme_speed(greatest=True)), greatest / first, rtol=1e-10)
+        assert_allclose(float(run.extreme_speed(greatest=False)), least / first, rtol=1e-10)
+        assert_allclose(float(run.irregularity()), 2 * (greatest - least) / (greatest + least), rtol=1e-9)
+        assert_allclose(float(run.time(Fraction(7, 3)) - run.time(Fraction(1, 3))), times[-1] / unit)
+    assert_allclose([one for one, _ in found], speeds[:-1] / first, rtol=1e-10)
+    assert_allclose([one for _, one in found], times[:-1] / unit, rtol=1e-10)
+
+
+def rows(command: str) -> list[dict[str, float]]:
+    lines = printed(*command.split(), "-f", "csv").records()
+    return [{key: float(value) for key, value in one.items() if _is_number(value)} for one in lines]
+
+
+def _is_number(text: str) -> bool:
+    return text[-1:].isdigit() and ":" not in text
+
+
+def test_flywheel_and_delta_are_inverse() -> None:
+    about = "--eps 3 --power 50kW --speed 120/min"
+    (wheel,) = rows(f"flywheel {about} --delta 1:37 --columns inertia --digits 20")
+    (page,) = rows(
+        f"delta {about} --inertia {wheel['inertia']!r}kgm2 --columns one_to_mean,number --digits 9"
+    )
+    assert_allclose(page["one_to_mean"], 37, rtol=1e-12)
+    # A wheel given by its number has the speeds of the one that has this number.
+    (by_number,) = rows(f"delta --eps 3 --flywheel {page['number']!r} --columns one_to_mean --digits 9")
+    assert_allclose(by_number["one_to_mean"], 37, rtol=1e-9)
+
+
+def test_heavy_flywheel_has_the_irregularity_of_first_order() -> None:
+    (page,) = rows("delta --eps 4 --flywheel 1e9 --columns delta_mean,delta_first,delta --digits 18")
+    assert_allclose([page["delta_mean"] * 1e9, page["delta_first"] * 1e9], page["delta"], rtol=1e-8)
+
+
+def test_weisbachs_speed_is_one_and_his_work_over_the_number() -> None:
+    for row in rows("turning --eps 2 --flywheel 7 --method weisbach --columns phi,energy,speed --digits 12"):
+        mean = 2 / math.pi * math.log(2) / 2
+        assert_allclose(row["speed"], 1 + row["energy"] / mean / 7, atol=3e-12)
+    (page,) = rows("delta --eps 2 --flywheel 7 --method weisbach --columns delta,delta_first --digits 12")
+    assert_allclose(page["delta_first"], page["delta"] / 7, rtol=1e-11)
+
+
+def test_card_of_the_ideal_engine_has_its_speed_and_time() -> None:
+    asked = "--flywheel 3 --speed 120/min --angle 0;30;215;360;400 --columns phi,speed,rpm,time --digits 6"
+    by_card = rows(f"turning --card {CARDS / 'ideal-2.csv'} {asked}")
+    for card, ideal in zip(by_card, rows(f"turning --eps 2 --back 0.5 {asked}"), strict=True):
+        assert_allclose([card[key] for key in ideal], [*ideal.values()], atol=1.1e-6)
+        assert card["time_error"] < 1e-8
+
+
+@pytest.mark.parametrize(
+    ("command", "said"),
+    [
+        (
+            "turning --eps 4 --flywheel 0.1",
+            "the flywheel of m₁v₁²/(P r) = 0.1 is too light to pass the turn: at φ = 3.2° it would come to"
+            " rest; m₁v₁²/(P r) must be above 0.369",
+        ),
+        (
+            "delta --eps 4 --inertia 17kgm2 --power 50kW --speed 120/min",
+            "the flywheel of J = 17 kg m² is too light to pass the turn: at φ = 201.2° it would come to rest;"
+            " J must be above 18 kg m²",
+        ),
+        ("turning --layout speed", "layout speed is of an engine with its flywheel; give that as --flywheel"),
+        ("turning --flywheel 50 --columns phi,energy", "--flywheel says nothing on this page; add a column"),
+        ("turning --flywheel 50 --layout turning", "leave --layout turning or the flywheel out"),
+        ("turning --flywheel 50 --columns omega", "column omega needs the mean speed, --speed"),
+        ("delta --flywheel 50 --detail", "leave --detail or the flywheel out"),
+        ("delta --flywheel 50 --inertia 9kgm2 --speed 2/s", "both describe the flywheel; leave one out"),
+        ("delta --inertia 9kgm2", "--inertia needs the mean speed; add --speed"),
+        ("delta --inertia 9kgm2 --speed 2/s", "--inertia needs the mean torque that it takes up"),
+        ("delta --inertia 9kg --speed 2/s --power 5kW", "is in kilogram; it must be a moment of inertia"),
+        ("delta --power 50kW", "--power is for --inertia"),
+        ("delta --flywheel 0", "is 0; it must lie within 10^-9 and 10^12"),
+        ("turning --flywheel 50 --bore 300mm", "--bore is for moving masses"),
+    ],
+)  # fmt: skip
+def test_a_flywheel_that_will_not_do_is_one_sentence(command: str, said: str) -> None:
+    assert said in refusal(*command.split())
+
+
+def test_bounds_of_the_flywheel_are_where_the_speed_vanishes() -> None:
+    # The bound is rounded up to three figures, so that 0.3 % less will not do.
+    for flywheel, passes in (("0.369", True), ("0.3679", False)):
+        result = kurbel(*f"turning --eps 4 --flywheel {flywheel} --columns phi,speed".split())
+        assert (result.code == 0) is passes
