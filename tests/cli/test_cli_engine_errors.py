@@ -38,7 +38,7 @@ MEASURED = "describes an ideal card, and --card gives a measured one; leave one 
 IDEAL = str(CARDS / "ideal-2.csv")
 SPEED = "a speed of rotation such as 120/min, 120rpm or 12.5rad/s"
 REST = "it must be at least 10^-9 and below 2, at which the flywheel would come to rest in every turn"
-IRREGULARITY = ", ".join(about("irregularity", "strokes"))
+IRREGULARITY = ", ".join(about("irregularity", "strokes", "evenness"))
 TURN_COLUMNS = (
     "epsilon, ratio, delta, mean_force, back, exponent, clearance, alpha_min, v_min, alpha_max, v_max"
 )
@@ -225,7 +225,7 @@ TURNINGS = [
         ("--step", "0.001"),
         "a page of 1440004 numbers is too long; at most 300000 are set, use -f csv or -f json",
     ),
-    (("--layout", "delta-tafel"), "layout delta-tafel is about something else; choose from turning"),
+    (("--layout", "delta-tafel"), "layout delta-tafel is about something else; choose from speed, turning"),
     (
         ("--method", "exact", "--method", "series"),
         "layout turning shows one method, and 2 were given; leave the others out",
@@ -239,7 +239,7 @@ TURNINGS = [
     (("--columns", "epsilon,phi"), "there is no column beside the axes; add one, such as energy"),
     (
         ("--layout", "turnings"),
-        'there is no layout "turnings" (did you mean turning?); choose from turning',
+        'there is no layout "turnings" (did you mean turning?); choose from speed, turning',
     ),
     (("--method", "weisbach"), ANGLES_ONLY),
 ]

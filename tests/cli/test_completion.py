@@ -90,8 +90,8 @@ def test_the_columns_are_those_of_the_layout_that_was_typed() -> None:
 
 
 def test_a_command_completes_the_layouts_of_its_subject_only() -> None:
-    assert completed("bash", "delta", "--layout", "") == about("irregularity", "strokes")
-    assert completed("bash", "turning", "--layout", "") == ["turning"]
+    assert completed("bash", "delta", "--layout", "") == about("irregularity", "strokes", "evenness")
+    assert completed("bash", "turning", "--layout", "") == ["speed", "turning"]
     assert completed("bash", "flywheel", "--layout", "") == ["flywheel"]
     assert completed("bash", "deadcentres", "--layout", "") == BEAMS
     assert completed("bash", "harmonics", "--layout", "") == ["harmonics"]

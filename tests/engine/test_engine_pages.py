@@ -15,6 +15,7 @@ from pages import BEAMS, ENGINES, Address, cells, default_page, page_of, shown
 
 import kurbel
 from kurbel.engine.quantities import engine_registry
+from kurbel.engine.request import WITH_FLYWHEEL
 from kurbel.errors import KurbelError
 from kurbel.exact.numerals import degrees_text
 from kurbel.formats.render import render
@@ -72,6 +73,24 @@ HEADS: Mapping[str, Mapping[str, Head]] = {
         "mean_force": head("mittlere|$P/Q$", "Mean|$P/Q$"),
         "tangential_excess": head("Überschuss|$T/Q - P/Q$", "Excess|$T/Q - P/Q$"),
         "energy": head("Überschussarbeit|$W/(Q r)$", "Excess energy|$W/(Q r)$"),
+    },
+    "speed": {
+        "tangential": head("Tangentialkraft|$T/Q$", "Tangential force|$T/Q$"),
+        "energy": head("Überschussarbeit|$W/(Q r)$", "Excess energy|$W/(Q r)$"),
+        "speed": head("Geschwindigkeit|$v/v_1$", "Velocity|$v/v_1$"),
+        "rpm": head('Drehzahl|$n$ in $"min"^(-1)$', 'Speed|$n$ in $"min"^(-1)$'),
+        "time": head("Zeit|$t$ in s", "Time|$t$ in s"),
+    },
+    "delta-flywheel": {
+        key: head(f"{de}|${symbol}$", f"{en}|${symbol}$")
+        for key, symbol, de, en in (
+            ("speed_min", 'v_"min"/v_1', "Geschwindigkeit", "Velocity"),
+            ("speed_max", 'v_"max"/v_1', "Geschwindigkeit", "Velocity"),
+            ("delta_mean", "δ_m", "auf das Mittel bezogen", "By the mean speed"),
+            ("one_to_mean", "1/δ_m", "auf das Mittel bezogen", "By the mean speed"),
+            ("delta_first", "δ_1", "nach Weisbach", "By Weisbach"),
+            ("one_to_first", "1/δ_1", "nach Weisbach", "By Weisbach"),
+        )
     },
     "engine-forces": {
         key: head(f"{de}|${letter}/Q$", f"{en}|${letter}/Q$")
@@ -143,9 +162,10 @@ ADDRESSES: Mapping[str, Callable[[Point, Address, Address, str], Address]] = {
     "delta-tafel": lambda at, label, unit, lang: ("", at.epsilon, *label, at.ratio),
     "delta-verfahren": lambda at, label, unit, lang: (at.drive, at.epsilon, *label),
     "delta-detail": lambda at, label, unit, lang: (at.engine, *label, STROKES[at.inner][lang], *unit),
-    "turning": lambda at, label, unit, lang: (at.engine, at.inner, *label),
+    "delta-flywheel": lambda at, label, unit, lang: (at.drive, at.epsilon, *label),
     **dict.fromkeys(
-        ("engine-forces", "machine-forces"), lambda at, label, unit, lang: (at.engine, at.inner, *label)
+        ("turning", "speed", "engine-forces", "machine-forces"),
+        lambda at, label, unit, lang: (at.engine, at.inner, *label)
     ),
     "flywheel": lambda at, label, unit, lang: (at.engine, *label, TARGETS[at.inner], *unit),
 }  # fmt: skip
@@ -275,7 +295,9 @@ def test_the_heading_of_a_quantity_names_its_unit_where_it_has_one(lang: str) ->
     assert {"exponent", "clearance"} <= {key for key, one in engine_registry().items() if not one.unit[lang]}
 
 
-@pytest.mark.parametrize("name", [name for name in ENGINES if not layout(name).fixed])
+@pytest.mark.parametrize(
+    "name", [name for name in ENGINES if not layout(name).fixed and layout(name).subject not in WITH_FLYWHEEL]
+)
 def test_every_column_that_can_be_asked_for_is_printed(name: str) -> None:
     of_turns = ("turn", "least", "greatest")
     scopes = {"irregularity": of_turns, "strokes": (*of_turns, "stroke"),

@@ -16,8 +16,11 @@ from places import CARDS
 from kurbel.drive.crank import Crank
 from kurbel.drive.wheel import Wheel
 from kurbel.engine.engine import Engine, Steam
+from kurbel.engine.speed.quantities import of_runs
 from kurbel.engine.speed.run import run_of
 from kurbel.engine.turn import turn_of
+from kurbel.page.layouts import layout
+from kurbel.page.subject import subject
 from kurbel.reading.units import Speed
 
 PLANTS = [
@@ -133,3 +136,12 @@ def test_bounds_of_the_flywheel_are_where_the_speed_vanishes() -> None:
     for flywheel, passes in (("0.369", True), ("0.3679", False)):
         result = kurbel(*f"turning --eps 4 --flywheel {flywheel} --columns phi,speed".split())
         assert (result.code == 0) is passes
+
+
+@pytest.mark.parametrize(("command", "page"), [("turning", "speed"), ("delta", "delta-flywheel")])
+@pytest.mark.parametrize("lang", ["de", "en"])
+def test_every_column_of_a_flywheel_is_printed(command: str, page: str, lang: str) -> None:
+    wheel = ["--inertia", "900kgm2", "--power", "50kW", "--speed", "120/min", "--eps", "3", "--lang"]
+    for key in of_runs() & {*subject(layout(page).subject).quantities()}:
+        result = printed(command, *wheel, lang, "--columns", key)
+        assert len(result.out.splitlines()) > 5
