@@ -38,9 +38,14 @@ MEASURED = "describes an ideal card, and --card gives a measured one; leave one 
 IDEAL = str(CARDS / "ideal-2.csv")
 SPEED = "a speed of rotation such as 120/min, 120rpm or 12.5rad/s"
 REST = "it must be at least 10^-9 and below 2, at which the flywheel would come to rest in every turn"
-IRREGULARITY = ", ".join(about("irregularity", "strokes", "evenness"))
+IRREGULARITY = ", ".join(about("irregularity", "strokes", "evenness", "compressor", "gas cycle"))
+WORK = (
+    "work, mean_pressure, mean_pressure_kpa, indicated_power, volumetric_efficiency, delivered, delivery,"
+    " efficiency"
+)
 TURN_COLUMNS = (
-    "epsilon, ratio, delta, mean_force, back, exponent, clearance, alpha_min, v_min, alpha_max, v_max"
+    "epsilon, ratio, delta, mean_force, back, exponent, clearance, alpha_min, v_min, alpha_max, v_max,"
+    f" {WORK}"
 )
 NO_IRREGULARITY = "cannot be read; write it as 1:100, 0.01 or 1%"
 
@@ -186,7 +191,10 @@ DELTAS = [
         ("--columns", "epsilon,dleta"),
         f'there is no column "dleta" (did you mean delta?); choose from {TURN_COLUMNS}',
     ),
-    (("--columns", "power"), f'there is no column "power"; choose from {TURN_COLUMNS}'),
+    (
+        ("--columns", "power"),
+        f'there is no column "power" (did you mean indicated_power?); choose from {TURN_COLUMNS}',
+    ),
     (
         ("--detail", "--cranks", "0;90", "--columns", "alpha_cutoff"),
         "column alpha_cutoff needs one double-acting crank; leave it out, or give that",
@@ -234,7 +242,7 @@ TURNINGS = [
         ("--columns", "phi,enregy"),
         'there is no column "enregy" (did you mean energy?);'
         " choose from epsilon, ratio, phi, tangential, mean_force, tangential_excess, energy, delta, back,"
-        " exponent, clearance, torque_nm",
+        f" exponent, clearance, {WORK}, torque_nm",
     ),
     (("--columns", "epsilon,phi"), "there is no column beside the axes; add one, such as energy"),
     (

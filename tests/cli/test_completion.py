@@ -90,7 +90,9 @@ def test_the_columns_are_those_of_the_layout_that_was_typed() -> None:
 
 
 def test_a_command_completes_the_layouts_of_its_subject_only() -> None:
-    assert completed("bash", "delta", "--layout", "") == about("irregularity", "strokes", "evenness")
+    assert completed("bash", "delta", "--layout", "") == about(
+        "irregularity", "strokes", "evenness", "compressor", "gas cycle"
+    )
     assert completed("bash", "turning", "--layout", "") == ["speed", "turning"]
     assert completed("bash", "flywheel", "--layout", "") == ["flywheel"]
     assert completed("bash", "deadcentres", "--layout", "") == BEAMS
@@ -128,7 +130,9 @@ def test_columns_of_an_engine_are_those_that_its_page_can_show() -> None:
     own = {column.key for column in layout("delta-verfahren").columns}
     words = ("delta", "--layout", "delta-verfahren", "--columns", "")
     assert set(completed("bash", *words)) == axes | own
-    assert completed("bash", "delta", "--columns", "epsilon,mean") == ["epsilon,mean_force"]
+    assert completed("bash", "delta", "--columns", "epsilon,mean") == [
+        f"epsilon,{key}" for key in ("mean_force", "mean_pressure", "mean_pressure_kpa")
+    ]
 
 
 def test_engines_and_columns_of_the_balance_are_completed() -> None:

@@ -26,6 +26,13 @@ from kurbel.page.table import DITTO, Table
 TASK = {"power": 50_000, "speed": 2, "delta": "1:50;1:100", "radius": 1.5}
 LOAD = {"stroke": 0.6, "bore": 0.3, "pressure": 800_000}
 MACHINE = LOAD | {"speed": 2, "reciprocating": 300, "rod_mass": 150, "centre": "0.6", "gyration": "0.3"}
+# What columns of other loads than steam need.
+POWER = {"speed": 2}
+OTHERS: Mapping[str, dict[str, Any]] = {
+    "compressor": {"pressure_ratio": "3", "clearance": "0.05"},
+    "heat": {"compression": "6", "heat": "9"},
+    "flow": {"pressure_ratio": "3", "stroke": 0.6, "bore": 0.3, "suction_pressure": 100_000, "speed": 2},
+}
 QR, PR = "$(Q r)/(m_1 v_1^2)$", "$(P r)/(m_1 v_1^2)$"
 
 
@@ -310,10 +317,15 @@ def test_every_column_that_can_be_asked_for_is_printed(name: str) -> None:
             with pytest.raises(KurbelError, match=f'^there is no column "{key}"'):
                 page(name, columns=[key])
             continue
-        # A turning effort has newtons for the sake of its masses alone.
-        known = MACHINE if name == "turning" else LOAD
-        load: dict[str, Any] = known if quantity.needs in ("load", "torque") else {}
-        table = page(name, columns=[key], eps="3", ratio="1:4", **load)
+        if quantity.needs in OTHERS:
+            if "expansion" in layout(name).across:
+                continue
+            table = page_of(name, columns=[key], ratio="1:4", **OTHERS[quantity.needs])
+        else:
+            # A turning effort has newtons for the sake of its masses alone.
+            known = MACHINE if name == "turning" else {**LOAD, **(POWER if quantity.needs == "power" else {})}
+            load: dict[str, Any] = known if quantity.needs in ("load", "torque", "power") else {}
+            table = page(name, columns=[key], eps="3", ratio="1:4", **load)
         assert [field.key for field in table.records.fields] == [key]
         values = [row[0] for row in table.records.rows]
         assert any(value is not None for value in values)

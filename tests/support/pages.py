@@ -23,6 +23,8 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "irregularity": ("delta",),
     "strokes": ("delta",),
     "evenness": ("delta", "--flywheel=50"),
+    "compressor": ("delta", "--pressure-ratio=2..6", "--clearance=4%", "--exponent=1.3"),
+    "gas cycle": ("delta", "--compression=5..8", "--heat=10"),
     "turning": ("turning",),
     "speed": ("turning", "--flywheel=50", "--speed=120/min"),
     "crank forces": ("forces", "--eps=4"),
@@ -54,6 +56,7 @@ MOTION = about("motion")
 ENGINES = about(
     "irregularity", "strokes", "evenness", "turning", "speed", "crank forces", "machine", "flywheel"
 )
+LOADED = about("compressor", "gas cycle")
 BEAMS = about("dead centres", "drive dead centres")
 BALANCES = about("harmonics", "balance")
 FIRINGS = about("firing orders", "firing")
@@ -79,6 +82,10 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
     "motion": (kurbel.table, {}),
     **dict.fromkeys(("irregularity", "strokes"), (kurbel.delta_table, {})),
     "evenness": (kurbel.delta_table, {"flywheel": 50}),
+    "compressor": (
+        kurbel.delta_table, {"pressure_ratio": "2..6", "clearance": "4%", "exponent": "1.3"}
+    ),
+    "gas cycle": (kurbel.delta_table, {"compression": "5..8", "heat": 10}),
     "turning": (kurbel.turning_table, {}),
     "speed": (kurbel.turning_table, {"flywheel": 50, "speed": 2}),
     "crank forces": (kurbel.forces_table, {"eps": 4}),

@@ -119,7 +119,9 @@ def click_option(parameter: Parameter) -> click.Parameter:
     names = [parameter.name, parameter.flag, *filter(None, [option.short])]
     if option.kind is kinds.FLAG:
         return Option(names, is_flag=True, help=option.help)
-    own = {} if option.many or default is None else {"default": default}
+    own: dict[str, Any] = {} if option.many or default is None else {"default": default}
+    if option.bare:
+        own |= {"is_flag": False, "flag_value": option.bare}
     return Option(
         names,
         type=kind,

@@ -5,8 +5,16 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
-from kurbel.commands.machines import engine_of, for_masses, is_heavy
-from kurbel.commands.motion import meant, of_other_mechanisms
+from kurbel.commands.machines import (
+    EXAMPLE,
+    engine_of,
+    for_masses,
+    for_masses_or_columns,
+    is_heavy,
+    layout_of_load,
+    whole_cycle,
+)
+from kurbel.commands.motion import STEP, meant, of_other_mechanisms
 from kurbel.commands.options import FLAG, Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.errors import ProblemError
@@ -31,13 +39,13 @@ if TYPE_CHECKING:
 # What a page without forces takes for the masses' sake alone.
 ONLY_MASSES = ("stroke", "bore", "pressure")
 WITH_MASSES = "with masses the power follows from pressure, bore, stroke and speed; leave --power out"
-EXAMPLE = "epsilon,delta"
 ORDER = (
     "ratio back exponent clearance card other_side single_acting cranks method reciprocating rod_mass centre"
     " gyration rod_file stroke rod bore pressure offset mechanism rocker pivot rocker_inertia"
 )
 # Pages of an engine, and those of one with its flywheel.
-DELTA, WITH_WHEEL = ("irregularity", "strokes", "evenness"), ("speed", "evenness")
+DELTA = ("irregularity", "strokes", "evenness", "compressor", "gas cycle")
+WITH_WHEEL = ("speed", "evenness")
 
 
 class Turning(option.Engine, total=False):
@@ -71,7 +79,7 @@ def _of_wheel(values: Mapping[str, Any]) -> Mapping[str, str]:
     if "inertia" in given:
         refused: dict[str, str] = {}
     else:
-        refused = dict(for_masses(*(() if given else ("speed",)), *ONLY_MASSES)(values))
+        refused = dict(for_masses_or_columns(*(() if given else ("speed",)), *ONLY_MASSES)(values))
         refused["power"] = "--power is for --inertia, whose flywheel is weighed against it; leave it out"
     if is_heavy(values):
         refused["power"] = WITH_MASSES
@@ -131,14 +139,15 @@ def delta_table(
     several = len({method} if isinstance(method, str) else {*method}) > 1
     if detail and layout not in (None, "delta-detail"):
         raise ProblemError(f"--detail is layout delta-detail, and --layout names {layout}; leave one out")
+    about = {**given, "eps": eps, "speed": speed}
     if layout is None:
         by_stroke = detail or ((is_given(given["card"]) or "alpha_cutoff" in names) and not several)
         ratio = given["ratio"]
         many = "delta-tafel" if len(as_ratios(() if ratio is None else ratio)) > 1 else "weisbach-150"
+        many = layout_of_load(about) or many
         wheeled = "delta-flywheel" if _has_wheel(given) and not detail else ""
         layout = wheeled or ("delta-detail" if by_stroke else "delta-verfahren" if several else many)
     page = layout_of(layout, DELTA, layouts)
-    about = {**given, "eps": eps, "speed": speed}
     return engine_of(page, about, columns=names, wheel=_wheel(page, about))
 
 
@@ -169,13 +178,15 @@ def turning_table(
     kurbel turning --eps 4 --flywheel 50 --columns phi,speed
     """
     chosen = layout or ("speed" if _has_wheel(given) else "turning")
-    page = layout_of(chosen, ("turning", "speed"), layouts)
+    page, cycle = layout_of(chosen, ("turning", "speed"), layouts), whole_cycle(given)
     if step is not None:
         if angle is not None:
             raise ProblemError(
                 "--angle lists the angles and --step runs through the turn; use one or the other"
             )
-        angles: Sequence[Fraction] = notation.progression(Fraction(0), Fraction(360), as_angle(step, "step"))
+        angles: Sequence[Fraction] = notation.progression(Fraction(0), cycle, as_angle(step, "step"))
+    elif angle is None and cycle > 360:
+        angles = notation.progression(Fraction(0), cycle, STEP)
     else:
         angles = as_angles(page.angles if angle is None else angle)
     about = {**given, "eps": eps, "speed": speed}

@@ -8,7 +8,9 @@ from fractions import Fraction
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
-from kurbel.commands.motion import described, sheet_of
+from kurbel.commands import loads
+from kurbel.commands.loads import FURTHER
+from kurbel.commands.motion import FULL_TURN, described, sheet_of
 from kurbel.commands.options import is_given
 from kurbel.commands.parameters import MovingRod
 from kurbel.errors import ProblemError
@@ -19,6 +21,7 @@ from kurbel.reading.given import (
     as_inertia,
     as_length,
     as_mass,
+    as_names,
     as_number,
     as_numbers,
     as_pressure,
@@ -29,13 +32,15 @@ from kurbel.reading.given import (
 )
 
 if TYPE_CHECKING:
+    from kurbel.drive.load import Load as Acting
     from kurbel.drive.rod import Rod
-    from kurbel.engine.engine import Diagram, Load, Steam
+    from kurbel.engine.engine import Load
     from kurbel.engine.request import EngineRequest
 
 # The options, by their names, that describe the steam and the masses.
-STEAM = ("eps", "back", "exponent", "clearance", "card", "other_side", "single_acting")
+STEAM = ("eps", "back", "exponent", "clearance", "card", "other_side", "single_acting", *FURTHER)
 MASSES = ("reciprocating", *MovingRod.__annotations__, "rotating", "rocker_inertia")
+EXAMPLE = "epsilon,delta"
 _UNKNOWN = "that of the rod is not known; add --stroke and one --ratio, or give a share of the rod's length"
 
 
@@ -105,10 +110,12 @@ def for_masses(*names: str) -> Callable[[Mapping[str, Any]], Mapping[str, str]]:
     return refusals
 
 
-def _steams(given: Mapping[str, Any], page: Layout) -> Sequence[Steam | Diagram]:
-    """Return the indicator cards, or the ideal ones of all expansion ratios."""
+def _steams(given: Mapping[str, Any], page: Layout) -> Sequence[Acting]:
+    """Return the indicator cards, or the ideal ones of all expansion ratios, or other loads."""
     from kurbel.engine.engine import Diagram, Steam
 
+    if _is_other(given):
+        return loads.loads_of(given)
     if not is_given(given["card"]):
         if given["other_side"] is not None:
             raise ProblemError("--other-side is for --card; of an ideal card --back is the pressure there")
@@ -133,7 +140,9 @@ def _steams(given: Mapping[str, Any], page: Layout) -> Sequence[Steam | Diagram]
 
 
 def load_of(given: Mapping[str, Any]) -> Load | None:
-    """Return what makes newtons of the steam force, None if it is not known."""
+    """Return what makes newtons of the force on the piston, None if it is not known."""
+    if _is_other(given):
+        return loads.load_of(given)
     if given["bore"] is None and (is_given(given["card"]) or given["pressure"] is None):
         return None
     if missing := [name for name in _of_load(given) if given[name] is None]:
@@ -144,8 +153,48 @@ def load_of(given: Mapping[str, Any]) -> Load | None:
 
 
 def _of_load(given: Mapping[str, Any]) -> tuple[str, ...]:
-    """Return what masses need to be weighed against the steam."""
+    """Return what masses need to be weighed against the load."""
+    if _is_other(given):
+        return ("bore", *loads.pressures_of(given))
     return ("bore",) if is_given(given["card"]) else ("bore", "pressure")
+
+
+def _is_other(given: Mapping[str, Any]) -> bool:
+    """Whether something else than steam and cards acts on the piston."""
+    return any(is_given(given.get(name)) for name in FURTHER)
+
+
+def layout_of_load(given: Mapping[str, Any]) -> str:
+    """Return the layout of the irregularity under such a load, nothing for steam and cards."""
+    return loads.layout_of_load(given) if _is_other(given) else ""
+
+
+# The columns that bore, stroke, pressure and speed are for, besides the masses.
+OF_SIZE: Mapping[str, tuple[str, ...]] = {
+    "indicated_power": ("bore", "stroke", "pressure", "speed"),
+    "delivery": ("bore", "stroke", "pressure", "speed"),
+    "mean_pressure_kpa": ("bore", "stroke", "pressure"),
+}
+
+
+def for_masses_or_columns(*names: str) -> Callable[[Mapping[str, Any]], Mapping[str, str]]:
+    """Return what refuses these options where there are neither masses nor columns that need them."""
+
+    def refusals(values: Mapping[str, Any]) -> Mapping[str, str]:
+        used = {option for name in as_names(values["columns"], EXAMPLE) for option in OF_SIZE.get(name, ())}
+        return {name: said for name, said in for_masses(*names)(values).items() if name not in used}
+
+    return refusals
+
+
+def _turning(chosen: Mechanism, drive: Any, speed: Any) -> Any:
+    """Return a drive that turns at a speed."""
+    return chosen.with_crank(drive, replace(chosen.crank(drive), speed=as_speed(speed)))
+
+
+def whole_cycle(given: Mapping[str, Any]) -> Fraction:
+    """Return the degrees after which everything comes again."""
+    return loads.whole_cycle(given) if _is_other(given) else FULL_TURN
 
 
 def engine_of(page: Layout, given: Mapping[str, Any], **rest: Any) -> EngineRequest:
@@ -156,15 +205,19 @@ def engine_of(page: Layout, given: Mapping[str, Any], **rest: Any) -> EngineRequ
     known = {name: value for name, value in given.items() if name not in ("speed", "method", "force")}
     chosen, said = described({**known, "layout": None})
     steams = _steams(given, page)
+    page = loads.on_page(page) if _is_other(given) else page
     if sentence := uncomputed(chosen, steams[0].name) if steams else "":
         raise ProblemError(sentence)
-    cranks, methods = given.get("cranks"), given["method"] or ()
+    cranks, methods, speed = given.get("cranks"), given["method"] or (), given.get("speed")
+    drives = weighed(chosen, chosen.drives(said, page.ratios), given, *_of_load(given))
+    if speed is not None and given.get("stroke") is not None and not is_heavy(given):
+        drives = [_turning(chosen, drive, speed) for drive in drives]
     return EngineRequest(
         layout=page,
         steams=steams,
-        drives=weighed(chosen, chosen.drives(said, page.ratios), given, *_of_load(given)),
+        drives=drives,
         mechanism=chosen,
-        double=not given["single_acting"],
+        double=getattr(steams[0], "double", not given["single_acting"]) if steams else True,
         cranks=as_crank_angles("0" if cranks is None else cranks),
         methods=tuple(dict.fromkeys((methods,) if isinstance(methods, str) else methods)),
         load=load_of(given),

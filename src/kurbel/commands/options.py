@@ -19,6 +19,9 @@ from kurbel.errors import NotationError
 from kurbel.reading import given
 from kurbel.reading.given import choose
 
+# What names a load on the piston of an engine.
+LOADS = ("eps", "card", "pressure_ratio", "pump", "compression")
+
 
 class Kind:
     """How a value is written: as text, which in Python may be a number.
@@ -146,7 +149,7 @@ class Columns(Kind):
             from kurbel.motion.mechanism import mechanism as mechanism_of
 
             return self.of_mechanisms or mechanism_of(mechanism).layout
-        if typed.get("forces") and (typed.get("eps") or typed.get("card")):
+        if typed.get("forces") and any(map(typed.get, LOADS)):
             from kurbel.commands.engine_plots import ENGINE_LAYOUT
 
             return ENGINE_LAYOUT
@@ -190,7 +193,8 @@ class Option(NamedTuple):
 
     `unit` is that of bare numbers in Python; `many` options may be repeated. A positional one has no dashes.
     `environment` is a variable for all commands, beside that of the command's own option. What is `first` is
-    read before the others, which need it. `default` and `last` are for options that functions share.
+    read before the others, which need it. `default` and `last` are for options that functions share. Without
+    a value, and True in Python, an option is `bare`.
     """
 
     help: str
@@ -204,6 +208,7 @@ class Option(NamedTuple):
     first: bool = False
     default: Any = None
     last: bool = False
+    bare: str = ""
 
 
 class Parameter(NamedTuple):
@@ -227,6 +232,8 @@ class Parameter(NamedTuple):
             value = value.item()
         if value is None or value is False:
             return value
+        if value is True and self.option.bare:
+            return self.option.bare
         kind, one = self.option.kind, isinstance(value, str | bytes | PathLike)
         if one or not self.option.many or not isinstance(value, Iterable):
             return kind.taken(value, self.name)

@@ -4,6 +4,7 @@ from collections.abc import Iterable
 from os import PathLike
 from typing import Annotated, TypeAlias, TypedDict
 
+from kurbel.commands.loads import Loads
 from kurbel.commands.options import FILE, FLAG, Choice, Columns, Count, LayoutName, Option
 from kurbel.drive import load, mechanisms
 from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS
@@ -183,8 +184,8 @@ class Linked(Slide, total=False):
     ]  # fmt: skip
 
 
-class Cylinder(TypedDict, total=False):
-    """What steam does in a cylinder, beside its expansion ratio."""
+class Cylinder(Loads, total=False):
+    """What acts in a cylinder, beside the expansion ratio of its steam."""
 
     back: Annotated[Exact | None, BACK]
     exponent: Annotated[Exact | None, Option("n of p Vⁿ = const.; default 1, Mariotte's law.", "N")]

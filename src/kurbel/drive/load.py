@@ -115,8 +115,8 @@ def figure(value: Fraction) -> str:
 
 
 class Load(Protocol):
-    """What drives the piston of an engine, on any kind of number: nothing is asked of it but its force at a
-    share of the stroke, and the work that it has done there.
+    """What drives the piston of an engine or resists it, on any kind of number: nothing is asked of it but
+    its force at a share of the stroke, and the work that it has done there.
     """
 
     @property
@@ -124,7 +124,12 @@ class Load(Protocol):
         """What it is: a key of LOADS."""
         ...
 
+    @property
+    def driven(self) -> bool:
+        """Whether the shaft drives the piston, as in compressors and pumps; of a card its work says so."""
+        ...
+
     def strokes(self, kind: Kind, double: bool) -> Sequence[Stroke]:
-        """Return the strokes of a cycle, two or four, beginning with an outstroke; on the return a cylinder
-        that is not `double` idles, unless its load does something there."""
+        """Return the strokes of a cycle, two or four, beginning with an outstroke; of a cylinder that is not
+        `double` one end works, and of steam the return idles."""
         ...

@@ -1,66 +1,107 @@
-"""The axes of an engine's pages: expansion ratios, strokes and what a flywheel is to keep."""
+"""The axes of an engine's pages: loads, strokes and what a flywheel is to keep; what is said of a load."""
 
 from __future__ import annotations
 
 import os
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
-from functools import cached_property
-from typing import TYPE_CHECKING
+from functools import cache, cached_property
+from pkgutil import resolve_name
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from kurbel.engine.engine import Diagram, Steam
+from kurbel.drive.load import CARD, COMPRESSOR, GAS, PUMP, STEAM
 from kurbel.engine.quantities import SPANS
 from kurbel.exact.numerals import Label, Number, finite_decimals, nearest
 from kurbel.page.axes import Axis, ListAxis, Place, angle_decimals, angle_number
-from kurbel.page.quantity import words
+from kurbel.page.quantity import Words, words
 from kurbel.page.table import Field
 from kurbel.reading.notation import plain, ratio_text
 
 if TYPE_CHECKING:
+    from kurbel.engine.engine import Load
     from kurbel.engine.request import EngineRequest
 
-CARD = words("Diagramm|Card")
-EXPANSION = words("Expansionsverhältnis|Expansion ratio")
 STROKE = words("Hub|Stroke")
 TARGET = words("Ungleichförmigkeitsgrad, zulässiger|Degree of irregularity allowed")
 
 
-class ExpansionAxis(Axis):
-    """The expansion ratios ε, or the one indicator card, which stands in their place."""
+class LoadWords(NamedTuple):
+    """What pages say of a kind of load, and what tells one from another of the same page.
+
+    `key` is that of its field, `symbol` its letter, if it has one. `number` is what varies, None where that
+    is no number, `label` how it is written. `machine` is what is driven by it or drives it, in the genitive,
+    `several` what loads are called in sentences. `forces` says what Q is, `newtons` what it is of, and
+    `lines` yields what there is to be said of the load; `layout` is that of its irregularity, `halved` tells
+    that a single-acting one is called so, `captioned` that what tells it from others stands in captions.
+    """
+
+    key: str
+    name: Words
+    symbol: Label
+    number: Callable[[Any], Fraction | None]
+    label: Callable[[Any, str], Label]
+    machine: Words
+    several: str
+    forces: Words
+    newtons: Callable[[Any, Load], Label]
+    lines: Callable[[EngineRequest, str], Iterator[Label]]
+    layout: str = "delta-detail"
+    halved: bool = True
+    captioned: bool = True
+
+
+SAID: Mapping[str, str] = {
+    STEAM: "kurbel.engine.axes:STEAM_WORDS",
+    CARD: "kurbel.engine.axes:CARD_WORDS",
+    COMPRESSOR: "kurbel.engine.loads.words:COMPRESSOR_WORDS",
+    PUMP: "kurbel.engine.loads.words:PUMP_WORDS",
+    GAS: "kurbel.engine.loads.words:GAS_WORDS",
+}
+
+
+@cache
+def words_of(load: str) -> LoadWords:
+    """Return what is said of a load, by its name."""
+    found = resolve_name(SAID[load])
+    assert isinstance(found, LoadWords)
+    return found
+
+
+class LoadAxis(Axis):
+    """The loads: expansion ratios ε, pressure ratios Π, or the one card that stands in their place."""
 
     def __init__(self, request: EngineRequest) -> None:
         super().__init__(len(request.steams))
         self.request, self.lang = request, request.lang
-        self.key = "card" if request.carded else "epsilon"
+        self.words = request.words
+        self.key = self.words.key
 
     @cached_property
     def decimals(self) -> int | None:
-        """How many decimals write every ε exactly, None if no number of them does, and of cards."""
-        expansions = [steam.expansion for steam in self.request.steams if isinstance(steam, Steam)]
-        return angle_decimals(expansions) if expansions else None
+        """How many decimals write every number exactly, None if no number of them does, and of cards."""
+        numbers = [self.words.number(load) for load in self.request.steams]
+        known = [number for number in numbers if number is not None]
+        return angle_decimals(known) if known else None
 
     def field(self) -> Field:
-        if self.request.carded:
-            return Field("card", CARD[self.lang])
-        return Field("epsilon", EXPANSION[self.lang], "$ε$", "", self.decimals)
+        return Field(self.key, self.words.name[self.lang], self.words.symbol, "", self.decimals)
 
     def value(self, place: Place) -> Number | Label:
-        steam = self.request.steams[place["expansion"]]
-        if self.decimals is None or isinstance(steam, Diagram):
-            return expansion_label(self.request, place["expansion"])
-        return nearest(steam.expansion, self.decimals)
+        number = self.words.number(self.request.steams[place["expansion"]])
+        if self.decimals is None or number is None:
+            return load_label(self.request, place["expansion"])
+        return nearest(number, self.decimals)
 
     stub = value
 
     def stub_heading(self) -> Label:
-        if self.request.carded:
-            return CARD[self.lang]
-        return f"{EXPANSION[self.lang]} $ε$"
+        return " ".join(filter(None, (self.words.name[self.lang], self.words.symbol)))
 
     def heads(self, place: Place) -> tuple[Label, ...]:
-        return (expansion_label(self.request, place["expansion"]),)
+        return (load_label(self.request, place["expansion"]),)
 
     def over_group(self, place: Place) -> Label:
-        return named_expansion(self.request, place["expansion"])
+        return named_load(self.request, place["expansion"])
 
 
 def stroke_axis(request: EngineRequest) -> ListAxis:
@@ -85,17 +126,101 @@ def irregularity_label(irregularity: Fraction) -> Label:
     return f"${ratio_text(irregularity) if short else plain(irregularity)}$"
 
 
-def expansion_label(request: EngineRequest, index: int) -> Label:
-    """Return ε as pages print it: 2, 2.5 or, of no finite decimal, 7/3; of a card its name."""
-    steam = request.steams[index]
-    if isinstance(steam, Diagram):
-        return os.path.basename(steam.card.name).replace("$", "\\$")
-    shown = plain(steam.expansion)
-    exact = f"{steam.expansion.numerator}/{steam.expansion.denominator}"
-    return f"${shown if len(shown) <= 8 else exact}$"
+def load_label(request: EngineRequest, index: int) -> Label:
+    """Return what tells a load from others as pages print it: a number or a name."""
+    return request.words.label(request.steams[index], request.lang)
 
 
-def named_expansion(request: EngineRequest, index: int) -> Label:
-    """Return ε with its letter; of a card its name."""
-    label = expansion_label(request, index)
-    return label if request.carded else f"$ε = {label.strip('$')}$"
+def named_load(request: EngineRequest, index: int) -> Label:
+    """Return the same with its letter, if it has one."""
+    label, letter = load_label(request, index), request.words.symbol.strip("$")
+    return f"${letter} = {label.strip('$')}$" if letter else label
+
+
+def number_label(number: Fraction) -> Label:
+    """Return a number as pages print it: 2, 2.5 or, of no finite decimal, 7/3."""
+    shown = plain(number)
+    return f"${shown if len(shown) <= 8 else f'{number.numerator}/{number.denominator}'}$"
+
+
+def millimetres(length: Fraction) -> Label:
+    """Return a length as it stands in a formula."""
+    return f'{plain(1000 * length)} "mm"'
+
+
+def kilopascals(load: Load, times: Fraction = Fraction(1)) -> Label:
+    """Return the pressure that Q is of, or a multiple of it, as it stands in a formula."""
+    assert load.pressure is not None
+    return f'{plain(load.pressure * times / 1000)} "kPa"'
+
+
+def _steam_lines(request: EngineRequest, lang: str) -> Iterator[Label]:
+    steam: Any = request.steams[0]
+    if all(request.words.number(one) == 1 for one in request.steams):
+        yield WORDS["uncut"][lang]
+    elif steam.exponent == 1:
+        yield WORDS["mariotte"][lang]
+    else:
+        yield WORDS["polytropic"][lang].format(exponent=plain(steam.exponent))
+    if steam.clearance:
+        yield WORDS["clearance"][lang].format(clearance=plain(steam.clearance))
+    if steam.back is not None:
+        yield WORDS["back"][lang].format(back=f"{plain(steam.back)} Q" if steam.back else "0")
+    else:
+        yield WORDS["best" if steam.exponent == 1 and not steam.clearance else "best_end"][lang]
+
+
+WORDS = {
+    "card": words(
+        "Druck aus dem Diagramm, monoton interpoliert; gedruckt sind nur so viele Stellen, wie seine"
+        " Punkte tragen, für die übrigen vor dem Komma Nullen"
+        "|pressure from the card, interpolated monotonically; only as many digits as its points support"
+        " are printed, zeros for the others before the decimal mark"
+    ),
+    "mariotte": words("Expansion nach Mariotte|Expansion by Mariotte's law"),
+    "polytropic": words(
+        'Expansion nach $p V^n = "const"$, $n = {exponent}$|Expansion by $p V^n = "const"$, $n = {exponent}$'
+    ),
+    "uncut": words("Volldruck über den ganzen Hub|Full pressure over the whole stroke"),
+    "clearance": words(
+        "schädlicher Raum ${clearance}$ des Hubraumes|clearance ${clearance}$ of the swept volume"
+    ),
+    "best": words(
+        "Gegendruck $R_b = Q/ε$, der vorteilhafteste|back pressure $R_b = Q/ε$, the most favourable"
+    ),
+    "best_end": words(
+        "Gegendruck gleich der Endspannung des Dampfes, der vorteilhafteste"
+        "|back pressure equal to the steam's at the end of the stroke, the most favourable"
+    ),
+    "back": words("Gegendruck $R_b = {back}$|back pressure $R_b = {back}$"),
+}
+STEAM_WORDS = LoadWords(
+    key="epsilon",
+    name=words("Expansionsverhältnis|Expansion ratio"),
+    symbol="$ε$",
+    number=lambda steam: steam.expansion,
+    label=lambda steam, lang: number_label(steam.expansion),
+    machine=words("der Dampfmaschine|of the steam engine"),
+    several="expansion ratios",
+    forces=words(
+        "$Q$ Dampfkraft auf den Kolben vor der Absperrung, $r$ Kurbelhalbmesser"
+        "|$Q$ steam force on the piston before cut-off, $r$ crank radius"
+    ),
+    newtons=lambda steam, load: f"$Q = π/4 d^2 p$, $d = {millimetres(load.bore)}$, $p = {kilopascals(load)}$",
+    lines=_steam_lines,
+)
+CARD_WORDS = LoadWords(
+    key="card",
+    name=words("Diagramm|Card"),
+    symbol="",
+    number=lambda diagram: None,
+    label=lambda diagram, lang: os.path.basename(diagram.card.name).replace("$", "\\$"),
+    machine=STEAM_WORDS.machine,
+    several="cards",
+    forces=words(
+        "$Q$ größter Druck des Diagramms mal Kolbenfläche, $r$ Kurbelhalbmesser"
+        "|$Q$ greatest pressure of the card times piston area, $r$ crank radius"
+    ),
+    newtons=lambda diagram, load: f"$d = {millimetres(load.bore)}$",
+    lines=lambda request, lang: iter([WORDS["card"][lang]]),
+)

@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import product
 
-from kurbel.engine.axes import expansion_label, named_expansion
-from kurbel.engine.engine import Load, Steam
+from kurbel.engine.axes import load_label, named_load
 from kurbel.engine.quantities import AT_ANGLE, ENGINE_METHODS, EXTREMES, FORCES
-from kurbel.engine.request import OVER_ANGLE, EngineRequest
+from kurbel.engine.request import OF_IRREGULARITY, OVER_ANGLE, EngineRequest
 from kurbel.exact.numerals import Label, Number, number_text
 from kurbel.page.quantity import AND, FOR, Quantity, enumerated_letters, filled, words
 from kurbel.page.table import Note
@@ -17,10 +16,7 @@ from kurbel.reading.notation import plain, ratio_text
 # The mark of the two extremes that make δ.
 MAKES_DELTA = "a"
 ERRORS = words("geschätzter Fehler|estimated error")
-PLAIN_CAPTION = words(
-    "{quantities} der Dampfmaschine{for_engine}; {method}"
-    "|{quantities} of the steam engine{for_engine}; {method}"
-)
+PLAIN_CAPTION = words("{quantities} {machine}{for_engine}; {method}")
 WORDS = {
     "makes_delta": words("aus diesen beiden folgt $δ$|$δ$ follows from these two"),
     "delta": words(
@@ -28,20 +24,6 @@ WORDS = {
         " $m_1$ Schwungmasse am Kurbelhalbmesser $r$, $v_1$ Kurbelgeschwindigkeit im inneren Totpunkt"
         '|$δ = (v_"max" - v_"min")/v_1$; $P$ mean tangential force,'
         " $m_1$ flywheel mass at the crank radius $r$, $v_1$ crank-pin velocity at the inner dead centre"
-    ),
-    "forces": words(
-        "$Q$ Dampfkraft auf den Kolben vor der Absperrung, $r$ Kurbelhalbmesser"
-        "|$Q$ steam force on the piston before cut-off, $r$ crank radius"
-    ),
-    "card_forces": words(
-        "$Q$ größter Druck des Diagramms mal Kolbenfläche, $r$ Kurbelhalbmesser"
-        "|$Q$ greatest pressure of the card times piston area, $r$ crank radius"
-    ),
-    "card": words(
-        "Druck aus dem Diagramm, monoton interpoliert; gedruckt sind nur so viele Stellen, wie seine"
-        " Punkte tragen, für die übrigen vor dem Komma Nullen"
-        "|pressure from the card, interpolated monotonically; only as many digits as its points support"
-        " are printed, zeros for the others before the decimal mark"
     ),
     "framed": words(
         "{letters} positiv in der Richtung des Hinganges und nach der Seite, auf der dort der"
@@ -52,8 +34,6 @@ WORDS = {
     "all_cranks": words(", von allen Kurbeln|, of all cranks"),
     "first_crank": words("die übrigen der ersten Kurbel|the others of the first crank"),
     "massless": words("ohne Massen|without masses"),
-    "load": words('$Q = π/4 d^2 p$, $d = {bore} "mm"$, $p = {pressure} "kPa"$'),
-    "card_load": words('$d = {bore} "mm"$'),
     "flywheel": words(
         "$(ΔW)/(P r)$ ist $δ$ in $(P r)/(m_1 v_1^2)$, $J = (ΔW)/(δ ω^2)$;"
         " $P$ mittlere Umfangskraft am Kurbelhalbmesser $r$"
@@ -68,22 +48,6 @@ WORDS = {
     "whole_turn": words(
         "Winkel vom inneren Totpunkt der ersten Kurbel|Angles from the inner dead centre of the first crank"
     ),
-    "mariotte": words("Expansion nach Mariotte|Expansion by Mariotte's law"),
-    "polytropic": words(
-        'Expansion nach $p V^n = "const"$, $n = {exponent}$|Expansion by $p V^n = "const"$, $n = {exponent}$'
-    ),
-    "uncut": words("Volldruck über den ganzen Hub|Full pressure over the whole stroke"),
-    "clearance": words(
-        "schädlicher Raum ${clearance}$ des Hubraumes|clearance ${clearance}$ of the swept volume"
-    ),
-    "best": words(
-        "Gegendruck $R_b = Q/ε$, der vorteilhafteste|back pressure $R_b = Q/ε$, the most favourable"
-    ),
-    "best_end": words(
-        "Gegendruck gleich der Endspannung des Dampfes, der vorteilhafteste"
-        "|back pressure equal to the steam's at the end of the stroke, the most favourable"
-    ),
-    "back": words("Gegendruck $R_b = {back}$|back pressure $R_b = {back}$"),
     "single": words("einfachwirkend|single-acting"),
     "cranks": words(
         "Kurbeln um {angles} hinter der ersten, Zylinder gleich"
@@ -92,6 +56,20 @@ WORDS = {
     "difference": words(
         "Unterschied: genauer Wert weniger Näherung, vor dem Runden gebildet."
         "|Difference: exact value less approximation, taken before rounding."
+    ),
+    "driven": words(
+        "die Welle treibt den Kolben: Kräfte positiv in der Richtung der Bewegung, $P$ und die Arbeit daher"
+        " negativ; $δ$ im Betrag von $P$, Leistungen und mittlere Drücke positiv, als zugeführt; größte und"
+        " kleinste Geschwindigkeit haben gegen die Kraftmaschine die Plätze getauscht"
+        "|the shaft drives the piston: forces positive in the direction of the motion, $P$ and the work hence"
+        " negative; $δ$ in the magnitude of $P$, powers and mean pressures positive, as supplied; greatest"
+        " and least speed have changed places with those of a driving machine"
+    ),
+    "turning_sense": words(
+        "dreht der Kurbelzapfen im inneren Totpunkt nach oben, trägt bei liegender Maschine die obere"
+        " Gleitbahn; Arbeitsmaschinen drehen daher anders herum als Kraftmaschinen, und die untere trägt"
+        "|where the crank pin rises at the inner dead centre, the upper guide face of a horizontal machine is"
+        " loaded; driven machines therefore turn the other way than driving ones, and the lower one is"
     ),
     "weisbach": words(
         "$sin α_1 = P/(Q - R_b) ± r/(2 l) sin 2 α_1$,"
@@ -110,6 +88,7 @@ def caption(request: EngineRequest) -> Label:
     methods = dict.fromkeys(method for column in request.page_columns for method in column.methods)
     parts = {
         "{quantities}": ", ".join(_names(request)),
+        "{machine}": request.words.machine[lang],
         "{for_engine}": _joined(list(_common(request)), lang),
         "{method}": AND[lang].join(ENGINE_METHODS[one].caption[lang] for one in methods),
     }
@@ -135,8 +114,8 @@ def _joined(parts: list[str], lang: str) -> str:
 
 def _common(request: EngineRequest) -> Iterator[Label]:
     shown = (*request.layout.across, *request.layout.stub)
-    if len(request.steams) == 1 and "expansion" not in shown:
-        yield named_expansion(request, 0)
+    if len(request.steams) == 1 and "expansion" not in shown and request.words.captioned:
+        yield named_load(request, 0)
     if len(request.ratios) == 1 and "ratio" not in shown:
         yield _named_ratio(request, 0)
 
@@ -154,7 +133,7 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
     yield from (note[lang] for note in request.layout.notes)
     if any(len(column.methods) > 1 for column in columns):
         yield WORDS["difference"][lang]
-    if subject in ("irregularity", "strokes"):
+    if subject in OF_IRREGULARITY:
         yield WORDS["delta"][lang]
     if subject == "flywheel":
         yield WORDS["flywheel"][lang]
@@ -164,15 +143,18 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
     if subject == "strokes":
         yield WORDS["turn" if request.first.plain else "whole_turn"][lang]
     if subject in ("strokes", *OVER_ANGLE):
-        yield WORDS["card_forces" if request.carded else "forces"][lang]
+        yield request.words.forces[lang]
     yield from _directions(request, [column.quantity for column in columns])
     newtons = any(column.quantity.needs in ("load", "torque") for column in columns)
     if request.load is not None and (request.first.crank.moving or newtons):
-        yield _load(request.load, lang)
+        yield request.words.newtons(request.steams[0], request.load)
     if any(column.methods == ("weisbach",) for column in columns):
         yield WORDS["weisbach"][lang]
     yield "; ".join(_engine(request, lang))
     yield from request.mechanism.loaded_notes(request.drives, lang)
+    if request.driven:
+        yield WORDS["driven"][lang]
+        yield WORDS["turning_sense"][lang]
     if request.first.crank.moving is not None:
         yield from request.mechanism.masses_notes(request.first.crank, request.layout.ratio_symbol, lang)
     if request.carded:
@@ -212,40 +194,14 @@ def _force_directions(
         yield WORDS["massless"][lang]
 
 
-def _load(load: Load, lang: str) -> Label:
-    bore = plain(1000 * load.bore)
-    if load.pressure is None:
-        return WORDS["card_load"][lang].format(bore=bore)
-    return WORDS["load"][lang].format(bore=bore, pressure=plain(load.pressure / 1000))
-
-
 def _engine(request: EngineRequest, lang: str) -> Iterator[Label]:
-    if request.carded:
-        yield WORDS["card"][lang]
-    else:
-        yield from _steam(request, lang)
+    yield from request.words.lines(request, lang)
     engine = request.first
-    if not engine.double:
+    if not engine.double and request.words.halved:
         yield WORDS["single"][lang]
     if len(engine.cranks) > 1:
         angles = ", ".join(f"${plain(angle)}°$" for angle in engine.cranks[1:])
         yield WORDS["cranks"][lang].format(angles=angles)
-
-
-def _steam(request: EngineRequest, lang: str) -> Iterator[Label]:
-    steam = request.first.ideal
-    if all(isinstance(one, Steam) and one.expansion == 1 for one in request.steams):
-        yield WORDS["uncut"][lang]
-    elif steam.exponent == 1:
-        yield WORDS["mariotte"][lang]
-    else:
-        yield WORDS["polytropic"][lang].format(exponent=plain(steam.exponent))
-    if steam.clearance:
-        yield WORDS["clearance"][lang].format(clearance=plain(steam.clearance))
-    if steam.back is not None:
-        yield WORDS["back"][lang].format(back=f"{plain(steam.back)} Q" if steam.back else "0")
-    else:
-        yield WORDS["best" if steam.exponent == 1 and not steam.clearance else "best_end"][lang]
 
 
 def _errors(request: EngineRequest) -> Iterator[Label]:
@@ -273,6 +229,6 @@ def _errors(request: EngineRequest) -> Iterator[Label]:
 
 def _apart(request: EngineRequest, steam: int, ratio: int) -> Label:
     """What tells an engine from the others of the page."""
-    cards = [expansion_label(request, steam)] if len(request.steams) > 1 else []
+    cards = [load_label(request, steam)] if len(request.steams) > 1 else []
     ratios = [_named_ratio(request, ratio)] if len(request.ratios) > 1 else []
     return _joined([*cards, *ratios], request.lang)

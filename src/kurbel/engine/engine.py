@@ -47,6 +47,7 @@ class Steam:
     """
 
     name: ClassVar[str] = STEAM
+    driven: ClassVar[bool] = False
 
     expansion: Fraction
     back: Fraction | None = None
@@ -122,6 +123,8 @@ class Diagram:
     face. Q is of the pressure `unit` in Pa, None the card's own greatest."""
 
     name: ClassVar[str] = CARD
+    # Its work tells.
+    driven: ClassVar[bool] = False
 
     card: Card | CycleCard | AngleCard
     other_side: float | None = None

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from kurbel.engine import captions
-from kurbel.engine.axes import ExpansionAxis, stroke_axis, target_axis
+from kurbel.engine.axes import LoadAxis, stroke_axis, target_axis
 from kurbel.engine.digits import Asked, error_number, estimate, estimated, settled
 from kurbel.engine.engine import Steam
 from kurbel.engine.quantities import EXTREMES, WHOLE, applies, engine_registry
@@ -66,7 +66,7 @@ def _subject(
         key=key,
         layout=layout,
         command=command,
-        axes={"expansion": ExpansionAxis, "ratio": RatioAxis, **inner, "column": ColumnAxis},
+        axes={"expansion": LoadAxis, "ratio": RatioAxis, **inner, "column": ColumnAxis},
         axis_keys=("epsilon", "ratio", *("phi" if name == "angle" else name for name in inner)),
         quantities=engine_registry,
         number=_number,
@@ -85,6 +85,8 @@ _OF_TURNS, _OF_CRANKS = ("turn", *EXTREMES), ("crank", "angle")
 _OF_STROKES = (*_OF_TURNS, "stroke")
 IRREGULARITY = _subject("irregularity", "weisbach-150", "delta", _OF_TURNS)
 STROKES = _subject("strokes", "delta-detail", "delta --detail", _OF_STROKES, stroke=stroke_axis)
+COMPRESSOR = _subject("compressor", "compressor", "delta", _OF_TURNS)
+GAS_CYCLE = _subject("gas cycle", "gas-cycle", "delta", _OF_TURNS)
 TURNING = _subject("turning", "turning", "turning", ("angle", "turn"), angle=AngleAxis)
 CRANK_FORCES = _subject("crank forces", "engine-forces", "forces", _OF_CRANKS, angle=AngleAxis)
 MACHINE = _subject("machine", "machine-forces", "forces", _OF_CRANKS, angle=AngleAxis)

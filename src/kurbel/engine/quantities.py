@@ -18,6 +18,7 @@ from kurbel.drive.crank_forces import CRANK_FORCES
 from kurbel.drive.flywheel import Flywheel
 from kurbel.engine import ties
 from kurbel.engine.cylinder import AnyTurn
+from kurbel.engine.loads import work
 from kurbel.exact.numerals import Label
 from kurbel.kernel import turning
 from kurbel.kernel.circle import Number
@@ -83,7 +84,8 @@ def applies(quantity: Quantity, where: Where) -> bool:
 @cache
 def engine_registry() -> Mapping[str, Quantity]:
     """Return every quantity by its key, in the order in which `kurbel quantities` lists them."""
-    return {entry.key: entry for entry in (*_turn_entries(), *_flywheel_entries(), *_force_entries())}
+    entries = (*_turn_entries(), *_work_entries(), *_flywheel_entries(), *_force_entries())
+    return {entry.key: entry for entry in entries}
 
 
 def _entry(
@@ -115,9 +117,9 @@ def _turn_entries() -> Iterator[Quantity]:
     yield _entry("back", "Gegendruck|Back pressure", "$R_b$", "$Q$", "turn", 4,
                  lambda turn, where: turn.back(), needs="steam", ties=ties.back_ties)  # fmt: skip
     yield _entry("exponent", "Exponent der Expansion|Exponent of the expansion", "$n$", "", "turn", None,
-                 lambda turn, where: turn.engine.ideal.exponent, needs="steam")  # fmt: skip
+                 lambda turn, where: turn.engine.steam.exponent, needs="curve")  # fmt: skip
     yield _entry("clearance", "schädlicher Raum|Clearance", "$κ$", "", "turn", None,
-                 lambda turn, where: turn.engine.ideal.clearance, needs="steam")  # fmt: skip
+                 lambda turn, where: turn.engine.steam.clearance, needs="clearance")  # fmt: skip
     yield _entry("alpha_cutoff", "Absperrung bei|Cut-off at", "$α_ε$", "°", "stroke", 3,
                  lambda turn, where: 180 * turn.cut_off(where.stroke), minutes=True, needs="steam",
                  )  # fmt: skip
@@ -137,11 +139,37 @@ def _turn_entries() -> Iterator[Quantity]:
                  )  # fmt: skip
 
 
+def _work_entries() -> Iterator[Quantity]:
+    """The work of a turn and what a load does with it; the formulas of engine/loads/work.py."""
+    yield _entry("work", "Arbeit einer Umdrehung|Work of a turn", "$A$", "$Q r$", "turn", 4, work.work,
+                 ties=work.work_ties)  # fmt: skip
+    mean = _entry("mean_pressure", "mittlerer Druck|Mean pressure", "$p_m$", "$Q$", "turn", 4,
+                  work.mean_pressure, ties=work.mean_pressure_ties)  # fmt: skip
+    yield mean
+    yield mean._replace(
+        key="mean_pressure_kpa", unit=words("kPa"), decimals=1, heading=words("$p_m$ in kPa"),
+        scale=work.kilopascals, needs="load", ties=None,
+    )  # fmt: skip
+    yield _entry("indicated_power", "indizierte Leistung|Indicated power", "$N_i$", "kW", "turn", None,
+                 work.power, needs="power")  # fmt: skip
+    yield _entry("volumetric_efficiency", "volumetrischer Wirkungsgrad|Volumetric efficiency", "$η_v$", "",
+                 "turn", 4, work.volumetric_efficiency, needs="compressor",
+                 ties=partial(work.load_ties, "volumetric_efficiency"))  # fmt: skip
+    yield _entry("delivered", "Fördervolumen|Delivered volume", "$V/V_h$", "", "turn", 4,
+                 work.delivered, needs="compressor",
+                 ties=partial(work.load_ties, "delivered"))  # fmt: skip
+    yield _entry("delivery", "Fördermenge|Delivery", "$V$", "m³/min", "turn", None, work.flow,
+                 needs="flow")  # fmt: skip
+    yield _entry("efficiency", "Wirkungsgrad, idealer|Ideal efficiency", "$η$", "", "turn", 4,
+                 work.efficiency, needs="heat",
+                 ties=partial(work.load_ties, "efficiency"))  # fmt: skip
+
+
 def _mean_torque(turn: AnyTurn, where: Where) -> Any:
-    """P r in N m: of the power, rational where the speed is given in radians, or of the steam."""
+    """|P| r in N m: of the power, rational where the speed is given in radians, or of the load."""
     wheel = _flywheel(where)
     if wheel.power is None:
-        return turn.mean_force() * turn.torque_unit()
+        return abs(turn.mean_force()) * turn.torque_unit()
     turns = wheel.power / wheel.speed.value
     return turn.of(turns / 2) / turn.pi if wheel.speed.turns else turns
 

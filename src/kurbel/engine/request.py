@@ -9,11 +9,14 @@ from functools import cached_property, lru_cache
 
 from kurbel.drive.crank import check_angles
 from kurbel.drive.flywheel import Flywheel
+from kurbel.drive.load import COMPRESSOR, GAS, LOADS, STEAM
+from kurbel.drive.load import Load as Acting
 from kurbel.drive.moved import Drive
 from kurbel.drive.wheel import Wheel
+from kurbel.engine.axes import LoadWords, words_of
 from kurbel.engine.cylinder import AnyTurn
 from kurbel.engine.digits import check_card
-from kurbel.engine.engine import Diagram, Engine, Load, Steam, check_count
+from kurbel.engine.engine import Engine, Load, check_count
 from kurbel.engine.quantities import ENGINE_METHODS, OUTSTROKE, RETURN_STROKE, WHOLE, Where
 from kurbel.engine.turn import turn_of
 from kurbel.errors import ProblemError
@@ -29,9 +32,21 @@ from kurbel.reading.given import choose
 OVER_ANGLE = ("turning", "speed", "crank forces", "machine")
 # What pages of a given flywheel are about.
 WITH_FLYWHEEL = ("speed", "evenness")
+OF_IRREGULARITY = ("irregularity", "strokes", "compressor", "gas cycle")
+# Those of one load alone, and the options that name it.
+OF_LOAD: Mapping[str, tuple[str, str]] = {
+    "compressor": (COMPRESSOR, "--pressure-ratio"),
+    "gas cycle": (GAS, "--compression"),
+}
 # What a quantity needs to be known.
 UNKNOWN: Mapping[str, str] = {
     "steam": "an ideal card, with an expansion ratio",
+    "curve": "an ideal card, with an expansion ratio",
+    "clearance": "an ideal card, with an expansion ratio",
+    "compressor": "a compressor, with --pressure-ratio",
+    "heat": "the cycle of a gas engine, --compression, with one adiabatic exponent",
+    "power": "--stroke, --speed, --bore and, but for a card, the pressure",
+    "flow": "a compressor or a pump with --stroke, --speed, --bore and the suction pressure",
     "radius": "the radius at which the mass is, --radius",
     "load": "--bore and, but for a card, --pressure",
     "torque": "--stroke, --bore and, but for a card, --pressure",
@@ -45,13 +60,13 @@ DIFFERENCE = words(", Unterschied|, difference")
 
 @dataclass(frozen=True, kw_only=True)
 class EngineRequest(Question):
-    """What is asked for: the engines of all steams or cards (outer) and crank drives (inner).
+    """What is asked for: the engines of all steams, cards or other loads (outer) and crank drives (inner).
 
     `double` and `cranks` are those of Engine. `methods` empty leaves them to the layout, or is exact.
     `flywheels` are what is asked for, `wheel` is the one given.
     """
 
-    steams: Sequence[Steam | Diagram]
+    steams: Sequence[Acting]
     drives: Sequence[Drive]
     mechanism: Mechanism = STRAIGHT
     double: bool = True
@@ -66,10 +81,13 @@ class EngineRequest(Question):
         self._check_lists()
         check_angles(self.angles)
         self._check_methods()
-        if self.carded and "expansion" in self.layout.across:
+        load, option = OF_LOAD.get(self.layout.subject, ("", ""))
+        if load and load != self.steams[0].name:
+            raise ProblemError(f"layout {self.layout.key} is of {LOADS[load].title}; add {option}")
+        if not self.steamed and "expansion" in self.layout.across:
             raise ProblemError(
-                f"layout {self.layout.key} is over ε, which an indicator card does not have;"
-                " use --layout delta-detail"
+                f"layout {self.layout.key} is over ε, which {LOADS[self.steams[0].name].title} does not have;"
+                f" use --layout {self.words.layout}"
             )
 
     def _check_lists(self) -> None:
@@ -108,7 +126,7 @@ class EngineRequest(Question):
         for method in self.methods:
             choose(method, ENGINE_METHODS, "method")
         if len(self.methods) > 1 and not self.layout.fixed:
-            compared = self.layout.subject in ("irregularity", "strokes")
+            compared = self.layout.subject in OF_IRREGULARITY
             raise ProblemError(
                 f"layout {self.layout.key} shows one method, and {len(self.methods)} were given;"
                 f" {'use --layout delta-verfahren' if compared else 'leave the others out'}"
@@ -150,6 +168,23 @@ class EngineRequest(Question):
         return self.first.carded
 
     @property
+    def steamed(self) -> bool:
+        """Whether steam with an expansion ratio drives the piston."""
+        return self.steams[0].name == STEAM
+
+    @cached_property
+    def words(self) -> LoadWords:
+        """What is said of the loads, which are of one kind."""
+        return words_of(self.steams[0].name)
+
+    @cached_property
+    def driven(self) -> bool:
+        """Whether the shaft drives the piston; of a card its work says so."""
+        if self.carded:
+            return bool(self.turn(0, 0, "exact").mean_force() < 0)
+        return self.steams[0].driven
+
+    @property
     def ratios(self) -> list[Fraction]:
         return [drive.crank.ratio for drive in self.drives]
 
@@ -160,9 +195,8 @@ class EngineRequest(Question):
 
     @property
     def axis_keys(self) -> tuple[str, ...]:
-        """The keys of the axes in records: a card stands in the place of ε."""
-        keys = self.subject.axis_keys
-        return ("card", *keys[1:]) if self.carded else keys
+        """The keys of the axes in records: another load stands in the place of ε."""
+        return (self.words.key, *self.subject.axis_keys[1:])
 
     @property
     def no_column(self) -> str:
@@ -188,16 +222,24 @@ class EngineRequest(Question):
 
     def shows(self, column: LayoutColumn) -> bool:
         methods = _methods(column.method)
-        if self.carded and "weisbach" in methods:
+        if not self.steamed and "weisbach" in methods:
             return False
         asked = not methods or not self.methods or set(methods) <= set(self.methods)
         return asked and super().shows(column)
 
     def missing(self, quantity: Quantity) -> str:
+        load, crank = self.steams[0], self.first.crank
+        sized = self.load is not None and crank.radius is not None
         lacks = {
-            "steam": self.carded,
+            "steam": not self.steamed,
+            "curve": not hasattr(load, "exponent"),
+            "clearance": not hasattr(load, "clearance"),
+            "compressor": load.name != COMPRESSOR,
+            "heat": not getattr(load, "adiabatic", False),
             "load": self.load is None,
-            "torque": self.load is None or self.first.crank.radius is None,
+            "torque": not sized,
+            "power": not sized or crank.speed is None,
+            "flow": not sized or crank.speed is None or not hasattr(load, "delivered"),
             "radius": not self.flywheels or self.flywheels[0].radius is None,
             "turns": self.wheel is None or self.wheel.speed is None,
             "inertia": self.wheel is None or self.wheel.inertia is None,

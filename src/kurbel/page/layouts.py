@@ -27,6 +27,8 @@ SUBJECTS: Mapping[str, Pages] = {
     "tangent": Pages("kurbel.motion.tangent_page:SUBJECT", "forces --at tangent"),
     "irregularity": Pages("kurbel.engine.page:IRREGULARITY", "delta"),
     "strokes": Pages("kurbel.engine.page:STROKES", "delta"),
+    "compressor": Pages("kurbel.engine.page:COMPRESSOR", "delta --pressure-ratio 2..6"),
+    "gas cycle": Pages("kurbel.engine.page:GAS_CYCLE", "delta --compression 5..8 --heat 10"),
     "turning": Pages("kurbel.engine.page:TURNING", "turning"),
     "speed": Pages("kurbel.engine.speed.page:SPEED", "turning --flywheel 50 --speed 120/min"),
     "evenness": Pages("kurbel.engine.speed.page:EVENNESS", "delta --flywheel 50"),

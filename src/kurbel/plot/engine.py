@@ -8,7 +8,7 @@ from itertools import product
 from math import ceil, floor
 from typing import TYPE_CHECKING, NamedTuple
 
-from kurbel.engine.axes import named_expansion
+from kurbel.engine.axes import named_load
 from kurbel.engine.captions import inner
 from kurbel.engine.quantities import Where, value
 from kurbel.engine.request import EngineRequest
@@ -111,7 +111,7 @@ def engine_label(request: EngineRequest, steam: int, drive: int) -> Label:
     """Return what tells an engine from the others."""
     parts = []
     if len(request.steams) > 1:
-        parts.append(named_expansion(request, steam))
+        parts.append(named_load(request, steam))
     if len(request.drives) > 1:
         parts.append(f"${request.layout.ratio_symbol} = {ratio_text(request.ratios[drive])}$")
     return ", ".join(parts)

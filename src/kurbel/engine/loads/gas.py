@@ -51,6 +51,8 @@ class GasCycle:
 
     name: ClassVar[str] = GAS
     driven: ClassVar[bool] = False
+    # It works in one end.
+    double: ClassVar[bool] = False
 
     compression: Fraction
     cycle: str = OTTO

@@ -9,6 +9,7 @@ from typing import ClassVar
 from kurbel.drive.load import PUMP
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
+from kurbel.kernel.circle import Number
 from kurbel.kernel.law import Between, steady
 from kurbel.reading.given import choose
 from kurbel.reading.notation import about
@@ -48,6 +49,10 @@ class Pump:
                 f"the suction pressure is {about(self.suction)} times what the pump makes, the delivery"
                 f" pressure less it; at most {LARGEST_HEAD} times is allowed"
             )
+
+    def delivered(self, kind: Kind) -> Number:
+        """Return the volume that a stroke of the piston delivers, as a share of the swept one: all of it."""
+        return kind.of(Fraction(1))
 
     @property
     def double(self) -> bool:
