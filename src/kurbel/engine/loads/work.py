@@ -20,7 +20,11 @@ from kurbel.kernel.circle import Number
 
 def work(turn: AnyTurn, where: Any) -> Number:
     """Return the work of all cylinders in a turn, in Q R, positive as done on the cranks."""
-    return 2 * turn.pi * turn.mean_force() if len(turn.engine.parts) > 1 else _work(turn.engine.parts[0], _own(turn))
+    return (
+        2 * turn.pi * turn.mean_force()
+        if len(turn.engine.parts) > 1
+        else _work(turn.engine.parts[0], _own(turn))
+    )
 
 
 def mean_pressure(turn: AnyTurn, where: Any) -> Number:
