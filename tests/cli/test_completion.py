@@ -100,7 +100,14 @@ def test_a_command_completes_the_layouts_of_its_subject_only() -> None:
     assert completed("bash", "balance", "--layout", "") == ["balance"]
     assert completed("bash", "inertia", "--layout", "") == about("inertia", "inertia errors")
     assert completed("bash", "forces", "--layout", "") == about(
-        "motion", "crank forces", "machine", "tangent", "arc crank", "parallel crank", "coupled axles"
+        "motion",
+        "crank forces",
+        "machine",
+        "rod load",
+        "tangent",
+        "arc crank",
+        "parallel crank",
+        "coupled axles",
     )
 
 

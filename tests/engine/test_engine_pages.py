@@ -123,6 +123,27 @@ HEADS: Mapping[str, Mapping[str, Head]] = {
             ("torque_nm", "M_d", "Drehmoment", "Torque", "N m"),
         )
     },
+    "rod-load": {
+        "thrust": head('größter Druck $S_"max"$', 'Greatest thrust $S_"max"$', "$Q$"),
+        "phi_thrust": head("größter Druck bei $φ$", "Greatest thrust at $φ$", ""),
+        "pull": head('größter Zug $-S_"min"$', 'Greatest pull $-S_"min"$', "$Q$"),
+        "phi_pull": head("größter Zug bei $φ$", "Greatest pull at $φ$", ""),
+        "thrust_angle": head("Druck über", "Thrust over", "°"),
+        "pull_angle": head("Zug über", "Pull over", "°"),
+        "reversal_angle": head("Richtungswechsel über", "Reversal over", "°"),
+        "reversal_unbroken": head("davon am Stück", "of it unbroken", "°"),
+        "reversal_share": head("Gegenlast, Anteil der größten", "Reversed load, share of the greatest", "%"),
+    },
+    "rod-load-turn": {
+        key: head(f"{de}|${letter}$ in N", f"{en}|${letter}$ in N")
+        for key, letter, de, en in (
+            ("piston_force_n", "F", "Kolbenkraft", "Piston force"),
+            ("inertia_force_n", "F_m", "Massenkraft", "Inertia force"),
+            ("crosshead_load_n", "F_B", "Kreuzkopfzapfen", "Crosshead pin"),
+            ("rod_force_n", "S", "Stange am Kreuzkopf", "Rod at the crosshead"),
+            ("pin_rod_force_n", "S_A", "Stange an der Kurbel", "Rod at the crank"),
+        )
+    },
     "flywheel": {
         "power": head("Leistung $N$", "Power $N$", "W"),
         "speed": head("Drehzahl $n$", "Speed $n$", '$"min"^(-1)$'),
@@ -139,6 +160,11 @@ STROKES = {
     "return": {"de": "Rückgang", "en": "Return"},
     "turn": {"de": "Umdrehung", "en": "Whole turn"},
 }
+ENDS = {
+    "slide": {"de": "Kreuzkopfzapfen", "en": "Crosshead pin"},
+    "crosshead": {"de": "Stange am Kreuzkopf", "en": "Rod at the crosshead"},
+    "crank": {"de": "Stange an der Kurbel", "en": "Rod at the crank"},
+}
 
 
 # Records have the number, pages what was written.
@@ -146,7 +172,7 @@ TARGETS = {"0.02": "$1:50$", "0.01": "$1:100$"}
 
 
 class Point(NamedTuple):
-    """What a record says of itself; `inner` is its stroke, angle or flywheel."""
+    """What a record says of itself; `inner` is its stroke, angle, end of the rod or flywheel."""
 
     epsilon: str
     ratio: str
@@ -171,9 +197,10 @@ ADDRESSES: Mapping[str, Callable[[Point, Address, Address, str], Address]] = {
     "delta-detail": lambda at, label, unit, lang: (at.engine, *label, STROKES[at.inner][lang], *unit),
     "delta-flywheel": lambda at, label, unit, lang: (at.drive, at.epsilon, *label),
     **dict.fromkeys(
-        ("turning", "speed", "engine-forces", "machine-forces"),
-        lambda at, label, unit, lang: (at.engine, at.inner, *label)
+        ("turning", "speed", "engine-forces", "machine-forces", "rod-load-turn"),
+        lambda at, label, unit, lang: (at.engine, at.inner, *label),
     ),
+    "rod-load": lambda at, label, unit, lang: (at.engine, *label, ENDS[at.inner][lang], *unit),
     "flywheel": lambda at, label, unit, lang: (at.engine, *label, TARGETS[at.inner], *unit),
 }  # fmt: skip
 
@@ -183,7 +210,7 @@ def page(name: str, lang: str = "de", **choices: Any) -> Table:
     own: dict[str, Any] = {"eps": "2;3.5", "ratio": "1:4;1:7", "digits": 8, "back": "0.1"}
     if name == "flywheel":
         own |= TASK
-    if name == "machine-forces":
+    if layout(name).subject == "machine":
         own |= MACHINE
     if "phi" in subject(layout(name).subject).axis_keys:
         own["angle"] = "17;77;302"
@@ -200,7 +227,7 @@ def expected(name: str, lang: str, table: Table) -> dict[Address, str]:
         at = Point(*(shown(value) for value in (*axes, "")[:3]))
         for key, heads in HEADS[name].items():
             value = record[key]
-            if key.startswith("alpha") and value is not None:
+            if key.startswith(("alpha", "phi_")) and value is not None:
                 degrees = Fraction(shown(value))
                 text = f"${degrees_text(Fraction(round(60 * degrees), 60))}$"
             else:
@@ -303,7 +330,12 @@ def test_the_heading_of_a_quantity_names_its_unit_where_it_has_one(lang: str) ->
 
 
 @pytest.mark.parametrize(
-    "name", [name for name in ENGINES if not layout(name).fixed and layout(name).subject not in WITH_FLYWHEEL]
+    "name",
+    [
+        name
+        for name in ENGINES
+        if not layout(name).fixed and layout(name).subject not in (*WITH_FLYWHEEL, "rod load")
+    ],
 )
 def test_every_column_that_can_be_asked_for_is_printed(name: str) -> None:
     of_turns = ("turn", "least", "greatest")

@@ -153,6 +153,7 @@ ARRAYS = within("kurbel.plot", set(MODULES)) - {"kurbel.plot", "kurbel.plot.styl
     "kurbel.engine.card.force",
     "kurbel.engine.card.turn",
     "kurbel.engine.irregularity",
+    "kurbel.engine.rodload.card",
     "kurbel.engine.speed.card",
     "kurbel.exact.bulk",
     "kurbel.formats.columns",

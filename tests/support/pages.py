@@ -29,6 +29,7 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "speed": ("turning", "--flywheel=50", "--speed=120/min"),
     "crank forces": ("forces", "--eps=4"),
     "machine": ("forces", "--eps=4", *MACHINE, "--reciprocating=300kg", *ROD, "--rotating=-40kg"),
+    "rod load": ("forces", "--eps=4"),
     "flywheel": ("flywheel", "--power=50kW", "--speed=120/min", "--delta=1:50;1:100", "--radius=1.5m"),
     "dead centres": ("deadcentres",),
     "drive dead centres": ("deadcentres", "--mechanism=arc", "--rocker=6"),
@@ -54,7 +55,15 @@ def about(*subjects: str) -> list[str]:
 
 MOTION = about("motion")
 ENGINES = about(
-    "irregularity", "strokes", "evenness", "turning", "speed", "crank forces", "machine", "flywheel"
+    "irregularity",
+    "strokes",
+    "evenness",
+    "turning",
+    "speed",
+    "crank forces",
+    "machine",
+    "rod load",
+    "flywheel",
 )
 LOADED = about("compressor", "gas cycle")
 BEAMS = about("dead centres", "drive dead centres")
@@ -93,6 +102,7 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
         "eps": 4, "stroke": 0.6, "speed": 2, "bore": 0.3, "pressure": 800_000, "reciprocating": 300,
         "rod_mass": 150, "centre": 0.6, "gyration": "0.3", "rotating": -40,
     }),
+    "rod load": (kurbel.forces_table, {"eps": 4}),
     "flywheel": (
         kurbel.flywheel_table, {"power": 50_000, "speed": 2, "delta": "1:50;1:100", "radius": "1.5m"}
     ),

@@ -14,11 +14,12 @@ from kurbel.drive.crank import Described
 from kurbel.drive.mechanisms import LINKAGES, SUBJECTS
 from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import Mechanism, mechanism, uncomputed
-from kurbel.page.layouts import layout, layout_of
+from kurbel.page.layouts import Layout, layout, layout_of
 from kurbel.page.subject import Question
 from kurbel.reading.given import Exact, as_names
 
-OF_ENGINES = ("crank forces", "machine")
+ROD_LOAD = "rod load"
+OF_ENGINES = ("crank forces", "machine", ROD_LOAD)
 INERTIA = ("inertia", "inertia errors")
 POSITIONS = ("tangent",)
 COUPLED = "coupled axles"
@@ -147,7 +148,8 @@ def forces_table(
     layout: Annotated[
         str | None,
         Option(
-            "Page layout; default: forces; with --eps or --card engine-forces, with masses machine-forces;"
+            "Page layout; default: forces; with --eps or --card engine-forces, with masses machine-forces,"
+            " and rod-load for extremes and reversal of the rod's load;"
             f" of the {' or '.join(LINKAGES)} crank {', '.join(f'forces-{name}' for name in LINKAGES)}.",
             kind=LayoutName(("motion", *OF_ENGINES, "tangent", *SUBJECTS, COUPLED)),
         ),
@@ -166,6 +168,7 @@ def forces_table(
     kurbel forces --mechanism arc --ratio 1:5 --rocker 6
     kurbel forces --mechanism parallel --axles '14;15;14' --driven 2
     kurbel forces --eps 4 --bore 300mm --pressure 8bar
+    kurbel forces --eps 4 --layout rod-load
     kurbel forces --machine engine.toml
     \f
     >>> import kurbel
@@ -205,8 +208,12 @@ def forces_table(
     if about == "engine":
         name = layout or ("machine-forces" if is_heavy(given) else "engine-forces")
         page = layout_of(name, OF_ENGINES, layouts)
+        about_turn = {**all_given, "method": ()}
+        if page.subject == ROD_LOAD:
+            _check_whole(page, given)
+            return engine_of(page, about_turn, columns=as_names(columns, "thrust,reversal_angle"))
         names = as_names(columns, "epsilon,delta")
-        return engine_of(page, {**all_given, "method": ()}, angles=angles_of(page, given), columns=names)
+        return engine_of(page, about_turn, angles=angles_of(page, given), columns=names)
     name = layout or chosen.forces_layout
     page = layout_of(name, ("motion", *OF_ENGINES) if chosen.crosshead else (chosen.subject,), layouts)
     if page.subject in OF_ENGINES:
@@ -219,6 +226,13 @@ def forces_table(
         columns=as_names(columns, chosen.examples["forces"]),
         **sheet,
     )
+
+
+def _check_whole(page: Layout, given: Mapping[str, Any]) -> None:
+    """Raise ProblemError where crank angles are given to a page of the whole turn."""
+    for name in option.Run.__annotations__:
+        if is_given(given[name]):
+            raise ProblemError(f"layout {page.key} is of the whole turn; leave --{name.rstrip('_')} out")
 
 
 class Rods(option.Run, option.Slide, option.MovingRod, option.Sheet, total=False):
@@ -263,9 +277,7 @@ def inertia_table(
     if page.subject == "inertia errors":
         from kurbel.motion.inertia_page import ErrorsRequest
 
-        for name, value in given.items():
-            if name in option.Run.__annotations__ and is_given(value):
-                raise ProblemError(f"layout {page.key} is of the whole turn; leave --{name.rstrip('_')} out")
+        _check_whole(page, given)
         names = as_names(columns, "greatest,error_percent")
         return ErrorsRequest(layout=page, cranks=cranks, columns=names, **sheet_of(given))
     from kurbel.motion.page import Request

@@ -55,6 +55,14 @@ def _unit(circle: Any, ratio: Any, offset: Any) -> Any:
     return 1
 
 
+def _none(circle: Any, ratio: Any, offset: Any) -> Any:
+    return 0
+
+
+def _inertia(drive: Loaded) -> Any:
+    return drive.thrust() - drive.piston_force
+
+
 def _across(drive: Loaded) -> Any:
     return -1 * drive.pin_force_across()
 
@@ -63,10 +71,14 @@ def _across(drive: Loaded) -> Any:
 _THRUST, _ROD, _GUIDE = attrgetter("piston_force"), methodcaller("rod_force"), methodcaller("guide_force")
 _PIN, _CROSSHEAD = methodcaller("pin_force"), methodcaller("crosshead_pin_force")
 _TORQUE, _RADIAL = methodcaller("torque"), methodcaller("radial_force")
-_ALONG = methodcaller("pin_force_along")
+_ALONG, _CROSSHEAD_LOAD = methodcaller("pin_force_along"), methodcaller("thrust")
+_PIN_ROD = methodcaller("pin_rod_force")
 CRANK_FORCES: Mapping[str, CrankForce] = {
     "piston_force": CrankForce(_unit, _THRUST, framed=True),
+    "inertia_force": CrankForce(_none, _inertia, framed=True),
+    "crosshead_load": CrankForce(_unit, _CROSSHEAD_LOAD, framed=True),
     "rod_force": CrankForce(forces.rod_force, _ROD, framed=True),
+    "pin_rod_force": CrankForce(forces.rod_force, _PIN_ROD, framed=True),
     "guide_force": CrankForce(forces.guide_force, _GUIDE, framed=True),
     "crosshead_pin_force": CrankForce(forces.rod_force, _CROSSHEAD, magnitude=True),
     "crank_pin_force": CrankForce(forces.rod_force, _PIN, magnitude=True),

@@ -142,7 +142,7 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
             yield WORDS["radius"][lang].format(radius=plain(radius))
     if subject == "strokes":
         yield WORDS["turn" if request.first.plain else "whole_turn"][lang]
-    if subject in ("strokes", *OVER_ANGLE):
+    if subject in ("strokes", "rod load", *OVER_ANGLE):
         yield request.words.forces[lang]
     yield from _directions(request, [column.quantity for column in columns])
     newtons = any(column.quantity.needs in ("load", "torque") for column in columns)
@@ -157,7 +157,7 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
         yield WORDS["turning_sense"][lang]
     if request.first.crank.moving is not None:
         yield from request.mechanism.masses_notes(request.first.crank, request.layout.ratio_symbol, lang)
-    if request.carded:
+    if request.carded and subject != "rod load":
         yield from _errors(request)
 
 

@@ -109,7 +109,7 @@ def estimated(asked: Asked, rounding: str) -> Number | None:
     lost = quantity.of not in AT_ANGLE and error > abs(best)
     if lost or (quantity.minutes and supported < 0):
         return None
-    return _to_place(Fraction(best), supported, rounding)
+    return to_place(Fraction(best), supported, rounding)
 
 
 def check_card(turn: Any, rounding: str) -> None:
@@ -151,7 +151,7 @@ def _newtons(quantity: Quantity, turn: CardTurn) -> float:
     return float(quantity.scale(turn)) if quantity.scale else 1.0
 
 
-def _to_place(value: Fraction, decimals: int, rounding: str) -> Number | None:
+def to_place(value: Fraction, decimals: int, rounding: str) -> Number | None:
     """Round to so many decimals, below 0 to tens or hundreds; None if no figure of the value is left."""
     if decimals >= 0:
         return nearest(value, decimals, rounding)

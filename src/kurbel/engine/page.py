@@ -42,7 +42,7 @@ def _marks(request: EngineRequest, column: Column, place: Place) -> tuple[str, .
     return (captions.MAKES_DELTA,) if marked and request.number(column, place) is not None else ()
 
 
-def _error_of(request: EngineRequest, column: Column) -> tuple[Column, ...]:
+def errors_beside(request: EngineRequest, column: Column) -> tuple[Column, ...]:
     """Of a card each value is followed by its error."""
     if not request.carded:
         return ()
@@ -74,7 +74,7 @@ def _subject(
         notes=captions.notes,
         of=of,
         marks=_marks,
-        beside=_error_of,
+        beside=errors_beside,
         listed=_listed if key == "irregularity" else tuple,
         letters=True,
         limits={"expansion": Steam},

@@ -247,12 +247,26 @@ _BEARING = words(
 # does not say.
 FORCES: Mapping[str, _Force] = {
     "piston_force": _Force("Kolbenkraft|Piston force", "F", framed=True),
+    "inertia_force": _Force(
+        "Massenkraft|Inertia force", "F_m",
+        words("$F_m$ der hin- und hergehenden Massen, ohne die Stange"
+              "|$F_m$ of the reciprocating masses, without the rod"),
+        framed=True,
+    ),
+    "crosshead_load": _Force(
+        "Last am Kreuzkopfzapfen|Load at the crosshead pin", "F_B",
+        words("$F_B = F + F_m$ längs der Führung|$F_B = F + F_m$ along the slide"), framed=True,
+    ),
     "guide_force": _Force(
         "Führungsdruck|Guide force", "N", words("$N$ auf den Kreuzkopf|$N$ on the crosshead"), framed=True
     ),
     "rod_force": _Force(
         "Stangenkraft|Rod force", "S",
         words("$S$ am Kreuzkopf, positiv als Druck|$S$ at the crosshead, positive as thrust"),
+    ),
+    "pin_rod_force": _Force(
+        "Stangenkraft an der Kurbel|Rod force at the crank", "S_A",
+        words("$S_A$ am Kurbelzapfen, positiv als Druck|$S_A$ at the crank pin, positive as thrust"),
     ),
     "crosshead_pin_force": _Force(
         "Kraft am Kreuzkopfzapfen|Crosshead-pin force", "B",

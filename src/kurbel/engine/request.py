@@ -131,7 +131,8 @@ class EngineRequest(Question):
                 f"layout {self.layout.key} shows one method, and {len(self.methods)} were given;"
                 f" {'use --layout delta-verfahren' if compared else 'leave the others out'}"
             )
-        if self.layout.subject in OVER_ANGLE and "weisbach" in self.methods and self.wheel is None:
+        over_angle = self.layout.subject in (*OVER_ANGLE, "rod load")
+        if over_angle and "weisbach" in self.methods and self.wheel is None:
             raise ProblemError(
                 'method "weisbach" is about the angles of the extremes, which a turning effort has not;'
                 " use series"
@@ -214,7 +215,7 @@ class EngineRequest(Question):
         if not self.layout.unit:
             return one
         # The page's last column has the units.
-        named = {lang: f"{name} {one.symbol}" for lang, name in one.name.items()}
+        named = {lang: f"{name} {one.symbol}".rstrip() for lang, name in one.name.items()}
         return one._replace(spanners=(), heading=named)
 
     def column(self, column: LayoutColumn) -> Column:

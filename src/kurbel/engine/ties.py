@@ -135,10 +135,16 @@ def back_ties(turn: Turn, half_turns: Fraction) -> TieBits:
     return lambda boundary: float((back - Separation.rational(boundary)).bits())
 
 
-@_where_known
-def crank_force_ties(force: CrankForce, turn: Turn, half_turns: Fraction) -> TieBits:
+def crank_force_ties(force: CrankForce, turn: Turn, half_turns: Fraction) -> TieBits | None:
     """Return the same for a force of the first crank in Q."""
-    crank = _cranks(turn, half_turns)[0]
+    _, stroke, angle = turn.first(half_turns)
+    return limit_ties(force, stroke, turn, angle)
+
+
+@_where_known
+def limit_ties(force: CrankForce, stroke: int, turn: Turn, angle: Fraction) -> TieBits:
+    """Return the same for its limit in a stroke, of which a dead centre is the end or the beginning."""
+    crank = _Crank(stroke, angle, 1)
 
     def of_masses(on: _On, weights: Weights) -> Any:
         return on.drive.force(force, *on.place(crank), weights, on.kind.of(Fraction(0)))

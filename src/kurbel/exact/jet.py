@@ -53,11 +53,16 @@ class Jet:
     def __rtruediv__(self, other: Any) -> Jet:
         return _jet(other) / self
 
-    def __pow__(self, exponent: float) -> Jet:
-        assert exponent == 0.5, "kernel formulas have square roots only"
+    def __pow__(self, exponent: Any) -> Jet:
+        """Return the power to a number, of a positive value but for whole exponents."""
+        if exponent == 0.5:
+            value = self.value**exponent
+            slope = self.slope / (2 * value)
+            return Jet(value, slope, (self.bend / 2 - slope * slope) / value)
         value = self.value**exponent
-        slope = self.slope / (2 * value)
-        return Jet(value, slope, (self.bend / 2 - slope * slope) / value)
+        rate = exponent * value / self.value
+        rise = (exponent - 1) * rate / self.value
+        return Jet(value, rate * self.slope, rate * self.bend + rise * self.slope * self.slope)
 
     def asin(self) -> Jet:
         """Return the arc that has this sine, within a right angle."""

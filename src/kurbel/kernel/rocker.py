@@ -85,6 +85,11 @@ class LoadedRocker:
         place = self.place
         return self.thrust() * place.slant_cosine + self._on_rod() * place.slant
 
+    def pin_rod_force(self) -> Number:
+        """Return the force along the rod at its crank-pin end, positive where it presses the rod."""
+        place = self.place
+        return self._along() * place.slant_cosine - self._across() * place.slant
+
     def crosshead_pin_force(self) -> Number:
         """Return the magnitude of the force between rod and rocker's end."""
         return magnitude(self.thrust(), self._on_rod())

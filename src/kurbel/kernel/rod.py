@@ -181,6 +181,15 @@ class Loaded:
         slant = self.slant
         return self.thrust() * slant.cosine + self.guide_force() * slant.sine
 
+    def pin_rod_force(self) -> Number:
+        """Return the force along the rod at its crank-pin end, positive where it presses the rod.
+
+        The rod's own inertia makes it another one than `rod_force`. Re-derived, from `pin_force_along` and
+        `pin_force_across`.
+        """
+        slant = self.slant
+        return self.pin_force_along() * slant.cosine - self.pin_force_across() * slant.sine
+
     def crosshead_pin_force(self) -> Number:
         """Return the magnitude of the force between crosshead pin and rod."""
         return magnitude(self.thrust(), self.guide_force())

@@ -34,6 +34,7 @@ SUBJECTS: Mapping[str, Pages] = {
     "evenness": Pages("kurbel.engine.speed.page:EVENNESS", "delta --flywheel 50"),
     "crank forces": Pages("kurbel.engine.page:CRANK_FORCES", "forces --eps 4"),
     "machine": Pages("kurbel.engine.page:MACHINE", _MACHINE),
+    "rod load": Pages("kurbel.engine.rodload.page:SUBJECT", "forces --eps 4"),
     "flywheel": Pages("kurbel.engine.page:FLYWHEEL", "flywheel --power 50kW --speed 120/min --delta 1:100"),
     "dead centres": Pages("kurbel.linkage.beam_page:SUBJECT", "deadcentres"),
     "drive dead centres": Pages(

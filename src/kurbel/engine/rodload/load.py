@@ -1,0 +1,125 @@
+"""The combined load of the rod, of pressure and masses together, over the cycle of an engine.
+
+It counts positive as a thrust, which presses the rod, and negative as a pull; angles are half turns of the
+first crank's φ. At a dead centre, where the pressure changes sides, both limits count.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from fractions import Fraction
+from functools import cached_property, reduce
+from itertools import groupby
+from typing import Any, NamedTuple
+
+import flint
+from flint import arb
+
+from kurbel.drive.crank_forces import CrankForce
+from kurbel.engine.course.search import At, Part, extreme_value, extremes, parts
+from kurbel.engine.course.segments import Segment, cranks_of, jet_of, segments
+from kurbel.engine.turn import Turn
+from kurbel.exact.jet import Jet
+from kurbel.kernel.steam import larger, smaller
+
+THRUST, PULL = SIGNS = (1, -1)
+# Of a greatest load with fewer bits the sign is not said.
+SIGN_BITS = 64
+
+
+class Span(NamedTuple):
+    """Over how many half turns the load has a sign: 1, -1, or 0 where there is none."""
+
+    sign: int
+    length: Any
+
+
+class AnyRodLoad(ABC):
+    """The load at one end of the rod over a cycle, in balls or, of an indicator card, in floats."""
+
+    @abstractmethod
+    def greatest(self, sign: int) -> Any:
+        """Return the greatest thrust or, as a positive number, pull in Q; None where there is none."""
+
+    @abstractmethod
+    def degrees(self, sign: int) -> Any:
+        """Return where that is, as an angle φ, the first such place; None where there is none."""
+
+    @property
+    @abstractmethod
+    def spans(self) -> Sequence[Span]:
+        """The spans of the cycle between changes of the sign, in order."""
+
+    def angle(self, sign: int) -> Any:
+        """Return over how many half turns of the cycle the load is a thrust or a pull."""
+        return sum((span.length for span in self.spans if span.sign == sign), self.spans[0].length * 0)
+
+    def unbroken(self, sign: int) -> Any:
+        """Return the same of the longest part of the cycle without another sign in it."""
+        runs = [
+            Span(key, sum(span.length for span in run))
+            for key, run in groupby(self.spans, lambda span: span.sign)
+        ]
+        if len(runs) > 1 and runs[0].sign == runs[-1].sign:
+            # The cycle goes on where it began.
+            runs[0] = Span(runs[0].sign, runs[0].length + runs.pop().length)
+        return reduce(larger, (run.length for run in runs if run.sign == sign), runs[0].length * 0)
+
+    def reversal(self, unbroken: bool = False) -> Any:
+        """Return over how many half turns the load has the sign that it has for less of the cycle."""
+        return smaller(*map(self.unbroken if unbroken else self.angle, SIGNS))
+
+    def reversed_share(self) -> Any:
+        """Return the lesser of greatest thrust and greatest pull as a share of the other."""
+        thrust, pull = map(self.greatest, SIGNS)
+        if thrust is None or pull is None:
+            return Fraction(0)
+        return smaller(thrust, pull) / larger(thrust, pull)
+
+
+class RodLoad(AnyRodLoad):
+    """The load in balls, with all of its extremes and zeros."""
+
+    def __init__(self, turn: Turn, force: CrankForce) -> None:
+        self.turn, self.force = turn, force
+
+    @cached_property
+    def segments(self) -> list[Segment]:
+        return segments(self.turn, [cranks_of(self.turn)[0]], len(self.turn.cylinder.strokes))
+
+    def quantity(self, segment: Segment, half_turns: arb) -> Jet:
+        """Return the load with its slopes at a place of a segment."""
+        crank = next(segment.cranks(half_turns))
+        return jet_of(crank.cylinder.force(self.force, crank.stroke, crank.angle))
+
+    @cached_property
+    def _greatest(self) -> dict[int, Sequence[At]]:
+        found = {sign: extremes(self.segments, self.quantity, sign) for sign in SIGNS}
+        return {sign: places for sign, places in found.items() if self._is_loaded(places, sign)}
+
+    def _is_loaded(self, places: Sequence[At], sign: int) -> bool:
+        with flint.ctx.workprec(SIGN_BITS):
+            return bool(sign * extreme_value(places, self.quantity, sign) > 0)
+
+    def extreme(self, sign: int) -> At | None:
+        """Return where thrust or pull is greatest, the first such place; None where there is none."""
+        return self._greatest[sign][0] if sign in self._greatest else None
+
+    def degrees(self, sign: int) -> arb | Fraction | None:
+        found = self.extreme(sign)
+        if found is None:
+            return None
+        return 180 * found.place.half_turns() if found.place.exact is None else 180 * found.place.exact
+
+    def greatest(self, sign: int) -> arb | None:
+        found = self._greatest.get(sign)
+        return None if found is None else sign * extreme_value(found, self.quantity, sign)
+
+    @cached_property
+    def _parts(self) -> tuple[Part, ...]:
+        return tuple(part for segment in self.segments for part in parts(segment, self.quantity))
+
+    @property
+    def spans(self) -> list[Span]:
+        return [Span(part.sign, part.end.half_turns() - part.start.half_turns()) for part in self._parts]

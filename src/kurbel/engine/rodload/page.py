@@ -1,0 +1,181 @@
+"""The page of the rod's load over a turn: its extremes and its reversal, at both ends of the rod."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from functools import lru_cache
+from math import floor, log10
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
+
+from kurbel.drive.crank_forces import CRANK_FORCES
+from kurbel.engine import captions
+from kurbel.engine.axes import LoadAxis
+from kurbel.engine.cylinder import AnyTurn
+from kurbel.engine.digits import FLOAT_ERROR, error_number, to_place
+from kurbel.engine.page import ERROR, errors_beside
+from kurbel.engine.request import EngineRequest
+from kurbel.engine.rodload.load import RodLoad
+from kurbel.engine.rodload.quantities import (
+    ENDS,
+    FORCE,
+    PLACE,
+    SHARE,
+    SLIDE,
+    end_entry,
+    rod_quantities,
+    sign_of,
+)
+from kurbel.engine.ties import limit_ties
+from kurbel.exact.certify import NEVER_TIES, TieBits, rounded
+from kurbel.exact.numerals import Label, Number, nearest
+from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis
+from kurbel.page.quantity import Column, words
+from kurbel.page.subject import Subject
+from kurbel.page.table import Field, Note
+
+if TYPE_CHECKING:
+    from kurbel.engine.card.turn import CardTurn
+    from kurbel.engine.turn import Turn
+
+KEPT_LOADS = 96
+WORDS = {
+    "end": words("Stelle|Place"),
+    "directions": words(
+        "$S$ positiv als Druck, negativ als Zug; im Totpunkt gelten die Werte davor und danach"
+        "|$S$ positive as a thrust, negative as a pull; at a dead centre the values before and after it count"
+    ),
+    "reversal": words(
+        "Richtungswechsel: Kurbelwinkel, über den die Last das Vorzeichen hat, das sie seltener hat;"
+        " API 618 verlangt ihn am Kreuzkopfzapfen, längs der Führung, über mindestens 15° und mit 3 %"
+        "|reversal: the crank angle over which the load has the sign that it has for less of the turn;"
+        " API 618 asks at the crosshead pin, along the slide, for at least 15° and 3 %"
+    ),
+    "masses": words(
+        ", von Druck und hin- und hergehenden Massen ohne die Stange"
+        "|, of pressure and reciprocating masses without the rod"
+    ),
+}
+_REVERSAL = "reversal"
+
+
+@lru_cache(KEPT_LOADS)
+def rod_load(turn: AnyTurn, end: str) -> Any:
+    """Return the load of the rod at an end, one of ENDS, over a turn."""
+    force = CRANK_FORCES[ENDS[end][0]]
+    if turn.engine.carded:
+        from kurbel.engine.rodload.card import CardRodLoad
+
+        return CardRodLoad(cast("CardTurn", turn), force)
+    return RodLoad(cast("Turn", turn), force)
+
+
+def _end_axis(request: EngineRequest) -> ListAxis:
+    lang = request.lang
+    return ListAxis(
+        [*ENDS],
+        Field("end", WORDS["end"][lang]),
+        lambda end: end,
+        lambda end: request.mechanism.named(end_entry(end)).name[lang],
+    )
+
+
+def _number(request: EngineRequest, column: Column, place: Place, times: int) -> Number | None:
+    """The printed number at a place, None where there is none, as no pull of a load that only thrusts."""
+    turn = request.turn(place["expansion"], place["ratio"], column.method)
+    asked = _Asked(column, rod_load(turn, [*ENDS][place["end"]]), times, request.rounding)
+    if asked.value() is None:
+        return None
+    if not request.carded:
+        return _settled(asked)
+    if column.key.endswith(ERROR):
+        return error_number(_error(asked))
+    return _estimated(asked)
+
+
+class _Asked(NamedTuple):
+    """A column's value times `unit` of a load."""
+
+    column: Column
+    load: Any
+    unit: int
+    rounding: str
+
+    @property
+    def kernel(self) -> Any:
+        return self.column.quantity.formulas[self.column.method].kernel
+
+    @property
+    def scale(self) -> Any:
+        """What makes the quantity's unit of the kernel's."""
+        scale = self.column.quantity.scale
+        return self.unit * (scale(self.load.turn) if scale else 1)
+
+    def value(self) -> Any:
+        found = self.kernel(self.load)
+        return None if found is None else self.scale * found
+
+
+def _settled(asked: _Asked) -> Number:
+    """Return the value, rounded correctly."""
+    quantity, decimals, load = asked.column.quantity, asked.column.places, asked.load
+    found = asked.value()
+    if isinstance(found, Fraction):
+        return nearest(found, decimals, asked.rounding)
+    ties: TieBits | None = NEVER_TIES
+    if quantity.of == FORCE and quantity.scale is None:
+        at = load.extreme(sign_of(quantity))
+        if at.place.exact is not None:
+            ties = limit_ties(load.force, at.segment.stroke, load.turn, at.place.exact - at.segment.stroke)
+    return Number(rounded(asked.value, decimals, asked.rounding, ties), decimals)
+
+
+def _error(asked: _Asked) -> float:
+    """Return how far a value of a card may be off."""
+    quantity, load = asked.column.quantity, asked.load
+    if quantity.of == FORCE:
+        allowed = load.force_error(sign_of(quantity))
+    elif quantity.of == PLACE:
+        allowed = 180 * load.place_error(sign_of(quantity))
+    elif quantity.of == SHARE:
+        allowed = load.share_error()
+    else:
+        allowed = 180 * load.zero_error()
+    error: float = float(abs(asked.scale)) * load.error(asked.kernel, allowed)
+    return error + FLOAT_ERROR * (abs(float(asked.value())) + 1)
+
+
+def _estimated(asked: _Asked) -> Number | None:
+    """Return the same to as many decimals as the card supports, None if not one figure."""
+    best, error, decimals = asked.value(), _error(asked), asked.column.places
+    supported = min(decimals, floor(-log10(2 * error)))
+    if error > abs(best) > 0 or (asked.column.quantity.minutes and supported < 0):
+        return None
+    return to_place(Fraction(best), supported, asked.rounding)
+
+
+def _notes(request: EngineRequest) -> Iterator[Label | Note]:
+    lang, columns = request.lang, request.page_columns
+    shown = [column.quantity for column in columns]
+    if any(one.of in (FORCE, PLACE) for one in shown):
+        yield WORDS["directions"][lang]
+    heavy = request.first.crank.moving is not None
+    slide = request.mechanism.named(end_entry("slide")).direction or SLIDE
+    yield slide[lang] + (WORDS["masses"][lang] if heavy else "")
+    yield from captions.notes(request)
+    if any(one.key.startswith(_REVERSAL) for one in shown):
+        yield WORDS["reversal"][lang]
+
+
+SUBJECT = Subject(
+    key="rod load",
+    layout="rod-load",
+    command="forces --eps 4 --layout rod-load",
+    axes={"expansion": LoadAxis, "ratio": RatioAxis, "end": _end_axis, "column": ColumnAxis},
+    axis_keys=("epsilon", "ratio", "end"),
+    quantities=rod_quantities,
+    number=_number,
+    caption=captions.caption,
+    notes=_notes,
+    beside=errors_beside,
+)
