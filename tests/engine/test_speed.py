@@ -9,13 +9,14 @@ import flint
 import numpy as np
 import pytest
 from cli import kurbel, printed, refusal
-from equation_of_motion import Motion, Shaft
+from equation_of_motion import Masses, Motion, Shaft
 from numpy.testing import assert_allclose
 from places import CARDS
 
 from kurbel.drive.crank import Crank
+from kurbel.drive.rod import Moving, Rod
 from kurbel.drive.wheel import Wheel
-from kurbel.engine.engine import Engine, Steam
+from kurbel.engine.engine import Engine, Load, Steam
 from kurbel.engine.speed.quantities import of_runs
 from kurbel.engine.speed.run import run_of
 from kurbel.engine.turn import turn_of
@@ -28,6 +29,11 @@ PLANTS = [
     (Fraction(5, 2), Fraction(2, 7), Fraction(0), False, (0, 90), 20),
     (Fraction(3), Fraction(1, 4), Fraction(1, 5), True, (0, 140), 2),
 ]
+RADIUS, BORE, PRESSURE, TURNS = Fraction(3, 10), Fraction(3, 10), 800_000, Fraction(2)
+MACHINE = (
+    "--stroke 600mm --bore 300mm --pressure 8bar --speed 120/min --reciprocating 300kg --rod-mass 150kg"
+    " --centre 0.6 --gyration 0.3"
+)
 ANGLES = np.radians([7, 61, 103, 170, 203, 259, 341])
 BITS = 100
 
@@ -113,6 +119,10 @@ def test_card_of_the_ideal_engine_has_its_speed_and_time() -> None:
             "the flywheel of J = 17 kg m² is too light to pass the turn: at φ = 201.2° it would come to rest;"
             " J must be above 18 kg m²",
         ),
+        (
+            f"delta --eps 4 --inertia 5kgm2 {MACHINE}",
+            "at φ = 201° it would come to rest; J must be above 5.77 kg m²",
+        ),
         ("turning --layout speed", "layout speed is of an engine with its flywheel; give that as --flywheel"),
         ("turning --flywheel 50 --columns phi,energy", "--flywheel says nothing on this page; add a column"),
         ("turning --flywheel 50 --layout turning", "leave --layout turning or the flywheel out"),
@@ -145,3 +155,65 @@ def test_every_column_of_a_flywheel_is_printed(command: str, page: str, lang: st
     for key in of_runs() & {*subject(layout(page).subject).quantities()}:
         result = printed(command, *wheel, lang, "--columns", key)
         assert len(result.out.splitlines()) > 5
+
+
+HEAVY = [
+    (Fraction(1, 5), Fraction(0), (0,), Wheel(inertia=Fraction(150), speed=Speed(TURNS))),
+    (Fraction(2, 7), Fraction(1, 5), (0, 100), Wheel(inertia=Fraction(60), speed=Speed(TURNS))),
+    (Fraction(1, 4), Fraction(0), (0,), Wheel(number=Fraction(5), speed=Speed(TURNS))),
+]
+
+
+@pytest.mark.parametrize(("ratio", "offset", "cranks", "wheel"), HEAVY)
+def test_masses_have_the_speed_of_their_equation_of_motion(
+    ratio: Fraction, offset: Fraction, cranks: tuple[int, ...], wheel: Wheel
+) -> None:
+    rod = Rod.from_crosshead(Fraction(6, 10), Fraction(3, 10), Fraction(150))
+    crank = Crank(ratio, offset, RADIUS, Speed(TURNS), moving=Moving(Fraction(300), rod))
+    load = Load(BORE, Fraction(PRESSURE))
+    engine = Engine(crank, Steam(Fraction(4), Fraction(1, 7)), True, tuple(map(Fraction, cranks)), load)
+    force, radius = math.pi / 4 * float(BORE) ** 2 * PRESSURE, float(RADIUS)
+    with flint.ctx.workprec(BITS):
+        run = run_of(turn_of(engine, "exact"), wheel)
+        first = float(run.first_omega)
+        inertia = float(run.number * run.mean_torque / run.first_omega**2)
+        if wheel.inertia is not None:
+            assert_allclose(inertia, float(wheel.inertia), rtol=1e-12)
+        masses = Masses(300 * radius / force, 150 * radius / force, 0.6, 0.3)
+        shaft = Shaft(
+            inertia / (force * radius), 4.0, 1 / 7, float(1 / ratio), float(offset), True, cranks, masses
+        )
+        motion = Motion(shaft)
+        speeds, times = motion.turn(first, ANGLES)
+        least, greatest = motion.extremes(first)
+        # That the turn closes, and that the mean of the extremes is the speed that was given.
+        assert_allclose([speeds[-1], (least + greatest) / 2], [first, 4 * math.pi], rtol=1e-9)
+        assert_allclose(float(run.irregularity()), 2 * (greatest - least) / (greatest + least), rtol=1e-7)
+        places = [Fraction(round(math.degrees(one))) / 180 for one in ANGLES]
+        assert_allclose([float(run.speed(one)) for one in places], speeds[:-1] / first, rtol=1e-10)
+        assert_allclose([float(run.time(one)) for one in places], times[:-1], rtol=1e-10)
+
+
+def test_masses_of_next_to_nothing_alter_nothing() -> None:
+    engine = "--eps 4 --inertia 60kgm2 --speed 120/min --stroke 600mm --bore 300mm --pressure 8bar"
+    asked = "--angle 0;40;200;300 --columns speed,rpm,time --digits 9"
+    light = rows(f"turning {engine} --reciprocating 0.000001kg {asked}")
+    (swing,) = rows(f"delta {engine} --reciprocating 0.000001kg --columns delta_mean --digits 9")
+    mean = 2 / math.pi * math.log(4) / 4 * math.pi / 4 * 0.3**2 * 8e5 * 0.3
+    power = f"--power {mean * 4 * math.pi!r}W"
+    bare = rows(f"turning --eps 4 --inertia 60kgm2 --speed 120/min {power} {asked}")
+    (delta,) = rows(f"delta --eps 4 --inertia 60kgm2 --speed 120/min {power} --columns delta_mean --digits 9")
+    assert_allclose([[*one.values()] for one in light], [[*one.values()] for one in bare], atol=2e-6)
+    assert_allclose(swing["delta_mean"], delta["delta_mean"], rtol=1e-6)
+
+
+def test_series_and_infinite_rod_have_a_speed() -> None:
+    # With an infinite rod both strokes are alike, and all extremes come twice.
+    for row, again in zip(
+        rows("turning --eps 4 --ratio 1:∞ --flywheel 2 --angle 33;90;151 --columns speed"),
+        rows("turning --eps 4 --ratio 1:∞ --flywheel 2 --angle 213;270;331 --columns speed --method series"),
+        strict=True,
+    ):
+        assert row == again
+    (page,) = rows(f"delta --eps 4 --ratio 1:∞ --inertia 40kgm2 {MACHINE}")
+    assert page["one_to_mean"] > 1

@@ -24,6 +24,18 @@ WORDS = {
         "|$v_1$ crank-pin velocity at the inner dead centre, $m_1 = J/r^2$ flywheel mass at the crank radius"
         " $r$, $P$ mean tangential force"
     ),
+    "masses": words(
+        "$1/2 (J + J_φ) ω^2 = 1/2 (J + J_0) ω_1^2 + W_p$; $J$ mit allem, was gleichförmig umläuft, $J_φ$ der"
+        " übrigen bewegten Massen beim Winkel $φ$, $J_0$ im inneren Totpunkt, $W_p$ Überschussarbeit des"
+        " Kolbendruckes allein"
+        "|$1/2 (J + J_φ) ω^2 = 1/2 (J + J_0) ω_1^2 + W_p$; $J$ with all that turns evenly, $J_φ$ of the other"
+        " moving masses at the angle $φ$, $J_0$ at the inner dead centre, $W_p$ excess work of the pressure"
+        " on the piston alone"
+    ),
+    "even": words(
+        "$T$, $W$ und Schwungräder aus $δ$ (flywheel) mit dem Moment der Massen bei gleichförmiger Drehung"
+        "|$T$, $W$ and flywheels from $δ$ (flywheel) with the torque of the masses at uniform rotation"
+    ),
     "mean": words(
         '$n$ gegeben als Mittel $1/2 (n_"max" + n_"min")$|$n$ given as the mean $1/2 (n_"max" + n_"min")$'
     ),
@@ -40,7 +52,11 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
     lang = request.lang
     methods = dict.fromkeys(method for column in request.page_columns for method in column.methods)
     laws = dict.fromkeys("first_order" if one == "weisbach" else "root" for one in methods)
-    yield "; ".join([*(WORDS[law][lang] for law in laws), WORDS["letters"][lang]])
+    heavy = request.first.crank.moving is not None
+    yield "; ".join([WORDS[law][lang] for law in (("masses",) if heavy else laws)])
+    yield WORDS["letters"][lang]
+    if heavy:
+        yield WORDS["even"][lang]
     keys = {column.key.rpartition("_")[2] for column in request.page_columns if "_" in column.key}
     yield from (WORDS[f"delta_{one}"][lang] for one in ("mean", "first") if one in keys)
     yield "; ".join(_wheel(request, lang))

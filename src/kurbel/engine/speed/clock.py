@@ -23,7 +23,7 @@ from kurbel.exact.roots import interval
 from kurbel.kernel.circle import Number
 
 if TYPE_CHECKING:
-    from kurbel.engine.speed.run import Run
+    from kurbel.engine.speed.run import AnyRun
 
 # Bits beyond those of the precision in force to which a corner is known.
 NARROWER = 32
@@ -42,7 +42,7 @@ class Span(NamedTuple):
 class Clock:
     """The time over the cycle of a run in balls."""
 
-    def __init__(self, run: Run, turn: Turn) -> None:
+    def __init__(self, run: AnyRun, turn: Turn) -> None:
         self.run, self.turn = run, turn
         self._courses: dict[int, _Course] = {}
 
@@ -64,11 +64,10 @@ class Clock:
 class _Course:
     """The time over a cycle at one precision; what was computed once helps with what comes later."""
 
-    def __init__(self, run: Run, turn: Turn) -> None:
+    def __init__(self, run: AnyRun, turn: Turn) -> None:
         self.run, self.turn = run, turn
         self.spans = tuple(spans(turn))
         self.cylinders = turn.cylinders_on(continued(), half_turn_circle)
-        self.before = Continued.of(energy_before(turn))
         self.places, self.times = [turn.pieces[0].start], [flint.arb(0)]
 
     @property
@@ -100,32 +99,20 @@ class _Course:
         (piece,) = span.pieces
 
         def slowness(place: Any, analytic: bool) -> Any:
-            return (1 / self.run.continued_speed(self._energy(piece, Continued(place, middle)))).ball
+            return (1 / self.run.speed_on(self.cylinders, piece, Continued(place, middle))).ball
 
         return flint.acb.integral(slowness, ball(start), ball(end)).real
 
     def _speed_over(self, span: Span) -> Number:
         """The speed over a gap; the last one of the cycle is in the first piece again."""
-        over = interval(span.start, span.end)
+        over, run = interval(span.start, span.end), self.run
         first, *others = (
-            self.run.speed_of(self.turn.energy(piece, over - self.turn.cycle * (piece.end < span.start)))
+            run.speed_on(self.turn.cylinders, piece, over - self.turn.cycle * (piece.end < span.start))
             for piece in span.pieces
         )
         for other in others:
             first = first.union(other)
         return first
-
-    def _energy(self, piece: Piece, place: Continued) -> Continued:
-        """The excess work at a place of the piece, continued."""
-        energies = (
-            self.cylinders[part].energy(stroke, place - begun) for part, stroke, begun in piece.strokes
-        )
-        return sum(energies, -self.before)
-
-
-def energy_before(turn: Turn) -> Number:
-    """Return the energies of all cylinders at the dead centre from which excess work counts."""
-    return sum((turn.cylinders[part].energy(*begun) for part, *begun in turn.begun()), flint.arb(0))
 
 
 def spans(turn: Turn) -> Iterator[Span]:

@@ -7,19 +7,20 @@ Weisbach's method, `first_order_speed` gives it of the work.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import cached_property, lru_cache
 from math import ceil, floor, log10
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NoReturn
 
 import flint
 
 from kurbel.drive.wheel import Wheel
-from kurbel.engine.cylinder import AnyTurn
-from kurbel.engine.turn import Turn
+from kurbel.engine.cylinder import AnyTurn, Cylinder
+from kurbel.engine.turn import Piece, Turn
 from kurbel.errors import ProblemError
-from kurbel.exact.continued import Continued
+from kurbel.exact.certify import ball
 from kurbel.kernel import turning
 from kurbel.kernel.circle import Number
 from kurbel.reading.notation import plain
@@ -34,59 +35,37 @@ CHECKED_BITS = 128
 KEPT = 512
 
 
-class Run:
-    """A turn of an engine with its flywheel. Raises ProblemError where it does not pass the turn."""
+class AnyRun(ABC):
+    """A turn of an engine with its flywheel, in steady state: in balls or, of a card, in floats."""
 
     def __init__(self, turn: AnyTurn, wheel: Wheel) -> None:
         self.turn = turn
         self.wheel = wheel
-        self._numbers: dict[int, Number] = {}
-        with flint.ctx.workprec(CHECKED_BITS):
-            self._check()
 
     @property
     def method(self) -> str:
         return self.turn.method
 
     @property
-    def law(self) -> Callable[[Number, Number], Number]:
-        """How the speed follows from the excess."""
-        return turning.first_order_speed if self.method == "weisbach" else turning.root_speed
-
-    def excess(self, energy: Number) -> Number:
-        """Return w = W/(P r) of an excess work in Q r."""
-        return energy / abs(self.turn.mean_force())
-
-    def extreme_excess(self, greatest: bool) -> Number:
-        return self.excess(self.turn.extreme(greatest).energy)
-
-    @property
+    @abstractmethod
     def number(self) -> Number:
         """M = m₁ v₁²/(P r)."""
-        if self.wheel.number is not None:
-            return self.turn.of(self.wheel.number)
-        bits = flint.ctx.prec
-        if bits not in self._numbers:
-            extremes = self.extreme_excess(greatest=True), self.extreme_excess(greatest=False)
-            first = self.method == "weisbach"
-            found = turning.first_number_of_mean if first else turning.number_of_mean
-            self._numbers[bits] = found(self.at_mean, *extremes)
-        return self._numbers[bits]
 
-    @property
-    def at_mean(self) -> Number:
-        """J ω_m²/(P r), that number at the mean speed."""
-        assert self.wheel.inertia is not None
-        mean = self.mean_omega
-        return self.turn.of(self.wheel.inertia) * mean * mean / self.mean_torque
+    @abstractmethod
+    def speed(self, half_turns: Fraction) -> Number:
+        """Return v/v₁ at an angle."""
 
-    @property
-    def mean_torque(self) -> Number:
-        """P r in N m."""
-        power = self.wheel.power
-        if power is None:
-            return abs(self.turn.mean_force()) * self.turn.torque_unit()
-        return self.turn.of(power) / self.mean_omega
+    @abstractmethod
+    def speed_on(self, cylinders: Sequence[Cylinder], piece: Piece, place: Number) -> Number:
+        """Return v/v₁ at a place of a piece, on the kind of number of the cylinders."""
+
+    @abstractmethod
+    def extreme_place(self, greatest: bool) -> Number:
+        """Return where the speed is greatest or least."""
+
+    @abstractmethod
+    def extreme_speed(self, greatest: bool) -> Number:
+        """Return v_max/v₁ or v_min/v₁."""
 
     @property
     def mean_omega(self) -> Number:
@@ -100,26 +79,20 @@ class Run:
         """ω₁ in 1/s."""
         return 2 * self.mean_omega / (self.extreme_speed(greatest=True) + self.extreme_speed(greatest=False))
 
-    def speed_of(self, energy: Number) -> Number:
-        """Return v/v₁ where the excess work is such."""
-        return self.law(self.excess(energy), self.number)
+    @property
+    def mean_torque(self) -> Number:
+        """P r in N m."""
+        power = self.wheel.power
+        if power is None:
+            return abs(self.turn.mean_force()) * self.turn.torque_unit()
+        return self.turn.of(power) / self.mean_omega
 
-    def continued_speed(self, energy: Continued) -> Continued:
-        """Return the same of a continued one."""
-        mean, number = (Continued.of(one) for one in (abs(self.turn.mean_force()), self.number))
-        return Continued.of(self.law(energy / mean, number))
-
-    def speed(self, half_turns: Fraction) -> Number:
-        """Return v/v₁ at an angle."""
-        return self.speed_of(self.turn.energy_at(half_turns))
-
-    def extreme_place(self, greatest: bool) -> Number:
-        """Return where the speed is greatest or least."""
-        return self.turn.peaks(greatest)[0].place
-
-    def extreme_speed(self, greatest: bool) -> Number:
-        """Return v_max/v₁ or v_min/v₁."""
-        return self.law(self.extreme_excess(greatest), self.number)
+    @property
+    def at_mean(self) -> Number:
+        """J ω_m²/(P r), the number of the flywheel at the mean speed."""
+        assert self.wheel.inertia is not None
+        mean = self.mean_omega
+        return self.turn.of(self.wheel.inertia) * mean * mean / self.mean_torque
 
     def irregularity(self) -> Number:
         """Return (v_max - v_min)/v_m."""
@@ -147,6 +120,64 @@ class Run:
         """Return the seconds since the inner dead centre."""
         return self.turned(half_turns) * self.turn.pi / self.first_omega
 
+    def refuse(self, degrees: float, bound: Number) -> NoReturn:
+        """Raise ProblemError for a flywheel that would come to rest at an angle, with its bound."""
+        unit, letter = (" kg m²", "J") if self.wheel.inertia is not None else ("", "m₁v₁²/(P r)")
+        raise ProblemError(
+            f"{self.wheel.named} is too light to pass the turn: at φ = {plain(Fraction(f'{degrees:.1f}'))}°"
+            f" it would come to rest; {letter} must be above {_above(bound)}{unit}"
+        )
+
+
+class Run(AnyRun):
+    """A turn without moving masses, against a constant torque. Raises ProblemError where it comes to rest."""
+
+    def __init__(self, turn: AnyTurn, wheel: Wheel) -> None:
+        super().__init__(turn, wheel)
+        self._numbers: dict[int, Number] = {}
+        with flint.ctx.workprec(CHECKED_BITS):
+            self._check()
+
+    @property
+    def law(self) -> Callable[[Number, Number], Number]:
+        """How the speed follows from the excess."""
+        return turning.first_order_speed if self.method == "weisbach" else turning.root_speed
+
+    def excess(self, energy: Number) -> Number:
+        """Return w = W/(P r) of an excess work in Q r."""
+        return energy / abs(self.turn.mean_force())
+
+    def extreme_excess(self, greatest: bool) -> Number:
+        return self.excess(self.turn.extreme(greatest).energy)
+
+    @property
+    def number(self) -> Number:
+        if self.wheel.number is not None:
+            return self.turn.of(self.wheel.number)
+        bits = flint.ctx.prec
+        if bits not in self._numbers:
+            extremes = self.extreme_excess(greatest=True), self.extreme_excess(greatest=False)
+            first = self.method == "weisbach"
+            found = turning.first_number_of_mean if first else turning.number_of_mean
+            self._numbers[bits] = found(self.at_mean, *extremes)
+        return self._numbers[bits]
+
+    def speed_of(self, energy: Number) -> Number:
+        """Return v/v₁ where the excess work is such."""
+        return self.law(self.excess(energy), self.number)
+
+    def speed(self, half_turns: Fraction) -> Number:
+        return self.speed_of(self.turn.energy_at(half_turns))
+
+    def speed_on(self, cylinders: Sequence[Cylinder], piece: Piece, place: Number) -> Number:
+        return self.speed_of(energy_on(cylinders, piece, place) - energy_before(self.turn))
+
+    def extreme_place(self, greatest: bool) -> Number:
+        return self.turn.peaks(greatest)[0].place
+
+    def extreme_speed(self, greatest: bool) -> Number:
+        return self.law(self.extreme_excess(greatest), self.number)
+
     def _check(self) -> None:
         least, greatest = self.extreme_excess(greatest=False), self.extreme_excess(greatest=True)
         if self.wheel.inertia is not None:
@@ -154,7 +185,7 @@ class Run:
             return
         bound = -least if self.method == "weisbach" else -2 * least
         if not self.number > bound:
-            self._refuse(self._rest(), f"m₁v₁²/(P r) must be above {_above(bound)}")
+            self.refuse(self._rest(), bound)
 
     def _check_mean(self, least: Number, greatest: Number) -> None:
         at_mean = self.at_mean
@@ -164,8 +195,7 @@ class Run:
             bound = 2 * (greatest + least) if greatest + least > half else half * half / -least
         if not at_mean > bound:
             inertia = self.turn.of(self.wheel.inertia or Fraction(0)) * bound / at_mean
-            place = 180 * float(self.extreme_place(greatest=False))
-            self._refuse(place, f"J must be above {_above(inertia)} kg m²")
+            self.refuse(180 * float(self.extreme_place(greatest=False)), inertia)
 
     def _rest(self) -> float:
         """Return the first angle in degrees at which the speed is zero."""
@@ -185,18 +215,16 @@ class Run:
             low, high = (middle, high) if left(middle) > 0 else (low, middle)
         return float(high)
 
-    def _refuse(self, degrees: float, bound: str) -> None:
-        raise ProblemError(
-            f"{self.wheel.named} is too light to pass the turn: at φ = {plain(Fraction(f'{degrees:.1f}'))}°"
-            f" it would come to rest; {bound}"
-        )
-
 
 @lru_cache(KEPT)
-def run_of(turn: AnyTurn, wheel: Wheel) -> Run:
+def run_of(turn: AnyTurn, wheel: Wheel) -> AnyRun:
     """Return the engine's run with the flywheel; the latest ones are kept."""
-    if turn.engine.crank.moving is not None:
-        raise ProblemError("the speed over the turn is without moving masses; leave them out")
+    if any(part.crank.moving is not None for part in turn.engine.parts):
+        from kurbel.engine.speed.heavy import HeavyRun
+
+        if not isinstance(turn, Turn):
+            raise ProblemError("the speed over the turn by a card is without moving masses; leave them out")
+        return HeavyRun(turn, wheel)
     if turn.engine.carded:
         from kurbel.engine.speed.card import CardRun
 
@@ -210,3 +238,13 @@ def _above(bound: Number) -> str:
     decimals = 2 - floor(log10(value))
     scale = Fraction(10) ** decimals
     return plain(Fraction(ceil(Fraction(value) * scale)) / scale)
+
+
+def energy_on(cylinders: Sequence[Cylinder], piece: Piece, place: Number) -> Number:
+    """Return the excess energies of all cylinders at a place of a piece, but for what they begin with."""
+    return sum(cylinders[part].energy(stroke, place - ball(begun)) for part, stroke, begun in piece.strokes)
+
+
+def energy_before(turn: AnyTurn) -> Number:
+    """Return these energies at the dead centre from which excess work counts."""
+    return sum(turn.cylinders[part].energy(*begun) for part, *begun in turn.begun())

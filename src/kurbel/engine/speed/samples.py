@@ -1,0 +1,97 @@
+"""A first value of the speed at the dead centre, from samples of the turn in floats."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+import flint
+
+from kurbel.engine.speed.moving import course_at
+from kurbel.exact.roots import ISOLATING_BITS
+
+if TYPE_CHECKING:
+    from kurbel.engine.speed.heavy import HeavyRun
+
+# In a turn; a multiple of all that cranks are usually apart.
+SAMPLES = 720
+HALVINGS = 80
+# s₁ is below 2, for the mean speed is 1 and no speed is below 0.
+MOST = 4.0
+# The mean speed is hit so nearly, or none of the run is.
+NEAR = 1e-6
+
+
+def first_start(run: HeavyRun) -> Fraction:
+    """Return u nearly. Raises ProblemError for a flywheel that comes to rest."""
+    turns = run.turn.cycle // 2
+    with flint.ctx.workprec(ISOLATING_BITS):
+        before = run.begun
+        courses = [
+            course_at(run.turn, run.turn.positions(Fraction(2 * step, SAMPLES)))
+            for step in range(turns * SAMPLES)
+        ]
+        works = [float(one.work - before.work) for one in courses]
+        energies = [float(one.energy) for one in courses]
+        level = run.level(flint.arb(1))
+        half, first = float(level.half), float(before.energy)
+
+    def squares(start: float, factor: float) -> list[float]:
+        """s² at all samples, of a flywheel so many times as heavy."""
+        own = factor * half / (1 if run.wheel.number is None else start)
+        level = (own + first) * start
+        return [(level + work) / (own + energy) for work, energy in zip(works, energies, strict=True)]
+
+    start = _solved(lambda start: squares(start, 1.0))
+    if start is None:
+        factor = _least_factor(lambda factor: _solved(lambda start: squares(start, factor)))
+        rest = squares(_slowest(lambda start: squares(start, 1.0)), 1.0)
+        given = run.wheel.inertia if run.wheel.number is None else run.wheel.number
+        assert given is not None
+        run.refuse(360 * rest.index(min(rest)) / SAMPLES, float(given) * factor)
+    return Fraction(start)
+
+
+def _solved(squares: Callable[[float], Sequence[float]]) -> float | None:
+    """Return the u at which the mean speed is 1, None if there is none."""
+    low, high = 0.0, MOST
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        mean = _mean(squares(middle))
+        low, high = (middle, high) if mean is None or mean < 1 else (low, middle)
+    mean = _mean(squares(high))
+    return high if mean is not None and abs(mean - 1) < NEAR else None
+
+
+def _slowest(squares: Callable[[float], Sequence[float]]) -> float:
+    """Return the least u at which the speed is nowhere below 0."""
+    low, high = 0.0, MOST
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        low, high = (middle, high) if min(squares(middle)) < 0 else (low, middle)
+    return high
+
+
+def _least_factor(found: Callable[[float], float | None]) -> float:
+    low, high = 1.0, 2.0
+    while found(high) is None:
+        low, high = high, 2 * high
+    for _ in range(HALVINGS // 4):
+        middle = (low + high) / 2
+        low, high = (middle, high) if found(middle) is None else (low, middle)
+    return high
+
+
+def _mean(squares: Sequence[float]) -> float | None:
+    """½ (s_max + s_min), None where the speed would be below 0."""
+    least, greatest = -_top([-one for one in squares]), _top(squares)
+    return (greatest**0.5 + least**0.5) / 2 if least >= 0 else None
+
+
+def _top(values: Sequence[float]) -> float:
+    """The greatest value, of the parabola through the samples about it."""
+    highest = max(range(len(values)), key=values.__getitem__)
+    before, at, after = values[highest - 1], values[highest], values[(highest + 1) % len(values)]
+    bend = before - 2 * at + after
+    return at - (after - before) ** 2 / (8 * bend) if bend else at
