@@ -54,7 +54,7 @@ def machine(tmp_path: Path) -> str:
         ("forces --at tangent", "--ratio 1:4,5 --stroke 600mm"),
         ("inertia --centre 0.6 --gyration 0.3", "--ratio 1:4,5 --stroke 600mm --speed 120/min"),
         ("harmonics", "--ratio 1:4,5"),
-        ("balance", "--ratio 1:4,5"),
+        ("balance", "--ratio 1:4,5 --reciprocating 300kg --stroke 600mm --speed 120/min"),
     ],
 )
 def test_the_file_says_what_could_be_typed(command: str, typed: str, machine: str) -> None:

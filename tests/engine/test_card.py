@@ -402,8 +402,9 @@ def test_without_pint_the_sentence_says_what_to_install(
     units.registry.cache_clear()
     card_file._factor.cache_clear()
     monkeypatch.setitem(sys.modules, "pint", None)
+    read_card(written(tmp_path, text_of()))
     with pytest.raises(MissingExtraError) as raised:
-        read_card(written(tmp_path, text_of()))
+        read_card(written(tmp_path, text_of().replace("bar", "psi")))
     assert str(raised.value) == (
         "quantities with units need pint; install it with: pip install 'kurbel[units]'"
     )

@@ -189,11 +189,38 @@ def test_text_with_a_unit_is_told_from_a_number() -> None:
     assert not units.is_measure(" " * 100_000 + "!")
 
 
+@pytest.mark.parametrize(
+    ("unit", "dimension"), [(unit, dimension) for dimension, known in units.KNOWN.items() for unit in known]
+)
+def test_units_that_are_known_are_those_of_pint(unit: str, dimension: str) -> None:
+    known = units.KNOWN[dimension]
+    base = next(one for one, scale in known.items() if scale == 1)
+    quantity = units.registry().Quantity(Fraction(1), unit)
+    assert quantity.check(dimension)
+    assert quantity.to(base).magnitude == known[unit] == units.unit_in(unit, base, dimension)
+
+
+@pytest.mark.parametrize("unit", units.TURNS)
+def test_turns_that_are_known_are_those_of_pint(unit: str) -> None:
+    known, written = units.speed(f"90 {unit}"), "1" + unit if unit.startswith("/") else unit
+    assert known == units.Speed(90 * units.TURNS[unit])
+    turns = units.registry().Quantity(Fraction(90), written).to("turn/s" if unit == "rpm" else "1/s")
+    assert turns.magnitude == known.value
+
+
+def test_units_of_everyday_need_no_pint(monkeypatch: pytest.MonkeyPatch) -> None:
+    units.registry.cache_clear()
+    monkeypatch.setitem(sys.modules, "pint", None)
+    assert length("600mm") == Fraction(3, 5)
+    assert units.speed("120/min") == units.Speed(Fraction(2))
+    assert units.pressure("8bar") == 800_000
+
+
 def test_without_pint_the_sentence_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
     units.registry.cache_clear()
     monkeypatch.setitem(sys.modules, "pint", None)
     with pytest.raises(MissingExtraError) as raised:
-        length("600mm")
+        length("6 yard")
     assert str(raised.value) == (
         "quantities with units need pint; install it with: pip install 'kurbel[units]'"
     )

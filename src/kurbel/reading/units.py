@@ -1,11 +1,12 @@
 """Lengths, speeds and powers with their units, exact: 600mm, 23.5 inch, 120/min, 12.5 rad/s, 50kW.
 
-Needs the extra `units`.
+The units of everyday are known; all others need the extra `units`, whose registry takes a second to load.
 """
 
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache
@@ -13,6 +14,11 @@ from typing import Any
 
 from kurbel.errors import MissingExtraError, NotationError, ProblemError
 from kurbel.reading.notation import about, number
+
+
+def _scaled(units: Mapping[str, int | str]) -> Mapping[str, Fraction]:
+    return {unit: Fraction(scale) for unit, scale in units.items()}
+
 
 # The number is read by kurbel, for pint would evaluate 9**9**9; the unit may not compute either.
 _MEASURE = re.compile(
@@ -30,6 +36,22 @@ _TRANSLATED = {
     **{f"kg{by}m{two}": "kg*m*m" for by in ("", " ", "*", "·") for two in ("²", "^2", "**2", "2")},
     "U/min": "rpm", "Upm": "rpm", "U/s": "turn/s", "min⁻¹": "/min", "PS": "metric_horsepower",
 }  # fmt: skip
+
+
+# By what pint calls their dimension, in the unit that this is read in.
+KNOWN: Mapping[str, Mapping[str, Fraction]] = {
+    "[length]": _scaled({"m": 1, "cm": "1/100", "mm": "1/1000", "in": "0.0254", "inch": "0.0254",
+                         "ft": "0.3048"}),
+    "[length]/[time]": _scaled({"m/s": 1}),
+    "[power]": _scaled({"W": 1, "kW": 1000, "MW": 10**6}),
+    "[mass]": _scaled({"kg": 1, "g": "1/1000", "t": 1000}),
+    "[mass]*[length]**2": _scaled({"kg*m*m": 1}),
+    "[force]": _scaled({"N": 1, "kN": 1000, "MN": 10**6}),
+    "[pressure]": _scaled({"Pa": 1, "kPa": 1000, "MPa": 10**6, "bar": 10**5, "mbar": 100}),
+}  # fmt: skip
+# Turns a second, of which radians are none.
+TURNS = _scaled({"/s": 1, "1/s": 1, "/min": "1/60", "1/min": "1/60", "rpm": "1/60", "Hz": 1})
+RADIANS = "rad/s"
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,7 +83,9 @@ class Measure:
     def __call__(self, text: str, what: str = "") -> Fraction:
         """Return the exact value in the unit."""
         what = what or self.name
-        value = Fraction(_quantity(text, what, self.example, self.dimension).to(self.unit).magnitude)
+        value = _known(text, what, KNOWN.get(self.dimension, {}))
+        if value is None:
+            value = Fraction(_quantity(text, what, self.example, self.dimension).to(self.unit).magnitude)
         return _checked(value, text, what, self.unit, self.most) if self.most else value
 
 
@@ -86,6 +110,11 @@ pressure = Measure("a pressure such as 1bar", "[pressure]", "Pa")
 def speed(text: str) -> Speed:
     """Return a speed of rotation: "120/min", "2 Hz", "720 deg/s" in turns, "12.5 rad/s" in radians."""
     example = "a speed of rotation such as 120/min, 120rpm or 12.5rad/s"
+    for units, turns in ((TURNS, True), ({RADIANS: Fraction(1)}, False)):
+        known = _known(text, "speed", units)
+        if known is not None:
+            unit = "turns a second" if turns else RADIANS
+            return Speed(_checked(known, text, "speed", unit), turns)
     quantity = _quantity(text, "speed", example, "1/[time]")
     name, root = _name(quantity, text), _name(quantity.to_root_units(), text)
     if root not in ("1 / second", "radian / second"):
@@ -102,6 +131,13 @@ def is_measure(text: str) -> bool:
     """Whether the text has a unit."""
     match = _MEASURE.fullmatch(text) if len(text) <= _LONGEST else None
     return match is not None and match.group(2) is not None
+
+
+def _known(text: str, what: str, units: Mapping[str, Fraction]) -> Fraction | None:
+    """Return the value, None if its unit is none of these."""
+    match = _MEASURE.fullmatch(_translated(text)) if len(text) <= _LONGEST else None
+    factor = match and units.get(match.group(2))
+    return number(match.group(1), what) * factor if match and factor else None
 
 
 def _quantity(text: str, what: str, example: str, dimension: str) -> Any:
@@ -147,6 +183,9 @@ def _checked(value: Fraction, text: str, what: str, unit: str, most: int = _LARG
 
 def unit_in(unit: str, base: str, dimension: str) -> Fraction | None:
     """Return the unit in the base unit, None if pint does not know it or it is of another dimension."""
+    known = KNOWN.get(dimension, {})
+    if unit in known and base in known:
+        return known[unit] / known[base]
     try:
         quantity = registry().Quantity(Fraction(1), unit)
     except PINT_ERRORS:
