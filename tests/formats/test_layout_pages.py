@@ -32,6 +32,7 @@ ROWS = {
     "delta-flywheel": ("--eps=2;4",),
     "weisbach-150": ("--eps=4",),
     "collation": ("--only=deviations",),
+    "formulas": ("--only=deviations",),
     "harmonics": ("--orders=2",),
     "balance": ("--orders=2",),
 }

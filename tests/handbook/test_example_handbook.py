@@ -35,7 +35,7 @@ def test_every_source_is_collated_and_every_example_worked(manifest: Manifest) -
     words = {part.words[:3] for part in manifest.parts()}
     collated = {one[1] for one in words if one[:1] == ("collate",)}
     worked = {one[1:] for one in words if one[:1] == ("example",)}
-    assert collated == {table.key for book in books(None) for table in book.tables}
+    assert collated == {table.key for book in books(None) for table in book.all_tables}
     assert worked == {(key, number) for key in source_keys() for number in numbers_of(key)}
 
 

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import pytest
 import textbook
 from mpmath import mp
-from pages import COLLATIONS, MOTION, Address, cells, default_page, each_layout, shown
+from pages import MOTION, Address, cells, default_page, each_layout, shown
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import ChoiceError, ProblemError
@@ -185,7 +185,7 @@ def test_defaults_are_the_ratios_and_angles_of_the_layout(name: str, lang: str) 
 @each_layout
 def test_every_layout_builds_with_its_defaults(name: str, lang: str) -> None:
     table = default_page(name, lang)
-    key = "roetscher-112" if name in COLLATIONS else name
+    key = {"collation": "roetscher-112", "formulas": "blau-equations"}.get(name, name)
     assert (table.lang, table.key, table.layout) == (lang, key, name)
     for text in (table.caption, table.source, *(note.text for note in table.notes)):
         assert "{" not in text

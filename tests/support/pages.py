@@ -38,6 +38,7 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "firing orders": ("firing",),
     "firing": ("firing", "--order=1-3-4-2"),
     "collation": ("collate", "roetscher-112"),
+    "formulas": ("collate", "blau-equations"),
     "arc crank": ("table", "--mechanism=arc", "--rocker=6"),
     "parallel crank": ("table", "--mechanism=parallel"),
     "coupled axles": ("forces", "--mechanism=parallel", "--axles=3"),
@@ -69,7 +70,7 @@ LOADED = about("compressor", "gas cycle")
 BEAMS = about("dead centres", "drive dead centres")
 BALANCES = about("harmonics", "balance")
 FIRINGS = about("firing orders", "firing")
-COLLATIONS = about("collation")
+COLLATIONS = about("collation", "formulas")
 LINKAGES = about("arc crank", "parallel crank", "coupled axles")
 # What `kurbel table` prints.
 DRIVES = about("motion", "arc crank", "parallel crank")
@@ -113,6 +114,7 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
     "firing orders": (kurbel.firing_table, {}),
     "firing": (kurbel.firing_table, {"order": "1-3-4-2"}),
     "collation": (kurbel.collation_table, {"table": "roetscher-112"}),
+    "formulas": (kurbel.collation_table, {"table": "blau-equations"}),
     "arc crank": (kurbel.table, {"mechanism": "arc", "rocker": 6}),
     "parallel crank": (kurbel.table, {"mechanism": "parallel"}),
     "coupled axles": (kurbel.forces_table, {"mechanism": "parallel", "axles": 3}),

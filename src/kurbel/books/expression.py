@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 from kurbel.errors import NotationError
 
 LONGEST = 500
-_OPERATIONS: Mapping[type, Callable[[Any, Any], Any]] = {
+OPERATIONS: Mapping[type, Callable[[Any, Any], Any]] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
     ast.Mult: operator.mul,
@@ -65,7 +65,8 @@ class Expression:
         self, text: str, numbers: Mapping[str, Fraction] | None = None, *, later: bool = False
     ) -> None:
         self.text = text
-        self._tree = _parsed(text, numbers or {}, later)
+        self._tree = parsed(text, numbers or {})
+        _check(self._tree, text, later)
         named = {node.id for node in ast.walk(self._tree) if isinstance(node, ast.Name)}
         self.names = frozenset(named - {*FUNCTIONS})
         self.transcendental = bool(named & {"ln", "arccos"})
@@ -79,7 +80,8 @@ class Expression:
         return _value(self._tree, kind, cell)
 
 
-def _parsed(text: str, numbers: Mapping[str, Fraction], later: bool) -> ast.expr:
+def parsed(text: str, numbers: Mapping[str, Fraction]) -> ast.expr:
+    """Return the tree of an expression, its numbers Fractions; what may stand in it others check."""
     if len(text) > LONGEST:
         raise NotationError(f"an expression of {len(text)} characters is too long; {LONGEST} are allowed")
     written = text.replace("^", "**")
@@ -88,7 +90,6 @@ def _parsed(text: str, numbers: Mapping[str, Fraction], later: bool) -> ast.expr
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         raise NotationError(f'"{text[:60]}" is no expression; write one such as 1 - cos(45)') from None
     read: ast.expr = _Numbers(written, numbers).visit(tree).body
-    _check(read, text, later)
     return read
 
 
@@ -125,7 +126,7 @@ def _check(tree: ast.expr, text: str, later: bool) -> None:
             _check(inner, text, later)
         case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=power)) if power in range(10):
             _check(left, text, later)
-        case ast.BinOp(left=left, op=op, right=right) if type(op) in _OPERATIONS:
+        case ast.BinOp(left=left, op=op, right=right) if type(op) in OPERATIONS:
             _check(left, text, later)
             _check(right, text, later)
         case ast.Call(func=ast.Name(id=name), args=[inner], keywords=[]) if name in FUNCTIONS:
@@ -150,9 +151,9 @@ def _rational(tree: ast.expr, text: str) -> Fraction:
             return value
         case ast.UnaryOp(op=ast.USub(), operand=inner):
             return -_rational(inner, text)
-        case ast.BinOp(left=left, op=op, right=right) if type(op) in _OPERATIONS:
+        case ast.BinOp(left=left, op=op, right=right) if type(op) in OPERATIONS:
             try:
-                return Fraction(_OPERATIONS[type(op)](_rational(left, text), _rational(right, text)))
+                return Fraction(OPERATIONS[type(op)](_rational(left, text), _rational(right, text)))
             except ZeroDivisionError:
                 raise NotationError(f'"{text[:60]}" divides by zero') from None
     raise NotationError(f'"{text[:60]}" has a sine or cosine of no number; write its degrees out')
@@ -169,7 +170,7 @@ def _value(tree: ast.expr, kind: Kind, cell: Callable[[str], Any]) -> Any:
         case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=Fraction() as power)):
             return _value(left, kind, cell) ** int(power)
         case ast.BinOp(left=left, op=op, right=right):
-            return _OPERATIONS[type(op)](_value(left, kind, cell), _value(right, kind, cell))
+            return OPERATIONS[type(op)](_value(left, kind, cell), _value(right, kind, cell))
         case ast.Call(func=ast.Name(id="sin"), args=[inner]):
             return kind.circle(_rational(inner, "")).sine
         case ast.Call(func=ast.Name(id="cos"), args=[inner]):

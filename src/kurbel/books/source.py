@@ -21,6 +21,7 @@ from typing import Annotated, Any, ClassVar, NamedTuple
 from msgspec import Struct
 
 from kurbel.books.expression import Expression
+from kurbel.books.formulas.table import FormulaTable
 from kurbel.books.printed_value import Printed, printed_value
 from kurbel.errors import NotationError, SourceError
 from kurbel.page.layouts import LANGUAGES, Notes, Words
@@ -102,6 +103,18 @@ class TableFile(Struct, frozen=True, forbid_unknown_fields=True):
     layout: Annotated[str, about("layout that prints the table as the book does")] = ""
 
 
+class FormulasFile(Struct, frozen=True, forbid_unknown_fields=True):
+    """What source.toml says of the formulas of a section."""
+
+    NOUN: ClassVar[str] = "key of formulas"
+    SHAPE: ClassVar[str] = "a section, such as [formulas.equations]"
+
+    title: Annotated[BookWords, about("title")] = BookWords(de="", en="")
+    notes: Annotated[BookNotes, about("lines below the collation")] = BookNotes(de=(), en=())
+    letters: Annotated[dict[str, str], about("what letters are made of")] = {}
+    labels: Annotated[dict[str, str], about("how letters are printed that are not named so")] = {}
+
+
 class BookFile(Struct, frozen=True, forbid_unknown_fields=True):
     """What source.toml says. `name`, `example` and `ratio` are for worked examples: what the book is called
     there, what it calls them, and its letters of the crank ratio."""
@@ -112,6 +125,7 @@ class BookFile(Struct, frozen=True, forbid_unknown_fields=True):
     stated: Annotated[BookWords, about("what the copy says of itself")] = BookWords(de="", en="")
     inferred: Annotated[BookWords, about("what it does not say")] = BookWords(de="", en="")
     tables: Annotated[dict[str, TableFile], about("its tables")] = {}
+    formulas: Annotated[dict[str, FormulasFile], about("its formulas")] = {}
     name: Annotated[str, about("short name")] = ""
     example: Annotated[BookWords, about("what it calls an example")] = BookWords(de="", en="")
     ratio: Annotated[str, about("letters of the crank ratio")] = "R:L"
@@ -202,13 +216,24 @@ class Book:
         self.citation = self.given.citation
         self.stated = self.given.stated
         self.inferred = self.given.inferred
-        for name in self.given.tables:
-            if not _KEY.fullmatch(name):
-                raise self.file.error(
-                    ("tables", name),
-                    f'the table "{name[:40]}" cannot be a file; use letters, digits, - and _',
-                )
+        for kind, names in (("tables", self.given.tables), ("formulas", self.given.formulas)):
+            for name in names:
+                self._check_name(kind, name)
         self.tables = [SourceTable(self, name, entry) for name, entry in self.given.tables.items()]
+        self.formulas = [FormulaTable(self, name, entry) for name, entry in self.given.formulas.items()]
+
+    @property
+    def all_tables(self) -> list[SourceTable | FormulaTable]:
+        """Its tables of values, then those of formulas."""
+        return [*self.tables, *self.formulas]
+
+    def _check_name(self, kind: str, name: str) -> None:
+        if not _KEY.fullmatch(name):
+            raise self.file.error(
+                (kind, name), f'the table "{name[:40]}" cannot be a file; use letters, digits, - and _'
+            )
+        if kind == "formulas" and name in self.given.tables:
+            raise self.file.error((kind, name), f'there is a table "{name}" of values; give one another name')
 
 
 def books(folder: str | os.PathLike[str] | None = None) -> Iterator[Book]:
@@ -224,8 +249,13 @@ def books(folder: str | os.PathLike[str] | None = None) -> Iterator[Book]:
 
 
 def source_tables(folder: str | os.PathLike[str] | None = None) -> Mapping[str, SourceTable]:
-    """Return every table of every book by its key; the user's go before kurbel's own."""
-    return {table.key: table for book in books(folder) for table in book.tables}
+    """Return every table of values of every book by its key; the user's go before kurbel's own."""
+    return {key: table for key, table in all_tables(folder).items() if isinstance(table, SourceTable)}
+
+
+def all_tables(folder: str | os.PathLike[str] | None = None) -> Mapping[str, SourceTable | FormulaTable]:
+    """Return the same with the tables of formulas."""
+    return {table.key: table for book in books(folder) for table in book.all_tables}
 
 
 def _head(line: str) -> Head:

@@ -21,7 +21,7 @@ from typing import Any, NamedTuple
 from kurbel.books.collation import Collated, Collation, cell_truth, collate, collated_units
 from kurbel.books.printed_value import Printed, printed_value
 from kurbel.books.quantities import AXES, FAMILIES, keys_by, methods_of
-from kurbel.books.source import SourceCell, source_tables
+from kurbel.books.source import SourceCell, SourceTable, all_tables
 from kurbel.drive.crank import Crank
 from kurbel.errors import ChoiceError, KurbelError, NotationError, ProblemError, SourceError
 from kurbel.motion.evaluation import METHODS, columns_in_balls, columns_in_floats, is_known, is_long
@@ -73,8 +73,8 @@ def collated_table(
     crank_ratio: str | None,
     method: str | None,
     folder: str | os.PathLike[str] | None,
-) -> tuple[Any, tuple[Collated, ...]]:
-    """Return a book's table, or what stands for one's own, with its collated values."""
+) -> tuple[Any, tuple[Any, ...]]:
+    """Return a book's table, or what stands for one's own, with its collated values or formulas."""
     if file is not None:
         if folder is not None:
             raise ProblemError("--sources is for tables of books, and --csv is your own; leave one out")
@@ -83,11 +83,11 @@ def collated_table(
         raise ProblemError(
             "quantity, ratio and method are for your own transcription, --csv; a book's table has its own"
         )
-    tables = source_tables(folder)
+    tables = all_tables(folder)
     if table is None:
         raise ProblemError(f"name a table, such as roetscher-112, or --csv; kurbel has {', '.join(tables)}")
     found = tables[choose(table, tables, "table")]
-    return found, tuple(Collation(found))
+    return found, tuple(Collation(found) if isinstance(found, SourceTable) else found.collated())
 
 
 def collated_file(

@@ -35,7 +35,7 @@ def sources(sources: File | None, lang: str) -> None:
         for name, text in (("stated", book.stated), ("inferred", book.inferred)):
             if text[lang]:
                 click.echo(f"    {WORDS[name][lang]}: {text[lang]}")
-        for table in book.tables:
+        for table in book.all_tables:
             click.echo(f"    {table.key}  {table.title[lang]}")
 
 

@@ -24,6 +24,7 @@ from kurbel.reading.given import (
 
 if TYPE_CHECKING:
     from kurbel.books.collate_page import CollateRequest
+    from kurbel.books.formulas.page import FormulaRequest
     from kurbel.examples.page import ExampleRequest
 
 
@@ -84,12 +85,15 @@ def collation_table(
     layout: Annotated[str, option.layout_option("collation")] = "collation",
     lang: option.Lang = "de",
     label: option.Label = "",
-) -> "CollateRequest":
+) -> "CollateRequest | FormulaRequest":
     """Print a table of a book, or your own transcription, with the values that it should have.
+
+    Of formulas it prints whether each follows from the one before.
 
     \b
     kurbel collate roetscher-112
     kurbel collate weisbach-150 --only deviations --lang en
+    kurbel collate blau-equations
     kurbel collate --csv scan.csv --quantity p --ratio 1:4 --method series --strict
     \f
     >>> import kurbel
@@ -101,21 +105,27 @@ def collation_table(
     x_45,"0,356","0,355",last_place
     """
     from kurbel.books.collate_page import CollateRequest
+    from kurbel.books.formulas.table import FormulaTable
     from kurbel.books.transcription import collated_table
 
     if csv is not None and table is not None:
         raise ProblemError("--csv is a table of your own, and one of a book is named too; leave one out")
     text = ratio if ratio is None or isinstance(ratio, str) else notation.ratio_text(as_fraction(ratio))
     found, collated = collated_table(table, csv, quantity, text, method, sources)
-    return CollateRequest(
-        layout=layout_of(layout, ("collation",), layouts),
-        table=found,
-        collated=collated,
-        only=only,
-        columns=as_names(columns, "place,printed,recomputed"),
-        lang=lang,
-        label=label,
-    )
+    asked: Mapping[str, Any] = {
+        "table": found,
+        "collated": collated,
+        "only": only,
+        "columns": as_names(columns, "place,printed,recomputed"),
+        "lang": lang,
+        "label": label,
+    }
+    if not isinstance(found, FormulaTable):
+        return CollateRequest(layout=layout_of(layout, ("collation",), layouts), **asked)
+    from kurbel.books.formulas.page import FormulaRequest
+
+    own = "formulas" if layout == "collation" else layout
+    return FormulaRequest(layout=layout_of(own, ("formulas",), layouts), **asked)
 
 
 @makes_table(machine=False, build="kurbel.examples.page:build_example")

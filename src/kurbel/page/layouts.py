@@ -50,6 +50,7 @@ SUBJECTS: Mapping[str, Pages] = {
     "inertia errors": Pages("kurbel.motion.inertia_page:SUBJECT", _INERTIA),
     "roots": Pages("kurbel.solve.page:SUBJECT", "solve --where p=0"),
     "collation": Pages("kurbel.books.collate_page:SUBJECT", "collate roetscher-112"),
+    "formulas": Pages("kurbel.books.formulas.page:SUBJECT", "collate blau-equations"),
 }
 
 

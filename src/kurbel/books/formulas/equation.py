@@ -1,0 +1,211 @@
+"""What a step from one printed formula to another is found to be: by proof, balls and power series."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+import flint
+
+from kurbel.books.formulas.form import Algebra, Form, Letters
+from kurbel.books.formulas.points import BITS, Balls, Series, at_points, cells, ends, order_of
+from kurbel.books.formulas.polynomial import Quotient, UnprovableError
+from kurbel.books.formulas.proof import PARTS, Symbols
+
+# How a formula follows from one before it: it begins; it is equal; it is so but for what the book neglects;
+# it is the same equation for a letter; its value of a letter solves the equation.
+BEGINS, EQUAL, NEARLY, SAME, ROOT = "", "equal", "nearly", "same", "root"
+RELATIONS = (BEGINS, EQUAL, NEARLY, SAME, ROOT)
+# What needs a letter: the small one, or the unknown.
+OF_LETTER = (NEARLY, SAME, ROOT)
+# The sign ±, which is worked with both.
+SIGN = "pm"
+# A wrong formula may be off by a simple factor.
+MOST_FACTOR = 12
+
+STARTS, HOLDS, AGREES, ORDER = "starts", "proved", "agrees", "order"
+UNSETTLED, ONLY_NEARLY, FACTOR, WRONG = "unsettled", "only_nearly", "factor", "wrong"
+FAR, OTHER, NO_ROOT = "far", "other_equation", "no_root"
+# From what is right to what is wrong.
+KINDS = (STARTS, HOLDS, AGREES, ORDER, UNSETTLED, ONLY_NEARLY, FACTOR, FAR, WRONG, OTHER, NO_ROOT)
+FINE = (STARTS, HOLDS, AGREES, ORDER)
+Point = Mapping[str, Fraction]
+
+
+class Finding(NamedTuple):
+    """What is found: the kind, and what belongs to it.
+
+    `order` is the power of the small letter in the relative difference, `factor` how many times too great a
+    formula is, `point` one at which both sides, as balls, differ.
+    """
+
+    kind: str
+    order: int = 0
+    factor: Fraction = Fraction(1)
+    point: Point = MappingProxyType({})
+    sides: tuple[Any, ...] = ()
+
+
+class Step(NamedTuple):
+    """A formula that follows from another, with the forms of the letters in both."""
+
+    before: Form
+    form: Form
+    relation: str
+    letter: str
+    forms: Mapping[str, Form]
+
+    def letters(self) -> frozenset[str]:
+        """Return the letters that stand for any number."""
+        free: set[str] = set()
+        waiting = [*self.before.letters, *self.form.letters, *([self.letter] if self.letter else [])]
+        seen: set[str] = set()
+        while waiting:
+            name = waiting.pop()
+            if name in seen:
+                continue
+            seen.add(name)
+            if name in self.forms and name != self.letter:
+                waiting += self.forms[name].letters
+            else:
+                free.add(name)
+        return frozenset(free)
+
+    def sides(self, algebra: Algebra, given: Mapping[str, Any]) -> tuple[Any, Any]:
+        """Return what must be equal."""
+        letters = Letters(algebra, given, self.forms)
+        if self.relation == ROOT:
+            solved = Letters(algebra, given, {**self.forms, self.letter: self.form})
+            return solved.of(self.before), algebra.of(Fraction(0))
+        if self.relation == SAME:
+            other = Letters(algebra, {**given, self.letter: given[_OTHER]}, self.forms)
+            left = letters.of(self.before) * other.of(self.form)
+            return left, letters.of(self.form) * other.of(self.before)
+        return letters.of(self.before), letters.of(self.form)
+
+
+# A second value of the unknown.
+_OTHER = "other"
+
+
+def found(step: Step) -> Finding:
+    """Return what the step is; of both signs the worse."""
+    letters = step.letters()
+    free = (letters | {_OTHER} if step.relation == SAME else letters) - {SIGN}
+    if step.relation == ROOT:
+        free -= {step.letter}
+    signs = (1, -1) if SIGN in letters else (1,)
+    return max((_found(step, free, sign) for sign in signs), key=lambda one: KINDS.index(one.kind))
+
+
+def _found(step: Step, free: frozenset[str], sign: int) -> Finding:
+    if _proved(step, free, sign):
+        return Finding(HOLDS)
+    if step.relation == SAME:
+        return Finding(OTHER if any(_other_roots(step, free - {_OTHER}, sign)) else UNSETTLED)
+    if step.relation == NEARLY:
+        return _nearly(_order(step, free - {step.letter}, sign))
+    at_all = tuple(_at_points(step, free, sign))
+    apart = next((one for one in at_all if one.kind == WRONG), None)
+    if apart is None:
+        return at_all[0] if at_all else Finding(UNSETTLED)
+    if step.relation == ROOT:
+        return apart._replace(kind=NO_ROOT)
+    return _unequal(step, free, sign, apart)
+
+
+def _nearly(order: int | None) -> Finding:
+    """Return what an approximation of the book is."""
+    if order is None:
+        return Finding(UNSETTLED)
+    return Finding(ORDER, order=order) if order > 0 else Finding(FAR)
+
+
+def _unequal(step: Step, free: frozenset[str], sign: int, apart: Finding) -> Finding:
+    """Return what is to be said of two sides that differ at a point."""
+    order = _order(step, free - {step.letter}, sign) if step.letter else None
+    if order is not None and order > 0:
+        return Finding(ONLY_NEARLY, order=order)
+    factor = _factor(step, free, sign, apart)
+    return apart if factor is None else Finding(FACTOR, factor=factor)
+
+
+def _proved(step: Step, free: frozenset[str], sign: int, times: Fraction = Fraction(1)) -> bool:
+    """Return whether both sides, the first so many times, are the same quotient of polynomials."""
+    for parts in PARTS:
+        symbols = Symbols(parts)
+        given = {name: symbols.letter() for name in sorted(free)}
+        try:
+            left, right = step.sides(symbols, {**given, SIGN: symbols.of(Fraction(sign))})
+            same: bool = Quotient.equals(left * symbols.of(times), right)
+        except UnprovableError:
+            continue
+        return same
+    return False
+
+
+def _at_points(step: Step, free: frozenset[str], sign: int) -> Iterator[Finding]:
+    """Yield for points whether the sides differ there for certain, or else agree."""
+
+    def at(point: Point) -> Finding | None:
+        balls = Balls()
+        given = {name: balls.of(value) for name, value in point.items()}
+        left, right = step.sides(balls, {**given, SIGN: balls.of(Fraction(sign))})
+        apart = left - right
+        if not apart.is_finite():
+            return None
+        return Finding(AGREES) if 0 in apart else Finding(WRONG, point=point, sides=(left, right))
+
+    return at_points(free, at)
+
+
+def _other_roots(step: Step, free: frozenset[str], sign: int) -> Iterator[bool]:
+    """Yield for points whether the first equation has a root where the second has none, for certain."""
+
+    def at(point: Point) -> bool | None:
+        balls = Balls()
+        given = {name: balls.of(value) for name, value in point.items()} | {SIGN: balls.of(Fraction(sign))}
+
+        def value(form: Form, unknown: Any) -> Any:
+            return Letters(balls, {**given, step.letter: unknown}, step.forms).of(form)
+
+        for cell in cells():
+            below, above, first, last = value(step.before, cell), value(step.form, cell), *ends(cell)
+            falls = value(step.before, first) * value(step.before, last) < 0
+            if falls and below.is_finite() and above.is_finite() and 0 not in above:
+                return True
+        return False
+
+    return at_points(free, at)
+
+
+def _order(step: Step, free: frozenset[str], sign: int) -> int | None:
+    """Return the power of the small letter in the relative difference, None where none is found."""
+
+    def at(point: Point) -> int | None:
+        series = Series()
+        given = {name: series.of(value) for name, value in point.items()}
+        try:
+            left, right = step.sides(
+                series, {**given, step.letter: series.small, SIGN: series.of(Fraction(sign))}
+            )
+        except (ValueError, ZeroDivisionError):
+            return None
+        apart, first = order_of(left - right), order_of(left)
+        return None if apart is None or first is None else apart - first
+
+    return min(at_points(free, at), default=None)
+
+
+def _factor(step: Step, free: frozenset[str], sign: int, apart: Finding) -> Fraction | None:
+    """Return how many times too great the formula is, if that is one simple number everywhere, by proof."""
+    left, right = apart.sides
+    with flint.ctx.workprec(BITS):
+        for bottom in range(1, MOST_FACTOR + 1):
+            whole = (right * bottom / left).unique_fmpz() if 0 not in left else None
+            if whole is not None and whole != 0:
+                factor = Fraction(int(whole), bottom)
+                return factor if _proved(step, free, sign, factor) else None
+    return None

@@ -1,0 +1,237 @@
+"""The formulas of a book become a page: each as printed, with what is found of its step from another."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import cache, cached_property
+from math import floor, log10
+from typing import Any
+
+from kurbel.books.formulas.equation import (
+    AGREES,
+    FACTOR,
+    FAR,
+    FINE,
+    HOLDS,
+    KINDS,
+    NO_ROOT,
+    ONLY_NEARLY,
+    ORDER,
+    OTHER,
+    STARTS,
+    UNSETTLED,
+    WRONG,
+)
+from kurbel.books.formulas.points import POINTS
+from kurbel.books.formulas.table import Collated, FormulaTable
+from kurbel.books.verdict import ALL, DEVIATIONS
+from kurbel.exact.numerals import Label, nearest, number_text
+from kurbel.page.axes import ColumnAxis, PageAxis, Place
+from kurbel.page.quantity import Column, Formula, Quantity, Words, words
+from kurbel.page.subject import Question, Subject
+from kurbel.page.table import Field, Note, Records, Value
+from kurbel.reading.given import choose
+
+KEYS = ("table", "place", "printed", "follows", "relation", "letter", "verdict", "detail")
+# Of the two sides at a point.
+FIGURES = 4
+WORDS: Mapping[str, Words] = {
+    "place": words("Stelle|Place"),
+    "printed": words("gedruckt|printed"),
+    "verdict": words("Befund|verdict"),
+    "follows": words("folgt aus|follows from"),
+    "relation": words("Beziehung|relation"),
+    "letter": words("Buchstabe|letter"),
+    "detail": words("Einzelheit|detail"),
+    "table": words("Tafel|Table"),
+    "summary": words("{steps} Schritte: {verdicts}|{steps} steps: {verdicts}"),
+    "proof": words(
+        "bewiesen: beide Seiten sind derselbe Quotient von Polynomen in den Buchstaben, Sinus und Kosinus, "
+        "$π$ und Logarithmen; Buchstaben sind positiv, $±$ gilt mit beiden Zeichen"
+        "|proved: both sides are the same quotient of polynomials in the letters, sine and cosine, $π$ and "
+        "logarithms; letters are positive, $±$ holds with both signs"
+    ),
+    "order": words(
+        "Ordnung: des relativen Unterschieds beider Seiten|order: of the relative difference of both sides"
+    ),
+}
+# What is found, by kind: in the count, and with what belongs to it.
+VERDICTS: Mapping[str, tuple[Words, Words]] = {
+    HOLDS: (words("bewiesen|proved"), words("bewiesen|proved")),
+    AGREES: (
+        words("nicht widerlegt|not refuted"),
+        words("an {points} Stellen gleich, nicht bewiesen|equal at {points} points, not proved"),
+    ),
+    ORDER: (words("Näherung|approximation"), words("Näherung, Ordnung {order}|approximation, order {order}")),
+    ONLY_NEARLY: (
+        words("nur Näherung|an approximation only"),
+        words("nur Näherung, Ordnung {order}|an approximation only, order {order}"),
+    ),
+    UNSETTLED: (words("nicht entschieden|not settled"), words("nicht entschieden|not settled")),
+    FAR: (words("falsch|wrong"), words("falsch: keine Näherung|wrong: no approximation")),
+    FACTOR: (words("falsch|wrong"), words("falsch: {factor} mal so groß|wrong: {factor} times as great")),
+    WRONG: (
+        words("falsch|wrong"),
+        words("falsch: bei {point} wird {right}, nicht {left}|wrong: at {point} it is {right}, not {left}"),
+    ),
+    OTHER: (words("falsch|wrong"), words("falsch: eine andere Gleichung|wrong: another equation")),
+    NO_ROOT: (
+        words("falsch|wrong"),
+        words("falsch: keine Wurzel, die linke Seite ist {left}|wrong: no root, the left side is {left}"),
+    ),
+}
+
+
+@dataclass(frozen=True, kw_only=True)
+class FormulaRequest(Question):
+    """What is asked for: the formulas of a table, all or those that are not as they should be."""
+
+    table: FormulaTable
+    collated: Sequence[Collated] = field(repr=False)
+    only: str = ALL
+
+    def __len__(self) -> int:
+        return len(self.shown)
+
+    @cached_property
+    def deviations(self) -> list[Collated]:
+        return [one for one in self.collated if one.finding.kind not in FINE]
+
+    @property
+    def shown(self) -> Sequence[Collated]:
+        return self.deviations if self.only == DEVIATIONS else self.collated
+
+    @cached_property
+    def page_columns(self) -> tuple[Column, ...]:
+        for key in self.columns:
+            choose(key, KEYS, "column")
+        return tuple(map(self.column, self.layout.columns))
+
+    @property
+    def key(self) -> str:
+        return self.label or self.table.key
+
+    @property
+    def source(self) -> Label:
+        return self.table.book.citation[self.lang]
+
+
+class _PlaceAxis(PageAxis):
+    """The places of the printed formulas; one without a label has that of the formula above."""
+
+    def __init__(self, request: FormulaRequest) -> None:
+        super().__init__(len(request.shown))
+        self.request = request
+        self.labels: dict[str, Label] = {}
+        label = ""
+        for row, _ in request.collated:
+            label = self.labels[row.place] = row.label or label
+
+    def stub_heading(self) -> Label:
+        return WORDS["place"][self.request.lang]
+
+    def heads(self, place: Place) -> tuple[Label, ...]:
+        return (self.labels[self.request.shown[place["place"]].row.place],)
+
+
+def verdict_text(one: Collated, table: FormulaTable, lang: str) -> Label | None:
+    """Return what is found of a formula, None of one that begins."""
+    found = one.finding
+    if found.kind == STARTS:
+        return None
+    parts: dict[str, Label] = {"points": str(POINTS), "factor": f"${found.factor}$"}
+    if found.order:
+        parts["order"] = _power(table.letter_label(one.row.letter), found.order)
+    if found.sides:
+        at = (f"${table.letter_label(name)} = {value}$" for name, value in found.point.items())
+        left, right = map(_figures, found.sides)
+        parts |= {"point": ", ".join(at), "left": left, "right": right}
+    return VERDICTS[found.kind][1][lang].format(**parts)
+
+
+def _power(letter: Label, order: int) -> Label:
+    if order == 1:
+        return f"${letter}$"
+    return f"${letter}^{order}$" if letter.isalpha() else f"$({letter})^{order}$"
+
+
+def _figures(value: Any) -> Label:
+    """Return a ball, which is small, with so many figures."""
+    exact = Fraction(str(value.mid().str(60, radius=False)))
+    decimals = FIGURES if not exact else max(FIGURES - 1 - floor(log10(abs(exact))), 0)
+    return f"${number_text(nearest(exact, decimals))}$"
+
+
+@cache
+def quantities() -> Mapping[str, Quantity]:
+    """Return what stands beside a place."""
+    shown = {
+        "printed": lambda one, request: f"${one.row.printed}$",
+        "verdict": lambda one, request: verdict_text(one, request.table, request.lang),
+    }
+    return {
+        key: Quantity(key, WORDS[key], "", words(""), None, {"": Formula(kernel)}, WORDS[key])
+        for key, kernel in shown.items()
+    }
+
+
+def _shown(request: FormulaRequest, column: Column, place: Place, times: int) -> Value:
+    shown: Value = column.quantity.formulas[""].kernel(request.shown[place["place"]], request)
+    return shown
+
+
+def _notes(request: FormulaRequest) -> Iterator[Note]:
+    lang = request.lang
+    found = [one.finding.kind for one in request.collated if one.finding.kind != STARTS]
+    counted = Counter(VERDICTS[kind][0][lang] for kind in sorted(found, key=KINDS.index))
+    verdicts = ", ".join(f"{count} {name}" for name, count in counted.items())
+    yield Note(WORDS["summary"][lang].format(steps=len(found), verdicts=verdicts))
+    yield from (Note(note) for note in request.table.notes[lang])
+    yield Note(WORDS["proof"][lang])
+    if {ORDER, ONLY_NEARLY} & {*found}:
+        yield Note(WORDS["order"][lang])
+
+
+def _records(request: FormulaRequest) -> Records:
+    keys, lang = request.columns or KEYS, request.lang
+    rows = [[_record(request, one)[key] for key in keys] for one in request.shown]
+    return Records(tuple(Field(key, WORDS[key][lang]) for key in keys), rows)
+
+
+def _record(request: FormulaRequest, one: Collated) -> Mapping[str, Value]:
+    row, found = one
+    details = {FACTOR: str(found.factor), ORDER: str(found.order), ONLY_NEARLY: str(found.order)}
+    point = " ".join(f"{name}={value}" for name, value in found.point.items())
+    return {
+        "table": request.table.key,
+        "place": row.place,
+        "printed": row.printed,
+        "follows": row.follows or None,
+        "relation": row.relation or None,
+        "letter": row.letter or None,
+        "verdict": None if found.kind == STARTS else found.kind,
+        "detail": details.get(found.kind) or point or None,
+    }
+
+
+def _caption(request: FormulaRequest) -> Label:
+    return request.layout.caption[request.lang].replace("{title}", request.table.title[request.lang])
+
+
+SUBJECT = Subject(
+    key="formulas",
+    layout="formulas",
+    command="collate",
+    axes={"place": _PlaceAxis, "column": ColumnAxis},
+    axis_keys=KEYS,
+    own_first=False,
+    quantities=quantities,
+    listed=tuple,
+    number=_shown,
+    caption=_caption,
+    notes=_notes,
+    rows=_records,
+)

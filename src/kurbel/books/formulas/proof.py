@@ -1,0 +1,178 @@
+"""Formulas on exact quotients of polynomials, in which an equality is proved by the terms themselves.
+
+Letters, π and logarithms are taken for independent of one another, an angle of its sine and cosine too: what
+holds so holds for all numbers. Sine and cosine of all angles are made of those of a part of each letter, and
+s² is 1 - c²; a root is a letter whose square is the radicand. Letters are positive, so that the root of a
+square of letters alone is known.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+from typing import TypeAlias
+
+from kurbel.books.formulas.polynomial import (
+    ONE,
+    Monomial,
+    Polynomial,
+    Quotient,
+    Ring,
+    UnprovableError,
+    common,
+    multiplied,
+)
+
+Circle: TypeAlias = tuple[Quotient, Quotient]
+# Of a letter in an angle; halves and quarters of angles are in the books.
+PARTS = (1, 2, 4)
+# Sine and cosine of 0°, 90°, 180°, 270°.
+_QUARTERS = ((0, 1), (1, 0), (0, -1), (-1, 0))
+# Whose squares are taken out of a root.
+LARGEST_PRIME = 100
+
+
+def square_root_in(number: int) -> int:
+    """Return the greatest whole number whose square divides a number, as far as its primes are small."""
+    root = 1
+    for prime in range(2, LARGEST_PRIME):
+        while number % (prime * prime) == 0:
+            number //= prime * prime
+            root *= prime
+    return root
+
+
+class Symbols:
+    """The algebra of quotients. `parts` is into how many parts the angles are divided."""
+
+    def __init__(self, parts: int) -> None:
+        self.ring = Ring()
+        self.parts = parts
+        self._positive: set[int] = set()
+        self.pi = self.letter()
+        self._pi = self.ring.count
+        self._circles: dict[int, Circle] = {}
+        self._whole: set[int] = set()
+        self._roots: list[tuple[Polynomial, Quotient]] = []
+        self._logarithms: list[tuple[Quotient, Quotient]] = []
+        self._functions: dict[str, Callable[[Quotient], Quotient]] = {
+            "sin": lambda angle: self._circle(angle)[0],
+            "cos": lambda angle: self._circle(angle)[1],
+            "tan": lambda angle: self._circle(angle)[0] / self._circle(angle)[1],
+            "cot": lambda angle: self._circle(angle)[1] / self._circle(angle)[0],
+            "sqrt": self._root,
+            "ln": self._logarithm,
+            "arcsin": self._arcsin,
+            "arctan": self._arctan,
+        }
+
+    def letter(self) -> Quotient:
+        """Return a new letter that stands for any positive number."""
+        number = self.ring.letter()
+        self._positive.add(number)
+        return Quotient(self.ring, self.ring.power(number))
+
+    def of(self, value: Fraction) -> Quotient:
+        return Quotient(self.ring, {(): value} if value else {})
+
+    def apply(self, function: str, value: Quotient) -> Quotient:
+        return self._functions[function](value)
+
+    def _circle(self, angle: Quotient) -> Circle:
+        """Return sine and cosine of a sum of letters with rational factors."""
+        if angle.bottom != ONE:
+            raise UnprovableError("the angle is a quotient")
+        sine, cosine = self.of(Fraction(0)), self.of(Fraction(1))
+        for monomial, factor in angle.top.items():
+            if len(monomial) != 1 or monomial[0][1] != 1:
+                raise UnprovableError("the angle is no sum of letters")
+            other_sine, other_cosine = self._multiple(monomial[0][0], factor)
+            sine, cosine = (
+                sine * other_cosine + cosine * other_sine,
+                cosine * other_cosine - sine * other_sine,
+            )
+        return sine, cosine
+
+    def _multiple(self, letter: int, factor: Fraction) -> Circle:
+        if letter == self._pi and (2 * factor).denominator == 1:
+            of_quarter = _QUARTERS[int(2 * factor) % 4]
+            return self.of(Fraction(of_quarter[0])), self.of(Fraction(of_quarter[1]))
+        count = factor if letter in self._whole else factor * self.parts
+        if count.denominator != 1:
+            raise UnprovableError("a part of an angle is too small")
+        sine, cosine = self.of(Fraction(0)), self.of(Fraction(1))
+        step_sine, step_cosine = self._step(letter)
+        for _ in range(abs(int(count))):
+            sine, cosine = sine * step_cosine + cosine * step_sine, cosine * step_cosine - sine * step_sine
+        return (-sine if count < 0 else sine), cosine
+
+    def _step(self, letter: int) -> Circle:
+        """Return sine and cosine of the part of a letter of which all its angles are made."""
+        if letter not in self._circles:
+            ring = self.ring
+            cosine = ring.letter()
+            square = ring.sum(ONE, ring.power(cosine, 2), Fraction(-1))
+            sine = ring.letter(square)
+            self._circles[letter] = Quotient(ring, ring.power(sine)), Quotient(ring, ring.power(cosine))
+        return self._circles[letter]
+
+    def _arc(self, sine: Quotient, cosine: Quotient) -> Quotient:
+        angle = self.ring.letter()
+        self._circles[angle] = sine, cosine
+        self._whole.add(angle)
+        return Quotient(self.ring, self.ring.power(angle))
+
+    def _arcsin(self, sine: Quotient) -> Quotient:
+        return self._arc(sine, self._root(self.of(Fraction(1)) - sine * sine))
+
+    def _arctan(self, tangent: Quotient) -> Quotient:
+        secant = self._root(self.of(Fraction(1)) + tangent * tangent)
+        return self._arc(tangent / secant, self.of(Fraction(1)) / secant)
+
+    def _logarithm(self, value: Quotient) -> Quotient:
+        for known, logarithm in self._logarithms:
+            if known.equals(value):
+                return logarithm
+        # Of either sign, and so none of the letters that may stand before a root.
+        logarithm = Quotient(self.ring, self.ring.power(self.ring.letter()))
+        self._logarithms.append((value, logarithm))
+        return logarithm
+
+    def _root(self, value: Quotient) -> Quotient:
+        """Return the root of N/D as √(N D)/D, with the squares of letters before the root."""
+        if not self._is_positive(value.bottom):
+            raise UnprovableError("the sign below the line is not known")
+        radicand = self.ring.product(value.top, value.bottom)
+        if not radicand:
+            return self.of(Fraction(0))
+        before, scale, rest = self._parted(radicand)
+        root = Quotient(self.ring, {before: scale}, value.bottom)
+        return root if rest == ONE else root * self._root_of(rest)
+
+    def _is_positive(self, polynomial: Polynomial) -> bool:
+        """Whether it is a product of plain letters, which are positive."""
+        return all(
+            coefficient > 0 and all(letter in self._positive for letter, _ in monomial)
+            for monomial, coefficient in polynomial.items()
+        )
+
+    def _parted(self, radicand: Polynomial) -> tuple[Monomial, Fraction, Polynomial]:
+        """Return what stands before the root: letters, a number; and what is left below it."""
+        shared = common(radicand)
+        before = tuple(
+            (letter, power // 2) for letter, power in shared if power > 1 and letter in self._positive
+        )
+        constant = abs(radicand[min(radicand)])
+        # √(n/d) is √(n d)/d, so that roots of numbers alone are those of whole ones without squares.
+        scale = Fraction(square_root_in(constant.numerator * constant.denominator), constant.denominator)
+        outside = tuple((letter, -2 * power) for letter, power in before)
+        rest = {multiplied(one, outside): value / scale**2 for one, value in radicand.items()}
+        return before, scale, rest
+
+    def _root_of(self, radicand: Polynomial) -> Quotient:
+        for known, root in self._roots:
+            if known == radicand:
+                return root
+        root = Quotient(self.ring, self.ring.power(self.ring.letter(radicand)))
+        self._roots.append((radicand, root))
+        return root
