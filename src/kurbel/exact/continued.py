@@ -66,6 +66,9 @@ class Continued:
     def __rtruediv__(self, other: Any) -> Continued:
         return Continued.of(other) / self
 
+    def __abs__(self) -> Continued:
+        return self if self._above(0) >= 0 else -self
+
     __radd__ = __add__
     __rmul__ = __mul__
 
@@ -117,7 +120,21 @@ class Continued:
 
 def continued() -> Kind:
     """Return these numbers as a kind, at the precision in force; exponents are balls of reals."""
-    return Kind(Continued.of, pi=Continued.of(pi()), exponent=ball)
+    return Kind(
+        Continued.of,
+        lambda degrees: half_turn_circle(degrees / 180),
+        _degrees,
+        Continued.of(pi()),
+        exponent=ball,
+    )
+
+
+def _degrees(sine: Any) -> Continued:
+    """Return the angle within -90°..90° that has this sine; on the cuts beyond -1 and 1 it is no number."""
+    place = Continued.of(sine)
+    cut = (1 - place.ball * place.ball).sqrt(analytic=True)
+    angle = place.ball.asin() if cut.is_finite() else cut
+    return Continued(angle * 180 / acb.pi(), math.degrees(math.asin(place.at)))
 
 
 def half_turn_circle(half_turns: Any) -> Circle[Continued]:

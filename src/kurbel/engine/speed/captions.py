@@ -40,6 +40,7 @@ WORDS = {
         '$n$ gegeben als Mittel $1/2 (n_"max" + n_"min")$|$n$ given as the mean $1/2 (n_"max" + n_"min")$'
     ),
     "constant": words("Widerstandsmoment gleichbleibend|constant resisting torque"),
+    "constant_driven": words("Antriebsmoment gleichbleibend|constant driving torque"),
     "delta_mean": words('$δ_m = (v_"max" - v_"min")/v_m$, $v_m = 1/2 (v_"max" + v_"min")$'),
     "delta_first": words(
         '$δ_1 = (v_"max" - v_"min")/v_1$, nach Weisbach|$δ_1 = (v_"max" - v_"min")/v_1$, by Weisbach'
@@ -74,4 +75,4 @@ def _wheel(request: EngineRequest, lang: str) -> Iterator[Label]:
         yield f"{turns_label(wheel.speed)}, {WORDS['mean'][lang]}"
     if wheel.power is not None and wheel.inertia is not None:
         yield f'$N = {plain(wheel.power)} "W"$'
-    yield WORDS["constant"][lang]
+    yield WORDS["constant_driven" if request.driven else "constant"][lang]
