@@ -26,6 +26,7 @@ from kurbel.errors import KurbelError
 if TYPE_CHECKING:
     from kurbel.commands.balance import balance_table, firing_table, harmonics_table
     from kurbel.commands.books import collation_table, example_table
+    from kurbel.commands.cylinder.pressures import plot_pressures, pressures_table
     from kurbel.commands.engine import delta_table, flywheel_table, turning_table
     from kurbel.commands.engine_plots import plot_engine_forces, plot_engine_polar, plot_turning
     from kurbel.commands.forces import forces_table, inertia_table
@@ -62,7 +63,9 @@ __all__ = [
     "plot_mechanism",
     "plot_motion",
     "plot_polar",
+    "plot_pressures",
     "plot_turning",
+    "pressures_table",
     "solve_table",
     "table",
     "turning_table",
@@ -72,6 +75,7 @@ __all__ = [
 _MODULES = {
     "kurbel.commands.balance": ("balance_table", "firing_table", "harmonics_table"),
     "kurbel.commands.books": ("collation_table", "example_table"),
+    "kurbel.commands.cylinder.pressures": ("plot_pressures", "pressures_table"),
     "kurbel.commands.engine": ("delta_table", "flywheel_table", "turning_table"),
     "kurbel.commands.engine_plots": ("plot_engine_forces", "plot_engine_polar", "plot_turning"),
     "kurbel.commands.forces": ("forces_table", "inertia_table"),

@@ -25,6 +25,10 @@ COMMANDS = {
         "kurbel.commands.engine:turning_table",
         "Print tangential force and excess energy over the crank angle.",
     ),
+    "pressures": (
+        "kurbel.commands.cylinder.pressures:pressures_table",
+        "Print the acceleration pressure beside that on the piston.",
+    ),
     "flywheel": ("kurbel.commands.engine:flywheel_table", "Print the flywheel that keeps an engine even."),
     "deadcentres": (
         "kurbel.commands.motion:dead_centres_table",

@@ -10,6 +10,7 @@ import click
 from kurbel.cli.options import RIVALS, Given, Option, Type, click_option, machine_option, resolved
 from kurbel.cli.tables import MakingCommand
 from kurbel.commands import engine_plots, plots
+from kurbel.commands.cylinder import pressures
 from kurbel.commands.machines import MASSES, STEAM
 from kurbel.commands.options import Choice, is_given
 from kurbel.commands.shown import Drawing
@@ -17,8 +18,8 @@ from kurbel.commands.subject import Command
 from kurbel.errors import ProblemError
 
 HELP = """\
-Draw path, velocity and acceleration over the crank angle, or what --positions, --forces, --polar and
---turning say. Drawings need the extra `plot`.
+Draw path, velocity and acceleration over the crank angle, or what --positions, --forces, --polar,
+--pressures and --turning say. Drawings need the extra `plot`.
 
 \b
 kurbel plot --ratio 1:5 -o bewegung.svg
@@ -29,11 +30,13 @@ kurbel plot --mechanism arc --rocker 6 -o bogenschubkurbel.svg
 kurbel plot --polar --eps 4 --bore 300mm --pressure 8bar -o zapfenkraft.pdf
 kurbel plot --forces --machine engine.toml -o kraefte.svg
 kurbel plot --turning --eps 4 --ratio 1:5 -o drehkraft.pdf
+kurbel plot --pressures --machine engine.toml -o beschleunigungsdruck.pdf
 """
 FLAGS = {
     "forces": "Draw the forces in the crank drive: of a steam engine with --eps or --card, else of a constant"
     " piston force.",
     "polar": "Draw the polar diagram of the force on the crank pin, of either.",
+    "pressures": "Draw the acceleration pressure under the indicator diagram, over the stroke.",
     "turning": "Draw the turning effort of a steam engine: tangential force, its mean and the excess energy.",
 }
 # The options that all drawings have, or that say which one it is, or where it goes.
@@ -57,6 +60,7 @@ KINDS = {
     "positions": Kind("the mechanism", plots.plot_mechanism.command),
     "forces": Kind("the forces", plots.plot_forces.command),
     "polar": Kind("the polar diagram", plots.plot_polar.command),
+    "pressures": Kind("the pressures on the piston", pressures.plot_pressures.command),
     "turning": Kind("the turning effort", engine_plots.plot_turning.command),
 }
 # The same where steam drives the piston; the forces are those of the first crank.
@@ -114,7 +118,7 @@ def _refusal(name: str, kind: Kind, flag: str) -> str:
     if flag in OF_STEAM and kind is not OF_STEAM[flag] and name in OF_ENGINES & OF_STEAM[flag].takes:
         return f"{option} is for the steam of an engine; add --eps or --card"
     if name in OF_ENGINES and flag in ("", "positions"):
-        return f"{option} describes a steam engine; --forces, --polar and --turning draw one"
+        return f"{option} describes a steam engine; --forces, --polar, --pressures and --turning draw one"
     return f"{option} says nothing about {kind.name}; leave it out"
 
 

@@ -21,6 +21,8 @@ Folder: TypeAlias = str | os.PathLike[str]
 KIND = TomlKind("layout", LayoutError, 200_000, "a layout has axes and columns", "pages/mine/layout.toml")
 _INERTIA = "inertia --centre 0.65 --gyration 0.35"
 _MACHINE = "forces --eps 4 --bore 300mm --pressure 8bar --stroke 600mm --speed 120/min --reciprocating 300kg"
+_ARC = "--mechanism arc --rocker 6"
+_PRESSED = _MACHINE.replace("forces", "pressures")
 # What pages can be about, by its name.
 SUBJECTS: Mapping[str, Pages] = {
     "motion": Pages("kurbel.motion.page:MOTION", "table"),
@@ -36,10 +38,10 @@ SUBJECTS: Mapping[str, Pages] = {
     "machine": Pages("kurbel.engine.page:MACHINE", _MACHINE),
     "rod load": Pages("kurbel.engine.rodload.page:SUBJECT", "forces --eps 4"),
     "flywheel": Pages("kurbel.engine.page:FLYWHEEL", "flywheel --power 50kW --speed 120/min --delta 1:100"),
+    "pressures": Pages("kurbel.engine.pressures.page:PRESSURES", _PRESSED),
+    "pressures over the angle": Pages("kurbel.engine.pressures.page:PRESSURES_OVER_ANGLE", _PRESSED),
     "dead centres": Pages("kurbel.linkage.beam_page:SUBJECT", "deadcentres"),
-    "drive dead centres": Pages(
-        "kurbel.linkage.dead_centres:SUBJECT", "deadcentres --mechanism arc --rocker 6"
-    ),
+    "drive dead centres": Pages("kurbel.linkage.dead_centres:SUBJECT", f"deadcentres {_ARC}"),
     "harmonics": Pages("kurbel.balance.harmonics_page:SUBJECT", "harmonics"),
     "balance": Pages("kurbel.balance.page:SUBJECT", "balance"),
     "firing orders": Pages("kurbel.balance.firing_page:ORDERS", "firing"),

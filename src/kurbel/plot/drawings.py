@@ -16,6 +16,7 @@ from kurbel.page.subject import Question
 from kurbel.plot.mechanism import mechanism
 from kurbel.plot.plotting import Panel, curves
 from kurbel.plot.polar import Vector, polar
+from kurbel.plot.ticks import Across
 from kurbel.reading.notation import plain
 
 if TYPE_CHECKING:
@@ -43,9 +44,11 @@ class Drawing(NamedTuple):
     title: Label
 
 
-def curves_drawing(question: Question, panels: Sequence[Panel], mark: str) -> Drawing:
-    """Return the curves of what was asked for over the crank angle."""
-    return Drawing(curves(panels, question.lang, mark), _title(question))
+def curves_drawing(
+    question: Question, panels: Sequence[Panel], mark: str, across: Across | None = None
+) -> Drawing:
+    """Return the curves of what was asked for over the crank angle, or over another axis."""
+    return Drawing(curves(panels, question.lang, mark, across), _title(question))
 
 
 def polar_drawing(question: Question, force: tuple[Vector, tuple[Label, Label], Label], mark: str) -> Drawing:

@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
-from kurbel.page.axes import PHI
 from kurbel.plot.place import BESIDE, Points, beside, box_points, densely, freest
 from kurbel.plot.style import (
     BLACK,
@@ -29,12 +28,14 @@ from kurbel.plot.style import (
     style,
     text_of,
 )
-from kurbel.plot.ticks import angle_ticks, axis_label, power_of_thousand, round_step, value_ticks
+from kurbel.plot.ticks import Across, axis_label, over_angle, power_of_thousand, round_step, value_ticks
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from matplotlib.lines import Line2D
+
+    from kurbel.plot.ticks import Ticks
 
 # In mm: the numbers stand left of the panels, the quantity and the legend above each.
 LEFT, RIGHT, ABOVE, BARE, BELOW = 13.0, 4.0, 7.5, 3.0, 10.5
@@ -118,14 +119,14 @@ class _Plan(NamedTuple):
         return heading + LEGEND_ROW * (rows if self.apart else rows - 1)
 
 
-def curves(panels: Sequence[Panel], lang: str, mark: str) -> Figure:
-    """Return a drawing 120 mm wide of panels above each other that share the axis of the crank angle.
+def curves(panels: Sequence[Panel], lang: str, mark: str, across: Across | None = None) -> Figure:
+    """Return a drawing 120 mm wide of panels above each other that share an axis, by default the angle's.
 
     The curves of a panel have their labels beside them where all find room, else in a legend; panels of like
-    curves share the legend of the first. They differ
-    in colour and in pattern, for print in black and for eyes that tell no colours. Where a value jumps its
-    curve ends and begins anew, and a thin line leads from the one end to the other. Raises ProblemError for
-    a panel of more curves than can be told apart, or without any finite value, and for a single angle.
+    curves share the legend of the first. They differ in colour and in pattern, for print in black and for
+    eyes that tell no colours. Where a value jumps its curve ends and begins anew, and a thin line leads from
+    the one end to the other. Raises ProblemError for a panel of more curves than can be told apart, or
+    without any finite value, and for a single angle.
     """
     for panel in panels:
         _check(panel)
@@ -133,6 +134,7 @@ def curves(panels: Sequence[Panel], lang: str, mark: str) -> Figure:
     span = (min(angles), max(angles))
     if span[0] == span[1]:
         raise ProblemError(f"the only crank angle is {span[0]:.6g}°; a curve needs two")
+    axis = across or over_angle(lang)
     with style():
         plans = _with_one_legend(
             [_plan(panel, span, HEIGHTS.get(len(panels), LOWEST), mark) for panel in panels]
@@ -141,8 +143,8 @@ def curves(panels: Sequence[Panel], lang: str, mark: str) -> Figure:
         for number, (one, plan) in enumerate(zip(axes, plans, strict=True), 1):
             _draw(one, plan, number)
             _value_axis(one, plan, mark)
-            _angle_axis(one, span, mark, named=number == len(plans))
-        axes[-1].set_xlabel(text_of(f"{PHI[lang]} $φ$", mark), labelpad=3)
+            _across_axis(one, axis.ticks(*span, mark), named=number == len(plans))
+        axes[-1].set_xlabel(text_of(axis.label, mark), labelpad=3)
     return figure
 
 
@@ -289,8 +291,7 @@ def _value_axis(axes: Axes, plan: _Plan, mark: str) -> None:
         axes.axhline(0, color=BLACK, linewidth=MEDIUM, zorder=2)
 
 
-def _angle_axis(axes: Axes, span: tuple[float, float], mark: str, named: bool) -> None:
-    ticks = angle_ticks(*span, mark)
+def _across_axis(axes: Axes, ticks: Ticks, named: bool) -> None:
     axes.set_xticks(ticks.places, ticks.texts if named else [""] * len(ticks.texts))
     axes.grid(color=PALE, linewidth=THIN)
     axes.set_axisbelow(True)

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from fractions import Fraction
 from typing import NamedTuple
 
 from kurbel.exact.numerals import Label, finite_decimals, nearest, number_text
+from kurbel.page.axes import PHI
 
 MINUS = "−"
 _ROUND = (Fraction(1), Fraction(2), Fraction(5, 2), Fraction(5), Fraction(10))
@@ -24,6 +25,13 @@ class Ticks(NamedTuple):
 
     places: tuple[float, ...]
     texts: tuple[str, ...]
+
+
+class Across(NamedTuple):
+    """An axis from left to right: its name, and its ticks between two values with a decimal mark."""
+
+    label: Label
+    ticks: Callable[[float, float, str], Ticks]
 
 
 def value_ticks(low: float, high: float, step: Fraction, power: int, mark: str) -> Ticks:
@@ -54,6 +62,16 @@ def angle_ticks(low: float, high: float, mark: str) -> Ticks:
         step = round_step(least)
     ticks = value_ticks(low, high, step, 0, mark)
     return Ticks(ticks.places, tuple(f"{text}°" for text in ticks.texts))
+
+
+def over_angle(lang: str) -> Across:
+    """Return the axis of the crank angle."""
+    return Across(f"{PHI[lang]} $φ$", angle_ticks)
+
+
+def plain_ticks(low: float, high: float, mark: str) -> Ticks:
+    """Return ticks at round numbers, at most 12 steps."""
+    return value_ticks(low, high, round_step((high - low) / _MOST_ANGLES), 0, mark)
 
 
 def degrees(angle: float | Fraction, mark: str) -> str:

@@ -1,0 +1,147 @@
+"""The pressures on the piston of one cylinder: a table of them, and a drawing."""
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING, Annotated, Any, Unpack
+
+from kurbel.commands import parameters as option
+from kurbel.commands.loads import OWN
+from kurbel.commands.machines import engine_of, for_masses, weighed
+from kurbel.commands.motion import described, of_other_mechanisms, sheet_of
+from kurbel.commands.options import Option, is_given
+from kurbel.commands.plots import DrawnSpeed, LabelLang
+from kurbel.commands.shown import Drawing, mark_of
+from kurbel.commands.subject import draws, makes_table
+from kurbel.errors import ProblemError
+from kurbel.page.layouts import Layout, layout_of
+from kurbel.page.layouts import layout as layout_named
+from kurbel.page.subject import Question
+from kurbel.reading.given import Exact, as_angles, as_length, as_names, as_numbers
+
+if TYPE_CHECKING:
+    from kurbel.engine.pressures.pressed import Pressed
+
+# The layouts over the stroke and over the crank angle, and what they are about.
+PRESSURES, PRESSURES_ABOUT = ("pressures", "pressures-turn"), ("pressures", "pressures over the angle")
+# The options that name a load.
+LOADS = tuple(OWN)
+
+
+def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
+    """Refuse what describes other crank drives."""
+    return of_other_mechanisms({**values, "layout": None}, shared=("stroke", "speed"))
+
+
+class Piston(option.Linked, option.Cylinder, option.MovingRod, option.Sheet, total=False):
+    """A piston that masses and a load press on."""
+
+    eps: option.Eps
+    reciprocating: option.Reciprocating
+    layouts: option.Layouts
+
+
+@makes_table(
+    foreign=_foreign,
+    needless=for_masses("speed"),
+    order="eps back exponent clearance card other_side single_acting bore pressure ratio mechanism offset"
+    " rocker pivot stroke rod speed reciprocating rod_mass centre gyration rod_file shares angle columns",
+)
+def pressures_table(
+    ratio: option.Ratios = None,
+    *,
+    speed: Annotated[
+        Exact | None, option.SPEED._replace(help="Speed, for the masses: 120/min, 12.5rad/s.")
+    ] = None,
+    shares: Annotated[
+        option.Given | None,
+        Option("Shares of the stroke: 0.25, lists 0;0.5;1, ranges; default 0..1:0.1.", "SHARES", many=True),
+    ] = None,
+    angle: Annotated[
+        option.Given | None,
+        option.ANGLE._replace(help="Crank angles in place of these, with layout pressures-turn: 0..360:10."),
+    ] = None,
+    columns: Annotated[
+        option.Names, option.columns_option("pressures", "share,gas_pressure,inertia_pressure")
+    ] = (),
+    layout: Annotated[str | None, option.layout_option(*PRESSURES_ABOUT)] = None,
+    **given: Unpack[Piston],
+) -> Question:
+    """Print the acceleration pressure over the stroke, beside the pressure on the piston.
+
+    The masses that go to and fro take it from steam or gas, per piston area, and give it back; without
+    --eps or --card it stands alone.
+
+    \b
+    kurbel pressures --machine engine.toml
+    kurbel pressures --reciprocating 300kg --stroke 600mm --bore 300mm --speed 120/min
+    kurbel pressures --machine engine.toml --angle 0..360:15
+    \f
+    >>> import kurbel
+    >>> masses = {"reciprocating": 300, "stroke": 0.6, "bore": 0.3, "speed": 2}
+    >>> page = kurbel.pressures_table("1:5", shares="0;0.5;1", columns="share,inertia_pressure", **masses)
+    >>> print(kurbel.typeset(page, "csv"), end="")
+    """
+    from kurbel.engine.pressures.page import PressuresRequest
+
+    if shares is not None and angle is not None:
+        raise ProblemError("--shares and --angle are two pages, over the stroke or the angle; leave one out")
+    page = layout_of(layout or PRESSURES[angle is not None], PRESSURES_ABOUT, given["layouts"])
+    return PressuresRequest(
+        layout=page,
+        pressed=pressed_of(page, {**given, "ratio": ratio, "speed": speed}),
+        shares=as_numbers("0..1:0.1" if shares is None else shares, "share of the stroke"),
+        angles=as_angles((page.angles or "0") if angle is None else angle),
+        columns=as_names(columns, "share,inertia_pressure"),
+        **sheet_of(given),
+    )
+
+
+class DrawnPiston(option.Cylinder, option.MovingRod, option.Linked, total=False):
+    """The pressures on a piston, as they are drawn."""
+
+    ratio: option.Ratios
+    speed: DrawnSpeed
+    reciprocating: option.Reciprocating
+    lang: LabelLang
+    decimal: option.Decimal
+
+
+@draws(foreign=_foreign)
+def plot_pressures(eps: option.Eps = None, **given: Unpack[DrawnPiston]) -> Drawing:
+    """Draw the acceleration pressure under the indicator diagram, over the stroke: what the masses take of
+    the pressure on the piston, and what is left."""
+    from kurbel.engine.pressures.page import PressuresRequest, registry
+    from kurbel.plot.drawings import curves_drawing
+    from kurbel.plot.pressures import across_stroke, pressure_panels
+
+    mark, lang, page = mark_of(given["lang"], given["decimal"]), given["lang"], layout_named("pressures")
+    pressed = pressed_of(page, {**given, "eps": eps})
+    asked = PressuresRequest(layout=page, pressed=pressed, shares=(Fraction(0),), lang=lang)
+    drawn = tuple(key for key, one in registry().items() if one.needs and not asked.missing(one))
+    question = PressuresRequest(layout=page, pressed=pressed, shares=(Fraction(0),), lang=lang, columns=drawn)
+    across = across_stroke(lang)
+    return Drawing.of(curves_drawing(question, pressure_panels(question), mark, across), lang, mark)
+
+
+def pressed_of(page: Layout, given: Mapping[str, Any]) -> "Pressed":
+    """Return the one cylinder that options describe, with its masses, its load or both."""
+    from kurbel.engine.pressures.pressed import Pressed
+
+    bore = None if given["bore"] is None else as_length(given["bore"], "bore")
+    if any(is_given(given.get(name)) for name in LOADS):
+        about = engine_of(layout_named("engine-forces"), {**given, "method": ()})
+        _check_one(about.steams, "loads")
+        _check_one(about.drives, "crank ratios")
+        return Pressed(about.drives[0], bore, about.first)
+    chosen, said = described({**given, "speed": None, "method": None, "force": None, "layout": None})
+    chosen.check(said)
+    drives = weighed(chosen, chosen.drives(said, page.ratios), given, "bore")
+    _check_one(drives, "crank ratios")
+    return Pressed(drives[0], bore)
+
+
+def _check_one(given: Sequence[Any], what: str) -> None:
+    if len(given) != 1:
+        raise ProblemError(
+            f"pressures are those of one cylinder, and {len(given)} {what} were given; give one"
+        )

@@ -1,0 +1,69 @@
+"""What a drawing shows of the pressures on a piston: that of the masses laid under the indicator diagram."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from itertools import groupby
+from math import cos, pi
+
+from kurbel.engine.pressures.page import WORDS, PressuresRequest, stroke_names
+from kurbel.engine.pressures.pressed import Pressed, Where, is_carded
+from kurbel.exact.kind import Kind, balls, floats
+from kurbel.page.quantity import enumerated
+from kurbel.plot.plotting import Curve, Panel
+from kurbel.plot.ticks import Across, plain_ticks
+
+# So many steps of a stroke make its curves smooth; they are closer near the dead centres.
+STEPS = 120
+
+
+def pressure_panels(request: PressuresRequest) -> list[Panel]:
+    """Return a panel for each stroke, over the share of the outstroke: a return runs back over it.
+
+    The request has the columns that are drawn.
+    """
+    names, lang = stroke_names(request.pressed.cycle, request.lang), request.lang
+    columns = request.page_columns
+    said = enumerated((column.quantity.name[lang] for column in columns), lang)
+    panels = []
+    for stroke, name in enumerate(names):
+        places = [Where(stroke, share) for share in _shares(request.pressed, stroke)]
+        # From left to right.
+        places = places[::-1] if stroke % 2 else places
+        across = [
+            float(1 - one.share if stroke % 2 else one.share) for one in places if one.share is not None
+        ]
+        curves = [
+            Curve(
+                column.quantity.symbol, across, [_value(request.pressed, column.key, one) for one in places]
+            )
+            for column in columns
+        ]
+        panels.append(Panel(curves, f"{name}: {said}", "bar"))
+    return panels
+
+
+def across_stroke(lang: str) -> Across:
+    """Return the axis of the share of the stroke."""
+    return Across(f"{WORDS['share'][lang]} $x/S$", plain_ticks)
+
+
+def _shares(pressed: Pressed, stroke: int) -> list[Fraction]:
+    """Return rising shares of a stroke, the corners of the force among them."""
+    even = [Fraction(1 - cos(pi * step / STEPS)) / 2 for step in range(STEPS + 1)]
+    corners: list[Fraction] = []
+    if pressed.engine is not None:
+        acting = pressed.engine.steam.strokes(floats(), pressed.engine.double)[stroke]
+        # An indicator card has points in place of corners.
+        corners = [Fraction(float(one)) for one in getattr(acting, "corners", ())]
+    within = sorted({share for share in (*even, *corners) if 0 <= share <= 1})
+    return [share for share, _ in groupby(within)]
+
+
+def _value(pressed: Pressed, key: str, where: Where) -> float:
+    carded = is_carded(pressed)
+    masses = 0.0 if key == "gas_pressure" else float(pressed.masses(where, balls()))
+    if key == "inertia_pressure":
+        return masses
+    kind: Kind = floats() if carded else balls()
+    return float(pressed.gas(where, kind)) - masses

@@ -1,0 +1,174 @@
+"""The acceleration pressure and that on the piston: against textbook formulas and the energy of masses."""
+
+from __future__ import annotations
+
+import re
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from cli import kurbel, printed, refusal
+from mpmath import mp
+from textbook import Drive, evaluate, real
+
+import kurbel as api
+
+RATIO, STROKE, BORE, TURNS, MASS, EPS, PRESSURE = "1:4.3", "0.58", "0.27", "2.1", "231", "3.7", "7.4"
+MASSES = (
+    f"--stroke={STROKE}m",
+    f"--bore={BORE}m",
+    f"--speed={float(TURNS) * 60}/min",
+    f"--reciprocating={MASS}kg",
+)
+STEAM = (f"--eps={EPS}", f"--pressure={PRESSURE}bar")
+SHARES = ("0", "0.13", "0.3125", "0.6", "1")
+each_offset = pytest.mark.parametrize("offset", ["0", "0.7"])
+
+
+def drive(offset: str) -> Drive:
+    return Drive(1 / Fraction(RATIO.removeprefix("1:")), Fraction(offset))
+
+
+def expected(offset: str, returning: bool, share: str) -> dict[str, float]:
+    """Return the angle, the pressures in bar, from the motion of the books at the angle of the share."""
+    key = "_return" if returning else ""
+    with mp.workdps(40):
+
+        def gone(angle: float) -> mp.mpf:
+            return evaluate(f"x{key}_stroke", "exact", drive(offset), Fraction(float(angle)))
+
+        low, high = dead_centres(offset, returning)
+        for _ in range(60):
+            middle = (low + high) / 2
+            low, high = (middle, high) if gone(middle) < real(Fraction(share)) else (low, middle)
+        acceleration = evaluate(f"p{key}", "exact", drive(offset), Fraction(float(low)))
+        area, radius = mp.pi / 4 * mp.mpf(BORE) ** 2, mp.mpf(STROKE) / 2
+        masses = mp.mpf(MASS) * acceleration * radius * (2 * mp.pi * mp.mpf(TURNS)) ** 2 / area / 1e5
+        steam = mp.mpf(PRESSURE) * (
+            min(1, 1 / (mp.mpf(EPS) * max(mp.mpf(share), mp.mpf("1e-9")))) - 1 / mp.mpf(EPS)
+        )
+        turned = low + (180 if returning else 0)
+        return {
+            "crank_angle": turned,
+            "gas_pressure": steam,
+            "inertia_pressure": masses,
+            "left_pressure": steam - masses,
+        }
+
+
+def dead_centres(offset: str, returning: bool) -> tuple[mp.mpf, mp.mpf]:
+    rod, e = real(Fraction(RATIO.removeprefix("1:"))), real(Fraction(offset))
+    inner, outer = mp.degrees(mp.asin(e / (rod + 1))), mp.degrees(mp.asin(e / (rod - 1)))
+    return (outer, 180 + inner) if returning else (inner, 180 + outer)
+
+
+@each_offset
+def test_the_pressures_at_a_share_of_the_stroke_are_those_of_the_motion_of_the_books(offset: str) -> None:
+    words = (
+        "pressures",
+        f"--ratio={RATIO}",
+        f"--offset={offset}",
+        *MASSES,
+        *STEAM,
+        f"--shares={';'.join(SHARES)}",
+    )
+    rows = printed(*words, "--digits=7", "--format=csv").records()
+    assert [(row["stroke"], row["share"]) for row in rows] == [
+        (stroke, f"{float(share):.4f}") for stroke in "12" for share in SHARES
+    ]
+    for row, share in zip(rows, SHARES * 2, strict=True):
+        for key, value in expected(offset, row["stroke"] == "2", share).items():
+            assert float(row[key]) == pytest.approx(float(value), abs=2e-7), (key, share)
+
+
+@each_offset
+def test_what_the_masses_take_on_a_stroke_they_give_back(offset: str) -> None:
+    # At both dead centres they stand still: the acceleration pressure works nothing from one to the other.
+    # Near these an offset makes it a function of the root of the share.
+    nodes, weights = np.polynomial.legendre.leggauss(24)
+    angles = np.pi / 2 * (nodes + 1)
+    shares = ";".join(f"{share:.15f}" for share in (1 - np.cos(angles)) / 2)
+    words = ("pressures", f"--ratio={RATIO}", f"--offset={offset}", *MASSES, f"--shares={shares}")
+    rows = printed(*words, "--columns=inertia_pressure", "--digits=12", "--format=csv").records()
+    taken = np.array([float(row["inertia_pressure"]) for row in rows]).reshape(2, -1)
+    assert np.abs(taken).max() > 1
+    np.testing.assert_allclose(taken @ (weights * np.sin(angles)), 0, rtol=0, atol=1e-9)
+
+
+def test_over_the_crank_angle_they_are_those_at_the_path_gone_there() -> None:
+    machine = (
+        f"--ratio={RATIO}",
+        "--offset=0.7",
+        *MASSES,
+        *STEAM,
+        "--rod-mass=90kg",
+        "--centre=0.6",
+        "--gyration=0.3",
+    )
+    keys = ("gas_pressure", "inertia_pressure", "left_pressure")
+    over_angle = printed(
+        "pressures", *machine, "--angle=3;41.5;250;359", "--digits=12", "-f", "csv"
+    ).records()
+    for row in over_angle:
+        shares = (f"--shares={row['x_stroke']}", "--digits=8", "--format=csv")
+        there = min(
+            printed("pressures", *machine, *shares).records(),
+            key=lambda one: abs((float(one["crank_angle"]) - float(row["phi"]) + 180) % 360 - 180),
+        )
+        assert float(there["crank_angle"]) % 360 == pytest.approx(float(row["phi"]), abs=1e-6)
+        for key in keys:
+            assert float(row[key]) == pytest.approx(float(there[key]), abs=1e-7)
+
+
+def test_a_pressure_that_lies_half_way_is_rounded_away() -> None:
+    # 8 bar (1/(4 · 0.5) - 1/4) = 2 bar, and 5 bar of it 1.25.
+    words = ("pressures", "--eps=4", "--bore=1m", "--pressure=5bar", "--shares=0.5", "--columns=gas_pressure")
+    assert [row["gas_pressure"] for row in printed(*words, "--digits=1", "-f", "csv").records()] == [
+        "1.3",
+        "1.3",
+    ]
+
+
+def test_the_drawing_lays_the_masses_under_the_diagram_of_each_stroke(tmp_path: object) -> None:
+    drawn = api.plot_pressures(
+        4, ratio="1:5", stroke=0.6, bore=0.3, pressure=800_000, speed=2, reciprocating=300
+    )
+    names = [axes.get_title(loc="left") for axes in drawn.figure.axes]
+    assert [name.partition(":")[0] for name in names] == ["Hingang", "Rückgang"]
+    out, back = (
+        [line.get_xydata() for line in axes.lines if line.get_gid() and "curve" in line.get_gid()]
+        for axes in drawn.figure.axes
+    )
+    for steam, masses, left in (out, back):
+        np.testing.assert_allclose(steam[:, 1] - masses[:, 1], left[:, 1], rtol=0, atol=1e-9)
+        assert (steam[0, 0], steam[-1, 0]) == (0, 1)
+    # A return stroke begins on the right; cut-off is a point of the curve.
+    assert (out[0][0, 1], back[0][-1, 1]) == (6, 6)
+    assert 0.25 in out[0][:, 0]
+    assert 0.75 in back[0][:, 0]
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        ((), "neither masses nor a pressure on the piston were given; add --reciprocating 300kg, or what"),
+        (("--eps=4",), "the pressure on the piston is not known in bar; add --bore and --pressure"),
+        (
+            ("--eps=2;4", "--bore=1m", "--pressure=1bar"),
+            "pressures are those of one cylinder, and 2 loads were",
+        ),
+        (
+            ("--reciprocating=3kg", "--stroke=1m", "--speed=1/s"),
+            "--reciprocating needs --bore to become a force",
+        ),
+        (
+            (*MASSES, "--columns=left_pressure"),
+            "column left_pressure needs masses and a pressure on the piston",
+        ),
+        ((*MASSES, "--shares=1.5"), "share of the stroke is 1.5; it must lie within 0..1"),
+        ((*MASSES, "--shares=1", "--angle=2"), "--shares and --angle are two pages, over the stroke or the"),
+    ],
+)
+def test_pressures_of_nothing_are_refused(words: tuple[str, ...], sentence: str) -> None:
+    assert re.sub("^kurbel: ", "", refusal("pressures", *words)).startswith(sentence)
+    assert kurbel("pressures", *words).code == 2
