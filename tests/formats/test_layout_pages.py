@@ -11,6 +11,7 @@ from pages import (
     COLLATIONS,
     ENGINES,
     LINKAGES,
+    PRESSED,
     RODS,
     SOLVED,
     command,
@@ -25,6 +26,9 @@ from kurbel.page.layouts import LANGUAGES, layout_names
 
 # Two rows show how a page is laid out; that its figures are right is tested where they are computed.
 ROWS = {
+    "forces-coupled": ("--angle=0;60",),
+    "pressures": ("--shares=0;0.3",),
+    "pressures-turn": ("--angle=0;60",),
     "kolbenwege": ("--angle=0;60", "--ratio=1:5;1:4"),
     "roetscher-112": ("--angle=0;60", "--ratio=1:5;1:4"),
     "delta-tafel": ("--eps=2;4",),
@@ -87,7 +91,17 @@ PAGES = {
     **{f"{name}.txt": (*words, f"--lang={name[-2:]}") for name, words in OTHERS.items()},
     **{
         f"{name}.csv": (*command(name), *ROWS.get(name, ()), "-f", "csv")
-        for name in ("kinematics", *ENGINES, *BEAMS, *BALANCES, *LINKAGES, *RODS, *COLLATIONS, *SOLVED)
+        for name in (
+            "kinematics",
+            *ENGINES,
+            *BEAMS,
+            *BALANCES,
+            *LINKAGES,
+            *RODS,
+            *PRESSED,
+            *COLLATIONS,
+            *SOLVED,
+        )
     },
     **{f"{RICH}{suffix}": (*command(RICH), "-f", form) for suffix, form in SUFFIXES.items()},
 }

@@ -31,6 +31,9 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "machine": ("forces", "--eps=4", *MACHINE, "--reciprocating=300kg", *ROD, "--rotating=-40kg"),
     "rod load": ("forces", "--eps=4"),
     "flywheel": ("flywheel", "--power=50kW", "--speed=120/min", "--delta=1:50;1:100", "--radius=1.5m"),
+    **dict.fromkeys(
+        ("pressures", "pressures over the angle"), ("pressures", "--eps=4", *MACHINE, "--reciprocating=300kg")
+    ),
     "dead centres": ("deadcentres",),
     "drive dead centres": ("deadcentres", "--mechanism=arc", "--rocker=6"),
     "harmonics": ("harmonics",),
@@ -74,6 +77,7 @@ COLLATIONS = about("collation", "formulas")
 LINKAGES = about("arc crank", "parallel crank", "coupled axles")
 # What `kurbel table` prints.
 DRIVES = about("motion", "arc crank", "parallel crank")
+PRESSED = about("pressures", "pressures over the angle")
 RODS = about("inertia", "inertia errors", "tangent")
 SOLVED = about("roots")
 
@@ -107,6 +111,9 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
     "flywheel": (
         kurbel.flywheel_table, {"power": 50_000, "speed": 2, "delta": "1:50;1:100", "radius": "1.5m"}
     ),
+    **dict.fromkeys(("pressures", "pressures over the angle"), (kurbel.pressures_table, {
+        "eps": 4, "stroke": 0.6, "speed": 2, "bore": 0.3, "pressure": 800_000, "reciprocating": 300,
+    })),
     "dead centres": (kurbel.dead_centres_table, {}),
     "drive dead centres": (kurbel.dead_centres_table, {"mechanism": "arc", "rocker": 6}),
     "harmonics": (kurbel.harmonics_table, {}),
