@@ -822,10 +822,10 @@ def test_stroke_and_rod_give_an_engine_its_ratio(tmp_path: Path) -> None:
 # Refusals ---------------------------------------------------------------------------------------------
 
 REFUSALS = [
-    (("--eps", "4"), "--eps describes a steam engine; --forces, --polar and --turning draw one"),
+    (("--eps", "4"), "--eps describes a steam engine; --forces, --polar, --pressures and --turning draw one"),
     (
         ("--positions", "30", "--bore", "300mm"),
-        "--bore describes a steam engine; --forces, --polar and --turning draw one",
+        "--bore describes a steam engine; --forces, --polar, --pressures and --turning draw one",
     ),
     (("--polar", "--bore", "300mm"), "--bore is for the steam of an engine; add --eps or --card"),
     (("--forces", "--rod-mass", "9kg"), "--rod-mass is for the steam of an engine; add --eps or --card"),

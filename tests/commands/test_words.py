@@ -27,6 +27,7 @@ TABLES: Mapping[str, Callable[..., Any]] = {
     "solve": kurbel.solve_table,
     "delta": kurbel.delta_table,
     "turning": kurbel.turning_table,
+    "pressures": kurbel.pressures_table,
     "flywheel": kurbel.flywheel_table,
     "deadcentres": kurbel.dead_centres_table,
     "harmonics": kurbel.harmonics_table,
@@ -42,6 +43,7 @@ PLOTS: Sequence[Callable[..., Any]] = (
     kurbel.plot_polar,
     kurbel.plot_engine_forces,
     kurbel.plot_engine_polar,
+    kurbel.plot_pressures,
     kurbel.plot_turning,
 )
 ONLY_TYPED = {"machine", "format", "output", "decimal", "standalone", "longtable", "strict"}
@@ -58,7 +60,7 @@ def test_a_function_has_the_options_of_its_command(name: str) -> None:
 def test_every_option_of_plot_belongs_to_a_function() -> None:
     options = {param.name for param in command_of("plot").params}
     known = {name.rstrip("_") for plot in PLOTS for name in inspect.signature(plot).parameters}
-    assert known | {"machine", "format", "output", "forces", "polar", "turning"} == options
+    assert known | {"machine", "format", "output", "forces", "polar", "pressures", "turning"} == options
 
 
 @pytest.mark.parametrize("function", [*TABLES.values(), *PLOTS], ids=lambda function: function.__name__)
