@@ -21,8 +21,8 @@ from kurbel.drive.crank import Crank
 from kurbel.engine.engine import Engine, Steam
 from kurbel.engine.turn import Turn, turn_of
 from kurbel.exact.numerals import degrees_text, number_text
-from kurbel.linkage import beam
-from kurbel.linkage.beam import BeamEngine
+from kurbel.linkage.beam import engine as beam
+from kurbel.linkage.beam.engine import BeamEngine
 
 FOLDER = SOURCES / "weisbach"
 METHODS = ("exact", "series", "weisbach")

@@ -19,8 +19,10 @@ from kurbel.balance import harmonics
 from kurbel.balance.firing_page import cylinders_registry, orders_registry
 from kurbel.balance.page import balance_registry
 from kurbel.engine.quantities import engine_registry
-from kurbel.linkage import beam, dead_centres
+from kurbel.linkage import dead_centres
 from kurbel.linkage.arc.quantities import arc_registry
+from kurbel.linkage.beam import engine as beam
+from kurbel.linkage.beam.quantities import beam_registry
 from kurbel.linkage.coupled import coupled_registry
 from kurbel.linkage.parallel import parallel_registry
 from kurbel.motion.inertia import inertia_registry
@@ -222,7 +224,7 @@ def test_quantities_are_listed_a_line_each() -> None:
     keys = [line.split()[0] for line in lines]
     motion = ["ratio", "phi", *registry()]
     engines = [*engine_registry(), *beam.registry(), *dead_centres.registry()]
-    links = [*arc_registry(), *parallel_registry(), *coupled_registry()]
+    links = [*arc_registry(), *parallel_registry(), *coupled_registry(), *beam_registry()]
     firing = [*orders_registry(), *cylinders_registry()]
     rods = [*inertia_registry(), *error_columns()]
     assert keys == [

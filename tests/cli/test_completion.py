@@ -108,6 +108,7 @@ def test_a_command_completes_the_layouts_of_its_subject_only() -> None:
         "arc crank",
         "parallel crank",
         "coupled axles",
+        "beam engine",
     )
 
 

@@ -222,6 +222,7 @@ PAGES = [
     ("balance",),
 ]
 PAGES += [("table", "--mechanism", "arc", "--rocker", "6"), ("table", "--mechanism", "parallel")]
+PAGES += [("table", "--mechanism", "beam", "--beam", "3")]
 PAGES += [
     ("inertia", "--centre=0.6", "--gyration=0.4", f"--layout={name}")
     for name in ("inertia", "inertia-errors")

@@ -16,7 +16,15 @@ from mpmath import mp
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Number, degrees_text, number_text
 from kurbel.kernel import beam
-from kurbel.linkage.beam import APPROXIMATE, EXACT, BeamEngine, certified, chord_square, registry, value
+from kurbel.linkage.beam.engine import (
+    APPROXIMATE,
+    EXACT,
+    BeamEngine,
+    certified,
+    chord_square,
+    registry,
+    value,
+)
 from kurbel.page.labels import parse
 
 FIFTH = Fraction(1, 5)

@@ -1,4 +1,4 @@
-"""The arc crank as links that mpmath closes."""
+"""The arc crank and the beam engine as links that mpmath closes."""
 
 from __future__ import annotations
 
@@ -17,6 +17,8 @@ from kurbel.exact.kind import Kind
 from kurbel.kernel.circle import arcsine, circle
 from kurbel.linkage.arc.crank import ArcCrank
 from kurbel.linkage.arc.quantities import arc_registry
+from kurbel.linkage.arc.rocker import RockerCrank
+from kurbel.linkage.beam.crank import BeamCrank
 from kurbel.motion.evaluation import OUT
 from kurbel.page.quantity import Quantity
 
@@ -139,6 +141,29 @@ class Links:
         }[key]()
 
 
+class BeamLinks(Links):
+    """The links of a beam engine: its pivot stands where the beam's end swings from q above to q below, the
+    vertical through the shaft halving the sagitta of this arc."""
+
+    def __init__(self, drive: BeamCrank) -> None:
+        self.rod, self.rocker = 1 / real(drive.crank.ratio), real(drive.arm)
+        self.right = 1
+
+        def misses(chord: Real, height: Real) -> list[Real]:
+            aside = self._half_sagitta(chord) ** 2
+            return [
+                (height + chord) ** 2 + aside - (self.rod + 1) ** 2,
+                (height - chord) ** 2 + aside - (self.rod - 1) ** 2,
+            ]
+
+        chord, height = mp.findroot(misses, (mp.mpf(1), self.rod))
+        self.pivot = mp.mpc(height, self.rocker - self._half_sagitta(chord))
+        self.inner, self.outer = self._dead(1), self._dead(-1)
+
+    def _half_sagitta(self, chord: Real) -> Real:
+        return (self.rocker - mp.sqrt(self.rocker**2 - chord**2)) / 2
+
+
 def pointer(angle: Real) -> Real:
     return mp.mpc(mp.cos(angle), mp.sin(angle))
 
@@ -152,9 +177,12 @@ def wrapped(angle: Real) -> Real:
 
 
 @cache
-def links(crank: ArcCrank) -> Links:
+def links(drive: RockerCrank) -> Links:
     with mp.workdps(DIGITS):
-        return Links(crank)
+        if isinstance(drive, BeamCrank):
+            return BeamLinks(drive)
+        assert isinstance(drive, ArcCrank)
+        return Links(drive)
 
 
 def of_stroke(key: str, stroke: int) -> Quantity:

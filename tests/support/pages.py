@@ -44,6 +44,7 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "formulas": ("collate", "blau-equations"),
     "arc crank": ("table", "--mechanism=arc", "--rocker=6"),
     "parallel crank": ("table", "--mechanism=parallel"),
+    "beam engine": ("table", "--mechanism=beam", "--beam=3"),
     "coupled axles": ("forces", "--mechanism=parallel", "--axles=3"),
     "inertia": ("inertia", "--centre=0.65", "--gyration=0.35"),
     "inertia errors": ("inertia", "--centre=0.65", "--gyration=0.35"),
@@ -74,9 +75,9 @@ BEAMS = about("dead centres", "drive dead centres")
 BALANCES = about("harmonics", "balance")
 FIRINGS = about("firing orders", "firing")
 COLLATIONS = about("collation", "formulas")
-LINKAGES = about("arc crank", "parallel crank", "coupled axles")
+LINKAGES = about("arc crank", "parallel crank", "coupled axles", "beam engine")
 # What `kurbel table` prints.
-DRIVES = about("motion", "arc crank", "parallel crank")
+DRIVES = about("motion", "arc crank", "parallel crank", "beam engine")
 PRESSED = about("pressures", "pressures over the angle")
 RODS = about("inertia", "inertia errors", "tangent")
 SOLVED = about("roots")
@@ -124,6 +125,7 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
     "formulas": (kurbel.collation_table, {"table": "blau-equations"}),
     "arc crank": (kurbel.table, {"mechanism": "arc", "rocker": 6}),
     "parallel crank": (kurbel.table, {"mechanism": "parallel"}),
+    "beam engine": (kurbel.table, {"mechanism": "beam", "beam": 3}),
     "coupled axles": (kurbel.forces_table, {"mechanism": "parallel", "axles": 3}),
     **dict.fromkeys(
         ("inertia", "inertia errors"), (kurbel.inertia_table, {"centre": 0.65, "gyration": "35%"})

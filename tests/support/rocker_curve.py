@@ -12,7 +12,7 @@ import numpy as np
 from links import Floats, Links, links
 from numpy.typing import NDArray
 
-from kurbel.linkage.arc.crank import ArcCrank
+from kurbel.linkage.arc.rocker import RockerCrank
 
 
 class Steam(NamedTuple):
@@ -47,7 +47,7 @@ class Curve:
     centre. Of masses places are differentiated twice, for which steps must not be too short."""
 
     def __init__(
-        self, crank: ArcCrank, steam: Steam, weights: Weights = MASSLESS, cells: int = 720_000
+        self, crank: RockerCrank, steam: Steam, weights: Weights = MASSLESS, cells: int = 720_000
     ) -> None:
         machine: Links = links(crank)
         self.angles = np.linspace(0, 2 * np.pi, cells + 1)

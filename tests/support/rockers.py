@@ -9,7 +9,7 @@ from bodies import Body, Mass, Real, moment
 from links import links, pointer
 from mpmath import mp
 
-from kurbel.linkage.arc.crank import ArcCrank
+from kurbel.linkage.arc.rocker import RockerCrank
 from kurbel.motion.evaluation import OUT
 
 
@@ -18,7 +18,7 @@ class Heavy(NamedTuple):
     at the rocker's end, the rocker's moment of inertia over the square of its length, and the crank's own
     mass at its pin; the force on the rocker's end in the direction of the stroke."""
 
-    crank: ArcCrank
+    crank: RockerCrank
     body: Body
     rod: Real
     reciprocating: Real

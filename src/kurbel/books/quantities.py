@@ -17,7 +17,7 @@ from kurbel.errors import NotationError
 from kurbel.exact.certify import ball
 from kurbel.exact.kind import balls, bounds
 from kurbel.exact.numerals import Label
-from kurbel.linkage import beam
+from kurbel.linkage.beam import engine as beam
 from kurbel.motion import evaluation
 from kurbel.motion.quantities import registry as motion_registry
 from kurbel.page.quantity import Quantity, words

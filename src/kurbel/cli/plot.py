@@ -158,7 +158,7 @@ def _params() -> list[click.Parameter]:
     ]  # fmt: skip
     order = (
         "ratio", "columns", "method", "from", "to", "step", "offset", "stroke", "rod", "speed", "force",
-        "mechanism", "rocker", "pivot", *STEAM, "cranks", "bore", "pressure", *MASSES,
+        "mechanism", "rocker", "pivot", "beam", *STEAM, "cranks", "bore", "pressure", *MASSES,
     )  # fmt: skip
     return [
         machine_option(), own["positions"], *flags, *(own[name] for name in order), *output,

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 ENGINE_LAYOUT, MACHINE_LAYOUT = "engine-forces", "machine-forces"
 
 
-class Drawn(option.Cylinder, option.MovingRod, option.Linked, total=False):
+class Drawn(option.Cylinder, option.MovingRod, option.AnyDrive, total=False):
     """An engine, as it is drawn."""
 
     ratio: option.Ratios

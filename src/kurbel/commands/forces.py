@@ -100,7 +100,7 @@ def _refused(names: tuple[str, ...], why: str) -> dict[str, str]:
     return {name: f"--{name.replace('_', '-')} {why}" for name in names}
 
 
-class Forces(option.Run, option.Linked, option.Steam, option.MovingRod, option.Sheet, total=False):
+class Forces(option.Run, option.AnyDrive, option.Steam, option.MovingRod, option.Sheet, total=False):
     """A crank drive and all that can act on it."""
 
     force: option.Force
@@ -125,8 +125,8 @@ class Forces(option.Run, option.Linked, option.Steam, option.MovingRod, option.S
 @makes_table(
     foreign=_foreign,
     needless=_needless,
-    order="angle from_ to step columns offset stroke rod mechanism rocker pivot axles driven force at eps"
-    " back exponent clearance card other_side single_acting cranks bore pressure reciprocating rod_mass"
+    order="angle from_ to step columns offset stroke rod mechanism rocker pivot beam axles driven force at"
+    " eps back exponent clearance card other_side single_acting cranks bore pressure reciprocating rod_mass"
     " centre gyration rod_file rotating rocker_inertia speed",
 )
 def forces_table(

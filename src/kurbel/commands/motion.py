@@ -81,7 +81,7 @@ def ends_of(given: Mapping[str, Any]) -> tuple[Fraction, Fraction]:
     return first, FULL_TURN if stop is None else as_angle(stop, "last angle")
 
 
-class Motion(option.Run, option.Linked, option.Sheet, total=False):
+class Motion(option.Run, option.AnyDrive, option.Sheet, total=False):
     """A crank drive that moves, at crank angles."""
 
     method: option.Method
@@ -98,7 +98,7 @@ def some(drives: Sequence[Any]) -> Sequence[Any]:
 
 @makes_table(
     foreign=of_other_mechanisms,
-    order="angle from_ to step columns offset stroke rod method speed mechanism rocker pivot",
+    order="angle from_ to step columns offset stroke rod method speed mechanism rocker pivot beam",
 )
 def table(
     ratio: option.Ratios = None,
@@ -231,7 +231,7 @@ def dead_centres_table(
     """
     values = {**given, "ratio": ratio, "beam": beam, "exact": exact, "layout": layout}
     if _of_beam(values):
-        from kurbel.linkage.beam_page import BeamRequest
+        from kurbel.linkage.beam.page import BeamRequest
 
         page = layout_of(layout or "weisbach-149", (BEAM,), given["layouts"])
         known = is_given(given["stroke"]) and is_given(given["rod"])

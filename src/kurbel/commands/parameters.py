@@ -184,6 +184,12 @@ class Linked(Slide, total=False):
     ]  # fmt: skip
 
 
+class AnyDrive(Linked, total=False):
+    """Any crank drive, the beam engine among them."""
+
+    beam: Annotated[Exact | None, Option("Beam engine: arm of the beam in units of R.", "A", unit="R")]
+
+
 class Cylinder(Loads, total=False):
     """What acts in a cylinder, beside the expansion ratio of its steam."""
 
@@ -254,7 +260,7 @@ class MovingRod(TypedDict, total=False):
     ]  # fmt: skip
 
 
-class Engine(Steam, MovingRod, Linked, Sheet, total=False):
+class Engine(Steam, MovingRod, AnyDrive, Sheet, total=False):
     """An engine: its crank drive, its load, its masses and its cranks."""
 
     ratio: Annotated[

@@ -76,7 +76,7 @@ def _of_sliding(values: Mapping[str, Any]) -> dict[str, str]:
     }
 
 
-class Positions(option.Linked, total=False):
+class Positions(option.AnyDrive, total=False):
     """A crank drive to scale."""
 
     ratio: option.Ratios
@@ -84,7 +84,7 @@ class Positions(option.Linked, total=False):
     decimal: option.Decimal
 
 
-class Curves(option.Linked, total=False):
+class Curves(option.AnyDrive, total=False):
     """A crank drive over its crank angle, under a piston force."""
 
     method: option.Method

@@ -18,7 +18,7 @@ def _of_drives(values: Mapping[str, Any]) -> Mapping[str, str]:
     return of_other_mechanisms(values, meant(values, layout=None))
 
 
-class Drives(option.Linked, option.Sheet, total=False):
+class Drives(option.AnyDrive, option.Sheet, total=False):
     """Crank drives of which conditions are asked."""
 
     ratio: option.Ratios
@@ -29,7 +29,7 @@ class Drives(option.Linked, option.Sheet, total=False):
 
 @makes_table(
     foreign=_of_drives,
-    order="ratio columns offset stroke rod method speed mechanism rocker pivot",
+    order="ratio columns offset stroke rod method speed mechanism rocker pivot beam",
 )
 def solve_table(
     where: Annotated[

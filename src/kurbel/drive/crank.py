@@ -179,6 +179,7 @@ class Described(NamedTuple):
     offset: Exact | None = None
     rocker: Exact | None = None
     pivot: str | tuple[Exact, Exact] | None = None
+    beam: Exact | None = None
     rocker_inertia: Exact | None = None
     force: PistonForce | None = None
 

@@ -94,6 +94,7 @@ class Crank(Section):
     mechanism: Annotated[One | None, about('crank drive, such as "arc"; straight or offset by itself')] = None
     rocker: Annotated[One | None, about("length of the arc crank's rocker in units of R")] = None
     pivot: Annotated[One | None, about('its pivot along and across the slide, such as "5;6"')] = None
+    beam: Annotated[One | None, about("arm of the beam engine's beam in units of R")] = None
     cranks: Annotated[Joined | None, about("angles in degrees by which several cranks follow the first")] = (
         field(name="angles", default=None)
     )

@@ -32,6 +32,9 @@ MECHANISMS: Mapping[str, Registered] = {
         "arc crank", "kurbel.linkage.arc.mechanism:MECHANISM", "the rod moves a rocker", " --rocker 6"
     ),
     "parallel": Registered("parallel crank", "kurbel.linkage.parallel:MECHANISM", "two equal cranks"),
+    "beam": Registered(
+        "beam engine", "kurbel.linkage.beam.mechanism:MECHANISM", "a beam engine", " --beam 3"
+    ),
     # Another mechanism is one more line here.
 }
 # The crank drives without a crosshead, whose pages are their own.

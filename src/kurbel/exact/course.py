@@ -58,8 +58,9 @@ class Course:
     """A quantity over a stroke from `begin` to `end`, as a function of half turns with its slope.
 
     `formula` is the same as a function of t, with its slope; None for quantities that only rise or only fall
-    between the dead centres. `ends` are their exact values there, where they are known to be rational, and
-    `is_exactly` tells whether at so many half turns they have a rational value.
+    between the dead centres, but for the `inner` places where their slope is zero. `ends` are their exact
+    values there, where they are known to be rational, and `is_exactly` tells whether at so many half turns
+    they have a rational value.
     """
 
     value: Function
@@ -70,6 +71,7 @@ class Course:
     formula_slope: Surd | None = None
     ends: tuple[Fraction | None, Fraction | None] = (None, None)
     is_exactly: Callable[[Fraction, Fraction], bool] | None = None
+    inner: tuple[Place, ...] = ()
 
     @property
     def is_constant(self) -> bool:
@@ -81,7 +83,7 @@ class Course:
 
         A few others among them, where the norm is zero and the slope is not, do no harm.
         """
-        inner = () if self.formula_slope is None else _zeros(self.formula_slope, self.begin, self.end)
+        inner = self.inner if self.formula_slope is None else _zeros(self.formula_slope, self.begin, self.end)
         return (self.begin, *inner, self.end)
 
     def roots(self, target: Target) -> list[Place]:

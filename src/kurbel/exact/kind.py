@@ -11,12 +11,18 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 if TYPE_CHECKING:
+    from flint import arb
+
     from kurbel.exact.surd import Field
+
+# Of balls that become floats.
+_ROUNDED_BITS = 192
 
 
 class Kind(NamedTuple):
     """A kind of number: how it is made of a rational number, the circle of an angle in degrees, the arcsine
-    in degrees, π, the rod angle in degrees of circle, λ and e/R or None, and what an exponent is to it.
+    in degrees, π, the rod angle in degrees of circle, λ and e/R or None, what an exponent is to it, and how
+    it is made of a number that is known by its balls alone.
 
     Separation bounds have neither arcs nor π; functions of the crank angle come with their own circle.
     """
@@ -27,13 +33,18 @@ class Kind(NamedTuple):
     pi: Any = None
     rod_angle: Any = None
     exponent: Any = None
+    enclosed: Any = None
 
 
 def balls() -> Kind:
     """Return balls at the precision in force."""
     from kurbel.exact import certify as on
 
-    return Kind(on.ball, on.ball_circle, on.ball_degrees, on.pi(), on.rod_angle, on.ball)
+    return Kind(on.ball, on.ball_circle, on.ball_degrees, on.pi(), on.rod_angle, on.ball, _itself)
+
+
+def _itself(value: Callable[[], arb]) -> arb:
+    return value()
 
 
 def bounds() -> Kind:
@@ -64,7 +75,14 @@ def floats() -> Kind:
     def angle(point: Any, ratio: Any, offset: Any) -> Any:
         return on_floats.rod_angle(point, ratio, offset or 0.0)
 
-    return Kind(float, on_floats.circle, on_floats.arcsine, math.pi, angle, float)
+    return Kind(float, on_floats.circle, on_floats.arcsine, math.pi, angle, float, _rounded)
+
+
+def _rounded(value: Callable[[], arb]) -> float:
+    import flint
+
+    with flint.ctx.workprec(_ROUNDED_BITS):
+        return float(value().mid())
 
 
 def surds(field: Field) -> Kind:

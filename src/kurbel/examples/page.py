@@ -17,7 +17,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number
 from kurbel.examples.source import Example, Part, example
 from kurbel.examples.working import WORDS, Entry, Working, exact_text
-from kurbel.linkage.beam import BeamEngine
+from kurbel.linkage.beam.engine import BeamEngine
 from kurbel.page.axes import angle_text
 from kurbel.page.layouts import LANGUAGES
 from kurbel.page.subject import check_label

@@ -14,7 +14,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel import kinematics
-from kurbel.linkage.arc.captions import links
+from kurbel.linkage.arc.captions import SPEECH
 from kurbel.linkage.arc.crank import ArcCrank
 from kurbel.motion.captions import drive_notes, turns_label
 from kurbel.motion.evaluation import NEEDS, OUT, RETURN, is_known, unknown
@@ -237,7 +237,7 @@ def _sizes(drive: Crank | ArcCrank, lang: str) -> Iterator[Label]:
     """Yield the lines with what was given of a drive beside its ratio."""
     crank = crank_of(drive)
     if isinstance(drive, ArcCrank):
-        yield ", ".join(links(drive))
+        yield ", ".join(SPEECH.links(drive))
     elif crank.offset:
         yield f"$e = {figure(crank.offset)} R$"
     if crank.radius is None:

@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 from kurbel.drive.crank import Crank
 from kurbel.exact.kind import Kind, balls, bounds, settled
@@ -65,6 +65,9 @@ class Linkage(ABC):
     __slots__ = ()
 
     crank: Any
+    # Whether its lengths are rational numbers in units of R, so that at rational angles all but arcs is
+    # algebraic of a known degree. Of others a value on a rounding boundary stays unsettled.
+    is_rational: ClassVar[bool] = True
 
     def of(self, crank: Crank) -> Linkage:
         """Return the drive with what else is known of its crank."""
@@ -122,7 +125,8 @@ def certified(
     def at(kind: Kind) -> Any:
         return _value_at(quantity, drive, angle, kind)
 
-    return settled(at, decimals, rounding, not (quantity.is_arc or _weighs(quantity, drive, angle)))
+    free = drive.is_rational and not (quantity.is_arc or _weighs(quantity, drive, angle))
+    return settled(at, decimals, rounding, free)
 
 
 def _value_at(quantity: Quantity, drive: Linkage, angle: Fraction, kind: Kind) -> Any:

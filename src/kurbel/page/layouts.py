@@ -40,7 +40,7 @@ SUBJECTS: Mapping[str, Pages] = {
     "flywheel": Pages("kurbel.engine.page:FLYWHEEL", "flywheel --power 50kW --speed 120/min --delta 1:100"),
     "pressures": Pages("kurbel.engine.pressures.page:PRESSURES", _PRESSED),
     "pressures over the angle": Pages("kurbel.engine.pressures.page:PRESSURES_OVER_ANGLE", _PRESSED),
-    "dead centres": Pages("kurbel.linkage.beam_page:SUBJECT", "deadcentres"),
+    "dead centres": Pages("kurbel.linkage.beam.page:SUBJECT", "deadcentres"),
     "drive dead centres": Pages("kurbel.linkage.dead_centres:SUBJECT", f"deadcentres {_ARC}"),
     "harmonics": Pages("kurbel.balance.harmonics_page:SUBJECT", "harmonics"),
     "balance": Pages("kurbel.balance.page:SUBJECT", "balance"),

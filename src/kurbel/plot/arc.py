@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, NamedTuple
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import floats
 from kurbel.kernel.circle import circle
-from kurbel.linkage.arc.crank import ArcCrank
 from kurbel.linkage.arc.quantities import arc_registry
+from kurbel.linkage.arc.rocker import RockerCrank
 from kurbel.linkage.linkage import value
 from kurbel.motion.evaluation import OUT, RETURN
 from kurbel.plot.mechanism import LARGEST_RADIUS, LEFT, LONGEST_ROD
@@ -32,10 +32,13 @@ THETA = text_of("$θ$", ".")
 
 
 class _Drive(NamedTuple):
-    """What does not move: the pivot, the length of the rocker, the dead centres, the ends of the drawing."""
+    """What does not move: the pivot, the length of the rocker and its letter, whether it has another arm, the
+    dead centres, the ends of the drawing."""
 
     pivot: Point
     rocker: float
+    letter: str
+    is_beam: bool
     inner: Position
     outer: Position
     low: Point
@@ -46,12 +49,17 @@ class _Drive(NamedTuple):
         share, (x, y) = 1 + way / self.rocker, self.pivot
         return x + (point[0] - x) * share, y + (point[1] - y) * share
 
+    def end(self, head: Point) -> Point:
+        """Return where the rocker ends: at its pivot, or with another arm as far beyond it."""
+        x, y = self.pivot
+        return (2 * x - head[0], 2 * y - head[1]) if self.is_beam else self.pivot
+
     def away(self, point: Point) -> Point:
         """Return the direction of a point from the pivot."""
         return point[0] - self.pivot[0], point[1] - self.pivot[1]
 
 
-def arc_mechanism(crank: ArcCrank, angles: Sequence[float | Fraction], lang: str, mark: str) -> Figure:
+def arc_mechanism(crank: RockerCrank, angles: Sequence[float | Fraction], lang: str, mark: str) -> Figure:
     """Return a drawing of the arc crank, true to scale and 120 mm wide at most.
 
     The shaft is at the left, φ counts counter-clockwise from the slide direction, θ likewise from the rocker
@@ -64,7 +72,7 @@ def arc_mechanism(crank: ArcCrank, angles: Sequence[float | Fraction], lang: str
         sketch = _laid_out(drive)
         _fixed_lines(sketch, drive)
         for one in positions[1:]:
-            sketch.light_links((0, 0), one.pin, one.head, drive.pivot)
+            sketch.light_links((0, 0), one.pin, one.head, drive.end(one.head))
         _pivot_dimensions(sketch, drive)
         _position_dimensions(sketch, drive, positions[0])
         _strong(sketch, drive, positions[0])
@@ -75,7 +83,7 @@ def arc_mechanism(crank: ArcCrank, angles: Sequence[float | Fraction], lang: str
     return sketch.figure
 
 
-def arc_position(crank: ArcCrank, angle: float) -> Position:
+def arc_position(crank: RockerCrank, angle: float) -> Position:
     """Return where the drive stands at a crank angle in degrees."""
     point = circle(angle)
     turn = float(value(arc_registry()["rocker"], crank, point, floats()))
@@ -86,11 +94,12 @@ def arc_position(crank: ArcCrank, angle: float) -> Position:
     return Position(angle, (point.cosine, point.sine), head, turn)
 
 
-def _pivot(crank: ArcCrank) -> Point:
-    return float(1 / crank.crank.ratio + crank.shift), float(crank.pivot_height)
+def _pivot(crank: RockerCrank) -> Point:
+    ratio, curvature, offset, shift = map(float, crank.figures(OUT, floats()))
+    return 1 / ratio + shift, offset + 1 / curvature
 
 
-def _drive(crank: ArcCrank) -> _Drive:
+def _drive(crank: RockerCrank) -> _Drive:
     rod = f"{about(1 / crank.crank.ratio)} R" if crank.crank.ratio else "infinite"
     if crank.crank.ratio * LONGEST_ROD < 1 or crank.rocker > LONGEST_ROD:
         raise ProblemError(
@@ -102,8 +111,10 @@ def _drive(crank: ArcCrank) -> _Drive:
     pivot = _pivot(crank)
     swept = [polar_point(pivot, float(crank.rocker), turn) for turn in _swept(pivot, inner.head, outer.head)]
     corners = [pivot, *swept, (-1.0, -1.0), (1.0, 1.0)]
+    if not crank.at_end:
+        corners += [(2 * pivot[0] - x, 2 * pivot[1] - y) for x, y in swept]
     low, high = ((end(x for x, _ in corners), end(y for _, y in corners)) for end in (min, max))
-    return _Drive(pivot, float(crank.rocker), inner, outer, low, high)
+    return _Drive(pivot, float(crank.rocker), crank.letter, not crank.at_end, inner, outer, low, high)
 
 
 def _swept(pivot: Point, start: Point, end: Point) -> list[float]:
@@ -170,7 +181,7 @@ def _position_dimensions(sketch: Sketch, drive: _Drive, one: Position) -> None:
     """Draw φ, θ, R, L, B and the path x along the arc."""
     sketch.crank_dimensions(one.pin, one.angle % 360)
     sketch.beside_link(one.pin, one.head, "$L$", 0.45, 1 if one.pin[1] >= one.head[1] else -1)
-    sketch.beside_link(drive.pivot, one.head, "$B$", 0.45, -1 if one.lean < 0 else 1)
+    sketch.beside_link(drive.pivot, one.head, f"${drive.letter}$", 0.45, -1 if one.lean < 0 else 1)
     _rocker_angle(sketch, drive, one)
     _path(sketch, drive, one)
 
@@ -204,5 +215,7 @@ def _path(sketch: Sketch, drive: _Drive, one: Position) -> None:
 
 def _strong(sketch: Sketch, drive: _Drive, one: Position) -> None:
     pivot = drive.pivot
-    sketch.strong_links(crank=((0, 0), one.pin), rod=(one.pin, one.head), rocker=(one.head, pivot))
+    sketch.strong_links(
+        crank=((0, 0), one.pin), rod=(one.pin, one.head), rocker=(one.head, drive.end(one.head))
+    )
     sketch.joints([(0, 0), pivot], [one.pin, one.head])

@@ -22,13 +22,12 @@ from kurbel.reading.notation import plain
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from kurbel.linkage.arc.crank import ArcCrank
+    from kurbel.linkage.arc.rocker import RockerCrank
     from kurbel.linkage.linkage import Linkage
 
 MOST_POSITIONS = 36
 WORDS = {
     "drive": words("Kurbeltrieb|Crank drive"),
-    "arc": words("Bogenschubkurbel|Arc crank"),
 }
 # The diagram turns with the crank.
 POLAR_TITLE = words(
@@ -71,13 +70,13 @@ def mechanism_drawing(crank: Crank, angles: Sequence[Fraction], lang: str, mark:
     return Drawing(figure, WORDS["drive"][lang] + for_ratio(crank.ratio, lang))
 
 
-def arc_drawing(crank: ArcCrank, angles: Sequence[Fraction], lang: str, mark: str) -> Drawing:
+def arc_drawing(crank: RockerCrank, angles: Sequence[Fraction], lang: str, mark: str) -> Drawing:
     """Return the arc crank to scale, likewise."""
     from kurbel.plot.arc import arc_mechanism
 
     _check_positions(angles)
-    rocker = f"$B = {plain(crank.rocker)} R$"
-    title = f"{WORDS['arc'][lang]}{for_ratio(crank.crank.ratio, lang)}, {rocker}"
+    rocker = f"${crank.letter} = {plain(crank.rocker)} R$"
+    title = f"{crank.noun[lang]}{for_ratio(crank.crank.ratio, lang)}, {rocker}"
     return Drawing(arc_mechanism(crank, angles, lang, mark), title)
 
 

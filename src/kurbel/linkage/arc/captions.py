@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
 from typing import Any
@@ -11,6 +13,7 @@ from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label, finite_decimals
 from kurbel.linkage.arc.crank import ArcCrank
 from kurbel.linkage.arc.quantities import LEFT
+from kurbel.linkage.arc.rocker import RockerCrank
 from kurbel.linkage.quantities import FORCE
 from kurbel.linkage.question import LinkageRequest, captioned, force_lines
 from kurbel.motion.captions import WORDS as MOTION_WORDS
@@ -65,56 +68,91 @@ WORDS: Mapping[str, Words] = {
 }
 
 
-def caption(request: LinkageRequest) -> Label:
-    """Return the layout's caption with its quantities and the lengths that all drives have in common."""
-    drives = request.drives
-    ratio = [f"$R:L = {ratio_text(drives[0].crank.ratio)}$"] if len(drives) == 1 else []
-    common = ", ".join([*ratio, f"$B = {_length(drives[0].rocker)} R$"])
-    return captioned(request, for_drive=WORDS["for"][request.lang].format(drive=common))
+@dataclass(frozen=True)
+class Speech:
+    """What pages say of a crank that moves a rocker: by these words, and how its lengths are printed.
+    `further` are the keys of lines that pages of its motion have at their end."""
+
+    words: Mapping[str, Words]
+    lengths: Callable[[Any], Mapping[str, Label | None]]
+    further: tuple[str, ...] = ()
+
+    def caption(self, request: LinkageRequest) -> Label:
+        """Return the layout's caption with its quantities and the lengths that all drives have in common."""
+        drives = request.drives
+        ratio = [f"$R:L = {ratio_text(drives[0].crank.ratio)}$"] if len(drives) == 1 else []
+        common = ", ".join([*ratio, f"${drives[0].letter} = {length_text(drives[0].rocker)} R$"])
+        return captioned(request, for_drive=self.words["for"][request.lang].format(drive=common))
+
+    def notes(self, request: LinkageRequest) -> Iterator[Label]:
+        """Yield the lines below the table: formulas, and what each drive does between its dead centres."""
+        yield from self._formula_lines(request)
+        yield from force_lines(request, self.words["force"], self.words)
+        yield from (self.dead_centres(drive, request.lang) for drive in request.drives)
+        yield from (self.words[key][request.lang] for key in self.further)
+
+    def engine_notes(self, drives: Sequence[RockerCrank], lang: str) -> list[Label]:
+        """Return what pages of engines say of these drives."""
+        return [self.words["piston"][lang], *(self.dead_centres(drive, lang) for drive in drives)]
+
+    def links(self, drive: RockerCrank) -> list[Label]:
+        """Return the ratio and the lengths of a drive with their letters."""
+        lengths = self.lengths(drive).items()
+        known = (f"${letter} = {length} R$" for letter, length in lengths if length is not None)
+        return [f"$R:L = {ratio_text(drive.crank.ratio)}$", *known]
+
+    def dead_centres(self, drive: RockerCrank, lang: str) -> Label:
+        """Return the line with what a drive does between its dead centres."""
+        angle, share = 3, 4
+
+        def outer(kind: Kind) -> Any:
+            return drive.dead_angle(RETURN, kind) + 180
+
+        return self.words["dead_centres"][lang].format(
+            drive=", ".join(self.links(drive)),
+            inner=printed(partial(drive.dead_angle, OUT), angle),
+            outer=printed(outer, angle),
+            swing=printed(drive.swing, angle),
+            stroke=printed(drive.arc_stroke, share),
+            times=printed(drive.time_ratio, share),
+            least=printed(drive.least_transmission, angle),
+        )
+
+    def _formula_lines(self, request: LinkageRequest) -> Iterator[Label]:
+        lang, columns = request.lang, request.page_columns
+        strokes = {column.quantity.stroke for column in columns}
+        side = 1 if request.drives[0].curvature > 0 else -1
+        heavy = any(drive.crank.moving for drive in request.drives)
+        shown = [
+            # As they are printed with the pivot on this side; what masses add no line holds.
+            (one, one.formulas[LEFT if side < 0 and LEFT in one.formulas else "exact"])
+            for one in (column.quantity for column in columns)
+            if not (heavy and LOADED in one.formulas)
+        ]
+        formulas = [
+            formula.printed.replace("{part}", one.part[lang])
+            for one, formula in shown
+            if formula.printed and one.part
+        ]
+        # The path's, which tells the strokes apart by name, comes first.
+        formulas.sort(key=lambda line: line.startswith("$"))
+        symbols = (symbol for _, formula in shown for symbol in formula.symbols)
+        if line := ", ".join(dict.fromkeys((*formulas, *symbols))):
+            yield _lettered(_signed(line, strokes, side), request.drives[0])
+        if shown and any(drive.crank.ratio for drive in request.drives):
+            closure = _lettered(_signed(CLOSURE, strokes, side), request.drives[0])
+            yield self.words["closure"][lang].format(closure=closure)
+        if shown:
+            forces = all(one.of == FORCE for one, _ in shown)
+            yield self.words["angles"][lang] + ("" if forces else self.words["radians"][lang])
+        if RETURN in strokes:
+            yield MOTION_WORDS["offset_return"][lang].replace("{angle}", request.layout.angle_symbol)
+        if shown and len(strokes) > 1:
+            yield MOTION_WORDS["signs"][lang]
 
 
-def notes(request: LinkageRequest) -> Iterator[Label]:
-    """Yield the lines below the table: the formulas, and what each drive does between its dead centres."""
-    yield from _formula_lines(request)
-    yield from force_lines(request, WORDS["force"], WORDS)
-    yield from (_dead_centres(crank, request.lang) for crank in request.drives)
-
-
-def engine_notes(drives: Sequence[ArcCrank], lang: str) -> list[Label]:
-    """Return what pages of engines say of these drives."""
-    return [WORDS["piston"][lang], *(_dead_centres(drive, lang) for drive in drives)]
-
-
-def _formula_lines(request: LinkageRequest) -> Iterator[Label]:
-    lang, columns = request.lang, request.page_columns
-    strokes = {column.quantity.stroke for column in columns}
-    side = 1 if request.drives[0].curvature > 0 else -1
-    heavy = any(drive.crank.moving for drive in request.drives)
-    shown = [
-        # As they are printed with the pivot on this side; what masses add has no formula that a line holds.
-        (one, one.formulas[LEFT if side < 0 and LEFT in one.formulas else "exact"])
-        for one in (column.quantity for column in columns)
-        if not (heavy and LOADED in one.formulas)
-    ]
-    printed = [
-        formula.printed.replace("{part}", one.part[lang])
-        for one, formula in shown
-        if formula.printed and one.part
-    ]
-    # The path's, which tells the strokes apart by name, comes first.
-    printed.sort(key=lambda line: line.startswith("$"))
-    symbols = (symbol for _, formula in shown for symbol in formula.symbols)
-    if line := ", ".join(dict.fromkeys((*printed, *symbols))):
-        yield _signed(line, strokes, side)
-    if shown and any(crank.crank.ratio for crank in request.drives):
-        yield WORDS["closure"][lang].format(closure=_signed(CLOSURE, strokes, side))
-    if shown:
-        forces = all(one.of == FORCE for one, _ in shown)
-        yield WORDS["angles"][lang] + ("" if forces else WORDS["radians"][lang])
-    if RETURN in strokes:
-        yield MOTION_WORDS["offset_return"][lang].replace("{angle}", request.layout.angle_symbol)
-    if shown and len(strokes) > 1:
-        yield MOTION_WORDS["signs"][lang]
+def _lettered(line: Label, drive: RockerCrank) -> Label:
+    return re.sub(r"\bB\b", drive.letter, line)
 
 
 def _signed(line: Label, strokes: set[int], side: int) -> Label:
@@ -130,43 +168,28 @@ def _signed(line: Label, strokes: set[int], side: int) -> Label:
     return filled(line, parts.items())
 
 
-def _dead_centres(crank: ArcCrank, lang: str) -> Label:
-    angle, share = 3, 4
-
-    def outer(kind: Kind) -> Any:
-        return crank.dead_angle(RETURN, kind) + 180
-
-    return WORDS["dead_centres"][lang].format(
-        drive=", ".join(links(crank)),
-        inner=_printed(partial(crank.dead_angle, OUT), angle),
-        outer=_printed(outer, angle),
-        swing=_printed(crank.swing, angle),
-        stroke=_printed(crank.arc_stroke, share),
-        times=_printed(crank.time_ratio, share),
-        least=_printed(crank.least_transmission, angle),
-    )
+def _lengths(drive: ArcCrank) -> Mapping[str, Label | None]:
+    ratio = drive.crank.ratio
+    distance = drive.distance or (1 / ratio if ratio else None)
+    lengths = {"B": drive.rocker, "D": distance, "H": drive.pivot_height}
+    return {letter: None if one is None else length_text(one) for letter, one in lengths.items()}
 
 
-def links(crank: ArcCrank) -> Sequence[Label]:
-    """Return the ratio and the lengths of an arc crank with their letters."""
-    ratio = crank.crank.ratio
-    distance = crank.distance or (1 / ratio if ratio else None)
-    lengths = {"B": crank.rocker, "D": distance, "H": crank.pivot_height}
-    known = (f"${letter} = {_length(length)} R$" for letter, length in lengths.items() if length is not None)
-    return [f"$R:L = {ratio_text(ratio)}$", *known]
-
-
-def _length(length: Fraction) -> str:
+def length_text(length: Fraction) -> str:
+    """Return a length as it is printed, exactly."""
     return str(length) if finite_decimals(length) is None else plain(length)
 
 
-def _printed(value: Callable[[Kind], Any], decimals: int) -> str:
+def printed(value: Callable[[Kind], Any], decimals: int) -> str:
     """The digits of an angle in degrees to 3 decimals, or of the stroke or the time ratio to 4.
 
-    No value lies on a rounding boundary. Sine and cosine of the angles have at most degree 4 over the
-    rationals, those of a boundary, a k/n of a turn with n a multiple of 128, at least 32. The stroke is
-    transcendental (Lindemann). The time ratio (180° + Δ)/(180° - Δ) is transcendental (Gelfond-Schneider)
+    No value of an arc crank lies on a rounding boundary. Sine and cosine of the angles have at most degree 4
+    over the rationals, those of a boundary, a k/n of a turn with n a multiple of 128, at least 32. The stroke
+    is transcendental (Lindemann). The time ratio (180° + Δ)/(180° - Δ) is transcendental (Gelfond-Schneider)
     or, where Δ is m/n of a turn, (n + 2 m)/(n - 2 m) with φ(n) <= 8, hence n <= 30: no denominator of a
-    reduced one is a multiple of 32.
+    reduced one is a multiple of 32. Of a beam engine the angles have sines of degree 16 at most.
     """
     return digits_text(value, decimals, algebraic=False)
+
+
+SPEECH = Speech(WORDS, _lengths)

@@ -14,7 +14,7 @@ from kurbel.kernel.circle import Circle
 from kurbel.linkage.arc.direct import direct
 from kurbel.linkage.arc.rocker import STROKE, RockerCrank
 from kurbel.linkage.linkage import At
-from kurbel.page.quantity import Quantity
+from kurbel.page.quantity import Quantity, Words, words
 from kurbel.reading.notation import about
 
 # Lengths in a message are multiples of 1/_STEPS R, rounded so that a length changed by as much will do.
@@ -39,6 +39,7 @@ class ArcCrank(RockerCrank):
     """
 
     title: ClassVar[str] = "the arc crank"
+    noun: ClassVar[Words] = words("Bogenschubkurbel|Arc crank")
 
     crank: Crank
     rocker: Fraction

@@ -16,9 +16,8 @@ from kurbel.exact.certify import pi as ball_pi
 from kurbel.exact.course import Course
 from kurbel.exact.kind import balls
 from kurbel.exact.place import SQUARE, Centre, Place
-from kurbel.linkage.arc.crank import ArcCrank
 from kurbel.linkage.arc.quantities import arc_registry
-from kurbel.linkage.arc.rocker import STROKE
+from kurbel.linkage.arc.rocker import STROKE, RockerCrank
 from kurbel.linkage.mechanism import LinkageDrive
 from kurbel.motion.evaluation import OUT, STROKES
 from kurbel.motion.quantities import registry
@@ -32,7 +31,11 @@ HALF_REACH = 0.45
 @cache
 def arc_columns() -> Mapping[str, Quantity]:
     """Return what can be shown of a place: the outstroke's quantities, which stand for either stroke."""
-    own = {key: one for key, one in arc_registry().items() if one.stroke == OUT}
+    return with_share({key: one for key, one in arc_registry().items() if one.stroke == OUT})
+
+
+def with_share(own: Mapping[str, Quantity]) -> Mapping[str, Quantity]:
+    """Return the quantities with the path's share of the stroke."""
     path, share = own["path"], registry()["x_stroke"]
     kernel = path.formulas["exact"].kernel
     part = path._replace(
@@ -48,8 +51,11 @@ def arc_columns() -> Mapping[str, Quantity]:
 class ArcDrive(LinkageDrive):
     """The arc crank."""
 
-    def __init__(self, crank: ArcCrank) -> None:
-        super().__init__(crank, arc_columns(), "arc")
+    columns_of = staticmethod(arc_columns)
+    page = "arc"
+
+    def __init__(self, crank: RockerCrank) -> None:
+        super().__init__(crank, self.columns_of(), self.page)
         self.arc = crank
         self.centre = self._centre()
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
-from typing import Any
+from typing import Any, ClassVar
 
 from kurbel.drive.crank import Crank, Described, radii
 from kurbel.drive.load import CARD, COMPRESSOR, FORCE, GAS, MASSES, PUMP, STEAM
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.numerals import Label
-from kurbel.linkage.arc import captions
+from kurbel.linkage.arc.captions import SPEECH, Speech
 from kurbel.linkage.arc.crank import ArcCrank
 from kurbel.linkage.arc.drive import ArcDrive, arc_columns
 from kurbel.linkage.arc.names import NAMES, headed, named
@@ -25,21 +25,42 @@ SUBJECT = linkage_subject(
     layout="arc",
     command="table --mechanism arc",
     quantities=arc_registry,
-    caption=captions.caption,
-    notes=captions.notes,
+    caption=SPEECH.caption,
+    notes=SPEECH.notes,
     ratios=True,
 )
 
 
-class Arc(LinkageMechanism):
+class RockerMechanism(LinkageMechanism):
+    """A crank that moves a rocker: what pages say of it, and what they call its parts."""
+
+    loads = (FORCE, MASSES, STEAM, CARD, COMPRESSOR, PUMP, GAS)
+    motion = (("path", "path"), ("velocity", "velocity"), ("acceleration", "acceleration"))
+    drawing = "kurbel.plot.drawings:arc_drawing"
+    speech: ClassVar[Speech]
+    names: ClassVar[Mapping[str, str]]
+
+    def loaded_notes(self, drives: Sequence[Any], lang: str) -> Sequence[Label]:
+        return self.speech.engine_notes(drives, lang)
+
+    def masses_notes(self, crank: Crank, ratio_symbol: str, lang: str) -> Iterable[Label]:
+        return moving_notes(crank, ratio_symbol, lang, self.speech.words)
+
+    def named(self, quantity: Quantity) -> Quantity:
+        return named(quantity, self.names)
+
+    def headed(self, column: Column) -> Column:
+        return headed(column, self.names)
+
+
+class Arc(RockerMechanism):
     name = "arc"
     title = ArcCrank.title
     layout = "arc"
     forces_layout = "forces-arc"
     takes = ("ratio", "offset", "rocker", "pivot", "rocker_inertia", "method")
-    loads = (FORCE, MASSES, STEAM, CARD, COMPRESSOR, PUMP, GAS)
-    motion = (("path", "path"), ("velocity", "velocity"), ("acceleration", "acceleration"))
-    drawing = "kurbel.plot.drawings:arc_drawing"
+    speech = SPEECH
+    names = NAMES
 
     def lacking(self, said: Described) -> str:
         if said.rocker is not None:
@@ -59,18 +80,6 @@ class Arc(LinkageMechanism):
             ArcCrank(Crank(value, across, radius, force=said.force), rocker, *places)
             for value in said.ratios(ratios)
         )
-
-    def loaded_notes(self, drives: Sequence[Any], lang: str) -> Sequence[Label]:
-        return captions.engine_notes(drives, lang)
-
-    def masses_notes(self, crank: Crank, ratio_symbol: str, lang: str) -> Iterable[Label]:
-        return moving_notes(crank, ratio_symbol, lang, captions.WORDS)
-
-    def named(self, quantity: Quantity) -> Quantity:
-        return named(quantity, NAMES)
-
-    def headed(self, column: Column) -> Column:
-        return headed(column, NAMES)
 
     def solved(self, drives: Sequence[Any], method: str | None) -> tuple[ArcDrive, ...]:
         return tuple(map(ArcDrive, drives))

@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING, Any
 from kurbel.drive.moved import Moved
 from kurbel.kernel import linkage, rocker
 from kurbel.kernel.linkage import Place
-from kurbel.kernel.rocker import LoadedRocker
 from kurbel.motion.evaluation import OUT, RETURN
 
 if TYPE_CHECKING:
     from kurbel.exact.kind import Kind
     from kurbel.kernel.circle import Circle, Number
+    from kurbel.kernel.rocker import LoadedRocker
     from kurbel.kernel.rod import Masses
     from kurbel.linkage.arc.rocker import RockerCrank
 
@@ -26,7 +26,7 @@ class MovedRocker(Moved):
     algebraic = False
 
     def __init__(self, drive: RockerCrank, kind: Kind) -> None:
-        self.kind = kind
+        self.drive, self.kind = drive, kind
         self.arcs = [drive.dead_centre(stroke, kind) for stroke in STROKES]
         self.length = drive.arc_stroke(kind)
         self._dead_angles = [drive.dead_angle(stroke, kind) / 180 for stroke in STROKES]
@@ -50,7 +50,7 @@ class MovedRocker(Moved):
         self, stroke: int, circle: Circle[Any], masses: Masses[Any], net: Number, reciprocating: Number = 0
     ) -> LoadedRocker:
         place = self._place(stroke, circle)
-        return LoadedRocker(circle, place, self.arcs[stroke], masses, net, reciprocating)
+        return self.drive.under(circle, place, self.arcs[stroke], masses, net, reciprocating)
 
     def kinetic_energy(self, stroke: int, circle: Circle[Any], masses: Masses[Any]) -> Number:
         return rocker.kinetic_energy(self._place(stroke, circle), masses)

@@ -15,9 +15,11 @@ from kurbel.kernel import linkage
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.linkage import Arc, Place
 from kurbel.kernel.rocker import LoadedRocker
+from kurbel.kernel.rod import Masses
 from kurbel.linkage.arc.moved import MovedRocker
 from kurbel.linkage.linkage import At, Linkage
 from kurbel.motion.evaluation import OUT, RETURN
+from kurbel.page.quantity import Words
 
 # What quantities are of that count from the dead centre where the stroke begins.
 STROKE = "stroke"
@@ -28,7 +30,12 @@ class RockerCrank(Linkage):
 
     __slots__ = ()
 
+    # What sentences and drawings call it, and the letter of the rocker.
     title: ClassVar[str]
+    noun: ClassVar[Words]
+    letter: ClassVar[str] = "B"
+    # Whether what the piston moves hangs at the rod's end, and not at another arm of the rocker.
+    at_end: ClassVar[bool] = True
     crank: Crank
     rocker: Fraction
 
@@ -112,4 +119,14 @@ class RockerCrank(Linkage):
         net = of(crank.force.first if crank.force else Fraction(0))
         masses = weights.on_shaft if force.on_shaft else weights.masses
         reciprocating = 0 if force.on_shaft else weights.reciprocating
-        return force.on(LoadedRocker(at.circle, at.place, at.arc, masses, net, reciprocating))
+        return force.on(self.under(at.circle, at.place, at.arc, masses, net, reciprocating))
+
+    def under(
+        self, circle: Circle[Any], place: Place[Any], arc: Arc[Any], masses: Masses[Any], net: Any, own: Any
+    ) -> LoadedRocker:
+        """Return the drive with its masses, of which `own` is the reciprocating one, under a piston force."""
+        if not self.at_end:
+            # The other arm bears what draws it to the pivot.
+            masses = masses._replace(crosshead=masses.crosshead - own, rocker=masses.rocker + own)
+            own = 0
+        return LoadedRocker(circle, place, arc, masses, net, own)

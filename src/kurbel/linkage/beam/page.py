@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, nearest
-from kurbel.linkage.beam import APPROXIMATE, EXACT, BeamEngine, certified, registry
+from kurbel.linkage.beam.engine import APPROXIMATE, EXACT, BeamEngine, certified, registry
 from kurbel.page.axes import ColumnAxis, LetteredRatioAxis, ListAxis, Place, angle_decimals
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, filled, words
