@@ -210,7 +210,7 @@ def yoke(tmp_path_factory: pytest.TempPathFactory) -> House:
 def test_a_new_mechanism_is_one_package_and_a_line(yoke: House) -> None:
     assert len([*(yoke.folder / "src" / "kurbel" / "linkage" / "yoke").glob("*.py")]) <= 8
     shown = yoke.kurbel("kurbel table --help")
-    assert "two equal cranks) or yoke (a pin in a slot)" in " ".join(shown.split())
+    assert "beam (a beam engine) or yoke (a pin in a slot)" in " ".join(shown.split())
     page = yoke.kurbel("kurbel table --mechanism yoke --angle 25;115;205 --columns path,velocity -f csv")
     with mp.workdps(40):
         for angle, row in zip((25, 115, 205), page.splitlines()[1:], strict=True):

@@ -113,5 +113,5 @@ def test_a_moment_of_inertia_has_its_unit_and_needs_a_speed(more: tuple[str, ...
 
 
 def test_the_straight_crank_has_no_rocker() -> None:
-    said = "--rocker-inertia does not belong to the straight crank; it is for --mechanism arc"
+    said = "--rocker-inertia does not belong to the straight crank; it is for --mechanism arc or beam"
     assert refusal("forces", "--reciprocating", "3kg", "--rocker-inertia", "2kg m²") == said

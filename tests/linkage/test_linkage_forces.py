@@ -182,5 +182,5 @@ def test_what_is_not_computed_is_refused_in_one_sentence(more: tuple[str, ...], 
 def test_loads_that_act_on_other_drives_are_named() -> None:
     assert refusal("forces", "--mechanism", "parallel", "--eps", "4") == (
         "the parallel crank under steam is not computed; steam can act on the straight crank or the offset"
-        " crank or the arc crank, and the parallel crank takes a constant force"
+        " crank or the arc crank or the beam engine, and the parallel crank takes a constant force"
     )
