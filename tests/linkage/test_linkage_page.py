@@ -317,7 +317,8 @@ def test_what_is_typed_goes_before_the_environment() -> None:
         ("arc", "the arc crank needs the length of its rocker; add --rocker, for example --rocker 6"),
         (
             "ark",
-            'there is no mechanism "ark" (did you mean arc?); choose from straight, offset, arc, parallel, beam',
+            'there is no mechanism "ark" (did you mean arc?); choose from straight, offset, arc, parallel,'
+            " beam",
         ),
         ("straight --rocker 6", "--rocker does not belong to the straight crank; it is for --mechanism arc"),
         (
@@ -331,7 +332,8 @@ def test_what_is_typed_goes_before_the_environment() -> None:
         ),
         (
             "parallel --ratio 1:5",
-            "--ratio does not belong to the parallel crank; it is for --mechanism straight, offset, arc or beam",
+            "--ratio does not belong to the parallel crank; it is for --mechanism straight, offset, arc or"
+            " beam",
         ),
         (
             "arc --rocker 6 --method series",
