@@ -11,8 +11,9 @@ from kurbel.cli.options import RIVALS, Given, Option, Type, click_option, machin
 from kurbel.cli.tables import MakingCommand
 from kurbel.commands import engine_plots, plots
 from kurbel.commands.cylinder import pressures
+from kurbel.commands.loads import PARTS, astray, named
 from kurbel.commands.machines import MASSES, STEAM
-from kurbel.commands.options import Choice, is_given
+from kurbel.commands.options import Choice
 from kurbel.commands.shown import Drawing
 from kurbel.commands.subject import Command
 from kurbel.errors import ProblemError
@@ -109,14 +110,15 @@ def _kind(given: Given) -> Kind:
 
 def _driven_by_steam(given: Given) -> bool:
     """Whether steam drives the piston, and no constant force that outdoes the steam of the machine."""
-    steam = is_given(given.values["eps"]) or is_given(given.values["card"])
-    return steam and (not given.typed("force") or any(map(given.typed, STEAM)))
+    return bool(named(given.values)) and (not given.typed("force") or any(map(given.typed, STEAM)))
 
 
 def _refusal(name: str, kind: Kind, flag: str) -> str:
     option = f"--{name.replace('_', '-')}"
     if flag in OF_STEAM and kind is not OF_STEAM[flag] and name in OF_ENGINES & OF_STEAM[flag].takes:
-        return f"{option} is for the steam of an engine; add --eps or --card"
+        return (
+            astray(name) if name in PARTS else f"{option} is for the steam of an engine; add --eps or --card"
+        )
     if name in OF_ENGINES and flag in ("", "positions"):
         return f"{option} describes a steam engine; --forces, --polar, --pressures and --turning draw one"
     return f"{option} says nothing about {kind.name}; leave it out"

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, Unpack
 
 from kurbel.commands import parameters as option
-from kurbel.commands.machines import engine_of, is_heavy, load_of
+from kurbel.commands.machines import engine_of, is_heavy, load_of, over_cycle
 from kurbel.commands.motion import of_other_mechanisms
 from kurbel.commands.plots import CurveStep, DrawnColumns, DrawnSpeed, LabelLang, curve_angles, only, page_of
 from kurbel.commands.shown import Drawing, mark_of
@@ -61,7 +61,7 @@ def plot_engine_polar(eps: option.Eps = None, **given: Unpack[Drawn]) -> Drawing
 
     mark = mark_of(given["lang"], given["decimal"])
     question = _force_question({**given, "eps": eps}, PIN_FORCE)
-    only(question.steams, "polar", "cards" if question.carded else "expansion ratios")
+    only(question.steams, "polar", question.words.several)
     only(question.drives, "polar", "ratios")
     return Drawing.of(polar_drawing(question, engine_pin_force(question), mark), given["lang"], mark)
 
@@ -90,7 +90,7 @@ def _force_question(
 
 
 def _question(layout: str, given: Mapping[str, Any], columns: tuple[str, ...]) -> "EngineRequest":
-    angles, method = curve_angles(given), given["method"]
+    angles, method = curve_angles(over_cycle(given)), given["method"]
     if method == "infinite":
         raise ProblemError("--method infinite is for the motion alone; of engines write --ratio 1:∞")
     about = {**given, "method": method and (method,)}

@@ -4,8 +4,19 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Annotated, Any, Unpack
 
+from kurbel.commands import loads
 from kurbel.commands import parameters as option
-from kurbel.commands.machines import MASSES, STEAM, engine_of, for_masses, is_heavy, rod_of, weighed
+from kurbel.commands.loads import NAMES, OWN, PARTS
+from kurbel.commands.machines import (
+    MASSES,
+    STEAM,
+    engine_of,
+    for_masses,
+    is_heavy,
+    over_cycle,
+    rod_of,
+    weighed,
+)
 from kurbel.commands.motion import angles_of, meant, of_other_mechanisms, sheet_of
 from kurbel.commands.options import Choice, LayoutName, Option, is_given
 from kurbel.commands.subject import makes_table
@@ -27,6 +38,7 @@ AXLES = ("axles", "driven")
 _LOADS = {
     **dict.fromkeys((*STEAM, "bore", "pressure", "cranks"), load.STEAM),
     "card": load.CARD,
+    **{key: OWN[key][0] for key in NAMES},
     **dict.fromkeys(MASSES, load.MASSES),
 }
 
@@ -62,8 +74,7 @@ def _about(values: Mapping[str, Any]) -> str:
     subject = layout(values["layout"], values["layouts"]).subject if values["layout"] else ""
     if values["at"] is not None or subject == "tangent":
         return "tangent"
-    steam = is_given(values["eps"]) or is_given(values["card"])
-    return "engine" if steam and subject != "motion" else "piston"
+    return "engine" if loads.named(values) and subject != "motion" else "piston"
 
 
 def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
@@ -80,9 +91,9 @@ def _of_case(values: Mapping[str, Any]) -> Mapping[str, str]:
                 (*STEAM, *MASSES, "bore", "pressure", "speed", "cranks"), force
             )
         case "engine":
-            own = _refused(
-                ("force",), "does not go with the steam of an engine, --eps or --card; leave it out"
-            )
+            which = "steam" if is_given(values["eps"]) or is_given(values["card"]) else "load"
+            keys = "--eps or --card" if which == "steam" else f"--{loads.named(values)[0].replace('_', '-')}"
+            own = _refused(("force",), f"does not go with the {which} of an engine, {keys}; leave it out")
             newton_metres = "makes newton metres of the steam only with --bore; add that"
             bare = not is_heavy(values) and values["bore"] is None
             return {
@@ -93,7 +104,7 @@ def _of_case(values: Mapping[str, Any]) -> Mapping[str, str]:
     steam = _refused(
         ("bore", "pressure", "cranks", *STEAM), "is for the steam of an engine; add --eps or --card"
     )
-    return {**steam, **for_masses("speed")(values)}
+    return {**steam, **{name: loads.astray(name) for name in PARTS}, **for_masses("speed")(values)}
 
 
 def _refused(names: tuple[str, ...], why: str) -> dict[str, str]:
@@ -213,7 +224,7 @@ def forces_table(
             _check_whole(page, given)
             return engine_of(page, about_turn, columns=as_names(columns, "thrust,reversal_angle"))
         names = as_names(columns, "epsilon,delta")
-        return engine_of(page, about_turn, angles=angles_of(page, given), columns=names)
+        return engine_of(page, about_turn, angles=angles_of(page, over_cycle(given)), columns=names)
     name = layout or chosen.forces_layout
     page = layout_of(name, ("motion", *OF_ENGINES) if chosen.crosshead else (chosen.subject,), layouts)
     if page.subject in OF_ENGINES:

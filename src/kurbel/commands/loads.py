@@ -34,11 +34,14 @@ OWN: Mapping[str, tuple[str, tuple[str, ...]]] = {
 FURTHER = tuple(
     dict.fromkeys(
         name
-        for key in ("pressure_ratio", "pump", "compression")
+        for key in OWN
         for name in (key, *OWN[key][1])
-        if name not in (*OWN["eps"][1], *OWN["card"][1])
+        if name not in ("eps", "card", *OWN["eps"][1], *OWN["card"][1])
     )
 )
+# Of these those that name a load, and those that do not.
+NAMES = tuple(key for key in OWN if key in FURTHER)
+PARTS = tuple(name for name in FURTHER if name not in OWN)
 # The layouts of their irregularity, unless it is named.
 LAYOUTS = {"pressure_ratio": "compressor", "pump": "delta-detail", "compression": "gas-cycle"}
 _Several = Annotated[
@@ -171,10 +174,17 @@ def _key(given: Mapping[str, Any]) -> str:
     if len(found) > 1:
         raise ProblemError(f"{_flag(found[0])} and {_flag(found[1])} describe two loads; leave one out")
     if not found or found[0] in ("eps", "card"):
-        stray = next(name for name in FURTHER if is_given(given.get(name)))
-        adds = " or ".join(_flag(key) for key, (_, own) in OWN.items() if stray in own)
-        raise ProblemError(f"{_flag(stray)} is for {_owners(stray)}; add {adds}")
+        raise ProblemError(astray(next(name for name in FURTHER if is_given(given.get(name)))))
     return found[0]
+
+
+def astray(name: str) -> str:
+    """Return the sentence that refuses an option of loads of which none is named."""
+    return f"{_flag(name)} is for {_owners(name)}; add {' or '.join(_flag(key) for key in _keys(name))}"
+
+
+def _keys(name: str) -> list[str]:
+    return [key for key, (_, own) in OWN.items() if name in own]
 
 
 def _owners(name: str) -> str:

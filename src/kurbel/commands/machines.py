@@ -197,6 +197,14 @@ def whole_cycle(given: Mapping[str, Any]) -> Fraction:
     return loads.whole_cycle(given) if _is_other(given) else FULL_TURN
 
 
+def over_cycle(given: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Return the options of a run of angles, by themselves over the whole cycle where it is longer than a
+    turn."""
+    last = whole_cycle(given)
+    run = given["to"] is None and given.get("angle") is None and last > FULL_TURN
+    return {**given, "to": last} if run else given
+
+
 def engine_of(page: Layout, given: Mapping[str, Any], **rest: Any) -> EngineRequest:
     """Return what is asked for of the engines that options describe: with their masses, under their steam."""
     from kurbel.engine.request import EngineRequest

@@ -32,7 +32,8 @@ class LoadWords(NamedTuple):
     is no number, `label` how it is written. `machine` is what is driven by it or drives it, in the genitive,
     `several` what loads are called in sentences. `forces` says what Q is, `newtons` what it is of, and
     `lines` yields what there is to be said of the load; `layout` is that of its irregularity, `halved` tells
-    that a single-acting one is called so, `captioned` that what tells it from others stands in captions.
+    that a single-acting one is called so, `captioned` that what tells it from others stands in captions, `tag` what
+    stands for it in records where that is not what is written.
     """
 
     key: str
@@ -48,6 +49,7 @@ class LoadWords(NamedTuple):
     layout: str = "delta-detail"
     halved: bool = True
     captioned: bool = True
+    tag: Callable[[Any], Label] | None = None
 
 
 SAID: Mapping[str, str] = {
@@ -89,10 +91,12 @@ class LoadAxis(Axis):
     def value(self, place: Place) -> Number | Label:
         number = self.words.number(self.request.steams[place["expansion"]])
         if self.decimals is None or number is None:
-            return load_label(self.request, place["expansion"])
+            tag = self.words.tag
+            return tag(self.request.steams[place["expansion"]]) if tag else self.heads(place)[0]
         return nearest(number, self.decimals)
 
-    stub = value
+    def stub(self, place: Place) -> Number | Label:
+        return self.heads(place)[0] if self.words.tag else self.value(place)
 
     def stub_heading(self) -> Label:
         return " ".join(filter(None, (self.words.name[self.lang], self.words.symbol)))

@@ -17,6 +17,7 @@ from kurbel.reading.notation import plain, ratio_text
 MAKES_DELTA = "a"
 ERRORS = words("geschätzter Fehler|estimated error")
 PLAIN_CAPTION = words("{quantities} {machine}{for_engine}; {method}")
+DRIVEN = words("der Arbeitsmaschine|of the driven machine")
 WORDS = {
     "makes_delta": words("aus diesen beiden folgt $δ$|$δ$ follows from these two"),
     "delta": words(
@@ -58,12 +59,13 @@ WORDS = {
         "|Difference: exact value less approximation, taken before rounding."
     ),
     "driven": words(
-        "die Welle treibt den Kolben: Kräfte positiv in der Richtung der Bewegung, $P$ und die Arbeit daher"
-        " negativ; $δ$ im Betrag von $P$, Leistungen und mittlere Drücke positiv, als zugeführt; größte und"
-        " kleinste Geschwindigkeit haben gegen die Kraftmaschine die Plätze getauscht"
-        "|the shaft drives the piston: forces positive in the direction of the motion, $P$ and the work hence"
-        " negative; $δ$ in the magnitude of $P$, powers and mean pressures positive, as supplied; greatest"
-        " and least speed have changed places with those of a driving machine"
+        "die Welle treibt den Kolben: $T$ zählt in der Drehrichtung, Arbeit als abgegeben, das Mittel $P$ und"
+        " die Arbeit der Umdrehung sind daher negativ; $δ$ im Betrag von $P$, Leistungen und mittlere Drücke"
+        " positiv, als zugeführt; größte und kleinste Geschwindigkeit haben gegen die Kraftmaschine die Plätze"
+        " getauscht"
+        "|the shaft drives the piston: $T$ counts as the crank turns and work as delivered, so that the mean"
+        " $P$ and the work of a turn are negative; $δ$ in the magnitude of $P$, powers and mean pressures"
+        " positive, as supplied; greatest and least speed have changed places with those of a driving machine"
     ),
     "turning_sense": words(
         "dreht der Kurbelzapfen im inneren Totpunkt nach oben, trägt bei liegender Maschine die obere"
@@ -88,7 +90,7 @@ def caption(request: EngineRequest) -> Label:
     methods = dict.fromkeys(method for column in request.page_columns for method in column.methods)
     parts = {
         "{quantities}": ", ".join(_names(request)),
-        "{machine}": request.words.machine[lang],
+        "{machine}": (DRIVEN if request.carded and request.driven else request.words.machine)[lang],
         "{for_engine}": _joined(list(_common(request)), lang),
         "{method}": AND[lang].join(ENGINE_METHODS[one].caption[lang] for one in methods),
     }

@@ -53,10 +53,11 @@ class CardTurn(AnyTurn):
         self.diagram = self.diagrams[0]
         mean = self.mean_force() / len(engine.cranks)
         # Half a card, in the unit of the whole, may well do no work.
-        if self.diagram.unit is None and mean < LEAST_FORCE:
+        if self.diagram.unit is None and abs(mean) < LEAST_FORCE:
             raise CardError(
                 f"{self.diagram.card.name} does no work: the mean tangential force is {mean:.3g} Q,"
-                " and it must be above 0; p_forward drives the piston, p_return resists it"
+                " and it must be above 0, or below where the shaft drives the piston; p_forward drives it,"
+                " p_return resists it"
             )
 
     @cached_property

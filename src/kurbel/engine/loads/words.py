@@ -171,6 +171,7 @@ PUMP_WORDS = LoadWords(
     lines=_pump_lines,
     halved=False,
     captioned=False,
+    tag=lambda load: load.kind,
 )
 GAS_WORDS = LoadWords(
     key="compression",
