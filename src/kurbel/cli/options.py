@@ -11,6 +11,7 @@ import click
 from click.core import ParameterSource
 
 from kurbel.commands import options as kinds
+from kurbel.commands.loads import NAMES, OWN
 from kurbel.commands.options import Parameter, is_given
 from kurbel.commands.parameters import LANG
 from kurbel.commands.subject import Command
@@ -41,7 +42,7 @@ _WHEEL: Rivals = (("flywheel", "inertia"), ("inertia", "flywheel"))
 RIVALS: Mapping[str, Rivals] = {
     "table": (*_ANGLES, ("mechanism", "layout"), ("layout", "mechanism")),
     # A force that is typed outdoes the steam of a machine.
-    "forces": (*_ANGLES, *_STEAM, *_ROD, ("eps", "force"), ("card", "force")),
+    "forces": (*_ANGLES, *_STEAM, *_ROD, *((key, "force") for key in OWN)),
     "inertia": (*_ANGLES, *_ROD),
     **dict.fromkeys(("delta", "turning"), (*_STEAM, *_ROD, *_WHEEL)),
     **dict.fromkeys(("flywheel", "plot"), (*_STEAM, *_ROD)),
@@ -188,6 +189,16 @@ class Given:
             if not self.typed(name) and self.typed(other):
                 self.drop(name)
 
+    def settle_loads(self) -> None:
+        """Drop the loads that one which was typed outdoes, with all that describes them alone."""
+        typed = [key for key in OWN if key in self.values and self.typed(key)]
+        if not typed or not any(key in self.values and is_given(self.values[key]) for key in NAMES):
+            return
+        others = [key for key in OWN if key not in typed and is_given(self.values.get(key))]
+        for name in {option for key in others for option in (key, *OWN[key][1])}:
+            if name in self.values and not self.typed(name):
+                self.drop(name)
+
     def settle_lengths(self) -> None:
         """Keep two of crank ratio, stroke and length of the rod at the most, for two give the third.
 
@@ -225,6 +236,7 @@ def resolved(command: Command, given: Given, rivals: Rivals = ()) -> dict[str, A
     Raises ProblemError for what was typed in vain.
     """
     given.settle(rivals)
+    given.settle_loads()
     own = {one.name for one in command.parameters.values()}
     values = {name: value for name, value in given.values.items() if name in own}
     command.refuse(values, given.typed)
@@ -247,7 +259,8 @@ def machine_option() -> click.Option:
     """Return --machine, which gives defaults to those options that the command has."""
     return Option(
         ["--machine"], metavar="FILE", type=FileName(), is_eager=True, expose_value=False, callback=_load,
-        help="Machine in a TOML file: [crank], [steam], [masses], [flywheel]; what is typed outdoes it.",
+        help="Machine in a TOML file: [crank], [steam] or [compressor], [pump], [gas], [masses], [flywheel];"
+        " what is typed outdoes it.",
     )  # fmt: skip
 
 

@@ -140,12 +140,14 @@ def load_of(given: Mapping[str, Any]) -> "Load | None":
         return None
     for name in pressures_of(given):
         if given.get(name) is None:
-            raise ProblemError(f"newtons need the bore and the pressures; add {_flag(name)}")
+            raise ProblemError(f"newtons need the bore and the pressure; add {_flag(name)}")
     from kurbel.engine.engine import Load
     from kurbel.reading.given import as_length
 
-    first, *others = (as_pressure(given[name], name.replace("_", " ")) for name in pressures_of(given))
-    return Load(as_length(given["bore"], "bore"), others[0] - first if others else first)
+    known = _known(given, ("suction_pressure", as_pressure), ("delivery_pressure", as_pressure))
+    suction = known.get("suction_pressure", Fraction(0))
+    pressure = known["delivery_pressure"] - suction if is_given(given["pump"]) else suction
+    return Load(as_length(given["bore"], "bore"), pressure)
 
 
 def whole_cycle(given: Mapping[str, Any]) -> Fraction:
@@ -165,8 +167,8 @@ def on_page(page: Layout) -> Layout:
 
 
 def pressures_of(given: Mapping[str, Any]) -> tuple[str, ...]:
-    """Return the pressures of which Q is made."""
-    return ("suction_pressure", "delivery_pressure") if is_given(given["pump"]) else ("suction_pressure",)
+    """Return the pressures without which Q is not known."""
+    return ("delivery_pressure",) if is_given(given["pump"]) else ("suction_pressure",)
 
 
 def _key(given: Mapping[str, Any]) -> str:

@@ -69,7 +69,7 @@ def weighed(chosen: Mechanism, drives: Sequence[Any], given: Mapping[str, Any], 
     if not is_heavy(given):
         return list(drives)
     cranks = [chosen.crank(drive) for drive in drives]
-    missing = [f"--{name}" for name in ("speed", *beside) if given[name] is None]
+    missing = [f"--{name.replace('_', '-')}" for name in ("speed", *beside) if given[name] is None]
     if any(crank.radius is None for crank in cranks):
         missing.insert(0, "--stroke")
     if missing:

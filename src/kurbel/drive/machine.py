@@ -112,6 +112,48 @@ class Steam(Section):
     other_side: Annotated[One | None, about("pressure on the other face of a single-acting piston")] = None
 
 
+class Compressor(Section):
+    pressure_ratio: Annotated[Several | None, about("pressure ratio p₂/p₁")] = None
+    exponent: Annotated[One | None, about("n of p Vⁿ = const.")] = None
+    clearance: Annotated[One | None, about("clearance as a share of the swept volume")] = None
+    suction_loss: Annotated[One | None, about("loss of the suction valves, a share of p₁")] = None
+    delivery_loss: Annotated[One | None, about("loss of the delivery valves, a share of p₂")] = None
+    suction_pressure: Annotated[One | None, about('suction pressure p₁, such as "1bar"')] = None
+    bore: Annotated[One | None, about('bore of the cylinder, such as "400mm"')] = None
+    single_acting: Annotated[bool | None, about("whether one end compresses only")] = None
+    other_side: Annotated[One | None, about("pressure on the other face of a single-acting piston")] = None
+
+
+class Pump(Section):
+    pump: Annotated[One, about("double, single or differential")] = field(
+        name="kind", default=One(("double",))
+    )
+    suction_pressure: Annotated[
+        One | None, about('suction pressure above that on the other face, such as "-0.3bar"')
+    ] = None
+    delivery_pressure: Annotated[
+        One | None, about('delivery pressure above that on the other face, such as "6bar"')
+    ] = None
+    small_area: Annotated[One | None, about("ring of a differential pump, a share of the piston's area")] = (
+        None
+    )
+    bore: Annotated[One | None, about('bore of the cylinder, such as "200mm"')] = None
+
+
+class Gas(Section):
+    compression: Annotated[Several | None, about("compression ratio")] = None
+    cycle: Annotated[One | None, about("otto, diesel or dual")] = None
+    peak_pressure: Annotated[One | None, about("greatest pressure in suction pressures")] = None
+    cut_off: Annotated[One | None, about("volume when the heat is supplied, in least volumes")] = None
+    heat: Annotated[One | None, about("heat supplied in R T₁, for a kilogram")] = None
+    exponent: Annotated[One | None, about("n of p Vⁿ = const.")] = None
+    expansion_exponent: Annotated[One | None, about("n of the expansion where it is another")] = None
+    exhaust_pressure: Annotated[One | None, about("exhaust pressure in suction pressures")] = None
+    two_stroke: Annotated[bool | None, about("whether the cycle has two strokes")] = None
+    suction_pressure: Annotated[One | None, about('suction pressure p₁, such as "1bar"')] = None
+    bore: Annotated[One | None, about('bore of the cylinder, such as "200mm"')] = None
+
+
 class Masses(Section):
     reciprocating: Annotated[One | None, about('mass of piston and crosshead, such as "300kg"')] = None
     rod_mass: Annotated[One | None, about('mass of the connecting rod, such as "150kg"')] = field(
@@ -147,6 +189,9 @@ class Machine(Section):
 
     crank: Crank | None = None
     steam: Steam | None = None
+    compressor: Compressor | None = None
+    pump: Pump | None = None
+    gas: Gas | None = None
     masses: Masses | None = None
     flywheel: Flywheel | None = None
 
@@ -162,14 +207,24 @@ def read_machine(path: str | NamedFile) -> dict[str, Any]:
         if key not in SECTIONS and homes and not isinstance(value, dict):
             raise file.error((key,), f"{key} stands outside of the sections; write it under [{homes[0]}]")
     machine = file.read(Machine)
+    loads = [name for name in LOADS if getattr(machine, name) is not None]
+    if len(loads) > 1:
+        raise file.error(
+            (loads[1],), f"[{loads[0]}] and [{loads[1]}] are two loads of one piston; leave one out"
+        )
     given = {name: value for one in asdict(machine).values() if one for name, value in asdict(one).items()}
     own = path if isinstance(path, NamedFile) else NamedFile(path)
     return {name: _option(own, value) for name, value in given.items() if value is not None}
 
 
+# What acts on the piston.
+LOADS = ("steam", "compressor", "pump", "gas")
 SECTIONS: Mapping[str, type[Section]] = {
     "crank": Crank,
     "steam": Steam,
+    "compressor": Compressor,
+    "pump": Pump,
+    "gas": Gas,
     "masses": Masses,
     "flywheel": Flywheel,
 }

@@ -32,8 +32,8 @@ class LoadWords(NamedTuple):
     is no number, `label` how it is written. `machine` is what is driven by it or drives it, in the genitive,
     `several` what loads are called in sentences. `forces` says what Q is, `newtons` what it is of, and
     `lines` yields what there is to be said of the load; `layout` is that of its irregularity, `halved` tells
-    that a single-acting one is called so, `captioned` that what tells it from others stands in captions, `tag` what
-    stands for it in records where that is not what is written.
+    that a single-acting one is called so, `captioned` that what tells it from others stands in captions,
+    `tag` what stands for it in records where that is not what is written.
     """
 
     key: str

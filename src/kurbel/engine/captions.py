@@ -61,8 +61,8 @@ WORDS = {
     "driven": words(
         "die Welle treibt den Kolben: $T$ zählt in der Drehrichtung, Arbeit als abgegeben, das Mittel $P$ und"
         " die Arbeit der Umdrehung sind daher negativ; $δ$ im Betrag von $P$, Leistungen und mittlere Drücke"
-        " positiv, als zugeführt; größte und kleinste Geschwindigkeit haben gegen die Kraftmaschine die Plätze"
-        " getauscht"
+        " positiv, als zugeführt; größte und kleinste Geschwindigkeit haben gegen die Kraftmaschine die"
+        " Plätze getauscht"
         "|the shaft drives the piston: $T$ counts as the crank turns and work as delivered, so that the mean"
         " $P$ and the work of a turn are negative; $δ$ in the magnitude of $P$, powers and mean pressures"
         " positive, as supplied; greatest and least speed have changed places with those of a driving machine"

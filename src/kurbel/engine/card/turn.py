@@ -51,7 +51,7 @@ class CardTurn(AnyTurn):
         super().__init__(engine, method)
         self.diagrams = tuple(part.steam for part in engine.parts if isinstance(part.steam, Diagram))
         self.diagram = self.diagrams[0]
-        mean = self.mean_force() / len(engine.cranks)
+        mean = round(float(self.mean_force()) / len(engine.cranks), 12) + 0.0
         # Half a card, in the unit of the whole, may well do no work.
         if self.diagram.unit is None and abs(mean) < LEAST_FORCE:
             raise CardError(
