@@ -24,7 +24,7 @@ from typing import TYPE_CHECKING
 from kurbel.errors import KurbelError
 
 if TYPE_CHECKING:
-    from kurbel.commands.balance import balance_table, firing_table, harmonics_table
+    from kurbel.commands.balance import balance_table
     from kurbel.commands.books import collation_table, example_table
     from kurbel.commands.cylinder.pressures import plot_pressures, pressures_table
     from kurbel.commands.engine import delta_table, flywheel_table, turning_table
@@ -32,6 +32,8 @@ if TYPE_CHECKING:
     from kurbel.commands.forces import forces_table, inertia_table
     from kurbel.commands.motion import dead_centres_table, table
     from kurbel.commands.numbers import certified, compute, typeset
+    from kurbel.commands.orders.firing import firing_table
+    from kurbel.commands.orders.harmonics import harmonics_table
     from kurbel.commands.plots import plot_forces, plot_mechanism, plot_motion, plot_polar
     from kurbel.commands.shown import Drawing, Table
     from kurbel.commands.solve import solve_table
@@ -73,9 +75,11 @@ __all__ = [
     "typeset_pdf",
 ]
 _MODULES = {
-    "kurbel.commands.balance": ("balance_table", "firing_table", "harmonics_table"),
+    "kurbel.commands.balance": ("balance_table",),
     "kurbel.commands.books": ("collation_table", "example_table"),
     "kurbel.commands.cylinder.pressures": ("plot_pressures", "pressures_table"),
+    "kurbel.commands.orders.firing": ("firing_table",),
+    "kurbel.commands.orders.harmonics": ("harmonics_table",),
     "kurbel.commands.engine": ("delta_table", "flywheel_table", "turning_table"),
     "kurbel.commands.engine_plots": ("plot_engine_forces", "plot_engine_polar", "plot_turning"),
     "kurbel.commands.forces": ("forces_table", "inertia_table"),

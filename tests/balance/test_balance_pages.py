@@ -302,7 +302,7 @@ def test_engines_that_cannot_be_balanced_are_refused(words: tuple[str, ...], sen
 
 def test_harmonics_that_are_not_known_are_refused() -> None:
     assert refusal("harmonics", "--orders=101") == f'orders "101" {COUNT}'
-    assert refusal("harmonics", "--quantity=y") == 'there is no quantity "y"; choose from x, c, p'
+    assert refusal("harmonics", "--quantity=y") == 'there is no quantity "y"; choose from x, c, p, torque'
     assert refusal("harmonics", "--method=blau").startswith('there is no method "blau"; choose from exact')
     for orders in (0, 101, 2.5, "two"):
         said = f"^orders up to {orders} were asked for; the last must be a whole number from 1 to 100$"

@@ -18,6 +18,7 @@ from textbook import printed as digits
 from kurbel.balance import harmonics
 from kurbel.balance.firing_page import cylinders_registry, orders_registry
 from kurbel.balance.page import balance_registry
+from kurbel.engine.harmonics.quantities import registry as torques
 from kurbel.engine.quantities import engine_registry
 from kurbel.linkage import dead_centres
 from kurbel.linkage.arc.quantities import arc_registry
@@ -228,7 +229,7 @@ def test_quantities_are_listed_a_line_each() -> None:
     firing = [*orders_registry(), *cylinders_registry()]
     rods = [*inertia_registry(), *error_columns()]
     assert keys == [
-        *motion, *engines, *("value" for _ in harmonics.HARMONICS), *balance_registry(), *firing,
+        *motion, *engines, *("value" for _ in harmonics.HARMONICS), *torques(), *balance_registry(), *firing,
         *links, *rods, *(one.key for _, one in own_columns()),
     ]  # fmt: skip
     assert all(len(line.split()) > 2 for line in lines)

@@ -96,7 +96,7 @@ def test_a_command_completes_the_layouts_of_its_subject_only() -> None:
     assert completed("bash", "turning", "--layout", "") == ["speed", "turning"]
     assert completed("bash", "flywheel", "--layout", "") == ["flywheel"]
     assert completed("bash", "deadcentres", "--layout", "") == BEAMS
-    assert completed("bash", "harmonics", "--layout", "") == ["harmonics"]
+    assert completed("bash", "harmonics", "--layout", "h") == ["harmonics"]
     assert completed("bash", "balance", "--layout", "") == ["balance"]
     assert completed("bash", "inertia", "--layout", "") == about("inertia", "inertia errors")
     assert completed("bash", "forces", "--layout", "") == about(
@@ -146,7 +146,7 @@ def test_columns_of_an_engine_are_those_that_its_page_can_show() -> None:
 def test_engines_and_columns_of_the_balance_are_completed() -> None:
     assert completed("bash", "balance", "--engine", "box") == ["boxer-2", "boxer-4"]
     assert completed("bash", "balance", "--columns", "order,gr") == ["order,greatest", "order,greatest_n"]
-    assert completed("bash", "harmonics", "--quantity", "") == ["x", "c", "p"]
+    assert completed("bash", "harmonics", "--quantity", "") == ["x", "c", "p", "torque"]
     assert completed("bash", "table", "--layout", "harmonics", "--columns", "v") == ["value"]
 
 

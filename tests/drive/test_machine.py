@@ -188,7 +188,7 @@ def test_a_mark_before_the_text_is_read_over(machine: str, tmp_path: Path) -> No
 def test_an_offset_is_read_but_where_the_crank_is_taken_for_straight(tmp_path: Path) -> None:
     path = tmp_path / "engine.toml"
     path.write_text('[crank]\noffset = "0.2"\n[steam]\neps = 4\n', encoding="utf-8")
-    for command in ("harmonics", "balance"):
+    for command in ("balance",):
         assert refusal(command, "--machine", str(path), code=1).endswith(
             f"crank.offset is 0.2, and kurbel {command} is about the straight crank;"
             " leave the offset out of the machine"

@@ -38,6 +38,8 @@ ROWS = {
     "collation": ("--only=deviations",),
     "formulas": ("--only=deviations",),
     "harmonics": ("--orders=2",),
+    "torque-harmonics": ("--orders=2",),
+    "excitation": ("--orders=2",),
     "balance": ("--orders=2",),
 }
 OVER_ANGLES = (

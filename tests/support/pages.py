@@ -37,6 +37,8 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "dead centres": ("deadcentres",),
     "drive dead centres": ("deadcentres", "--mechanism=arc", "--rocker=6"),
     "harmonics": ("harmonics",),
+    "torque": ("harmonics", "--quantity=torque", "--eps=4", "--cranks=0;90"),
+    "excitation": ("harmonics", "--eps=4", "--cranks=0;90", *MACHINE),
     "balance": ("balance",),
     "firing orders": ("firing",),
     "firing": ("firing", "--order=1-3-4-2"),
@@ -73,6 +75,7 @@ ENGINES = about(
 LOADED = about("compressor", "gas cycle")
 BEAMS = about("dead centres", "drive dead centres")
 BALANCES = about("harmonics", "balance")
+TORQUES = about("torque", "excitation")
 FIRINGS = about("firing orders", "firing")
 COLLATIONS = about("collation", "formulas")
 LINKAGES = about("arc crank", "parallel crank", "coupled axles", "beam engine")
@@ -118,6 +121,10 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
     "dead centres": (kurbel.dead_centres_table, {}),
     "drive dead centres": (kurbel.dead_centres_table, {"mechanism": "arc", "rocker": 6}),
     "harmonics": (kurbel.harmonics_table, {}),
+    "torque": (kurbel.harmonics_table, {"quantity": "torque", "eps": 4, "cranks": [0, 90]}),
+    "excitation": (kurbel.harmonics_table, {
+        "eps": 4, "cranks": "0;90", "stroke": 0.6, "speed": 2, "bore": 0.3, "pressure": 800_000,
+    }),
     "balance": (kurbel.balance_table, {}),
     "firing orders": (kurbel.firing_table, {}),
     "firing": (kurbel.firing_table, {"order": "1-3-4-2"}),

@@ -35,11 +35,14 @@ COMMANDS = {
         "Print the dead centres of a beam engine or a crank drive.",
     ),
     "harmonics": (
-        "kurbel.commands.balance:harmonics_table",
-        "Print the harmonics of the piston's path, velocity or acceleration.",
+        "kurbel.commands.orders.harmonics:harmonics_table",
+        "Print the harmonics of the piston's path, velocity or acceleration, or of the torque.",
     ),
     "balance": ("kurbel.commands.balance:balance_table", "Print the free forces and moments of an engine."),
-    "firing": ("kurbel.commands.balance:firing_table", "Print firing orders, or the cranks that one needs."),
+    "firing": (
+        "kurbel.commands.orders.firing:firing_table",
+        "Print firing orders, or the cranks that one needs.",
+    ),
     "collate": ("kurbel.cli.books", "Compare a book's printed values, or your own, with recomputed ones."),
     "sources": ("kurbel.cli.books", "List the books that can be collated."),
     "example": ("kurbel.cli.books", "Print a worked example of a book, as printed and recomputed."),

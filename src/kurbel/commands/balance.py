@@ -1,10 +1,10 @@
-"""The harmonics of the piston's motion, and what engines leave unbalanced."""
+"""What engines leave unbalanced."""
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Annotated, Any, Unpack
 
 from kurbel.balance.arrangement import usual
-from kurbel.balance.harmonics import HARMONICS, MOST_ORDERS
+from kurbel.balance.harmonics import MOST_ORDERS
 from kurbel.commands import parameters as option
 from kurbel.commands.machines import MASSES, is_heavy, weighed
 from kurbel.commands.motion import ratios_of, sheet_of
@@ -54,46 +54,6 @@ Banks = Annotated[
         "Directions of its cylinders, counted as the cranks: -45;45; default 0.", "ANGLES", unit="degrees"
     ),
 ]
-
-
-@makes_table()
-def harmonics_table(
-    ratio: Ratios = None,
-    *,
-    quantity: Annotated[
-        str | None,
-        Option("x (path), c (velocity) or p (acceleration, default).", kind=Choice("quantity", HARMONICS)),
-    ] = None,
-    orders: Orders = 6,
-    method: Method = "exact",
-    layouts: option.Layouts = None,
-    layout: Annotated[str, option.layout_option("harmonics")] = "harmonics",
-    **sheet: Unpack[option.Sheet],
-) -> Question:
-    """Print the harmonics of the piston's motion: coefficients of cos φ, cos 2φ, cos 4φ, ...
-
-    \b
-    kurbel harmonics --ratio 1:5
-    kurbel harmonics --ratio '1:4;1:5' --quantity x --orders 10 --digits 12
-    \f
-    >>> import kurbel
-    >>> print(kurbel.typeset(kurbel.harmonics_table("1:5", orders=4), "csv"), end="")
-    order,ratio,value
-    1,1:5,1.000000
-    2,1:5,0.202038
-    4,1:5,-0.002062
-    """
-    from kurbel.balance.harmonics_page import HarmonicsRequest
-
-    page = layout_of(layout, ("harmonics",), layouts)
-    return HarmonicsRequest(
-        layout=page,
-        ratios=ratios_of(page, ratio),
-        quantity=quantity or "",
-        last_order=orders,
-        method=method,
-        **sheet,
-    )
 
 
 NEWTONS = ("stroke", "speed")
@@ -212,71 +172,4 @@ def balance_table(
         columns=as_names(columns, "order,along"),
         weighed=weights,
         **sheet_of(given),
-    )
-
-
-@makes_table(machine=False)
-def firing_table(
-    engine: Engine = None,
-    *,
-    cranks: CylinderCranks = None,
-    banks: Banks = None,
-    order: Annotated[
-        str | None,
-        Option("Firing order whose cranks are sought, or of these cranks: 1-3-4-2.", "ORDER"),
-    ] = None,
-    intervals: Annotated[
-        option.Given | None,
-        Option(
-            "With --order: the angles from each firing to the next, 315;405; default: equal ones.",
-            "ANGLES",
-            unit="degrees",
-        ),
-    ] = None,
-    strokes: Annotated[
-        int, Option("Strokes of a cycle: 4 (default) or 2.", "N", Count("number of strokes", 2, 4))
-    ] = 4,
-    columns: Annotated[
-        option.Names, option.columns_option("firing-orders", "number,firing_order,longest")
-    ] = (),
-    layouts: option.Layouts = None,
-    layout: Annotated[str | None, option.layout_option("firing orders", "firing")] = None,
-    **sheet: Unpack[option.Sheet],
-) -> Question:
-    """Print the firing orders that an engine's cranks allow; with --order the cranks that it needs.
-
-    \b
-    kurbel firing --cranks '0;180;180;0'
-    kurbel firing --engine v8-90
-    kurbel firing --order 1-5-3-6-2-4
-    kurbel firing --order 1-2 --banks '0;45' --intervals '405;315'
-    \f
-    >>> import kurbel
-    >>> page = kurbel.firing_table(cranks="0;180;180;0", columns="firing_order")
-    >>> print(kurbel.typeset(page, "csv"), end="")
-    firing_order
-    1-2-4-3
-    1-3-4-2
-    """
-    from kurbel.balance.firing import read_order
-    from kurbel.balance.firing_page import FiringRequest, asked
-
-    page = layout_of(layout or ("firing" if order else "firing-orders"), ("firing orders", "firing"), layouts)
-    sought = () if order is None else read_order(order)
-    name, arrangement = asked(
-        engine,
-        () if cranks is None else as_crank_angles(cranks),
-        () if banks is None else as_crank_angles(banks),
-        sought,
-        strokes,
-        () if intervals is None else as_crank_angles(intervals),
-    )
-    return FiringRequest(
-        layout=page,
-        arrangement=arrangement,
-        strokes=strokes,
-        order=sought,
-        engine=name,
-        columns=as_names(columns, "firing_order" if order is None else "crank,fires_at"),
-        **sheet,
     )

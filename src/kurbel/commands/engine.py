@@ -178,7 +178,7 @@ def turning_table(
     kurbel turning --eps 4 --flywheel 50 --columns phi,speed
     """
     chosen = layout or ("speed" if _has_wheel(given) else "turning")
-    page, cycle = layout_of(chosen, ("turning", "speed"), layouts), whole_cycle(given)
+    page, cycle = layout_of(chosen, ("turning", "speed"), layouts), whole_cycle({**given, "eps": eps})
     if step is not None:
         if angle is not None:
             raise ProblemError(

@@ -34,7 +34,7 @@ from kurbel.reading.given import (
 if TYPE_CHECKING:
     from kurbel.drive.load import Load as Acting
     from kurbel.drive.rod import Rod
-    from kurbel.engine.engine import Load
+    from kurbel.engine.engine import Diagram, Load
     from kurbel.engine.request import EngineRequest
 
 # The options, by their names, that describe the steam and the masses.
@@ -112,7 +112,7 @@ def for_masses(*names: str) -> Callable[[Mapping[str, Any]], Mapping[str, str]]:
 
 def _steams(given: Mapping[str, Any], page: Layout) -> Sequence[Acting]:
     """Return the indicator cards, or the ideal ones of all expansion ratios, or other loads."""
-    from kurbel.engine.engine import Diagram, Steam
+    from kurbel.engine.engine import Steam
 
     if _is_other(given):
         return loads.loads_of(given)
@@ -124,10 +124,18 @@ def _steams(given: Mapping[str, Any], page: Layout) -> Sequence[Acting]:
         clearance = as_share(0 if given["clearance"] is None else given["clearance"], "clearance")
         values = as_numbers(page.expansions if given["eps"] is None else given["eps"], "expansion ratio")
         return [Steam(expansion, back, exponent, clearance) for expansion in values]
+    return cards_of(given)
+
+
+def cards_of(given: Mapping[str, Any]) -> Sequence[Diagram]:
+    """Return the indicator cards, none if there are none."""
+    if not is_given(given["card"]):
+        return ()
     from kurbel.engine.card.file import read_card
+    from kurbel.engine.engine import Diagram
 
     for name in ("eps", "back", "exponent", "clearance"):
-        if is_given(given[name]):
+        if is_given(given.get(name)):
             raise ProblemError(
                 f"--{name} describes an ideal card, and --card gives a measured one; leave one out"
             )
@@ -194,7 +202,10 @@ def _turning(chosen: Mechanism, drive: Any, speed: Any) -> Any:
 
 def whole_cycle(given: Mapping[str, Any]) -> Fraction:
     """Return the degrees after which everything comes again."""
-    return loads.whole_cycle(given) if _is_other(given) else FULL_TURN
+    if _is_other(given):
+        return loads.whole_cycle(given)
+    strokes = max((load.strokes_of_cycle for load in cards_of(given)), default=2)
+    return FULL_TURN * strokes / 2
 
 
 def over_cycle(given: Mapping[str, Any]) -> Mapping[str, Any]:
@@ -205,7 +216,9 @@ def over_cycle(given: Mapping[str, Any]) -> Mapping[str, Any]:
     return {**given, "to": last} if run else given
 
 
-def engine_of(page: Layout, given: Mapping[str, Any], **rest: Any) -> EngineRequest:
+def engine_of(
+    page: Layout, given: Mapping[str, Any], asked: type[EngineRequest] | None = None, **rest: Any
+) -> EngineRequest:
     """Return what is asked for of the engines that options describe: with their masses, under their steam."""
     from kurbel.engine.request import EngineRequest
 
@@ -220,7 +233,7 @@ def engine_of(page: Layout, given: Mapping[str, Any], **rest: Any) -> EngineRequ
     drives = weighed(chosen, chosen.drives(said, page.ratios), given, *_of_load(given))
     if speed is not None and given.get("stroke") is not None and not is_heavy(given):
         drives = [_turning(chosen, drive, speed) for drive in drives]
-    return EngineRequest(
+    return (asked or EngineRequest)(
         layout=page,
         steams=steams,
         drives=drives,

@@ -166,7 +166,7 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
 def _directions(request: EngineRequest, shown: Sequence[Quantity]) -> Iterator[Label]:
     """The directions of what is shown: of all forces and the torque on one line, with whose they are."""
     lang = request.lang
-    torques = [one for one in shown if one.needs == "torque"]
+    torques = [one for one in shown if one.needs == "torque" and one.of == "angle"]
     yield from dict.fromkeys(
         one.direction[lang] for one in shown if one.of == "angle" and one.direction and one not in torques
     )

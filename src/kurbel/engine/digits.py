@@ -54,8 +54,8 @@ def settled(asked: Asked, rounding: str) -> Number:
         with flint.ctx.workprec(ESTIMATE_BITS):
             near = asked.value()
         if isinstance(near, Fraction):
-            return _given(near, decimals, rounding)
-        decimals = _decimals(float(near)) if decimals is None else decimals
+            return given(near, decimals, rounding)
+        decimals = figures(float(near)) if decimals is None else decimals
     assert decimals is not None
     ties: TieBits | None = NEVER_TIES
     if quantity.ties is not None and len(asked.turns) == 1:
@@ -103,13 +103,18 @@ def estimated(asked: Asked, rounding: str) -> Number | None:
     best, error = estimate(asked)
     quantity, decimals = asked.column.quantity, asked.column.decimals
     if isinstance(best, Fraction):
-        return _given(best, decimals, rounding)
-    wanted = _decimals(best) if decimals is None else decimals
-    supported = min(wanted, floor(-log10(2 * error)))
+        return given(best, decimals, rounding)
     lost = quantity.of not in AT_ANGLE and error > abs(best)
-    if lost or (quantity.minutes and supported < 0):
-        return None
-    return to_place(Fraction(best), supported, rounding)
+    return None if lost else supported(best, error, decimals, rounding, quantity.minutes)
+
+
+def supported(
+    best: float, error: float, decimals: int | None, rounding: str, units: bool = False
+) -> Number | None:
+    """Return a value to as many decimals as its error leaves, of tens or hundreds too unless in `units`."""
+    wanted = figures(best) if decimals is None else decimals
+    places = min(wanted, floor(-log10(2 * error)))
+    return None if units and places < 0 else to_place(Fraction(best), places, rounding)
 
 
 def check_card(turn: Any, rounding: str) -> None:
@@ -159,15 +164,16 @@ def to_place(value: Fraction, decimals: int, rounding: str) -> Number | None:
     return Number(tens, 0) if tens else None
 
 
-def _given(value: Fraction, decimals: int | None, rounding: str) -> Number:
+def given(value: Fraction, decimals: int | None, rounding: str) -> Number:
     """Return a rational value, as it was given where it is short: 50000, 120."""
     if decimals is None:
-        exact, decimals = finite_decimals(value), _decimals(float(value))
+        exact, decimals = finite_decimals(value), figures(float(value))
         decimals = decimals if exact is None else min(exact, decimals)
     return nearest(value, decimals, rounding)
 
 
-def _decimals(value: float) -> int:
+def figures(value: float) -> int:
+    """Return the decimals that print so many figures of a value."""
     # 9.99996 is 10.000 to five figures.
     rounded_off = float(f"{value:.{FIGURES - 1}e}")
     before_point = floor(log10(abs(rounded_off))) + 1 if value else 1

@@ -149,6 +149,11 @@ class Diagram:
         assert not isinstance(self.card, AngleCard)
         return self.card
 
+    @property
+    def strokes_of_cycle(self) -> int:
+        """How many strokes a cycle has."""
+        return self.card.strokes_of_cycle
+
     def on(self, drive: Drive) -> Diagram:
         """Return the diagram by the shares of the strokes that the drive's piston has gone."""
         return replace(self, card=self.card.on(drive))

@@ -126,6 +126,7 @@ def continued() -> Kind:
         _degrees,
         Continued.of(pi()),
         exponent=ball,
+        enclosed=lambda value: Continued.of(value()),
     )
 
 

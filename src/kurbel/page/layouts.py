@@ -23,6 +23,7 @@ _INERTIA = "inertia --centre 0.65 --gyration 0.35"
 _MACHINE = "forces --eps 4 --bore 300mm --pressure 8bar --stroke 600mm --speed 120/min --reciprocating 300kg"
 _ARC = "--mechanism arc --rocker 6"
 _PRESSED = _MACHINE.replace("forces", "pressures")
+_EXCITED = "harmonics --quantity torque --eps 4 --bore 300mm --pressure 8bar --stroke 600mm --speed 120/min"
 # What pages can be about, by its name.
 SUBJECTS: Mapping[str, Pages] = {
     "motion": Pages("kurbel.motion.page:MOTION", "table"),
@@ -43,6 +44,8 @@ SUBJECTS: Mapping[str, Pages] = {
     "dead centres": Pages("kurbel.linkage.beam.page:SUBJECT", "deadcentres"),
     "drive dead centres": Pages("kurbel.linkage.dead_centres:SUBJECT", f"deadcentres {_ARC}"),
     "harmonics": Pages("kurbel.balance.harmonics_page:SUBJECT", "harmonics"),
+    "torque": Pages("kurbel.engine.harmonics.page:TORQUE", "harmonics --quantity torque --eps 4"),
+    "excitation": Pages("kurbel.engine.harmonics.page:EXCITING", _EXCITED),
     "balance": Pages("kurbel.balance.page:SUBJECT", "balance"),
     "firing orders": Pages("kurbel.balance.firing_page:ORDERS", "firing"),
     "firing": Pages("kurbel.balance.firing_page:FIRING", "firing --order 1-3-4-2"),

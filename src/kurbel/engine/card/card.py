@@ -46,6 +46,10 @@ class Card:
         check_admission("p_forward", self.admission, self.name)
 
     @property
+    def strokes_of_cycle(self) -> int:
+        return 2
+
+    @property
     def admission(self) -> float:
         """The greatest p_forward in Pa, which the forces are counted in."""
         return max(self.forward)

@@ -42,6 +42,10 @@ class CycleCard:
         check_admission("pressure", self.admission, self.name)
 
     @property
+    def strokes_of_cycle(self) -> int:
+        return len(self.strokes)
+
+    @property
     def admission(self) -> float:
         """The greatest pressure in Pa, which the forces are counted in."""
         return max(max(pressures) for _, pressures in self.strokes)
@@ -106,6 +110,10 @@ class AngleCard:
         span = self.angles[-1] - self.angles[0]
         widest = max(after - before for before, after in pairwise(self.angles))
         return next((one for one in CYCLES if 0 <= one - span <= WIDEST * widest), 0.0)
+
+    @property
+    def strokes_of_cycle(self) -> int:
+        return int(self.cycle / 180)
 
     @property
     def admission(self) -> float:

@@ -1,0 +1,185 @@
+"""The harmonics of a turn's tangential force, enclosed with proof or, of an indicator card, with an error.
+
+T = P + Σ (a_k cos kφ + b_k sin kφ) over a cycle, with k = 1, 2, ... and over two turns ½, 1½, ... too;
+forces in units of Q. Between the dead centres and the corners of a cylinder's force, T is analytic, and flint
+encloses ∫ T e^(ikφ); cylinders alike differ by e^(ikα), α the angle by which one follows the other.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import replace
+from fractions import Fraction
+from functools import lru_cache, reduce
+from itertools import pairwise
+from math import pi
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import flint
+
+from kurbel.engine.speed.clock import Span, spans
+from kurbel.engine.turn import Turn
+from kurbel.exact.certify import ball
+from kurbel.exact.continued import Continued, continued, half_turn_circle
+from kurbel.exact.kind import balls, floats
+from kurbel.exact.roots import interval
+from kurbel.kernel.balance import Star
+from kurbel.kernel.circle import Number
+
+if TYPE_CHECKING:
+    from kurbel.engine.card.turn import CardTurn
+    from kurbel.engine.cylinder import AnyTurn, Cylinder
+
+# A part of a wave that no proof tells from nothing with so many bits is taken for nothing.
+NOTHING_BITS = 200
+# Parts of a stroke, and of each part points, at which the energy of a card is summed.
+PARTS = 480
+POINTS = 4
+
+
+class Wave(NamedTuple):
+    """a_k and b_k of a harmonic, in balls or floats."""
+
+    cosine: Number
+    sine: Number
+
+    def turned(self, star: Star) -> Wave:
+        """Return the sum of such waves, the rays of a star behind this one."""
+        if isinstance(self.cosine, float):
+            x, y = star.point(lambda degrees: floats().circle(float(degrees)), float)
+        else:
+            x, y = star.point(balls().circle, ball)
+        return Wave(self.cosine * x - self.sine * y, self.sine * x + self.cosine * y)
+
+    def __add__(self, other: object) -> Wave:
+        assert isinstance(other, Wave)
+        return Wave(self.cosine + other.cosine, self.sine + other.sine)
+
+
+def star_of(turn: AnyTurn, part: int, order: Fraction) -> Star:
+    """Return the vectors e^(ikα) of a part's cranks: their sum is its star of this order."""
+    rays = (Star.ray(order * 180 * start) for start in turn.engine.parts[part].starts)
+    return sum(rays, Star())
+
+
+class Spectrum(ABC):
+    """The harmonics of a turn, on its kind of number."""
+
+    def __init__(self, turn: AnyTurn) -> None:
+        self.turn = turn
+
+    @abstractmethod
+    def cylinder(self, part: int, order: Fraction) -> Wave:
+        """Return the harmonic of one cylinder of a part, φ counted from its own crank."""
+
+    def engine(self, order: Fraction) -> Wave | None:
+        """Return that of the whole engine, None where its cranks' star is proved to be nothing."""
+        found = None
+        for part in range(len(self.turn.engine.parts)):
+            star = star_of(self.turn, part, order)
+            if self.has(part, order) and not star.vanishes():
+                wave = self.cylinder(part, order).turned(star)
+                found = wave if found is None else found + wave
+        return found
+
+    def has(self, part: int, order: Fraction) -> bool:
+        """Whether cylinders of the part have such an order: halves need a cycle of two turns."""
+        return not order % Fraction(2, len(self.turn.cylinders[part].strokes))
+
+
+class Balls(Spectrum):
+    """The harmonics in balls."""
+
+    def __init__(self, turn: Turn) -> None:
+        super().__init__(turn)
+        alone = (replace(part, cranks=(Fraction(0),)) for part in turn.engine.parts)
+        self.alone = [Turn(one, turn.method) for one in alone]
+        self._wave = lru_cache(None)(self._enclosed)
+        self._cylinders = lru_cache(None)(self._continued)
+
+    def cylinder(self, part: int, order: Fraction) -> Wave:
+        return self._wave(part, order, flint.ctx.prec)
+
+    def _continued(self, bits: int) -> tuple[Cylinder, ...]:
+        return self.turn.cylinders_on(continued(), half_turn_circle)
+
+    def _enclosed(self, part: int, order: Fraction, bits: int) -> Wave:
+        alone, cylinder = self.alone[part], self._cylinders(bits)[part]
+        turns = flint.acb(0, ball(order) * flint.arb.pi())
+        total = flint.acb(0)
+        for span in spans(alone):
+            total += self._smooth(span, cylinder, turns) if span.smooth else self._gap(span, part, turns)
+        whole = total * 2 / alone.cycle
+        return Wave(whole.real, whole.imag)
+
+    def _smooth(self, span: Span, cylinder: Cylinder, turns: Any) -> Any:
+        ((_, stroke, begun),) = span.pieces[0].strokes
+        middle = float((span.start + span.end) / 2)
+
+        def effort(place: Any, analytic: bool) -> Any:
+            force = cylinder.effort(stroke, Continued(place, middle) - begun)
+            return force.ball * (turns * place).exp()
+
+        return flint.acb.integral(effort, ball(span.start), ball(span.end))
+
+    def _gap(self, span: Span, part: int, turns: Any) -> Any:
+        """What so narrow a gap adds, with a dead centre or a corner in it."""
+        over, cylinder = interval(span.start, span.end), self.turn.cylinders[part]
+        efforts = [
+            cylinder.effort(stroke, place - ball(begun))
+            for piece, place in zip(span.pieces, (over, over - self.alone[part].cycle), strict=False)
+            for _, stroke, begun in piece.strokes
+        ]
+        either = reduce(lambda one, other: one.union(other), efforts)
+        return ball(span.end - span.start) * either * (turns * over).exp()
+
+
+class Floats(Spectrum):
+    """The harmonics of a card, in floats, from the energy of its curves.
+
+    T - P is the slope of the excess energy E, which comes again with each cycle: ∫ T e^(ikφ) dφ is
+    -ik ∫ E e^(ikφ) dφ.
+    """
+
+    def __init__(self, turn: CardTurn, parts: int = PARTS) -> None:
+        super().__init__(turn)
+        self.parts = parts
+        self._energies = lru_cache(None)(self._energy)
+
+    def cylinder(self, part: int, order: Fraction) -> Wave:
+        import numpy as np
+
+        places, weights, energies, cycle = self._energies(part)
+        share = -float(order) * 2 / cycle * weights * energies
+        angles = float(order) * pi * places
+        # -i (cos + i sin) is sin - i cos.
+        return Wave(float(-(share * np.sin(angles)).sum()), float((share * np.cos(angles)).sum()))
+
+    def _energy(self, part: int) -> tuple[Any, Any, Any, int]:
+        """Return places over a cycle in half turns, their weights, the energies there, and the cycle."""
+        import numpy as np
+
+        cylinder = self.turn.cylinders[part]
+        cycle, drive = len(cylinder.strokes), cylinder.drive
+        begins = [stroke + float(drive.dead_centre(stroke % 2)) for stroke in range(cycle + 1)]
+        abscissas, weights = np.polynomial.legendre.leggauss(POINTS)
+        found: list[list[Any]] = [[], [], []]
+        for stroke, (begin, end) in enumerate(pairwise(begins)):
+            edges = np.linspace(begin, end, self.parts + 1)
+            half = (edges[1] - edges[0]) / 2
+            places = ((edges[:-1] + half)[:, None] + half * abscissas).ravel()
+            found[0].append(places)
+            found[1].append(np.tile(half * weights, self.parts))
+            found[2].append(cylinder.energy(stroke, places - stroke))
+        places, weights, energies = (np.concatenate(one) for one in found)
+        return places, weights, energies, cycle
+
+
+def spectrum_of(turn: AnyTurn) -> Spectrum:
+    """Return the harmonics of a turn."""
+    if isinstance(turn, Turn):
+        return Balls(turn)
+    from kurbel.engine.card.turn import CardTurn
+
+    assert isinstance(turn, CardTurn)
+    return Floats(turn)

@@ -1,0 +1,191 @@
+"""Engines and a layout become a table of the harmonics of their tangential force.
+
+One page has those of a cylinder and of the engine; the excitation has those of every cylinder.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property, lru_cache
+from typing import TYPE_CHECKING, Any
+
+from kurbel.balance.harmonics import MOST_ORDERS
+from kurbel.balance.harmonics_page import ORDER
+from kurbel.engine import captions
+from kurbel.engine.axes import LoadAxis
+from kurbel.engine.digits import error_number
+from kurbel.engine.engine import Steam
+from kurbel.engine.harmonics.fourier import Spectrum, spectrum_of
+from kurbel.engine.harmonics.number import estimate, number_of
+from kurbel.engine.harmonics.quantities import SPEED, STAR, At, Member, registry
+from kurbel.engine.page import ERROR, errors_beside
+from kurbel.engine.request import EngineRequest
+from kurbel.errors import ProblemError
+from kurbel.exact.numerals import Label, Number, nearest
+from kurbel.page.axes import Axis, ColumnAxis, ListAxis, Place, RatioAxis
+from kurbel.page.quantity import Column, Quantity, Words, words
+from kurbel.page.subject import Subject
+from kurbel.page.table import Field, Note, Value
+from kurbel.reading.notation import plain
+
+if TYPE_CHECKING:
+    from kurbel.reading.units import Speed
+
+WORDS: Mapping[str, Words] = {
+    "member": words("Zylinder|Cylinder"),
+    "one": words("Zylinder {number}|Cylinder {number}"),
+    "whole": words("alle Zylinder|All cylinders"),
+    "sum": words(
+        "$T = P + Σ (a_k cos k φ + b_k sin k φ) = P + Σ c_k cos(k φ + ψ_k)$, $P$ mittlere Tangentialkraft;"
+        " $φ$ vom inneren Totpunkt der ersten Kurbel"
+        "|$T = P + Σ (a_k cos k φ + b_k sin k φ) = P + Σ c_k cos(k φ + ψ_k)$, $P$ mean tangential force;"
+        " $φ$ from the inner dead centre of the first crank"
+    ),
+    "star": words(
+        "$s_k$ Betrag von $Σ e^(i k α)$, $α$ Winkel, um den eine Kurbel der ersten folgt"
+        "|$s_k$ magnitude of $Σ e^(i k α)$, $α$ angle by which a crank follows the first"
+    ),
+    "zero": words("0 ohne Dezimalen ist genau 0|0 without decimals is exactly 0"),
+}
+WHOLE = "all"
+EXCITATION = "excitation"
+
+
+@dataclass(frozen=True, kw_only=True)
+class TorqueRequest(EngineRequest):
+    """What is asked for: the harmonics of the tangential force up to an order."""
+
+    last_order: int = 6
+    speed: Speed | None = None
+
+    def check(self) -> None:
+        super().check()
+        if self.layout.subject == EXCITATION and not self.columns:
+            for column in self.layout.columns:
+                if missing := self.missing(self.entry(column.quantity)):
+                    raise ProblemError(missing)
+        if not isinstance(self.last_order, int) or not 1 <= self.last_order <= MOST_ORDERS:
+            raise ProblemError(
+                f"orders up to {str(self.last_order)[:20]} were asked for; the last must be a whole number"
+                f" from 1 to {MOST_ORDERS}"
+            )
+
+    @cached_property
+    def orders(self) -> tuple[Fraction, ...]:
+        """The orders, in cycles of two turns in steps of ½."""
+        step = Fraction(2, self.turn(0, 0, (self.methods or ("exact",))[0]).cycle)
+        return tuple(step * index for index in range(1, int(self.last_order / step) + 1))
+
+    @cached_property
+    def members(self) -> tuple[Member, ...]:
+        """The cylinders that the page is about, one of those that are alike, and after them the engine."""
+        places = [(part, start) for part, one in enumerate(self.first.parts) for start in one.starts]
+        every = tuple(Member(number, *place) for number, place in enumerate(places, 1))
+        if self.layout.subject == EXCITATION:
+            return every
+        if len(every) == 1:
+            return (Member(0),)
+        return (*(every[:1] if self.alike else every), Member(0))
+
+    @property
+    def alike(self) -> bool:
+        return len(self.first.parts) == 1
+
+    @cached_property
+    def spectrum(self) -> Callable[[int, int, str], Spectrum]:
+        """Return the harmonics of an engine by a method; the latest are kept."""
+        return lru_cache(64)(lambda steam, drive, method: spectrum_of(self.turn(steam, drive, method)))
+
+    def at(self, place: Place, method: str) -> At:
+        spectrum = self.spectrum(place["expansion"], place["ratio"], method)
+        return At(spectrum, self.members[place["cylinder"]], self.orders[place["order"]], self.speed)
+
+    def missing(self, quantity: Quantity) -> str:
+        needed = ""
+        if quantity.needs == STAR and not (self.alike and len(self.first.starts) > 1):
+            needed = "several cranks with cylinders alike"
+        if quantity.needs == SPEED and self.speed is None:
+            needed = "--speed"
+        if needed:
+            return f"column {quantity.key} needs {needed}; leave it out, or give that"
+        return super().missing(quantity)
+
+
+def _number(request: TorqueRequest, column: Column, place: Place, times: int) -> Value:
+    at = request.at(place, column.method)
+    if not column.key.endswith(ERROR):
+        return number_of(column, at, request.rounding)
+    return error_number(estimate(column, at).error) if at.wave else None
+
+
+def _beside(request: TorqueRequest, column: Column) -> tuple[Column, ...]:
+    return () if column.quantity.needs in (STAR, SPEED) else errors_beside(request, column)
+
+
+class _OrderAxis(ListAxis):
+    """The orders, whole ones or halves."""
+
+    def __init__(self, request: TorqueRequest) -> None:
+        name = ORDER[request.lang]
+        self.decimals = max(int(order.denominator > 1) for order in request.orders)
+        super().__init__(
+            request.orders,
+            Field("order", name, "$k$", "", self.decimals),
+            lambda order: nearest(order, self.decimals),
+            lambda order: f"$k = {plain(order)}$",
+            f"{name} $k$",
+        )
+
+    def stub(self, place: Place) -> Number:
+        return nearest(self._things[place["order"]], self.decimals)
+
+
+def _member_axis(request: TorqueRequest) -> ListAxis:
+    lang = request.lang
+
+    def head(member: Member) -> Label:
+        return WORDS["one"][lang].format(number=member.number) if member.number else WORDS["whole"][lang]
+
+    return ListAxis(
+        request.members,
+        Field("cylinder", WORDS["member"][lang]),
+        lambda member: Number(member.number, 0) if member.number else WHOLE,
+        head,
+    )
+
+
+def _notes(request: TorqueRequest) -> Iterator[Label | Note]:
+    lang = request.lang
+    yield WORDS["sum"][lang]
+    if any(column.quantity.needs == STAR for column in request.page_columns):
+        yield WORDS["star"][lang]
+    yield from captions.notes(request)
+    yield WORDS["zero"][lang]
+
+
+def _subject(key: str, layout: str, axes: Mapping[str, Callable[[Any], Axis]]) -> Subject:
+    names = {"expansion": "epsilon"}
+    return Subject(
+        key=key,
+        layout=layout,
+        command="harmonics --quantity torque",
+        axes={**axes, "column": ColumnAxis},
+        axis_keys=tuple(names.get(name, name) for name in axes),
+        quantities=registry,
+        number=_number,
+        caption=captions.caption,
+        notes=_notes,
+        beside=_beside,
+        listed=None if key != EXCITATION else tuple,
+        letters=True,
+        limits={"expansion": Steam},
+    )
+
+
+_AXES: Mapping[str, Callable[[Any], Axis]] = {
+    "expansion": LoadAxis, "ratio": RatioAxis, "cylinder": _member_axis, "order": _OrderAxis,
+}  # fmt: skip
+TORQUE = _subject("torque", "torque-harmonics", _AXES)
+EXCITING = _subject(EXCITATION, EXCITATION, _AXES)

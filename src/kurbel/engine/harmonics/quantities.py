@@ -1,0 +1,179 @@
+"""What a table of the harmonics of the torque can show: each quantity with its symbol, unit and evaluation.
+
+T = P + Σ (a_k cos kφ + b_k sin kφ) = P + Σ c_k cos(kφ + ψ_k): a kernel takes where a harmonic is asked for,
+an `At`, and returns a number of its turn's kind, or a fraction.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from fractions import Fraction
+from functools import cache, lru_cache
+from math import atan2
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import flint
+
+from kurbel.drive.crank import known
+from kurbel.engine.cylinder import AnyTurn
+from kurbel.engine.harmonics.fourier import NOTHING_BITS, Spectrum, Wave, star_of
+from kurbel.engine.quantities import ENGINE_METHODS
+from kurbel.exact.numerals import Label
+from kurbel.kernel.balance import Star
+from kurbel.kernel.circle import Number
+from kurbel.page.quantity import Formula, Quantity, entry, words
+
+if TYPE_CHECKING:
+    from kurbel.reading.units import Speed
+
+
+class Member(NamedTuple):
+    """A cylinder of an engine by its number, or the whole of it: its part, and by how many half turns its
+    crank follows the first; of the whole engine None."""
+
+    number: int
+    part: int | None = None
+    start: Fraction = Fraction(0)
+
+
+class At(NamedTuple):
+    """A harmonic of a cylinder or of the engine."""
+
+    spectrum: Spectrum
+    member: Member
+    order: Fraction
+    speed: Speed | None = None
+
+    @property
+    def turn(self) -> AnyTurn:
+        return self.spectrum.turn
+
+    @property
+    def wave(self) -> Wave | None:
+        """The harmonic, None where it is proved to be nothing.
+
+        What is not told from nothing with very many bits is 0.
+        """
+        wave = self._wave()
+        if wave is None or isinstance(wave.cosine, float) or not any(one.contains(0) for one in wave):
+            return wave
+        nothing = self._nothing(self.spectrum, self.member, self.order)
+        return Wave(*(one * 0 if none else one for one, none in zip(wave, nothing, strict=True)))
+
+    def _wave(self) -> Wave | None:
+        part = self.member.part
+        if part is None:
+            return self.spectrum.engine(self.order)
+        if not self.spectrum.has(part, self.order):
+            return None
+        return self.spectrum.cylinder(part, self.order).turned(Star.ray(self.order * 180 * self.member.start))
+
+    @staticmethod
+    @lru_cache(maxsize=512)
+    def _nothing(spectrum: Spectrum, member: Member, order: Fraction) -> tuple[bool, ...]:
+        """Whether the cosine and the sine are as good as nothing."""
+        with flint.ctx.workprec(NOTHING_BITS):
+            wave = At(spectrum, member, order)._wave()
+            return tuple(one.contains(0) for one in wave or ())
+
+
+def cosine(at: At) -> Number:
+    """Return a_k."""
+    return _whole(at).cosine
+
+
+def sine(at: At) -> Number:
+    """Return b_k."""
+    return _whole(at).sine
+
+
+def amplitude(at: At) -> Number:
+    """Return c_k."""
+    wave = _whole(at)
+    square = wave.cosine * wave.cosine + wave.sine * wave.sine
+    return square**0.5 if square else square
+
+
+def phase(at: At) -> Number:
+    """Return ψ_k in radians, above -π and up to π, of a harmonic that is one."""
+    wave = _whole(at)
+    across, along = -wave.sine, wave.cosine
+    if isinstance(along, float):
+        return atan2(across, along)
+    return (1 - along.sgn()) / 2 * flint.arb.pi() if across == 0 else flint.arb.atan2(across, along)
+
+
+def _whole(at: At) -> Wave:
+    assert at.wave is not None
+    return at.wave
+
+
+def star(at: At) -> Star:
+    """Return the sum of e^(ikα) over the cranks of an engine whose cylinders are alike."""
+    return star_of(at.turn, 0, at.order) if at.member.part is None else Star.ray(Fraction(0))
+
+
+def frequency(at: At) -> Number | Fraction:
+    """Return k n in turns a second."""
+    speed = known(at.speed)
+    return at.order * speed.value if speed.turns else at.turn.of(at.order * speed.value / 2) / at.turn.pi
+
+
+def angular(at: At) -> Number | Fraction:
+    """Return k ω in radians a second."""
+    speed = known(at.speed)
+    return at.turn.of(2 * at.order * speed.value) * at.turn.pi if speed.turns else at.order * speed.value
+
+
+# What is no length: of nothing there is no phase.
+PHASES = ("phase", "phase_rad")
+# What quantities need to be known, beside what those of turns do.
+STAR, SPEED = "star", "speed"
+
+
+@cache
+def registry() -> Mapping[str, Quantity]:
+    """Return every quantity by its key."""
+    return {one.key: one for one in _entries()}
+
+
+def _entries() -> Iterator[Quantity]:
+    for key, name, letter, kernel in (
+        ("cosine", "Kosinusglied der Harmonischen|Cosine term of the harmonic", "a_k", cosine),
+        ("sine", "Sinusglied der Harmonischen|Sine term of the harmonic", "b_k", sine),
+        ("amplitude", "Amplitude der Harmonischen|Amplitude of the harmonic", "c_k", amplitude),
+    ):  # fmt: skip
+        of_force = _entry(key, name, f"${letter}$", "$Q$", 5, kernel)
+        yield of_force
+        yield of_force._replace(
+            key=f"{key}_nm", unit=words("N m"), decimals=2, heading=words(f"{of_force.symbol} in N m"),
+            scale=AnyTurn.torque_unit, needs="torque",
+        )  # fmt: skip
+    name = "Phase der Harmonischen|Phase of the harmonic"
+    yield _entry("phase", name, "$ψ_k$", "°", 2, phase, scale=lambda turn: 180 / turn.pi)
+    yield _entry("phase_rad", name, "$ψ_k$", "rad", 5, phase)
+    yield _entry(
+        "star", "Summe des Kurbelsterns|Sum of the star of cranks", "$s_k$", "", 4, star, needs=STAR,
+    )  # fmt: skip
+    yield _entry(
+        "frequency", "Frequenz der Harmonischen|Frequency of the harmonic", "$k n$", "Hz", None,
+        frequency, needs=SPEED,
+    )  # fmt: skip
+    yield _entry(
+        "omega_k", "Kreisfrequenz der Harmonischen|Angular frequency of the harmonic", "$k ω$", "rad/s",
+        None, angular, needs=SPEED,
+    )  # fmt: skip
+
+
+def value(quantity: Quantity, at: At) -> Any:
+    """Return the quantity in its unit, on the kind of number of the turn, or a fraction."""
+    found = quantity.formulas[at.turn.method].kernel(at)
+    return found * quantity.scale(at.turn) if quantity.scale else found
+
+
+def _entry(
+    key: str, name: str, symbol: Label, unit: Label, decimals: int | None, kernel: Callable[[At], Any],
+    **rest: Any,
+) -> Quantity:  # fmt: skip
+    formulas = dict.fromkeys(ENGINE_METHODS, Formula(kernel))
+    return entry(key, name, symbol, unit, decimals, formulas, of="order", **rest)
