@@ -30,6 +30,7 @@ from kurbel.motion.inertia import inertia_registry
 from kurbel.motion.inertia_page import error_columns
 from kurbel.motion.quantities import registry
 from kurbel.page.layouts import layout_names
+from kurbel.page.subject import subject
 from kurbel.solve.page import own_columns
 
 NINTHS = Fraction(2, 9)
@@ -224,8 +225,10 @@ def test_quantities_are_listed_a_line_each() -> None:
     lines = printed("quantities").out.splitlines()
     keys = [line.split()[0] for line in lines]
     motion = ["ratio", "phi", *registry()]
-    engines = [*engine_registry(), *beam.registry(), *dead_centres.registry()]
-    links = [*arc_registry(), *parallel_registry(), *coupled_registry(), *beam_registry()]
+    loaded = ("speed", "evenness", "rod load", "pressures")
+    own = [one.key for key in loaded for one, _ in subject(key).entries()]
+    engines = [*engine_registry(), *own, *beam.registry(), *dead_centres.registry()]
+    links = [*arc_registry(), *parallel_registry(), *beam_registry(), *coupled_registry()]
     firing = [*orders_registry(), *cylinders_registry()]
     rods = [*inertia_registry(), *error_columns()]
     assert keys == [
