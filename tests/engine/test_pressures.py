@@ -172,3 +172,49 @@ def test_the_drawing_lays_the_masses_under_the_diagram_of_each_stroke(tmp_path: 
 def test_pressures_of_nothing_are_refused(words: tuple[str, ...], sentence: str) -> None:
     assert re.sub("^kurbel: ", "", refusal("pressures", *words)).startswith(sentence)
     assert kurbel("pressures", *words).code == 2
+
+
+# Over the developed crank circle ------------------------------------------------------------------
+
+
+def test_the_work_of_the_tangential_pressure_over_the_developed_circle_is_that_on_the_piston() -> None:
+    machine = (f"--ratio={RATIO}", f"--stroke={STROKE}m", f"--bore={BORE}m", *STEAM)
+    words = (
+        "turning",
+        *machine,
+        "--columns=pin_path_mm,tangential_kpa",
+        "--step=0.1",
+        "--digits=6",
+        "-f",
+        "csv",
+    )
+    rows = printed(*words).records()
+    path, pressure = (
+        np.array([float(row[key]) for row in rows]) for key in ("pin_path_mm", "tangential_kpa")
+    )
+    assert path[-1] == pytest.approx(np.pi * 1000 * float(STROKE), abs=1e-6)
+    # Mariotte: p (1 + ln ε)/ε less the back pressure p/ε, over both strokes.
+    eps = float(EPS)
+    worked = 2 * 100 * float(PRESSURE) * np.log(eps) / eps * 1000 * float(STROKE)
+    assert np.trapezoid(pressure, path) == pytest.approx(worked, rel=1e-6)
+    radii = printed("turning", *STEAM[:1], "--angle=30;200", "--columns=pin_path", "-f", "csv").records()
+    assert [row["pin_path"] for row in radii] == ["0.5236", "3.4907"]
+
+
+def test_a_tangential_pressure_that_lies_half_way_is_rounded_away() -> None:
+    # ½ · 901 kPa · sin 30° = 225.25 kPa.
+    steam = ("--eps=1", "--back=0.5", "--ratio=1:inf", "--bore=300mm", "--pressure=9.01bar")
+    words = ("turning", *steam, "--columns=tangential_kpa", "--angle=30", "--digits=1", "-f", "csv")
+    assert printed(*words).records() == [{"tangential_kpa": "225.3"}]
+
+
+def test_the_turning_effort_is_drawn_over_the_path_of_the_pin() -> None:
+    by_angle, by_path = (
+        api.plot_turning(4, ratio="1:5", over=axis).figure.axes for axis in ("angle", "path")
+    )
+    assert [one.get_xlim() for one in by_path] == [(0, pytest.approx(2 * np.pi))] * 2
+    assert by_path[-1].get_xlabel() == "Weg des Kurbelzapfens $s/r$"
+    for one, other in zip(by_angle, by_path, strict=True):
+        angles, path = (axes.lines[0].get_xydata() for axes in (one, other))
+        np.testing.assert_allclose(np.radians(angles[:, 0]), path[:, 0], rtol=1e-12, atol=0)
+        assert (angles[:, 1] == path[:, 1]).all()

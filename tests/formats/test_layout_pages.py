@@ -45,7 +45,8 @@ ROWS = {
 OVER_ANGLES = (
     "arc", "blau-kolbenwege", "engine-forces", "forces", "forces-arc", "forces-parallel", "inertia",
     "kinematics", "lueger-kolbenbewegung", "machine-forces", "parallel", "rod-load-turn", "speed",
-    "turning", "verfahren",
+    "turning", "turning-path",
+    "verfahren",
 )  # fmt: skip
 ROWS |= {name: ("--angle=0;60",) for name in OVER_ANGLES}
 MACHINE = ("--stroke=600mm", "--rod=1500mm", "--speed=120/min")

@@ -30,7 +30,7 @@ kurbel plot --positions 30 --ratio 1:5 -o kurbeltrieb.svg
 kurbel plot --mechanism arc --rocker 6 -o bogenschubkurbel.svg
 kurbel plot --polar --eps 4 --bore 300mm --pressure 8bar -o zapfenkraft.pdf
 kurbel plot --forces --machine engine.toml -o kraefte.svg
-kurbel plot --turning --eps 4 --ratio 1:5 -o drehkraft.pdf
+kurbel plot --turning --eps 4 --ratio 1:5 --over path -o drehkraft.pdf
 kurbel plot --pressures --machine engine.toml -o beschleunigungsdruck.pdf
 """
 FLAGS = {
@@ -159,8 +159,8 @@ def _params() -> list[click.Parameter]:
                help="File to write, whole or not at all; - is standard output, unless a terminal."),
     ]  # fmt: skip
     order = (
-        "ratio", "columns", "method", "from", "to", "step", "offset", "stroke", "rod", "speed", "force",
-        "mechanism", "rocker", "pivot", "beam", *STEAM, "cranks", "bore", "pressure", *MASSES,
+        "ratio", "columns", "over", "method", "from", "to", "step", "offset", "stroke", "rod", "speed",
+        "force", "mechanism", "rocker", "pivot", "beam", *STEAM, "cranks", "bore", "pressure", *MASSES,
     )  # fmt: skip
     return [
         machine_option(), own["positions"], *flags, *(own[name] for name in order), *output,

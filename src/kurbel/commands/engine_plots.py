@@ -1,11 +1,12 @@
 """Drawings of a steam engine: the forces in its crank drive, and its turning effort."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, Unpack
+from typing import TYPE_CHECKING, Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
 from kurbel.commands.machines import engine_of, is_heavy, load_of, over_cycle
 from kurbel.commands.motion import of_other_mechanisms
+from kurbel.commands.options import Choice, Option
 from kurbel.commands.plots import CurveStep, DrawnColumns, DrawnSpeed, LabelLang, curve_angles, only, page_of
 from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import draws
@@ -15,6 +16,7 @@ from kurbel.reading.given import as_names
 if TYPE_CHECKING:
     from kurbel.engine.request import EngineRequest
 
+AXES = ("angle", "path")
 # The pages whose forces can be drawn, without masses and with them.
 ENGINE_LAYOUT, MACHINE_LAYOUT = "engine-forces", "machine-forces"
 
@@ -67,14 +69,29 @@ def plot_engine_polar(eps: option.Eps = None, **given: Unpack[Drawn]) -> Drawing
 
 
 @draws(foreign=_foreign)
-def plot_turning(eps: option.Eps = None, *, cranks: option.Cranks = None, **given: Unpack[Drawn]) -> Drawing:
+def plot_turning(
+    eps: option.Eps = None,
+    *,
+    cranks: option.Cranks = None,
+    over: Annotated[
+        str,
+        Option(
+            "Axis of the turning effort: angle (default), or path, the crank pin's on its developed circle.",
+            kind=Choice("axis", AXES),
+        ),
+    ] = "angle",
+    **given: Unpack[Drawn],
+) -> Drawing:
     """Draw the turning effort of a steam engine: tangential force, its mean and the excess energy."""
     from kurbel.plot.drawings import curves_drawing
-    from kurbel.plot.engine import TURNING, turning_panels
+    from kurbel.plot.engine import TURNING, across_path, over_path, turning_panels
 
-    mark = mark_of(given["lang"], given["decimal"])
+    mark, lang = mark_of(given["lang"], given["decimal"]), given["lang"]
     question = _question("turning", {**given, "eps": eps, "cranks": cranks}, TURNING)
-    return Drawing.of(curves_drawing(question, turning_panels(question), mark), given["lang"], mark)
+    panels, across = turning_panels(question), None
+    if over == "path":
+        panels, across = over_path(panels), across_path(lang)
+    return Drawing.of(curves_drawing(question, panels, mark, across), lang, mark)
 
 
 def _force_question(

@@ -182,6 +182,8 @@ OF_SIZE: Mapping[str, tuple[str, ...]] = {
     "indicated_power": ("bore", "stroke", "pressure", "speed"),
     "delivery": ("bore", "stroke", "pressure", "speed"),
     "mean_pressure_kpa": ("bore", "stroke", "pressure"),
+    "pin_path_mm": ("stroke",),
+    "tangential_kpa": ("bore", "pressure"),
 }
 
 

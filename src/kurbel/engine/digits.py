@@ -25,6 +25,8 @@ ESTIMATE_BITS = 80
 FLOAT_ERROR = 1e-12
 # A gain from which on the points are on a curve, not in a cloud.
 CLEAN = 8
+# What the crank angle tells, whatever the card.
+KNOWN = ("pin_path", "pin_path_mm")
 # What follows from δ, in proportion to it.
 # What is asked of a turn with its flywheel, which knows its errors.
 OF_RUNS = ("speed", "evenness")
@@ -78,6 +80,8 @@ def estimate(asked: Asked) -> Estimate:
         return Estimate(best, 0.0)
     quantity, where, unit = asked.column.quantity, asked.where, asked.unit
     turns: Sequence[CardTurn] = asked.turns
+    if quantity.key in KNOWN:
+        return Estimate(best, FLOAT_ERROR * (abs(best) + 1))
     if quantity.minutes:
         errors = (turn.place_error(EXTREMES[quantity.of], where.stroke) for turn in turns)
         return Estimate(best, unit * 180 * sum(errors))

@@ -84,7 +84,7 @@ def applies(quantity: Quantity, where: Where) -> bool:
 @cache
 def engine_registry() -> Mapping[str, Quantity]:
     """Return every quantity by its key, in the order in which `kurbel quantities` lists them."""
-    entries = (*_turn_entries(), *_work_entries(), *_flywheel_entries(), *_force_entries())
+    entries = (*_turn_entries(), *_path_entries(), *_work_entries(), *_flywheel_entries(), *_force_entries())
     return {entry.key: entry for entry in entries}
 
 
@@ -137,6 +137,29 @@ def _turn_entries() -> Iterator[Quantity]:
                  direction=words("$W$ Arbeit des Überschusses seit dem inneren Totpunkt der ersten Kurbel"
                                  "|$W$ work of the excess since the inner dead centre of the first crank"),
                  )  # fmt: skip
+
+
+def _path_entries() -> Iterator[Quantity]:
+    """The way of the first crank pin on its circle, developed, and the tangential force over the area."""
+    path, along = "Weg des Kurbelzapfens|Path of the crank pin", lambda turn, where: turn.of(where.half_turns)
+    for key, heading, unit, decimals, scale, needs in (
+        ("pin_path", "$s/r$", "$r$", 4, lambda turn: turn.pi, ""),
+        ("pin_path_mm", "$s$ in mm", "mm", 2, lambda turn: turn.of(1000 * turn.engine.crank.radius) * turn.pi,
+         "stroke"),
+    ):  # fmt: skip
+        yield _entry(
+            key, path, "$s$", unit, "angle", decimals, along, heading=heading, scale=scale, needs=needs
+        )
+    yield _entry("tangential_kpa", "Tangentialdruck|Tangential pressure", "$T/A$", "kPa", "angle", 1,
+                 lambda turn, where: turn.tangential_force(where.half_turns), needs="load",
+                 scale=lambda turn: turn.of(_kilopascals(turn)),
+                 ties=partial(ties.scaled_ties, _kilopascals))  # fmt: skip
+
+
+def _kilopascals(turn: AnyTurn) -> Fraction:
+    """The pressure in kPa that Q is of."""
+    assert turn.engine.pressure is not None
+    return turn.engine.pressure / 1000
 
 
 def _work_entries() -> Iterator[Quantity]:

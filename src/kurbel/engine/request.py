@@ -51,6 +51,7 @@ UNKNOWN: Mapping[str, str] = {
     "load": "--bore and, but for a card, --pressure",
     "torque": "--stroke, --bore and, but for a card, --pressure",
     "turns": "the mean speed, --speed",
+    "stroke": "--stroke",
     "inertia": "the flywheel by its --inertia",
 }
 # Turns take tens of kilobytes each, and records may be of a million engines. A page has its own at hand.
@@ -239,6 +240,7 @@ class EngineRequest(Question):
             "heat": not getattr(load, "adiabatic", False),
             "load": self.load is None,
             "torque": not sized,
+            "stroke": crank.radius is None,
             "power": not sized or crank.speed is None,
             "flow": not sized or crank.speed is None or not hasattr(load, "delivered"),
             "radius": not self.flywheels or self.flywheels[0].radius is None,

@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import wraps
-from math import inf, lcm
+from math import inf, lcm, log2
 from typing import Any, NamedTuple
 
 import flint
@@ -101,6 +101,12 @@ def force_ties(turn: Turn, half_turns: Fraction) -> TieBits:
         return float(total.bits())
 
     return bits
+
+
+def scaled_ties(scale: Callable[[Turn], Fraction], turn: Turn, half_turns: Fraction) -> TieBits | None:
+    """Return the same for so many times the tangential force."""
+    bits, factor = force_ties(turn, half_turns), scale(turn)
+    return bits and (lambda boundary: bits(boundary / factor) + max(0.0, -log2(factor)))
 
 
 @_where_known

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import product
-from math import ceil, floor
+from math import ceil, floor, radians
 from typing import TYPE_CHECKING, NamedTuple
 
 from kurbel.engine.axes import named_load
 from kurbel.engine.captions import inner
-from kurbel.engine.quantities import Where, value
+from kurbel.engine.quantities import Where, engine_registry, value
 from kurbel.engine.request import EngineRequest
 from kurbel.engine.turn import Turn, turn_of
 from kurbel.exact.numerals import Label
@@ -18,6 +18,7 @@ from kurbel.page.quantity import Column, Quantity
 from kurbel.plot.panels import Trace, check_drawn, degrees, panels_of, vector
 from kurbel.plot.plotting import Curve, Panel
 from kurbel.plot.polar import Vector
+from kurbel.plot.ticks import Across, plain_ticks
 from kurbel.reading.notation import ratio_text
 
 if TYPE_CHECKING:
@@ -82,6 +83,22 @@ def turning_panels(request: EngineRequest) -> list[Panel]:
         forces = [forces[0]._replace(label=effort.heading[0]), line]
         force += f", {inner(level, lang)}"
     return [Panel(forces, force), Panel(energies, excess)]
+
+
+def over_path(panels: Sequence[Panel]) -> list[Panel]:
+    """Return panels over the path s/r of the crank pin, the developed crank circle, in place of the angle."""
+    return [
+        one._replace(
+            curves=[curve._replace(angles=[radians(angle) for angle in curve.angles]) for curve in one.curves]
+        )
+        for one in panels
+    ]
+
+
+def across_path(lang: str) -> Across:
+    """Return the axis of that path."""
+    path = engine_registry()["pin_path"]
+    return Across(f"{path.name[lang]} {path.heading[lang]}", plain_ticks)
 
 
 def engine_pin_force(request: EngineRequest) -> tuple[Vector, tuple[Label, Label], Label]:
