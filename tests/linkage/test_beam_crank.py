@@ -161,7 +161,7 @@ def test_pages_say_what_the_drive_is() -> None:
     page = " ".join(printed("forces", *BEAM, "--eps", "4", "--lang", "en").out.split())
     for said in (
         "Beam force",
-        "N along the beam on the rod's end",
+        "N along the beam on its end",
         "Watt's linkage is taken as perfect",
         "a = 3 R",
     ):
@@ -195,3 +195,14 @@ def test_pages_say_what_the_drive_is() -> None:
 )
 def test_what_is_no_beam_engine_is_refused(words: tuple[str, ...], said: str) -> None:
     assert refusal("table", *words) == said
+
+
+def test_dead_centres_of_the_drive_are_those_of_the_true_geometry() -> None:
+    asked = ("deadcentres", "--beam", "3", "--ratio", "1:5", "--digits", "3", "-f", "csv", "--columns")
+    drive = printed(*asked, "phi_i,phi_o,lead", "--mechanism", "beam").out.split()[1]
+    mu, nu, apart = map(float, printed(*asked, "mu,nu,distance_1", "--exact").out.split()[1].split(","))
+    assert list(map(float, drive.split(","))) == [mu, 180 + nu, round(apart - 180, 3)]
+    several = refusal("deadcentres", "--mechanism", "beam", "--beam", "3;4")
+    assert several == (
+        "--mechanism beam is one engine, and 2 arms were given; leave --mechanism out for the angles of § 149"
+    )

@@ -360,7 +360,7 @@ def beam(arm: float, length: float) -> Rocker:
     return Rocker(length, arm, (sum(heights) / 2, arm - sagitta / 2))
 
 
-MECHANISMS = ("straight", "offset", "arc")
+MECHANISMS = ("straight", "offset", "arc", "beam")
 LOADS = ("steam", "compressor", "pump", "gas")
 DIGITS = 5
 

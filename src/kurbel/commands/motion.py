@@ -150,6 +150,8 @@ def _of_beam(values: Mapping[str, Any]) -> bool:
     """Whether dead centres are those of a beam engine, and not of a crank drive that is described."""
     if values["layout"]:
         return layout_of(values["layout"], (BEAM, DRIVE), values["layouts"]).subject == BEAM
+    if is_given(values["mechanism"]):
+        return False
     of_beam = is_given(values["beam"]) or values["exact"]
     return of_beam or not any(is_given(values[name]) for name in (*_OF_DRIVES, *_LENGTHS))
 
@@ -161,6 +163,8 @@ def _no_dead_centres(values: Mapping[str, Any]) -> Mapping[str, str]:
     why = "is for the beam engine, and a crank drive was described; leave one of the two out"
     of_beam = {name: f"--{name} {why}" for name in ("beam", "exact")}
     chosen = meant(values, layout=None)
+    if "beam" in chosen.takes:
+        del of_beam["beam"]
     return of_beam | of_other_mechanisms(values, chosen, ("stroke", "speed"))
 
 
@@ -169,6 +173,19 @@ def _lone_length(values: Mapping[str, Any]) -> Mapping[str, str]:
         return {}
     why = "gives the ratio of the beam engine only where both are known, --stroke and --rod; add the other"
     return {name: f"--{name} {why}" for name in _LENGTHS}
+
+
+def _one_arm(beam: Given | None) -> Fraction | None:
+    """Return the arm of a beam engine that is described as a crank drive."""
+    if not is_given(beam) or beam is None:
+        return None
+    first, *others = as_numbers(beam, "beam arm")
+    if others:
+        raise ProblemError(
+            f"--mechanism beam is one engine, and {1 + len(others)} arms were given; leave --mechanism out"
+            " for the angles of § 149"
+        )
+    return first
 
 
 class Turned(option.Linked, option.Sheet, total=False):
@@ -247,7 +264,7 @@ def dead_centres_table(
     from kurbel.linkage.dead_centres import DeadCentresRequest, drives_of
 
     page = layout_of(layout or "dead-centres", (DRIVE,), given["layouts"])
-    chosen, said = described({**given, "layout": None}, ratio=ratio)
+    chosen, said = described({**given, "beam": _one_arm(beam), "layout": None}, ratio=ratio)
     drives = drives_of(chosen, said, page.ratios)
     return DeadCentresRequest(
         layout=page,

@@ -14,8 +14,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel import kinematics
-from kurbel.linkage.arc.captions import SPEECH
-from kurbel.linkage.arc.crank import ArcCrank
+from kurbel.linkage.arc.rocker import RockerCrank
 from kurbel.motion.captions import drive_notes, turns_label
 from kurbel.motion.evaluation import NEEDS, OUT, RETURN, is_known, unknown
 from kurbel.motion.mechanism import Mechanism, mechanism
@@ -30,6 +29,7 @@ NAMES: Mapping[str, Words] = {
     "straight": words("gerader Kurbeltrieb|straight crank"),
     "offset": words("geschränkter Kurbeltrieb|offset crank"),
     "arc": words("Bogenschubkurbel|arc crank"),
+    "beam": words("Balanciermaschine|beam engine"),
 }
 WORDS: Mapping[str, Words] = {
     "angles": words(
@@ -46,10 +46,15 @@ WORDS: Mapping[str, Words] = {
         "$S$ auf dem Bogen, $μ$ zwischen Schubstange und Schwinge"
         "|$S$ along the arc, $μ$ between rod and rocker"
     ),
+    "beam": words(
+        "Schubrichtung ist die Senkrechte durch die Welle; $S$ auf dem Bogen, $μ$ zwischen Schubstange und"
+        " Balancier"
+        "|The slide direction is the vertical through the shaft; $S$ along the arc, $μ$ between rod and beam"
+    ),
 }
 
 
-def crank_of(drive: Crank | ArcCrank) -> Crank:
+def crank_of(drive: Crank | RockerCrank) -> Crank:
     """Return what is known of a drive's ratio, radius and speed."""
     return drive if isinstance(drive, Crank) else drive.crank
 
@@ -65,7 +70,7 @@ def drives_of(chosen: Mechanism, said: Described, ratios: Sequence[str]) -> tupl
             f"{chosen.title} has no stroke between dead centres; {', '.join(others)} and {last} have one"
         )
     drives = chosen.drives(said, ratios)
-    if chosen.name != "arc" or said.speed is None:
+    if not drives or isinstance(drives[0], Crank) or said.speed is None:
         return drives
     turns = as_speed(said.speed)
     return tuple(replace(drive, crank=replace(drive.crank, speed=turns)) for drive in drives)
@@ -74,7 +79,7 @@ def drives_of(chosen: Mechanism, said: Described, ratios: Sequence[str]) -> tupl
 class Ends(NamedTuple):
     """A drive and the dead centres between which it moves, on a kind of number."""
 
-    drive: Crank | ArcCrank
+    drive: Crank | RockerCrank
     kind: Kind
 
     def inner(self) -> Any:
@@ -107,12 +112,12 @@ class Ends(NamedTuple):
 
     def swing(self) -> Any:
         """Return the angle in degrees through which the rocker of an arc crank swings."""
-        assert isinstance(self.drive, ArcCrank)
+        assert isinstance(self.drive, RockerCrank)
         return self.drive.swing(self.kind)
 
     def transmission(self) -> Any:
         """Return the least angle in degrees between the rod and what guides its end."""
-        if isinstance(self.drive, ArcCrank):
+        if isinstance(self.drive, RockerCrank):
             return self.drive.least_transmission(self.kind)
         crank = self.drive
         return 90 - self.kind.arc(self.kind.of(crank.ratio * (1 + abs(crank.offset))))
@@ -189,14 +194,14 @@ class DeadCentresRequest(Question):
 
     def missing(self, quantity: Quantity) -> str:
         if quantity.needs == ROCKER:
-            if self.mechanism == "arc":
+            if self.mechanism in WORDS:
                 return ""
             return f"column {quantity.key} is of a rocker; add --mechanism arc, for example with --rocker 6"
         cranks = [crank_of(drive) for drive in self.drives]
         return "" if all(is_known(quantity, crank) for crank in cranks) else unknown(quantity)
 
 
-def _is_algebraic(quantity: Quantity, drive: Crank | ArcCrank) -> bool:
+def _is_algebraic(quantity: Quantity, drive: Crank | RockerCrank) -> bool:
     """Whether a value is no arc and has no factor π, so that it can lie on a rounding boundary."""
     crank = crank_of(drive)
     if quantity.key == "v_mps":
@@ -229,15 +234,16 @@ def _notes(question: DeadCentresRequest) -> Iterator[Label]:
     lang, drives = question.lang, question.drives
     yield from (note[lang] for note in question.layout.notes)
     yield WORDS["angles"][lang]
-    yield WORDS["arc" if question.mechanism == "arc" else "slide"][lang]
-    yield from dict.fromkeys(line for drive in drives for line in _sizes(drive, lang))
+    yield WORDS[question.mechanism if question.mechanism in WORDS else "slide"][lang]
+    yield from dict.fromkeys(line for drive in drives for line in _sizes(question, drive))
 
 
-def _sizes(drive: Crank | ArcCrank, lang: str) -> Iterator[Label]:
+def _sizes(question: DeadCentresRequest, drive: Crank | RockerCrank) -> Iterator[Label]:
     """Yield the lines with what was given of a drive beside its ratio."""
-    crank = crank_of(drive)
-    if isinstance(drive, ArcCrank):
-        yield ", ".join(SPEECH.links(drive))
+    crank, lang = crank_of(drive), question.lang
+    if isinstance(drive, RockerCrank):
+        moved: Any = mechanism(question.mechanism)
+        yield ", ".join(moved.speech.links(drive))
     elif crank.offset:
         yield f"$e = {figure(crank.offset)} R$"
     if crank.radius is None:

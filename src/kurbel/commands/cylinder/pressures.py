@@ -32,7 +32,7 @@ def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
     return of_other_mechanisms({**values, "layout": None}, shared=("stroke", "speed"))
 
 
-class Piston(option.Linked, option.Cylinder, option.MovingRod, option.Sheet, total=False):
+class Piston(option.AnyDrive, option.Cylinder, option.MovingRod, option.Sheet, total=False):
     """A piston that masses and a load press on."""
 
     eps: option.Eps
@@ -44,7 +44,8 @@ class Piston(option.Linked, option.Cylinder, option.MovingRod, option.Sheet, tot
     foreign=_foreign,
     needless=for_masses("speed"),
     order="eps back exponent clearance card other_side single_acting bore pressure ratio mechanism offset"
-    " rocker pivot stroke rod speed reciprocating rod_mass centre gyration rod_file shares angle columns",
+    " rocker pivot beam stroke rod speed reciprocating rod_mass centre gyration rod_file shares angle"
+    " columns",
 )
 def pressures_table(
     ratio: option.Ratios = None,
@@ -103,7 +104,7 @@ def pressures_table(
     )
 
 
-class DrawnPiston(option.Cylinder, option.MovingRod, option.Linked, total=False):
+class DrawnPiston(option.Cylinder, option.MovingRod, option.AnyDrive, total=False):
     """The pressures on a piston, as they are drawn."""
 
     ratio: option.Ratios

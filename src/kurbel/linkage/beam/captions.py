@@ -7,12 +7,36 @@ from collections.abc import Mapping
 from kurbel.exact.numerals import Label
 from kurbel.linkage.arc.captions import WORDS as ARC_WORDS
 from kurbel.linkage.arc.captions import Speech, length_text, printed
+from kurbel.linkage.arc.names import NAMES as ARC_NAMES
 from kurbel.linkage.beam.crank import BeamCrank
 from kurbel.linkage.quantities import FORCES
 from kurbel.page.quantity import Words, words
 
 PLACES = 4
-# In place of what other pages say of a rocker and a crosshead.
+# What stands for the rocker in the words of other pages, the longer words first.
+_PARTS = (
+    ("der Schwinge auf ihr Ende", "des Balanciers auf sein Ende"),
+    ("an der Schwinge", "am Balancier"),
+    ("der Schwinge", "des Balanciers"),
+    ("Schwingen", "Balancier"),
+    ("Schwinge", "Balancier"),
+    ("rocker", "beam"),
+    ("Rocker", "Beam"),
+)
+
+
+def _of_beam(said: str) -> str:
+    for rocker, beam in _PARTS:
+        said = said.replace(rocker, beam)
+    return said
+
+
+_SAID = (
+    "Schwingenwinkel|Rocker angle|Drehung der Schwinge|Turn of the rocker",
+    "Winkelgeschwindigkeit der Schwinge|Angular velocity of the rocker",
+    "Winkelbeschleunigung der Schwinge|Angular acceleration of the rocker",
+    *(text for one in FORCES.values() for text in (one.name, one.direction)),
+)
 NAMES: Mapping[str, str] = {
     "Weg auf dem Bogen": "Kolbenweg",
     "Path along the arc": "Piston path",
@@ -20,41 +44,10 @@ NAMES: Mapping[str, str] = {
     "Velocity": "Piston velocity",
     "Beschleunigung": "Kolbenbeschleunigung",
     "Acceleration": "Piston acceleration",
-    "Schwingenwinkel": "Balancierwinkel",
-    "Rocker angle": "Beam angle",
-    "Drehung der Schwinge": "Drehung des Balanciers",
-    "Turn of the rocker": "Turn of the beam",
-    "Winkelgeschwindigkeit der Schwinge": "Winkelgeschwindigkeit des Balanciers",
-    "Angular velocity of the rocker": "Angular velocity of the beam",
-    "Winkelbeschleunigung der Schwinge": "Winkelbeschleunigung des Balanciers",
-    "Angular acceleration of the rocker": "Angular acceleration of the beam",
-    "Schwingenkraft": "Balancierkraft",
-    "Rocker force": "Beam force",
-    "Kraft am Schwingenzapfen": "Kraft am Balancierzapfen",
-    "Rocker-pin force": "Beam-pin force",
-    **{
-        said: said.replace("der Schwinge", "des Balanciers").replace("the rocker", "the beam")
-        for said in FORCES["guide_force"].direction.split("|")
-    },
-    "$G$ Betrag am Zapfen von Stange und Schwinge": "$G$ Betrag am Zapfen von Stange und Balancier",
-    "$G$ magnitude at the pin of rod and rocker": "$G$ magnitude at the pin of rod and beam",
-    "Führung": "Balancier",
-    "Guide": "Beam",
-    "Führungsdruck": "Balancierkraft",
-    "Guide force": "Beam force",
-    "$N$ auf den Kreuzkopf": "$N$ längs des Balanciers auf das Stangenende",
-    "$N$ on the crosshead": "$N$ along the beam on the rod's end",
-    "$S$ am Kreuzkopf, positiv als Druck": "$S$ am Balancier, positiv als Druck",
-    "$S$ at the crosshead, positive as thrust": "$S$ at the beam, positive as thrust",
-    "Kraft am Kreuzkopfzapfen": "Kraft am Balancierzapfen",
-    "Crosshead-pin force": "Beam-pin force",
-    "$B$ Betrag am Kreuzkopfzapfen": "$G$ Betrag am Balancierzapfen",
-    "$B$ magnitude at the crosshead pin": "$G$ magnitude at the beam pin",
-    "$B$": "$G$",
-    "$B$ in N": "$G$ in N",
-    "$B$ in $Q$": "$G$ in $Q$",
-}  # fmt: skip
-_PIN = {"de": ("Schwingenzapfen", "Balancierzapfen"), "en": ("rocker pin", "beam pin")}
+    **{said: _of_beam(said) for texts in _SAID for said in texts.split("|")},
+    **{said: _of_beam(of_rocker) for said, of_rocker in ARC_NAMES.items()},
+}
+"""What pages call the parts of the drive, in place of what they say of a rocker and of a crosshead."""
 WORDS: Mapping[str, Words] = {
     **ARC_WORDS,
     "closure": words(
@@ -84,9 +77,7 @@ WORDS: Mapping[str, Words] = {
     ),
     "reciprocating": words("am Kolben|at the piston"),
     "rocker": words("Balancier um seinen Drehpunkt|beam about its pivot"),
-    "connecting_rod": {
-        lang: ARC_WORDS["connecting_rod"][lang].replace(*names) for lang, names in _PIN.items()
-    },
+    "connecting_rod": {lang: _of_beam(said) for lang, said in ARC_WORDS["connecting_rod"].items()},
 }
 
 
