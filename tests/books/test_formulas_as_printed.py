@@ -21,7 +21,7 @@ ROWS = [(key, row) for key, table in TABLES.items() for row in table.rows()]
 FUNCTIONS = ("sin", "cos", "cot", "arctan", "sqrt", "log", "nat", "min", "max")
 GREEK = {
     "alpha": "α", "varepsilon": "ε", "varphi": "φ", "psi": "ψ", "pi": "π", "omega": "ω", "mu": "μ", "nu": "ν",
-    "Delta": "Δ",
+    "Delta": "Δ", "partial": "∂",
 }  # fmt: skip
 # As forms name them; what the books call small or differently has a letter of its own.
 NAMES = {
@@ -30,7 +30,7 @@ NAMES = {
 }  # fmt: skip
 # Letters that stand for a part of the printed formula.
 SHORT = ("x", "c", "y", "g", "u")
-TOKEN = re.compile(r"[A-Za-zα-ωΔ]+|\d+(?:,\d+)?|[±∓+=-]")
+TOKEN = re.compile(r"[A-Za-zα-ωΔ∂]+|\d+(?:,\d+)?|[±∓+=-]")
 MARKUP = re.compile(
     r"\\text ?\{(?!nat)[^}]*\}|\\(?:operatorname|text|dots|left|right|quad|cdot|frac|bar|overline|bcancel)"
     r"|\\(?:begin|end)\{aligned\}|&|\(\d+\)$"
@@ -43,7 +43,8 @@ REARRANGED = {
     "roetscher": {"cf", "cf_square", "gf_quotient"},
     "weisbach": {
         "work_strokes", "force", "force_quotient", "cut_off", "cut_off_cosine", "full", "full_speed",
-        "least_share", "least_steam", "least", "least_best", "speed_square", "greatest_near", "fast",
+        "least_slope", "greatest_slope", "least_share", "least_steam", "least", "least_best",
+        "speed_square", "greatest_near", "fast",
     },
     "uebung": set(),
 }  # fmt: skip

@@ -50,7 +50,7 @@ SYMBOLS = {
 _GREEK = (
     "α alpha β beta γ gamma δ delta ε varepsilon ζ zeta η eta ϑ vartheta θ theta ι iota κ kappa λ lambda "
     "μ mu ν nu ξ xi π pi ρ varrho σ sigma τ tau υ upsilon φ varphi χ chi ψ psi ω omega "
-    "Γ Gamma Δ Delta Θ Theta Λ Lambda Ξ Xi Π Pi Σ Sigma Φ Phi Ψ Psi Ω Omega"
+    "∂ partial Γ Gamma Δ Delta Θ Theta Λ Lambda Ξ Xi Π Pi Σ Sigma Φ Phi Ψ Psi Ω Omega"
 )
 GREEK = {letter: f"\\{name}" for letter, name in re.findall(r"(\S+) (\S+)", _GREEK)}
 CAPITALS = frozenset(letter for letter in GREEK if letter.isupper())

@@ -1,21 +1,23 @@
 """The form of a printed formula that is evaluated: "R * (1 - cos(alpha) + pm * R / (2*L) * sin(alpha)^2)".
 
-A form has numbers, letters, pi, + - * / ^, brackets and functions; angles are in radians. It is evaluated on
-whatever numbers an algebra has: exact quotients of polynomials, balls, power series of balls.
+A form has numbers, letters, pi, + - * / ^, brackets, functions, and slope(form, letter); angles are in
+radians. It is evaluated on whatever numbers an algebra has: exact quotients of polynomials, balls, power
+series of balls.
 """
 
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from typing import Any, Protocol
 
 from kurbel.books.expression import OPERATIONS, parsed
+from kurbel.books.formulas.slope import Duals
 from kurbel.errors import NotationError
 
 FUNCTIONS = ("sin", "cos", "tan", "cot", "sqrt", "ln", "arcsin", "arctan")
-PI = "pi"
+PI, SLOPE = "pi", "slope"
 HIGHEST = 10
 
 
@@ -36,9 +38,9 @@ class Form:
         self._tree = parsed(text, {})
         self.letters = frozenset(_letters(self._tree, text))
 
-    def value(self, algebra: Algebra, letter: Callable[[str], Any]) -> Any:
+    def value(self, letters: Letters) -> Any:
         """Return the value on the numbers of an algebra, with those of its letters."""
-        return _value(self._tree, algebra, letter)
+        return _value(self._tree, letters)
 
 
 def _letters(tree: ast.expr, text: str) -> Iterator[str]:
@@ -46,7 +48,7 @@ def _letters(tree: ast.expr, text: str) -> Iterator[str]:
     match tree:
         case ast.Constant():
             return
-        case ast.Name(id=name) if name not in FUNCTIONS:
+        case ast.Name(id=name) if name not in (*FUNCTIONS, SLOPE):
             if name != PI:
                 yield name
         case ast.UnaryOp(op=ast.USub(), operand=inner):
@@ -58,30 +60,34 @@ def _letters(tree: ast.expr, text: str) -> Iterator[str]:
             yield from _letters(right, text)
         case ast.Call(func=ast.Name(id=name), args=[inner], keywords=[]) if name in FUNCTIONS:
             yield from _letters(inner, text)
+        case ast.Call(func=ast.Name(id="slope"), args=[inner, ast.Name(id=name)], keywords=[]) if name != PI:
+            yield from {name, *_letters(inner, text)}
         case _:
             raise NotationError(
                 f'"{text[:60]}" has what no form may; it has numbers, letters, pi, + - * / ^, brackets,'
-                f" {', '.join(FUNCTIONS)}"
+                f" {', '.join(FUNCTIONS)}, and slope(form, letter)"
             )
 
 
-def _value(tree: ast.expr, algebra: Algebra, letter: Callable[[str], Any]) -> Any:
+def _value(tree: ast.expr, letters: Letters) -> Any:
     match tree:
         case ast.Constant(value=Fraction() as value):
-            return algebra.of(value)
+            return letters.algebra.of(value)
         case ast.Name(id=name):
-            return algebra.pi if name == PI else letter(name)
+            return letters.algebra.pi if name == PI else letters(name)
         case ast.UnaryOp(operand=inner):
-            return -_value(inner, algebra, letter)
+            return -_value(inner, letters)
         case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=Fraction() as power)):
-            base, product = _value(left, algebra, letter), algebra.of(Fraction(1))
+            base, product = _value(left, letters), letters.algebra.of(Fraction(1))
             for _ in range(int(power)):
                 product = product * base
             return product
         case ast.BinOp(left=left, op=op, right=right):
-            return OPERATIONS[type(op)](_value(left, algebra, letter), _value(right, algebra, letter))
+            return OPERATIONS[type(op)](_value(left, letters), _value(right, letters))
         case ast.Call(func=ast.Name(id=name), args=[inner]):
-            return algebra.apply(name, _value(inner, algebra, letter))
+            return letters.algebra.apply(name, _value(inner, letters))
+        case ast.Call(args=[inner, ast.Name(id=name)]):
+            return _value(inner, letters.by(name)).slope
     raise AssertionError(tree)
 
 
@@ -93,6 +99,7 @@ class Letters:
 
     def __init__(self, algebra: Algebra, given: Mapping[str, Any], forms: Mapping[str, Form]) -> None:
         self.algebra = algebra
+        self.given = given
         self.forms = forms
         self.values = dict(given)
 
@@ -102,4 +109,10 @@ class Letters:
         return self.values[name]
 
     def of(self, form: Form) -> Any:
-        return form.value(self.algebra, self)
+        return form.value(self)
+
+    def by(self, name: str) -> Letters:
+        """Return the same letters with their slopes by one of them."""
+        duals = Duals(self.algebra)
+        slopes = {one: duals.constant(value) for one, value in self.given.items()}
+        return Letters(duals, slopes | {name: duals.letter(self(name))}, self.forms)
