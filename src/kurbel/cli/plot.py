@@ -31,6 +31,7 @@ kurbel plot --mechanism arc --rocker 6 -o bogenschubkurbel.svg
 kurbel plot --polar --eps 4 --bore 300mm --pressure 8bar -o zapfenkraft.pdf
 kurbel plot --forces --machine engine.toml -o kraefte.svg
 kurbel plot --turning --eps 4 --ratio 1:5 --over path -o drehkraft.pdf
+kurbel plot --turning --pressure-ratio 3 --clearance 5% -o kompressor.pdf
 kurbel plot --pressures --machine engine.toml -o beschleunigungsdruck.pdf
 """
 FLAGS = {

@@ -117,10 +117,14 @@ def delta_table(
     layout: Annotated[str | None, option.layout_option(*DELTA)] = None,
     **given: Unpack[Turning],
 ) -> Question:
-    """Print the degree of irregularity δ of a steam engine over the expansion ratio ε.
+    """Print the degree of irregularity δ of a steam engine over the expansion ratio ε, or of another load:
+    a compressor over its pressure ratio, a pump, the cycle of a gas engine.
 
     \b
     kurbel delta --eps 2..6
+    kurbel delta --pressure-ratio 2..6 --exponent 1.3 --clearance 4%
+    kurbel delta --pump --cranks '0;90'
+    kurbel delta --compression 5..8 --heat 10
     kurbel delta --eps 2 --detail
     kurbel delta --eps 2..6 --method exact --method series --method weisbach
     kurbel delta --eps 2..8 --ratio '1:4;1:5;1:∞' --back 0.1 -f latex -o anhang.tex
@@ -134,6 +138,12 @@ def delta_table(
     2,1:5,1.282
     3,1:5,1.374
     4,1:5,1.423
+    >>> page = kurbel.delta_table(pressure_ratio="2..4", columns="pressure_ratio,mean_force,delta")
+    >>> print(kurbel.typeset(page, "csv"), end="")
+    pressure_ratio,mean_force,delta
+    2,-0.44127,1.282
+    3,-0.69940,1.374
+    4,-0.88254,1.423
     """
     names, method = as_names(columns, EXAMPLE), given["method"] or ()
     several = len({method} if isinstance(method, str) else {*method}) > 1
@@ -173,6 +183,7 @@ def turning_table(
 
     \b
     kurbel turning --eps 4 --ratio 1:5
+    kurbel turning --pressure-ratio 3 --clearance 5%
     kurbel turning --eps 4 --cranks '0;90' --step 15
     kurbel turning --eps 4 --step 0.5 -f csv -o drehkraft.csv
     kurbel turning --eps 4 --flywheel 50 --columns phi,speed

@@ -179,6 +179,7 @@ def forces_table(
     kurbel forces --mechanism arc --ratio 1:5 --rocker 6
     kurbel forces --mechanism parallel --axles '14;15;14' --driven 2
     kurbel forces --eps 4 --bore 300mm --pressure 8bar
+    kurbel forces --pressure-ratio 4 --bore 300mm --suction-pressure 1bar
     kurbel forces --eps 4 --layout rod-load
     kurbel forces --machine engine.toml
     \f

@@ -258,6 +258,8 @@ def turn_of(engine: Engine | Assembly, method: str) -> AnyTurn:
         raise ProblemError(
             'method "weisbach" is for one double-acting crank, exponent 1 and no clearance, as in § 150;'
             " use exact or series"
+            if isinstance(ideal, Steam)
+            else 'method "weisbach" has equations for steam alone, those of § 150; use exact or series'
         )
     from kurbel.engine.weisbach import WeisbachTurn
 
