@@ -112,8 +112,8 @@ def test_the_mean_pressure_of_a_gas_engine_is_that_of_its_heat() -> None:
 )
 def test_every_page_of_a_driven_machine_says_how_it_counts(words: tuple[str, ...]) -> None:
     for lang, said in (
-        ("de", ("die Welle treibt den Kolben", "die Plätze getauscht", "die obere Gleitbahn")),
-        ("en", ("the shaft drives the piston", "have changed places", "the upper guide face")),
+        ("de", ("Die Welle treibt den Kolben", "die Plätze getauscht", "die obere Gleitbahn")),
+        ("en", ("The shaft drives the piston", "have changed places", "the upper guide face")),
     ):
         text = re.sub(r"\s+", " ", printed(*words, f"--lang={lang}").out)
         for part in said:

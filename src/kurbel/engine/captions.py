@@ -7,7 +7,7 @@ from itertools import product
 
 from kurbel.engine.axes import load_label, named_load
 from kurbel.engine.quantities import AT_ANGLE, ENGINE_METHODS, EXTREMES, FORCES
-from kurbel.engine.request import OF_IRREGULARITY, OVER_ANGLE, EngineRequest
+from kurbel.engine.request import OF_IRREGULARITY, OF_LOAD, OVER_ANGLE, EngineRequest
 from kurbel.exact.numerals import Label, Number, number_text
 from kurbel.page.quantity import AND, FOR, Quantity, enumerated_letters, filled, words
 from kurbel.page.table import Note
@@ -15,6 +15,8 @@ from kurbel.reading.notation import plain, ratio_text
 
 # The mark of the two extremes that make δ.
 MAKES_DELTA = "a"
+# What is in units of Q on pages of whole turns, which otherwise are not.
+OF_WORK = ("work", "mean_pressure")
 ERRORS = words("geschätzter Fehler|estimated error")
 PLAIN_CAPTION = words("{quantities} {machine}{for_engine}; {method}")
 DRIVEN = words("der Arbeitsmaschine|of the driven machine")
@@ -59,18 +61,18 @@ WORDS = {
         "|Difference: exact value less approximation, taken before rounding."
     ),
     "driven": words(
-        "die Welle treibt den Kolben: $T$ zählt in der Drehrichtung, Arbeit als abgegeben, das Mittel $P$ und"
+        "Die Welle treibt den Kolben: $T$ zählt in der Drehrichtung, Arbeit als abgegeben, das Mittel $P$ und"
         " die Arbeit der Umdrehung sind daher negativ; $δ$ im Betrag von $P$, Leistungen und mittlere Drücke"
         " positiv, als zugeführt; größte und kleinste Geschwindigkeit haben gegen die Kraftmaschine die"
         " Plätze getauscht"
-        "|the shaft drives the piston: $T$ counts as the crank turns and work as delivered, so that the mean"
+        "|The shaft drives the piston: $T$ counts as the crank turns and work as delivered, so that the mean"
         " $P$ and the work of a turn are negative; $δ$ in the magnitude of $P$, powers and mean pressures"
         " positive, as supplied; greatest and least speed have changed places with those of a driving machine"
     ),
     "turning_sense": words(
-        "dreht der Kurbelzapfen im inneren Totpunkt nach oben, trägt bei liegender Maschine die obere"
+        "Dreht der Kurbelzapfen im inneren Totpunkt nach oben, trägt bei liegender Maschine die obere"
         " Gleitbahn; Arbeitsmaschinen drehen daher anders herum als Kraftmaschinen, und die untere trägt"
-        "|where the crank pin rises at the inner dead centre, the upper guide face of a horizontal machine is"
+        "|Where the crank pin rises at the inner dead centre, the upper guide face of a horizontal machine is"
         " loaded; driven machines therefore turn the other way than driving ones, and the lower one is"
     ),
     "weisbach": words(
@@ -144,12 +146,17 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
             yield WORDS["radius"][lang].format(radius=plain(radius))
     if subject == "strokes":
         yield WORDS["turn" if request.first.plain else "whole_turn"][lang]
-    if subject in ("strokes", "rod load", *OVER_ANGLE):
+    if subject in ("strokes", "rod load", *OF_LOAD, *OVER_ANGLE) or any(
+        one.quantity.key in OF_WORK for one in columns
+    ):
         yield request.words.forces[lang]
     yield from _directions(request, [column.quantity for column in columns])
-    newtons = any(column.quantity.needs in ("load", "torque") for column in columns)
+    needs = {column.quantity.needs for column in columns}
+    newtons = needs & {"load", "torque", "power", "flow"}
     if request.load is not None and (request.first.crank.moving or newtons):
         yield request.words.newtons(request.steams[0], request.load)
+    if needs & {"power", "flow"} and request.first.crank.moving is None:
+        yield _sized(request)
     if any(column.methods == ("weisbach",) for column in columns):
         yield WORDS["weisbach"][lang]
     yield "; ".join(_engine(request, lang))
@@ -161,6 +168,17 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
         yield from request.mechanism.masses_notes(request.first.crank, request.layout.ratio_symbol, lang)
     if request.carded and subject != "rod load":
         yield from _errors(request)
+
+
+def _sized(request: EngineRequest) -> Label:
+    """The radius and the speed that make a power of the work."""
+    from kurbel.motion.captions import turns_label
+
+    crank = request.first.crank
+    assert crank.radius is not None
+    assert crank.speed is not None
+    radius = f'${request.layout.ratio_symbol[0]} = {plain(1000 * crank.radius)} "mm"$'
+    return f"{radius}, {turns_label(crank.speed)}"
 
 
 def _directions(request: EngineRequest, shown: Sequence[Quantity]) -> Iterator[Label]:

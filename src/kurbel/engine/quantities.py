@@ -166,7 +166,8 @@ def _work_entries() -> Iterator[Quantity]:
     """The work of a turn and what a load does with it; the formulas of engine/loads/work.py."""
     yield _entry("work", "Arbeit einer Umdrehung|Work of a turn", "$A$", "$Q r$", "turn", 4, work.work,
                  ties=work.work_ties)  # fmt: skip
-    mean = _entry("mean_pressure", "mittlerer Druck|Mean pressure", "$p_m$", "$Q$", "turn", 4,
+    per_area = "$Q$ je Kolbenfläche|$Q$ per piston area"
+    mean = _entry("mean_pressure", "mittlerer Druck|Mean pressure", "$p_m$", per_area, "turn", 4,
                   work.mean_pressure, ties=work.mean_pressure_ties)  # fmt: skip
     yield mean
     yield mean._replace(
