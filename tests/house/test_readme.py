@@ -16,6 +16,7 @@ from places import ROOT, SOURCES
 from registers import register
 
 README = ROOT / "README.md"
+PAGES = (README, ROOT / "docs" / "engines.md")
 BLOCK = re.compile(r"(?<=```console\n).*?(?=```)", re.DOTALL)
 COMMAND = re.compile(r"^\$ (.+)\n", re.MULTILINE)
 
@@ -46,12 +47,13 @@ def reader(folder: Path) -> Path:
     return folder
 
 
-def test_every_command_of_the_readme_prints_what_stands_there(tmp_path: Path) -> None:
-    text = README.read_text(encoding="utf-8")
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_every_command_prints_what_stands_there(page: Path, tmp_path: Path) -> None:
+    text = page.read_text(encoding="utf-8")
     if os.environ.get("KURBEL_PROMOTE") == "1":
         promoted = reader(tmp_path / "promoted")
         text = BLOCK.sub(lambda block: true_block(block.group(), promoted), text)
-        README.write_text(text, encoding="utf-8")
+        page.write_text(text, encoding="utf-8")
     assert len(commands(text)) >= 5
     folder = reader(tmp_path / "typed")
     for block in BLOCK.findall(text):
