@@ -26,10 +26,11 @@ from kurbel.errors import KurbelError
 if TYPE_CHECKING:
     from kurbel.commands.balance import balance_table
     from kurbel.commands.books import collation_table, example_table
+    from kurbel.commands.cylinder.inertia import inertia_table
     from kurbel.commands.cylinder.pressures import plot_pressures, pressures_table
     from kurbel.commands.engine import delta_table, flywheel_table, turning_table
     from kurbel.commands.engine_plots import plot_engine_forces, plot_engine_polar, plot_turning
-    from kurbel.commands.forces import forces_table, inertia_table
+    from kurbel.commands.forces import forces_table
     from kurbel.commands.motion import dead_centres_table, table
     from kurbel.commands.numbers import certified, compute, typeset
     from kurbel.commands.orders.firing import firing_table
@@ -82,7 +83,8 @@ _MODULES = {
     "kurbel.commands.orders.harmonics": ("harmonics_table",),
     "kurbel.commands.engine": ("delta_table", "flywheel_table", "turning_table"),
     "kurbel.commands.engine_plots": ("plot_engine_forces", "plot_engine_polar", "plot_turning"),
-    "kurbel.commands.forces": ("forces_table", "inertia_table"),
+    "kurbel.commands.forces": ("forces_table",),
+    "kurbel.commands.cylinder.inertia": ("inertia_table",),
     "kurbel.commands.motion": ("dead_centres_table", "table"),
     "kurbel.commands.numbers": ("certified", "compute", "typeset"),
     "kurbel.commands.plots": ("plot_forces", "plot_mechanism", "plot_motion", "plot_polar"),

@@ -6,7 +6,7 @@ import json
 from fractions import Fraction
 
 import pytest
-from bodies import Real, spread
+from bodies import Body, Mass, Real, spread
 from cli import printed, refusal
 from links import CRANKS, DIGITS, real, shown
 from mpmath import mp
@@ -63,6 +63,39 @@ def is_rounded(found: Real, expected: Real) -> bool:
     return bool(abs(mp.mpf(found) - expected) < mp.mpf("0.502e-9") + abs(expected) * mp.mpf(10) ** -15)
 
 
+ROD = ("--centre=0.62", "--gyration=0.31", "--columns")
+NAMES_OF_ROD = {
+    "guide": "guide_force", "pin_x": "pin_force_along", "pin_y": "pin_force_across", "pin": "pin_force",
+    "torque": "torque",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("model", ["", "_two_mass", "_railway"])
+def test_the_inertia_of_the_rod_is_that_of_newtons_equations(model: str) -> None:
+    crank = CRANKS[2]
+    bodies = {
+        "": spread(mp.mpf("0.38"), mp.mpf("0.31") ** 2),
+        "_two_mass": ends("0.38"),
+        "_railway": ends("0.4"),
+    }
+    columns = ",".join(f"inertia_{key}{model}" for key in NAMES_OF_ROD)
+    asked = ("inertia", *words(crank)[1:], *ROD, columns, "--angle=73;260", "--digits=9", "-f", "json")
+    rows = json.loads(printed(*asked).out)["rows"]
+    with mp.workdps(DIGITS):
+        still = mp.mpf(0)
+        body = Heavy(crank, bodies[model], mp.mpf(1), still, still, still, still)
+        for row, degrees in zip(rows, (73, 260), strict=True):
+            expected = body.newton(1, mp.radians(degrees))
+            for key, name in NAMES_OF_ROD.items():
+                assert is_rounded(row[f"inertia_{key}{model}"], expected[name]), key
+
+
+def ends(crosshead: str) -> Body:
+    """Two masses at the pins, this share at the rocker."""
+    share = mp.mpf(crosshead)
+    return [Mass(mp.mpf(0), 1 - share), Mass(mp.mpf(1), share)]
+
+
 def test_a_tie_of_a_force_of_masses_is_told_where_the_speed_is_in_radians() -> None:
     # Where crank and rod are in line the rod slants by asin 3/5 from the arc, c = 0 and p = (1 + λ)/(4/5):
     # the mass of 6 kg pulls the rod by 6 p/(4/5) = 11.25.
@@ -115,3 +148,10 @@ def test_a_moment_of_inertia_has_its_unit_and_needs_a_speed(more: tuple[str, ...
 def test_the_straight_crank_has_no_rocker() -> None:
     said = "--rocker-inertia does not belong to the straight crank; it is for --mechanism arc or beam"
     assert refusal("forces", "--reciprocating", "3kg", "--rocker-inertia", "2kg m²") == said
+
+
+def test_the_parallel_crank_has_no_rod_that_swings() -> None:
+    assert refusal("inertia", "--mechanism", "parallel") == (
+        "the parallel crank has no rod that swings; its inertia is computed of the straight, offset and arc"
+        " crank and of the beam engine"
+    )

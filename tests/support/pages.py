@@ -50,6 +50,7 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "coupled axles": ("forces", "--mechanism=parallel", "--axles=3"),
     "inertia": ("inertia", "--centre=0.65", "--gyration=0.35"),
     "inertia errors": ("inertia", "--centre=0.65", "--gyration=0.35"),
+    "rocker inertia": ("inertia", "--centre=0.65", "--gyration=0.35", "--mechanism=arc", "--rocker=6"),
     "tangent": ("forces", "--at=tangent"),
     "roots": ("solve", "--where=p=0", "--where=s=25%", "--where=c=max"),
 }
@@ -82,7 +83,7 @@ LINKAGES = about("arc crank", "parallel crank", "coupled axles", "beam engine")
 # What `kurbel table` prints.
 DRIVES = about("motion", "arc crank", "parallel crank", "beam engine")
 PRESSED = about("pressures", "pressures over the angle")
-RODS = about("inertia", "inertia errors", "tangent")
+RODS = about("inertia", "inertia errors", "rocker inertia", "tangent")
 SOLVED = about("roots")
 
 each_layout = pytest.mark.parametrize(
@@ -136,6 +137,9 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
     "coupled axles": (kurbel.forces_table, {"mechanism": "parallel", "axles": 3}),
     **dict.fromkeys(
         ("inertia", "inertia errors"), (kurbel.inertia_table, {"centre": 0.65, "gyration": "35%"})
+    ),
+    "rocker inertia": (
+        kurbel.inertia_table, {"centre": 0.65, "gyration": "35%", "mechanism": "arc", "rocker": 6}
     ),
     "tangent": (kurbel.forces_table, {"at": "tangent"}),
     "roots": (kurbel.solve_table, {"where": ("p=0", "s=25%", "c=max")}),

@@ -18,7 +18,10 @@ from kurbel import __version__
 COMMANDS = {
     "table": ("kurbel.commands.motion:table", "Print a table of piston path, velocity and acceleration."),
     "forces": ("kurbel.commands.forces:forces_table", "Print the forces in rod, guide and crank pin."),
-    "inertia": ("kurbel.commands.forces:inertia_table", "Print the forces of the moving connecting rod."),
+    "inertia": (
+        "kurbel.commands.cylinder.inertia:inertia_table",
+        "Print the forces of the moving connecting rod.",
+    ),
     "solve": ("kurbel.commands.solve:solve_table", "Print the crank angles at which a condition holds."),
     "delta": ("kurbel.commands.engine:delta_table", "Print the degree of irregularity of a steam engine."),
     "turning": (

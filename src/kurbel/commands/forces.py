@@ -1,7 +1,6 @@
 """What a piston force, the steam of an engine or the moving rod calls up in rod, guide and crank pin."""
 
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import Annotated, Any, Unpack
 
 from kurbel.commands import loads
@@ -10,11 +9,11 @@ from kurbel.commands.loads import NAMES, OWN, PARTS
 from kurbel.commands.machines import (
     MASSES,
     STEAM,
+    check_whole,
     engine_of,
     for_masses,
     is_heavy,
     over_cycle,
-    rod_of,
     weighed,
 )
 from kurbel.commands.motion import angles_of, meant, of_other_mechanisms, sheet_of
@@ -25,13 +24,12 @@ from kurbel.drive.crank import Described
 from kurbel.drive.mechanisms import LINKAGES, SUBJECTS
 from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import Mechanism, mechanism, uncomputed
-from kurbel.page.layouts import Layout, layout, layout_of
+from kurbel.page.layouts import layout, layout_of
 from kurbel.page.subject import Question
 from kurbel.reading.given import Exact, as_names
 
 ROD_LOAD = "rod load"
 OF_ENGINES = ("crank forces", "machine", ROD_LOAD)
-INERTIA = ("inertia", "inertia errors")
 POSITIONS = ("tangent",)
 COUPLED = "coupled axles"
 AXLES = ("axles", "driven")
@@ -222,7 +220,7 @@ def forces_table(
         page = layout_of(name, OF_ENGINES, layouts)
         about_turn = {**all_given, "method": ()}
         if page.subject == ROD_LOAD:
-            _check_whole(page, given)
+            check_whole(page, given)
             return engine_of(page, about_turn, columns=as_names(columns, "thrust,reversal_angle"))
         names = as_names(columns, "epsilon,delta")
         return engine_of(page, about_turn, angles=angles_of(page, over_cycle(given)), columns=names)
@@ -238,61 +236,3 @@ def forces_table(
         columns=as_names(columns, chosen.examples["forces"]),
         **sheet,
     )
-
-
-def _check_whole(page: Layout, given: Mapping[str, Any]) -> None:
-    """Raise ProblemError where crank angles are given to a page of the whole turn."""
-    for name in option.Run.__annotations__:
-        if is_given(given[name]):
-            raise ProblemError(f"layout {page.key} is of the whole turn; leave --{name.rstrip('_')} out")
-
-
-class Rods(option.Run, option.Slide, option.MovingRod, option.Sheet, total=False):
-    """A crank drive with a moving rod."""
-
-    layouts: option.Layouts
-
-
-@makes_table(order="angle from_ to step columns offset stroke rod rod_mass centre gyration rod_file speed")
-def inertia_table(
-    ratio: option.Ratios = None,
-    *,
-    columns: Annotated[
-        option.Names, option.columns_over_angle("inertia", "phi,inertia_guide,inertia_pin")
-    ] = (),
-    speed: Annotated[
-        Exact | None,
-        option.SPEED._replace(help="Speed, for columns in N and N m: 120/min, 12.5rad/s."),
-    ] = None,
-    layout: Annotated[str, option.layout_option(*INERTIA)] = "inertia",
-    **given: Unpack[Rods],
-) -> Question:
-    """Print the forces that the moving rod calls up at guide and crank pin, and the torque.
-
-    Exact, by two masses at the pins that keep the centre of mass, and by the railway rule, 6/10 of the mass
-    rotating and 4/10 reciprocating. Layout inertia-errors has the greatest forces and errors of a turn.
-
-    \b
-    kurbel inertia --ratio 1:5 --centre 0.65 --gyration 0.35
-    kurbel inertia --rod-file rod.csv --stroke 600mm --speed 120/min
-    kurbel inertia --centre 0.65 --gyration 0.35 --layout inertia-errors
-    \f
-    >>> import kurbel
-    >>> page = kurbel.inertia_table("1:5", centre=0.6, gyration=0.48, angle=90, columns="inertia_guide")
-    >>> print(kurbel.typeset(page, "csv"), end="")
-    inertia_guide
-    0.0067
-    """
-    page = layout_of(layout, INERTIA, given["layouts"])
-    said = Described.of(given, ratio=ratio, speed=speed)
-    cranks = tuple(replace(crank, rod=rod_of(given, crank.rod_length)) for crank in said.cranks(page.ratios))
-    if page.subject == "inertia errors":
-        from kurbel.motion.inertia_page import ErrorsRequest
-
-        _check_whole(page, given)
-        names = as_names(columns, "greatest,error_percent")
-        return ErrorsRequest(layout=page, cranks=cranks, columns=names, **sheet_of(given))
-    from kurbel.motion.page import Request
-
-    angles, names = angles_of(page, given), as_names(columns)
-    return Request(layout=page, cranks=cranks, angles=angles, columns=names, **sheet_of(given))

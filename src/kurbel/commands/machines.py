@@ -12,7 +12,7 @@ from kurbel.commands import loads
 from kurbel.commands.loads import FURTHER
 from kurbel.commands.motion import FULL_TURN, described, sheet_of
 from kurbel.commands.options import is_given
-from kurbel.commands.parameters import MovingRod
+from kurbel.commands.parameters import MovingRod, Run
 from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import Mechanism, uncomputed
 from kurbel.page.layouts import Layout
@@ -247,3 +247,10 @@ def engine_of(
         **sheet_of(given),
         **rest,
     )
+
+
+def check_whole(page: Layout, given: Mapping[str, Any]) -> None:
+    """Raise ProblemError where crank angles are given to a page of the whole turn."""
+    for name in Run.__annotations__:
+        if is_given(given[name]):
+            raise ProblemError(f"layout {page.key} is of the whole turn; leave --{name.rstrip('_')} out")

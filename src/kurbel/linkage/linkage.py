@@ -119,13 +119,15 @@ def certified(
     angles on a boundary are not excluded; `certify.rounded` then raises ProblemError.
 
     What the masses add is algebraic, times π² where the speed counts turns. With a part of theirs that is not
-    zero a force is then transcendental.
+    zero a force is then transcendental; so are those of the rod alone, but for zeros.
     """
 
     def at(kind: Kind) -> Any:
         return _value_at(quantity, drive, angle, kind)
 
-    free = drive.is_rational and not (quantity.is_arc or _weighs(quantity, drive, angle))
+    speed = drive.crank.speed
+    by_turns = quantity.needs == "inertia" and speed is not None and speed.turns
+    free = drive.is_rational and not (quantity.is_arc or by_turns or _weighs(quantity, drive, angle))
     return settled(at, decimals, rounding, free)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
-from operator import attrgetter
+from operator import attrgetter, methodcaller
 from typing import Any, NamedTuple
 
 from kurbel.drive.crank import Crank, known
@@ -16,7 +16,8 @@ from kurbel.kernel.rod import Loaded, Masses
 from kurbel.motion.evaluation import OFFSET, At
 from kurbel.page.quantity import Formula, Quantity, Words, words
 
-RodFormula = Callable[[Loaded], Any]
+# Of a loaded drive; others than the slide's know the same forces by these names.
+RodFormula = Callable[[Any], Any]
 Coefficients = Callable[[Masses[Fraction], bool], Sequence[Fraction | int]]
 
 
@@ -84,11 +85,21 @@ def _force(key: str, letter: Label, name: str, formula: RodFormula, shares: Coef
 ROD_FORCES: Mapping[str, RodForce] = {
     force.key: force
     for force in (
-        _force("guide", "N", "Führungsdruck|Guide force", Loaded.guide_force, _GUIDE),
-        _force("pin_x", "X", "Zapfenkraft längs|Pin force along", Loaded.pin_force_along, _ALONG),
-        _force("pin_y", "Y", "Zapfenkraft quer|Pin force across", Loaded.pin_force_across, _ACROSS),
-        RodForce("pin", "P", words("Zapfenkraft|Pin force"), Loaded.pin_force, _pin_square, _BOTH, _CHANGES),
-        _force("torque", "M_d", "Drehmoment|Torque", Loaded.torque, _TORQUE)._replace(is_torque=True),
+        _force("guide", "N", "Führungsdruck|Guide force", methodcaller("guide_force"), _GUIDE),
+        _force("pin_x", "X", "Zapfenkraft längs|Pin force along", methodcaller("pin_force_along"), _ALONG),
+        _force("pin_y", "Y", "Zapfenkraft quer|Pin force across", methodcaller("pin_force_across"), _ACROSS),
+        RodForce(
+            "pin",
+            "P",
+            words("Zapfenkraft|Pin force"),
+            methodcaller("pin_force"),
+            _pin_square,
+            _BOTH,
+            _CHANGES,
+        ),
+        _force("torque", "M_d", "Drehmoment|Torque", methodcaller("torque"), _TORQUE)._replace(
+            is_torque=True
+        ),
     )
 }
 
@@ -104,17 +115,27 @@ _PARTS: tuple[tuple[str, str, Words], ...] = (
 def inertia_registry() -> Mapping[str, Quantity]:
     """Return every force by every model: inertia_guide, inertia_guide_two_mass, inertia_guide_railway_n; and
     the parts of the acceleration, of which they come."""
-    forces = (one for force in ROD_FORCES.values() for model in ROD_MODELS for one in _entries(force, model))
-    return {one.key: one for one in (*forces, *(_part(*said) for said in _PARTS))}
+    parts = (_part(*said) for said in _PARTS)
+    return {one.key: one for one in (*rod_entries(_of_slide), *parts)}
 
 
-def _entries(force: RodForce, model: str) -> Iterator[Quantity]:
-    """Yield the force by a model in units of the rod's mass, and in newtons."""
-
+def _of_slide(force: RodForce, model: str) -> Callable[[At], Any]:
     def kernel(at: At) -> Any:
         masses = known(at.crank.rod).masses(model, at.numbers.of)
         return force.formula(Loaded(at.circle, at.ratio, masses, at.offset))
 
+    return kernel
+
+
+def rod_entries(kernel_of: Callable[[RodForce, str], Callable[[Any], Any]]) -> Iterator[Quantity]:
+    """Yield every force by every model, by the kernel calls of a drive."""
+    for force in ROD_FORCES.values():
+        for model in ROD_MODELS:
+            yield from _entries(force, model, kernel_of(force, model))
+
+
+def _entries(force: RodForce, model: str, kernel: Callable[[Any], Any]) -> Iterator[Quantity]:
+    """Yield the force by a model in units of the rod's mass, and in newtons."""
     key = f"inertia_{force.key}" + ("" if model == "exact" else f"_{model.replace('-', '_')}")
     share = _entry(key, force.letter, force.name, force.unit, model, kernel)
     yield share

@@ -53,6 +53,7 @@ SUBJECTS: Mapping[str, Pages] = {
     "coupled axles": Pages("kurbel.linkage.coupled:SUBJECT", "forces --mechanism parallel --axles 3"),
     "inertia": Pages("kurbel.motion.inertia_page:INERTIA", _INERTIA),
     "inertia errors": Pages("kurbel.motion.inertia_page:SUBJECT", _INERTIA),
+    "rocker inertia": Pages("kurbel.linkage.arc.inertia:SUBJECT", f"{_INERTIA} {_ARC}"),
     "roots": Pages("kurbel.solve.page:SUBJECT", "solve --where p=0"),
     "collation": Pages("kurbel.books.collate_page:SUBJECT", "collate roetscher-112"),
     "formulas": Pages("kurbel.books.formulas.page:SUBJECT", "collate blau-equations"),

@@ -38,6 +38,7 @@ class ArcCrank(RockerCrank):
     default distance.
     """
 
+    mechanism: ClassVar[str] = "arc"
     title: ClassVar[str] = "the arc crank"
     noun: ClassVar[Words] = words("Bogenschubkurbel|Arc crank")
 

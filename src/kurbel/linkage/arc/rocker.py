@@ -30,7 +30,8 @@ class RockerCrank(Linkage):
 
     __slots__ = ()
 
-    # What sentences and drawings call it, and the letter of the rocker.
+    # The mechanism that it is one of, what sentences and drawings call it, and the letter of the rocker.
+    mechanism: ClassVar[str]
     title: ClassVar[str]
     noun: ClassVar[Words]
     letter: ClassVar[str] = "B"

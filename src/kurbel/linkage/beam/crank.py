@@ -33,6 +33,7 @@ class BeamCrank(RockerCrank):
     where the pivot is, and so every length that depends on it, is irrational. Valid where `BeamEngine` is.
     """
 
+    mechanism: ClassVar[str] = "beam"
     title: ClassVar[str] = "the beam engine"
     noun: ClassVar[Words] = words("Balanciermaschine|Beam engine")
     letter: ClassVar[str] = "a"

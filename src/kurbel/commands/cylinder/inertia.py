@@ -1,0 +1,117 @@
+"""The forces of the moving rod alone, over the crank angle."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Annotated, Any, Unpack
+
+from kurbel.commands import parameters as option
+from kurbel.commands.machines import check_whole, rod_of
+from kurbel.commands.motion import angles_of, meant, of_other_mechanisms, sheet_of
+from kurbel.commands.subject import makes_table
+from kurbel.drive.crank import Described
+from kurbel.errors import ProblemError
+from kurbel.motion.mechanism import Mechanism
+from kurbel.page.layouts import layout_of
+from kurbel.page.subject import Question
+from kurbel.reading.given import Exact, as_names, as_speed
+
+INERTIA, ROCKER_INERTIA = ("inertia", "inertia errors"), "rocker inertia"
+
+
+class Rods(option.Run, option.AnyDrive, option.MovingRod, option.Sheet, total=False):
+    """A crank drive with a moving rod."""
+
+    layouts: option.Layouts
+
+
+def _of_rods(values: Mapping[str, Any]) -> Mapping[str, str]:
+    """Refuse what describes other crank drives."""
+    return of_other_mechanisms(values, _rod_drive(values), ("stroke", "speed"))
+
+
+def _rod_drive(values: Mapping[str, Any]) -> Mechanism:
+    """Return which crank drive is meant; raise ProblemError for one without a rod that swings."""
+    chosen = meant(values, layout=None)
+    if not (chosen.crosshead or "rocker_inertia" in chosen.takes):
+        raise ProblemError(
+            f"{chosen.title} has no rod that swings; its inertia is computed of the straight, offset and arc"
+            " crank and of the beam engine"
+        )
+    return chosen
+
+
+@makes_table(
+    foreign=_of_rods,
+    order="angle from_ to step columns offset stroke rod mechanism rocker pivot beam rod_mass centre gyration"
+    " rod_file speed",
+)
+def inertia_table(
+    ratio: option.Ratios = None,
+    *,
+    columns: Annotated[
+        option.Names, option.columns_over_angle("inertia", "phi,inertia_guide,inertia_pin")
+    ] = (),
+    speed: Annotated[
+        Exact | None,
+        option.SPEED._replace(help="Speed, for columns in N and N m: 120/min, 12.5rad/s."),
+    ] = None,
+    layout: Annotated[str | None, option.layout_option(*INERTIA, ROCKER_INERTIA)] = None,
+    **given: Unpack[Rods],
+) -> Question:
+    """Print the forces that the moving rod calls up at guide and crank pin, and the torque.
+
+    Exact, by two masses at the pins that keep the centre of mass, and by the railway rule, 6/10 of the mass
+    rotating and 4/10 reciprocating. Layout inertia-errors has the greatest forces and errors of a turn.
+
+    \b
+    kurbel inertia --ratio 1:5 --centre 0.65 --gyration 0.35
+    kurbel inertia --rod-file rod.csv --stroke 600mm --speed 120/min
+    kurbel inertia --centre 0.65 --gyration 0.35 --layout inertia-errors
+    kurbel inertia --centre 0.65 --gyration 0.35 --mechanism arc --rocker 6
+    \f
+    >>> import kurbel
+    >>> page = kurbel.inertia_table("1:5", centre=0.6, gyration=0.48, angle=90, columns="inertia_guide")
+    >>> print(kurbel.typeset(page, "csv"), end="")
+    inertia_guide
+    0.0067
+    """
+    if not (chosen := _rod_drive(given)).crosshead:
+        return _rocker_inertia(chosen, layout, Described.of(given, ratio=ratio), speed, columns, given)
+    page = layout_of(layout or "inertia", INERTIA, given["layouts"])
+    said = Described.of(given, ratio=ratio, speed=speed)
+    cranks = tuple(replace(crank, rod=rod_of(given, crank.rod_length)) for crank in said.cranks(page.ratios))
+    if page.subject == "inertia errors":
+        from kurbel.motion.inertia_page import ErrorsRequest
+
+        check_whole(page, given)
+        names = as_names(columns, "greatest,error_percent")
+        return ErrorsRequest(layout=page, cranks=cranks, columns=names, **sheet_of(given))
+    from kurbel.motion.page import Request
+
+    angles, names = angles_of(page, given), as_names(columns)
+    return Request(layout=page, cranks=cranks, angles=angles, columns=names, **sheet_of(given))
+
+
+def _rocker_inertia(
+    chosen: Mechanism,
+    layout: str | None,
+    said: Described,
+    speed: Exact | None,
+    columns: option.Names,
+    given: Mapping[str, Any],
+) -> Question:
+    """Return what is asked for of the rod that moves a rocker."""
+    from kurbel.linkage.arc.inertia import RockerInertiaRequest
+
+    chosen.check(said)
+    page = layout_of(layout or "inertia-rocker", (ROCKER_INERTIA,), given["layouts"])
+    turns = None if speed is None else as_speed(speed)
+    drives = []
+    for drive in chosen.drives(said, page.ratios):
+        crank = chosen.crank(drive)
+        rod = rod_of(given, crank.rod_length)
+        drives.append(chosen.with_crank(drive, replace(crank, rod=rod, speed=turns)))
+    angles, names = angles_of(page, given), as_names(columns, "phi,inertia_guide")
+    return RockerInertiaRequest(
+        layout=page, drives=tuple(drives), angles=angles, columns=names, **sheet_of(given)
+    )
