@@ -175,7 +175,7 @@ def _work_entries() -> Iterator[Quantity]:
         scale=work.kilopascals, needs="load", ties=None,
     )  # fmt: skip
     yield _entry("indicated_power", "indizierte Leistung|Indicated power", "$N_i$", "kW", "turn", None,
-                 work.power, needs="power")  # fmt: skip
+                 work.power, scale=work.kilowatts, needs="power")  # fmt: skip
     yield _entry("volumetric_efficiency", "volumetrischer Wirkungsgrad|Volumetric efficiency", "$η_v$", "",
                  "turn", 4, work.volumetric_efficiency, needs="compressor",
                  ties=partial(work.load_ties, "volumetric_efficiency"))  # fmt: skip

@@ -6,12 +6,12 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
+from kurbel.drive.load import figure
 from kurbel.engine.axes import LoadWords, kilopascals, millimetres, number_label
 from kurbel.engine.loads.gas import DIESEL, DUAL, OTTO
 from kurbel.engine.loads.pump import DIFFERENTIAL, DOUBLE, SINGLE
 from kurbel.exact.numerals import Label
 from kurbel.page.quantity import words
-from kurbel.reading.notation import plain
 
 if TYPE_CHECKING:
     from kurbel.engine.engine import Load
@@ -82,13 +82,13 @@ def _compressor_lines(request: EngineRequest, lang: str) -> Iterator[Label]:
     if load.exponent == 1:
         yield WORDS["isothermal"][lang]
     else:
-        yield WORDS["polytropic"][lang].format(exponent=plain(load.exponent))
+        yield WORDS["polytropic"][lang].format(exponent=figure(load.exponent))
     if load.clearance:
-        yield WORDS["clearance"][lang].format(clearance=plain(load.clearance))
+        yield WORDS["clearance"][lang].format(clearance=figure(load.clearance))
     if load.suction_loss:
-        yield WORDS["suction_loss"][lang].format(share=plain(load.suction_loss))
+        yield WORDS["suction_loss"][lang].format(share=figure(load.suction_loss))
     if load.delivery_loss:
-        yield WORDS["delivery_loss"][lang].format(share=plain(load.delivery_loss))
+        yield WORDS["delivery_loss"][lang].format(share=figure(load.delivery_loss))
     if not request.double:
         yield WORDS["other_side"][lang].format(share=_times(load.other_side))
 
@@ -97,9 +97,9 @@ def _pump_lines(request: EngineRequest, lang: str) -> Iterator[Label]:
     load: Pump = _first(request)
     yield KINDS[load.kind][lang]
     if load.kind == DIFFERENTIAL:
-        yield WORDS["ring"][lang].format(share=plain(load.small_area))
+        yield WORDS["ring"][lang].format(share=figure(load.small_area))
     if load.kind != DOUBLE:
-        share = plain(load.suction)
+        share = figure(load.suction)
         yield WORDS["suction_head" if load.suction else "no_suction_head"][lang].format(share=share)
 
 
@@ -109,15 +109,15 @@ def _gas_lines(request: EngineRequest, lang: str) -> Iterator[Label]:
     yield WORDS["two" if load.two_stroke else "four"][lang]
     for key in ("peak", "cut_off", "heat"):
         if (value := getattr(load, key)) is not None:
-            yield WORDS[key][lang].format(**{key: plain(value)})
+            yield WORDS[key][lang].format(**{key: figure(value)})
     if load.expansion_exponent in (None, load.exponent):
-        yield WORDS["both"][lang].format(exponent=plain(load.exponent))
+        yield WORDS["both"][lang].format(exponent=figure(load.exponent))
     else:
         assert load.expansion_exponent is not None
-        exponents = plain(load.exponent), plain(load.expansion_exponent)
+        exponents = figure(load.exponent), figure(load.expansion_exponent)
         yield WORDS["apart"][lang].format(compression=exponents[0], expansion=exponents[1])
     if load.exhaust != 1 and not load.two_stroke:
-        yield WORDS["exhaust"][lang].format(exhaust=plain(load.exhaust))
+        yield WORDS["exhaust"][lang].format(exhaust=figure(load.exhaust))
 
 
 def _first(request: EngineRequest) -> Any:
@@ -125,7 +125,7 @@ def _first(request: EngineRequest) -> Any:
 
 
 def _times(share: Fraction) -> str:
-    return "" if share == 1 else plain(share)
+    return "" if share == 1 else figure(share)
 
 
 def _of_suction(_: Any, load: Load) -> Label:

@@ -33,10 +33,15 @@ def mean_pressure(turn: AnyTurn, where: Any) -> Number:
 
 
 def power(turn: AnyTurn, where: Any) -> Number:
-    """Return the indicated power of all cylinders in kW, positive."""
+    """Return the indicated power of all cylinders in Q R ω, positive."""
+    return abs(turn.mean_force())
+
+
+def kilowatts(turn: AnyTurn) -> Number:
+    """Return Q R ω in kW."""
     speed = turn.engine.crank.speed
     assert speed is not None
-    return abs(turn.mean_force()) * turn.torque_unit() * _angular(turn, speed.value, speed.turns) / 1000
+    return turn.torque_unit() * _angular(turn, speed.value, speed.turns) / 1000
 
 
 def kilopascals(turn: AnyTurn) -> Number:
