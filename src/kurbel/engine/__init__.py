@@ -1,1 +1,1 @@
-"""The steam engine over its turn: irregularity, turning effort, forces, flywheel, indicator cards."""
+"""Engines and driven machines over their cycle: irregularity, turning effort, forces, flywheel, loads, cards."""
