@@ -1,1 +1,1 @@
-"""Engines and driven machines over their cycle: irregularity, turning effort, forces, flywheel, loads, cards."""
+"""Engines and driven machines over their cycle: irregularity, turning effort, forces, flywheel, loads."""
