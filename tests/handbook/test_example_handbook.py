@@ -42,5 +42,13 @@ def test_every_source_is_collated_and_every_example_worked(manifest: Manifest) -
 @pytest.mark.slow
 def test_every_kind_of_drawing_is_there(manifest: Manifest) -> None:
     drawn = " ".join(" ".join(part.words) for part in manifest.parts() if part.words[:1] == ("plot",))
-    for option in ("--positions", "--forces", "--polar", "--turning", "--columns", "--mechanism"):
+    for option in (
+        "--positions",
+        "--forces",
+        "--polar",
+        "--pressures",
+        "--turning",
+        "--columns",
+        "--mechanism",
+    ):
         assert option in drawn

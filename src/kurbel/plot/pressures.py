@@ -6,10 +6,10 @@ from fractions import Fraction
 from itertools import groupby
 from math import cos, pi
 
+from kurbel.engine.captions import inner
 from kurbel.engine.pressures.page import WORDS, PressuresRequest, stroke_names
 from kurbel.engine.pressures.pressed import Pressed, Where, is_carded
 from kurbel.exact.kind import Kind, balls, floats
-from kurbel.page.quantity import enumerated
 from kurbel.plot.plotting import Curve, Panel
 from kurbel.plot.ticks import Across, plain_ticks
 
@@ -24,7 +24,8 @@ def pressure_panels(request: PressuresRequest) -> list[Panel]:
     """
     names, lang = stroke_names(request.pressed.cycle, request.lang), request.lang
     columns = request.page_columns
-    said = enumerated((column.quantity.name[lang] for column in columns), lang)
+    # Their letters stand beside the curves.
+    said = WORDS["pressures"][lang] if len(columns) > 1 else inner(columns[0].quantity.name[lang], lang)
     panels = []
     for stroke, name in enumerate(names):
         places = [Where(stroke, share) for share in _shares(request.pressed, stroke)]

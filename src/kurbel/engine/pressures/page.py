@@ -33,7 +33,12 @@ UNKNOWN: Mapping[str, str] = {
 WORDS: Mapping[str, Words] = {
     "out": words("Hingang|Outstroke"),
     "return": words("Rückgang|Return"),
-    "numbered": words("{number}. Hub: {stroke}|Stroke {number}: {stroke}"),
+    "numbered": words("{number}. Hub, {stroke}|Stroke {number}, {stroke}"),
+    "pressures": words("Drücke|pressures"),
+    "driven": words(
+        "Arbeitsmaschine: die Welle treibt den Kolben, ein negatives $p$ hemmt ihn"
+        "|driven machine: the shaft drives the piston, a negative $p$ resists it"
+    ),
     "stroke": words("Hub|Stroke"),
     "share": words("Kolbenweg in Teilen des Hubes|Piston path in strokes"),
     "signs": words(
@@ -189,6 +194,8 @@ def _notes(question: PressuresRequest) -> Iterator[Label]:
     lang, pressed = question.lang, question.pressed
     yield from (note[lang] for note in question.layout.notes)
     yield WORDS["signs"][lang]
+    if pressed.engine is not None and getattr(pressed.engine.steam, "driven", False):
+        yield WORDS["driven"][lang]
     if pressed.heavy:
         rod = WORDS["rod"][lang] if known(pressed.crank.moving).rod is not None else ""
         bore = figure(1000 * known(pressed.bore))
