@@ -221,6 +221,8 @@ def _wheel(page: Layout, given: Mapping[str, Any]) -> "Wheel | None":
 def _power_of_steam(values: Mapping[str, Any]) -> Mapping[str, str]:
     if is_heavy(values):
         return {"power": WITH_MASSES}
+    if is_given(values["cylinder"]):
+        return {"power": "the power of unlike cylinders follows from their sizes; leave --power out"}
     return for_masses(*ONLY_MASSES)(values)
 
 
@@ -254,7 +256,7 @@ def flywheel_table(
     """
     from kurbel.drive.flywheel import Flywheel
 
-    heavy = is_heavy(given)
+    heavy = is_heavy(given) or is_given(given["cylinder"])
     if power is None and not heavy:
         raise ProblemError("a flywheel needs the power of the engine; add --power, for example --power 50kW")
     # With masses it follows from the steam, against which they are weighed.

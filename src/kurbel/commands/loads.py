@@ -119,8 +119,8 @@ class Loads(TypedDict, total=False):
 
 
 def named(given: Mapping[str, Any]) -> list[str]:
-    """Return the options that name loads, as far as they are given."""
-    return [key for key in OWN if is_given(given.get(key))]
+    """Return the options that name loads, or cylinders with theirs, as far as they are given."""
+    return [key for key in (*OWN, "cylinder") if is_given(given.get(key))]
 
 
 def loads_of(given: Mapping[str, Any]) -> Sequence["Acting"]:

@@ -93,15 +93,17 @@ def weighed(chosen: Mechanism, drives: Sequence[Any], given: Mapping[str, Any], 
 
 
 def is_heavy(values: Mapping[str, Any]) -> bool:
-    """Whether any mass is among the options."""
-    return any(values.get(name) is not None for name in MASSES)
+    """Whether any mass is among the options, or among the entries of cylinders."""
+    given = (values, *(values.get("cylinder") or ()))
+    return any(one.get(name) is not None for one in given for name in MASSES)
 
 
 def for_masses(*names: str) -> Callable[[Mapping[str, Any]], Mapping[str, str]]:
     """Return what refuses these options where there are no masses."""
 
     def refusals(values: Mapping[str, Any]) -> Mapping[str, str]:
-        if is_heavy(values):
+        # Unlike cylinders are compared by their sizes.
+        if is_heavy(values) or is_given(values.get("cylinder")):
             return {}
         return {
             name: f"--{name} is for moving masses; add --reciprocating or a rod, --rod-mass" for name in names
@@ -174,6 +176,8 @@ def _is_other(given: Mapping[str, Any]) -> bool:
 
 def layout_of_load(given: Mapping[str, Any]) -> str:
     """Return the layout of the irregularity under such a load, nothing for steam and cards."""
+    if is_given(given.get("cylinder")):
+        return "delta-detail"
     return loads.layout_of_load(given) if _is_other(given) else ""
 
 
@@ -204,6 +208,10 @@ def _turning(chosen: Mechanism, drive: Any, speed: Any) -> Any:
 
 def whole_cycle(given: Mapping[str, Any]) -> Fraction:
     """Return the degrees after which everything comes again."""
+    if is_given(given.get("cylinder")):
+        from kurbel.commands.cylinder import several
+
+        return several.whole_cycle(given)
     if _is_other(given):
         return loads.whole_cycle(given)
     strokes = max((load.strokes_of_cycle for load in cards_of(given)), default=2)
@@ -218,32 +226,51 @@ def over_cycle(given: Mapping[str, Any]) -> Mapping[str, Any]:
     return {**given, "to": last} if run else given
 
 
+def described_engines(page: Layout, given: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the loads, drives and sizes of the engines that options describe, as a request takes them."""
+    # A speed alone makes no force, and the methods are an engine's own.
+    known = {name: value for name, value in given.items() if name not in ("speed", "method", "force")}
+    chosen, said = described({**known, "layout": None})
+    steams = _steams(given, page)
+    if sentence := uncomputed(chosen, steams[0].name) if steams else "":
+        raise ProblemError(sentence)
+    speed = given.get("speed")
+    drives = weighed(chosen, chosen.drives(said, page.ratios), given, *_of_load(given))
+    if speed is not None and given.get("stroke") is not None and not is_heavy(given):
+        drives = [_turning(chosen, drive, speed) for drive in drives]
+    return {
+        "steams": steams,
+        "drives": drives,
+        "mechanism": chosen,
+        "double": getattr(steams[0], "double", not given["single_acting"]) if steams else True,
+        "load": load_of(given),
+    }
+
+
 def engine_of(
     page: Layout, given: Mapping[str, Any], asked: type[EngineRequest] | None = None, **rest: Any
 ) -> EngineRequest:
     """Return what is asked for of the engines that options describe: with their masses, under their steam."""
     from kurbel.engine.request import EngineRequest
 
-    # A speed alone makes no force, and the methods are an engine's own.
-    known = {name: value for name, value in given.items() if name not in ("speed", "method", "force")}
-    chosen, said = described({**known, "layout": None})
-    steams = _steams(given, page)
-    page = loads.on_page(page) if _is_other(given) else page
-    if sentence := uncomputed(chosen, steams[0].name) if steams else "":
-        raise ProblemError(sentence)
-    cranks, methods, speed = given.get("cranks"), given["method"] or (), given.get("speed")
-    drives = weighed(chosen, chosen.drives(said, page.ratios), given, *_of_load(given))
-    if speed is not None and given.get("stroke") is not None and not is_heavy(given):
-        drives = [_turning(chosen, drive, speed) for drive in drives]
+    cranks, methods = given.get("cranks"), given["method"] or ()
+    if is_given(given.get("cylinder")):
+        from kurbel.commands.cylinder.several import assembly_of
+
+        assembly = assembly_of(page, given)
+        first = assembly.first
+        about: dict[str, Any] = {
+            "steams": [first.steam], "drives": [first.drive], "double": first.double, "load": first.load,
+            "assembly": assembly, "cranks": assembly.cranks,
+        }  # fmt: skip
+    else:
+        about = {
+            **described_engines(page, given), "cranks": as_crank_angles("0" if cranks is None else cranks)
+        }  # fmt: skip
     return (asked or EngineRequest)(
-        layout=page,
-        steams=steams,
-        drives=drives,
-        mechanism=chosen,
-        double=getattr(steams[0], "double", not given["single_acting"]) if steams else True,
-        cranks=as_crank_angles("0" if cranks is None else cranks),
+        layout=loads.on_page(page) if _is_other(given) or "assembly" in about else page,
         methods=tuple(dict.fromkeys((methods,) if isinstance(methods, str) else methods)),
-        load=load_of(given),
+        **about,
         **sheet_of(given),
         **rest,
     )

@@ -4,6 +4,7 @@ from collections.abc import Iterable
 from os import PathLike
 from typing import Annotated, TypeAlias, TypedDict
 
+from kurbel.commands.cylinder.given import Cylinders
 from kurbel.commands.loads import Loads
 from kurbel.commands.options import FILE, FLAG, Choice, Columns, Count, LayoutName, Option
 from kurbel.drive import load, mechanisms
@@ -229,6 +230,7 @@ class Steam(Cylinder, total=False):
     """The same in the cylinders of so many cranks."""
 
     cranks: Cranks
+    cylinder: Cylinders
 
 
 class MovingRod(TypedDict, total=False):

@@ -13,16 +13,19 @@
     [masses]
     reciprocating = "300kg"
 
+An engine of unlike cylinders has a [[cylinder]] for each, with what is its own: `angle`, `bank`, `bore`,
+`eps` and so on, as the options are called; the sections say what all have.
+
 Each entry is the option of the same meaning, written as on the command line; what is typed there outdoes it.
 Fields are called as the options, and in the file as `name` says where that differs.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Annotated, Any, ClassVar
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, get_type_hints
 
-from msgspec import Struct, field
+from msgspec import Struct, defstruct, field
 from msgspec.structs import asdict
 
 from kurbel.errors import MachineError
@@ -184,6 +187,33 @@ class Flywheel(Section):
     inertia: Annotated[One | None, about('or by its moment of inertia, such as "1200kgm2"')] = None
 
 
+# What all cylinders have in common, or what is another thing in a cylinder's table.
+_OF_ALL = ("speed", "cranks", "pump")
+_ONE = One | None
+
+
+def _of_cylinders() -> Iterator[tuple[str, Any, None]]:
+    """Yield the entries of a cylinder: what sets its place, and those of all sections about one."""
+    yield "angle", Annotated[_ONE, about("angle in degrees by which its crank follows the first")], None
+    yield "bank", Annotated[_ONE, about("angle by which its axis leans, in the sense of rotation")], None
+    yield "fires", Annotated[_ONE, about("its place in the firing order, 1 for the first")], None
+    yield "pump", Annotated[_ONE, about("double, single or differential, of a pump")], None
+    seen = dict.fromkeys(_OF_ALL)
+    for section in (Crank, Steam, Compressor, Pump, Gas, Masses):
+        for name, kind in get_type_hints(section, include_extras=True).items():
+            if name not in seen:
+                seen[name] = None
+                yield name, kind, None
+
+
+if TYPE_CHECKING:
+
+    class Cylinder(Section):
+        """A cylinder of an engine: its entries are those of the sections, which all others share."""
+else:
+    Cylinder = defstruct("Cylinder", [*_of_cylinders()], bases=(Section,), module=__name__)
+
+
 class Machine(Section):
     NOUN: ClassVar = "section"
 
@@ -194,6 +224,7 @@ class Machine(Section):
     gas: Gas | None = None
     masses: Masses | None = None
     flywheel: Flywheel | None = None
+    cylinder: tuple[Cylinder, ...] | None = None
 
 
 def read_machine(path: str | NamedFile) -> dict[str, Any]:
@@ -212,9 +243,17 @@ def read_machine(path: str | NamedFile) -> dict[str, Any]:
         raise file.error(
             (loads[1],), f"[{loads[0]}] and [{loads[1]}] are two loads of one piston; leave one out"
         )
-    given = {name: value for one in asdict(machine).values() if one for name, value in asdict(one).items()}
+    sections = (getattr(machine, name) for name in SECTIONS)
+    given = {name: value for one in sections if one for name, value in asdict(one).items()}
     own = path if isinstance(path, NamedFile) else NamedFile(path)
-    return {name: _option(own, value) for name, value in given.items() if value is not None}
+    options = _options(own, given)
+    if machine.cylinder is not None:
+        options["cylinder"] = [_options(own, asdict(one)) for one in machine.cylinder]
+    return options
+
+
+def _options(machine: NamedFile, given: Mapping[str, Any]) -> dict[str, Any]:
+    return {name: _option(machine, value) for name, value in given.items() if value is not None}
 
 
 # What acts on the piston.

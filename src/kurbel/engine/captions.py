@@ -120,7 +120,7 @@ def _common(request: EngineRequest) -> Iterator[Label]:
     shown = (*request.layout.across, *request.layout.stub)
     if len(request.steams) == 1 and "expansion" not in shown and request.words.captioned:
         yield named_load(request, 0)
-    if len(request.ratios) == 1 and "ratio" not in shown:
+    if len(request.ratios) == 1 and "ratio" not in shown and request.assembly is None:
         yield _named_ratio(request, 0)
 
 
@@ -152,19 +152,28 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
         yield request.words.forces[lang]
     yield from _directions(request, [column.quantity for column in columns])
     needs = {column.quantity.needs for column in columns}
-    newtons = needs & {"load", "torque", "power", "flow"}
-    if request.load is not None and (request.first.crank.moving or newtons):
+    newtons, alike = needs & {"load", "torque", "power", "flow"}, request.assembly is None
+    if alike and request.load is not None and (request.first.crank.moving or newtons):
         yield request.words.newtons(request.steams[0], request.load)
     if needs & {"power", "flow"} and request.first.crank.moving is None:
         yield _sized(request)
     if any(column.methods == ("weisbach",) for column in columns):
         yield WORDS["weisbach"][lang]
-    yield "; ".join(_engine(request, lang))
+    if request.assembly is None:
+        yield "; ".join(_engine(request, lang))
+    else:
+        from kurbel.engine.several import cylinder_notes
+
+        yield from cylinder_notes(request.assembly, lang)
     yield from request.mechanism.loaded_notes(request.drives, lang)
     if request.driven:
         yield WORDS["driven"][lang]
         yield WORDS["turning_sense"][lang]
-    if request.first.crank.moving is not None:
+    if request.assembly is not None:
+        from kurbel.engine.several import masses_notes
+
+        yield from masses_notes(request, lang)
+    elif request.first.crank.moving is not None:
         yield from request.mechanism.masses_notes(request.first.crank, request.layout.ratio_symbol, lang)
     if request.carded and subject != "rod load":
         yield from _errors(request)

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, lru_cache
+from typing import TYPE_CHECKING
 
 from kurbel.drive.crank import check_angles
 from kurbel.drive.flywheel import Flywheel
@@ -28,6 +29,9 @@ from kurbel.page.subject import Question
 from kurbel.page.table import Field
 from kurbel.reading.given import choose
 
+if TYPE_CHECKING:
+    from kurbel.engine.assembly import Assembly
+
 # What pages of a run of crank angles are about.
 OVER_ANGLE = ("turning", "speed", "crank forces", "machine")
 # What pages of a given flywheel are about.
@@ -38,6 +42,8 @@ OF_LOAD: Mapping[str, tuple[str, str]] = {
     "compressor": (COMPRESSOR, "--pressure-ratio"),
     "gas cycle": (GAS, "--compression"),
 }
+# What is of one kind of cylinder.
+OF_ALIKE = ("mean_pressure", "mean_pressure_kpa")
 # What a quantity needs to be known.
 UNKNOWN: Mapping[str, str] = {
     "steam": "an ideal card, with an expansion ratio",
@@ -64,7 +70,8 @@ class EngineRequest(Question):
     """What is asked for: the engines of all steams, cards or other loads (outer) and crank drives (inner).
 
     `double` and `cranks` are those of Engine. `methods` empty leaves them to the layout, or is exact.
-    `flywheels` are what is asked for, `wheel` is the one given.
+    `flywheels` are what is asked for, `wheel` is the one given. An engine of unlike cylinders is an
+    `assembly`, of whose first cylinder the others are.
     """
 
     steams: Sequence[Acting]
@@ -77,12 +84,18 @@ class EngineRequest(Question):
     flywheels: tuple[Flywheel, ...] = ()
     wheel: Wheel | None = None
     load: Load | None = None
+    assembly: Assembly | None = None
 
     def check(self) -> None:
         self._check_lists()
         check_angles(self.angles)
         self._check_methods()
         load, option = OF_LOAD.get(self.layout.subject, ("", ""))
+        over_loads = bool(load) or "expansion" in self.layout.across
+        if self.assembly is not None and over_loads:
+            raise ProblemError(
+                f"layout {self.layout.key} is of cylinders alike; use --layout {self.words.layout}"
+            )
         if load and load != self.steams[0].name:
             raise ProblemError(f"layout {self.layout.key} is of {LOADS[load].title}; add {option}")
         if not self.steamed and "expansion" in self.layout.across:
@@ -139,11 +152,13 @@ class EngineRequest(Question):
                 " use series"
             )
 
-    def engine(self, steam: int, drive: int) -> Engine:
+    def engine(self, steam: int, drive: int) -> Engine | Assembly:
+        if self.assembly is not None:
+            return self.assembly
         return Engine(self.drives[drive], self.steams[steam], self.double, tuple(self.cranks), self.load)
 
     @cached_property
-    def first(self) -> Engine:
+    def first(self) -> Engine | Assembly:
         return self.engine(0, 0)
 
     @cached_property
@@ -172,17 +187,21 @@ class EngineRequest(Question):
     @property
     def steamed(self) -> bool:
         """Whether steam with an expansion ratio drives the piston."""
-        return self.steams[0].name == STEAM
+        return self.steams[0].name == STEAM and self.assembly is None
 
     @cached_property
     def words(self) -> LoadWords:
-        """What is said of the loads, which are of one kind."""
+        """What is said of the loads, which are of one kind, or of the cylinders."""
+        if self.assembly is not None:
+            from kurbel.engine.several import words_of_cylinders
+
+            return words_of_cylinders(self.assembly)
         return words_of(self.steams[0].name)
 
     @cached_property
     def driven(self) -> bool:
-        """Whether the shaft drives the piston; of a card its work says so."""
-        if self.carded:
+        """Whether the shaft drives the piston; of a card, and of several cylinders, their work says so."""
+        if self.carded or self.assembly is not None:
             return bool(self.turn(0, 0, "exact").mean_force() < 0)
         return self.steams[0].driven
 
@@ -230,19 +249,19 @@ class EngineRequest(Question):
         return asked and super().shows(column)
 
     def missing(self, quantity: Quantity) -> str:
-        load, crank = self.steams[0], self.first.crank
+        load, crank, unlike = self.steams[0], self.first.crank, self.assembly is not None
         sized = self.load is not None and crank.radius is not None
         lacks = {
             "steam": not self.steamed,
-            "curve": not hasattr(load, "exponent"),
-            "clearance": not hasattr(load, "clearance"),
-            "compressor": load.name != COMPRESSOR,
-            "heat": not getattr(load, "adiabatic", False),
+            "curve": unlike or not hasattr(load, "exponent"),
+            "clearance": unlike or not hasattr(load, "clearance"),
+            "compressor": unlike or load.name != COMPRESSOR,
+            "heat": unlike or not getattr(load, "adiabatic", False),
             "load": self.load is None,
             "torque": not sized,
             "stroke": crank.radius is None,
             "power": not sized or crank.speed is None,
-            "flow": not sized or crank.speed is None or not hasattr(load, "delivered"),
+            "flow": unlike or not sized or crank.speed is None or not hasattr(load, "delivered"),
             "radius": not self.flywheels or self.flywheels[0].radius is None,
             "turns": self.wheel is None or self.wheel.speed is None,
             "inertia": self.wheel is None or self.wheel.inertia is None,
@@ -250,6 +269,8 @@ class EngineRequest(Question):
         needed = UNKNOWN[quantity.needs] if lacks.get(quantity.needs) else ""
         if quantity.of == "stroke" and not self.first.plain:
             needed = "one double-acting crank"
+        if unlike and quantity.key in OF_ALIKE:
+            needed = "cylinders alike"
         return f"column {quantity.key} needs {needed}; leave it out, or give that" if needed else ""
 
     def methods_of(self, column: LayoutColumn) -> tuple[str, ...]:

@@ -97,7 +97,9 @@ class TomlFile:
 
     def error(self, place: Place, said: object) -> KurbelError:
         """Return the kind's error with the file, the line of the place, and what is to be said."""
-        where = f", line {self.line(place)}" if self.kind.lines else ""
+        # Of several tables with one name the line tells which is meant.
+        numbered = any(isinstance(key, int) for key in place)
+        where = f", line {self.line(place)}" if self.kind.lines or numbered else ""
         return self.kind.error(f"{self.path}{where}: {said}")
 
     def read(self, model: type[Model]) -> Model:

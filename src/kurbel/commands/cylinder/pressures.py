@@ -140,7 +140,7 @@ def pressed_of(page: Layout, given: Mapping[str, Any]) -> "Pressed":
         about = engine_of(layout_named("engine-forces"), {**given, "method": ()})
         _check_one(about.steams, "loads")
         _check_one(about.drives, "crank ratios")
-        return Pressed(about.drives[0], bore, about.first)
+        return Pressed(about.drives[0], bore, about.first.parts[0])
     chosen, said = described({**given, "speed": None, "method": None, "force": None, "layout": None})
     chosen.check(said)
     drives = weighed(chosen, chosen.drives(said, page.ratios), given, "bore")

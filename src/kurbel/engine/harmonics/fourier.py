@@ -92,7 +92,7 @@ class Balls(Spectrum):
 
     def __init__(self, turn: Turn) -> None:
         super().__init__(turn)
-        alone = (replace(part, cranks=(Fraction(0),)) for part in turn.engine.parts)
+        alone = (replace(part, cranks=(Fraction(0),), lag=Fraction(0)) for part in turn.engine.parts)
         self.alone = [Turn(one, turn.method) for one in alone]
         self._wave = lru_cache(None)(self._enclosed)
         self._cylinders = lru_cache(None)(self._continued)

@@ -104,7 +104,7 @@ class TorqueRequest(EngineRequest):
 
     def missing(self, quantity: Quantity) -> str:
         needed = ""
-        if quantity.needs == STAR and not (self.alike and len(self.first.starts) > 1):
+        if quantity.needs == STAR and not (self.alike and len(self.first.parts[0].starts) > 1):
             needed = "several cranks with cylinders alike"
         if quantity.needs == SPEED and self.speed is None:
             needed = "--speed"

@@ -1,0 +1,55 @@
+"""A cylinder of an engine as it is given: in a machine's file, in a text, or in Python."""
+
+from collections.abc import Iterable, Mapping
+from typing import Annotated, Any, TypeAlias
+
+from kurbel.commands.options import Kind, Option
+from kurbel.errors import NotationError
+
+Described: TypeAlias = str | Mapping[str, Any]
+EXAMPLE = "angle=90 bore=500mm pressure=3bar eps=2"
+
+
+class OneCylinder(Kind):
+    """The entries of a cylinder, each as the option of its name is written: angle=90 bore=500mm eps=2."""
+
+    name = "cylinder"
+
+    def read(self, text: Any, typed: Mapping[str, Any]) -> Mapping[str, Any]:
+        if isinstance(text, Mapping):
+            return text
+        entries = {}
+        for part in text.split():
+            key, equals, value = part.partition("=")
+            key = key.replace("-", "_")
+            entries[key] = value if equals else True
+        return _checked(entries)
+
+    def taken(self, value: Any, name: str) -> Mapping[str, Any]:
+        if isinstance(value, str):
+            return self.read(value, {})
+        if not isinstance(value, Mapping):
+            raise NotationError(f"{name} is {str(value)[:40]}; give each as a mapping, or as {EXAMPLE}")
+        return _checked(dict(value))
+
+
+def _checked(entries: dict[str, Any]) -> Mapping[str, Any]:
+    """Return the entries if a cylinder has such ones."""
+    from kurbel.drive.machine import Cylinder
+    from kurbel.reading.given import choose
+
+    for key, value in entries.items():
+        choose(key, Cylinder.__struct_fields__, "entry of a cylinder,")
+        if value is True and key not in ("single_acting", "two_stroke"):
+            raise NotationError(f"{key} of a cylinder has no value; write it as {EXAMPLE}")
+    return entries
+
+
+Cylinders = Annotated[
+    Iterable[Described] | None,
+    Option(
+        f"A cylinder of an engine of unlike ones, in the words of the options: '{EXAMPLE}'; beside it all"
+        " options say what the cylinders have in common. Machines have them as [[cylinder]].",
+        "ENTRIES", OneCylinder(), many=True,
+    ),
+]  # fmt: skip

@@ -1,0 +1,105 @@
+"""What pages say of an engine of unlike cylinders: one line for each."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, cast
+
+from kurbel.engine.axes import LoadWords, words_of
+from kurbel.exact.numerals import Label
+from kurbel.page.axes import angle_text
+from kurbel.page.quantity import words
+from kurbel.reading.notation import plain, ratio_text
+
+if TYPE_CHECKING:
+    from kurbel.engine.assembly import Assembly
+    from kurbel.engine.engine import Engine
+    from kurbel.engine.request import EngineRequest
+
+WORDS = {
+    "cylinder": words("Zylinder {number}: |Cylinder {number}: "),
+    "stroke": words("Hub|stroke"),
+    "lag": words("um {angle} hinter dem ersten|{angle} behind the first"),
+    "single": words("einfachwirkend|single-acting"),
+    "count": words("{count} Zylinder|{count} cylinders"),
+}
+_FORCES = words(
+    "; $Q$ und $r$ des ersten Zylinders, auf die alle Kräfte und Momente bezogen sind"
+    "|; $Q$ and $r$ of the first cylinder, which all forces and moments are referred to"
+)
+_MACHINE = words("der Maschine mit {count} Zylindern|of the engine of {count} cylinders")
+
+
+@dataclass(frozen=True)
+class _Alone:
+    """A cylinder as a page of its own would know it."""
+
+    first: Engine
+
+    @property
+    def steams(self) -> Sequence[Any]:
+        return [self.first.steam]
+
+    @property
+    def words(self) -> LoadWords:
+        return words_of(self.first.steam.name)
+
+    @property
+    def double(self) -> bool:
+        return self.first.double
+
+
+def words_of_cylinders(assembly: Assembly) -> LoadWords:
+    """Return what is said of the cylinders of an engine."""
+    own = words_of(assembly.steam.name)
+    forces = {lang: said + _FORCES[lang] for lang, said in own.forces.items()}
+
+    return LoadWords(
+        key="engine",
+        name=words("Maschine|Engine"),
+        symbol="",
+        number=lambda load: None,
+        label=lambda load, lang: WORDS["count"][lang].format(count=len(assembly.cranks)),
+        machine={lang: text.format(count=len(assembly.cranks)) for lang, text in _MACHINE.items()},
+        several="engines",
+        forces=forces,
+        newtons=own.newtons,
+        lines=own.lines,
+        captioned=False,
+    )
+
+
+def cylinder_notes(assembly: Assembly, lang: str) -> Iterator[Label]:
+    """Yield a line for each cylinder: its size, its place, its load."""
+    for number, part in enumerate(assembly.parts, 1):
+        yield WORDS["cylinder"][lang].format(number=number) + "; ".join(_said(part, lang))
+
+
+def masses_notes(request: EngineRequest, lang: str) -> Iterator[Label]:
+    """Yield the masses, those of each cylinder with its number where they differ."""
+    parts = [(number, part.crank) for number, part in enumerate(request.first.parts, 1) if part.crank.moving]
+    same = len({crank for _, crank in parts}) == 1
+    for number, crank in parts[:1] if same else parts:
+        prefix = "" if same else WORDS["cylinder"][lang].format(number=number)
+        for note in request.mechanism.masses_notes(crank, request.layout.ratio_symbol, lang):
+            yield prefix + note
+
+
+def _said(part: Engine, lang: str) -> Iterator[Label]:
+    alone = _Alone(part)
+    if part.load is not None:
+        yield alone.words.newtons(part.steam, part.load)
+    sizes = f"$R:L = {ratio_text(part.crank.ratio)}$"
+    if part.crank.radius is not None:
+        sizes = f'{WORDS["stroke"][lang]} ${plain(2000 * part.crank.radius)} "mm"$, {sizes}'
+    yield sizes
+    if part.lag:
+        yield WORDS["lag"][lang].format(angle=f"${angle_text(part.lag)}$")
+    label = alone.words.label(part.steam, lang)
+    letter = alone.words.symbol.strip("$")
+    if alone.words.captioned:
+        yield f"${letter} = {label.strip('$')}$" if letter else label
+    yield from alone.words.lines(cast("EngineRequest", alone), lang)
+    if not part.double and alone.words.halved:
+        yield WORDS["single"][lang]

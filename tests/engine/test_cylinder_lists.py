@@ -1,0 +1,229 @@
+"""Engines of unlike cylinders from their files: against the torques of textbooks, summed over the angle."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from cli import printed, refusal
+from gas import Gas
+from places import ROOT
+
+import kurbel
+
+SAMPLES = 400_000
+MACHINES = ROOT / "examples" / "machines"
+
+
+def path_and_speed(degrees: Any, ratio: float) -> tuple[Any, Any]:
+    """The share of the stroke from the inner dead centre, and the piston's speed in R a radian."""
+    angle = np.radians(degrees)
+    slant = np.sqrt(1 - (ratio * np.sin(angle)) ** 2)
+    return (1 - np.cos(angle) + (1 - slant) / ratio) / 2, np.sin(angle) * (1 + ratio * np.cos(angle) / slant)
+
+
+def steam(degrees: Any, ratio: float, expansion: float, back: float) -> Any:
+    """T in the force before cut-off, double-acting, by Mariotte's law."""
+    share, speed = path_and_speed(degrees, ratio)
+    share = np.where(degrees % 360 < 180, share, 1 - share)
+    return (np.minimum(1.0, 1 / (expansion * np.maximum(share, 1e-12))) - back) * np.abs(speed)
+
+
+def two_stroke(degrees: Any, ratio: float, compression: float, peak: float) -> Any:
+    share, speed = path_and_speed(degrees, ratio)
+    clearance = 1 / (compression - 1)
+    out = peak * (clearance / (clearance + share)) ** 1.4
+    back = ((1 + clearance) / (clearance + share)) ** 1.4
+    return (np.where(degrees % 360 < 180, out, back) - 1) * speed
+
+
+def compressor(degrees: Any, ratio: float, pressures: float, exponent: float, clearance: float) -> Any:
+    """T in the suction pressure times the area, both ends alike."""
+    share, speed = path_and_speed(degrees, ratio)
+    behind = np.where(degrees % 360 < 180, share, 1 - share)
+    expanding = pressures * (clearance / (clearance + behind)) ** exponent
+    compressed = ((1 + clearance) / (clearance + 1 - behind)) ** exponent
+    return (np.maximum(1.0, expanding) - np.minimum(pressures, compressed)) * np.abs(speed)
+
+
+def inertia(degrees: Any, ratio: float) -> Any:
+    """T of a reciprocating mass in m R² ω²."""
+    angle = np.radians(degrees)
+    _, speed = path_and_speed(degrees, ratio)
+    step = 1e-5
+    ahead, behind = (path_and_speed(degrees + np.degrees(one), ratio)[1] for one in (step, -step))
+    assert angle.shape == speed.shape
+    return -(ahead - behind) / (2 * step) * speed
+
+
+def torque(name: str, degrees: Any) -> Any:
+    """The torque on the shaft in N m of a machine as its file describes it."""
+    if name == "compound":
+        omega = 90 * np.pi / 30
+        total = np.zeros_like(degrees)
+        for lag, bore, pascals, expansion, back, mass in (
+            (0, 0.4, 9e5, 2.5, 0.3, 400), (90, 0.64, 2.7e5, 2, 0.08, 520),
+        ):  # fmt: skip
+            own = (degrees - lag) % 360
+            force = np.pi / 4 * bore**2 * pascals * steam(own, 0.2, expansion, back)
+            total += 0.4 * (force + mass * 0.4 * omega**2 * inertia(own, 0.2))
+        return total
+    if name == "charged":
+        engine = np.pi / 4 * 0.25**2 * 1.2e5 * 0.2 * two_stroke(degrees % 360, 1 / 4.5, 5, 20)
+        pump = np.pi / 4 * 0.24**2 * 1e5 * 0.15 * compressor((degrees - 100) % 360, 1 / 4.5, 1.3, 1.3, 0.06)
+        return engine + pump
+    gas = Gas(6, 1.4, 30, 1, 1, 0.25)
+    # On one pin the second fires 45° after its first chance, a turn later.
+    total = np.zeros_like(degrees)
+    for lag in (0, 405):
+        pressure, slope = gas.over_angle((degrees - lag) % 720)
+        total += np.pi / 4 * 0.08**2 * 1e5 * 0.045 * (pressure - 1) * slope
+    return total
+
+
+@pytest.mark.parametrize(("name", "turns"), [("compound", 1), ("charged", 1), ("v2", 2)])
+def test_a_machine_of_unlike_cylinders_turns_as_its_torques_add_up(name: str, turns: int) -> None:
+    machine = ("--machine", str(MACHINES / f"{name}.toml"))
+    degrees = (np.arange(SAMPLES) + 0.5) * 360 * turns / SAMPLES
+    moments = torque(name, degrees)
+    work = np.cumsum(moments - moments.mean()) * (2 * np.pi * turns / SAMPLES)
+    (row,) = printed(
+        "flywheel", *machine, "--delta=1:50", "--columns=mean_torque,swing", "-f", "csv"
+    ).records()
+    assert float(row["mean_torque"]) == pytest.approx(moments.mean(), rel=6e-5)
+    assert float(row["swing"]) == pytest.approx(np.ptp(work), rel=6e-5)
+    columns = "--columns=phi,tangential,energy"
+    page = printed(
+        "turning", *machine, columns, "--angle=20;130;250;330", "--digits=6", "-f", "csv"
+    ).records()
+    scale = moments.mean() / float(
+        printed("delta", *machine, "--columns=mean_force", "--digits=9", "-f", "csv").records()[0][
+            "mean_force"
+        ]
+    )
+    for one in page:
+        at = np.array([float(one["phi"])])
+        assert float(one["tangential"]) == pytest.approx(torque(name, at)[0] / scale, abs=3e-6, rel=1e-5)
+        assert float(one["energy"]) == pytest.approx(
+            np.interp(at, degrees, work)[0] / scale, abs=2e-5, rel=1e-4
+        )
+
+
+def test_the_whole_cycle_of_a_four_stroke_machine_is_printed() -> None:
+    page = printed("turning", "--machine", str(MACHINES / "v2.toml"), "--step=90", "-f", "csv")
+    assert [record["phi"] for record in page.records()] == [str(90 * step) for step in range(9)]
+
+
+def test_forces_of_a_machine_in_a_file_are_those_of_its_first_cylinder() -> None:
+    words = ("--angle=50;200", "--columns=phi,rod_force_n", "-f", "csv")
+    several = printed("forces", "--machine", str(MACHINES / "compound.toml"), *words).records()
+    alone = printed(
+        "forces", "--eps=2.5", "--back=30%", "--bore=400mm", "--pressure=9bar", "--stroke=800mm",
+        "--ratio=1:5", "--speed=90/min", "--reciprocating=400kg", *words,
+    ).records()  # fmt: skip
+    assert [one["rod_force_n"] for one in several] == [one["rod_force_n"] for one in alone]
+
+
+def test_a_file_a_text_and_python_describe_one_engine(tmp_path: Path) -> None:
+    entries = (
+        "bore=400mm pressure=9bar eps=2.5 back=0.3",
+        "angle=90 bore=640mm pressure=2.7bar eps=2 back=0.08",
+    )
+    common = ("--ratio=1:5", "--stroke=800mm")
+    words = ("--columns=delta", "--digits=7", "-f", "csv")
+    typed = printed("delta", *common, *(f"--cylinder={one}" for one in entries), *words).out
+    described = [dict(entry.split("=") for entry in one.split()) for one in entries]
+    table = kurbel.delta_table(ratio="1:5", stroke=0.8, cylinder=described, columns="delta", digits=7)
+    assert kurbel.typeset(table, "csv") == typed
+    tables = (
+        "\n".join(["[[cylinder]]", *(f'{key} = "{value}"' for key, value in one.items())])
+        for one in described
+    )
+    path = tmp_path / "machine.toml"
+    path.write_text("\n".join(['[crank]\nratio = "1:5"\nstroke = "800mm"', *tables]), encoding="utf-8")
+    assert printed("delta", "--machine", str(path), *words).out == typed
+
+
+def test_cylinders_alike_are_those_of_cranks() -> None:
+    common = ("--ratio=1:5", "--stroke=800mm", "--bore=400mm", "--pressure=9bar", "--eps=3")
+    words = ("--columns=delta,mean_force", "--digits=6", "-f", "csv")
+    listed = [f"--cylinder=angle={angle}" for angle in (0, 120, 240)]
+    (several,) = printed("delta", *common, *listed, *words).records()
+    (alike,) = printed("delta", "--ratio=1:5", "--eps=3", "--cranks=0;120;240", *words).records()
+    assert (several["delta"], several["mean_force"]) == (alike["delta"], alike["mean_force"])
+
+
+@pytest.mark.parametrize("fires", [("1", "2", "4", "3"), ("1", "4", "2", "3")])
+def test_places_in_the_firing_order_choose_the_turn_of_each_cylinder(fires: tuple[str, ...]) -> None:
+    # Cranks 0, 180, 180, 0 fire as 1-2-4-3 and 1-3-4-2: by the cylinders' places 1, 2, 4, 3 and 1, 4, 2, 3.
+    common = ("--ratio=1:4", "--stroke=90mm", "--bore=80mm", "--suction-pressure=1bar", "--compression=6",
+              "--peak-pressure=30", "--columns=delta", "--digits=6", "-f", "csv")  # fmt: skip
+    listed = [
+        f"--cylinder=angle={angle} fires={place}"
+        for angle, place in zip((0, 180, 180, 0), fires, strict=True)
+    ]
+    lags = [180 * (int(place) - 1) for place in fires]
+    (several,) = printed("delta", *common, *listed).records()
+    (explicit,) = printed("delta", *common, *(f"--cylinder=angle={lag}" for lag in lags)).records()
+    assert several["delta"] == explicit["delta"]
+
+
+def test_what_a_cylinder_says_outdoes_what_all_have(tmp_path: Path) -> None:
+    path = tmp_path / "machine.toml"
+    path.write_text(
+        '[crank]\nstroke = "800mm"\nrod = "2000mm"\n[steam]\neps = 3\nback = "10%"\nbore = "300mm"\n'
+        'pressure = "8bar"\n[[cylinder]]\n[[cylinder]]\nratio = "1:4"\nangle = 90\npressure_ratio = 2\n'
+        'suction_pressure = "1bar"\n',
+        encoding="utf-8",
+    )
+    notes = printed("delta", "--machine", str(path), "--lang=en").out
+    flat = " ".join(notes.split())
+    assert "Cylinder 1: Q = π/4 d² p, d = 300 mm, p = 800 kPa; stroke 800 mm, R:L = 1:5; ε = 3" in flat
+    assert "Cylinder 2: Q = π/4 d² p₁, d = 300 mm, p₁ = 100 kPa; stroke 800 mm, R:L = 1:4; 90° behind" in flat
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("[[cylinder]]\neps = 2\n[[cylinder]]\nboer = 3\n",
+         'line 4: there is no entry of [cylinder], "boer" (did you mean bore?)'),
+        ("[[cylinder]]\neps = 2\n[[cylinder]]\nbore = true\n",
+         'line 4: cylinder.bore is true; it must be text such as "600mm", a number'),
+        ("[cylinder]\neps = 2\n", "cylinder is a table; write [[cylinder]]"),
+    ],
+)  # fmt: skip
+def test_what_a_file_says_amiss_of_a_cylinder_is_named_with_its_line(
+    text: str, said: str, tmp_path: Path
+) -> None:
+    path = tmp_path / "machine.toml"
+    path.write_text(text, encoding="utf-8")
+    sentence = refusal("delta", "--machine", str(path), code=1)
+    assert sentence.startswith(str(path))
+    assert said in sentence
+
+
+@pytest.mark.parametrize(
+    ("cylinders", "said"),
+    [
+        (("bore=400mm",), "cylinder 1 has no load; give it eps, card, pressure_ratio, pump or compression"),
+        (("eps=4", "eps=3"), "cylinder 1 needs its bore, its pressure and its stroke to be compared"),
+        (("eps=4 back=2", "eps=3"), "cylinder 1: back pressure b is 2; it must lie within 0..1"),
+        (("eps=2..4",), "cylinder 1: it has 3 loads; a cylinder has one"),
+        (("eps=2 fires=1", "eps=2"), "cylinder 2 has no fires; give all their places, or none"),
+        (("eps=2 fires=1", "eps=2 fires=3"), "fires has the places 1, 3; each of 1 to 2 must be there"),
+        (("eps=2 fires=1", "compression=6 peak_pressure=30 fires=2"), "whose cycles have as many strokes"),
+        (("eps",), "eps of a cylinder has no value"),
+        (("epsilon=4",), 'there is no entry of a cylinder, "epsilon"'),
+    ],
+)  # fmt: skip
+def test_cylinders_that_are_none_are_refused(cylinders: tuple[str, ...], said: str) -> None:
+    assert said in refusal("delta", *(f"--cylinder={one}" for one in cylinders))
+
+
+def test_lists_of_cylinders_have_no_cranks_and_no_layout_of_a_load() -> None:
+    assert "leave one out" in refusal("delta", "--cylinder=eps=2", "--cranks=0;90")
+    assert "is of cylinders alike; use --layout delta-detail" in refusal(
+        "delta", "--cylinder=eps=2", "--layout=weisbach-150"
+    )
