@@ -14,6 +14,7 @@ from pages import (
     PRESSED,
     RODS,
     SOLVED,
+    SOLVED_LOADED,
     command,
     default_page,
     each_layout,
@@ -104,6 +105,7 @@ PAGES = {
             *PRESSED,
             *COLLATIONS,
             *SOLVED,
+            *SOLVED_LOADED,
         )
     },
     **{f"{RICH}{suffix}": (*command(RICH), "-f", form) for suffix, form in SUFFIXES.items()},

@@ -52,6 +52,7 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "inertia errors": ("inertia", "--centre=0.65", "--gyration=0.35"),
     "rocker inertia": ("inertia", "--centre=0.65", "--gyration=0.35", "--mechanism=arc", "--rocker=6"),
     "tangent": ("forces", "--at=tangent"),
+    "loaded roots": ("solve", "--eps=4", "--where=torque=max", "--where=tangential=0.5"),
     "roots": ("solve", "--where=p=0", "--where=s=25%", "--where=c=max"),
 }
 
@@ -85,6 +86,7 @@ DRIVES = about("motion", "arc crank", "parallel crank", "beam engine")
 PRESSED = about("pressures", "pressures over the angle")
 RODS = about("inertia", "inertia errors", "rocker inertia", "tangent")
 SOLVED = about("roots")
+SOLVED_LOADED = about("loaded roots")
 
 each_layout = pytest.mark.parametrize(
     ("name", "lang"), [(name, lang) for name in layout_names() for lang in LANGUAGES]
@@ -142,6 +144,7 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
         kurbel.inertia_table, {"centre": 0.65, "gyration": "35%", "mechanism": "arc", "rocker": 6}
     ),
     "tangent": (kurbel.forces_table, {"at": "tangent"}),
+    "loaded roots": (kurbel.solve_table, {"eps": 4, "where": ("torque=max", "tangential=0.5")}),
     "roots": (kurbel.solve_table, {"where": ("p=0", "s=25%", "c=max")}),
 }  # fmt: skip
 

@@ -4,13 +4,17 @@ from collections.abc import Iterable, Mapping
 from typing import Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
+from kurbel.commands.loads import OWN
+from kurbel.commands.machines import MASSES, STEAM, engine_of, for_masses
 from kurbel.commands.motion import described, meant, of_other_mechanisms, sheet_of, some
-from kurbel.commands.options import Option
+from kurbel.commands.options import Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.errors import NotationError
 from kurbel.page.layouts import layout_of
 from kurbel.page.subject import Question
 from kurbel.reading.given import as_names
+
+_UNLOADED = "is for conditions on the forces of an engine; add its load, such as --eps 4"
 
 
 def _of_drives(values: Mapping[str, Any]) -> Mapping[str, str]:
@@ -18,25 +22,47 @@ def _of_drives(values: Mapping[str, Any]) -> Mapping[str, str]:
     return of_other_mechanisms(values, meant(values, layout=None))
 
 
-class Drives(option.AnyDrive, option.Sheet, total=False):
-    """Crank drives of which conditions are asked."""
+def _is_loaded(values: Mapping[str, Any]) -> bool:
+    """Whether an engine is meant, by what names its load."""
+    return any(is_given(values.get(name)) for name in OWN)
+
+
+def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
+    if _is_loaded(values):
+        bare = {"force": "--force does not go with the load of an engine; leave it out"}
+        return {**bare, **for_masses("speed")(values)}
+    names = [name for name in (*STEAM, *MASSES, "bore", "pressure", "cranks") if name not in OWN]
+    return {name: f"--{name.replace('_', '-')} {_UNLOADED}" for name in names}
+
+
+class Drives(option.AnyDrive, option.Steam, option.MovingRod, option.Sheet, total=False):
+    """Crank drives of which conditions are asked, under a force or the load of an engine."""
 
     ratio: option.Ratios
     method: option.Method
     speed: option.Speed
+    force: option.Force
+    eps: option.Eps
+    reciprocating: option.Reciprocating
+    rotating: option.Rotating
+    rocker_inertia: option.RockerInertia
     layouts: option.Layouts
 
 
 @makes_table(
     foreign=_of_drives,
-    order="ratio columns offset stroke rod method speed mechanism rocker pivot beam",
+    needless=_needless,
+    order="ratio columns offset stroke rod method speed mechanism rocker pivot beam force eps back exponent"
+    " clearance card other_side single_acting cranks bore pressure reciprocating rod_mass centre gyration"
+    " rod_file rotating rocker_inertia",
 )
 def solve_table(
     where: Annotated[
         str | Iterable[str],
         Option(
             'Condition: p=0, s=25% (share of the stroke), x=1.1, "x = 200 mm", "c = 3 m/s", c=max, p=min,'
-            ' "p = 1/6 of dead centre", psi=5; repeated for several.',
+            ' "p = 1/6 of dead centre", psi=5; of an engine torque=max, tangential=0.5, "rod_force = 10 kN";'
+            " repeated for several.",
             "CONDITION",
             many=True,
         ),
@@ -48,19 +74,21 @@ def solve_table(
             "solve", "stroke,phi,phi_turn,x,c,p", ". Pages keep the stroke and φ at the left."
         ),
     ] = (),
-    layout: Annotated[str, option.layout_option("roots")] = "solve",
+    layout: Annotated[str | None, option.layout_option("roots", "loaded roots")] = None,
     **given: Unpack[Drives],
 ) -> Question:
     """Print all crank angles of the turn at which a condition holds, on both strokes.
 
     Path, velocity and acceleration count on either stroke from the dead centre where it begins, in its
-    direction; max and min are those of each stroke.
+    direction; max and min are those of each stroke. Forces of an engine, by --eps and the like, count over
+    the whole turn.
 
     \b
     kurbel solve --ratio 1:5 --method series --where p=0
     kurbel solve --ratio '1:4;1:5' --where s=25% --where c=max
     kurbel solve --stroke 600mm --rod 1500mm --speed 120/min --where "c = 3 m/s"
     kurbel solve --ratio 1:5 --mechanism arc --rocker 6 --where acceleration=0
+    kurbel solve --eps 4 --where torque=max --where tangential=0.5
     \f
     >>> import kurbel
     >>> page = kurbel.solve_table("p = 0", ratio="1:5", method="series", columns="stroke,phi,x")
@@ -69,19 +97,42 @@ def solve_table(
     outstroke,79.2724,0.9104
     return,100.7276,1.0896
     """
-    from kurbel.reading.where import read_condition
     from kurbel.solve.page import SolveRequest
+    from kurbel.solve.solve import read_on
 
-    page = layout_of(layout, ("roots",), given["layouts"])
-    chosen, said = described(given)
-    drives = chosen.solved(some(chosen.drives(said, page.ratios)), given["method"])
     texts = [where] if isinstance(where, str) or not isinstance(where, Iterable) else list(where)
     if not all(isinstance(text, str) for text in texts):
         raise NotationError('a condition is text, such as "p = 0"')
+    if _is_loaded(given):
+        return _of_engine(layout, texts, columns, given)
+    page = layout_of(layout or "solve", ("roots",), given["layouts"])
+    chosen, said = described(given)
+    drives = chosen.solved(some(chosen.drives(said, page.ratios)), given["method"])
     return SolveRequest(
         layout=page,
         drives=drives,
-        conditions=tuple(dict.fromkeys(read_condition(text, drives[0].names) for text in texts)),
+        conditions=tuple(dict.fromkeys(read_on(drives[0], text) for text in texts)),
         columns=as_names(columns, "stroke,phi,x"),
         **sheet_of(given),
+    )
+
+
+def _of_engine(
+    layout: str | None, texts: Iterable[str], columns: option.Names, given: Mapping[str, Any]
+) -> Question:
+    """Return what is asked of the forces of an engine."""
+    from kurbel.reading.where import read_condition
+    from kurbel.solve.load_page import LoadedRequest
+    from kurbel.solve.loaded import MEASURED, NAMES
+
+    page = layout_of(layout or "solve-load", ("loaded roots",), given["layouts"])
+    read = (
+        read_condition(text, NAMES, MEASURED, "torque and the forces of the crank drive") for text in texts
+    )
+    return engine_of(
+        page,
+        given,
+        LoadedRequest,
+        conditions=tuple(dict.fromkeys(read)),
+        columns=as_names(columns, "phi,torque"),
     )

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import product
 
 from kurbel.engine.axes import load_label, named_load
 from kurbel.engine.quantities import AT_ANGLE, ENGINE_METHODS, EXTREMES, FORCES
-from kurbel.engine.request import OF_IRREGULARITY, OF_LOAD, OVER_ANGLE, EngineRequest
+from kurbel.engine.request import OF_FORCES, OF_IRREGULARITY, OF_LOAD, OVER_ANGLE, EngineRequest
 from kurbel.exact.numerals import Label, Number, number_text
 from kurbel.page.quantity import AND, FOR, Quantity, enumerated_letters, filled, words
 from kurbel.page.table import Note
@@ -88,15 +88,20 @@ WORDS = {
 
 def caption(request: EngineRequest) -> Label:
     """Return the layout's caption with what all its engines have in common, and the method."""
-    lang = request.lang
     methods = dict.fromkeys(method for column in request.page_columns for method in column.methods)
-    parts = {
-        "{quantities}": ", ".join(_names(request)),
+    parts = {"{quantities}": ", ".join(_names(request)), **about_engines(request, methods)}
+    text = PLAIN_CAPTION if request.columns else request.layout.caption
+    return filled(text[request.lang], parts.items())
+
+
+def about_engines(request: EngineRequest, methods: Iterable[str]) -> Mapping[str, Label]:
+    """Return what captions say of the engines, by the places where they say it."""
+    lang = request.lang
+    return {
         "{machine}": (DRIVEN if request.carded and request.driven else request.words.machine)[lang],
         "{for_engine}": _joined(list(_common(request)), lang),
         "{method}": AND[lang].join(ENGINE_METHODS[one].caption[lang] for one in methods),
     }
-    return filled((PLAIN_CAPTION if request.columns else request.layout.caption)[lang], parts.items())
 
 
 def _names(request: EngineRequest) -> list[str]:
@@ -146,7 +151,7 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
             yield WORDS["radius"][lang].format(radius=plain(radius))
     if subject == "strokes":
         yield WORDS["turn" if request.first.plain else "whole_turn"][lang]
-    if subject in ("strokes", "rod load", *OF_LOAD, *OVER_ANGLE) or any(
+    if subject in ("strokes", *OF_FORCES, *OF_LOAD, *OVER_ANGLE) or any(
         one.quantity.key in OF_WORK for one in columns
     ):
         yield request.words.forces[lang]
@@ -175,7 +180,7 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
         yield from masses_notes(request, lang)
     elif request.first.crank.moving is not None:
         yield from request.mechanism.masses_notes(request.first.crank, request.layout.ratio_symbol, lang)
-    if request.carded and subject != "rod load":
+    if request.carded and subject not in OF_FORCES:
         yield from _errors(request)
 
 

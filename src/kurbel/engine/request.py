@@ -34,6 +34,8 @@ if TYPE_CHECKING:
 
 # What pages of a run of crank angles are about.
 OVER_ANGLE = ("turning", "speed", "crank forces", "machine")
+# And those of forces, over the whole turn.
+OF_FORCES = ("rod load", "loaded roots")
 # What pages of a given flywheel are about.
 WITH_FLYWHEEL = ("speed", "evenness")
 OF_IRREGULARITY = ("irregularity", "strokes", "compressor", "gas cycle")
@@ -145,7 +147,7 @@ class EngineRequest(Question):
                 f"layout {self.layout.key} shows one method, and {len(self.methods)} were given;"
                 f" {'use --layout delta-verfahren' if compared else 'leave the others out'}"
             )
-        over_angle = self.layout.subject in (*OVER_ANGLE, "rod load")
+        over_angle = self.layout.subject in (*OVER_ANGLE, *OF_FORCES)
         if over_angle and "weisbach" in self.methods and self.wheel is None:
             raise ProblemError(
                 'method "weisbach" is about the angles of the extremes, which a turning effort has not;'

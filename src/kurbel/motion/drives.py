@@ -90,8 +90,19 @@ class Drive(ABC):
 
     @property
     def names(self) -> Mapping[str, str]:
-        """The names of quantities in conditions, and what they stand for."""
-        return condition_names(self.entries.values())
+        """The names of quantities in conditions, and what they stand for; under a force also its columns."""
+        return {**condition_names(self.entries.values()), **{key: key for key in self.pushed}}
+
+    @cached_property
+    def in_newtons(self) -> Mapping[str, str]:
+        """The columns in N and N m that a piston force calls up, by the quantities that they show."""
+        found = [one.key for one in self.entries.values() if one.needs in ("force", "torque")]
+        return {key.removesuffix("_nm").removesuffix("_n"): key for key in found}
+
+    @cached_property
+    def pushed(self) -> tuple[str, ...]:
+        """Those that are known, of a force that is given."""
+        return tuple(key for key in self.in_newtons.values() if self.crank.force and key in self.columns)
 
     @cached_property
     def columns(self) -> Mapping[str, Quantity]:
@@ -104,6 +115,8 @@ class Drive(ABC):
 
     def column_of(self, quantity: str) -> str:
         """Return the column that shows a quantity of conditions."""
+        if quantity in self.pushed:
+            return quantity
         return next(key for key, entry in self.entries.items() if entry.names[:1] == (quantity,))
 
     def digits(self, column: str, stroke: int, place: Place, decimals: int, rounding: str) -> int:

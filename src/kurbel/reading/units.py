@@ -34,6 +34,7 @@ _LARGEST = 10**9
 _TRANSLATED = {
     "s²": "s/s", "s^2": "s/s", "s**2": "s/s",
     **{f"kg{by}m{two}": "kg*m*m" for by in ("", " ", "*", "·") for two in ("²", "^2", "**2", "2")},
+    "Nm": "N*m", "N m": "N*m",
     "U/min": "rpm", "Upm": "rpm", "U/s": "turn/s", "min⁻¹": "/min", "PS": "metric_horsepower",
 }  # fmt: skip
 
@@ -47,6 +48,7 @@ KNOWN: Mapping[str, Mapping[str, Fraction]] = {
     "[mass]": _scaled({"kg": 1, "g": "1/1000", "t": 1000}),
     "[mass]*[length]**2": _scaled({"kg*m*m": 1}),
     "[force]": _scaled({"N": 1, "kN": 1000, "MN": 10**6}),
+    "[force]*[length]": _scaled({"N*m": 1, "kN*m": 1000, "MN*m": 10**6}),
     "[pressure]": _scaled({"Pa": 1, "kPa": 1000, "MPa": 10**6, "bar": 10**5, "mbar": 100}),
 }  # fmt: skip
 # Turns a second, of which radians are none.
@@ -103,6 +105,9 @@ signed_mass = Measure("a mass such as -40kg", "[mass]", "kg")
 moment_of_inertia = Measure("a moment of inertia such as 20kg m²", "[mass]*[length]**2", "kg*m**2", _LARGEST)
 # "10kN", "1000 kgf"
 force = Measure("a force such as 10kN", "[force]", "N", 10**12, "force")
+# "-10kN" where it points the other way; "12 kN m", "300Nm"
+signed_force = replace(force, most=0)
+signed_torque = Measure("a torque such as 12kNm", "[force]*[length]", "N*m")
 # "1.013bar"; below 0 where it counts from the atmosphere
 pressure = Measure("a pressure such as 1bar", "[pressure]", "Pa")
 

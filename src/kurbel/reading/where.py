@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -22,6 +22,7 @@ ANGLES = ("psi", "rocker")
 ACCELERATIONS = ("p", "acceleration")
 # Quantities that may have a unit: mm, m/s, m/s².
 MEASURED = ("x", "c", "p")
+OF_SLIDES = "x, c and p of the straight or offset crank"
 SMALLEST, LARGEST = Fraction(1, 10**30), Fraction(10**30)
 
 _CONDITION = re.compile(r"\s*([^\s=<>]+)\s*=\s*([^=]*?)\s*")
@@ -68,8 +69,13 @@ def exact_text(value: Fraction, mark: str = ".") -> str:
     return f"{value.numerator}/{value.denominator}"
 
 
-def read_condition(text: str, names: Mapping[str, str]) -> Condition:
-    """Return the condition that is written, of a quantity among the names, each with what it stands for."""
+def read_condition(
+    text: str, names: Mapping[str, str], measured: Collection[str] = MEASURED, whose: str = OF_SLIDES
+) -> Condition:
+    """Return the condition that is written, of a quantity among the names, each with what it stands for.
+
+    Those `measured` may have a unit; `whose` they are, sentences say.
+    """
     shown = f'condition "{text[:LONGEST_NUMBER]}"'
     match = _CONDITION.fullmatch(text) if len(text) <= 3 * LONGEST_NUMBER else None
     if match is None or not match.group(2):
@@ -84,11 +90,8 @@ def read_condition(text: str, names: Mapping[str, str]) -> Condition:
         return Condition(quantity, VALUE, notation.angle(right, f"{shown}:"))
     if measure := _MEASURE.fullmatch(right):
         unit = measure.group(1)
-        if quantity not in MEASURED:
-            raise NotationError(
-                f"{shown} has a unit, which only x, c and p of the straight or offset crank can have;"
-                f" {GRAMMAR}"
-            )
+        if quantity not in measured:
+            raise NotationError(f"{shown} has a unit, which only {whose} can have; {GRAMMAR}")
         return Condition(quantity, VALUE, _number(right.removesuffix(unit).strip(), shown), unit)
     if right.endswith("%") and quantity != SHARE:
         raise NotationError(

@@ -77,6 +77,8 @@ def condition_label(condition: Condition, drive: Drive, lang: str) -> Label:
     if condition.unit:
         unit = _SQUARE.sub('"^2', f'"{condition.unit}"')
         return f"${symbol} = {exact_text(condition.value)} {unit}$"
+    if condition.quantity in drive.pushed:
+        return f'${symbol} = {exact_text(condition.value)} "{shown.plain_unit(lang)}"$'
     if condition.value:
         symbol = shown.heading[lang].strip("$")
     return f"${symbol} = {exact_text(condition.value)}$"
@@ -93,6 +95,9 @@ def notes(request: SolveRequest) -> Iterator[Label]:
         yield WORDS["extremes"][lang]
     yield from request.drives[0].formula_lines(request, list(_digits(request)))
     yield from _forms(request)
+    force = request.drives[0].crank.force
+    if force is not None:
+        yield force.note(lang)
     yield from request.drives[0].closing_lines(request)
 
 

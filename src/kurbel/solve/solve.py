@@ -15,10 +15,20 @@ from kurbel.exact.course import Course, Target
 from kurbel.exact.numerals import MOST_DIGITS, Number, nearest, number_text
 from kurbel.exact.place import Place
 from kurbel.motion.drives import Drive
-from kurbel.motion.evaluation import OUT, RETURN
+from kurbel.motion.evaluation import NEEDS, OUT, RETURN
 from kurbel.reading import units
 from kurbel.reading.notation import plain
-from kurbel.reading.where import DEAD_CENTRE, MAX, MIN, SHARE, VALUE, Condition
+from kurbel.reading.where import (
+    DEAD_CENTRE,
+    MAX,
+    MEASURED,
+    MIN,
+    OF_SLIDES,
+    SHARE,
+    VALUE,
+    Condition,
+    read_condition,
+)
 
 if TYPE_CHECKING:
     from flint import arb
@@ -27,6 +37,7 @@ STROKES = (OUT, RETURN)
 RIGHT = Fraction(90)
 # ψ of so many degrees has a rational sine (Niven).
 RATIONAL_SINES = {Fraction(0): Fraction(0), Fraction(30): Fraction(1, 2), Fraction(-30): Fraction(-1, 2)}
+TORQUE = "torque"
 OF_STROKE = {OUT: "the outstroke", RETURN: "the return stroke"}
 
 
@@ -67,6 +78,21 @@ class Root:
         turned = 180 if self.stroke == RETURN else 0
         degrees = 180 * float(self.place.half_turns().mid()) + turned
         return turned + (360 if degrees < 0 else -360 if degrees > 360 else 0)
+
+
+def read_on(drive: Drive, text: str) -> Condition:
+    """Return a condition on a drive; one in kN or N m is about the column in N or N m."""
+    whose = f"{OF_SLIDES}, forces and torque" if drive.pushed else OF_SLIDES
+    found = read_condition(text, drive.names, (*MEASURED, *drive.in_newtons), whose)
+    if not found.unit or found.quantity in MEASURED:
+        return found
+    column = drive.in_newtons[found.quantity]
+    if column not in drive.columns:
+        options = " and ".join(NEEDS[drive.entries[column].needs])
+        raise ProblemError(f'condition "{found}" is in {found.unit} and needs {options}')
+    reader = units.signed_torque if found.quantity == TORQUE else units.signed_force
+    value = reader(f"{plain(found.value)} {found.unit}", found.quantity)
+    return Condition(column, VALUE, value)
 
 
 def solve(drive: Drive, condition: Condition) -> tuple[Root, ...]:

@@ -1,0 +1,159 @@
+"""Conditions on the forces of an engine: all crank angles of its cycle at which they hold, with proof.
+
+Between two neighbouring dead centres or corners of the load a force is smooth; there all its zeros and
+extremes are enclosed (engine/course). Angles are half turns from the inner dead centre of the first crank.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from functools import cache, cached_property, partial
+from typing import Any, NamedTuple
+
+import flint
+from flint import arb
+
+from kurbel.drive.crank_forces import CRANK_FORCES, CrankForce
+from kurbel.engine.course.search import At, extreme_value, extremes, is_level, zeros
+from kurbel.engine.course.segments import Segment, cranks_of, jet_of, segments
+from kurbel.engine.turn import EQUAL_BITS, Turn
+from kurbel.errors import NoRootError, ProblemError
+from kurbel.exact.certify import ball
+from kurbel.exact.jet import Jet
+from kurbel.exact.numerals import nearest, number_text
+from kurbel.exact.place import fraction
+from kurbel.reading import units
+from kurbel.reading.notation import plain
+from kurbel.reading.where import MAX, MIN, Condition
+
+FORCE, TORQUE = "force", "torque"
+# Decimals in which sentences say what a force covers.
+RANGE_DECIMALS = 4
+RANGE_BITS = 128
+
+
+class Asked(NamedTuple):
+    """What a condition can be about: the column that shows it in Q or Q r, the one in N or N m or nothing,
+    and how a text in these is read."""
+
+    column: str
+    measured: str = ""
+    read: Callable[[str, str], Fraction] = units.signed_force
+
+
+# By their names in conditions.
+ASKED: Mapping[str, Asked] = {
+    "torque": Asked("tangential", "torque_nm", units.signed_torque),
+    "tangential": Asked("tangential"),
+    "tangential_excess": Asked("tangential_excess"),
+    "energy": Asked("energy"),
+    **{key: Asked(key, f"{key}_n") for key in CRANK_FORCES},
+}
+NAMES = {name: name for name in ASKED}
+MEASURED = tuple(name for name, asked in ASKED.items() if asked.measured)
+
+
+class Loaded:
+    """The forces of a turn as conditions see them."""
+
+    def __init__(self, turn: Turn) -> None:
+        self.turn = turn
+        self.places = cache(self._places)
+        self.quantity = cache(self._quantity)
+
+    @cached_property
+    def segments(self) -> list[Segment]:
+        return segments(self.turn, cranks_of(self.turn), self.turn.cycle)
+
+    def _quantity(self, column: str) -> Callable[[Segment, arb], Jet]:
+        """Return what a column in Q or Q r shows, with its slopes."""
+        if column in CRANK_FORCES:
+            return partial(_crank_force, CRANK_FORCES[column])
+        return {"tangential": _tangential, "tangential_excess": _excess, "energy": _energy}[column]
+
+    def target(self, condition: Condition) -> arb:
+        """Return the value that is asked for, in Q or Q r."""
+        if not condition.unit:
+            return ball(condition.value)
+        unit = self.turn.torque_unit() if condition.quantity == "torque" else self.turn.force_unit()
+        value: arb = ball(measured(condition)) / unit
+        return value
+
+    def _places(self, condition: Condition) -> tuple[At, ...]:
+        """Return where the condition holds over the cycle, in order; raise NoRootError if nowhere."""
+        quantity = self.quantity(ASKED[condition.quantity].column)
+        if condition.kind in (MAX, MIN):
+            found = extremes(self.segments, quantity, 1 if condition.kind == MAX else -1)
+        else:
+            found = [
+                At(segment, place)
+                for segment in self.segments
+                for place in self._on_segment(segment, quantity, condition)
+            ]
+        # A dead centre belongs to the stroke that begins there, the last one to the first.
+        kept = {id(one.place): one for one in found}
+        if id(self.segments[0].start) in kept:
+            kept.pop(id(self.segments[-1].end), None)
+        if not kept:
+            raise NoRootError(self._nowhere(condition, quantity))
+        return tuple(sorted(kept.values(), key=lambda one: float(one.place.half_turns().mid())))
+
+    def _on_segment(
+        self, segment: Segment, quantity: Callable[[Segment, arb], Jet], condition: Condition
+    ) -> list[Any]:
+        with flint.ctx.workprec(EQUAL_BITS):
+            start, end = (place.half_turns() for place in (segment.start, segment.end))
+            apart = quantity(segment, (start + end) / 2).value - self.target(condition)
+        if apart.contains(0) and is_level(segment, quantity):
+            low, high = (number_text(nearest(fraction((180 * at).mid()), 2)) for at in (start, end))
+            raise ProblemError(
+                f"{condition} holds at every crank angle from {low}° to {high}°; ask for another value"
+            )
+        return zeros(segment, quantity, lambda half_turns: self.target(condition))
+
+    def _nowhere(self, condition: Condition, quantity: Callable[[Segment, arb], Jet]) -> str:
+        unit = "Q r" if condition.quantity in ("torque", "energy") else "Q"
+        with flint.ctx.workprec(RANGE_BITS):
+            ends = [
+                fraction(extreme_value(extremes(self.segments, quantity, sign), quantity, sign).mid())
+                for sign in (-1, 1)
+            ]
+        least, most = (number_text(nearest(end, RANGE_DECIMALS)) for end in ends)
+        said = f"{condition.quantity} lies between {least} and {most} {unit}"
+        return f"{condition} is reached nowhere; {said}, and may jump at a dead centre"
+
+
+def measured(condition: Condition) -> Fraction:
+    """Return the value of a condition with a unit in N or N m."""
+    asked = ASKED[condition.quantity]
+    return asked.read(f"{plain(condition.value)} {condition.unit}", condition.quantity)
+
+
+def _crank_force(force: CrankForce, segment: Segment, half_turns: arb) -> Jet:
+    """A force of the first crank."""
+    crank = next(segment.cranks(half_turns))
+    return jet_of(crank.cylinder.force(force, crank.stroke, crank.angle))
+
+
+def _tangential(segment: Segment, half_turns: arb) -> Jet:
+    """The tangential force of all cranks."""
+    efforts = [crank.cylinder.effort(crank.stroke, crank.angle) for crank in segment.cranks(half_turns)]
+    return sum(map(jet_of, efforts), Jet(0, 0, 0))
+
+
+def _excess(segment: Segment, half_turns: arb) -> Jet:
+    mean = jet_of(segment.turn.mean_force())
+    return _tangential(segment, half_turns) - mean
+
+
+def _energy(segment: Segment, half_turns: arb) -> Jet:
+    """The work of the excess, of which the excess is the slope."""
+    turn, excess = segment.turn, _excess(segment, half_turns)
+    cylinders = turn.cylinders
+    since = sum(
+        cylinders[part].energy(stroke, half_turns - ball(segment.middle - angle))
+        for part, stroke, angle in segment.standing
+    )
+    before = sum(cylinders[part].energy(*standing) for part, *standing in turn.begun())
+    return Jet(since - before, excess.value, excess.slope)
