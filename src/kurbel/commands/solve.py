@@ -1,6 +1,6 @@
 """The crank angles at which path, velocity, acceleration and the like fulfil a condition."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
@@ -14,7 +14,10 @@ from kurbel.page.layouts import layout_of
 from kurbel.page.subject import Question
 from kurbel.reading.given import as_names
 
+# What conditions on the motion are about, of any crank drive.
+OF_MOTION = ("x", "s", "c", "p", "psi", "ψ", "path", "velocity", "acceleration", "rocker", "θ")
 _UNLOADED = "is for conditions on the forces of an engine; add its load, such as --eps 4"
+_UNASKED = "is for conditions on the forces of an engine, such as torque=max; leave it out"
 
 
 def _of_drives(values: Mapping[str, Any]) -> Mapping[str, str]:
@@ -22,17 +25,32 @@ def _of_drives(values: Mapping[str, Any]) -> Mapping[str, str]:
     return of_other_mechanisms(values, meant(values, layout=None))
 
 
+def _texts(where: Any) -> list[Any]:
+    """Return the conditions as they are written."""
+    return [where] if isinstance(where, str) or not isinstance(where, Iterable) else list(where)
+
+
 def _is_loaded(values: Mapping[str, Any]) -> bool:
-    """Whether an engine is meant, by what names its load."""
+    """Whether there is the load of an engine."""
     return any(is_given(values.get(name)) for name in OWN)
 
 
+def _is_of_engine(values: Mapping[str, Any]) -> bool:
+    """Whether conditions are about the forces under that, or nothing says what they are about."""
+    where = values["where"]
+    # What runs only once is left to run.
+    texts = [] if isinstance(where, Iterator) else _texts(where)
+    named = {str(text).partition("=")[0].strip() for text in texts}
+    return _is_loaded(values) and (not texts or not named <= {*OF_MOTION})
+
+
 def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
-    if _is_loaded(values):
+    if _is_of_engine(values):
         bare = {"force": "--force does not go with the load of an engine; leave it out"}
         return {**bare, **for_masses("speed")(values)}
-    names = [name for name in (*STEAM, *MASSES, "bore", "pressure", "cranks") if name not in OWN]
-    return {name: f"--{name.replace('_', '-')} {_UNLOADED}" for name in names}
+    why = _UNASKED if _is_loaded(values) else _UNLOADED
+    names = (*STEAM, *MASSES, "bore", "pressure", "cranks")
+    return {name: f"--{name.replace('_', '-')} {why}" for name in names}
 
 
 class Drives(option.AnyDrive, option.Steam, option.MovingRod, option.Sheet, total=False):
@@ -100,10 +118,10 @@ def solve_table(
     from kurbel.solve.page import SolveRequest
     from kurbel.solve.solve import read_on
 
-    texts = [where] if isinstance(where, str) or not isinstance(where, Iterable) else list(where)
+    texts = _texts(where)
     if not all(isinstance(text, str) for text in texts):
         raise NotationError('a condition is text, such as "p = 0"')
-    if _is_loaded(given):
+    if _is_of_engine({**given, "where": texts}):
         return _of_engine(layout, texts, columns, given)
     page = layout_of(layout or "solve", ("roots",), given["layouts"])
     chosen, said = described(given)
