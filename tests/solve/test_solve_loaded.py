@@ -109,7 +109,7 @@ def test_a_rod_force_in_newtons_is_had_where_the_rod_stands_so_steep() -> None:
         (("--eps=4", "--where=piston_force=0.75"), "holds at every crank angle from 0.00° to 55.38°"),
         (("--eps=4", "--where=torque=3kNm"), 'condition "torque = 3 kNm" is in kNm: column torque_nm needs'),
         (("--eps=4", "--where=energy=3J"), "which only torque and the forces of the crank drive can have"),
-        (("--eps=4", "--where=x=1"), 'there is no quantity "x"'),
+        (("--eps=4", "--where=x=1"), "--eps is for conditions on the forces of an engine"),
         (("--eps=4",), "no condition was given; write one as --where torque=max"),
         (
             ("--card", str(CARDS / "ideal-2.csv"), "--where=torque=max"),
