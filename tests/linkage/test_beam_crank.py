@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from fractions import Fraction
+from pathlib import Path
 
 import pytest
 from bodies import spread
@@ -205,4 +206,44 @@ def test_dead_centres_of_the_drive_are_those_of_the_true_geometry() -> None:
     several = refusal("deadcentres", "--mechanism", "beam", "--beam", "3;4")
     assert several == (
         "--mechanism beam is one engine, and 2 arms were given; leave --mechanism out for the angles of § 149"
+    )
+
+
+MACHINE = """
+[crank]
+mechanism = "beam"
+beam = 3
+ratio = "1:5"
+stroke = "1.2m"
+speed = "30/min"
+
+[steam]
+eps = 3
+bore = "800mm"
+pressure = "3bar"
+
+[masses]
+reciprocating = "900kg"
+rocker = "9000kg m²"
+"""
+DRIVE = (*BEAM, "--ratio", "1:5", "--stroke", "1.2m", "--speed", "30/min")
+STEAM = ("--eps", "3", "--bore", "800mm", "--pressure", "3bar")
+MASSES = ("--reciprocating", "900kg", "--rocker-inertia", "9000kg m²")
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [("delta", *DRIVE, *STEAM, *MASSES), ("deadcentres", *DRIVE), ("solve", "--where", "c=max", *DRIVE[:6]),
+     ("inertia", "--centre", "0.6", "--gyration", "0.4", *DRIVE)],
+    ids=lambda asked: asked[0],
+)  # fmt: skip
+def test_a_machine_may_be_a_beam_engine(asked: tuple[str, ...], tmp_path: Path) -> None:
+    path = tmp_path / "engine.toml"
+    path.write_text(MACHINE, encoding="utf-8")
+    own = asked[: asked.index("--mechanism")]
+    assert printed(*own, "--machine", str(path)).out == printed(*asked).out
+    said = refusal("balance", "--machine", str(path), code=1)
+    assert said.endswith(
+        "crank.mechanism is beam, and kurbel balance is about the straight crank; leave the mechanism out of"
+        " the machine"
     )

@@ -284,4 +284,10 @@ def machine_defaults(command: click.Command, file: File) -> dict[str, Any]:
                 f"{file}: crank.{name} is {machine[name]}, and kurbel {command.name} is about the"
                 f" straight crank; leave the {name} out of the machine"
             )
-    return {name: value for name, value in machine.items() if name in names}
+    # What may be repeated is a list, though the machine has one of it.
+    lists = {one.name for one in command.params if one.multiple}
+    return {
+        name: [value] if name in lists and isinstance(value, str) else value
+        for name, value in machine.items()
+        if name in names
+    }
