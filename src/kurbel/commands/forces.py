@@ -92,7 +92,7 @@ def _of_case(values: Mapping[str, Any]) -> Mapping[str, str]:
             which = "steam" if is_given(values["eps"]) or is_given(values["card"]) else "load"
             keys = "--eps or --card" if which == "steam" else f"--{loads.named(values)[0].replace('_', '-')}"
             own = _refused(("force",), f"does not go with the {which} of an engine, {keys}; leave it out")
-            newton_metres = "makes newton metres of the steam only with --bore; add that"
+            newton_metres = f"makes newton metres of the {which} only with --bore; add that"
             bare = not is_heavy(values) and values["bore"] is None
             return {
                 **own,

@@ -67,6 +67,7 @@ def words_of_cylinders(assembly: Assembly) -> LoadWords:
         newtons=own.newtons,
         lines=own.lines,
         captioned=False,
+        tag=lambda load: f"{len(assembly.cranks)} cylinders",
     )
 
 
