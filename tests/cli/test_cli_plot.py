@@ -884,7 +884,7 @@ REFUSALS = [
     ),
     (
         ("--mechanism", "parallel", "--positions", "30", "--ratio", "1:4"),
-        "--ratio does not belong to the parallel crank; it is for --mechanism straight, offset or arc",
+        "--ratio does not belong to the parallel crank; it is for --mechanism straight, offset, arc or beam",
     ),
     (
         ("--mechanism", "arc", "--rocker", "6", "--force", "9kN"),

@@ -93,7 +93,7 @@ def test_a_command_completes_the_layouts_of_its_subject_only() -> None:
     assert completed("bash", "delta", "--layout", "") == about(
         "irregularity", "strokes", "evenness", "compressor", "gas cycle"
     )
-    assert completed("bash", "turning", "--layout", "") == ["speed", "turning"]
+    assert completed("bash", "turning", "--layout", "") == ["speed", "turning", "turning-path"]
     assert completed("bash", "flywheel", "--layout", "") == ["flywheel"]
     assert completed("bash", "deadcentres", "--layout", "") == BEAMS
     assert completed("bash", "harmonics", "--layout", "h") == ["harmonics"]

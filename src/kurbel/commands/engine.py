@@ -141,9 +141,9 @@ def delta_table(
     >>> page = kurbel.delta_table(pressure_ratio="2..4", columns="pressure_ratio,mean_force,delta")
     >>> print(kurbel.typeset(page, "csv"), end="")
     pressure_ratio,mean_force,delta
-    2,-0.44127,1.282
-    3,-0.69940,1.374
-    4,-0.88254,1.423
+    2,-0.4413,1.282
+    3,-0.6994,1.374
+    4,-0.8825,1.423
     """
     names, method = as_names(columns, EXAMPLE), given["method"] or ()
     several = len({method} if isinstance(method, str) else {*method}) > 1
