@@ -12,6 +12,8 @@ from gas import Gas
 from places import ROOT
 
 import kurbel
+from kurbel.cli import COMMANDS
+from kurbel.cli.app import command_of
 
 SAMPLES = 400_000
 MACHINES = ROOT / "examples" / "machines"
@@ -116,13 +118,19 @@ def test_the_whole_cycle_of_a_four_stroke_machine_is_printed() -> None:
     assert [record["phi"] for record in page.records()] == [str(90 * step) for step in range(9)]
 
 
-def test_forces_of_a_machine_in_a_file_are_those_of_its_first_cylinder() -> None:
+@pytest.mark.parametrize(
+    ("number", "own"),
+    [
+        ("1", ("--eps=2.5", "--back=30%", "--bore=400mm", "--pressure=9bar", "--reciprocating=400kg")),
+        ("2", ("--eps=2", "--back=8%", "--bore=640mm", "--pressure=2.7bar", "--reciprocating=520kg")),
+    ],
+)
+def test_forces_of_a_cylinder_are_those_that_it_has_alone(number: str, own: tuple[str, ...]) -> None:
     words = ("--angle=50;200", "--columns=phi,rod_force_n", "-f", "csv")
-    several = printed("forces", "--machine", str(MACHINES / "compound.toml"), *words).records()
-    alone = printed(
-        "forces", "--eps=2.5", "--back=30%", "--bore=400mm", "--pressure=9bar", "--stroke=800mm",
-        "--ratio=1:5", "--speed=90/min", "--reciprocating=400kg", *words,
-    ).records()  # fmt: skip
+    of = ("--machine", str(MACHINES / "compound.toml"), f"--of={number}")
+    several = printed("forces", *of, *words).records()
+    common = ("--stroke=800mm", "--ratio=1:5", "--speed=90/min")
+    alone = printed("forces", *own, *common, *words).records()
     assert [one["rod_force_n"] for one in several] == [one["rod_force_n"] for one in alone]
 
 
@@ -220,6 +228,33 @@ def test_what_a_file_says_amiss_of_a_cylinder_is_named_with_its_line(
 )  # fmt: skip
 def test_cylinders_that_are_none_are_refused(cylinders: tuple[str, ...], said: str) -> None:
     assert said in refusal("delta", *(f"--cylinder={one}" for one in cylinders))
+
+
+def test_the_torque_is_that_of_all_whichever_cylinder_is_seen() -> None:
+    words = ("--machine", str(MACHINES / "compound.toml"), "--columns=phi,torque_nm", "-f", "csv")
+    first = printed("forces", *words, "--angle=130").records()
+    second = printed("forces", *words, "--of=2", "--angle=40").records()
+    assert first[0]["torque_nm"] == second[0]["torque_nm"]
+
+
+def test_every_command_takes_the_cylinders_of_a_machine_or_refuses_them() -> None:
+    options = {name: {param.name for param in command_of(name).params} for name in COMMANDS}
+    one = [name for name, own in options.items() if {"machine", "eps"} <= own and "cylinder" not in own]
+    assert one == ["pressures"]
+    machine = ("--machine", str(MACHINES / "compound.toml"))
+    assert "is about one" in refusal("pressures", *machine, code=1)
+    assert "are of one cylinder" in refusal("plot", "--pressures", *machine, "-o", "none.svg")
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ("--eps=4 --of=2", "--of names one of several cylinders; add each as --cylinder, or leave it out"),
+        ("--cylinder=eps=4 --of=2", "cylinder 2 was asked for, and the engine has 1"),
+    ],
+)
+def test_a_cylinder_that_there_is_not_has_no_forces(words: str, said: str) -> None:
+    assert said in refusal("forces", *words.split())
 
 
 def test_lists_of_cylinders_have_no_cranks_and_no_layout_of_a_load() -> None:

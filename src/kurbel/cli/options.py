@@ -284,6 +284,11 @@ def machine_defaults(command: click.Command, file: File) -> dict[str, Any]:
                 f"{file}: crank.{name} is {machine[name]}, and kurbel {command.name} is about the"
                 f" straight crank; leave the {name} out of the machine"
             )
+    if machine.get("cylinder") and "cylinder" not in names and "eps" in names:
+        raise MachineError(
+            f"{file}: the machine has a list of cylinders, and kurbel {command.name} is about one; leave the"
+            " list out, and what one has in the sections"
+        )
     # What may be repeated is a list, though the machine has one of it.
     lists = {one.name for one in command.params if one.multiple}
     return {

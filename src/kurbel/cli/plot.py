@@ -43,7 +43,7 @@ FLAGS = {
 }
 # The options that all drawings have, or that say which one it is, or where it goes.
 SHARED = frozenset(("positions", *FLAGS, "ratio", "format", "output", "lang", "decimal"))
-OF_ENGINES = frozenset((*STEAM, "cranks", "bore", "pressure", *MASSES))
+OF_ENGINES = frozenset((*STEAM, "cranks", "cylinder", "of", "bore", "pressure", *MASSES))
 
 
 class Kind(NamedTuple):
@@ -81,6 +81,8 @@ class PlotCommand(MakingCommand):
     def made(self, given: Given) -> tuple[Drawing, int]:
         """Return the drawing, and the exit code of the command."""
         kind = _kind(given)
+        if given.values["cylinder"] and "eps" in kind.takes and "cylinder" not in kind.takes:
+            raise ProblemError(f"{kind.name} are of one cylinder, and the machine has a list; leave that out")
         for name in set(given.values) - SHARED - kind.takes:
             given.drop(name)
         return kind.command.ask(**resolved(kind.command, given, RIVALS["plot"])), 0
@@ -161,7 +163,8 @@ def _params() -> list[click.Parameter]:
     ]  # fmt: skip
     order = (
         "ratio", "columns", "over", "method", "from", "to", "step", "offset", "stroke", "rod", "speed",
-        "force", "mechanism", "rocker", "pivot", "beam", *STEAM, "cranks", "bore", "pressure", *MASSES,
+        "force", "mechanism", "rocker", "pivot", "beam", *STEAM, "cranks", "cylinder", "of", "bore",
+        "pressure", *MASSES,
     )  # fmt: skip
     return [
         machine_option(), own["positions"], *flags, *(own[name] for name in order), *output,

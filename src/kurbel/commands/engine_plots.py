@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
+from kurbel.commands.cylinder.given import Cylinders, Of
 from kurbel.commands.machines import engine_of, is_heavy, load_of, over_cycle
 from kurbel.commands.motion import of_other_mechanisms
 from kurbel.commands.options import Choice, Option
@@ -24,6 +25,7 @@ ENGINE_LAYOUT, MACHINE_LAYOUT = "engine-forces", "machine-forces"
 class Drawn(option.Cylinder, option.MovingRod, option.AnyDrive, total=False):
     """An engine, as it is drawn."""
 
+    cylinder: Cylinders
     ratio: option.Ratios
     method: option.Method
     from_: option.From
@@ -44,25 +46,25 @@ def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
 
 @draws(foreign=_foreign)
 def plot_engine_forces(
-    eps: option.Eps = None, *, columns: DrawnColumns = (), **given: Unpack[Drawn]
+    eps: option.Eps = None, *, of: Of = None, columns: DrawnColumns = (), **given: Unpack[Drawn]
 ) -> Drawing:
     """Draw the forces in the crank drive of a steam engine, those of the first crank."""
     from kurbel.plot.drawings import curves_drawing
     from kurbel.plot.engine import FORCES, force_panels
 
     mark = mark_of(given["lang"], given["decimal"])
-    question = _force_question({**given, "eps": eps}, FORCES, columns)
+    question = _force_question({**given, "eps": eps, "of": of}, FORCES, columns)
     return Drawing.of(curves_drawing(question, force_panels(question), mark), given["lang"], mark)
 
 
 @draws(foreign=_foreign)
-def plot_engine_polar(eps: option.Eps = None, **given: Unpack[Drawn]) -> Drawing:
+def plot_engine_polar(eps: option.Eps = None, *, of: Of = None, **given: Unpack[Drawn]) -> Drawing:
     """Draw the polar diagram of the force on the crank pin of a steam engine."""
     from kurbel.plot.drawings import polar_drawing
     from kurbel.plot.engine import PIN_FORCE, engine_pin_force
 
     mark = mark_of(given["lang"], given["decimal"])
-    question = _force_question({**given, "eps": eps}, PIN_FORCE)
+    question = _force_question({**given, "eps": eps, "of": of}, PIN_FORCE)
     only(question.steams, "polar", question.words.several)
     only(question.drives, "polar", "ratios")
     return Drawing.of(polar_drawing(question, engine_pin_force(question), mark), given["lang"], mark)

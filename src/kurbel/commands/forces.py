@@ -5,6 +5,7 @@ from typing import Annotated, Any, Unpack
 
 from kurbel.commands import loads
 from kurbel.commands import parameters as option
+from kurbel.commands.cylinder.given import Of
 from kurbel.commands.loads import NAMES, OWN, PARTS
 from kurbel.commands.machines import (
     MASSES,
@@ -72,7 +73,8 @@ def _about(values: Mapping[str, Any]) -> str:
     subject = layout(values["layout"], values["layouts"]).subject if values["layout"] else ""
     if values["at"] is not None or subject == "tangent":
         return "tangent"
-    return "engine" if loads.named(values) and subject != "motion" else "piston"
+    engine = loads.named(values) or is_given(values["of"])
+    return "engine" if engine and subject != "motion" else "piston"
 
 
 def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
@@ -125,6 +127,7 @@ class Forces(option.Run, option.AnyDrive, option.Steam, option.MovingRod, option
         Exact | None, Option("With --axles: which of them the force F drives; default 1, the first.", "N")
     ]
     eps: option.Eps
+    of: Of
     reciprocating: option.Reciprocating
     rotating: option.Rotating
     rocker_inertia: option.RockerInertia

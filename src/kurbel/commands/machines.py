@@ -255,14 +255,19 @@ def engine_of(
 
     cranks, methods = given.get("cranks"), given["method"] or ()
     if is_given(given.get("cylinder")):
-        from kurbel.commands.cylinder.several import assembly_of
+        from kurbel.commands.cylinder.several import assembly_of, seen_from
 
         assembly = assembly_of(page, given)
+        numbers: tuple[int, ...] = ()
+        if given.get("of") is not None:
+            assembly, numbers = seen_from(assembly, given["of"])
         first = assembly.first
         about: dict[str, Any] = {
             "steams": [first.steam], "drives": [first.drive], "double": first.double, "load": first.load,
-            "assembly": assembly, "cranks": assembly.cranks,
+            "assembly": assembly, "cranks": assembly.cranks, "numbers": numbers,
         }  # fmt: skip
+    elif given.get("of") is not None:
+        raise ProblemError("--of names one of several cylinders; add each as --cylinder, or leave it out")
     else:
         about = {
             **described_engines(page, given), "cranks": as_crank_angles("0" if cranks is None else cranks)

@@ -169,7 +169,7 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
     else:
         from kurbel.engine.several import cylinder_notes
 
-        yield from cylinder_notes(request.assembly, lang)
+        yield from cylinder_notes(request.assembly, request.numbers, lang)
     yield from request.mechanism.loaded_notes(request.drives, lang)
     if request.driven:
         yield WORDS["driven"][lang]

@@ -73,7 +73,7 @@ class EngineRequest(Question):
 
     `double` and `cranks` are those of Engine. `methods` empty leaves them to the layout, or is exact.
     `flywheels` are what is asked for, `wheel` is the one given. An engine of unlike cylinders is an
-    `assembly`, of whose first cylinder the others are.
+    `assembly`; `numbers` are those of its cylinders where they are in another order.
     """
 
     steams: Sequence[Acting]
@@ -87,6 +87,7 @@ class EngineRequest(Question):
     wheel: Wheel | None = None
     load: Load | None = None
     assembly: Assembly | None = None
+    numbers: tuple[int, ...] = ()
 
     def check(self) -> None:
         self._check_lists()

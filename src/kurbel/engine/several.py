@@ -20,13 +20,13 @@ if TYPE_CHECKING:
 WORDS = {
     "cylinder": words("Zylinder {number}: |Cylinder {number}: "),
     "stroke": words("Hub|stroke"),
-    "lag": words("um {angle} hinter dem ersten|{angle} behind the first"),
+    "lag": words("um {angle} hinter Zylinder {number}|{angle} behind cylinder {number}"),
     "single": words("einfachwirkend|single-acting"),
     "count": words("{count} Zylinder|{count} cylinders"),
 }
 _FORCES = words(
-    "; $Q$ und $r$ des ersten Zylinders, auf die alle Kräfte und Momente bezogen sind"
-    "|; $Q$ and $r$ of the first cylinder, which all forces and moments are referred to"
+    "; $Q$, $r$ und $φ$ des zuerst genannten Zylinders, auf die alle Kräfte und Momente bezogen sind"
+    "|; $Q$, $r$ and $φ$ of the cylinder named first, which all forces and moments are referred to"
 )
 _MACHINE = words("der Maschine mit {count} Zylindern|of the engine of {count} cylinders")
 
@@ -71,15 +71,18 @@ def words_of_cylinders(assembly: Assembly) -> LoadWords:
     )
 
 
-def cylinder_notes(assembly: Assembly, lang: str) -> Iterator[Label]:
+def cylinder_notes(assembly: Assembly, numbers: Sequence[int], lang: str) -> Iterator[Label]:
     """Yield a line for each cylinder: its size, its place, its load."""
-    for number, part in enumerate(assembly.parts, 1):
-        yield WORDS["cylinder"][lang].format(number=number) + "; ".join(_said(part, lang))
+    numbers = numbers or range(1, len(assembly.parts) + 1)
+    for number, part in zip(numbers, assembly.parts, strict=True):
+        yield WORDS["cylinder"][lang].format(number=number) + "; ".join(_said(part, numbers[0], lang))
 
 
 def masses_notes(request: EngineRequest, lang: str) -> Iterator[Label]:
     """Yield the masses, those of each cylinder with its number where they differ."""
-    parts = [(number, part.crank) for number, part in enumerate(request.first.parts, 1) if part.crank.moving]
+    numbers = request.numbers or range(1, len(request.first.parts) + 1)
+    every = zip(numbers, request.first.parts, strict=True)
+    parts = [(number, part.crank) for number, part in every if part.crank.moving]
     same = len({crank for _, crank in parts}) == 1
     for number, crank in parts[:1] if same else parts:
         prefix = "" if same else WORDS["cylinder"][lang].format(number=number)
@@ -87,7 +90,7 @@ def masses_notes(request: EngineRequest, lang: str) -> Iterator[Label]:
             yield prefix + note
 
 
-def _said(part: Engine, lang: str) -> Iterator[Label]:
+def _said(part: Engine, first: int, lang: str) -> Iterator[Label]:
     alone = _Alone(part)
     if part.load is not None:
         yield alone.words.newtons(part.steam, part.load)
@@ -96,7 +99,7 @@ def _said(part: Engine, lang: str) -> Iterator[Label]:
         sizes = f'{WORDS["stroke"][lang]} ${plain(2000 * part.crank.radius)} "mm"$, {sizes}'
     yield sizes
     if part.lag:
-        yield WORDS["lag"][lang].format(angle=f"${angle_text(part.lag)}$")
+        yield WORDS["lag"][lang].format(angle=f"${angle_text(part.lag)}$", number=first)
     label = alone.words.label(part.steam, lang)
     letter = alone.words.symbol.strip("$")
     if alone.words.captioned:

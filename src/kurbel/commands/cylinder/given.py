@@ -5,6 +5,7 @@ from typing import Annotated, Any, TypeAlias
 
 from kurbel.commands.options import Kind, Option
 from kurbel.errors import NotationError
+from kurbel.reading.given import Exact
 
 Described: TypeAlias = str | Mapping[str, Any]
 EXAMPLE = "angle=90 bore=500mm pressure=3bar eps=2"
@@ -53,3 +54,7 @@ Cylinders = Annotated[
         "ENTRIES", OneCylinder(), many=True,
     ),
 ]  # fmt: skip
+Of = Annotated[
+    Exact | None,
+    Option("Of several cylinders unlike: the one whose forces these are; default 1, the first.", "NUMBER"),
+]

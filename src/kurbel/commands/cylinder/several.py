@@ -9,6 +9,7 @@ from kurbel.commands.options import is_given
 from kurbel.errors import KurbelError, ProblemError
 from kurbel.page.layouts import Layout
 from kurbel.reading.given import as_angle, as_number
+from kurbel.reading.notation import about
 
 if TYPE_CHECKING:
     from kurbel.engine.assembly import Assembly
@@ -33,6 +34,20 @@ def assembly_of(page: Layout, given: Mapping[str, Any]) -> "Assembly":
     parts = [_part(number, page, merged(given, own)) for number, own in enumerate(described, 1)]
     lags = lags_of(described, [part.steam for part in parts])
     return Assembly(tuple(_behind(part, lag) for part, lag in zip(parts, lags, strict=True)))
+
+
+def seen_from(assembly: "Assembly", chosen: Any) -> tuple["Assembly", tuple[int, ...]]:
+    """Return the engine with a cylinder, by its number, in the first place, and the numbers of all."""
+    from kurbel.engine.assembly import Assembly
+
+    parts, number = assembly.parts, as_number(chosen, "cylinder")
+    if number not in range(1, len(parts) + 1):
+        raise ProblemError(f"cylinder {about(number)} was asked for, and the engine has {len(parts)}")
+    index = int(number) - 1
+    cycle = 180 * max(getattr(part.steam, "strokes_of_cycle", 2) for part in parts)
+    order = [index, *(one for one in range(len(parts)) if one != index)]
+    turned = (_behind(parts[one], (parts[one].lag - parts[index].lag) % cycle) for one in order)
+    return Assembly(tuple(turned)), tuple(one + 1 for one in order)
 
 
 def whole_cycle(given: Mapping[str, Any]) -> Fraction:
