@@ -195,7 +195,9 @@ class Cylinder(Loads, total=False):
     """What acts in a cylinder, beside the expansion ratio of its steam."""
 
     back: Annotated[Exact | None, BACK]
-    exponent: Annotated[Exact | None, Option("n of p Vⁿ = const.; default 1, Mariotte's law.", "N")]
+    exponent: Annotated[
+        Exact | None, Option("n of p Vⁿ = const.; default 1, Mariotte's law, of gas engines 1.4.", "N")
+    ]
     clearance: Annotated[Exact | None, Option("Clearance as a share of the swept volume: 0.05, 5%.", "C")]
     card: Annotated[
         Path | Iterable[Path] | None,
@@ -206,7 +208,7 @@ class Cylinder(Loads, total=False):
     other_side: Annotated[
         Exact | None,
         Option(
-            "With --card and --single-acting: pressure on the piston's other face, 1bar.",
+            "With --single-acting and --card or --pressure-ratio: pressure on the piston's other face, 1bar.",
             "PRESSURE",
             unit="Pa",
         ),
@@ -214,7 +216,8 @@ class Cylinder(Loads, total=False):
     single_acting: Annotated[
         bool,
         Option(
-            "Steam works on the outstroke only; on the return both faces have the back pressure.",
+            "One end works: steam on the outstroke only, and on the return both faces have the"
+            " back pressure; a compressor sucks on the outstroke and delivers on the return.",
             kind=FLAG,
             default=False,
         ),
