@@ -133,6 +133,17 @@ def test_card_of_the_ideal_engine_has_its_speed_and_time() -> None:
         ("delta --inertia 9kgm2 --speed 2/s", "--inertia needs the mean torque that it takes up"),
         ("delta --inertia 9kg --speed 2/s --power 5kW", "is in kilogram; it must be a moment of inertia"),
         ("delta --power 50kW", "--power is for --inertia"),
+        ("delta --resistance square", "--resistance is for a flywheel; add --flywheel or --inertia"),
+        ("delta --flywheel 9 --resistance cube", "choose from constant, square"),
+        (
+            "delta --pressure-ratio 3 --flywheel 9 --resistance square",
+            "the speed of a driven machine is computed against a constant torque; leave --resistance out",
+        ),
+        (
+            "delta --eps 4 --inertia 5kgm2 --power 50kW --speed 2/s --resistance square",
+            "as if there were none; J must be above 5.76 kg m²",
+        ),
+        ("turning --flywheel 9 --resistance square --columns time", "column time needs the mean speed,"),
         ("delta --flywheel 0", "is 0; it must lie within 10^-9 and 10^12"),
         ("turning --flywheel 50 --bore 300mm", "--bore is for moving masses"),
     ],
@@ -238,3 +249,33 @@ def test_time_is_the_integral_of_the_slowness(command: str) -> None:
     elapsed = step / 3 * (slow[0] + 4 * slow[1::2].sum() + 2 * slow[2:-1:2].sum() + slow[-1])
     start, end = rows(f"{asked} time --angle {low};{high}")
     assert_allclose(end["time"] - start["time"], elapsed, rtol=1e-8)
+
+
+@pytest.mark.parametrize(
+    ("expansion", "ratio", "offset", "cranks", "resistance"),
+    [
+        (Fraction(4), Fraction(1, 5), Fraction(0), (0,), 0.12),
+        (Fraction(3), Fraction(1, 4), Fraction(1, 5), (0, 140), 0.3),
+    ],
+)
+def test_against_the_square_of_the_speed_it_is_that_of_the_equation_of_motion(
+    expansion: Fraction, ratio: Fraction, offset: Fraction, cranks: tuple[int, ...], resistance: float
+) -> None:
+    back = Fraction(1, 7)
+    shaft = Shaft(1.0, float(expansion), float(back), float(1 / ratio), float(offset), True, cranks)
+    motion = Motion(shaft, resistance)
+    first = motion.steady()
+    speeds, _ = motion.turn(first, ANGLES)
+    least, greatest = motion.extremes(first)
+    number = first**2 / motion.mean
+    engine = Engine(Crank(ratio, offset), Steam(expansion, back), True, tuple(map(Fraction, cranks)))
+    turn, square = turn_of(engine, "exact"), "square"
+    at_mean = number * ((least + greatest) / 2 / first) ** 2
+    inertia = Wheel(None, Fraction(100), Speed(TURNS), Fraction(100 * (4 * math.pi) ** 3 / at_mean), square)
+    places = [Fraction(round(math.degrees(one))) / 180 for one in ANGLES]
+    with flint.ctx.workprec(BITS):
+        run = run_of(turn, inertia if offset else Wheel(Fraction(number), resistance=square))
+        assert_allclose(float(run.number), number, rtol=1e-8)
+        assert_allclose([float(run.speed(one)) for one in places], speeds[:-1] / first, rtol=1e-9)
+        extremes = [float(run.extreme_speed(one)) * first for one in (False, True)]
+        assert_allclose(extremes, [least, greatest], rtol=1e-8)

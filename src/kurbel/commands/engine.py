@@ -15,7 +15,7 @@ from kurbel.commands.machines import (
     whole_cycle,
 )
 from kurbel.commands.motion import STEP, meant, of_other_mechanisms
-from kurbel.commands.options import FLAG, Option, is_given
+from kurbel.commands.options import FLAG, Choice, Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.errors import ProblemError
 from kurbel.page.layouts import Layout, layout_of
@@ -66,6 +66,13 @@ class Turning(option.Engine, total=False):
     power: Annotated[
         Exact | None, Option("Power of the engine, for --inertia: 50kW, 68PS.", "POWER", unit="W")
     ]
+    resistance: Annotated[
+        str | None,
+        Option(
+            "Torque that the engine turns against: constant (default), or square of the speed.",
+            kind=Choice("resistance", "kurbel.drive.wheel:RESISTANCES"),
+        ),
+    ]
 
 
 def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
@@ -83,6 +90,8 @@ def _of_wheel(values: Mapping[str, Any]) -> Mapping[str, str]:
         refused["power"] = "--power is for --inertia, whose flywheel is weighed against it; leave it out"
     if is_heavy(values):
         refused["power"] = WITH_MASSES
+    if not given:
+        refused["resistance"] = "--resistance is for a flywheel; add --flywheel or --inertia"
     if given and (instead := _without_wheel(values)):
         refused |= {name: f"--{name} says nothing on this page; {instead}" for name in given}
     return refused

@@ -185,6 +185,7 @@ class Flywheel(Section):
         name="number", default=None
     )
     inertia: Annotated[One | None, about('or by its moment of inertia, such as "1200kgm2"')] = None
+    resistance: Annotated[One | None, about("torque that it turns against: constant or square")] = None
 
 
 # What all cylinders have in common, or what is another thing in a cylinder's table.

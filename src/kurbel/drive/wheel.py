@@ -43,6 +43,15 @@ class Wheel:
             _check("the power", self.power, " W")
 
     @property
+    def letter(self) -> str:
+        """What sentences call what it is given by."""
+        return "m₁v₁²/(P r)" if self.inertia is None else "J"
+
+    @property
+    def unit(self) -> str:
+        return "" if self.inertia is None else " kg m²"
+
+    @property
     def named(self) -> str:
         """What sentences call it."""
         if self.inertia is not None:

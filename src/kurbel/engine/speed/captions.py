@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from kurbel.drive.wheel import SQUARE, Wheel
 from kurbel.engine import captions
 from kurbel.engine.request import EngineRequest
 from kurbel.exact.numerals import Label
@@ -17,6 +18,10 @@ WORDS = {
     "first_order": words(
         "$v/v_1 = 1 + W/(m_1 v_1^2)$, erste Ordnung nach Weisbach"
         "|$v/v_1 = 1 + W/(m_1 v_1^2)$, to first order, by Weisbach"
+    ),
+    "square_law": words(
+        "$J ω (d ω)/(d φ) = (T - P ω^2/Ω^2) r$ im Beharrungszustand, $Ω^2$ Mittel von $ω^2$ über den Winkel"
+        "|$J ω (d ω)/(d φ) = (T - P ω^2/Ω^2) r$ in steady state, $Ω^2$ the mean of $ω^2$ over the angle"
     ),
     "letters": words(
         "$v_1$ Kurbelgeschwindigkeit im inneren Totpunkt, $m_1 = J/r^2$ Schwungmasse am Kurbelhalbmesser $r$,"
@@ -40,6 +45,9 @@ WORDS = {
         '$n$ gegeben als Mittel $1/2 (n_"max" + n_"min")$|$n$ given as the mean $1/2 (n_"max" + n_"min")$'
     ),
     "constant": words("Widerstandsmoment gleichbleibend|constant resisting torque"),
+    "square": words(
+        "Widerstandsmoment wie das Quadrat der Geschwindigkeit|resisting torque as the square of the speed"
+    ),
     "constant_driven": words("Antriebsmoment gleichbleibend|constant driving torque"),
     "delta_mean": words('$δ_m = (v_"max" - v_"min")/v_m$, $v_m = 1/2 (v_"max" + v_"min")$'),
     "delta_first": words(
@@ -53,20 +61,21 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
     lang = request.lang
     methods = dict.fromkeys(method for column in request.page_columns for method in column.methods)
     laws = dict.fromkeys("first_order" if one == "weisbach" else "root" for one in methods)
-    heavy = request.first.crank.moving is not None
-    yield "; ".join([WORDS[law][lang] for law in (("masses",) if heavy else laws)])
+    heavy, wheel = request.first.crank.moving is not None, request.wheel
+    assert wheel is not None
+    others = {"masses": heavy, "square_law": wheel.resistance == SQUARE}
+    own = [law for law, holds in others.items() if holds]
+    yield "; ".join([WORDS[law][lang] for law in own or laws])
     yield WORDS["letters"][lang]
     if heavy:
         yield WORDS["even"][lang]
     keys = {column.key.rpartition("_")[2] for column in request.page_columns if "_" in column.key}
     yield from (WORDS[f"delta_{one}"][lang] for one in ("mean", "first") if one in keys)
-    yield "; ".join(_wheel(request, lang))
+    yield "; ".join(_wheel(request, wheel, lang))
     yield from captions.notes(request)
 
 
-def _wheel(request: EngineRequest, lang: str) -> Iterator[Label]:
-    wheel = request.wheel
-    assert wheel is not None
+def _wheel(request: EngineRequest, wheel: Wheel, lang: str) -> Iterator[Label]:
     if wheel.number is not None:
         yield f"$(m_1 v_1^2)/(P r) = {plain(wheel.number)}$"
     if wheel.inertia is not None:
@@ -75,4 +84,4 @@ def _wheel(request: EngineRequest, lang: str) -> Iterator[Label]:
         yield f"{turns_label(wheel.speed)}, {WORDS['mean'][lang]}"
     if wheel.power is not None and wheel.inertia is not None:
         yield f'$N = {plain(wheel.power)} "W"$'
-    yield WORDS["constant_driven" if request.driven else "constant"][lang]
+    yield WORDS["constant_driven" if request.driven else wheel.resistance][lang]

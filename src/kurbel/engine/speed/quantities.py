@@ -54,7 +54,8 @@ def _speed_entries() -> Iterator[Quantity]:
     yield _entry("time", "Zeit|Time", "$t$", "s", AT_SPEED, 5,
                  lambda run, where: run.time(where.half_turns),
                  direction=words("$t$ seit dem inneren Totpunkt der ersten Kurbel"
-                                 "|$t$ since the inner dead centre of the first crank"), **turns)  # fmt: skip
+                                 "|$t$ since the inner dead centre of the first crank"),
+                 needs="clock")  # fmt: skip
 
 
 def _evenness_entries() -> Iterator[Quantity]:

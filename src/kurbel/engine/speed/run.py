@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, NoReturn
 
 import flint
 
-from kurbel.drive.wheel import Wheel
+from kurbel.drive.wheel import SQUARE, Wheel
 from kurbel.engine.cylinder import AnyTurn, Cylinder
 from kurbel.engine.turn import Piece, Turn
 from kurbel.errors import ProblemError
@@ -122,10 +122,9 @@ class AnyRun(ABC):
 
     def refuse(self, degrees: float, bound: Number) -> NoReturn:
         """Raise ProblemError for a flywheel that would come to rest at an angle, with its bound."""
-        unit, letter = (" kg m²", "J") if self.wheel.inertia is not None else ("", "m₁v₁²/(P r)")
         raise ProblemError(
             f"{self.wheel.named} is too light to pass the turn: at φ = {plain(Fraction(f'{degrees:.1f}'))}°"
-            f" it would come to rest; {letter} must be above {_above(bound)}{unit}"
+            f" it would come to rest; {self.wheel.letter} must be above {above(bound)}{self.wheel.unit}"
         )
 
 
@@ -219,6 +218,8 @@ class Run(AnyRun):
 @lru_cache(KEPT)
 def run_of(turn: AnyTurn, wheel: Wheel) -> AnyRun:
     """Return the engine's run with the flywheel; the latest ones are kept."""
+    if wheel.resistance == SQUARE:
+        return _against_square(turn, wheel)
     if any(part.crank.moving is not None for part in turn.engine.parts):
         from kurbel.engine.speed.heavy import HeavyRun
 
@@ -232,7 +233,7 @@ def run_of(turn: AnyTurn, wheel: Wheel) -> AnyRun:
     return Run(turn, wheel)
 
 
-def _above(bound: Number) -> str:
+def above(bound: Number) -> str:
     """Return a number to three figures, rounded up."""
     value = float(bound)
     decimals = 2 - floor(log10(value))
@@ -248,3 +249,22 @@ def energy_on(cylinders: Sequence[Cylinder], piece: Piece, place: Number) -> Num
 def energy_before(turn: AnyTurn) -> Number:
     """Return these energies at the dead centre from which excess work counts."""
     return sum(turn.cylinders[part].energy(*begun) for part, *begun in turn.begun())
+
+
+def _against_square(turn: AnyTurn, wheel: Wheel) -> AnyRun:
+    """Return the run against the square of the speed. Raises ProblemError where that is not computed."""
+    from kurbel.engine.speed.square import SquareRun
+
+    moving = any(part.crank.moving is not None for part in turn.engine.parts)
+    for unknown, instead in (
+        (not isinstance(turn, Turn), "of an indicator card"),
+        (moving, "with moving masses"),
+        (turn.method == "weisbach", "by Weisbach's method"),
+        (not turn.mean_force() > 0, "of a driven machine"),
+    ):
+        if unknown:
+            raise ProblemError(
+                f"the speed {instead} is computed against a constant torque; leave --resistance out"
+            )
+    assert isinstance(turn, Turn)
+    return SquareRun(turn, wheel)

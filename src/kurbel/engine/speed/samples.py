@@ -1,24 +1,31 @@
-"""A first value of the speed at the dead centre, from samples of the turn in floats."""
+"""First values of what balls then enclose, from samples of the turn in floats."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
+from itertools import pairwise
+from math import exp, pi
 from typing import TYPE_CHECKING
 
 import flint
 
 from kurbel.engine.speed.moving import course_at
+from kurbel.engine.speed.run import above
+from kurbel.errors import ProblemError
 from kurbel.exact.roots import ISOLATING_BITS
 
 if TYPE_CHECKING:
     from kurbel.engine.speed.heavy import HeavyRun
+    from kurbel.engine.speed.square import SquareRun
 
 # In a turn; a multiple of all that cranks are usually apart.
 SAMPLES = 720
 HALVINGS = 80
 # s₁ is below 2, for the mean speed is 1 and no speed is below 0.
 MOST = 4.0
+# The lag of the speed, 1/a in radians.
+LEAST_LAG, MOST_LAG = 0.15, 1e6
 # The mean speed is hit so nearly, or none of the run is.
 NEAR = 1e-6
 
@@ -53,6 +60,77 @@ def first_start(run: HeavyRun) -> Fraction:
     return Fraction(start)
 
 
+def first_decay(run: SquareRun) -> Fraction:
+    """Return a nearly. Raises ProblemError for a flywheel that comes to rest."""
+    turns = run.turn.cycle // 2
+    with flint.ctx.workprec(ISOLATING_BITS):
+        mean, first = run.turn.mean_force(), run.turn.pieces[0].start
+        works = [
+            float(run.turn.energy_at(first + Fraction(2 * step, SAMPLES)) / mean)
+            for step in range(turns * SAMPLES)
+        ]
+        weight = float(run.at_mean) if run.wheel.number is None else float(run.wheel.number)
+
+    def weight_of(level: Sequence[float]) -> float | None:
+        """What the flywheel would be, by its number or its inertia, None where it comes to rest."""
+        mean = _mean(level)
+        if mean is None:
+            return None
+        return 2 * (level[0] if run.wheel.number is not None else mean * mean)
+
+    def solved(factor: float) -> float | None:
+        low, high = 0.0, MOST_LAG
+        for _ in range(HALVINGS):
+            middle = (low + high) / 2
+            found = weight_of(_level(works, middle))
+            low, high = (middle, high) if found is None or found < factor * weight else (low, middle)
+        found = weight_of(_level(works, high))
+        return high if found is not None and abs(found - factor * weight) < NEAR * found else None
+
+    lag = solved(1.0)
+    given = run.wheel.inertia if run.wheel.number is None else run.wheel.number
+    assert given is not None
+    if lag is not None and lag < LEAST_LAG:
+        factor = weight_of(_level(works, LEAST_LAG))
+        assert factor is not None
+        raise ProblemError(
+            f"{run.wheel.named} is too light: the speed follows the torque at every angle, as if there were"
+            f" none; {run.wheel.letter} must be above {above(float(given) * factor / weight)}{run.wheel.unit}"
+        )
+    if lag is None:
+        factor = _least_factor(solved)
+        level = _level(works, solved(factor) or MOST_LAG)
+        place = 360 * level.index(min(level)) / SAMPLES + 180 * float(first)
+        run.refuse(place, float(given) * factor)
+    return Fraction(1 / lag)
+
+
+def _level(works: Sequence[float], lag: float) -> list[float]:
+    """h at all samples, of a = 1/lag."""
+    step = 2 * pi / SAMPLES
+    kept = exp(-step / lag)
+    # y over a step in which w goes in a straight line.
+    left, right = _weights(step / lag)
+    gains = [-(left * one + right * other) for one, other in pairwise([*works, works[0]])]
+    total = 0.0
+    for gain in gains:
+        total = kept * total + gain
+    first = total / (1 - kept ** len(works))
+    level = []
+    for work, gain in zip(works, gains, strict=True):
+        level.append(lag + work + first)
+        first = kept * first + gain
+    return level
+
+
+def _weights(share: float) -> tuple[float, float]:
+    """The weights of w at both ends of a step, ∫ e^(t - share) dt over it times a straight line."""
+    if share < 1e-3:
+        return share / 2 - share * share / 3, share / 2 - share * share / 6
+    end = (1 - exp(-share)) / share
+    return end - exp(-share), 1 - end
+
+
 def _solved(squares: Callable[[float], Sequence[float]]) -> float | None:
     """Return the u at which the mean speed is 1, None if there is none."""
     low, high = 0.0, MOST
@@ -75,8 +153,12 @@ def _slowest(squares: Callable[[float], Sequence[float]]) -> float:
 
 def _least_factor(found: Callable[[float], float | None]) -> float:
     low, high = 1.0, 2.0
-    while found(high) is None:
+    for _ in range(HALVINGS):
+        if found(high) is not None:
+            break
         low, high = high, 2 * high
+    else:
+        raise ProblemError("the speed over the turn is not settled; give slightly other numbers")
     for _ in range(HALVINGS // 4):
         middle = (low + high) / 2
         low, high = (middle, high) if found(middle) is None else (low, middle)
