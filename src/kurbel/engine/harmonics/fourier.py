@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import flint
 
-from kurbel.engine.speed.clock import Span, spans
+from kurbel.engine.speed.integral import Span, spans
 from kurbel.engine.turn import Turn
 from kurbel.exact.certify import ball
 from kurbel.exact.continued import Continued, continued, half_turn_circle

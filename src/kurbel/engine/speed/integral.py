@@ -47,7 +47,7 @@ class Integral:
 
     def __init__(self, turn: Turn, integrand: Integrand) -> None:
         self.turn, self.integrand = turn, integrand
-        self.spans = tuple(_spans(turn))
+        self.spans = tuple(spans(turn))
         self.cylinders = turn.cylinders_on(continued(), half_turn_circle)
         self.places, self.values = [turn.pieces[0].start], [flint.arb(0)]
 
@@ -105,7 +105,7 @@ class Integral:
         return reduce(lambda one, other: one.union(other), values)
 
 
-def _spans(turn: Turn) -> Iterator[Span]:
+def spans(turn: Turn) -> Iterator[Span]:
     """Yield what lies between dead centres and corners, and the gaps that hold these, over a cycle."""
     first = turn.pieces[0]
     last = first._replace(start=first.start + turn.cycle)
