@@ -88,6 +88,7 @@ class Step(NamedTuple):
 
 # A second value of the unknown.
 _OTHER = "other"
+_NOTHING = Form("0")
 
 
 def found(step: Step) -> Finding:
@@ -102,7 +103,9 @@ def found(step: Step) -> Finding:
 
 def _found(step: Step, free: frozenset[str], sign: int) -> Finding:
     if _proved(step, free, sign):
-        return Finding(HOLDS)
+        # Nothing is a multiple of every equation.
+        empty = step.relation == SAME and _proved(step._replace(before=_NOTHING, relation=EQUAL), free, sign)
+        return Finding(UNSETTLED if empty else HOLDS)
     if step.relation == SAME:
         return Finding(OTHER if any(_other_roots(step, free - {_OTHER}, sign)) else UNSETTLED)
     if step.relation == NEARLY:

@@ -19,6 +19,8 @@ from kurbel.errors import NotationError
 FUNCTIONS = ("sin", "cos", "tan", "cot", "sqrt", "ln", "arcsin", "arctan")
 PI, SLOPE = "pi", "slope"
 HIGHEST = 10
+# A slope in a slope doubles the work.
+MOST_SLOPES = 4
 
 
 class Algebra(Protocol):
@@ -37,6 +39,8 @@ class Form:
         self.text = text
         self._tree = parsed(text, {})
         self.letters = frozenset(_letters(self._tree, text))
+        if text.count(SLOPE) > MOST_SLOPES:
+            raise NotationError(f'"{text[:60]}" has more than {MOST_SLOPES} slopes')
 
     def value(self, letters: Letters) -> Any:
         """Return the value on the numbers of an algebra, with those of its letters."""

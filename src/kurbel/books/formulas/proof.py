@@ -28,6 +28,8 @@ Circle: TypeAlias = tuple[Quotient, Quotient]
 PARTS = (1, 2, 4)
 # Sine and cosine of 0°, 90°, 180°, 270°.
 _QUARTERS = ((0, 1), (1, 0), (0, -1), (-1, 0))
+# Of which an angle is made.
+MOST_PARTS = 64
 # Whose squares are taken out of a root.
 LARGEST_PRIME = 100
 
@@ -98,8 +100,8 @@ class Symbols:
             of_quarter = _QUARTERS[int(2 * factor) % 4]
             return self.of(Fraction(of_quarter[0])), self.of(Fraction(of_quarter[1]))
         count = factor if letter in self._whole else factor * self.parts
-        if count.denominator != 1:
-            raise UnprovableError("a part of an angle is too small")
+        if count.denominator != 1 or abs(count) > MOST_PARTS:
+            raise UnprovableError("a part of an angle is too small, or the angle too many")
         sine, cosine = self.of(Fraction(0)), self.of(Fraction(1))
         step_sine, step_cosine = self._step(letter)
         for _ in range(abs(int(count))):

@@ -14,7 +14,7 @@ import re
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, NamedTuple
 
-from kurbel.books.formulas.form import Form
+from kurbel.books.formulas.form import SLOPE, Form
 from kurbel.errors import ChoiceError, LayoutError, NotationError, SourceError
 from kurbel.page.formula import GREEK
 from kurbel.page.labels import parse
@@ -28,6 +28,8 @@ if TYPE_CHECKING:
 KIND = Kind("source", "formula", SourceError)
 COLUMNS = ("place", "label", "printed", "follows", "relation", "letter", "form")
 NEEDED = ("place", "printed", "form")
+# As many letters may be made of one another.
+DEEPEST = 20
 _LETTER = re.compile(r"\w(_\w)?")
 # lambda is a word of Python's, and no letter of a form.
 _GREEK = {name.removeprefix("\\").removeprefix("var"): letter for letter, name in GREEK.items()}
@@ -73,15 +75,22 @@ class FormulaTable:
         for name, text in letters.items():
             try:
                 forms[name] = Form(text)
+                if SLOPE in text:
+                    raise NotationError(f"{name} has a slope; write it in the formula itself")
             except NotationError as error:
                 raise self._error("letters", name, error) from None
         settled: set[str] = set()
+        rounds = 0
         while left := forms.keys() - settled:
             ready = {name for name in left if not (forms[name].letters & forms.keys()) - settled}
             if not ready:
                 name = min(left)
                 raise self._error("letters", name, f"{name} is made of itself, by way of other letters")
             settled |= ready
+            rounds += 1
+            if rounds > DEEPEST:
+                name = min(ready)
+                raise self._error("letters", name, f"more than {DEEPEST} letters are made of one another")
         return forms
 
     def _error(self, key: str, name: str, said: object) -> Exception:
