@@ -247,3 +247,16 @@ def test_a_machine_may_be_a_beam_engine(asked: tuple[str, ...], tmp_path: Path) 
         "crank.mechanism is beam, and kurbel balance is about the straight crank; leave the mechanism out of"
         " the machine"
     )
+
+
+def test_what_is_reached_nowhere_is_told_with_its_bounds() -> None:
+    said = refusal("solve", *BEAM, "--where", "c=1.1", code=1)
+    assert said.startswith(
+        "velocity = 1.1 is reached nowhere for R:L = 1:5; velocity lies between 0.0000 and 1.0"
+    )
+    assert printed("solve", *BEAM, "--where", "c=0", "--columns", "path", "-f", "csv").out.split()[
+        1:
+    ] == 2 * ["0.0000"]
+    assert refusal("table", "--mechanism", "beam", "--beam", "3m") == (
+        'beam "3m" has a unit; lengths of the beam engine are in units of R, for example 6'
+    )

@@ -250,8 +250,8 @@ class Described(NamedTuple):
         return displacement / radius
 
 
-def radii(value: Exact, what: str) -> Fraction:
-    """Return a length in units of R: 6, 6R."""
+def radii(value: Exact, what: str, drive: str = "the arc crank") -> Fraction:
+    """Return a length of a drive in units of R: 6, 6R."""
     if not isinstance(value, str):
         return as_fraction(value)
     from kurbel.reading import units
@@ -259,7 +259,7 @@ def radii(value: Exact, what: str) -> Fraction:
     share = value.strip().removesuffix("R")
     if units.is_measure(share):
         raise NotationError(
-            f'{what} "{value[:40]}" has a unit; lengths of the arc crank are in units of R, for example 6'
+            f'{what} "{value[:40]}" has a unit; lengths of {drive} are in units of R, for example 6'
         )
     return as_number(share, what)
 

@@ -7,6 +7,7 @@ Where a quantity rises and falls is therefore proved by balls: all zeros of its 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from fractions import Fraction
 from functools import cache
 from typing import Any
 
@@ -24,6 +25,9 @@ from kurbel.linkage.beam.crank import BeamCrank
 from kurbel.linkage.beam.quantities import beam_registry
 from kurbel.motion.evaluation import OUT
 from kurbel.page.quantity import Quantity
+
+# What is zero at the dead centres.
+AT_REST = ("velocity", "tangential_force", "torque")
 
 
 @cache
@@ -67,7 +71,9 @@ class BeamDrive(ArcDrive):
             return jet(half_turns).bend * pi() * pi()
 
         begin, end = self.ends(stroke)
-        return Course(at, slope, begin, end, inner=tuple(_level(slope, bend, begin, end)))
+        rest = Fraction(0) if one.key in AT_REST else None
+        inner = tuple(_level(slope, bend, begin, end))
+        return Course(at, slope, begin, end, ends=(rest, rest), inner=inner)
 
 
 def _level(slope: Function, bend: Function, begin: Place, end: Place) -> Iterator[Place]:

@@ -47,7 +47,7 @@ class Beam(RockerMechanism):
                 " with --ratio 1:∞ for the infinite rod"
             )
         assert said.beam is not None
-        arm, radius = radii(said.beam, "beam"), said.radius
+        arm, radius = radii(said.beam, "beam", self.title), said.radius
         return tuple(
             BeamCrank(Crank(value, radius=radius, force=said.force), arm) for value in said.ratios(ratios)
         )
