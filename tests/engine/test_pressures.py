@@ -202,9 +202,9 @@ def test_the_work_of_the_tangential_pressure_over_the_developed_circle_is_that_o
 
 
 def test_a_tangential_pressure_that_lies_half_way_is_rounded_away() -> None:
-    # ½ · 901 kPa · sin 30° = 225.25 kPa.
-    steam = ("--eps=1", "--back=0.5", "--ratio=1:inf", "--bore=300mm", "--pressure=9.01bar")
-    words = ("turning", *steam, "--columns=tangential_kpa", "--angle=30", "--digits=1", "-f", "csv")
+    # At 90° the piston of R:L = 3:5 has gone 2/3: 901 kPa (1/(2 · 2/3) - 1/2) = 225.25 kPa.
+    steam = ("--eps=2", "--back=0.5", "--ratio=3:5", "--bore=300mm", "--pressure=9.01bar")
+    words = ("turning", *steam, "--columns=tangential_kpa", "--angle=90", "--digits=1", "-f", "csv")
     assert printed(*words).records() == [{"tangential_kpa": "225.3"}]
 
 
