@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from cli import kurbel, printed, refusal
 from mpmath import mp
+from places import ROOT
 from textbook import Drive, evaluate, real
 
 import kurbel as api
@@ -120,6 +121,27 @@ def test_over_the_crank_angle_they_are_those_at_the_path_gone_there() -> None:
             assert float(row[key]) == pytest.approx(float(there[key]), abs=1e-7)
 
 
+def test_an_indicator_card_has_the_pressures_of_its_points_as_far_as_they_tell() -> None:
+    card = ("--card", str(ROOT / "tests" / "cards" / "ideal-2.csv"))
+    shares = ("--shares=0.005;0.25;0.6;0.9;1", "--columns=gas_pressure,left_pressure", "-f", "csv")
+    measured = printed("pressures", *card, *MASSES, *shares).records()
+    ideal = printed("pressures", "--eps=2", "--pressure=8bar", *MASSES, *shares).records()
+    for one, other in zip(measured, ideal, strict=True):
+        for key in one:
+            digits = len(one[key].partition(".")[2])
+            assert digits >= 1
+            assert float(one[key]) == pytest.approx(float(other[key]), abs=0.51 * 10**-digits + 0.001)
+    wavy = (
+        str(ROOT / "tests" / "cards" / "condenser.csv"),
+        "--shares=0.5",
+        "--columns=gas_pressure",
+        "-f",
+        "csv",
+    )
+    # 3,66 and -0,86 kp/cm² at half the stroke.
+    assert [row["gas_pressure"] for row in printed("pressures", "--card", *wavy).records()] == ["4.4", "4.4"]
+
+
 def test_a_pressure_that_lies_half_way_is_rounded_away() -> None:
     # 8 bar (1/(4 · 0.5) - 1/4) = 2 bar, and 5 bar of it 1.25.
     words = ("pressures", "--eps=4", "--bore=1m", "--pressure=5bar", "--shares=0.5", "--columns=gas_pressure")
@@ -166,6 +188,8 @@ def test_the_drawing_lays_the_masses_under_the_diagram_of_each_stroke(tmp_path: 
             "column left_pressure needs masses and a pressure on the piston",
         ),
         ((*MASSES, "--shares=1.5"), "share of the stroke is 1.5; it must lie within 0..1"),
+        ((*MASSES, "--mechanism=parallel"), "the parallel crank under moving masses is not computed;"),
+        ((*MASSES, "--angle=2", "--layout=pressures"), "layout pressures is over the stroke; leave --angle"),
         ((*MASSES, "--shares=1", "--angle=2"), "--shares and --angle are two pages, over the stroke or the"),
     ],
 )

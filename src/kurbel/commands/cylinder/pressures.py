@@ -12,7 +12,9 @@ from kurbel.commands.options import Option, is_given
 from kurbel.commands.plots import DrawnSpeed, LabelLang
 from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import draws, makes_table
+from kurbel.drive.load import MASSES
 from kurbel.errors import ProblemError
+from kurbel.motion.mechanism import uncomputed
 from kurbel.page.layouts import Layout, layout_of
 from kurbel.page.layouts import layout as layout_named
 from kurbel.page.subject import Question
@@ -94,6 +96,12 @@ def pressures_table(
     if shares is not None and angle is not None:
         raise ProblemError("--shares and --angle are two pages, over the stroke or the angle; leave one out")
     page = layout_of(layout or PRESSURES[angle is not None], PRESSURES_ABOUT, given["layouts"])
+    over_angle = page.subject == PRESSURES_ABOUT[1]
+    if (shares if over_angle else angle) is not None:
+        raise ProblemError(
+            f"layout {page.key} is over the {'crank angle' if over_angle else 'stroke'}; leave"
+            f" --{'shares' if over_angle else 'angle'} out, or use --layout {PRESSURES[not over_angle]}"
+        )
     return PressuresRequest(
         layout=page,
         pressed=pressed_of(page, {**given, "ratio": ratio, "speed": speed}),
@@ -143,6 +151,8 @@ def pressed_of(page: Layout, given: Mapping[str, Any]) -> "Pressed":
         return Pressed(about.drives[0], bore, about.first.parts[0])
     chosen, said = described({**given, "speed": None, "method": None, "force": None, "layout": None})
     chosen.check(said)
+    if sentence := uncomputed(chosen, MASSES):
+        raise ProblemError(sentence)
     drives = weighed(chosen, chosen.drives(said, page.ratios), given, "bore")
     _check_one(drives, "crank ratios")
     return Pressed(drives[0], bore)

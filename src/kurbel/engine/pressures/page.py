@@ -173,8 +173,8 @@ def _measured(question: PressuresRequest, column: Column, where: Where) -> Numbe
     """The number as far as the points of the card tell it, None if not one figure."""
     pressed, turn = question.pressed, question.turn
     share = float(pressed.share(where, floats()))
-    own = float(turn.strokes[where.stroke].force(share))
-    apart = max(abs(own - float(half.strokes[where.stroke].force(share))) for half in turn.coarser)
+    own, *halves = (float(one.cylinder.strokes[where.stroke].force(share)) for one in (turn, *turn.coarser))
+    apart = max(abs(own - half) for half in halves)
     unit = float(known(known(pressed.engine).pressure)) / PASCALS
     value = own * unit
     if column.quantity.needs == BOTH:
