@@ -230,6 +230,42 @@ def test_cylinders_that_are_none_are_refused(cylinders: tuple[str, ...], said: s
     assert said in refusal("delta", *(f"--cylinder={one}" for one in cylinders))
 
 
+@pytest.mark.parametrize("name", ["compound", "charged"])
+def test_the_list_of_cylinders_has_the_share_of_each_in_the_torque(name: str) -> None:
+    machine = ("--machine", str(MACHINES / f"{name}.toml"))
+    columns = "--columns=cylinder,lag,bore_mm,stroke_mm,mean_torque,power,mean_share"
+    rows = printed("delta", "--layout=cylinders", *machine, columns, "-f", "csv").records()
+    degrees = (np.arange(SAMPLES) + 0.5) * 360 / SAMPLES
+    whole = float(torque(name, degrees).mean())
+    if name == "compound":
+        own = [np.pi / 4 * 0.4**2 * 9e5 * 0.4 * steam(degrees, 0.2, 2.5, 0.3).mean(), None]
+        assert [(row["lag"], row["bore_mm"], row["stroke_mm"]) for row in rows[:2]] == [
+            ("0", "400", "800"), ("90", "640", "800"),
+        ]  # fmt: skip
+        turns = 90 / 60
+    else:
+        own = [np.pi / 4 * 0.25**2 * 1.2e5 * 0.2 * two_stroke(degrees, 1 / 4.5, 5, 20).mean(), None]
+        turns = 200 / 60
+    own[1] = whole - own[0]
+    for row, true in zip(rows, [*own, whole], strict=True):
+        assert float(row["mean_torque"]) == pytest.approx(true, abs=0.06)
+        assert float(row["power"]) == pytest.approx(true * 2 * np.pi * turns / 1000, abs=6e-4)
+        assert float(row["mean_share"]) == pytest.approx(100 * true / whole, abs=6e-3)
+
+
+def test_shares_of_cylinders_alike_are_exact() -> None:
+    words = (
+        "--eps=4",
+        "--cranks=0;45;90;135;180;225;270;315",
+        "--columns=mean_share",
+        "--digits=0",
+        "-f",
+        "csv",
+    )
+    rows = printed("delta", "--layout=cylinders", *words).records()
+    assert [row["mean_share"] for row in rows] == ["13"] * 8 + ["100"]
+
+
 def test_the_torque_is_that_of_all_whichever_cylinder_is_seen() -> None:
     words = ("--machine", str(MACHINES / "compound.toml"), "--columns=phi,torque_nm", "-f", "csv")
     first = printed("forces", *words, "--angle=130").records()

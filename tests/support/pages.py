@@ -37,6 +37,7 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "dead centres": ("deadcentres",),
     "drive dead centres": ("deadcentres", "--mechanism=arc", "--rocker=6"),
     "harmonics": ("harmonics",),
+    "cylinders": ("delta", "--eps=4", "--cranks=0;90", *MACHINE, "--reciprocating=300kg"),
     "torque": ("harmonics", "--quantity=torque", "--eps=4", "--cranks=0;90"),
     "excitation": ("harmonics", "--eps=4", "--cranks=0;90", *MACHINE),
     "balance": ("balance",),
@@ -77,7 +78,7 @@ ENGINES = about(
 LOADED = about("compressor", "gas cycle")
 BEAMS = about("dead centres", "drive dead centres")
 BALANCES = about("harmonics", "balance")
-TORQUES = about("torque", "excitation")
+TORQUES = about("torque", "excitation", "cylinders")
 FIRINGS = about("firing orders", "firing")
 COLLATIONS = about("collation", "formulas")
 LINKAGES = about("arc crank", "parallel crank", "coupled axles", "beam engine")
@@ -124,6 +125,10 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
     "dead centres": (kurbel.dead_centres_table, {}),
     "drive dead centres": (kurbel.dead_centres_table, {"mechanism": "arc", "rocker": 6}),
     "harmonics": (kurbel.harmonics_table, {}),
+    "cylinders": (kurbel.delta_table, {
+        "eps": 4, "cranks": "0;90", "stroke": 0.6, "speed": 2, "bore": 0.3, "pressure": 800_000,
+        "reciprocating": 300,
+    }),
     "torque": (kurbel.harmonics_table, {"quantity": "torque", "eps": 4, "cranks": [0, 90]}),
     "excitation": (kurbel.harmonics_table, {
         "eps": 4, "cranks": "0;90", "stroke": 0.6, "speed": 2, "bore": 0.3, "pressure": 800_000,

@@ -44,7 +44,7 @@ ORDER = (
     " gyration rod_file stroke rod bore pressure offset mechanism rocker pivot beam rocker_inertia"
 )
 # Pages of an engine, and those of one with its flywheel.
-DELTA = ("irregularity", "strokes", "evenness", "compressor", "gas cycle")
+DELTA = ("irregularity", "strokes", "evenness", "compressor", "gas cycle", "cylinders")
 WITH_WHEEL = ("speed", "evenness")
 
 
@@ -167,7 +167,16 @@ def delta_table(
         wheeled = "delta-flywheel" if _has_wheel(given) and not detail else ""
         layout = wheeled or ("delta-detail" if by_stroke else "delta-verfahren" if several else many)
     page = layout_of(layout, DELTA, layouts)
-    return engine_of(page, about, columns=names, wheel=_wheel(page, about))
+    return engine_of(page, about, _asked(page), columns=names, wheel=_wheel(page, about))
+
+
+def _asked(page: Layout) -> Any:
+    """Return what a list of cylinders is asked as, None of another page."""
+    if page.subject != "cylinders":
+        return None
+    from kurbel.engine.cylinders.page import CylindersRequest
+
+    return CylindersRequest
 
 
 @makes_table(foreign=_foreign, needless=_of_wheel, order=ORDER)

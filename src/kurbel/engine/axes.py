@@ -130,6 +130,13 @@ def irregularity_label(irregularity: Fraction) -> Label:
     return f"${ratio_text(irregularity) if short else plain(irregularity)}$"
 
 
+def load_text(load: Any, lang: str) -> Label:
+    """Return a load with its letter, or its name: $ε = 4$, card.csv."""
+    said = words_of(load.name)
+    label, letter = said.label(load, lang), said.symbol.strip("$")
+    return f"${letter} = {label.strip('$')}$" if letter else label
+
+
 def load_label(request: EngineRequest, index: int) -> Label:
     """Return what tells a load from others as pages print it: a number or a name."""
     return request.words.label(request.steams[index], request.lang)

@@ -167,7 +167,7 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
     if request.assembly is None:
         yield "; ".join(_engine(request, lang))
     else:
-        from kurbel.engine.several import cylinder_notes
+        from kurbel.engine.cylinders.words import cylinder_notes
 
         yield from cylinder_notes(request.assembly, request.numbers, lang)
     yield from request.mechanism.loaded_notes(request.drives, lang)
@@ -175,7 +175,7 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
         yield WORDS["driven"][lang]
         yield WORDS["turning_sense"][lang]
     if request.assembly is not None:
-        from kurbel.engine.several import masses_notes
+        from kurbel.engine.cylinders.words import masses_notes
 
         yield from masses_notes(request, lang)
     elif request.first.crank.moving is not None:

@@ -56,8 +56,8 @@ ENGINE_METHODS: Mapping[str, Method] = {
 }
 # What the extremes of the speed are called, and which of them is the greatest.
 EXTREMES = {"least": False, "greatest": True}
-# What is of a crank angle or of an order has no least and no greatest place.
-AT_ANGLE = ("angle", "crank", "speed", "order")
+# What is of a crank angle, of an order or of a cylinder has no least and no greatest place.
+AT_ANGLE = ("angle", "crank", "speed", "order", "cylinder")
 
 
 class Where(NamedTuple):

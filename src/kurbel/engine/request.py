@@ -197,7 +197,7 @@ class EngineRequest(Question):
     def words(self) -> LoadWords:
         """What is said of the loads, which are of one kind, or of the cylinders."""
         if self.assembly is not None:
-            from kurbel.engine.several import words_of_cylinders
+            from kurbel.engine.cylinders.words import words_of_cylinders
 
             return words_of_cylinders(self.assembly)
         return words_of(self.steams[0].name)

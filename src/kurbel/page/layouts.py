@@ -23,6 +23,7 @@ _INERTIA = "inertia --centre 0.65 --gyration 0.35"
 _MACHINE = "forces --eps 4 --bore 300mm --pressure 8bar --stroke 600mm --speed 120/min --reciprocating 300kg"
 _ARC = "--mechanism arc --rocker 6"
 _PRESSED = _MACHINE.replace("forces", "pressures")
+_LISTED = "delta --eps 4 --cranks '0;90'"
 _EXCITED = "harmonics --quantity torque --eps 4 --bore 300mm --pressure 8bar --stroke 600mm --speed 120/min"
 # What pages can be about, by its name.
 SUBJECTS: Mapping[str, Pages] = {
@@ -30,6 +31,7 @@ SUBJECTS: Mapping[str, Pages] = {
     "tangent": Pages("kurbel.motion.tangent_page:SUBJECT", "forces --at tangent"),
     "irregularity": Pages("kurbel.engine.page:IRREGULARITY", "delta"),
     "strokes": Pages("kurbel.engine.page:STROKES", "delta"),
+    "cylinders": Pages("kurbel.engine.cylinders.page:SUBJECT", _LISTED),
     "compressor": Pages("kurbel.engine.page:COMPRESSOR", "delta --pressure-ratio 2..6"),
     "gas cycle": Pages("kurbel.engine.page:GAS_CYCLE", "delta --compression 5..8 --heat 10"),
     "turning": Pages("kurbel.engine.page:TURNING", "turning"),

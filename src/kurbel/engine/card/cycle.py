@@ -71,7 +71,7 @@ class CycleCard:
 def _every_second(course: Course, first: int) -> Course:
     last = len(course[0]) - 1
     kept = sorted({0, last, *range(first, last, 2)})
-    shares, pressures = ([column[index] for index in kept] for column in course)
+    shares, pressures = (tuple(column[index] for index in kept) for column in course)
     return shares, pressures
 
 
@@ -156,9 +156,9 @@ class AngleCard:
             path = drive.path(stroke % 2, circle(within - shift - 180.0 * stroke)) / float(drive.length)
             apart = np.diff(path, prepend=0.0) > LEAST_STEP
             kept = apart & (path < 1 - LEAST_STEP)
-            shares = [0.0, *path[kept].tolist(), 1.0]
+            shares = (0.0, *path[kept].tolist(), 1.0)
             at = np.concatenate([[begin + shift], within[kept], [end + shift]])
-            yield shares, through(at).tolist()
+            yield shares, tuple(through(at).tolist())
 
     def _continued(self) -> tuple[Any, Any]:
         """Return angles and pressures over a cycle and as long again, with some points before it."""

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, cast
 
-from kurbel.engine.axes import LoadWords, words_of
+from kurbel.engine.axes import LoadWords, load_text, words_of
 from kurbel.exact.numerals import Label
 from kurbel.page.axes import angle_text
 from kurbel.page.quantity import words
@@ -100,10 +100,8 @@ def _said(part: Engine, first: int, lang: str) -> Iterator[Label]:
     yield sizes
     if part.lag:
         yield WORDS["lag"][lang].format(angle=f"${angle_text(part.lag)}$", number=first)
-    label = alone.words.label(part.steam, lang)
-    letter = alone.words.symbol.strip("$")
     if alone.words.captioned:
-        yield f"${letter} = {label.strip('$')}$" if letter else label
+        yield load_text(part.steam, lang)
     yield from alone.words.lines(cast("EngineRequest", alone), lang)
     if not part.double and alone.words.halved:
         yield WORDS["single"][lang]

@@ -1,0 +1,191 @@
+"""The list of an engine's cylinders: where each stands, how large it is, and its share in the work."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import cache, cached_property
+from typing import Any, NamedTuple
+
+from kurbel.engine import captions
+from kurbel.engine.axes import load_text
+from kurbel.engine.cylinder import AnyTurn
+from kurbel.engine.digits import Asked, error_number, estimate, estimated, given, settled
+from kurbel.engine.engine import Engine
+from kurbel.engine.page import ERROR, errors_beside
+from kurbel.engine.quantities import ENGINE_METHODS, Where
+from kurbel.engine.request import EngineRequest
+from kurbel.errors import ProblemError
+from kurbel.exact.numerals import Label, Number
+from kurbel.page.axes import Axis, ColumnAxis, ListAxis, Place
+from kurbel.page.quantity import Column, Formula, Quantity, entry, words
+from kurbel.page.subject import Subject
+from kurbel.page.table import Field, Note, Value
+
+CYLINDER = words("Zylinder|Cylinder")
+WHOLE = "all"
+SUM = words("alle|all")
+SHARES = words(
+    "Anteile an der mittleren Tangentialkraft; negativ, wo die Welle den Kolben treibt"
+    "|Shares of the mean tangential force; negative where the shaft drives the piston"
+)
+
+
+class Row(NamedTuple):
+    """A cylinder by its number, its part of the engine, and by how many half turns it follows the first; of
+    all cylinders together the part is None."""
+
+    number: int
+    part: int | None = None
+    start: Fraction = Fraction(0)
+
+
+def _engine(turn: AnyTurn, row: Row) -> Engine | None:
+    return None if row.part is None else turn.engine.parts[row.part]
+
+
+def _mean(turn: AnyTurn, row: Row) -> Any:
+    return turn.mean_force() if row.part is None else turn.cylinders[row.part].whole_mean
+
+
+def _of_part(value: Callable[[Engine], Any]) -> Callable[[AnyTurn, Row], Any]:
+    """Return what a cylinder has by itself, and all together have not."""
+
+    def of(turn: AnyTurn, row: Row) -> Any:
+        part = _engine(turn, row)
+        return None if part is None else value(part)
+
+    return of
+
+
+def _bore(part: Engine) -> Fraction | None:
+    return None if part.load is None else 1000 * part.load.bore
+
+
+def _stroke(part: Engine) -> Fraction | None:
+    radius = part.crank.radius
+    # Of other drives the stroke is no rational number of crank radii.
+    straight = not part.crank.offset and type(part.drive) is type(part.crank)
+    return 2000 * radius if radius is not None and straight else None
+
+
+def _kilowatts(turn: AnyTurn) -> Any:
+    """What makes kW of a mean force in Q."""
+    speed = turn.engine.crank.speed
+    assert speed is not None
+    omega = turn.of(2 * speed.value) * turn.pi if speed.turns else turn.of(speed.value)
+    return turn.torque_unit() * omega / 1000
+
+
+@cache
+def registry() -> Mapping[str, Quantity]:
+    """Return what is listed of a cylinder, by its key. A kernel takes the turn and the row."""
+    rows: tuple[tuple[Any, ...], ...] = (
+        ("lag", "Winkel hinter dem ersten Zylinder|Angle behind the first cylinder", "$α$", "°", None,
+         lambda turn, row: None if row.part is None else 180 * row.start, {}),
+        ("load", "Belastung|Load", "", "", None, None, {}),
+        ("bore_mm", "Bohrung|Bore", "$d$", "mm", None, _of_part(_bore), {"needs": "load"}),
+        ("stroke_mm", "Hub|Stroke", "$s$", "mm", None, _of_part(_stroke), {"needs": "torque"}),
+        ("mean_share", "Anteil an der mittleren Tangentialkraft|Share of the mean tangential force", "", "%",
+         2, _mean, {"scale": lambda turn: 100 / abs(turn.mean_force())}),
+        ("mean_force", "mittlere Tangentialkraft|Mean tangential force", "$P$", "$Q$", 5, _mean, {}),
+        ("mean_torque", "mittleres Drehmoment|Mean torque", "$P r$", "N m", 1, _mean,
+         {"scale": AnyTurn.torque_unit, "needs": "torque"}),
+        ("power", "Leistung|Power", "$N$", "kW", 3, _mean, {"scale": _kilowatts, "needs": "power"}),
+    )  # fmt: skip
+    return {row[0]: _entry(*row) for row in rows}
+
+
+def _entry(
+    key: str, name: str, symbol: Label, unit: Label, decimals: int | None, kernel: Any, rest: Any
+) -> Quantity:
+    formulas = dict.fromkeys(ENGINE_METHODS, Formula(kernel))
+    heads = {"load": "Belastung|Load", "mean_share": "Anteil in %|Share in %"}
+    return entry(key, name, symbol, unit, decimals, formulas, heads.get(key, ""), of="cylinder", **rest)
+
+
+@dataclass(frozen=True, kw_only=True)
+class CylindersRequest(EngineRequest):
+    """What is asked for: the cylinders of one engine."""
+
+    def check(self) -> None:
+        super().check()
+        if len(self.steams) > 1 or len(self.drives) > 1:
+            raise ProblemError("a list of cylinders is of one engine; give one load and one crank ratio")
+
+    @cached_property
+    def rows(self) -> tuple[Row, ...]:
+        """The cylinders in their order, and all together if there are several."""
+        places = [(part, start) for part, one in enumerate(self.first.parts) for start in one.starts]
+        every = [Row(number, *place) for number, place in enumerate(places, 1)]
+        return (*every, *([Row(0)] if len(every) > 1 else []))
+
+    @property
+    def alike(self) -> bool:
+        """Whether the cylinders differ in nothing but their places."""
+        return len({replace(part, lag=Fraction(0)) for part in self.first.parts}) == 1
+
+    @property
+    def axis_keys(self) -> tuple[str, ...]:
+        return ("cylinder",)
+
+
+def _number(request: CylindersRequest, column: Column, place: Place, times: int) -> Value:
+    row, quantity = request.rows[place["cylinder"]], column.quantity
+    turn = request.turn(0, 0, column.method)
+    if quantity.key == "load":
+        part = _engine(turn, row)
+        return None if part is None else load_text(part.steam, request.lang)
+    if quantity.key == "mean_share" and column.key == quantity.key and request.alike:
+        exact = Fraction(100, 1 if row.part is None else len(request.rows[:-1]) or 1)
+        return given(exact if turn.mean_force() > 0 else -exact, column.decimals, request.rounding)
+    kernel = quantity.formulas[column.method].kernel
+    found = kernel(turn, row)
+    if found is None:
+        return None
+    if isinstance(found, Fraction) and quantity.scale is None:
+        return given(found, column.decimals, request.rounding)
+    formula = Formula(lambda one, where: kernel(one, row))
+    asked = Asked(
+        column._replace(quantity=quantity._replace(formulas={column.method: formula})), [turn], Where()
+    )
+    if column.key.endswith(ERROR):
+        return error_number(estimate(asked).error)
+    return estimated(asked, request.rounding) if request.carded else settled(asked, request.rounding)
+
+
+def _beside(request: CylindersRequest, column: Column) -> tuple[Column, ...]:
+    return errors_beside(request, column) if column.quantity.formulas["exact"].kernel is _mean else ()
+
+
+def _row_axis(request: CylindersRequest) -> ListAxis:
+    lang = request.lang
+    return ListAxis(
+        request.rows,
+        Field("cylinder", CYLINDER[lang]),
+        lambda row: Number(row.number, 0) if row.number else WHOLE,
+        lambda row: f"${row.number}$" if row.number else SUM[lang],
+    )
+
+
+def _notes(request: CylindersRequest) -> Iterator[Label | Note]:
+    if any(column.key == "mean_share" for column in request.page_columns):
+        yield SHARES[request.lang]
+    yield from captions.notes(request)
+
+
+_AXES: Mapping[str, Callable[[Any], Axis | ColumnAxis]] = {"cylinder": _row_axis, "column": ColumnAxis}
+SUBJECT = Subject(
+    key="cylinders",
+    layout="cylinders",
+    command="delta --layout cylinders",
+    axes=_AXES,
+    axis_keys=("cylinder",),
+    quantities=registry,
+    number=_number,
+    caption=captions.caption,
+    notes=_notes,
+    beside=_beside,
+    letters=True,
+)
