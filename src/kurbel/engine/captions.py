@@ -173,7 +173,8 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
     yield from request.mechanism.loaded_notes(request.drives, lang)
     if request.driven:
         yield WORDS["driven"][lang]
-        yield WORDS["turning_sense"][lang]
+        if request.mechanism.crosshead:
+            yield WORDS["turning_sense"][lang]
     if request.assembly is not None:
         from kurbel.engine.cylinders.words import masses_notes
 

@@ -70,6 +70,11 @@ KINDS = {
     SINGLE: words("einfachwirkend|single-acting"),
     DIFFERENTIAL: words("Differentialpumpe|differential"),
 }
+PUMPS = {
+    DOUBLE: words("Pumpe doppeltwirkend|Double-acting pump"),
+    SINGLE: words("Pumpe einfachwirkend|Single-acting pump"),
+    DIFFERENTIAL: words("Differentialpumpe|Differential pump"),
+}
 CYCLES = {
     OTTO: words("Otto-Prozess|Otto cycle"),
     DIESEL: words("Diesel-Prozess|Diesel cycle"),
@@ -95,7 +100,7 @@ def _compressor_lines(request: EngineRequest, lang: str) -> Iterator[Label]:
 
 def _pump_lines(request: EngineRequest, lang: str) -> Iterator[Label]:
     load: Pump = _first(request)
-    yield KINDS[load.kind][lang]
+    yield PUMPS[load.kind][lang]
     if load.kind == DIFFERENTIAL:
         yield WORDS["ring"][lang].format(share=figure(load.small_area))
     if load.kind != DOUBLE:
