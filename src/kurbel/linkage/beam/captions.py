@@ -77,7 +77,11 @@ WORDS: Mapping[str, Words] = {
     ),
     "reciprocating": words("am Kolben|at the piston"),
     "rocker": words("Balancier um seinen Drehpunkt|beam about its pivot"),
-    "connecting_rod": {lang: _of_beam(said) for lang, said in ARC_WORDS["connecting_rod"].items()},
+    "connecting_rod": {
+        # The arm of the beam is a.
+        lang: _of_beam(said).replace("$a = ", "$a_S = ").replace("- a b", "- a_S b_S")
+        for lang, said in ARC_WORDS["connecting_rod"].items()
+    },
 }
 
 
