@@ -260,3 +260,11 @@ def test_what_is_reached_nowhere_is_told_with_its_bounds() -> None:
     assert refusal("table", "--mechanism", "beam", "--beam", "3m") == (
         'beam "3m" has a unit; lengths of the beam engine are in units of R, for example 6'
     )
+
+
+def test_two_cylinders_alike_on_one_beam_turn_as_one() -> None:
+    cylinders = 2 * ("--cylinder", "bore=500mm pressure=3bar eps=3")
+    asked = ("delta", *BEAM, "--columns", "delta", "--digits", "6", "-f", "csv")
+    assert printed(*asked, "--stroke", "1.2m", *cylinders).out == printed(*asked, "--eps", "3").out
+    page = printed("turning", *BEAM, "--stroke", "1.2m", *cylinders, "--lang", "en").out
+    assert "Watt's linkage" in " ".join(page.split())

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from kurbel.commands import loads
 from kurbel.commands.loads import FURTHER
-from kurbel.commands.motion import FULL_TURN, described, sheet_of
+from kurbel.commands.motion import FULL_TURN, described, meant, sheet_of
 from kurbel.commands.options import is_given
 from kurbel.commands.parameters import MovingRod, Run
 from kurbel.errors import ProblemError
@@ -261,8 +261,9 @@ def engine_of(
         numbers: tuple[int, ...] = ()
         if given.get("of") is not None:
             assembly, numbers = seen_from(assembly, given["of"])
-        first = assembly.first
+        first, own = assembly.first, given["cylinder"][numbers[0] - 1 if numbers else 0]
         about: dict[str, Any] = {
+            "mechanism": meant({**given, **own, "layout": None}),
             "steams": [first.steam], "drives": [first.drive], "double": first.double, "load": first.load,
             "assembly": assembly, "cranks": assembly.cranks, "numbers": numbers,
         }  # fmt: skip
