@@ -40,7 +40,8 @@ SPEED = "a speed of rotation such as 120/min, 120rpm or 12.5rad/s"
 REST = "it must be at least 10^-9 and below 2, at which the flywheel would come to rest in every turn"
 IRREGULARITY = ", ".join(about("irregularity", "strokes", "evenness", "compressor", "gas cycle"))
 WORK = (
-    "work, mean_pressure, mean_pressure_kpa, indicated_power, volumetric_efficiency, delivered, delivery,"
+    "work, full_pressure_work, expansion_work, back_work,"
+    " mean_pressure, mean_pressure_kpa, indicated_power, volumetric_efficiency, delivered, delivery,"
     " efficiency"
 )
 TURN_COLUMNS = (

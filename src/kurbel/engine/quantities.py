@@ -18,7 +18,7 @@ from kurbel.drive.crank_forces import CRANK_FORCES
 from kurbel.drive.flywheel import Flywheel
 from kurbel.engine import ties
 from kurbel.engine.cylinder import AnyTurn
-from kurbel.engine.loads import work
+from kurbel.engine.loads import stages, work
 from kurbel.exact.numerals import Label
 from kurbel.kernel import turning
 from kurbel.kernel.circle import Number
@@ -166,6 +166,8 @@ def _work_entries() -> Iterator[Quantity]:
     """The work of a turn and what a load does with it; the formulas of engine/loads/work.py."""
     yield _entry("work", "Arbeit einer Umdrehung|Work of a turn", "$A$", "$Q r$", "turn", 4, work.work,
                  ties=work.work_ties)  # fmt: skip
+    for key, name, letter in stages.NAMES:
+        yield _entry(key, name, letter, "$Q r$", "turn", None, partial(stages.work, key), needs="steam")
     per_area = "$Q$ je Kolbenfläche|$Q$ per piston area"
     mean = _entry("mean_pressure", "mittlerer Druck|Mean pressure", "$p_m$", per_area, "turn", 4,
                   work.mean_pressure, ties=work.mean_pressure_ties)  # fmt: skip
