@@ -212,6 +212,13 @@ def test_what_a_file_says_amiss_of_a_cylinder_is_named_with_its_line(
     assert said in sentence
 
 
+def test_a_cylinder_that_cannot_be_is_named_with_its_line(tmp_path: Path) -> None:
+    path = tmp_path / "machine.toml"
+    path.write_text("[[cylinder]]\neps = 2\n\n[[cylinder]]\neps = 0.5\n", encoding="utf-8")
+    sentence = refusal("delta", "--machine", str(path))
+    assert sentence.startswith(f"{path}, line 4: cylinder 2: expansion ratio ε is 0.5; it must be 1")
+
+
 @pytest.mark.parametrize(
     ("cylinders", "said"),
     [

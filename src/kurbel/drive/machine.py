@@ -228,6 +228,14 @@ class Machine(Section):
     cylinder: tuple[Cylinder, ...] | None = None
 
 
+class Listed(dict[str, Any]):
+    """The entries of a cylinder by their names, and where its table stands, for the start of a sentence."""
+
+    def __init__(self, entries: Mapping[str, Any], where: str) -> None:
+        super().__init__(entries)
+        self.where = where
+
+
 def read_machine(path: str | NamedFile) -> dict[str, Any]:
     """Return the options that the file gives, by their names: text or a file, several of them, or whether.
 
@@ -249,7 +257,10 @@ def read_machine(path: str | NamedFile) -> dict[str, Any]:
     own = path if isinstance(path, NamedFile) else NamedFile(path)
     options = _options(own, given)
     if machine.cylinder is not None:
-        options["cylinder"] = [_options(own, asdict(one)) for one in machine.cylinder]
+        options["cylinder"] = [
+            Listed(_options(own, asdict(one)), f"{file.path}, line {file.line(('cylinder', number))}")
+            for number, one in enumerate(machine.cylinder)
+        ]
     return options
 
 

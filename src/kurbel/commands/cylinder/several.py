@@ -31,7 +31,7 @@ def assembly_of(page: Layout, given: Mapping[str, Any]) -> "Assembly":
             "--cranks are those of cylinders alike, and each --cylinder has its angle; leave one out"
         )
     described = given["cylinder"]
-    parts = [_part(number, page, merged(given, own)) for number, own in enumerate(described, 1)]
+    parts = [_part(_title(number, own), page, merged(given, own)) for number, own in enumerate(described, 1)]
     lags = lags_of(described, [part.steam for part in parts])
     return Assembly(tuple(_behind(part, lag) for part, lag in zip(parts, lags, strict=True)))
 
@@ -86,14 +86,18 @@ def _other_lengths(common: Mapping[str, Any], own: Mapping[str, Any]) -> list[st
     return [name for name in ("ratio", "rod", "stroke") if name not in own][:1]
 
 
-def _part(number: int, page: Layout, given: Mapping[str, Any]) -> "Engine":
+def _title(number: int, own: Mapping[str, Any]) -> str:
+    """Return what a cylinder is called in sentences, with the line of its file."""
+    where = getattr(own, "where", "")
+    return f"{where}: cylinder {number}" if where else f"cylinder {number}"
+
+
+def _part(title: str, page: Layout, given: Mapping[str, Any]) -> "Engine":
     from kurbel.commands.machines import described_engines
     from kurbel.engine.engine import Engine
 
     if not named(given):
-        raise ProblemError(
-            f"cylinder {number} has no load; give it eps, card, pressure_ratio, pump or compression"
-        )
+        raise ProblemError(f"{title} has no load; give it eps, card, pressure_ratio, pump or compression")
     try:
         found = described_engines(page, given)
         for name, what in (("steams", "load"), ("drives", "crank ratio")):
@@ -101,7 +105,7 @@ def _part(number: int, page: Layout, given: Mapping[str, Any]) -> "Engine":
                 raise ProblemError(f"it has {len(found[name])} {what}s; a cylinder has one")
         return Engine(found["drives"][0], found["steams"][0], found["double"], load=found["load"])
     except KurbelError as error:
-        raise type(error)(f"cylinder {number}: {error}") from None
+        raise type(error)(f"{title}: {error}") from None
 
 
 def lags_of(cylinders: Sequence[Mapping[str, Any]], loads: Sequence[Any]) -> list[Fraction]:

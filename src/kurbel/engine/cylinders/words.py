@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any, cast
 
 from kurbel.engine.axes import LoadWords, load_text, words_of
@@ -56,10 +57,10 @@ def words_of_cylinders(assembly: Assembly) -> LoadWords:
     forces = {lang: said + _FORCES[lang] for lang, said in own.forces.items()}
 
     return LoadWords(
-        key="engine",
-        name=words("Maschine|Engine"),
+        key="cylinders",
+        name=words("Zylinder|Cylinders"),
         symbol="",
-        number=lambda load: None,
+        number=lambda load: Fraction(len(assembly.cranks)),
         label=lambda load, lang: WORDS["count"][lang].format(count=len(assembly.cranks)),
         machine={lang: text.format(count=len(assembly.cranks)) for lang, text in _MACHINE.items()},
         several="engines",
