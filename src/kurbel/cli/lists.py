@@ -11,7 +11,8 @@ from kurbel.cli.options import click_option, lang_option
 from kurbel.commands.options import Parameter
 from kurbel.commands.parameters import LAYOUTS
 from kurbel.page.axes import PHI, RATIO
-from kurbel.page.layouts import SUBJECTS, Layout, layout, layout_names
+from kurbel.page.layouts import Layout, layout, layout_names
+from kurbel.page.subjects import SUBJECTS
 from kurbel.reading.given import File
 
 LANG = lang_option("list")

@@ -9,58 +9,15 @@ from dataclasses import dataclass, field
 from functools import cache
 from typing import Annotated, Any, ClassVar, TypeAlias
 
-from kurbel.drive import mechanisms
-from kurbel.drive.mechanisms import Pages
 from kurbel.errors import ChoiceError, LayoutError
 from kurbel.exact.numerals import MOST_DIGITS, Label
+from kurbel.page.subjects import SUBJECTS
 from kurbel.reading.given import File, choose
 from kurbel.reading.toml_file import Choice, Fault, TomlFile, TomlKind, about, within
 
 LANGUAGES = ("de", "en")
 Folder: TypeAlias = str | os.PathLike[str]
 KIND = TomlKind("layout", LayoutError, 200_000, "a layout has axes and columns", "pages/mine/layout.toml")
-_INERTIA = "inertia --centre 0.65 --gyration 0.35"
-_MACHINE = "forces --eps 4 --bore 300mm --pressure 8bar --stroke 600mm --speed 120/min --reciprocating 300kg"
-_ARC = "--mechanism arc --rocker 6"
-_PRESSED = _MACHINE.replace("forces", "pressures")
-_LISTED = "delta --eps 4 --cranks '0;90'"
-_EXCITED = "harmonics --quantity torque --eps 4 --bore 300mm --pressure 8bar --stroke 600mm --speed 120/min"
-# What pages can be about, by its name.
-SUBJECTS: Mapping[str, Pages] = {
-    "motion": Pages("kurbel.motion.page:MOTION", "table"),
-    "tangent": Pages("kurbel.motion.tangent_page:SUBJECT", "forces --at tangent"),
-    "irregularity": Pages("kurbel.engine.page:IRREGULARITY", "delta"),
-    "strokes": Pages("kurbel.engine.page:STROKES", "delta"),
-    "cylinders": Pages("kurbel.engine.cylinders.page:SUBJECT", _LISTED),
-    "compressor": Pages("kurbel.engine.page:COMPRESSOR", "delta --pressure-ratio 2..6"),
-    "gas cycle": Pages("kurbel.engine.page:GAS_CYCLE", "delta --compression 5..8 --heat 10"),
-    "turning": Pages("kurbel.engine.page:TURNING", "turning"),
-    "speed": Pages("kurbel.engine.speed.page:SPEED", "turning --flywheel 50 --speed 120/min"),
-    "evenness": Pages("kurbel.engine.speed.page:EVENNESS", "delta --flywheel 50"),
-    "crank forces": Pages("kurbel.engine.page:CRANK_FORCES", "forces --eps 4"),
-    "machine": Pages("kurbel.engine.page:MACHINE", _MACHINE),
-    "rod load": Pages("kurbel.engine.rodload.page:SUBJECT", "forces --eps 4"),
-    "flywheel": Pages("kurbel.engine.page:FLYWHEEL", "flywheel --power 50kW --speed 120/min --delta 1:100"),
-    "pressures": Pages("kurbel.engine.pressures.page:PRESSURES", _PRESSED),
-    "pressures over the angle": Pages("kurbel.engine.pressures.page:PRESSURES_OVER_ANGLE", _PRESSED),
-    "dead centres": Pages("kurbel.linkage.beam.page:SUBJECT", "deadcentres"),
-    "drive dead centres": Pages("kurbel.linkage.dead_centres:SUBJECT", f"deadcentres {_ARC}"),
-    "harmonics": Pages("kurbel.balance.harmonics_page:SUBJECT", "harmonics"),
-    "torque": Pages("kurbel.engine.harmonics.page:TORQUE", "harmonics --quantity torque --eps 4"),
-    "excitation": Pages("kurbel.engine.harmonics.page:EXCITING", _EXCITED),
-    "balance": Pages("kurbel.balance.page:SUBJECT", "balance"),
-    "firing orders": Pages("kurbel.balance.firing_page:ORDERS", "firing"),
-    "firing": Pages("kurbel.balance.firing_page:FIRING", "firing --order 1-3-4-2"),
-    **mechanisms.SUBJECTS,
-    "coupled axles": Pages("kurbel.linkage.coupled:SUBJECT", "forces --mechanism parallel --axles 3"),
-    "inertia": Pages("kurbel.motion.inertia_page:INERTIA", _INERTIA),
-    "inertia errors": Pages("kurbel.motion.inertia_page:SUBJECT", _INERTIA),
-    "rocker inertia": Pages("kurbel.linkage.arc.inertia:SUBJECT", f"{_INERTIA} {_ARC}"),
-    "roots": Pages("kurbel.solve.page:SUBJECT", "solve --where p=0"),
-    "loaded roots": Pages("kurbel.solve.load_page:SUBJECT", "solve --eps 4 --where torque=max"),
-    "collation": Pages("kurbel.books.collate_page:SUBJECT", "collate roetscher-112"),
-    "formulas": Pages("kurbel.books.formulas.page:SUBJECT", "collate blau-equations"),
-}
 
 
 def _of_languages(entry: Mapping[str, Any]) -> Mapping[str, Any]:

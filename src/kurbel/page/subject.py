@@ -14,8 +14,9 @@ from typing import Any, ClassVar, NamedTuple, TypeAlias
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS, Label
 from kurbel.page.axes import Grid, PageAxis, Place
-from kurbel.page.layouts import SUBJECTS, Layout, LayoutColumn
+from kurbel.page.layouts import Layout, LayoutColumn
 from kurbel.page.quantity import Column, Quantity
+from kurbel.page.subjects import SUBJECTS
 from kurbel.page.table import Field, Note, Records, Value
 from kurbel.reading.given import choose
 from kurbel.reading.notation import MOST_ROWS
