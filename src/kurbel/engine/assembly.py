@@ -49,6 +49,11 @@ class Assembly:
         """The part whose Q and R are the units."""
         return self.parts[0]
 
+    def at_speed(self, factor: Fraction) -> Assembly:
+        """Return the engine at so many times its speed, that of its masses."""
+        parts = (part if part.crank.moving is None else part.at_speed(factor) for part in self.parts)
+        return Assembly(tuple(parts))
+
     @property
     def drive(self) -> Drive:
         return self.first.drive

@@ -43,6 +43,10 @@ WORDS = {
         "|$(ΔW)/(P r)$ is $δ$ in $(P r)/(m_1 v_1^2)$, $J = (ΔW)/(δ ω^2)$;"
         " $P$ mean tangential force at the crank radius $r$"
     ),
+    "true_inertia": words(
+        "mit $J_δ$ bleibt die Geschwindigkeit der Maschine mit ihren Massen genau in $ω (1 ± δ/2)$"
+        "|with $J_δ$ the speed of the machine with its masses stays exactly within $ω (1 ± δ/2)$"
+    ),
     "radius": words('$ρ = {radius} "m"$'),
     "turn": words(
         "Winkel vom Totpunkt des Hubes, in der Umdrehung vom inneren Totpunkt"
@@ -146,6 +150,8 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
         yield WORDS["delta"][lang]
     if subject == "flywheel":
         yield WORDS["flywheel"][lang]
+        if any(column.key == "inertia_true" for column in columns):
+            yield WORDS["true_inertia"][lang]
         radius = request.flywheels[0].radius
         if radius is not None:
             yield WORDS["radius"][lang].format(radius=plain(radius))

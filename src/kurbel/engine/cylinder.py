@@ -108,6 +108,12 @@ class Cylinder(NamedTuple):
             turned = self.kind.of(turned)
         return self._whole(before + work - self.mean * turned * self.kind.pi)
 
+    def kinetic_energy(self, stroke: int, angle: Any) -> Number:
+        """Return the energy of the masses, as far as it changes."""
+        if self.weights is None:
+            return self.kind.of(Fraction(0))
+        return self._whole(self.drive.kinetic_energy(stroke % 2, self.circle(angle), self.weights.masses))
+
     @property
     def whole_mean(self) -> Number:
         """The mean tangential force in the engine's unit."""
@@ -127,6 +133,7 @@ class AnyTurn(ABC):
     def __init__(self, engine: Engine | Assembly, method: str) -> None:
         self.engine = engine
         self.method = method
+        self._at_speeds: dict[Fraction, AnyTurn] = {}
 
     @property
     def part(self) -> Engine:
@@ -272,6 +279,18 @@ class AnyTurn(ABC):
         """The energies of all cranks in the first one's inner dead centre, from where they count."""
         cylinders = self.cylinders
         return sum(cylinders[part].energy(*one) for part, *one in self.begun())
+
+    def kinetic_energy_begun(self) -> Number:
+        """The energy of the moving masses, as far as it changes, in the first crank's inner dead centre, in
+        Q R."""
+        cylinders = self.cylinders
+        return sum(cylinders[part].kinetic_energy(*one) for part, *one in self.begun())
+
+    def at_speed(self, factor: Fraction) -> AnyTurn:
+        """Return the turn of the engine at another speed, so many times its own."""
+        if factor not in self._at_speeds:
+            self._at_speeds[factor] = type(self)(self.engine.at_speed(factor), self.method)
+        return self._at_speeds[factor]
 
     def irregularity(self) -> Number:
         """Return δ in units of |P| R/(m₁ v₁²)."""

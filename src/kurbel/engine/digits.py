@@ -30,7 +30,7 @@ KNOWN = ("pin_path", "pin_path_mm")
 # What follows from δ, in proportion to it.
 # What is asked of a turn with its flywheel, which knows its errors.
 OF_RUNS = ("speed", "evenness")
-SWINGS = ("swing_share", "swing", "inertia", "mass")
+SWINGS = ("swing_share", "swing", "inertia", "inertia_true", "mass")
 
 
 class Asked(NamedTuple):

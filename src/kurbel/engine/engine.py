@@ -226,6 +226,14 @@ class Engine:
         """The half turns by which the cranks follow the first of the whole engine."""
         return tuple((self.lag + crank) / 180 for crank in self.cranks)
 
+    def at_speed(self, factor: Fraction) -> Engine:
+        """Return the engine at so many times its speed, that of its masses."""
+        crank = self.crank
+        assert crank.speed is not None
+        faster = replace(crank, speed=replace(crank.speed, value=crank.speed.value * factor))
+        drive = faster if crank is self.drive else replace(self.drive, crank=faster)  # type: ignore[type-var]
+        return replace(self, drive=drive)
+
     @property
     def pressure(self) -> Fraction | None:
         """The pressure in Pa that Q is of, None where it is not known."""

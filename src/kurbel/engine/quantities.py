@@ -16,12 +16,10 @@ from typing import Any, NamedTuple
 
 from kurbel.drive.crank_forces import CRANK_FORCES
 from kurbel.drive.flywheel import Flywheel
-from kurbel.engine import ties
+from kurbel.engine import flywheel, ties
 from kurbel.engine.cylinder import AnyTurn
 from kurbel.engine.loads import stages, work
 from kurbel.exact.numerals import Label
-from kurbel.kernel import turning
-from kurbel.kernel.circle import Number
 from kurbel.motion.evaluation import Method
 from kurbel.page.quantity import Formula, Quantity, Words, entry, words
 
@@ -191,69 +189,8 @@ def _work_entries() -> Iterator[Quantity]:
                  ties=partial(work.load_ties, "efficiency"))  # fmt: skip
 
 
-def _mean_torque(turn: AnyTurn, where: Where) -> Any:
-    """|P| r in N m: of the power, rational where the speed is given in radians, or of the load."""
-    wheel = _flywheel(where)
-    if wheel.power is None:
-        return abs(turn.mean_force()) * turn.torque_unit()
-    turns = wheel.power / wheel.speed.value
-    return turn.of(turns / 2) / turn.pi if wheel.speed.turns else turns
-
-
-def _power(turn: AnyTurn, where: Where) -> Any:
-    """The power in W, as it is given or of the steam."""
-    power = _flywheel(where).power
-    return _mean_torque(turn, where) * _number(turn, _speed(turn, where)) if power is None else power
-
-
-def _turns_a_minute(turn: AnyTurn, where: Where) -> Any:
-    """n in 1/min."""
-    speed = _flywheel(where).speed
-    return 60 * speed.value if speed.turns else turn.of(30 * speed.value) / turn.pi
-
-
-def _speed(turn: AnyTurn, where: Where) -> Any:
-    """ω in 1/s."""
-    speed = _flywheel(where).speed
-    return turn.of(2 * speed.value) * turn.pi if speed.turns else speed.value
-
-
-def _swing(turn: AnyTurn, where: Where) -> Number:
-    return turning.energy_swing(turn.irregularity(), _number(turn, _mean_torque(turn, where)))
-
-
-def _inertia(turn: AnyTurn, where: Where) -> Number:
-    irregularity = turn.of(_flywheel(where).irregularity)
-    return turning.moment_of_inertia(_swing(turn, where), irregularity, _number(turn, _speed(turn, where)))
-
-
-def _mass(turn: AnyTurn, where: Where) -> Number:
-    radius = _flywheel(where).radius
-    assert radius is not None
-    return _inertia(turn, where) / turn.of(radius * radius)
-
-
-def _number(turn: AnyTurn, value: Any) -> Number:
-    return turn.of(value) if isinstance(value, Fraction) else value
-
-
-def _flywheel(where: Where) -> Flywheel:
-    assert where.flywheel is not None
-    return where.flywheel
-
-
 def _flywheel_entries() -> Iterator[Quantity]:
-    swing = "Arbeitsüberschuss|Energy swing"
-    for key, name, symbol, unit, decimals, kernel, needs in (
-        ("power", "Leistung|Power", "$N$", "W", None, _power, ""),
-        ("speed", "Drehzahl|Speed", "$n$", '$"min"^(-1)$', None, _turns_a_minute, ""),
-        ("omega", "Winkelgeschwindigkeit|Angular velocity", "$ω$", "rad/s", None, _speed, ""),
-        ("mean_torque", "mittleres Drehmoment|Mean torque", "$P r$", "N m", None, _mean_torque, ""),
-        ("swing_share", swing, "$(ΔW)/(P r)$", "", 4, lambda turn, where: turn.irregularity(), ""),
-        ("swing", swing, "$ΔW$", "J", None, _swing, ""),
-        ("inertia", "Trägheitsmoment|Moment of inertia", "$J$", "kg m²", None, _inertia, ""),
-        ("mass", "Schwungmasse am Halbmesser|Mass at the radius", "$J/ρ^2$", "kg", None, _mass, "radius"),
-    ):
+    for key, name, symbol, unit, decimals, kernel, needs in flywheel.ENTRIES:
         yield _entry(key, name, symbol, unit, "flywheel", decimals, kernel, needs=needs)
 
 

@@ -38,8 +38,10 @@ WORDS = {
         " on the piston alone"
     ),
     "even": words(
-        "$T$, $W$ und Schwungräder aus $δ$ (flywheel) mit dem Moment der Massen bei gleichförmiger Drehung"
-        "|$T$, $W$ and flywheels from $δ$ (flywheel) with the torque of the masses at uniform rotation"
+        "$T$ und $W$ mit dem Moment der Massen bei gleichförmiger Drehung; flywheel druckt $J_δ$, das ein $δ$"
+        " bei wahrer Geschwindigkeit hält"
+        "|$T$ and $W$ with the torque of the masses at uniform rotation; flywheel prints $J_δ$, which keeps a"
+        " $δ$ at the true speed"
     ),
     "mean": words(
         '$n$ gegeben als Mittel $1/2 (n_"max" + n_"min")$|$n$ given as the mean $1/2 (n_"max" + n_"min")$'
