@@ -27,6 +27,7 @@ import kurbel
 from kurbel.drive.crank import Crank
 from kurbel.drive.load import PistonForce
 from kurbel.drive.rod import Moving, Rod
+from kurbel.drive.wheel import Wheel
 from kurbel.engine.engine import Engine, Load, Steam
 from kurbel.engine.request import EngineRequest
 from kurbel.engine.turn import Turn
@@ -41,6 +42,7 @@ from kurbel.plot.curves import motion_keys, motion_panels, pin_force, pin_force_
 from kurbel.plot.engine import PIN_FORCE, TURNING, engine_pin_force, force_panels, turning_panels
 from kurbel.plot.panels import MOST_POINTS, axis_name
 from kurbel.plot.plotting import Curve, Panel
+from kurbel.plot.speed import speed_panel
 from kurbel.plot.style import FORMATS
 from kurbel.reading.units import Speed
 
@@ -412,6 +414,17 @@ def test_the_polar_diagram_leaps_at_the_dead_centres_along_the_crank() -> None:
     force = net_steam(phi) / np.sqrt(1 - np.sin(phi) ** 2 / 16)
     there = within(phi)
     np.testing.assert_allclose(np.hypot(vector.across, vector.up)[there], force[there], rtol=1e-9, atol=1e-12)
+
+
+def test_the_speed_of_a_flywheel_is_drawn_from_its_work() -> None:
+    request = EngineRequest(
+        layout=layout("turning"), steams=[STEAM], drives=[SIZED], angles=ANGLES, columns=TURNING,
+    )  # fmt: skip
+    energy, mean = turning_panels(request)[1].curves[0], turning_panels(request)[0].curves[1].values[0]
+    speed = speed_panel(request, Wheel(Fraction(3))).curves[0]
+    work = dict(zip(*curve_at(energy), strict=True))
+    for angle, value in zip(*curve_at(speed), strict=True):
+        np.testing.assert_allclose(value, np.sqrt(1 + 2 * work[angle] / mean / 3), rtol=1e-12)
 
 
 def test_the_turning_effort_with_the_masses_has_theirs_besides_the_steams() -> None:

@@ -43,7 +43,7 @@ FLAGS = {
 }
 # The options that all drawings have, or that say which one it is, or where it goes.
 SHARED = frozenset(("positions", *FLAGS, "ratio", "format", "output", "lang", "decimal"))
-OF_ENGINES = frozenset((*STEAM, "cranks", "cylinder", "of", "bore", "pressure", *MASSES))
+OF_ENGINES = frozenset((*STEAM, "flywheel", "cranks", "cylinder", "of", "bore", "pressure", *MASSES))
 
 
 class Kind(NamedTuple):
@@ -162,8 +162,8 @@ def _params() -> list[click.Parameter]:
                help="File to write, whole or not at all; - is standard output, unless a terminal."),
     ]  # fmt: skip
     order = (
-        "ratio", "columns", "over", "method", "from", "to", "step", "offset", "stroke", "rod", "speed",
-        "force", "mechanism", "rocker", "pivot", "beam", *STEAM, "cranks", "cylinder", "of", "bore",
+        "ratio", "columns", "over", "flywheel", "method", "from", "to", "step", "offset", "stroke", "rod",
+        "speed", "force", "mechanism", "rocker", "pivot", "beam", *STEAM, "cranks", "cylinder", "of", "bore",
         "pressure", *MASSES,
     )  # fmt: skip
     return [

@@ -12,7 +12,7 @@ from kurbel.commands.plots import CurveStep, DrawnColumns, DrawnSpeed, LabelLang
 from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import draws
 from kurbel.errors import ProblemError
-from kurbel.reading.given import as_names
+from kurbel.reading.given import Exact, as_names, as_number
 
 if TYPE_CHECKING:
     from kurbel.engine.request import EngineRequest
@@ -82,6 +82,10 @@ def plot_turning(
             kind=Choice("axis", AXES),
         ),
     ] = "angle",
+    flywheel: Annotated[
+        Exact | None,
+        Option("With --turning: flywheel by its number m₁v₁²/(P r), 50, to draw the speed as well.", "M"),
+    ] = None,
     **given: Unpack[Drawn],
 ) -> Drawing:
     """Draw the turning effort of a steam engine: tangential force, its mean and the excess energy."""
@@ -91,6 +95,11 @@ def plot_turning(
     mark, lang = mark_of(given["lang"], given["decimal"]), given["lang"]
     question = _question("turning", {**given, "eps": eps, "cranks": cranks}, TURNING)
     panels, across = turning_panels(question), None
+    if flywheel is not None:
+        from kurbel.drive.wheel import Wheel
+        from kurbel.plot.speed import speed_panel
+
+        panels.append(speed_panel(question, Wheel(as_number(flywheel, "flywheel"))))
     if over == "path":
         panels, across = over_path(panels), across_path(lang)
     return Drawing.of(curves_drawing(question, panels, mark, across), lang, mark)

@@ -55,7 +55,7 @@ def force_panels(request: EngineRequest) -> list[Panel]:
     The curves have the dead centres and the points of cut-off besides the angles of the request. Raises
     ProblemError for one angle, or more than can be drawn.
     """
-    turns = _turns(request)
+    turns = turns_of(request)
     traces = (
         Trace(column.quantity, (label,), *_course(column, turn, request))
         for column in request.page_columns
@@ -70,7 +70,7 @@ def turning_panels(request: EngineRequest) -> list[Panel]:
     The request has the columns `TURNING`. The curves have the dead centres and the points of cut-off besides
     those at its angles. Raises ProblemError for one angle, or more than can be drawn.
     """
-    turns, lang = _turns(request), request.lang
+    turns, lang = turns_of(request), request.lang
     effort, mean, energy = request.page_columns
     forces, energies = (
         [Curve(label, *_course(column, turn, request)) for label, turn in turns]
@@ -106,12 +106,12 @@ def engine_pin_force(request: EngineRequest) -> tuple[Vector, tuple[Label, Label
 
     The request has one engine and the columns of `PIN_FORCE`.
     """
-    ((_, turn),) = _turns(request)
+    ((_, turn),) = turns_of(request)
     quantities = [column.quantity for column in request.page_columns]
     return vector(quantities, request.lang, *course_of(quantities, turn, request.angles))
 
 
-def _turns(request: EngineRequest) -> list[tuple[Label, AnyTurn]]:
+def turns_of(request: EngineRequest) -> list[tuple[Label, AnyTurn]]:
     """Return the engines, each with what tells it from the others."""
     places = [*product(range(len(request.steams)), range(len(request.drives)))]
     check_drawn(request.angles, len(places))
