@@ -11,7 +11,7 @@ _INERTIA = "inertia --centre 0.65 --gyration 0.35"
 _MACHINE = "forces --eps 4 --bore 300mm --pressure 8bar --stroke 600mm --speed 120/min --reciprocating 300kg"
 _ARC = "--mechanism arc --rocker 6"
 _PRESSED = _MACHINE.replace("forces", "pressures")
-_LISTED = "delta --eps 4 --cranks '0;90'"
+_LISTED = "delta --eps 4 --cranks 0;90"
 _EXCITED = "harmonics --quantity torque --eps 4 --bore 300mm --pressure 8bar --stroke 600mm --speed 120/min"
 # What pages can be about, by its name.
 SUBJECTS: Mapping[str, Pages] = {
