@@ -15,6 +15,7 @@ from numpy.testing import assert_allclose
 from places import CARDS
 
 CSV = ("-f", "csv")
+SIZE = ("--bore=300mm", "--pressure=8bar", "--stroke=600mm")
 # Of a grid of a hundredth of a degree.
 GRID = 2e-5
 
@@ -86,8 +87,7 @@ def test_many_digits_of_an_angle_are_those_of_mpmath() -> None:
 
 
 def test_a_torque_in_newton_metres_is_that_of_the_forces_times_the_crank() -> None:
-    size = ("--eps=4", "--bore=300mm", "--pressure=8bar", "--stroke=600mm")
-    found = printed("solve", *size, "--where=torque=5kNm", *CSV).records()
+    found = printed("solve", "--eps=4", *SIZE, "--where=torque=5kNm", *CSV).records()
     unit = math.pi / 4 * 0.3**2 * 800_000 * 0.3
     shares = printed("solve", "--eps=4", f"--where=tangential={5000 / unit:.12f}", *CSV).records()
     assert [one["phi"] for one in found] == [one["phi"] for one in shares]
@@ -106,6 +106,7 @@ def test_a_rod_force_in_newtons_is_had_where_the_rod_stands_so_steep() -> None:
     ("words", "sentence"),
     [
         (("--eps=4", "--where=tangential=2"), "tangential lies between 0.0000 and 0.6883 Q"),
+        (("--eps=4", *SIZE, "--where=torque=20kNm"), "torque lies between 0.0 and 11676"),
         (("--eps=4", "--where=piston_force=0.75"), "holds at every crank angle from 0.00° to 55.38°"),
         (("--eps=4", "--where=torque=3kNm"), 'condition "torque = 3 kNm" is in kNm: column torque_nm needs'),
         (("--eps=4", "--where=energy=3J"), "which only torque and the forces of the crank drive can have"),

@@ -32,7 +32,7 @@ def _texts(where: Any) -> list[Any]:
 
 def _is_loaded(values: Mapping[str, Any]) -> bool:
     """Whether there is the load of an engine."""
-    return any(is_given(values.get(name)) for name in OWN)
+    return any(is_given(values.get(name)) for name in (*OWN, "cylinder"))
 
 
 def _is_of_engine(values: Mapping[str, Any]) -> bool:
@@ -49,7 +49,7 @@ def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
         bare = {"force": "--force does not go with the load of an engine; leave it out"}
         return {**bare, **for_masses("speed")(values)}
     why = _UNASKED if _is_loaded(values) else _UNLOADED
-    names = (*STEAM, *MASSES, "bore", "pressure", "cranks")
+    names = (*STEAM, *MASSES, "bore", "pressure", "cranks", "cylinder")
     return {name: f"--{name.replace('_', '-')} {why}" for name in names}
 
 

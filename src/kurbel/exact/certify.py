@@ -53,7 +53,9 @@ def _ball_circle(degrees: Fraction, precision: int) -> Circle[arb]:
 
 def half_turn_circle(half_turns: arb) -> Circle[arb]:
     """Return the same of half turns, a ball."""
-    return Circle(*half_turns.sin_cos_pi(), 2 * (half_turns / 2).sin_pi() ** 2)
+    half = (half_turns / 2).sin_pi()
+    # Of a ball about exactly 0, flint's square is no number.
+    return Circle(*half_turns.sin_cos_pi(), 2 * half * half)
 
 
 def ball_degrees(sine: arb) -> arb:

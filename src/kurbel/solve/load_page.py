@@ -101,7 +101,11 @@ class LoadedRequest(EngineRequest):
         if self.columns:
             return own
         shown = {column.key for column in own}
-        asked = dict.fromkeys(_column_of(condition) for condition in self.conditions)
+        asked = dict.fromkeys(
+            _column_of(condition)
+            for condition in self.conditions
+            if ASKED[condition.quantity].measured not in shown
+        )
         return (*own, *(self.column(LayoutColumn(key, key)) for key in asked if key not in shown))
 
     def angle(self, place: Place, share: int, decimals: int) -> Number:

@@ -27,9 +27,9 @@ from kurbel.reading import units
 from kurbel.reading.notation import plain
 from kurbel.reading.where import MAX, MIN, Condition
 
-FORCE, TORQUE = "force", "torque"
+TORQUE = "torque"
 # Decimals in which sentences say what a force covers.
-RANGE_DECIMALS = 4
+RANGE_DECIMALS, UNIT_DECIMALS = 4, 1
 RANGE_BITS = 128
 
 
@@ -76,9 +76,15 @@ class Loaded:
         """Return the value that is asked for, in Q or Q r."""
         if not condition.unit:
             return ball(condition.value)
-        unit = self.turn.torque_unit() if condition.quantity == "torque" else self.turn.force_unit()
-        value: arb = ball(measured(condition)) / unit
+        value: arb = ball(measured(condition)) / self._unit(condition)
         return value
+
+    def _unit(self, condition: Condition) -> arb:
+        """Return Q r in N m or Q in N, of a condition with a unit, else 1."""
+        if not condition.unit:
+            return ball(1)
+        found: arb = self.turn.torque_unit() if condition.quantity == TORQUE else self.turn.force_unit()
+        return found
 
     def _places(self, condition: Condition) -> tuple[At, ...]:
         """Return where the condition holds over the cycle, in order; raise NoRootError if nowhere."""
@@ -113,15 +119,22 @@ class Loaded:
         return zeros(segment, quantity, lambda half_turns: self.target(condition))
 
     def _nowhere(self, condition: Condition, quantity: Callable[[Segment, arb], Jet]) -> str:
-        unit = "Q r" if condition.quantity in ("torque", "energy") else "Q"
+        units_of = ("N m", "Q r") if condition.quantity in (TORQUE, "energy") else ("N", "Q")
         with flint.ctx.workprec(RANGE_BITS):
             ends = [
-                fraction(extreme_value(extremes(self.segments, quantity, sign), quantity, sign).mid())
+                fraction(
+                    (
+                        self._unit(condition)
+                        * extreme_value(extremes(self.segments, quantity, sign), quantity, sign)
+                    ).mid()
+                )
                 for sign in (-1, 1)
             ]
-        least, most = (number_text(nearest(end, RANGE_DECIMALS)) for end in ends)
-        said = f"{condition.quantity} lies between {least} and {most} {unit}"
-        return f"{condition} is reached nowhere; {said}, and may jump at a dead centre"
+        decimals = UNIT_DECIMALS if condition.unit else RANGE_DECIMALS
+        least, most = (number_text(nearest(end, decimals)) for end in ends)
+        said = f"{condition.quantity} lies between {least} and {most} {units_of[not condition.unit]}"
+        jumps = ", and may jump at a dead centre" if condition.quantity in CRANK_FORCES else ""
+        return f"{condition} is reached nowhere; {said}{jumps}"
 
 
 def measured(condition: Condition) -> Fraction:

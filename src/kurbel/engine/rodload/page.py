@@ -30,7 +30,7 @@ from kurbel.engine.ties import limit_ties
 from kurbel.exact.certify import NEVER_TIES, TieBits, rounded
 from kurbel.exact.numerals import Label, Number, nearest
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis
-from kurbel.page.quantity import Column, words
+from kurbel.page.quantity import Column, filled, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field, Note
 
@@ -51,6 +51,7 @@ WORDS = {
         "|reversal: the crank angle over which the load has the sign that it has for less of the turn;"
         " API 618 asks at the crosshead pin, along the slide, for at least 15° and 3 %"
     ),
+    "first": words("die Stange der ersten Kurbel|the rod of the first crank"),
     "masses": words(
         ", von Druck und hin- und hergehenden Massen ohne die Stange"
         "|, of pressure and reciprocating masses without the rod"
@@ -154,6 +155,12 @@ def _estimated(asked: _Asked) -> Number | None:
     return to_place(Fraction(best), supported, asked.rounding)
 
 
+def _caption(request: EngineRequest) -> Label:
+    """Return the layout's caption, whatever the columns: their names stand beside them."""
+    methods = dict.fromkeys(column.method for column in request.page_columns)
+    return filled(request.layout.caption[request.lang], captions.about_engines(request, methods).items())
+
+
 def _notes(request: EngineRequest) -> Iterator[Label | Note]:
     lang, columns = request.lang, request.page_columns
     shown = [column.quantity for column in columns]
@@ -162,6 +169,8 @@ def _notes(request: EngineRequest) -> Iterator[Label | Note]:
     heavy = request.first.crank.moving is not None
     slide = request.mechanism.named(end_entry("slide")).direction or SLIDE
     yield slide[lang] + (WORDS["masses"][lang] if heavy else "")
+    if sum(len(part.starts) for part in request.first.parts) > 1:
+        yield WORDS["first"][lang]
     yield from captions.notes(request)
     if any(one.key.startswith(_REVERSAL) for one in shown):
         yield WORDS["reversal"][lang]
@@ -175,7 +184,7 @@ SUBJECT = Subject(
     axis_keys=("epsilon", "ratio", "end"),
     quantities=rod_quantities,
     number=_number,
-    caption=captions.caption,
+    caption=_caption,
     notes=_notes,
     beside=errors_beside,
 )
