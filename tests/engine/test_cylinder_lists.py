@@ -143,6 +143,11 @@ def test_a_file_a_text_and_python_describe_one_engine(tmp_path: Path) -> None:
     words = ("--columns=delta", "--digits=7", "-f", "csv")
     typed = printed("delta", *common, *(f"--cylinder={one}" for one in entries), *words).out
     described = [dict(entry.split("=") for entry in one.split()) for one in entries]
+    numbers: list[dict[str, Any]] = [
+        {"bore": 0.4, "pressure": 9e5, "eps": 2.5, "back": 0.3},
+        {"angle": 90, **described[1]},
+    ]
+    assert kurbel.delta_table(ratio="1:5", stroke=0.8, cylinder=numbers, digits=7).records.rows
     table = kurbel.delta_table(ratio="1:5", stroke=0.8, cylinder=described, columns="delta", digits=7)
     assert kurbel.typeset(table, "csv") == typed
     tables = (
@@ -286,6 +291,7 @@ def test_every_command_takes_the_cylinders_of_a_machine_or_refuses_them() -> Non
     assert one == ["pressures"]
     machine = ("--machine", str(MACHINES / "compound.toml"))
     assert "is about one" in refusal("pressures", *machine, code=1)
+    assert "is about cylinders alike" in refusal("balance", *machine, code=1)
     assert "are of one cylinder" in refusal("plot", "--pressures", *machine, "-o", "none.svg")
 
 

@@ -1,1 +1,1 @@
-"""The harmonics of the piston's motion and the balance of engines with several cranks."""
+"""The harmonics of the piston's motion, the balance of engines with several cranks, and firing orders."""

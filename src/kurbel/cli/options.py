@@ -251,6 +251,8 @@ def resolved(command: Command, given: Given, rivals: Rivals = ()) -> dict[str, A
     }
 
 
+# What those commands are about that a list of unlike cylinders says nothing to.
+_ALIKE = {"pressures": "one", "balance": "cylinders alike"}
 # Where a context keeps the name of the file.
 MACHINE = "kurbel.drive.machine"
 
@@ -284,10 +286,10 @@ def machine_defaults(command: click.Command, file: File) -> dict[str, Any]:
                 f"{file}: crank.{name} is {machine[name]}, and kurbel {command.name} is about the"
                 f" straight crank; leave the {name} out of the machine"
             )
-    if machine.get("cylinder") and "cylinder" not in names and "eps" in names:
+    if machine.get("cylinder") and "cylinder" not in names and (alike := _ALIKE.get(command.name or "")):
         raise MachineError(
-            f"{file}: the machine has a list of cylinders, and kurbel {command.name} is about one; leave the"
-            " list out, and what one has in the sections"
+            f"{file}: the machine has a list of cylinders, and kurbel {command.name} is about {alike}; leave"
+            " the list out, and what a cylinder has in the sections"
         )
     # What may be repeated is a list, though the machine has one of it.
     lists = {one.name for one in command.params if one.multiple}

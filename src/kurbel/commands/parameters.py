@@ -202,7 +202,10 @@ class Cylinder(Loads, total=False):
     card: Annotated[
         Path | Iterable[Path] | None,
         Option(
-            "Indicator card: CSV with position, p_forward [bar], p_return [bar].", "FILE", FILE, many=True
+            "Indicator card: CSV with position, p_forward [bar], p_return [bar], or angle, p [bar].",
+            "FILE",
+            FILE,
+            many=True,
         ),
     ]
     other_side: Annotated[
