@@ -19,6 +19,7 @@ from kurbel.engine.loads.compressor import Compressor
 from kurbel.engine.loads.pump import Pump
 from kurbel.engine.turn import turn_of
 
+PUMPED = ("--bore=1m", "--delivery-pressure=0.605bar")
 FIFTH = Crank(Fraction(1, 5))
 
 
@@ -99,6 +100,20 @@ def test_the_mean_pressure_of_a_gas_engine_is_that_of_its_heat() -> None:
     page = kurbel.delta_table(compression="5;7", heat=10, digits=6)
     expected = [float((1 - mp.mpf(ratio) ** mp.mpf("-0.4")) * 10 * ratio / (ratio - 1)) for ratio in (5, 7)]
     assert numbers(page, "mean_pressure") == pytest.approx(expected, abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("words", "printed_as"),
+    [
+        # Half-way between two printed numbers, and rounded away from zero.
+        (("--eps=1", "--back=0.15", "--columns=mean_pressure,work", "--digits=1"), "0.9,3.4"),
+        (("--eps=1", "--back=0.1875", "--single-acting", "--columns=work", "--digits=2"), "1.63"),
+        (("--pressure-ratio=2.25", "--clearance=5%", "--columns=delivered", "--digits=3"), "0.938"),
+        (("--pump", *PUMPED, "--columns=mean_pressure_kpa", "--digits=0"), "61"),
+    ],
+)  # fmt: skip
+def test_ties_of_work_and_pressure_are_settled(words: tuple[str, ...], printed_as: str) -> None:
+    assert printed("delta", *words, "-f", "csv").out.splitlines()[-1] == printed_as
 
 
 @pytest.mark.parametrize(

@@ -19,9 +19,6 @@ from kurbel.errors import NotationError
 from kurbel.reading import given
 from kurbel.reading.given import choose
 
-# What names a load on the piston of an engine.
-LOADS = ("eps", "card", "pressure_ratio", "pump", "compression")
-
 
 class Kind:
     """How a value is written: as text, which in Python may be a number.
@@ -149,10 +146,10 @@ class Columns(Kind):
             from kurbel.motion.mechanism import mechanism as mechanism_of
 
             return self.of_mechanisms or mechanism_of(mechanism).layout
-        if typed.get("forces") and any(map(typed.get, LOADS)):
-            from kurbel.commands.engine_plots import ENGINE_LAYOUT
+        from kurbel.commands.loads import OWN
 
-            return ENGINE_LAYOUT
+        if typed.get("forces") and any(map(typed.get, OWN)):
+            return "engine-forces"
         return "delta-detail" if typed.get("detail") else self.layout
 
 

@@ -18,7 +18,7 @@ from kurbel.drive.crank_forces import CRANK_FORCES
 from kurbel.drive.flywheel import Flywheel
 from kurbel.engine import flywheel, ties
 from kurbel.engine.cylinder import AnyTurn
-from kurbel.engine.loads import stages, work
+from kurbel.engine.loads import work
 from kurbel.exact.numerals import Label
 from kurbel.motion.evaluation import Method
 from kurbel.page.quantity import Formula, Quantity, Words, entry, words
@@ -82,7 +82,13 @@ def applies(quantity: Quantity, where: Where) -> bool:
 @cache
 def engine_registry() -> Mapping[str, Quantity]:
     """Return every quantity by its key, in the order in which `kurbel quantities` lists them."""
-    entries = (*_turn_entries(), *_path_entries(), *_work_entries(), *_flywheel_entries(), *_force_entries())
+    entries = (
+        *_turn_entries(),
+        *_path_entries(),
+        *work.entries(_entry),
+        *_flywheel_entries(),
+        *_force_entries(),
+    )
     return {entry.key: entry for entry in entries}
 
 
@@ -158,35 +164,6 @@ def _kilopascals(turn: AnyTurn) -> Fraction:
     """The pressure in kPa that Q is of."""
     assert turn.engine.pressure is not None
     return turn.engine.pressure / 1000
-
-
-def _work_entries() -> Iterator[Quantity]:
-    """The work of a turn and what a load does with it; the formulas of engine/loads/work.py."""
-    yield _entry("work", "Arbeit einer Umdrehung|Work of a turn", "$A$", "$Q r$", "turn", 4, work.work,
-                 ties=work.work_ties)  # fmt: skip
-    for key, name, letter in stages.NAMES:
-        yield _entry(key, name, letter, "$Q r$", "turn", None, partial(stages.work, key), needs="steam")
-    per_area = "$Q$ je Kolbenfläche|$Q$ per piston area"
-    mean = _entry("mean_pressure", "mittlerer Druck|Mean pressure", "$p_m$", per_area, "turn", 4,
-                  work.mean_pressure, ties=work.mean_pressure_ties)  # fmt: skip
-    yield mean
-    yield mean._replace(
-        key="mean_pressure_kpa", unit=words("kPa"), decimals=1, heading=words("$p_m$ in kPa"),
-        scale=work.kilopascals, needs="load", ties=None,
-    )  # fmt: skip
-    yield _entry("indicated_power", "indizierte Leistung|Indicated power", "$N_i$", "kW", "turn", None,
-                 work.power, scale=work.kilowatts, needs="power")  # fmt: skip
-    yield _entry("volumetric_efficiency", "volumetrischer Wirkungsgrad|Volumetric efficiency", "$η_v$", "",
-                 "turn", 4, work.volumetric_efficiency, needs="compressor",
-                 ties=partial(work.load_ties, "volumetric_efficiency"))  # fmt: skip
-    yield _entry("delivered", "Fördervolumen|Delivered volume", "$V/V_h$", "", "turn", 4,
-                 work.delivered, needs="compressor",
-                 ties=partial(work.load_ties, "delivered"))  # fmt: skip
-    yield _entry("delivery", "Fördermenge|Delivery", "$V$", "m³/min", "turn", None, work.flow,
-                 needs="flow")  # fmt: skip
-    yield _entry("efficiency", "Wirkungsgrad, idealer|Ideal efficiency", "$η$", "", "turn", 4,
-                 work.efficiency, needs="heat",
-                 ties=partial(work.load_ties, "efficiency"))  # fmt: skip
 
 
 def _flywheel_entries() -> Iterator[Quantity]:

@@ -5,17 +5,22 @@ Of a driven machine the work is negative, for the shaft does it; mean pressures 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from fractions import Fraction
+from functools import partial
 from math import inf
 from typing import Any
 
 from kurbel.drive.load import CARD, STEAM
 from kurbel.engine.cylinder import AnyTurn
 from kurbel.engine.engine import Engine
+from kurbel.engine.loads import stages
 from kurbel.exact.certify import NEVER_TIES, TieBits
 from kurbel.exact.kind import Kind, bounds
+from kurbel.exact.separation import Separation
 from kurbel.kernel.circle import Number
+from kurbel.kernel.steam import Expansion
+from kurbel.page.quantity import Quantity, words
 
 
 def work(turn: AnyTurn, where: Any) -> Number:
@@ -46,9 +51,7 @@ def kilowatts(turn: AnyTurn) -> Number:
 
 def kilopascals(turn: AnyTurn) -> Number:
     """Return the pressure that Q is of, in kPa."""
-    pressure = turn.engine.pressure
-    assert pressure is not None
-    return turn.of(pressure / 1000)
+    return turn.of(_pressure(turn.engine.parts[0]) / 1000)
 
 
 def volumetric_efficiency(turn: AnyTurn, where: Any) -> Number:
@@ -92,6 +95,11 @@ def mean_pressure_ties(turn: AnyTurn, half_turns: Fraction) -> TieBits | None:
     return _ties(turn, _mean_pressure)
 
 
+def kilopascal_ties(turn: AnyTurn, half_turns: Fraction) -> TieBits | None:
+    """Return the same of the mean pressure in kPa."""
+    return _ties(turn, lambda engine, own: _mean_pressure(engine, own) * own[0].of(_pressure(engine) / 1000))
+
+
 def load_ties(name: str, turn: AnyTurn, half_turns: Fraction) -> TieBits:
     """Return the same of an algebraic value that a load has by itself."""
     value = getattr(turn.engine.steam, name)(bounds())
@@ -103,6 +111,11 @@ def ends(engine: Engine) -> Fraction:
     return Fraction(4 if engine.double else 2, getattr(engine.steam, "strokes_of_cycle", 2))
 
 
+def _pressure(engine: Engine) -> Fraction:
+    assert engine.pressure is not None
+    return engine.pressure
+
+
 def _own(turn: AnyTurn) -> tuple[Kind, Number]:
     """The kind of number of a turn, and the length of the stroke in R."""
     return turn.cylinder.kind, turn.cylinder.drive.length
@@ -111,8 +124,15 @@ def _own(turn: AnyTurn) -> tuple[Kind, Number]:
 def _work(engine: Engine, own: tuple[Kind, Any]) -> Any:
     kind, length = own
     strokes = engine.steam.strokes(kind, engine.double)
-    cycle = sum(one.work(kind.of(Fraction(1))) for one in strokes)
+    cycle = sum(_whole(one, kind.of(Fraction(1))) for one in strokes)
     return cycle * length * kind.of(Fraction(2 * len(engine.starts), len(strokes)))
+
+
+def _whole(stroke: Any, end: Any) -> Any:
+    """The work of a stroke; on bounds, which have no logarithm, steam of exponent 1 does not expand."""
+    if isinstance(end, Separation) and isinstance(stroke, Expansion) and stroke.exponent == 1:
+        return stroke.full_pressure_work(end)
+    return stroke.work(end)
 
 
 def _mean_pressure(engine: Engine, own: tuple[Kind, Any]) -> Any:
@@ -145,3 +165,32 @@ def _bound(boundary: Fraction) -> Any:
 
 def _angular(turn: AnyTurn, value: Fraction, turns: bool) -> Number:
     return turn.of(2 * value) * turn.pi if turns else turn.of(value)
+
+
+def entries(entry: Callable[..., Quantity]) -> Iterator[Quantity]:
+    """Yield the quantities of all this, each made by a function of key, name, symbol, unit and so on."""
+    yield entry("work", "Arbeit einer Umdrehung|Work of a turn", "$A$", "$Q r$", "turn", 4, work,
+                 ties=work_ties)  # fmt: skip
+    for key, name, letter in stages.NAMES:
+        yield entry(key, name, letter, "$Q r$", "turn", None, partial(stages.work, key), needs="steam")
+    per_area = "$Q$ je Kolbenfläche|$Q$ per piston area"
+    mean = entry("mean_pressure", "mittlerer Druck|Mean pressure", "$p_m$", per_area, "turn", 4,
+                  mean_pressure, ties=mean_pressure_ties)  # fmt: skip
+    yield mean
+    yield mean._replace(
+        key="mean_pressure_kpa", unit=words("kPa"), decimals=1, heading=words("$p_m$ in kPa"),
+        scale=kilopascals, needs="load", ties=kilopascal_ties,
+    )  # fmt: skip
+    yield entry("indicated_power", "indizierte Leistung|Indicated power", "$N_i$", "kW", "turn", None,
+                 power, scale=kilowatts, needs="power")  # fmt: skip
+    yield entry("volumetric_efficiency", "volumetrischer Wirkungsgrad|Volumetric efficiency", "$η_v$", "",
+                 "turn", 4, volumetric_efficiency, needs="compressor",
+                 ties=partial(load_ties, "volumetric_efficiency"))  # fmt: skip
+    yield entry("delivered", "Fördervolumen|Delivered volume", "$V/V_h$", "", "turn", 4,
+                 delivered, needs="compressor",
+                 ties=partial(load_ties, "delivered"))  # fmt: skip
+    yield entry("delivery", "Fördermenge|Delivery", "$V$", "m³/min", "turn", None, flow,
+                 needs="flow")  # fmt: skip
+    yield entry("efficiency", "Wirkungsgrad, idealer|Ideal efficiency", "$η$", "", "turn", 4,
+                 efficiency, needs="heat",
+                 ties=partial(load_ties, "efficiency"))  # fmt: skip
