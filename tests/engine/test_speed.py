@@ -279,3 +279,15 @@ def test_against_the_square_of_the_speed_it_is_that_of_the_equation_of_motion(
         assert_allclose([float(run.speed(one)) for one in places], speeds[:-1] / first, rtol=1e-9)
         extremes = [float(run.extreme_speed(one)) * first for one in (False, True)]
         assert_allclose(extremes, [least, greatest], rtol=1e-8)
+
+
+@pytest.mark.parametrize("wheel", ["--inertia 20kgm2", "--flywheel 3"])
+def test_masses_by_the_card_of_the_ideal_engine_have_its_speed(wheel: str) -> None:
+    card = f"--card {CARDS / 'ideal-2.csv'}"
+    by_card, ideal = MACHINE.replace("--pressure 8bar", card), f"--eps 2 --back 0.5 {MACHINE}"
+    asked = f"{wheel} --angle 0;30;215;400 --columns phi,speed,rpm,time --digits 5"
+    for one, true in zip(rows(f"turning {by_card} {asked}"), rows(f"turning {ideal} {asked}"), strict=True):
+        assert_allclose([one[key] for key in true], [*true.values()], rtol=1e-6, atol=1.1e-5)
+    (page,), (true,) = rows(f"delta {by_card} {wheel} --digits 6"), rows(f"delta {ideal} {wheel} --digits 6")
+    for key in ("speed_min", "speed_max", "delta_mean", "delta_first"):
+        assert_allclose(page[key], true[key], atol=1.1e-6)

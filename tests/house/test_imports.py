@@ -155,6 +155,7 @@ ARRAYS = within("kurbel.plot", set(MODULES)) - {"kurbel.plot", "kurbel.plot.styl
     "kurbel.engine.irregularity",
     "kurbel.engine.rodload.card",
     "kurbel.engine.speed.card",
+    "kurbel.engine.speed.heavy_card",
     "kurbel.exact.bulk",
     "kurbel.formats.columns",
     "kurbel.kernel.half_tangent",

@@ -128,15 +128,15 @@ class CardTurn(AnyTurn):
 
     def _excesses(self, places: Any) -> Any:
         """The excess at an array of half turns."""
-        return self._sum(Cylinder.effort, places, -self.mean_force())
+        return self.total(Cylinder.effort, places, -self.mean_force())
 
     def energies(self, places: Any) -> Any:
         """Return the excess work since the inner dead centre at an array of half turns."""
         before = sum(self.cylinders[part].energy(*begun) for part, *begun in self.begun())
-        return self._sum(Cylinder.energy, places, -before)
+        return self.total(Cylinder.energy, places, -before)
 
-    def _sum(self, value: Callable[[Cylinder, int, Any], Any], places: Any, first: float) -> Any:
-        """The sum of a number and of what each crank has at an array of half turns."""
+    def total(self, value: Callable[[Cylinder, int, Any], Any], places: Any, first: float) -> Any:
+        """Return the sum of a number and of what each crank has at an array of half turns."""
         total = np.full_like(places, first)
         for start, cylinder in self._cranks():
             begins = [

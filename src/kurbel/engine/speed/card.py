@@ -31,7 +31,7 @@ class CardRun(Run):
     @cached_property
     def coarser(self) -> tuple[CardRun, ...]:
         """The runs by the two cards that have every second point."""
-        return tuple(CardRun(half, self.wheel) for half in self.turn.coarser)
+        return tuple(type(self)(half, self.wheel) for half in self.turn.coarser)
 
     @property
     def gain(self) -> float:
@@ -86,6 +86,10 @@ class CardRun(Run):
         """The time from each place to another in the same cell."""
         half = (ends - starts) / 2
         places = starts[:, None] + half[:, None] * (1 + POINTS)
-        speeds = self.speed_of(self.turn.energies(places))
-        elapsed: Floats = half * (SHARES / speeds).sum(axis=1)
+        elapsed: Floats = half * (SHARES / self.speeds(places)).sum(axis=1)
         return elapsed
+
+    def speeds(self, places: Floats) -> Floats:
+        """Return v/v₁ at an array of half turns."""
+        found: Floats = self.speed_of(self.turn.energies(places))
+        return found

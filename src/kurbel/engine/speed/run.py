@@ -223,9 +223,13 @@ def run_of(turn: AnyTurn, wheel: Wheel) -> AnyRun:
     if any(part.crank.moving is not None for part in turn.engine.parts):
         from kurbel.engine.speed.heavy import HeavyRun
 
-        if not isinstance(turn, Turn):
-            raise ProblemError("the speed over the turn by a card is without moving masses; leave them out")
-        return HeavyRun(turn, wheel)
+        if isinstance(turn, Turn):
+            return HeavyRun(turn, wheel)
+        from kurbel.engine.card.turn import CardTurn
+        from kurbel.engine.speed.heavy_card import HeavyCardRun
+
+        assert isinstance(turn, CardTurn)
+        return HeavyCardRun(turn, wheel)
     if turn.engine.carded:
         from kurbel.engine.speed.card import CardRun
 

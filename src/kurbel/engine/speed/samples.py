@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 from itertools import pairwise
 from math import exp, pi
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import flint
 
@@ -17,6 +17,7 @@ from kurbel.exact.roots import ISOLATING_BITS
 
 if TYPE_CHECKING:
     from kurbel.engine.speed.heavy import HeavyRun
+    from kurbel.engine.speed.run import AnyRun
     from kurbel.engine.speed.square import SquareRun
 
 # In a turn; a multiple of all that cranks are usually apart.
@@ -44,20 +45,36 @@ def first_start(run: HeavyRun) -> Fraction:
         level = run.level(flint.arb(1))
         half, first = float(level.half), float(before.energy)
 
-    def squares(start: float, factor: float) -> list[float]:
-        """s² at all samples, of a flywheel so many times as heavy."""
-        own = factor * half / (1 if run.wheel.number is None else start)
-        level = (own + first) * start
-        return [(level + work) / (own + energy) for work, energy in zip(works, energies, strict=True)]
+    wheel = Sampled(works, energies, half, first, run.wheel.number is not None)
+    return Fraction(wheel.start(run, 0.0))
 
-    start = _solved(lambda start: squares(start, 1.0))
-    if start is None:
-        factor = _least_factor(lambda factor: _solved(lambda start: squares(start, factor)))
-        rest = squares(_slowest(lambda start: squares(start, 1.0)), 1.0)
-        given = run.wheel.inertia if run.wheel.number is None else run.wheel.number
-        assert given is not None
-        run.refuse(360 * rest.index(min(rest)) / SAMPLES, float(given) * factor)
-    return Fraction(start)
+
+class Sampled(NamedTuple):
+    """Samples of W and k over a cycle, ½ I where u is 1, k₀, and whether the flywheel goes by its number."""
+
+    works: Sequence[float]
+    energies: Sequence[float]
+    half: float
+    first: float
+    by_number: bool
+
+    def squares(self, start: float, factor: float = 1.0) -> list[float]:
+        """s² at all samples, of a flywheel so many times as heavy."""
+        own = factor * self.half / (start if self.by_number else 1)
+        level = (own + self.first) * start
+        pairs = zip(self.works, self.energies, strict=True)
+        return [(level + work) / (own + energy) for work, energy in pairs]
+
+    def start(self, run: AnyRun, degrees: float) -> float:
+        """Return u, of samples from so many degrees on. Raises ProblemError for too light a flywheel."""
+        start = _solved(self.squares)
+        if start is None:
+            factor = _least_factor(lambda factor: _solved(lambda start: self.squares(start, factor)))
+            rest = self.squares(_slowest(self.squares))
+            given = run.wheel.inertia if run.wheel.number is None else run.wheel.number
+            assert given is not None
+            run.refuse(degrees + 360 * rest.index(min(rest)) / SAMPLES, float(given) * factor)
+        return start
 
 
 def first_decay(run: SquareRun) -> Fraction:
@@ -167,12 +184,12 @@ def _least_factor(found: Callable[[float], float | None]) -> float:
 
 def _mean(squares: Sequence[float]) -> float | None:
     """½ (s_max + s_min), None where the speed would be below 0."""
-    least, greatest = -_top([-one for one in squares]), _top(squares)
+    least, greatest = -top([-one for one in squares]), top(squares)
     return (greatest**0.5 + least**0.5) / 2 if least >= 0 else None
 
 
-def _top(values: Sequence[float]) -> float:
-    """The greatest value, of the parabola through the samples about it."""
+def top(values: Sequence[float]) -> float:
+    """Return the greatest value, of the parabola through the samples about it."""
     highest = max(range(len(values)), key=values.__getitem__)
     before, at, after = values[highest - 1], values[highest], values[(highest + 1) % len(values)]
     bend = before - 2 * at + after
