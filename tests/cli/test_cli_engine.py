@@ -768,9 +768,10 @@ def test_flywheels_of_several_engines_are_told_apart() -> None:
 
 
 def test_every_quantity_of_an_engine_is_listed_with_its_command() -> None:
-    # The linkages have forces of the same keys, and a flywheel's speed those of its task.
+    # The linkages have forces of the same keys, a flywheel's speed and each cylinder those of its task.
     listed = printed("quantities").out.splitlines()
-    lines = [line.split() for line in listed if "--mechanism" not in line and "--flywheel" not in line]
+    others = ("--mechanism", "--flywheel", "--layout cylinders")
+    lines = [line.split() for line in listed if not any(other in line for other in others)]
     commands = {words[0]: next(word for word in words[1:] if word in COMMANDS) for words in lines}
     scopes = {"angle": "turning", "crank": "forces", "flywheel": "flywheel"}
     for key, quantity in engine_registry().items():

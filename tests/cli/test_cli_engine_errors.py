@@ -38,7 +38,8 @@ MEASURED = "describes an ideal card, and --card gives a measured one; leave one 
 IDEAL = str(CARDS / "ideal-2.csv")
 SPEED = "a speed of rotation such as 120/min, 120rpm or 12.5rad/s"
 REST = "it must be at least 10^-9 and below 2, at which the flywheel would come to rest in every turn"
-IRREGULARITY = ", ".join(about("irregularity", "strokes", "evenness", "compressor", "gas cycle"))
+IRREGULARITY = ", ".join(about("irregularity", "strokes", "evenness", "compressor", "gas cycle", "cylinders"))
+TURNING_LAYOUTS = ", ".join(about("turning", "speed"))
 WORK = (
     "work, full_pressure_work, expansion_work, back_work,"
     " mean_pressure, mean_pressure_kpa, indicated_power, volumetric_efficiency, delivered, delivery,"
@@ -234,7 +235,10 @@ TURNINGS = [
         ("--step", "0.001"),
         "a page of 1440004 numbers is too long; at most 300000 are set, use -f csv or -f json",
     ),
-    (("--layout", "delta-tafel"), "layout delta-tafel is about something else; choose from speed, turning"),
+    (
+        ("--layout", "delta-tafel"),
+        f"layout delta-tafel is about something else; choose from {TURNING_LAYOUTS}",
+    ),
     (
         ("--method", "exact", "--method", "series"),
         "layout turning shows one method, and 2 were given; leave the others out",
@@ -243,12 +247,12 @@ TURNINGS = [
         ("--columns", "phi,enregy"),
         'there is no column "enregy" (did you mean energy?);'
         " choose from epsilon, ratio, phi, tangential, mean_force, tangential_excess, energy, delta, back,"
-        f" exponent, clearance, {WORK}, torque_nm",
+        f" exponent, clearance, pin_path, pin_path_mm, tangential_kpa, {WORK}, torque_nm",
     ),
     (("--columns", "epsilon,phi"), "there is no column beside the axes; add one, such as energy"),
     (
         ("--layout", "turnings"),
-        'there is no layout "turnings" (did you mean turning?); choose from speed, turning',
+        f'there is no layout "turnings" (did you mean turning?); choose from {TURNING_LAYOUTS}',
     ),
     (("--method", "weisbach"), ANGLES_ONLY),
 ]
@@ -309,7 +313,7 @@ FLYWHEELS = [
     (
         ("--columns", "inertai"),
         'there is no column "inertai" (did you mean inertia?); choose from epsilon, ratio, target, power,'
-        " speed, omega, mean_torque, swing_share, swing, inertia, mass",
+        " speed, omega, mean_torque, swing_share, swing, inertia, inertia_true, mass",
     ),
 ]
 
