@@ -143,7 +143,7 @@ def test_card_of_the_ideal_engine_has_its_speed_and_time() -> None:
             "delta --eps 4 --inertia 5kgm2 --power 50kW --speed 2/s --resistance square",
             "as if there were none; J must be above 5.76 kg m²",
         ),
-        ("turning --flywheel 9 --resistance square --columns time", "column time needs the mean speed,"),
+        ("turning --flywheel 9 --columns time", "column time needs the mean speed, --speed;"),
         ("delta --flywheel 0", "is 0; it must lie within 10^-9 and 10^12"),
         ("turning --flywheel 50 --bore 300mm", "--bore is for moving masses"),
     ],
@@ -265,7 +265,7 @@ def test_against_the_square_of_the_speed_it_is_that_of_the_equation_of_motion(
     shaft = Shaft(1.0, float(expansion), float(back), float(1 / ratio), float(offset), True, cranks)
     motion = Motion(shaft, resistance)
     first = motion.steady()
-    speeds, _ = motion.turn(first, ANGLES)
+    speeds, times = motion.turn(first, ANGLES)
     least, greatest = motion.extremes(first)
     number = first**2 / motion.mean
     engine = Engine(Crank(ratio, offset), Steam(expansion, back), True, tuple(map(Fraction, cranks)))
@@ -277,6 +277,8 @@ def test_against_the_square_of_the_speed_it_is_that_of_the_equation_of_motion(
         run = run_of(turn, inertia if offset else Wheel(Fraction(number), resistance=square))
         assert_allclose(float(run.number), number, rtol=1e-8)
         assert_allclose([float(run.speed(one)) for one in places], speeds[:-1] / first, rtol=1e-9)
+        turned = [float(run.turned(one)) * math.pi for one in places]
+        assert_allclose(turned, times[:-1] * first, rtol=1e-9)
         extremes = [float(run.extreme_speed(one)) * first for one in (False, True)]
         assert_allclose(extremes, [least, greatest], rtol=1e-8)
 

@@ -13,7 +13,7 @@ from kurbel.drive.flywheel import Flywheel
 from kurbel.drive.load import COMPRESSOR, GAS, LOADS, STEAM
 from kurbel.drive.load import Load as Acting
 from kurbel.drive.moved import Drive
-from kurbel.drive.wheel import CONSTANT, Wheel
+from kurbel.drive.wheel import Wheel
 from kurbel.engine.axes import LoadWords, words_of
 from kurbel.engine.cylinder import AnyTurn
 from kurbel.engine.digits import check_card
@@ -62,7 +62,6 @@ UNKNOWN: Mapping[str, str] = {
     "turns": "the mean speed, --speed",
     "stroke": "--stroke",
     "inertia": "the flywheel by its --inertia",
-    "clock": "the mean speed, --speed, and a constant torque",
 }
 # Turns take tens of kilobytes each, and records may be of a million engines. A page has its own at hand.
 KEPT_TURNS = 512
@@ -271,7 +270,6 @@ class EngineRequest(Question):
             "radius": not self.flywheels or self.flywheels[0].radius is None,
             "turns": self.wheel is None or self.wheel.speed is None,
             "inertia": self.wheel is None or self.wheel.inertia is None,
-            "clock": self.wheel is None or self.wheel.speed is None or self.wheel.resistance != CONSTANT,
         }
         needed = UNKNOWN[quantity.needs] if lacks.get(quantity.needs) else ""
         if quantity.of == "stroke" and not self.first.plain:

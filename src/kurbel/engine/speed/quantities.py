@@ -30,7 +30,7 @@ def speed_registry() -> Mapping[str, Quantity]:
 @cache
 def evenness_registry() -> Mapping[str, Quantity]:
     """Return what stands beside the degree of irregularity of an engine, with that itself."""
-    turn = (one for one in engine_registry().values() if one.of == "turn")
+    turn = (one for one in engine_registry().values() if one.of in ("turn", *EXTREMES))
     return {one.key: one for one in (*turn, *_evenness_entries())}
 
 
@@ -54,8 +54,7 @@ def _speed_entries() -> Iterator[Quantity]:
     yield _entry("time", "Zeit|Time", "$t$", "s", AT_SPEED, 5,
                  lambda run, where: run.time(where.half_turns),
                  direction=words("$t$ seit dem inneren Totpunkt der ersten Kurbel"
-                                 "|$t$ since the inner dead centre of the first crank"),
-                 needs="clock")  # fmt: skip
+                                 "|$t$ since the inner dead centre of the first crank"), **turns)  # fmt: skip
 
 
 def _evenness_entries() -> Iterator[Quantity]:

@@ -12,9 +12,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import partial, reduce
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import flint
+from flint import acb
 
 from kurbel.drive.wheel import Wheel
 from kurbel.engine.cylinder import Cylinder
@@ -24,10 +25,14 @@ from kurbel.engine.speed.samples import first_decay
 from kurbel.engine.turn import Extremum, Piece, Turn, place, stationary
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import ball
+from kurbel.exact.continued import Continued
 from kurbel.exact.place import fraction
 from kurbel.exact.roots import ISOLATING_BITS, Root, interval, refined
 from kurbel.kernel.circle import Number, root
 from kurbel.kernel.steam import larger, smaller
+
+if TYPE_CHECKING:
+    from kurbel.engine.speed.lagging_clock import LaggingClock
 
 # How far around its first value a is looked for, as a share of it, and so many times sixteen times as far.
 NEAR, FARTHER = Fraction(1, 2**16), 3
@@ -39,7 +44,7 @@ class Decay:
     def __init__(self, turn: Turn, rate: Number) -> None:
         self.turn, self.rate, self.mean = turn, rate, turn.mean_force()
         self.first = turn.pieces[0].start
-        before = energy_before(turn)
+        self.before = before = energy_before(turn)
 
         def weighted(cylinders: Sequence[Cylinder], piece: Piece, at: Any) -> Any:
             return (energy_on(cylinders, piece, at) - before) / self.mean * self._lag(at).exp()
@@ -74,6 +79,21 @@ class Decay:
         gap = ball(self.lagged.gap) * flint.arb.pi() * self.rate
         return value + flint.arb(0, (2 * gap * (abs(value) + 1)).upper())
 
+    def level(self, piece: Piece, at: Number) -> Number:
+        """Return h at a place."""
+        return 1 / self.rate + self.offset(piece, at)
+
+    def continued(self, piece: Piece, place: Continued, about: Fraction) -> acb:
+        """Return h on a complex ball around a place."""
+        work = (energy_on(self.lagged.cylinders, piece, place) - self.before) / self.mean
+        lag = self._lag(place)
+        weighted = (work * lag.exp()).ball
+        away = place.ball - acb(ball(about))
+        lagged = (acb(self.lagged.to(about)) + away * weighted) * acb.pi()
+        left = acb(self.start) - acb(self.rate) * lagged
+        level: acb = acb(1 / self.rate) + work.ball + left * (-lag.ball).exp()
+        return level
+
     def offset(self, piece: Piece, at: Number) -> Number:
         """Return w + y at a place."""
         return self.turn.energy(piece, at) / self.mean + self._left(piece, at) * (-self._lag(at)).exp()
@@ -106,6 +126,7 @@ class SquareRun(AnyRun):
     def __init__(self, turn: Turn, wheel: Wheel) -> None:
         super().__init__(turn, wheel)
         self._decays: dict[int, Decay] = {}
+        self._clocks: dict[int, LaggingClock] = {}
         self._root = self._isolated()
 
     @property
@@ -129,7 +150,15 @@ class SquareRun(AnyRun):
         return self._relative(self.decay.offset(piece, ball(place)))
 
     def speed_on(self, cylinders: Sequence[Cylinder], piece: Piece, place: Number) -> Number:
-        raise ProblemError("the time against the square of the speed is not computed; leave the column out")
+        return self._relative(self.decay.offset(piece, place))
+
+    def turned(self, half_turns: Fraction) -> Number:
+        from kurbel.engine.speed.lagging_clock import LaggingClock
+
+        bits, decay = flint.ctx.prec, self.decay
+        if bits not in self._clocks:
+            self._clocks[bits] = LaggingClock(decay)
+        return self._clocks[bits].time(half_turns) * root(decay.at_dead_centre)
 
     def extreme_place(self, greatest: bool) -> Number:
         return self._extremes(self.decay, greatest)[0][0]
