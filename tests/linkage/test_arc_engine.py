@@ -117,3 +117,20 @@ def test_pages_call_the_parts_of_the_drive_by_their_names() -> None:
 def test_first_order_formulas_are_those_of_the_slide() -> None:
     said = 'method "series" has no formulas for the arc crank; use exact'
     assert refusal("delta", "--eps", "4", *ARC, "--method", "series") == said
+
+
+def test_a_constant_force_on_a_rocker_is_greatest_at_a_dead_centre() -> None:
+    # Over a wide interval a rocker may stand anywhere; that the force does not change must be seen all the same.
+    asked = (
+        "forces",
+        *ARC,
+        "--layout",
+        "rod-load",
+        "--pump",
+        "--columns",
+        "thrust,thrust_angle",
+        "-f",
+        "csv",
+    )
+    rows = [row.split(",")[-2:] for row in printed(*asked).out.split()[1:]]
+    assert rows[0] == ["1.0000", "179.60"]

@@ -23,6 +23,8 @@ from kurbel.exact.place import PRECISIONS, Place, fraction, unsettled
 from kurbel.exact.roots import ISOLATING_BITS, Function, Root, interval, isolate, refined
 
 Quantity = Callable[[Segment, arb], Jet]
+# Into so many halves of halves a segment is parted to see whether a quantity is constant over it.
+HALVINGS = 8
 
 # How far zeros are sought beyond the edges, so that one at an edge is within: shares of half a turn that no
 # halving brings to a round angle.
@@ -92,7 +94,16 @@ def stationary(segment: Segment, quantity: Quantity) -> list[Place]:
 def is_level(segment: Segment, quantity: Quantity) -> bool:
     """Whether the quantity is constant over a segment."""
     with flint.ctx.workprec(ISOLATING_BITS):
-        return bool(quantity(segment, interval(*_reach(segment))).slope == 0)
+        return _is_level(segment, quantity, *_reach(segment), HALVINGS)
+
+
+def _is_level(segment: Segment, quantity: Quantity, low: Fraction, high: Fraction, halvings: int) -> bool:
+    slope = quantity(segment, interval(low, high)).slope
+    if slope == 0 or slope.is_finite() or not halvings:
+        return bool(slope == 0)
+    # Over a wide interval the rod of a rocker may stand anywhere, and nothing has a slope.
+    middle = (low + high) / 2
+    return all(_is_level(segment, quantity, *ends, halvings - 1) for ends in ((low, middle), (middle, high)))
 
 
 def extremes(segments: Sequence[Segment], quantity: Quantity, sign: int = 1) -> list[At]:
