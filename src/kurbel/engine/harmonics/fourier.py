@@ -92,13 +92,19 @@ class Balls(Spectrum):
 
     def __init__(self, turn: Turn) -> None:
         super().__init__(turn)
-        alone = (replace(part, cranks=(Fraction(0),), lag=Fraction(0)) for part in turn.engine.parts)
+        alone = [replace(part, cranks=(Fraction(0),), lag=Fraction(0)) for part in turn.engine.parts]
         self.alone = [Turn(one, turn.method) for one in alone]
+        # Cylinders alike have one wave.
+        self._first = [alone.index(one) for one in alone]
         self._wave = lru_cache(None)(self._enclosed)
         self._cylinders = lru_cache(None)(self._continued)
+        self._spans = lru_cache(None)(self._spans_of)
 
     def cylinder(self, part: int, order: Fraction) -> Wave:
-        return self._wave(part, order, flint.ctx.prec)
+        return self._wave(self._first[part], order, flint.ctx.prec)
+
+    def _spans_of(self, part: int, bits: int) -> tuple[Span, ...]:
+        return tuple(spans(self.alone[part]))
 
     def _continued(self, bits: int) -> tuple[Cylinder, ...]:
         return self.turn.cylinders_on(continued(), half_turn_circle)
@@ -107,7 +113,7 @@ class Balls(Spectrum):
         alone, cylinder = self.alone[part], self._cylinders(bits)[part]
         turns = flint.acb(0, ball(order) * flint.arb.pi())
         total = flint.acb(0)
-        for span in spans(alone):
+        for span in self._spans(part, bits):
             total += self._smooth(span, cylinder, turns) if span.smooth else self._gap(span, part, turns)
         whole = total * 2 / alone.cycle
         return Wave(whole.real, whole.imag)
@@ -125,9 +131,10 @@ class Balls(Spectrum):
     def _gap(self, span: Span, part: int, turns: Any) -> Any:
         """What so narrow a gap adds, with a dead centre or a corner in it."""
         over, cylinder = interval(span.start, span.end), self.turn.cylinders[part]
+        # A piece of the next cycle has the same circle.
         efforts = [
-            cylinder.effort(stroke, place - ball(begun))
-            for piece, place in zip(span.pieces, (over, over - self.alone[part].cycle), strict=False)
+            cylinder.effort(stroke, over - ball(begun))
+            for piece in span.pieces
             for _, stroke, begun in piece.strokes
         ]
         either = reduce(lambda one, other: one.union(other), efforts)
