@@ -120,7 +120,7 @@ def test_first_order_formulas_are_those_of_the_slide() -> None:
 
 
 def test_a_constant_force_on_a_rocker_is_greatest_at_a_dead_centre() -> None:
-    # Over a wide interval a rocker may stand anywhere; that the force does not change must be seen all the same.
+    # Over a wide interval a rocker may stand anywhere; that the force does not change is to be seen even so.
     asked = (
         "forces",
         *ARC,
