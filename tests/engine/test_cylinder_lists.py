@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from pathlib import Path
 from typing import Any
 
@@ -311,3 +312,12 @@ def test_lists_of_cylinders_have_no_cranks_and_no_layout_of_a_load() -> None:
     assert "is of cylinders alike; use --layout delta-detail" in refusal(
         "delta", "--cylinder=eps=2", "--layout=weisbach-150"
     )
+
+
+def test_the_commands_of_the_page_on_cylinders_print(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(ROOT)
+    text = (ROOT / "docs" / "cylinders.md").read_text(encoding="utf-8").replace("\\\n", " ")
+    commands = [line for line in text.splitlines() if line.startswith("kurbel ")]
+    assert len(commands) == 5
+    for command in commands:
+        assert printed(*shlex.split(command)[1:]).out
