@@ -31,6 +31,7 @@ POWER = {"speed": 2}
 OTHERS: Mapping[str, dict[str, Any]] = {
     "compressor": {"pressure_ratio": "3", "clearance": "0.05"},
     "heat": {"compression": "6", "heat": "9"},
+    "masses": {**MACHINE, "eps": "3", "power": None},
     "flow": {"pressure_ratio": "3", "stroke": 0.6, "bore": 0.3, "suction_pressure": 100_000, "speed": 2},
 }
 QR, PR = "$(Q r)/(m_1 v_1^2)$", "$(P r)/(m_1 v_1^2)$"
@@ -98,6 +99,13 @@ HEADS: Mapping[str, Mapping[str, Head]] = {
             ("delta_first", "δ_1", "nach Weisbach", "By Weisbach"),
             ("one_to_first", "1/δ_1", "nach Weisbach", "By Weisbach"),
         )
+    },
+    "turning-path": {
+        "pin_path": head("Weg des Kurbelzapfens|$s/r$", "Path of the crank pin|$s/r$"),
+        "tangential": head("Tangentialkraft|$T/Q$", "Tangential force|$T/Q$"),
+        "mean_force": head("mittlere|$P/Q$", "Mean|$P/Q$"),
+        "tangential_excess": head("Überschuss|$T/Q - P/Q$", "Excess|$T/Q - P/Q$"),
+        "energy": head("Überschussarbeit|$W/(Q r)$", "Excess energy|$W/(Q r)$"),
     },
     "engine-forces": {
         key: head(f"{de}|${letter}/Q$", f"{en}|${letter}/Q$")
@@ -197,7 +205,7 @@ ADDRESSES: Mapping[str, Callable[[Point, Address, Address, str], Address]] = {
     "delta-detail": lambda at, label, unit, lang: (at.engine, *label, STROKES[at.inner][lang], *unit),
     "delta-flywheel": lambda at, label, unit, lang: (at.drive, at.epsilon, *label),
     **dict.fromkeys(
-        ("turning", "speed", "engine-forces", "machine-forces", "rod-load-turn"),
+        ("turning", "turning-path", "speed", "engine-forces", "machine-forces", "rod-load-turn"),
         lambda at, label, unit, lang: (at.engine, at.inner, *label),
     ),
     "rod-load": lambda at, label, unit, lang: (at.engine, *label, ENDS[at.inner][lang], *unit),
@@ -355,8 +363,12 @@ def test_every_column_that_can_be_asked_for_is_printed(name: str) -> None:
             table = page_of(name, columns=[key], ratio="1:4", **OTHERS[quantity.needs])
         else:
             # A turning effort has newtons for the sake of its masses alone.
-            known = MACHINE if name == "turning" else {**LOAD, **(POWER if quantity.needs == "power" else {})}
-            load: dict[str, Any] = known if quantity.needs in ("load", "torque", "power") else {}
+            known = (
+                MACHINE
+                if layout(name).subject == "turning"
+                else {**LOAD, **(POWER if quantity.needs == "power" else {})}
+            )
+            load: dict[str, Any] = known if quantity.needs in ("stroke", "load", "torque", "power") else {}
             table = page(name, columns=[key], eps="3", ratio="1:4", **load)
         assert [field.key for field in table.records.fields] == [key]
         values = [row[0] for row in table.records.rows]

@@ -146,14 +146,12 @@ def _turn_entries() -> Iterator[Quantity]:
 def _path_entries() -> Iterator[Quantity]:
     """The way of the first crank pin on its circle, developed, and the tangential force over the area."""
     path, along = "Weg des Kurbelzapfens|Path of the crank pin", lambda turn, where: turn.of(where.half_turns)
-    for key, heading, unit, decimals, scale, needs in (
-        ("pin_path", "$s/r$", "$r$", 4, lambda turn: turn.pi, ""),
-        ("pin_path_mm", "$s$ in mm", "mm", 2, lambda turn: turn.of(1000 * turn.engine.crank.radius) * turn.pi,
+    for key, unit, decimals, scale, needs in (
+        ("pin_path", "$r$", 4, lambda turn: turn.pi, ""),
+        ("pin_path_mm", "mm", 2, lambda turn: turn.of(1000 * turn.engine.crank.radius) * turn.pi,
          "stroke"),
     ):  # fmt: skip
-        yield _entry(
-            key, path, "$s$", unit, "angle", decimals, along, heading=heading, scale=scale, needs=needs
-        )
+        yield _entry(key, path, "$s$", unit, "angle", decimals, along, scale=scale, needs=needs)
     yield _entry("tangential_kpa", "Tangentialdruck|Tangential pressure", "$T/A$", "kPa", "angle", 1,
                  lambda turn, where: turn.tangential_force(where.half_turns), needs="load",
                  scale=lambda turn: turn.of(_kilopascals(turn)),

@@ -174,8 +174,9 @@ def entries(entry: Callable[..., Quantity]) -> Iterator[Quantity]:
     for key, name, letter in stages.NAMES:
         yield entry(key, name, letter, "$Q r$", "turn", None, partial(stages.work, key), needs="steam")
     per_area = "$Q$ je Kolbenfläche|$Q$ per piston area"
+    heading = "|".join(f"$p_m$ in {unit}" for unit in per_area.split("|"))
     mean = entry("mean_pressure", "mittlerer Druck|Mean pressure", "$p_m$", per_area, "turn", 4,
-                  mean_pressure, ties=mean_pressure_ties)  # fmt: skip
+                  mean_pressure, ties=mean_pressure_ties, heading=heading)  # fmt: skip
     yield mean
     yield mean._replace(
         key="mean_pressure_kpa", unit=words("kPa"), decimals=1, heading=words("$p_m$ in kPa"),
