@@ -242,7 +242,7 @@ def test_series_and_infinite_rod_have_a_speed() -> None:
 def test_time_is_the_integral_of_the_slowness(command: str) -> None:
     # Simpson's rule over the printed speeds, which no continuation into the complex plane has seen.
     low, high, cells = 37, 55, 24
-    asked = f"turning {command} --flywheel 3 --speed 120/min --digits 16 --columns"
+    asked = f"turning {command} --flywheel 3 --speed 120/min --digits 12 --columns"
     page = rows(f"{asked} omega --angle {low}..{high}:{(high - low) / cells}")
     slow = 1 / np.array([row["omega"] for row in page])
     step = math.radians((high - low) / cells)
@@ -255,7 +255,7 @@ def test_time_is_the_integral_of_the_slowness(command: str) -> None:
     ("expansion", "ratio", "offset", "cranks", "resistance"),
     [
         (Fraction(4), Fraction(1, 5), Fraction(0), (0,), 0.12),
-        (Fraction(3), Fraction(1, 4), Fraction(1, 5), (0, 140), 0.3),
+        (Fraction(3), Fraction(1, 4), Fraction(1, 5), (0,), 0.1),
     ],
 )
 def test_against_the_square_of_the_speed_it_is_that_of_the_equation_of_motion(
@@ -273,7 +273,7 @@ def test_against_the_square_of_the_speed_it_is_that_of_the_equation_of_motion(
     at_mean = number * ((least + greatest) / 2 / first) ** 2
     inertia = Wheel(None, Fraction(100), Speed(TURNS), Fraction(100 * (4 * math.pi) ** 3 / at_mean), square)
     places = [Fraction(round(math.degrees(one))) / 180 for one in ANGLES]
-    with flint.ctx.workprec(BITS):
+    with flint.ctx.workprec(70):
         run = run_of(turn, inertia if offset else Wheel(Fraction(number), resistance=square))
         assert_allclose(float(run.number), number, rtol=1e-8)
         assert_allclose([float(run.speed(one)) for one in places], speeds[:-1] / first, rtol=1e-9)
