@@ -218,3 +218,17 @@ def test_open_torsion_reads_the_excitation(tmp_path: Path) -> None:
 )  # fmt: skip
 def test_what_has_no_harmonics_is_refused(words: str, said: str) -> None:
     assert said in refusal("harmonics", *words.split())
+
+
+@pytest.mark.parametrize(
+    ("drive", "begin"),
+    [
+        ("--offset=0", "from the inner dead centre of the first crank"),
+        ("--offset=0.5", "of the first crank from the slide direction"),
+        ("--mechanism=beam --beam=3", "of the first crank from the slide direction"),
+    ],
+)
+def test_the_page_says_from_where_the_angles_count(drive: str, begin: str) -> None:
+    page = ("--eps=4", *drive.split(), "--lang=en", "-f", "markdown")
+    assert f"φ {begin}" in printed("harmonics", "--quantity=torque", "--orders=1", *page).out
+    assert f"φ {begin}" in printed("solve", "--where=torque=max", *page).out

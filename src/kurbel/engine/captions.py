@@ -202,6 +202,11 @@ def _sized(request: EngineRequest) -> Label:
     return f"{radius}, {turns_label(crank.speed)}"
 
 
+def from_dead_centre(request: EngineRequest, method: str) -> bool:
+    """Whether φ, which counts from the slide direction, counts from the inner dead centre, too."""
+    return all(request.turn(0, one, method).cylinder.drive.regular for one in range(len(request.drives)))
+
+
 def _directions(request: EngineRequest, shown: Sequence[Quantity]) -> Iterator[Label]:
     """The directions of what is shown: of all forces and the torque on one line, with whose they are."""
     lang = request.lang

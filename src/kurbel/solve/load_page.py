@@ -38,6 +38,10 @@ WORDS = {
         "$φ$ vom inneren Totpunkt der ersten Kurbel; im Totpunkt gelten auch die Werte davor"
         "|$φ$ from the inner dead centre of the first crank; at a dead centre values before it count, too"
     ),
+    "angles_off": words(
+        "$φ$ der ersten Kurbel von der Schubrichtung; im Totpunkt gelten auch die Werte davor"
+        "|$φ$ of the first crank from the slide direction; at a dead centre values before it count, too"
+    ),
 }
 
 
@@ -207,7 +211,8 @@ def _caption(question: LoadedRequest) -> Label:
 
 def _notes(question: LoadedRequest) -> Iterator[Label | Note]:
     lang = question.lang
-    yield WORDS["angles"][lang]
+    regular = engine_captions.from_dead_centre(question, question.method)
+    yield WORDS["angles" if regular else "angles_off"][lang]
     if any(condition.kind in (MAX, MIN) for condition in question.conditions):
         yield WORDS["extremes"][lang]
     yield from engine_captions.notes(question)

@@ -39,10 +39,14 @@ WORDS: Mapping[str, Words] = {
     "whole": words("alle Zylinder|All cylinders"),
     "sum": words(
         "$T = P + Σ (a_k cos k φ + b_k sin k φ) = P + Σ c_k cos(k φ + ψ_k)$, $P$ mittlere Tangentialkraft;"
-        " $φ$ vom inneren Totpunkt der ersten Kurbel"
+        " $φ$ {begin}"
         "|$T = P + Σ (a_k cos k φ + b_k sin k φ) = P + Σ c_k cos(k φ + ψ_k)$, $P$ mean tangential force;"
-        " $φ$ from the inner dead centre of the first crank"
+        " $φ$ {begin}"
     ),
+    "dead_centre": words(
+        "vom inneren Totpunkt der ersten Kurbel|from the inner dead centre of the first crank"
+    ),
+    "slide": words("der ersten Kurbel von der Schubrichtung|of the first crank from the slide direction"),
     "star": words(
         "$s_k$ Betrag von $Σ e^(i k α)$, $α$ Winkel, um den eine Kurbel der ersten folgt"
         "|$s_k$ magnitude of $Σ e^(i k α)$, $α$ angle by which a crank follows the first"
@@ -158,7 +162,8 @@ def _member_axis(request: TorqueRequest) -> ListAxis:
 
 def _notes(request: TorqueRequest) -> Iterator[Label | Note]:
     lang = request.lang
-    yield WORDS["sum"][lang]
+    regular = captions.from_dead_centre(request, (request.methods or ("exact",))[0])
+    yield WORDS["sum"][lang].replace("{begin}", WORDS["dead_centre" if regular else "slide"][lang])
     if any(column.quantity.needs == STAR for column in request.page_columns):
         yield WORDS["star"][lang]
     yield from captions.notes(request)
