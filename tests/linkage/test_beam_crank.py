@@ -268,3 +268,9 @@ def test_two_cylinders_alike_on_one_beam_turn_as_one() -> None:
     assert printed(*asked, "--stroke", "1.2m", *cylinders).out == printed(*asked, "--eps", "3").out
     page = printed("turning", *BEAM, "--stroke", "1.2m", *cylinders, "--lang", "en").out
     assert "Watt's linkage" in " ".join(page.split())
+
+
+def test_conditions_hold_with_an_infinite_rod_too() -> None:
+    # Its dead centres and the zero of its acceleration are at quarters of the turn.
+    asked = ("solve", *BEAM, "--ratio", "1:∞", "--where", "p=0", "--columns", "phi_turn", "-f", "csv")
+    assert printed(*asked).out.split()[1:] == ["90.0000", "270.0000"]
