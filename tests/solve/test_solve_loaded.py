@@ -103,8 +103,26 @@ def test_a_rod_force_in_newtons_is_had_where_the_rod_stands_so_steep() -> None:
 
 
 @pytest.mark.parametrize(
+    ("magnitude", "signed"), [("min", ["=0"]), ("0", ["=0"]), ("0.1", ["=0.1", "=-0.1"])]
+)
+def test_a_magnitude_is_had_where_its_force_has_it_with_either_sign(
+    magnitude: str, signed: list[str]
+) -> None:
+    words = ("solve", "--eps=4", "--clearance=5%", "--back=0.3", "--columns=phi", "--digits=6", *CSV)
+    found = printed(*words, f"--where=bearing_force={magnitude}").records()
+    either = [one for sign in signed for one in printed(*words, f"--where=rod_force{sign}").records()]
+    assert_allclose(
+        [float(one["phi"]) for one in found], sorted(float(one["phi"]) for one in either), 0, 1e-7
+    )
+
+
+@pytest.mark.parametrize(
     ("words", "sentence"),
     [
+        (
+            ("--compression=8", "--heat=5", "--mechanism=beam", "--beam=4", "--where=rod_force=0"),
+            "rod_force = 0 holds at every crank angle from 180.91° to 360.61°",
+        ),
         (("--eps=4", "--where=tangential=2"), "tangential lies between 0.0000 and 0.6883 Q"),
         (("--eps=4", *SIZE, "--where=torque=20kNm"), "torque lies between 0.0 and 11676"),
         (("--eps=4", "--where=piston_force=0.75"), "holds at every crank angle from 0.00° to 55.38°"),

@@ -64,6 +64,13 @@ class Jet:
         rise = (exponent - 1) * rate / self.value
         return Jet(value, rate * self.slope, rate * self.bend + rise * self.slope * self.slope)
 
+    def __abs__(self) -> Jet:
+        """Return the magnitude; about a zero its slope is a ball with both signs, and its bend any number."""
+        if not self.value.contains(0):
+            return self if self.value > 0 else -self
+        slope = arb(self.slope)
+        return Jet(abs(self.value), slope.union(-slope), arb(0, "inf"))
+
     def asin(self) -> Jet:
         """Return the arc that has this sine, within a right angle."""
         cosine = (1 - self.value * self.value) ** 0.5
