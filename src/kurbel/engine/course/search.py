@@ -20,11 +20,9 @@ from kurbel.engine.turn import EQUAL_BITS
 from kurbel.exact.certify import ball, pi
 from kurbel.exact.jet import Jet
 from kurbel.exact.place import PRECISIONS, Place, fraction, unsettled
-from kurbel.exact.roots import ISOLATING_BITS, Function, Root, interval, isolate, refined
+from kurbel.exact.roots import ISOLATING_BITS, Function, Root, isolate, refined
 
 Quantity = Callable[[Segment, arb], Jet]
-# Into so many halves of halves a segment is parted to see whether a quantity is constant over it.
-HALVINGS = 8
 
 # How far zeros are sought beyond the edges, so that one at an edge is within: shares of half a turn that no
 # halving brings to a round angle.
@@ -32,6 +30,8 @@ BEFORE, BEHIND = Fraction(5, 11 << 20), Fraction(7, 13 << 20)
 # A double zero at an edge, where of some steam both force and slope are zero, leaves four pieces undecided
 # with these; with the 64 bits of `isolate` a triple one leaves thousands.
 SEARCHING_BITS = 128
+# Shares of a segment at which nothing is likely to be zero.
+ANYWHERE = (Fraction(3, 17), Fraction(5, 11), Fraction(23, 29))
 # Round angles are quarters of a turn.
 QUARTERS = 2
 
@@ -92,18 +92,13 @@ def stationary(segment: Segment, quantity: Quantity) -> list[Place]:
 
 
 def is_level(segment: Segment, quantity: Quantity) -> bool:
-    """Whether the quantity is constant over a segment."""
-    with flint.ctx.workprec(ISOLATING_BITS):
-        return _is_level(segment, quantity, *_reach(segment), HALVINGS)
-
-
-def _is_level(segment: Segment, quantity: Quantity, low: Fraction, high: Fraction, halvings: int) -> bool:
-    slope = quantity(segment, interval(low, high)).slope
-    if slope == 0 or slope.is_finite() or not halvings:
-        return bool(slope == 0)
-    # Over a wide interval the rod of a rocker may stand anywhere, and nothing has a slope.
-    middle = (low + high) / 2
-    return all(_is_level(segment, quantity, *ends, halvings - 1) for ends in ((low, middle), (middle, high)))
+    """Whether the quantity is constant over a segment: its slope is zero to EQUAL_BITS at places of no
+    meaning, as no smooth formula's is by chance."""
+    low, high = _reach(segment)
+    with flint.ctx.workprec(2 * EQUAL_BITS):
+        slopes = [quantity(segment, ball(low + (high - low) * part)).slope for part in ANYWHERE]
+        least = ball(2) ** -EQUAL_BITS
+        return all(bool(abs(arb(slope)) < least) for slope in slopes)
 
 
 def extremes(segments: Sequence[Segment], quantity: Quantity, sign: int = 1) -> list[At]:
