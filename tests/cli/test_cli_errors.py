@@ -128,11 +128,13 @@ CHOICES = [
 DRIVES = [
     (
         ("--offset", "4"),
-        "offset e = 4 R is too large for R:L = 1:5; the crank turns only if |e| < L - R = 4 R",
+        "offset e = 4 R is too large for R:L = 1:5; the crank turns only if |e| < L - R = 4 R, for at"
+        " φ = 270° the rod stands square to the slide",
     ),
     (
         ("--offset", "-4,5"),
-        "offset e = -4.5 R is too large for R:L = 1:5; the crank turns only if |e| < L - R = 4 R",
+        "offset e = -4.5 R is too large for R:L = 1:5; the crank turns only if |e| < L - R = 4 R, for at"
+        " φ = 30° the rod stands square to the slide",
     ),
     (("--offset", "abc"), 'offset "abc" is not a number; write it as 4.5 or 4,5'),
     (

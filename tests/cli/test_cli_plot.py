@@ -852,7 +852,8 @@ REFUSALS = [
     ),
     (
         ("--forces", "--eps", "4", "--offset", "4"),
-        "offset e = 4 R is too large for R:L = 1:5; the crank turns only if |e| < L - R = 4 R",
+        "offset e = 4 R is too large for R:L = 1:5; the crank turns only if |e| < L - R = 4 R, for at"
+        " φ = 270° the rod stands square to the slide",
     ),
     (
         ("--forces", "--eps", "4", "--columns", "mean_force"),

@@ -53,11 +53,20 @@ def test_every_ratio_below_one_can_turn(ratio: Fraction) -> None:
     assert Crank(ratio).ratio == ratio
 
 
-@pytest.mark.parametrize("offset", [Fraction(4), Fraction(-4), Fraction(9, 2)])
-def test_an_offset_as_large_as_rod_less_crank_cannot_turn(offset: Fraction) -> None:
+@pytest.mark.parametrize(
+    ("offset", "where"),
+    [
+        (Fraction(4), "for at φ = 270° the rod stands square to the slide"),
+        (Fraction(-4), "for at φ = 90° the rod stands square to the slide"),
+        (Fraction(9, 2), "for at φ = 210° the rod stands square to the slide"),
+        (Fraction(-11, 2), "for at φ = 330° the rod stands square to the slide"),
+        (Fraction(6), "and this rod reaches the slide at no angle"),
+    ],
+)
+def test_an_offset_as_large_as_rod_less_crank_cannot_turn(offset: Fraction, where: str) -> None:
     assert sentence_of_crank(FIFTH, offset) == (
         f"offset e = {float(offset):g} R is too large for R:L = 1:5;"
-        " the crank turns only if |e| < L - R = 4 R"
+        f" the crank turns only if |e| < L - R = 4 R, {where}"
     )
     Crank(FIFTH, offset * Fraction(399, 400) * 4 / abs(offset))
 

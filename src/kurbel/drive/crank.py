@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from math import asin, degrees
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 from kurbel.drive.load import PistonForce, read_force
@@ -122,7 +123,8 @@ class Crank:
         if self.ratio and abs(self.offset) >= 1 / self.ratio - 1:
             raise ProblemError(
                 f"offset e = {about(self.offset)} R is too large for R:L = {ratio_text(self.ratio)};"
-                f" the crank turns only if |e| < L - R = {about(1 / self.ratio - 1)} R"
+                f" the crank turns only if |e| < L - R = {about(1 / self.ratio - 1)} R,"
+                f" {_where_stuck(self.ratio, self.offset)}"
             )
         if self.radius is not None and self.radius <= 0:
             raise ProblemError(f"the crank radius is {about(self.radius)} m; it must be above 0")
@@ -148,6 +150,15 @@ def largest(angles: Sequence[Fraction]) -> Fraction:
     # A progression has its ends for its extremes, and may be too long to be looked at whole.
     ends: Sequence[Fraction] = (angles[0], angles[-1]) if isinstance(angles, Progression) else angles
     return max(map(abs, ends))
+
+
+def _where_stuck(ratio: Fraction, offset: Fraction) -> str:
+    """Say at which crank angle an offset beyond the dead centres stops the crank."""
+    spare = float(1 / ratio - abs(offset))
+    if spare <= -1:
+        return "and this rod reaches the slide at no angle"
+    angle = (180 if offset > 0 else 0) + degrees(asin(spare))
+    return f"for at φ = {angle % 360:.4g}° the rod stands square to the slide"
 
 
 def _check_ratio(ratio: Fraction) -> None:
