@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-import flint
 from flint import arb
 
 from kurbel.exact.certify import half_turn_circle
@@ -28,15 +27,6 @@ class Jet:
 
     def __neg__(self) -> Jet:
         return Jet(-self.value, -self.slope, -self.bend)
-
-    def __abs__(self) -> Jet:
-        """Return the magnitude; about zero its slopes hold those of both signs."""
-        if self.value > 0:
-            return self
-        if self.value < 0:
-            return -self
-        slope, bend = (flint.arb(one).union(-flint.arb(one)) for one in (self.slope, self.bend))
-        return Jet(abs(self.value), slope, bend)
 
     def __sub__(self, other: Any) -> Jet:
         return self + -_jet(other)
