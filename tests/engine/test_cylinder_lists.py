@@ -236,11 +236,21 @@ def test_a_cylinder_that_cannot_be_is_named_with_its_line(tmp_path: Path) -> Non
         (("eps=2 fires=1", "eps=2 fires=3"), "fires has the places 1, 3; each of 1 to 2 must be there"),
         (("eps=2 fires=1", "compression=6 peak_pressure=30 fires=2"), "whose cycles have as many strokes"),
         (("eps",), "eps of a cylinder has no value"),
+        (("eps=4 bore=1m eps=3",), "eps of a cylinder is given twice; leave one out"),
+        (("eps=4 single-acting=no",), "single_acting of a cylinder is no; it must be true or false"),
         (("epsilon=4",), 'there is no entry of a cylinder, "epsilon"'),
     ],
 )  # fmt: skip
 def test_cylinders_that_are_none_are_refused(cylinders: tuple[str, ...], said: str) -> None:
     assert said in refusal("delta", *(f"--cylinder={one}" for one in cylinders))
+
+
+@pytest.mark.parametrize(("said", "share"), [("false", 1), ("true", 0.5)])
+def test_a_cylinder_that_is_said_not_to_be_single_acting_works_at_both_ends(said: str, share: float) -> None:
+    own = printed("delta", f"--cylinder=eps=4 single_acting={said}", "--columns=mean_force", "-f", "csv")
+    both = printed("delta", "--eps=4", "--columns=mean_force", "-f", "csv")
+    found, whole = (float(one.records()[-1]["mean_force"]) for one in (own, both))
+    assert found == pytest.approx(whole * share, abs=1e-5)
 
 
 @pytest.mark.parametrize("name", ["compound", "charged"])

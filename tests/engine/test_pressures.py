@@ -131,6 +131,8 @@ def test_an_indicator_card_has_the_pressures_of_its_points_as_far_as_they_tell()
             digits = len(one[key].partition(".")[2])
             assert digits >= 1
             assert float(one[key]) == pytest.approx(float(other[key]), abs=0.51 * 10**-digits + 0.001)
+    turned = ("--angle=0;75;180;255", "--columns=phi,gas_pressure", "-f", "csv")
+    assert [row["gas_pressure"] for row in printed("pressures", *card, *turned).records()] == ["4.000"] * 4
     wavy = (
         str(ROOT / "tests" / "cards" / "condenser.csv"),
         "--shares=0.5",

@@ -8,6 +8,9 @@ from kurbel.errors import NotationError
 from kurbel.reading.given import Exact
 
 Described: TypeAlias = str | Mapping[str, Any]
+# What is said or not, and how it is written in a text.
+FLAGS = ("single_acting", "two_stroke")
+SAID: Mapping[Any, bool] = {"true": True, "false": False, True: True, False: False}
 EXAMPLE = "angle=90 bore=500mm pressure=3bar eps=2"
 
 
@@ -19,10 +22,12 @@ class OneCylinder(Kind):
     def read(self, text: Any, typed: Mapping[str, Any]) -> Mapping[str, Any]:
         if isinstance(text, Mapping):
             return text
-        entries = {}
+        entries: dict[str, Any] = {}
         for part in text.split():
             key, equals, value = part.partition("=")
             key = key.replace("-", "_")
+            if key in entries:
+                raise NotationError(f"{key} of a cylinder is given twice; leave one out")
             entries[key] = value if equals else True
         return _checked(entries)
 
@@ -41,9 +46,11 @@ def _checked(entries: dict[str, Any]) -> Mapping[str, Any]:
 
     for key, value in entries.items():
         choose(key, Cylinder.__struct_fields__, "entry of a cylinder,")
-        if value is True and key not in ("single_acting", "two_stroke"):
+        if value is True and key not in FLAGS:
             raise NotationError(f"{key} of a cylinder has no value; write it as {EXAMPLE}")
-    return entries
+        if key in FLAGS and value not in SAID:
+            raise NotationError(f"{key} of a cylinder is {str(value)[:40]}; it must be true or false")
+    return {key: SAID[value] if key in FLAGS else value for key, value in entries.items()}
 
 
 Cylinders = Annotated[

@@ -126,7 +126,8 @@ class Pressed:
 
     def _circle(self, moved: Moved, where: Where, kind: Kind) -> Any:
         if where.angle is not None:
-            return kind.circle(180 * where.angle)
+            degrees = 180 * where.angle
+            return kind.circle(float(degrees) if kind.of is float else degrees)
         from kurbel.exact.certify import half_turn_circle
 
         return half_turn_circle(self._angle(moved, where, kind))
