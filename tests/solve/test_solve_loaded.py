@@ -12,7 +12,7 @@ from cli import printed, refusal
 from energy_curve import Curve, Exact, Plant
 from mpmath import mp
 from numpy.testing import assert_allclose
-from places import CARDS
+from places import CARDS, ROOT
 
 CSV = ("-f", "csv")
 SIZE = ("--bore=300mm", "--pressure=8bar", "--stroke=600mm")
@@ -145,3 +145,26 @@ def test_a_magnitude_is_had_where_its_force_has_it_with_either_sign(
 def test_what_is_not_solved_is_refused_in_a_sentence(words: tuple[str, ...], sentence: str) -> None:
     code = 1 if "lies between" in sentence else 2
     assert sentence in refusal("solve", *words, code=code)
+
+
+def test_a_force_that_is_constant_over_a_stroke_is_greatest_at_both_of_its_ends() -> None:
+    words = ("solve", "--pump", "--where=piston_force=max", "--columns=phi,piston_force", *CSV)
+    assert printed(*words).records() == [
+        {"phi": "180.0000", "piston_force": "1.0000"},
+        {"phi": "360.0000", "piston_force": "1.0000"},
+    ]
+
+
+def test_a_dead_centre_that_no_ball_has_exactly_is_a_place_like_others() -> None:
+    # 100° is no finite number of half turns in balls: the second crank stands there within a ball about 0.
+    words = ("solve", "--eps=4", "--cranks=0;100", "--where=torque=max", "--columns=phi,tangential", *CSV)
+    curve = Curve(Plant(Fraction(4), Fraction(1, 5), Fraction(1, 4), cranks=(Fraction(0), Fraction(100))))
+    found = printed(*words, "--digits=6").records()
+    greatest = float((curve.excess + curve.mean_force).max())
+    # The torque is greatest in a corner, which the grid may miss by its step times the slope there.
+    assert_allclose([float(one["tangential"]) for one in found], [greatest], rtol=0, atol=2e-4)
+
+
+def test_a_machine_with_steam_still_has_conditions_on_its_motion() -> None:
+    words = ("--machine", str(ROOT / "examples" / "engine.toml"), "--where=p=0", "--columns=stroke,phi", *CSV)
+    assert printed("solve", *words).records() == printed("solve", "--ratio=1:5", *words[2:]).records()
