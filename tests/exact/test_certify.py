@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from textbook import Drive
 from timed import WITHOUT_UNITS, kurbel
 
-from kurbel.exact.certify import ball, vanishes
+from kurbel.exact.certify import ball, half_turn_circle, vanishes
 from kurbel.motion.evaluation import DIFFERENCE, METHODS
 from kurbel.motion.quantities import registry
 
@@ -216,3 +216,10 @@ def test_a_value_is_zero_only_where_its_ball_is_narrower_than_its_distance_from_
     assert not vanishes(lambda: sum_of_great_terms(tiny), 70)
     assert vanishes(lambda: sum_of_great_terms(Fraction(0)), 70)
     assert vanishes(lambda: sum_of_great_terms(tiny) - ball(tiny), 70)
+
+
+def test_a_ball_about_exactly_zero_has_a_circle() -> None:
+    third = ball(Fraction(1, 3))
+    found = half_turn_circle(third - third)
+    assert found.versine.contains(0)
+    assert found.versine.abs_upper() < 1e-20

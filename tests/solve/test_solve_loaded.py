@@ -155,8 +155,7 @@ def test_a_force_that_is_constant_over_a_stroke_is_greatest_at_both_of_its_ends(
     ]
 
 
-def test_a_dead_centre_that_no_ball_has_exactly_is_a_place_like_others() -> None:
-    # 100° is no finite number of half turns in balls: the second crank stands there within a ball about 0.
+def test_the_torque_of_two_cranks_is_greatest_where_a_fine_grid_has_it() -> None:
     words = ("solve", "--eps=4", "--cranks=0;100", "--where=torque=max", "--columns=phi,tangential", *CSV)
     curve = Curve(Plant(Fraction(4), Fraction(1, 5), Fraction(1, 4), cranks=(Fraction(0), Fraction(100))))
     found = printed(*words, "--digits=6").records()
