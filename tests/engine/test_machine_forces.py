@@ -368,6 +368,7 @@ def test_a_card_weighs_the_masses_by_its_own_pressure() -> None:
         ("--eps 4 --speed 120/min", "--speed is for moving masses; add --reciprocating or a rod"),
         ("--eps 4 --stroke 1m", "--stroke makes newton metres of the steam only with --bore; add that"),
         ("--back 0.1", "--back is for the steam of an engine; add --eps or --card"),
+        ("--compression 6 --exponent 1.3 --layout forces", "--compression says nothing on layout forces"),
         ("--layout engine-forces", "layout engine-forces is of a steam engine; add --eps or --card"),
         ("--eps 4 --layout machine-forces", "layout machine-forces is of an engine with its masses; give"),
         ("--eps 4 --force 1kN", "--force does not go with the steam of an engine, --eps or --card; leave"),

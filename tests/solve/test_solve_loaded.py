@@ -116,6 +116,24 @@ def test_a_magnitude_is_had_where_its_force_has_it_with_either_sign(
     )
 
 
+def test_masses_on_the_beam_engine_move_the_greatest_torque_to_where_the_turning_effort_has_it() -> None:
+    masses = (
+        "--beam=3",
+        "--reciprocating=80kg",
+        "--speed=200/min",
+        *SIZE,
+        "--eps=2",
+        "--mechanism=beam",
+        *CSV,
+    )
+    found = printed("solve", *masses, "--where=torque=max", "--columns=phi,torque_nm").records()
+    run = printed("turning", *masses, "--step=0.5", "--columns=phi,torque_nm").records()
+    highest = max(run, key=lambda row: float(row["torque_nm"]))
+    assert_allclose(float(found[0]["phi"]), float(highest["phi"]), rtol=0, atol=0.5)
+    # The corner at cut-off lies between two angles of the run.
+    assert_allclose(float(found[0]["torque_nm"]), float(highest["torque_nm"]), rtol=1e-3, atol=0)
+
+
 @pytest.mark.parametrize(
     ("words", "sentence"),
     [

@@ -101,10 +101,15 @@ def _of_case(values: Mapping[str, Any]) -> Mapping[str, str]:
                 **for_masses("speed")(values),
                 **(_refused(("stroke",), newton_metres) if bare else {}),
             }
+    unasked = _refused(
+        tuple(loads.named(values)), f"says nothing on layout {values['layout']}; leave one out"
+    )
     steam = _refused(
         ("bore", "pressure", "cranks", *STEAM), "is for the steam of an engine; add --eps or --card"
     )
-    return {**steam, **{name: loads.astray(name) for name in PARTS}, **for_masses("speed")(values)}
+    further = {**steam, **{name: loads.astray(name) for name in PARTS}, **for_masses("speed")(values)}
+    # First, lest an option of the load asks for one.
+    return {**unasked, **further, **unasked}
 
 
 def _refused(names: tuple[str, ...], why: str) -> dict[str, str]:

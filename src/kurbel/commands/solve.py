@@ -21,8 +21,9 @@ _UNASKED = "is for conditions on the forces of an engine, such as torque=max; le
 
 
 def _of_drives(values: Mapping[str, Any]) -> Mapping[str, str]:
-    # No layout tells the mechanism.
-    return of_other_mechanisms(values, meant(values, layout=None))
+    # No layout tells the mechanism. Forces have newtons on every drive.
+    shared = ("stroke", "speed") if _is_of_engine(values) else ()
+    return of_other_mechanisms(values, meant(values, layout=None), shared)
 
 
 def _texts(where: Any) -> list[Any]:
