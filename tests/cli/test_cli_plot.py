@@ -416,15 +416,25 @@ def test_the_polar_diagram_leaps_at_the_dead_centres_along_the_crank() -> None:
     np.testing.assert_allclose(np.hypot(vector.across, vector.up)[there], force[there], rtol=1e-9, atol=1e-12)
 
 
-def test_the_speed_of_a_flywheel_is_drawn_from_its_work() -> None:
+def test_the_speed_of_a_flywheel_is_drawn_from_its_work_and_its_mean_lies_between_the_extremes() -> None:
     request = EngineRequest(
         layout=layout("turning"), steams=[STEAM], drives=[SIZED], angles=ANGLES, columns=TURNING,
     )  # fmt: skip
-    energy, mean = turning_panels(request)[1].curves[0], turning_panels(request)[0].curves[1].values[0]
-    speed = speed_panel(request, Wheel(Fraction(3))).curves[0]
+    (energy,), (_, mean) = turning_panels(request)[1].curves, turning_panels(request)[0].curves
     work = dict(zip(*curve_at(energy), strict=True))
-    for angle, value in zip(*curve_at(speed), strict=True):
-        np.testing.assert_allclose(value, np.sqrt(1 + 2 * work[angle] / mean / 3), rtol=1e-12)
+    for turns, letters in ((None, "$v/v_1$"), (Speed(Fraction(2)), "$n$")):
+        wheeled = replace(request, layout=layout("speed"), wheel=Wheel(Fraction(3), speed=turns))
+        panel = speed_panel(replace(wheeled, columns=("speed",)))
+        assert letters.strip("$") in panel.label
+        speed, level = panel.curves
+        unity = np.asarray(speed.values)[0]
+        for angle, value in zip(*curve_at(speed), strict=True):
+            np.testing.assert_allclose(
+                value / unity, np.sqrt(1 + 2 * work[angle] / mean.values[0] / 3), rtol=1e-12
+            )
+        # The extremes lie between the angles that are drawn.
+        np.testing.assert_allclose(level.values, (max(speed.values) + min(speed.values)) / 2, rtol=2e-3)
+        np.testing.assert_allclose(level.values if turns else unity, 120 if turns else 1, rtol=1e-12)
 
 
 def test_the_turning_effort_with_the_masses_has_theirs_besides_the_steams() -> None:
@@ -937,6 +947,14 @@ REFUSALS = [
     (("--positions", "30", "--columns", "x"), "--columns says nothing about the mechanism; leave it out"),
     (("--positions", "30", "--step", "5"), "--step says nothing about the mechanism; leave it out"),
     (("--polar", "--speed", "2/s"), "--speed says nothing about the polar diagram; leave it out"),
+    (
+        ("--turning", "--eps", "4", "--power", "5kW"),
+        "--power is for --inertia, whose flywheel is weighed against it; leave it out",
+    ),
+    (
+        ("--turning", "--eps", "4", "--inertia", "3kgm2", "--speed", "2/s"),
+        "--inertia needs the mean torque that it takes up; add --power, or --stroke, --bore and the pressure",
+    ),
     (
         ("--turning", "--rocker", "6"),
         "--rocker does not belong to the straight crank; it is for --mechanism arc",

@@ -11,6 +11,7 @@ from kurbel.cli.options import RIVALS, Given, Option, Type, click_option, machin
 from kurbel.cli.tables import MakingCommand
 from kurbel.commands import engine_plots, plots
 from kurbel.commands.cylinder import pressures
+from kurbel.commands.engine import Wheeled
 from kurbel.commands.loads import PARTS, astray, named
 from kurbel.commands.machines import MASSES, STEAM
 from kurbel.commands.options import Choice
@@ -31,6 +32,7 @@ kurbel plot --mechanism arc --rocker 6 -o bogenschubkurbel.svg
 kurbel plot --polar --eps 4 --bore 300mm --pressure 8bar -o zapfenkraft.pdf
 kurbel plot --forces --machine engine.toml -o kraefte.svg
 kurbel plot --turning --eps 4 --ratio 1:5 --over path -o drehkraft.pdf
+kurbel plot --turning --eps 4 --flywheel 50 --speed 120/min -o drehzahl.pdf
 kurbel plot --turning --pressure-ratio 3 --clearance 5% -o kompressor.pdf
 kurbel plot --pressures --machine engine.toml -o beschleunigungsdruck.pdf
 """
@@ -39,11 +41,14 @@ FLAGS = {
     " piston force.",
     "polar": "Draw the polar diagram of the force on the crank pin, of either.",
     "pressures": "Draw the acceleration pressure under the indicator diagram, over the stroke.",
-    "turning": "Draw the turning effort of a steam engine: tangential force, its mean and the excess energy.",
+    "turning": "Draw the turning effort of a steam engine: tangential force, its mean and the excess energy;"
+    " with a flywheel the speed as well.",
 }
 # The options that all drawings have, or that say which one it is, or where it goes.
 SHARED = frozenset(("positions", *FLAGS, "ratio", "format", "output", "lang", "decimal"))
-OF_ENGINES = frozenset((*STEAM, "flywheel", "cranks", "cylinder", "of", "bore", "pressure", *MASSES))
+OF_ENGINES = frozenset(
+    (*STEAM, *Wheeled.__annotations__, "cranks", "cylinder", "of", "bore", "pressure", *MASSES)
+)
 
 
 class Kind(NamedTuple):
@@ -162,9 +167,9 @@ def _params() -> list[click.Parameter]:
                help="File to write, whole or not at all; - is standard output, unless a terminal."),
     ]  # fmt: skip
     order = (
-        "ratio", "columns", "over", "flywheel", "method", "from", "to", "step", "offset", "stroke", "rod",
-        "speed", "force", "mechanism", "rocker", "pivot", "beam", *STEAM, "cranks", "cylinder", "of", "bore",
-        "pressure", *MASSES,
+        "ratio", "columns", "over", *Wheeled.__annotations__, "method", "from", "to", "step", "offset",
+        "stroke", "rod", "speed", "force", "mechanism", "rocker", "pivot", "beam", *STEAM, "cranks",
+        "cylinder", "of", "bore", "pressure", *MASSES,
     )  # fmt: skip
     return [
         machine_option(), own["positions"], *flags, *(own[name] for name in order), *output,

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Annotated, Any, Unpack
+from typing import TYPE_CHECKING, Annotated, Any, TypedDict, Unpack
 
 from kurbel.commands import parameters as option
 from kurbel.commands.machines import (
@@ -48,8 +48,8 @@ DELTA = ("irregularity", "strokes", "evenness", "compressor", "gas cycle", "cyli
 WITH_WHEEL = ("speed", "evenness")
 
 
-class Turning(option.Engine, total=False):
-    """An engine with its flywheel."""
+class Wheeled(TypedDict, total=False):
+    """A flywheel, and what it turns against."""
 
     flywheel: Annotated[
         Exact | None,
@@ -75,6 +75,10 @@ class Turning(option.Engine, total=False):
     ]
 
 
+class Turning(option.Engine, Wheeled, total=False):
+    """An engine with its flywheel."""
+
+
 def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
     """Refuse what describes other crank drives."""
     return of_other_mechanisms(values, meant(values, layout=None), ("stroke", "speed", "method"))
@@ -83,17 +87,22 @@ def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
 def _of_wheel(values: Mapping[str, Any]) -> Mapping[str, str]:
     """Refuse what says nothing beside a flywheel or without one, and a flywheel of which nothing is asked."""
     given = [name for name in ("flywheel", "inertia") if values[name] is not None]
-    if "inertia" in given:
-        refused: dict[str, str] = {}
-    else:
-        refused = dict(for_masses_or_columns(*(() if given else ("speed",)), *ONLY_MASSES)(values))
+    sizes = () if "inertia" in given else (*(() if given else ("speed",)), *ONLY_MASSES)
+    refused = {**for_masses_or_columns(*sizes)(values), **beside_wheel(values)}
+    if given and (instead := _without_wheel(values)):
+        refused |= {name: f"--{name} says nothing on this page; {instead}" for name in given}
+    return refused
+
+
+def beside_wheel(values: Mapping[str, Any]) -> Mapping[str, str]:
+    """Refuse what describes a flywheel further, where there is none or none of that kind."""
+    refused = {}
+    if values["inertia"] is None:
         refused["power"] = "--power is for --inertia, whose flywheel is weighed against it; leave it out"
     if is_heavy(values):
         refused["power"] = WITH_MASSES
-    if not given:
+    if not has_wheel(values):
         refused["resistance"] = "--resistance is for a flywheel; add --flywheel or --inertia"
-    if given and (instead := _without_wheel(values)):
-        refused |= {name: f"--{name} says nothing on this page; {instead}" for name in given}
     return refused
 
 
@@ -164,7 +173,7 @@ def delta_table(
         ratio = given["ratio"]
         many = "delta-tafel" if len(as_ratios(() if ratio is None else ratio)) > 1 else "weisbach-150"
         many = layout_of_load(about) or many
-        wheeled = "delta-flywheel" if _has_wheel(given) and not detail else ""
+        wheeled = "delta-flywheel" if has_wheel(given) and not detail else ""
         layout = wheeled or ("delta-detail" if by_stroke else "delta-verfahren" if several else many)
     page = layout_of(layout, DELTA, layouts)
     return engine_of(page, about, _asked(page), columns=names, wheel=_wheel(page, about))
@@ -206,7 +215,7 @@ def turning_table(
     kurbel turning --eps 4 --step 0.5 -f csv -o drehkraft.csv
     kurbel turning --eps 4 --flywheel 50 --columns phi,speed
     """
-    chosen = layout or ("speed" if _has_wheel(given) else "turning")
+    chosen = layout or ("speed" if has_wheel(given) else "turning")
     page, cycle = layout_of(chosen, ("turning", "speed"), layouts), whole_cycle({**given, "eps": eps})
     if step is not None:
         if angle is not None:
@@ -223,7 +232,7 @@ def turning_table(
     return engine_of(page, about, angles=angles, columns=names, wheel=_wheel(page, about))
 
 
-def _has_wheel(given: Mapping[str, Any]) -> bool:
+def has_wheel(given: Mapping[str, Any]) -> bool:
     return given["flywheel"] is not None or given["inertia"] is not None
 
 

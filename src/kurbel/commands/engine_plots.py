@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
 from kurbel.commands.cylinder.given import Cylinders, Of
+from kurbel.commands.engine import Wheeled, beside_wheel, has_wheel
 from kurbel.commands.machines import engine_of, is_heavy, load_of, over_cycle
 from kurbel.commands.motion import of_other_mechanisms
 from kurbel.commands.options import Choice, Option
@@ -12,7 +13,7 @@ from kurbel.commands.plots import CurveStep, DrawnColumns, DrawnSpeed, LabelLang
 from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import draws
 from kurbel.errors import ProblemError
-from kurbel.reading.given import Exact, as_names, as_number
+from kurbel.reading.given import as_names
 
 if TYPE_CHECKING:
     from kurbel.engine.request import EngineRequest
@@ -37,6 +38,10 @@ class Drawn(option.Cylinder, option.MovingRod, option.AnyDrive, total=False):
     rocker_inertia: option.RockerInertia
     lang: LabelLang
     decimal: option.Decimal
+
+
+class DrawnTurning(Drawn, Wheeled, total=False):
+    """An engine with its flywheel."""
 
 
 def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
@@ -70,7 +75,7 @@ def plot_engine_polar(eps: option.Eps = None, *, of: Of = None, **given: Unpack[
     return Drawing.of(polar_drawing(question, engine_pin_force(question), mark), given["lang"], mark)
 
 
-@draws(foreign=_foreign)
+@draws(foreign=_foreign, needless=beside_wheel)
 def plot_turning(
     eps: option.Eps = None,
     *,
@@ -82,24 +87,26 @@ def plot_turning(
             kind=Choice("axis", AXES),
         ),
     ] = "angle",
-    flywheel: Annotated[
-        Exact | None,
-        Option("With --turning: flywheel by its number m₁v₁²/(P r), 50, to draw the speed as well.", "M"),
-    ] = None,
-    **given: Unpack[Drawn],
+    **given: Unpack[DrawnTurning],
 ) -> Drawing:
-    """Draw the turning effort of a steam engine: tangential force, its mean and the excess energy."""
+    """Draw the turning effort of a steam engine: tangential force, its mean and the excess energy, with a
+    flywheel the speed as well.
+    """
     from kurbel.plot.drawings import curves_drawing
     from kurbel.plot.engine import TURNING, across_path, over_path, turning_panels
 
     mark, lang = mark_of(given["lang"], given["decimal"]), given["lang"]
-    question = _question("turning", {**given, "eps": eps, "cranks": cranks}, TURNING)
+    about, wheel = {**given, "eps": eps, "cranks": cranks}, None
+    if has_wheel(given):
+        from kurbel.drive.wheel import given_wheel
+
+        wheel = given_wheel(given, is_heavy(given))
+    question = _question("turning", about, TURNING, wheel=wheel)
     panels, across = turning_panels(question), None
-    if flywheel is not None:
-        from kurbel.drive.wheel import Wheel
+    if wheel is not None:
         from kurbel.plot.speed import speed_panel
 
-        panels.append(speed_panel(question, Wheel(as_number(flywheel, "flywheel"))))
+        panels.append(speed_panel(_question("speed", about, ("speed",), wheel=wheel)))
     if over == "path":
         panels, across = over_path(panels), across_path(lang)
     return Drawing.of(curves_drawing(question, panels, mark, across), lang, mark)
@@ -117,9 +124,11 @@ def _force_question(
     return _question(layout, given, names or known_forces(keys, newtons))
 
 
-def _question(layout: str, given: Mapping[str, Any], columns: tuple[str, ...]) -> "EngineRequest":
+def _question(
+    layout: str, given: Mapping[str, Any], columns: tuple[str, ...], **rest: Any
+) -> "EngineRequest":
     angles, method = curve_angles(over_cycle(given)), given["method"]
     if method == "infinite":
         raise ProblemError("--method infinite is for the motion alone; of engines write --ratio 1:∞")
     about = {**given, "method": method and (method,)}
-    return engine_of(page_of(layout), about, angles=angles, columns=columns)
+    return engine_of(page_of(layout), about, angles=angles, columns=columns, **rest)

@@ -104,11 +104,13 @@ def makes_table(
     return decorate
 
 
-def draws(*, foreign: Refusals = _none) -> Callable[[Callable[Words, Drawn]], Drawing[Words, Drawn]]:
+def draws(
+    *, foreign: Refusals = _none, needless: Refusals = _none
+) -> Callable[[Callable[Words, Drawn]], Drawing[Words, Drawn]]:
     """Check what a function is given that draws."""
 
     def decorate(ask: Callable[Words, Drawn]) -> Drawing[Words, Drawn]:
-        command = Command.of(ask, "", foreign)
+        command = Command.of(ask, "", foreign, needless)
         return cast("Drawing[Words, Drawn]", _documented(_checked(command), command))
 
     return decorate
