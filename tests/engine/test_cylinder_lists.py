@@ -245,6 +245,14 @@ def test_cylinders_that_are_none_are_refused(cylinders: tuple[str, ...], said: s
     assert said in refusal("delta", *(f"--cylinder={one}" for one in cylinders))
 
 
+@pytest.mark.parametrize(
+    "option", ["--pressure-ratio=3", "--heat=5", "--suction-loss=3%", "--pump", "--two-stroke"]
+)
+def test_what_describes_a_load_that_no_cylinder_has_is_refused(option: str) -> None:
+    name = option.partition("=")[0]
+    assert f"{name} says nothing about the cylinders" in refusal("delta", "--cylinder=eps=4", option)
+
+
 @pytest.mark.parametrize(("said", "share"), [("false", 1), ("true", 0.5)])
 def test_a_cylinder_that_is_said_not_to_be_single_acting_works_at_both_ends(said: str, share: float) -> None:
     own = printed("delta", f"--cylinder=eps=4 single_acting={said}", "--columns=mean_force", "-f", "csv")

@@ -31,6 +31,7 @@ def assembly_of(page: Layout, given: Mapping[str, Any]) -> "Assembly":
             "--cranks are those of cylinders alike, and each --cylinder has its angle; leave one out"
         )
     described = given["cylinder"]
+    _check_used(given, described)
     parts = [_part(_title(number, own), page, merged(given, own)) for number, own in enumerate(described, 1)]
     lags = lags_of(described, [part.steam for part in parts])
     return Assembly(tuple(_behind(part, lag) for part, lag in zip(parts, lags, strict=True)))
@@ -77,6 +78,17 @@ def _other_loads(common: Mapping[str, Any], own: Mapping[str, Any]) -> list[str]
         return []
     kept = {key for one in keys for key in (one, *OWN[one][1])}
     return [name for key, (_, others) in OWN.items() for name in (key, *others) if name not in kept]
+
+
+def _check_used(given: Mapping[str, Any], cylinders: Sequence[Mapping[str, Any]]) -> None:
+    """Refuse what describes a load that none of the cylinders has."""
+    unused = [_other_loads(given, own) for own in cylinders]
+    for name in unused[0] if unused else ():
+        if is_given(given.get(name)) and all(name in others for others in unused):
+            flag = f"--{name.replace('_', '-')}"
+            raise ProblemError(
+                f"{flag} says nothing about the cylinders, which have other loads; leave it out"
+            )
 
 
 def _other_lengths(common: Mapping[str, Any], own: Mapping[str, Any]) -> list[str]:
