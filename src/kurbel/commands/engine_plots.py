@@ -106,7 +106,9 @@ def plot_turning(
     if wheel is not None:
         from kurbel.plot.speed import speed_panel
 
-        panels.append(speed_panel(_question("speed", about, ("speed",), wheel=wheel)))
+        shown = "speed" if wheel.speed is None else "rpm"
+        question = _question("speed", about, (*TURNING, shown), wheel=wheel)
+        panels.append(speed_panel(question))
     if over == "path":
         panels, across = over_path(panels), across_path(lang)
     return Drawing.of(curves_drawing(question, panels, mark, across), lang, mark)
