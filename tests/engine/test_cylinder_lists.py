@@ -184,6 +184,35 @@ def test_places_in_the_firing_order_choose_the_turn_of_each_cylinder(fires: tupl
     assert several["delta"] == explicit["delta"]
 
 
+@pytest.mark.parametrize(
+    ("order", "banks"), [("1-3-2", (0, 0, 0)), ("1-5-2-4-3", (0, 0, 0, 0, 0)), ("1-2-4-3", (0, 60, 0, 60))]
+)
+def test_cranks_that_follow_as_an_order_of_firing_says_make_an_engine_that_fires_in_it(
+    order: str, banks: tuple[int, ...]
+) -> None:
+    axes = ";".join(map(str, banks))
+    star = printed("firing", "--order", order, f"--banks={axes}", "--columns=cylinder,follows", "-f", "csv")
+    follows = {int(one["cylinder"]): one["follows"] for one in star.records()}
+    common = ("--ratio=1:4", "--stroke=90mm", "--suction-pressure=1bar", "--compression=6", "--heat=8")
+    bores = [60 + 10 * number for number in range(len(banks))]
+    listed = [
+        f"--cylinder=angle={follows[number]} bank={bank} bore={bore}mm"
+        for number, (bank, bore) in enumerate(zip(banks, bores, strict=True), 1)
+    ]
+    words = ("--columns=phi,tangential", "--digits=8", "-f", "csv")
+    several = printed("turning", *common, *listed, "--step=12", *words).records()
+    single = printed("turning", *common, "--cylinder=bore=60mm", "--step=12", *words).records()
+    alone = {float(one["phi"]): float(one["tangential"]) for one in single}
+    # In the order every piston does what the first does, as many intervals later, by its own area.
+    lags = {int(number): 720 * place / len(banks) for place, number in enumerate(order.split("-"))}
+    for one in several:
+        parts = [
+            (bores[number - 1] / bores[0]) ** 2 * alone[(float(one["phi"]) - lag) % 720]
+            for number, lag in lags.items()
+        ]
+        np.testing.assert_allclose(float(one["tangential"]), sum(parts), rtol=0, atol=1e-7)
+
+
 def test_what_a_cylinder_says_outdoes_what_all_have(tmp_path: Path) -> None:
     path = tmp_path / "machine.toml"
     path.write_text(

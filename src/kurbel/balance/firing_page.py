@@ -8,7 +8,7 @@ from fractions import Fraction
 from functools import cache, cached_property
 from typing import Any, NamedTuple
 
-from kurbel.balance.arrangement import Arrangement, check_count, row
+from kurbel.balance.arrangement import Arrangement, Cylinder, check_count, row
 from kurbel.balance.firing import PERIODS, TURN, Firing, Order, check_strokes, cranks_of, firings, fitting
 from kurbel.balance.page import WORDS as BALANCE
 from kurbel.balance.page import angle_notes, arranged, engine_label, listed
@@ -44,14 +44,29 @@ WORDS: Mapping[str, Words] = {
         "Zündwinkel zählen vom inneren Totpunkt, in dem der erste Zylinder zündet"
         "|Firing angles count from the inner dead centre in which the first cylinder fires"
     ),
+    "sense": words(
+        "Kurbeln zählen hier wie bei balance im Drehsinn; --cranks von delta, turning und harmonics und angle"
+        " eines Zylinders sagen dagegen, um wie viel eine Kurbel der ersten folgt{follows}"
+        "|Cranks count here and in balance in the sense of rotation; --cranks of delta, turning and harmonics"
+        " and the angle of a cylinder say by how much a crank follows the first{follows}"
+    ),
+    "follows": words(
+        ": so zählt die Spalte Nachlauf, über das ganze Arbeitsspiel"
+        "|: so does the column beside them, over the whole cycle"
+    ),
 }
 
 
 class Fired(NamedTuple):
-    """A cylinder in a firing order: its number and angles, and when it fires."""
+    """A cylinder in a firing order: its number and angles, and when it fires.
+
+    Its crank `follows` that of the first cylinder by an angle within the cycle: cylinders whose cranks follow
+    so, as those of engines with loads do, fire in the order.
+    """
 
     number: int
     crank: Fraction
+    follows: Fraction
     bank: Fraction
     fires_at: Fraction
     interval: Fraction
@@ -91,6 +106,10 @@ def cylinders_registry() -> Mapping[str, Quantity]:
         _angle(
             "crank", "Kurbelwinkel des Zylinders|Crank angle of the cylinder", "Kurbel in °|Crank in °",
             lambda fired: fired.crank,
+        ),
+        _angle(
+            "follows", "Nachlauf der Kurbel hinter der ersten|Angle by which the crank follows the first",
+            "Nachlauf in °|Follows by, in °", lambda fired: fired.follows,
         ),
         _angle(
             "bank", "Winkel der Zylinderachse|Angle of the cylinder's axis", "Achse in °|Axis in °",
@@ -140,10 +159,18 @@ class FiringRequest(Question):
         firing, cylinders = self.firings[0], self.arrangement.cylinders
         groups = zip(firing.order, firing.angles, firing.intervals, strict=True)
         return [
-            Fired(number, cylinders[number - 1].crank, cylinders[number - 1].bank, angle, interval)
+            _fired(number, cylinders, firing, angle, interval)
             for group, angle, interval in groups
             for number in group
         ]
+
+
+def _fired(
+    number: int, cylinders: Sequence[Cylinder], firing: Firing, angle: Fraction, interval: Fraction
+) -> Fired:
+    crank, bank = cylinders[number - 1].crank, cylinders[number - 1].bank
+    follows = (angle - bank + cylinders[0].bank) % firing.period
+    return Fired(number, crank, follows, bank, angle, interval)
 
 
 def asked(
@@ -214,6 +241,8 @@ def _notes(question: FiringRequest) -> Iterator[Label]:
     if question.order:
         yield WORDS["zero"][lang]
     yield BALANCE["angles"][lang]
+    shown = {column.key for column in question.page_columns}
+    yield WORDS["sense"][lang].format(follows=WORDS["follows"][lang] if "follows" in shown else "")
 
 
 ORDERS = Subject(
