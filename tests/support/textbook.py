@@ -153,6 +153,10 @@ _VALUES = {
     "tangential_force": _velocity,
     "radial_force": _radial_force,
     "torque": _velocity,
+    # Blau (23) and (24): v = S π n/60 and c_m = S n/30, here in units of v.
+    "v": lambda method, drive, angle: mp.mpf(1),
+    "c_m": lambda method, drive, angle: stroke(drive) / mp.pi,
+    "v_c_m": lambda method, drive, angle: mp.pi / stroke(drive),
 }
 
 
