@@ -38,7 +38,9 @@ MEASURED = "describes an ideal card, and --card gives a measured one; leave one 
 IDEAL = str(CARDS / "ideal-2.csv")
 SPEED = "a speed of rotation such as 120/min, 120rpm or 12.5rad/s"
 REST = "it must be at least 10^-9 and below 2, at which the flywheel would come to rest in every turn"
-IRREGULARITY = ", ".join(about("irregularity", "strokes", "evenness", "compressor", "gas cycle", "cylinders"))
+IRREGULARITY = ", ".join(
+    about("irregularity", "strokes", "evenness", "compressor", "pump", "gas cycle", "cylinders")
+)
 TURNING_LAYOUTS = ", ".join(about("turning", "speed"))
 WORK = (
     "work, full_pressure_work, expansion_work, back_work,"

@@ -91,7 +91,7 @@ def test_the_columns_are_those_of_the_layout_that_was_typed() -> None:
 
 def test_a_command_completes_the_layouts_of_its_subject_only() -> None:
     assert completed("bash", "delta", "--layout", "") == about(
-        "irregularity", "strokes", "evenness", "compressor", "gas cycle", "cylinders"
+        "irregularity", "strokes", "evenness", "compressor", "pump", "gas cycle", "cylinders"
     )
     assert completed("bash", "turning", "--layout", "") == ["speed", "turning", "turning-path"]
     assert completed("bash", "flywheel", "--layout", "") == ["flywheel"]

@@ -116,26 +116,111 @@ def test_ties_of_work_and_pressure_are_settled(words: tuple[str, ...], printed_a
     assert printed("delta", *words, "-f", "csv").out.splitlines()[-1] == printed_as
 
 
+# What a page of a driven machine may say of its signs, in both languages.
+SIGNS, MAGNITUDE = (
+    ("Die Welle treibt den Kolben", "The shaft drives the piston"),
+    ("δ im Betrag", "δ in the mag"),
+)
+TORQUE, PRESSURE = (
+    ("P r im Betrag", "P r as a magnitude"),
+    ("mittlere Drücke positiv", "mean pressures positive"),
+)
+EXCHANGED, GUIDE = ("die Plätze getauscht", "have changed places"), ("die obere Gleitbahn", "the upper guide")
+POWER = ("Leistungen positiv", "powers positive")
+CLAUSES = (SIGNS, MAGNITUDE, TORQUE, PRESSURE, EXCHANGED, GUIDE, POWER)
+SIZES = ("--bore=300mm", "--stroke=600mm", "--speed=60/min", "--suction-pressure=1bar")
+
+
 @pytest.mark.parametrize(
-    "words",
+    ("words", "said"),
     [
-        ("delta", "--pressure-ratio=2..3"),
-        ("turning", "--pump", "--step=90"),
-        ("forces", "--pump=single", "--step=90"),
-        ("flywheel", "--pressure-ratio=3", "--power=5kW", "--speed=60/min", "--delta=1:50"),
+        (("delta", "--pressure-ratio=2..3"), (SIGNS, MAGNITUDE, PRESSURE, EXCHANGED, GUIDE)),
+        (("delta", "--pump", "--detail"), (SIGNS, MAGNITUDE, EXCHANGED, GUIDE)),
+        (("delta", "--pump", "--columns=work"), (SIGNS,)),
+        (("delta", "--pressure-ratio=3", *SIZES, "--columns=indicated_power"), (SIGNS, POWER)),
+        (("turning", "--pump", "--step=90"), (SIGNS,)),
+        (("turning", "--pump", "--step=90", "--flywheel=50"), (SIGNS, TORQUE)),
+        (("delta", "--pump", "--flywheel=50"), (SIGNS, TORQUE, EXCHANGED)),
+        (("forces", "--pump=single", "--step=90"), (SIGNS, GUIDE)),
+        (("forces", "--pump=single", "--step=90", "--columns=phi,piston_force"), (SIGNS,)),
+        (
+            ("flywheel", "--pressure-ratio=3", "--power=5kW", "--speed=60/min", "--delta=1:50"),
+            (SIGNS, TORQUE, POWER),
+        ),
     ],
 )
-def test_every_page_of_a_driven_machine_says_how_it_counts(words: tuple[str, ...]) -> None:
-    for lang, said in (
-        ("de", ("Die Welle treibt den Kolben", "die Plätze getauscht", "die obere Gleitbahn")),
-        ("en", ("The shaft drives the piston", "have changed places", "the upper guide face")),
-    ):
+def test_a_page_of_a_driven_machine_says_how_it_counts_what_it_prints(
+    words: tuple[str, ...], said: tuple[tuple[str, str], ...]
+) -> None:
+    for place, lang in enumerate(("de", "en")):
         text = re.sub(r"\s+", " ", printed(*words, f"--lang={lang}").out)
-        for part in said:
-            assert part in text
+        assert [clause for clause in CLAUSES if clause[place] in text] == [
+            clause for clause in CLAUSES if clause in said
+        ]
         assert "Dampfmaschine" not in text
         assert "steam" not in text
+
+
+def test_a_page_of_a_gas_engine_says_nothing_of_driven_machines() -> None:
     assert "treibt den Kolben" not in printed("delta", "--compression=6", "--heat=9").out
+
+
+def test_sizes_show_the_columns_that_they_make_known() -> None:
+    known = ["mean_pressure_kpa", "delivery", "indicated_power"]
+    page = kurbel.delta_table(
+        pressure_ratio=3, bore=0.3, stroke=0.6, speed=1, suction_pressure=100_000, digits=8
+    )
+    # By Mariotte's law p ln Π on each of two faces, a piston of π/4 0.09 m², a stroke of 0.6 m, 1/s.
+    swept, pressure = math.pi / 4 * 0.09 * 0.6, 100 * math.log(3)
+    for key, true in zip(known, (pressure, 120 * swept, 2 * pressure * swept), strict=True):
+        assert numbers(page, key) == [pytest.approx(true, rel=1e-4)]
+    for words, keys in (
+        (("delta", "--pressure-ratio=3", "--bore=300mm", "--suction-pressure=1bar"), known[:1]),
+        (("delta", "--pressure-ratio=3"), []),
+        (("delta", "--compression=6", "--heat=9", *SIZES), [known[0], known[2]]),
+        (("delta", "--pump", *SIZES, "--delivery-pressure=6bar"), known),
+    ):
+        head = printed(*words, "-f", "csv").out.splitlines()[0].split(",")
+        assert {*known} & {*head} == {*keys}
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (
+            ("delta", "--pressure-ratio=3", "--speed=60/min"),
+            "--speed says nothing on this page by itself; add --stroke, --bore, --suction-pressure",
+        ),
+        (
+            (
+                "delta",
+                "--pump",
+                "--bore=90mm",
+                "--delivery-pressure=6bar",
+                "--stroke=1m",
+                "--speed=1/s",
+                "--detail",
+            ),
+            "--speed says nothing on this page; add --reciprocating, or a column such as indicated_power",
+        ),
+        (
+            ("turning", "--layout=turning-path", "--bore=300mm"),
+            "--bore says nothing on this page by itself; add --pressure",
+        ),
+        (
+            ("turning", "--compression=6", "--heat=9", "--stroke=300mm"),
+            "--stroke says nothing on this page; add --reciprocating, or a column such as pin_path_mm",
+        ),
+        (
+            ("delta", "--pump", "--columns=indicated_power"),
+            "column indicated_power needs --stroke, --speed, --bore and --delivery-pressure; leave it out,",
+        ),
+    ],
+)
+def test_sizes_that_say_nothing_are_refused_with_what_is_missing(
+    words: tuple[str, ...], sentence: str
+) -> None:
+    assert refusal(*words).startswith(sentence)
 
 
 def test_a_cycle_of_four_strokes_is_printed_over_two_turns() -> None:
@@ -199,7 +284,7 @@ def test_a_machine_may_be_a_compressor_and_what_is_typed_outdoes_it(tmp_path: Pa
         (("--pump", "--suction-pressure=3bar", "--delivery-pressure=2bar"), "a pump raises the pressure"),
         (("--pump", "--small-area=0.4"), "--small-area is for --pump differential, which has a ring"),
         (("--pump=triple",), 'there is no pump "triple" (did you mean single?); choose from double,'),
-        (("--compression=6",), "the otto cycle is told by --heat or --peak-pressure, for example"),
+        (("--compression=6",), "the Otto cycle needs --heat or --peak-pressure, for example"),
         (("--eps=4", "--columns=efficiency"), "needs the cycle of a gas engine, --compression, with one"),
         (("--eps=4", "--columns=volumetric_efficiency"), "needs a compressor, with --pressure-ratio; leave"),
     ],

@@ -139,7 +139,7 @@ HEADS: Mapping[str, Mapping[str, Head]] = {
         "thrust_angle": head("Druck über", "Thrust over", "°"),
         "pull_angle": head("Zug über", "Pull over", "°"),
         "reversal_angle": head("Richtungswechsel über", "Reversal over", "°"),
-        "reversal_unbroken": head("davon am Stück", "of it unbroken", "°"),
+        "reversal_unbroken": head("davon am Stück", "longest unbroken", "°"),
         "reversal_share": head("Gegenlast, Anteil der größten", "Reversed load, share of the greatest", "%"),
     },
     "rod-load-turn": {

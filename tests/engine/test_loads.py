@@ -163,7 +163,7 @@ def test_a_pump_moves_the_same_with_each_kind() -> None:
         (lambda: Compressor(F(8), clearance=F(1, 4)), "it must be below 0.142857, or Π below 5"),
         (lambda: Compressor(F(8), suction_loss=F(1)), "suction loss is 1; it must be 0 or more and below 1,"),
         (lambda: Pump(small_area=F(1)), "the small area is 1; it must be above 0 and below 1,"),
-        (lambda: GasCycle(F(5)), "the otto cycle is told by --heat or --peak-pressure, for example"),
+        (lambda: GasCycle(F(5)), "the Otto cycle needs --heat or --peak-pressure, for example"),
         (lambda: GasCycle(F(5), peak=F(4)), "it must be at least the 9.51827 times of the gas compressed"),
         (lambda: GasCycle(F(5), "diesel", cut_off=F(6)), "the cut-off ratio is 6; it must lie within 1..5,"),
         (lambda: GasCycle(F(5), "diesel", cut_off=F(1)), "leaves no work at ε = 5; supply more heat"),

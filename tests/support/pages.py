@@ -24,6 +24,7 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "strokes": ("delta",),
     "evenness": ("delta", "--flywheel=50"),
     "compressor": ("delta", "--pressure-ratio=2..6", "--clearance=4%", "--exponent=1.3"),
+    "pump": ("delta", "--pump"),
     "gas cycle": ("delta", "--compression=5..8", "--heat=10"),
     "turning": ("turning",),
     "speed": ("turning", "--flywheel=50", "--speed=120/min"),
@@ -75,7 +76,7 @@ ENGINES = about(
     "rod load",
     "flywheel",
 )
-LOADED = about("compressor", "gas cycle")
+LOADED = about("compressor", "pump", "gas cycle")
 BEAMS = about("dead centres", "drive dead centres")
 BALANCES = about("harmonics", "balance")
 TORQUES = about("torque", "excitation", "cylinders")
@@ -107,6 +108,7 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
     "compressor": (
         kurbel.delta_table, {"pressure_ratio": "2..6", "clearance": "4%", "exponent": "1.3"}
     ),
+    "pump": (kurbel.delta_table, {"pump": "double"}),
     "gas cycle": (kurbel.delta_table, {"compression": "5..8", "heat": 10}),
     "turning": (kurbel.turning_table, {}),
     "speed": (kurbel.turning_table, {"flywheel": 50, "speed": 2}),

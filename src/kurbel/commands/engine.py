@@ -1,17 +1,18 @@
-"""The steam engine and how evenly it turns."""
+"""Engines and driven machines, and how evenly they turn."""
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any, TypedDict, Unpack
 
 from kurbel.commands import parameters as option
+from kurbel.commands.engine_pages.layouts import has_wheel, layout_of_delta, layout_of_turning
+from kurbel.commands.engine_pages.sizes import needless_sizes
 from kurbel.commands.machines import (
     EXAMPLE,
     engine_of,
     for_masses,
-    for_masses_or_columns,
     is_heavy,
-    layout_of_load,
     whole_cycle,
 )
 from kurbel.commands.motion import STEP, meant, of_other_mechanisms
@@ -29,7 +30,6 @@ from kurbel.reading.given import (
     as_length,
     as_names,
     as_power,
-    as_ratios,
     as_speed,
 )
 
@@ -44,7 +44,8 @@ ORDER = (
     " gyration rod_file stroke rod bore pressure offset mechanism rocker pivot beam rocker_inertia"
 )
 # Pages of an engine, and those of one with its flywheel.
-DELTA = ("irregularity", "strokes", "evenness", "compressor", "gas cycle", "cylinders")
+DELTA = ("irregularity", "strokes", "evenness", "compressor", "pump", "gas cycle", "cylinders")
+TURNING = ("turning", "speed")
 WITH_WHEEL = ("speed", "evenness")
 
 
@@ -88,7 +89,8 @@ def _of_wheel(values: Mapping[str, Any]) -> Mapping[str, str]:
     """Refuse what says nothing beside a flywheel or without one, and a flywheel of which nothing is asked."""
     given = [name for name in ("flywheel", "inertia") if values[name] is not None]
     sizes = () if "inertia" in given else (*(() if given else ("speed",)), *ONLY_MASSES)
-    refused = {**for_masses_or_columns(*sizes)(values), **beside_wheel(values)}
+    needless = needless_sizes(values, sizes, partial(_page, values))
+    refused = {**needless, **beside_wheel(values)}
     if given and (instead := _without_wheel(values)):
         refused |= {name: f"--{name} says nothing on this page; {instead}" for name in given}
     return refused
@@ -104,6 +106,13 @@ def beside_wheel(values: Mapping[str, Any]) -> Mapping[str, str]:
     if not has_wheel(values):
         refused["resistance"] = "--resistance is for a flywheel; add --flywheel or --inertia"
     return refused
+
+
+def _page(values: Mapping[str, Any], names: Sequence[str]) -> Layout:
+    """Return the layout of a page, of the turning effort or of the irregularity."""
+    if "angle" in values:
+        return layout_of(values["layout"] or layout_of_turning(values), TURNING, values["layouts"])
+    return layout_of(values["layout"] or layout_of_delta(values, names), DELTA, values["layouts"])
 
 
 def _without_wheel(values: Mapping[str, Any]) -> str:
@@ -135,8 +144,8 @@ def delta_table(
     layout: Annotated[str | None, option.layout_option(*DELTA)] = None,
     **given: Unpack[Turning],
 ) -> Question:
-    """Print the degree of irregularity δ of a steam engine over the expansion ratio ε, or of another load:
-    a compressor over its pressure ratio, a pump, the cycle of a gas engine.
+    """Print the degree of irregularity δ of an engine or a driven machine: of steam over the expansion
+    ratio ε, of a compressor over its pressure ratio, of a pump, of the cycle of a gas engine.
 
     \b
     kurbel delta --eps 2..6
@@ -163,19 +172,11 @@ def delta_table(
     3,-0.6994,1.374
     4,-0.8825,1.423
     """
-    names, method = as_names(columns, EXAMPLE), given["method"] or ()
-    several = len({method} if isinstance(method, str) else {*method}) > 1
+    names = as_names(columns, EXAMPLE)
     if detail and layout not in (None, "delta-detail"):
         raise ProblemError(f"--detail is layout delta-detail, and --layout names {layout}; leave one out")
     about = {**given, "eps": eps, "speed": speed}
-    if layout is None:
-        by_stroke = detail or ((is_given(given["card"]) or "alpha_cutoff" in names) and not several)
-        ratio = given["ratio"]
-        many = "delta-tafel" if len(as_ratios(() if ratio is None else ratio)) > 1 else "weisbach-150"
-        many = layout_of_load(about) or many
-        wheeled = "delta-flywheel" if has_wheel(given) and not detail else ""
-        layout = wheeled or ("delta-detail" if by_stroke else "delta-verfahren" if several else many)
-    page = layout_of(layout, DELTA, layouts)
+    page = layout_of(layout or layout_of_delta({**about, "detail": detail}, names), DELTA, layouts)
     return engine_of(page, about, _asked(page), columns=names, wheel=_wheel(page, about))
 
 
@@ -203,10 +204,11 @@ def turning_table(
     ] = None,
     columns: Annotated[option.Names, option.columns_option("turning", "phi,tangential,energy")] = (),
     layouts: option.Layouts = None,
-    layout: Annotated[str | None, option.layout_option("turning", "speed")] = None,
+    layout: Annotated[str | None, option.layout_option(*TURNING)] = None,
     **given: Unpack[Turning],
 ) -> Question:
-    """Print the turning effort of a steam engine: tangential force and excess energy over the crank angle.
+    """Print the turning effort of an engine or a driven machine: tangential force and excess energy over the
+    crank angle.
 
     \b
     kurbel turning --eps 4 --ratio 1:5
@@ -215,8 +217,8 @@ def turning_table(
     kurbel turning --eps 4 --step 0.5 -f csv -o drehkraft.csv
     kurbel turning --eps 4 --flywheel 50 --columns phi,speed
     """
-    chosen = layout or ("speed" if has_wheel(given) else "turning")
-    page, cycle = layout_of(chosen, ("turning", "speed"), layouts), whole_cycle({**given, "eps": eps})
+    page = layout_of(layout or layout_of_turning(given), TURNING, layouts)
+    cycle = whole_cycle({**given, "eps": eps})
     if step is not None:
         if angle is not None:
             raise ProblemError(
@@ -230,10 +232,6 @@ def turning_table(
     about = {**given, "eps": eps, "speed": speed}
     names = as_names(columns, EXAMPLE)
     return engine_of(page, about, angles=angles, columns=names, wheel=_wheel(page, about))
-
-
-def has_wheel(given: Mapping[str, Any]) -> bool:
-    return given["flywheel"] is not None or given["inertia"] is not None
 
 
 def _wheel(page: Layout, given: Mapping[str, Any]) -> "Wheel | None":
@@ -275,7 +273,8 @@ def flywheel_table(
     layout: Annotated[str, option.layout_option("flywheel")] = "flywheel",
     **given: Unpack[option.Engine],
 ) -> Question:
-    """Print the flywheel that keeps a steam engine even: energy swing, moment of inertia, mass.
+    """Print the flywheel that keeps an engine or a driven machine even: energy swing, moment of inertia,
+    mass.
 
     \b
     kurbel flywheel --power 50kW --speed 120/min --delta 1:100 --eps 4 --ratio 1:5

@@ -43,7 +43,7 @@ FURTHER = tuple(
 NAMES = tuple(key for key in OWN if key in FURTHER)
 PARTS = tuple(name for name in FURTHER if name not in OWN)
 # The layouts of their irregularity, unless it is named.
-LAYOUTS = {"pressure_ratio": "compressor", "pump": "delta-detail", "compression": "gas-cycle"}
+LAYOUTS = {"pressure_ratio": "compressor", "pump": "pump", "compression": "gas-cycle"}
 _Several = Annotated[
     Exact | Iterable[Exact] | None,
     Option("Compressor: pressure ratio p₂/p₁: 4; lists 2;3;4, ranges 2..6.", "Π", many=True),

@@ -21,7 +21,6 @@ from kurbel.reading.given import (
     as_inertia,
     as_length,
     as_mass,
-    as_names,
     as_number,
     as_numbers,
     as_pressure,
@@ -179,26 +178,6 @@ def layout_of_load(given: Mapping[str, Any]) -> str:
     if is_given(given.get("cylinder")):
         return "delta-detail"
     return loads.layout_of_load(given) if _is_other(given) else ""
-
-
-# The columns that bore, stroke, pressure and speed are for, besides the masses.
-OF_SIZE: Mapping[str, tuple[str, ...]] = {
-    "indicated_power": ("bore", "stroke", "pressure", "speed"),
-    "delivery": ("bore", "stroke", "pressure", "speed"),
-    "mean_pressure_kpa": ("bore", "stroke", "pressure"),
-    "pin_path_mm": ("stroke",),
-    "tangential_kpa": ("bore", "pressure"),
-}
-
-
-def for_masses_or_columns(*names: str) -> Callable[[Mapping[str, Any]], Mapping[str, str]]:
-    """Return what refuses these options where there are neither masses nor columns that need them."""
-
-    def refusals(values: Mapping[str, Any]) -> Mapping[str, str]:
-        used = {option for name in as_names(values["columns"], EXAMPLE) for option in OF_SIZE.get(name, ())}
-        return {name: said for name, said in for_masses(*names)(values).items() if name not in used}
-
-    return refusals
 
 
 def _turning(chosen: Mechanism, drive: Any, speed: Any) -> Any:

@@ -33,7 +33,8 @@ class LoadWords(NamedTuple):
     `several` what loads are called in sentences. `forces` says what Q is, `newtons` what it is of, and
     `lines` yields what there is to be said of the load; `layout` is that of its irregularity, `halved` tells
     that a single-acting one is called so, `captioned` that what tells it from others stands in captions,
-    `tag` what stands for it in records where that is not what is written.
+    `tag` what stands for it in records where that is not what is written, `pressure` the end of
+    a list of options that make newtons of the force.
     """
 
     key: str
@@ -50,6 +51,7 @@ class LoadWords(NamedTuple):
     halved: bool = True
     captioned: bool = True
     tag: Callable[[Any], Label] | None = None
+    pressure: str = " and, but for a card, --pressure"
 
 
 SAID: Mapping[str, str] = {

@@ -6,8 +6,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import product
 
 from kurbel.engine.axes import load_label, named_load
+from kurbel.engine.loads import work
 from kurbel.engine.quantities import AT_ANGLE, ENGINE_METHODS, EXTREMES, FORCES
-from kurbel.engine.request import OF_FORCES, OF_IRREGULARITY, OF_LOAD, OVER_ANGLE, EngineRequest
+from kurbel.engine.request import BY_STROKE, OF_FORCES, OF_IRREGULARITY, OF_LOAD, OVER_ANGLE, EngineRequest
 from kurbel.exact.numerals import Label, Number, number_text
 from kurbel.page.quantity import AND, FOR, Quantity, enumerated_letters, filled, words
 from kurbel.page.table import Note
@@ -17,8 +18,12 @@ from kurbel.reading.notation import plain, ratio_text
 MAKES_DELTA = "a"
 # What is in units of Q on pages of whole turns, which otherwise are not.
 OF_WORK = ("work", "mean_pressure")
+OF_DELTA = ("delta", "v_min", "v_max")
 ERRORS = words("geschätzter Fehler|estimated error")
 PLAIN_CAPTION = words("{quantities} {machine}{for_engine}; {method}")
+# What is of the speed under a given flywheel.
+OF_RUNS = ("speed", "evenness")
+FIRST_ORDER = words("erste Ordnung nach Weisbach|first order by Weisbach")
 DRIVEN = words("der Arbeitsmaschine|of the driven machine")
 WORDS = {
     "makes_delta": words("aus diesen beiden folgt $δ$|$δ$ follows from these two"),
@@ -64,21 +69,6 @@ WORDS = {
         "Unterschied: genauer Wert weniger Näherung, vor dem Runden gebildet."
         "|Difference: exact value less approximation, taken before rounding."
     ),
-    "driven": words(
-        "Die Welle treibt den Kolben: $T$ zählt in der Drehrichtung, Arbeit als abgegeben, das Mittel $P$ und"
-        " die Arbeit der Umdrehung sind daher negativ; $δ$ im Betrag von $P$, Leistungen und mittlere Drücke"
-        " positiv, als zugeführt; größte und kleinste Geschwindigkeit haben gegen die Kraftmaschine die"
-        " Plätze getauscht"
-        "|The shaft drives the piston: $T$ counts as the crank turns and work as delivered, so that the mean"
-        " $P$ and the work of a turn are negative; $δ$ in the magnitude of $P$, powers and mean pressures"
-        " positive, as supplied; greatest and least speed have changed places with those of a driving machine"
-    ),
-    "turning_sense": words(
-        "Dreht der Kurbelzapfen im inneren Totpunkt nach oben, trägt bei liegender Maschine die obere"
-        " Gleitbahn; Arbeitsmaschinen drehen daher anders herum als Kraftmaschinen, und die untere trägt"
-        "|Where the crank pin rises at the inner dead centre, the upper guide face of a horizontal machine is"
-        " loaded; driven machines therefore turn the other way than driving ones, and the lower one is"
-    ),
     "weisbach": words(
         "$sin α_1 = P/(Q - R_b) ± r/(2 l) sin 2 α_1$,"
         " $P tan(α_2/2) = 2 Q/ε (1 ± r/l q) - 2 R_b q (1 ∓ r/l cos α_2)$, $q = sin^2(α_2/2)$;"
@@ -104,8 +94,15 @@ def about_engines(request: EngineRequest, methods: Iterable[str]) -> Mapping[str
     return {
         "{machine}": (DRIVEN if request.carded and request.driven else request.words.machine)[lang],
         "{for_engine}": _joined(list(_common(request)), lang),
-        "{method}": AND[lang].join(ENGINE_METHODS[one].caption[lang] for one in methods),
+        "{method}": AND[lang].join(_method(request, one) for one in methods),
     }
+
+
+def _method(request: EngineRequest, method: str) -> Label:
+    """What captions say of a method; Weisbach's speed takes none of his equations for the angles."""
+    of_angles = any(column.quantity.of not in OF_RUNS for column in request.page_columns)
+    said = ENGINE_METHODS[method].caption if method != "weisbach" or of_angles else FIRST_ORDER
+    return said[request.lang]
 
 
 def _names(request: EngineRequest) -> list[str]:
@@ -141,12 +138,12 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
     """Yield the lines below the table: its own, the units, the method, the engine."""
     lang, subject, columns = request.lang, request.layout.subject, request.page_columns
     peaks = any(one.quantity.of in EXTREMES and not one.quantity.minutes for one in columns)
-    if peaks and len(request.spans) > 1 and subject == "strokes":
+    if peaks and len(request.spans) > 1 and subject in BY_STROKE:
         yield Note(WORDS["makes_delta"][lang], MAKES_DELTA)
     yield from (note[lang] for note in request.layout.notes)
     if any(len(column.methods) > 1 for column in columns):
         yield WORDS["difference"][lang]
-    if subject in OF_IRREGULARITY:
+    if subject in OF_IRREGULARITY and _of_delta(request):
         yield WORDS["delta"][lang]
     if subject == "flywheel":
         yield WORDS["flywheel"][lang]
@@ -155,9 +152,9 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
         radius = request.flywheels[0].radius
         if radius is not None:
             yield WORDS["radius"][lang].format(radius=plain(radius))
-    if subject == "strokes":
+    if subject in BY_STROKE:
         yield WORDS["turn" if request.first.plain else "whole_turn"][lang]
-    if subject in ("strokes", *OF_FORCES, *OF_LOAD, *OVER_ANGLE) or any(
+    if subject in (*BY_STROKE, *OF_FORCES, *OF_LOAD, *OVER_ANGLE) or any(
         one.quantity.key in OF_WORK for one in columns
     ):
         yield request.words.forces[lang]
@@ -168,7 +165,7 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
         yield request.words.newtons(request.steams[0], request.load)
     if needs & {"power", "flow"} and request.first.crank.moving is None:
         yield _sized(request)
-    if any(column.methods == ("weisbach",) for column in columns):
+    if any(column.methods == ("weisbach",) and column.quantity.of not in OF_RUNS for column in columns):
         yield WORDS["weisbach"][lang]
     if request.assembly is None:
         yield "; ".join(_engine(request, lang))
@@ -178,9 +175,9 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
         yield from cylinder_notes(request.assembly, request.numbers, lang)
     yield from request.mechanism.loaded_notes(request.drives, lang)
     if request.driven:
-        yield WORDS["driven"][lang]
-        if request.mechanism.crosshead:
-            yield WORDS["turning_sense"][lang]
+        from kurbel.engine.loads.convention import convention
+
+        yield from convention(request)
     if request.assembly is not None:
         from kurbel.engine.cylinders.words import masses_notes
 
@@ -189,6 +186,14 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
         yield from request.mechanism.masses_notes(request.first.crank, request.layout.ratio_symbol, lang)
     if request.carded and subject not in OF_FORCES:
         yield from _errors(request)
+
+
+def _of_delta(request: EngineRequest) -> bool:
+    """Whether δ, or what it is made of, is among the columns; of steam any that is not of its work."""
+    shown = {column.quantity.key for column in request.page_columns}
+    if not request.steamed and not request.carded:
+        return not shown.isdisjoint(OF_DELTA)
+    return not shown <= work.KEYS
 
 
 def _sized(request: EngineRequest) -> Label:

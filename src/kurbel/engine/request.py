@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from kurbel.drive.crank import check_angles
 from kurbel.drive.flywheel import Flywheel
-from kurbel.drive.load import COMPRESSOR, GAS, LOADS, STEAM
+from kurbel.drive.load import COMPRESSOR, GAS, LOADS, PUMP, STEAM
 from kurbel.drive.load import Load as Acting
 from kurbel.drive.moved import Drive
 from kurbel.drive.wheel import Wheel
@@ -38,10 +38,12 @@ OVER_ANGLE = ("turning", "speed", "crank forces", "machine")
 OF_FORCES = ("rod load", "loaded roots")
 # What pages of a given flywheel are about.
 WITH_FLYWHEEL = ("speed", "evenness")
-OF_IRREGULARITY = ("irregularity", "strokes", "compressor", "gas cycle")
+BY_STROKE = ("strokes", "pump")
+OF_IRREGULARITY = ("irregularity", *BY_STROKE, "compressor", "gas cycle")
 # Those of one load alone, and the options that name it.
 OF_LOAD: Mapping[str, tuple[str, str]] = {
     "compressor": (COMPRESSOR, "--pressure-ratio"),
+    "pump": (PUMP, "--pump"),
     "gas cycle": (GAS, "--compression"),
 }
 # What is of one kind of cylinder.
@@ -53,18 +55,19 @@ UNKNOWN: Mapping[str, str] = {
     "clearance": "an ideal card, with an expansion ratio",
     "compressor": "a compressor, with --pressure-ratio",
     "heat": "the cycle of a gas engine, --compression, with one adiabatic exponent",
-    "power": "--stroke, --speed, --bore and, but for a card, the pressure",
-    "flow": "a compressor or a pump with --stroke, --speed, --bore and the suction pressure",
+    "power": "--stroke, --speed, --bore{pressure}",
+    "flow": "a compressor or a pump, --pressure-ratio or --pump",
     "radius": "the radius at which the mass is, --radius",
     "masses": "moving masses, such as --reciprocating 300kg",
-    "load": "--bore and, but for a card, --pressure",
-    "torque": "--stroke, --bore and, but for a card, --pressure",
+    "load": "--bore{pressure}",
+    "torque": "--stroke, --bore{pressure}",
     "turns": "the mean speed, --speed",
     "stroke": "--stroke",
     "inertia": "the flywheel by its --inertia",
 }
 # Turns take tens of kilobytes each, and records may be of a million engines. A page has its own at hand.
 KEPT_TURNS = 512
+SUPPLIED = words(", zugeführt|, supplied")
 DIFFERENCE = words(", Unterschied|, difference")
 
 
@@ -236,6 +239,8 @@ class EngineRequest(Question):
 
     def entry(self, key: str) -> Quantity:
         one = self.mechanism.named(super().entry(key))
+        if (one.of, key) == ("flywheel", "mean_torque") and self.driven:
+            one = one._replace(name={lang: name + SUPPLIED[lang] for lang, name in one.name.items()})
         if not self.layout.unit:
             return one
         # The page's last column has the units.
@@ -271,7 +276,9 @@ class EngineRequest(Question):
             "turns": self.wheel is None or self.wheel.speed is None,
             "inertia": self.wheel is None or self.wheel.inertia is None,
         }
-        needed = UNKNOWN[quantity.needs] if lacks.get(quantity.needs) else ""
+        needs = "power" if quantity.needs == "flow" and hasattr(load, "delivered") else quantity.needs
+        needed = UNKNOWN[needs] if lacks.get(quantity.needs) else ""
+        needed = needed.format(pressure=self.words.pressure)
         if quantity.of == "stroke" and not self.first.plain:
             needed = "one double-acting crank"
         if unlike and quantity.key in OF_ALIKE:

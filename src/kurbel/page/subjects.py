@@ -21,6 +21,7 @@ SUBJECTS: Mapping[str, Pages] = {
     "strokes": Pages("kurbel.engine.page:STROKES", "delta"),
     "cylinders": Pages("kurbel.engine.cylinders.page:SUBJECT", _LISTED),
     "compressor": Pages("kurbel.engine.page:COMPRESSOR", "delta --pressure-ratio 2..6"),
+    "pump": Pages("kurbel.engine.page:PUMP", "delta --pump"),
     "gas cycle": Pages("kurbel.engine.page:GAS_CYCLE", "delta --compression 5..8 --heat 10"),
     "turning": Pages("kurbel.engine.page:TURNING", "turning"),
     "speed": Pages("kurbel.engine.speed.page:SPEED", "turning --flywheel 50 --speed 120/min"),

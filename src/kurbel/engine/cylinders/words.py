@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, cast
 
 from kurbel.engine.axes import LoadWords, load_text, words_of
+from kurbel.engine.captions import inner
 from kurbel.exact.numerals import Label
 from kurbel.page.axes import angle_text
 from kurbel.page.quantity import words
@@ -25,6 +26,7 @@ WORDS = {
     "single": words("einfachwirkend|single-acting"),
     "count": words("{count} Zylinder|{count} cylinders"),
 }
+NAMES = ("Otto", "Diesel")
 _FORCES = words(
     "; $Q$, $r$ und $φ$ des zuerst genannten Zylinders, auf die alle Kräfte und Momente bezogen sind"
     "|; $Q$, $r$ and $φ$ of the cylinder named first, which all forces and moments are referred to"
@@ -69,6 +71,7 @@ def words_of_cylinders(assembly: Assembly) -> LoadWords:
         lines=own.lines,
         captioned=False,
         tag=lambda load: f"{len(assembly.cranks)} cylinders",
+        pressure=own.pressure,
     )
 
 
@@ -91,6 +94,11 @@ def masses_notes(request: EngineRequest, lang: str) -> Iterator[Label]:
             yield prefix + note
 
 
+def _within(line: Label, lang: str) -> Label:
+    """Return a line as it is within a sentence; the names of Otto and Diesel keep their capital."""
+    return line if line.startswith(NAMES) else inner(line, lang)
+
+
 def _said(part: Engine, first: int, lang: str) -> Iterator[Label]:
     alone = _Alone(part)
     if part.load is not None:
@@ -103,6 +111,6 @@ def _said(part: Engine, first: int, lang: str) -> Iterator[Label]:
         yield WORDS["lag"][lang].format(angle=f"${angle_text(part.lag)}$", number=first)
     if alone.words.captioned:
         yield load_text(part.steam, lang)
-    yield from alone.words.lines(cast("EngineRequest", alone), lang)
+    yield from (_within(line, lang) for line in alone.words.lines(cast("EngineRequest", alone), lang))
     if not part.double and alone.words.halved:
         yield WORDS["single"][lang]

@@ -144,11 +144,9 @@ class GasCycle:
         told = {needed, (*needed[:-1], "heat")}
         if tuple(given) not in told:
             ways = " or ".join(sorted(map(_options, told)))
-            said = _options(given) or "nothing"
-            raise ProblemError(
-                f"the {self.cycle} cycle is told by {ways}, for example {_EXAMPLES[self.cycle]}; given was"
-                f" {said}"
-            )
+            said = f"given was {_options(given)}" if given else "none was given"
+            name = self.cycle if self.cycle == DUAL else self.cycle.capitalize()
+            raise ProblemError(f"the {name} cycle needs {ways}, for example {_EXAMPLES[self.cycle]}; {said}")
         if self.heat is not None:
             if not self.adiabatic:
                 raise ProblemError(

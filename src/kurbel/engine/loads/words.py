@@ -35,9 +35,13 @@ WORDS = {
     ),
     "delivery_loss": words("beim Ausschieben $p_2 (1 + {share})$|at delivery $p_2 (1 + {share})$"),
     "other_side": words("auf der anderen Kolbenseite ${share} p_1$|on the other face ${share} p_1$"),
-    "suction_head": words(
-        "Saugdruck ${share} (p_d - p_s)$ über dem der anderen Kolbenseite"
-        "|suction pressure ${share} (p_d - p_s)$ above that on the other face"
+    "above": words(
+        "Saugdruck ${head}$ über dem der anderen Kolbenseite"
+        "|suction pressure ${head}$ above that on the other face"
+    ),
+    "below": words(
+        "Saugdruck ${head}$ unter dem der anderen Kolbenseite"
+        "|suction pressure ${head}$ below that on the other face"
     ),
     "no_suction_head": words(
         "Saugdruck gleich dem auf der anderen Kolbenseite|suction pressure that on the other face"
@@ -104,8 +108,16 @@ def _pump_lines(request: EngineRequest, lang: str) -> Iterator[Label]:
     if load.kind == DIFFERENTIAL:
         yield WORDS["ring"][lang].format(share=figure(load.small_area))
     if load.kind != DOUBLE:
-        share = figure(load.suction)
-        yield WORDS["suction_head" if load.suction else "no_suction_head"][lang].format(share=share)
+        yield _suction(load, request.first.load, lang)
+
+
+def _suction(pump: Pump, known: Load | None, lang: str) -> Label:
+    """The suction pressure against that on the other face: in kPa, or in what the pump makes."""
+    if not pump.suction:
+        return WORDS["no_suction_head"][lang]
+    head = abs(pump.suction)
+    said = f"{figure(head)} (p_d - p_s)" if known is None else kilopascals(known, head)
+    return WORDS["above" if pump.suction > 0 else "below"][lang].format(head=said)
 
 
 def _gas_lines(request: EngineRequest, lang: str) -> Iterator[Label]:
@@ -159,6 +171,7 @@ COMPRESSOR_WORDS = LoadWords(
     newtons=_of_suction,
     lines=_compressor_lines,
     layout="compressor",
+    pressure=" and --suction-pressure",
 )
 PUMP_WORDS = LoadWords(
     key="pump",
@@ -177,6 +190,8 @@ PUMP_WORDS = LoadWords(
     halved=False,
     captioned=False,
     tag=lambda load: load.kind,
+    layout="pump",
+    pressure=" and --delivery-pressure",
 )
 GAS_WORDS = LoadWords(
     key="compression",
@@ -194,4 +209,5 @@ GAS_WORDS = LoadWords(
     lines=_gas_lines,
     layout="gas-cycle",
     halved=False,
+    pressure=" and --suction-pressure",
 )

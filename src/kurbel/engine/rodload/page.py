@@ -48,7 +48,7 @@ WORDS = {
     "reversal": words(
         "Richtungswechsel: Kurbelwinkel, über den die Last das Vorzeichen hat, das sie seltener hat;"
         " API 618 verlangt ihn am Kreuzkopfzapfen, längs der Führung, über mindestens 15° und mit 3 %"
-        "|reversal: the crank angle over which the load has the sign that it has for less of the turn;"
+        "|reversal: the crank angle over which the load has the sign that it has over fewer degrees;"
         " API 618 asks at the crosshead pin, along the slide, for at least 15° and 3 %"
     ),
     "first": words("die Stange der ersten Kurbel|the rod of the first crank"),

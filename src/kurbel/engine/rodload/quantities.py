@@ -108,7 +108,7 @@ def _spans() -> Iterator[Quantity]:
         lambda load: 180 * load.reversal(),
     )  # fmt: skip
     yield _entry(
-        "reversal_unbroken", "davon am Stück|of it unbroken", "", "°", SPAN, SPAN_DECIMALS,
+        "reversal_unbroken", "davon am Stück|longest unbroken", "", "°", SPAN, SPAN_DECIMALS,
         lambda load: 180 * load.reversal(unbroken=True),
     )  # fmt: skip
     yield _entry(
