@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Annotated, Any, TypedDict, Unpack
 
 from kurbel.commands import parameters as option
 from kurbel.commands.engine_pages.layouts import has_wheel, layout_of_delta, layout_of_turning
-from kurbel.commands.engine_pages.sizes import needless_sizes
 from kurbel.commands.machines import (
     EXAMPLE,
     engine_of,
@@ -89,8 +88,11 @@ def _of_wheel(values: Mapping[str, Any]) -> Mapping[str, str]:
     """Refuse what says nothing beside a flywheel or without one, and a flywheel of which nothing is asked."""
     given = [name for name in ("flywheel", "inertia") if values[name] is not None]
     sizes = () if "inertia" in given else (*(() if given else ("speed",)), *ONLY_MASSES)
-    needless = needless_sizes(values, sizes, partial(_page, values))
-    refused = {**needless, **beside_wheel(values)}
+    refused = {**beside_wheel(values)}
+    if any(values[name] is not None for name in sizes):
+        from kurbel.commands.engine_pages.sizes import needless_sizes
+
+        refused |= needless_sizes(values, sizes, partial(_page, values))
     if given and (instead := _without_wheel(values)):
         refused |= {name: f"--{name} says nothing on this page; {instead}" for name in given}
     return refused

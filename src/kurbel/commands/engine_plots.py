@@ -5,7 +5,8 @@ from typing import TYPE_CHECKING, Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
 from kurbel.commands.cylinder.given import Cylinders, Of
-from kurbel.commands.engine import Wheeled, beside_wheel, has_wheel
+from kurbel.commands.engine import Wheeled, beside_wheel
+from kurbel.commands.engine_pages.layouts import has_wheel
 from kurbel.commands.machines import engine_of, is_heavy, load_of, over_cycle
 from kurbel.commands.motion import of_other_mechanisms
 from kurbel.commands.options import Choice, Option
