@@ -135,6 +135,27 @@ def test_forces_of_a_cylinder_are_those_that_it_has_alone(number: str, own: tupl
     assert [one["rod_force_n"] for one in several] == [one["rod_force_n"] for one in alone]
 
 
+def test_conditions_are_on_the_forces_of_the_cylinder_that_is_named() -> None:
+    machine, words = ("--machine", str(MACHINES / "compound.toml")), ("--where=guide_force=max", "-f", "csv")
+    columns = "--columns=phi,guide_force_n"
+    of_second = printed("solve", *machine, "--of=2", columns, *words).records()
+    alone = printed(
+        "solve", "--eps=2", "--back=8%", "--bore=640mm", "--pressure=2.7bar", "--reciprocating=520kg",
+        "--stroke=800mm", "--ratio=1:5", "--speed=90/min", columns, *words,
+    ).records()  # fmt: skip
+    assert [(one["phi"], one["guide_force_n"]) for one in of_second] == [
+        (one["phi"], one["guide_force_n"]) for one in alone
+    ]
+    # Of all cylinders, the second of which follows by 90°.
+    first, second = (
+        printed("solve", *machine, f"--of={number}", "--where=torque=max", "--columns=phi,torque_nm",
+                "-f", "csv").records()[0] for number in (1, 2)
+    )  # fmt: skip
+    assert first["torque_nm"] == second["torque_nm"]
+    assert (float(first["phi"]) - float(second["phi"])) % 360 == pytest.approx(90, abs=1e-4)
+    assert "Forces and φ of cylinder 1; torque" in printed("solve", *machine, words[0], "--lang=en").out
+
+
 def test_a_file_a_text_and_python_describe_one_engine(tmp_path: Path) -> None:
     entries = (
         "bore=400mm pressure=9bar eps=2.5 back=0.3",
@@ -365,6 +386,6 @@ def test_the_commands_of_the_page_on_cylinders_print(monkeypatch: pytest.MonkeyP
     monkeypatch.chdir(ROOT)
     text = (ROOT / "docs" / "cylinders.md").read_text(encoding="utf-8").replace("\\\n", " ")
     commands = [line for line in text.splitlines() if line.startswith("kurbel ")]
-    assert len(commands) == 5
+    assert len(commands) == 6
     for command in commands:
         assert printed(*shlex.split(command)[1:]).out

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
+from kurbel.commands.cylinder.given import Of
 from kurbel.commands.loads import OWN
 from kurbel.commands.machines import MASSES, STEAM, engine_of, for_masses
 from kurbel.commands.motion import described, meant, of_other_mechanisms, sheet_of, some
@@ -50,7 +51,7 @@ def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
         bare = {"force": "--force does not go with the load of an engine; leave it out"}
         return {**bare, **for_masses("speed")(values)}
     why = _UNASKED if _is_loaded(values) else _UNLOADED
-    names = (*STEAM, *MASSES, "bore", "pressure", "cranks", "cylinder")
+    names = (*STEAM, *MASSES, "bore", "pressure", "cranks", "cylinder", "of")
     return {name: f"--{name.replace('_', '-')} {why}" for name in names}
 
 
@@ -62,6 +63,7 @@ class Drives(option.AnyDrive, option.Steam, option.MovingRod, option.Sheet, tota
     speed: option.Speed
     force: option.Force
     eps: option.Eps
+    of: Of
     reciprocating: option.Reciprocating
     rotating: option.Rotating
     rocker_inertia: option.RockerInertia

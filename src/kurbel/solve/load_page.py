@@ -34,6 +34,10 @@ WORDS = {
     "extremes": words(
         "größte und kleinste Werte: der ganzen Umdrehung|greatest and least values: of the whole turn"
     ),
+    "cylinder": words(
+        "Kräfte und $φ$ des Zylinders {number}; Drehmoment und Überschuss aller"
+        "|Forces and $φ$ of cylinder {number}; torque and excess of all"
+    ),
     "angles": words(
         "$φ$ vom inneren Totpunkt der ersten Kurbel; im Totpunkt gelten auch die Werte davor"
         "|$φ$ from the inner dead centre of the first crank; at a dead centre values before it count, too"
@@ -213,6 +217,8 @@ def _notes(question: LoadedRequest) -> Iterator[Label | Note]:
     lang = question.lang
     regular = engine_captions.from_dead_centre(question, question.method)
     yield WORDS["angles" if regular else "angles_off"][lang]
+    if question.assembly is not None:
+        yield WORDS["cylinder"][lang].format(number=(*question.numbers, 1)[0])
     if any(condition.kind in (MAX, MIN) for condition in question.conditions):
         yield WORDS["extremes"][lang]
     yield from engine_captions.notes(question)
