@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shlex
 from pathlib import Path
 from typing import Any
@@ -389,3 +390,5 @@ def test_the_commands_of_the_page_on_cylinders_print(monkeypatch: pytest.MonkeyP
     assert len(commands) == 6
     for command in commands:
         assert printed(*shlex.split(command)[1:]).out
+    ((typed, shown),) = re.findall(r"```console\n\$ kurbel (.*)\n((?:.*\n)*?)```", text)
+    assert printed(*shlex.split(typed)).out == shown
