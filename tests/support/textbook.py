@@ -8,6 +8,7 @@ the triangle of crank, rod and slide line.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -143,7 +144,7 @@ def _radial_force(method: str, drive: Drive, angle: Real) -> Real:
     return mp.cos(angle + psi) / mp.cos(psi)
 
 
-_VALUES = {
+_VALUES: Mapping[str, Callable[[str, Drive, Real], Real]] = {
     "x": _path,
     "c": _velocity,
     "p": _acceleration,
