@@ -392,3 +392,13 @@ def test_the_commands_of_the_page_on_cylinders_print(monkeypatch: pytest.MonkeyP
         assert printed(*shlex.split(command)[1:]).out
     ((typed, shown),) = re.findall(r"```console\n\$ kurbel (.*)\n((?:.*\n)*?)```", text)
     assert printed(*shlex.split(typed)).out == shown
+
+
+def test_a_cylinder_that_the_shaft_drives_is_named_beside_one_that_drives() -> None:
+    machine = str(ROOT / "examples" / "machines" / "charged.toml")
+    for command in ("delta", "turning"):
+        notes = " ".join(printed(command, "--machine", machine, "--lang=en").out.split())
+        assert "The shaft drives the piston of cylinder 2: T counts as the crank turns" in notes
+        assert "; compression by p Vⁿ" in notes
+    engine = str(ROOT / "examples" / "machines" / "v2.toml")
+    assert "shaft drives" not in printed("delta", "--machine", engine, "--lang=en").out

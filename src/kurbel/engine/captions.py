@@ -197,12 +197,14 @@ def _of_delta(request: EngineRequest) -> bool:
 
 
 def _sized(request: EngineRequest) -> Label:
-    """The radius and the speed that make a power of the work."""
+    """The speed that makes a power of the work, and the radius where cylinders do not have their strokes."""
     from kurbel.motion.captions import turns_label
 
     crank = request.first.crank
     assert crank.radius is not None
     assert crank.speed is not None
+    if request.assembly is not None:
+        return turns_label(crank.speed)
     radius = f'${request.layout.ratio_symbol[0]} = {plain(1000 * crank.radius)} "mm"$'
     return f"{radius}, {turns_label(crank.speed)}"
 

@@ -23,6 +23,12 @@ WORDS = {
     "cylinder": words("Zylinder {number}: |Cylinder {number}: "),
     "stroke": words("Hub|stroke"),
     "lag": words("um {angle} hinter Zylinder {number}|{angle} behind cylinder {number}"),
+    "driven": words(
+        "Die Welle treibt den Kolben von Zylinder {numbers}: $T$ zählt in der Drehrichtung, Arbeit als"
+        " abgegeben; dort sind das mittlere $T$ und die Arbeit negativ"
+        "|The shaft drives the piston of cylinder {numbers}: $T$ counts as the crank turns, work as"
+        " delivered; there the mean $T$ and the work are negative"
+    ),
     "single": words("einfachwirkend|single-acting"),
     "count": words("{count} Zylinder|{count} cylinders"),
 }
@@ -76,10 +82,14 @@ def words_of_cylinders(assembly: Assembly) -> LoadWords:
 
 
 def cylinder_notes(assembly: Assembly, numbers: Sequence[int], lang: str) -> Iterator[Label]:
-    """Yield a line for each cylinder: its size, its place, its load."""
+    """Yield a line for each cylinder: its size, its place, its load; and which of them the shaft drives."""
     numbers = numbers or range(1, len(assembly.parts) + 1)
-    for number, part in zip(numbers, assembly.parts, strict=True):
+    numbered = [*zip(numbers, assembly.parts, strict=True)]
+    for number, part in numbered:
         yield WORDS["cylinder"][lang].format(number=number) + "; ".join(_said(part, numbers[0], lang))
+    driven = [str(number) for number, part in numbered if part.steam.driven]
+    if 0 < len(driven) < len(numbered):
+        yield WORDS["driven"][lang].format(numbers=", ".join(driven))
 
 
 def masses_notes(request: EngineRequest, lang: str) -> Iterator[Label]:
