@@ -161,6 +161,13 @@ def test_a_page_of_a_driven_machine_says_how_it_counts_what_it_prints(
         assert "steam" not in text
 
 
+def test_the_torque_of_the_flywheel_of_a_driven_machine_is_called_supplied() -> None:
+    sizes: dict[str, Any] = {"power": 5000, "speed": 1, "delta": "1:50", "lang": "en"}
+    for load, name in (("pressure_ratio", "Mean torque supplied"), ("eps", "Mean torque")):
+        fields = kurbel.flywheel_table(**{load: 3, **sizes}).records.fields
+        assert [field.name for field in fields if field.key == "mean_torque"] == [name]
+
+
 def test_a_page_of_a_gas_engine_says_nothing_of_driven_machines() -> None:
     assert "treibt den Kolben" not in printed("delta", "--compression=6", "--heat=9").out
 

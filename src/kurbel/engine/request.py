@@ -67,7 +67,7 @@ UNKNOWN: Mapping[str, str] = {
 }
 # Turns take tens of kilobytes each, and records may be of a million engines. A page has its own at hand.
 KEPT_TURNS = 512
-SUPPLIED = words(", zugeführt|, supplied")
+SUPPLIED = words("zugeführtes mittleres Drehmoment|Mean torque supplied")
 DIFFERENCE = words(", Unterschied|, difference")
 
 
@@ -240,7 +240,7 @@ class EngineRequest(Question):
     def entry(self, key: str) -> Quantity:
         one = self.mechanism.named(super().entry(key))
         if (one.of, key) == ("flywheel", "mean_torque") and self.driven:
-            one = one._replace(name={lang: name + SUPPLIED[lang] for lang, name in one.name.items()})
+            one = one._replace(name=SUPPLIED)
         if not self.layout.unit:
             return one
         # The page's last column has the units.

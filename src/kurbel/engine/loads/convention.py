@@ -21,7 +21,7 @@ WORDS = {
         " negative"
     ),
     "magnitude": words("$δ$ im Betrag von $P$|$δ$ in the magnitude of $P$"),
-    "mean": words("$P r$ im Betrag, als zugeführt|$P r$ as a magnitude, as supplied"),
+    "mean": words("$P r$ im Betrag|$P r$ as a magnitude"),
     "exchanged": words(
         "größte und kleinste Geschwindigkeit haben gegen die Kraftmaschine die Plätze getauscht"
         "|greatest and least speed have changed places with those of a driving machine"
