@@ -9,10 +9,11 @@ what it is at a point of the path between the same corners, and comparisons are 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
-from flint import acb
+from flint import acb, arb
 
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import ball, pi
@@ -148,3 +149,14 @@ def half_turn_circle(half_turns: Any) -> Circle[Continued]:
         Continued(cosine, math.cos(angle)),
         Continued(2 * half * half, 2 * math.sin(angle / 2) ** 2),
     )
+
+
+def integrated(function: Callable[[Any, bool], Any], start: arb, end: arb) -> Any:
+    """Return the integral of a function of complex balls over an interval, enclosed."""
+    try:
+        return acb.integral(function, start, end)
+    except SystemError as error:
+        # So flint answers a signal that ends the command.
+        if error.__cause__ is None:
+            raise
+        raise error.__cause__ from None

@@ -20,7 +20,7 @@ import flint
 from kurbel.engine.speed.integral import Span, spans
 from kurbel.engine.turn import Turn
 from kurbel.exact.certify import ball
-from kurbel.exact.continued import Continued, continued, half_turn_circle
+from kurbel.exact.continued import Continued, continued, half_turn_circle, integrated
 from kurbel.exact.kind import balls, floats
 from kurbel.exact.roots import interval
 from kurbel.kernel.balance import Star
@@ -126,7 +126,7 @@ class Balls(Spectrum):
             force = cylinder.effort(stroke, Continued(place, middle) - begun)
             return force.ball * (turns * place).exp()
 
-        return flint.acb.integral(effort, ball(span.start), ball(span.end))
+        return integrated(effort, ball(span.start), ball(span.end))
 
     def _gap(self, span: Span, part: int, turns: Any) -> Any:
         """What so narrow a gap adds, with a dead centre or a corner in it."""

@@ -18,7 +18,7 @@ import flint
 from kurbel.engine.cylinder import Cylinder
 from kurbel.engine.turn import Piece, Turn
 from kurbel.exact.certify import ball
-from kurbel.exact.continued import Continued, continued, half_turn_circle
+from kurbel.exact.continued import Continued, continued, half_turn_circle, integrated
 from kurbel.exact.place import fraction
 from kurbel.exact.roots import interval
 from kurbel.kernel.circle import Number
@@ -93,7 +93,7 @@ class Integral:
         def value(place: Any, analytic: bool) -> Any:
             return self.integrand(self.cylinders, piece, Continued(place, middle)).ball
 
-        return flint.acb.integral(value, ball(start), ball(end)).real
+        return integrated(value, ball(start), ball(end)).real
 
     def _gap(self, span: Span) -> Number:
         """The integrand over a gap; the last one of the cycle is in the first piece again."""
