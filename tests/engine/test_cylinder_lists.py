@@ -257,6 +257,7 @@ def test_what_a_cylinder_says_outdoes_what_all_have(tmp_path: Path) -> None:
         ("[[cylinder]]\neps = 2\n[[cylinder]]\nbore = true\n",
          'line 4: cylinder.bore is true; it must be text such as "600mm", a number'),
         ("[cylinder]\neps = 2\n", "cylinder is a table; write [[cylinder]]"),
+        ("cylinder = []\n", "cylinder is empty; write a [[cylinder]] for each"),
     ],
 )  # fmt: skip
 def test_what_a_file_says_amiss_of_a_cylinder_is_named_with_its_line(
@@ -269,11 +270,23 @@ def test_what_a_file_says_amiss_of_a_cylinder_is_named_with_its_line(
     assert said in sentence
 
 
-def test_a_cylinder_that_cannot_be_is_named_with_its_line(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("entry", "said"),
+    [
+        ("eps = 0.5", "expansion ratio ε is 0.5; it must be 1"),
+        ('eps = 2\nangle = "x"', 'angle "x" is not an angle in degrees'),
+        ('eps = 2\nbank = "x"', 'bank "x" is not an angle in degrees'),
+    ],
+)
+def test_a_cylinder_that_cannot_be_is_named_with_its_line(entry: str, said: str, tmp_path: Path) -> None:
     path = tmp_path / "machine.toml"
-    path.write_text("[[cylinder]]\neps = 2\n\n[[cylinder]]\neps = 0.5\n", encoding="utf-8")
+    path.write_text(f"[[cylinder]]\neps = 2\n\n[[cylinder]]\n{entry}\n", encoding="utf-8")
     sentence = refusal("delta", "--machine", str(path))
-    assert sentence.startswith(f"{path}, line 4: cylinder 2: expansion ratio ε is 0.5; it must be 1")
+    assert sentence.startswith(f"{path}, line 4: cylinder 2: {said}")
+
+
+def test_an_engine_of_one_cylinder_is_called_so() -> None:
+    assert " der Maschine mit einem Zylinder;" in " ".join(printed("delta", "--cylinder=eps=4").out.split())
 
 
 @pytest.mark.parametrize(

@@ -257,6 +257,10 @@ def read_machine(path: str | NamedFile) -> dict[str, Any]:
     own = path if isinstance(path, NamedFile) else NamedFile(path)
     options = _options(own, given)
     if machine.cylinder is not None:
+        if not machine.cylinder:
+            raise file.error(
+                ("cylinder",), "cylinder is empty; write a [[cylinder]] for each, or leave it out"
+            )
         options["cylinder"] = [
             Listed(_options(own, asdict(one)), f"{file.path}, line {file.line(('cylinder', number))}")
             for number, one in enumerate(machine.cylinder)

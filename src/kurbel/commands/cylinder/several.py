@@ -126,23 +126,33 @@ def lags_of(cylinders: Sequence[Mapping[str, Any]], loads: Sequence[Any]) -> lis
     That of a crank and that by which its cylinder's axis leans add up; where all have a place in the firing
     order, those of four strokes fire in the turn that it says.
     """
-    places = [(_angle(one, "angle"), _angle(one, "bank")) for one in cylinders]
+    places = [
+        (_angle(one, "angle", _title(number, one)), _angle(one, "bank", _title(number, one)))
+        for number, one in enumerate(cylinders, 1)
+    ]
     ordered = [one.get("fires") for one in cylinders]
     if any(place is not None for place in ordered):
-        return _fired(places, ordered, loads)
+        titles = [_title(number, one) for number, one in enumerate(cylinders, 1)]
+        return _fired(places, ordered, loads, titles)
     first = sum(places[0])
     return [angle + bank - first for angle, bank in places]
 
 
 def _fired(
-    places: Sequence[tuple[Fraction, Fraction]], ordered: Sequence[Any], loads: Sequence[Any]
+    places: Sequence[tuple[Fraction, Fraction]],
+    ordered: Sequence[Any],
+    loads: Sequence[Any],
+    titles: Sequence[str],
 ) -> list[Fraction]:
     from kurbel.balance.arrangement import Cylinder
     from kurbel.balance.firing import PERIODS, fitting
 
     if None in ordered:
         raise ProblemError(f"cylinder {ordered.index(None) + 1} has no fires; give all their places, or none")
-    turns = [as_number(place, "place in the firing order") for place in ordered]
+    turns = [
+        as_number(place, f"{title}: place in the firing order")
+        for place, title in zip(ordered, titles, strict=True)
+    ]
     strokes = {getattr(load, "strokes_of_cycle", 2) for load in loads}
     if len(strokes) > 1:
         raise ProblemError("fires is the order of cylinders whose cycles have as many strokes; leave it out")
@@ -159,8 +169,8 @@ def _fired(
     return [angles[number] for number in range(1, len(turns) + 1)]
 
 
-def _angle(cylinder: Mapping[str, Any], name: str) -> Fraction:
-    return as_angle(cylinder.get(name, 0), name)
+def _angle(cylinder: Mapping[str, Any], name: str, title: str) -> Fraction:
+    return as_angle(cylinder.get(name, 0), f"{title}: {name}")
 
 
 def _behind(part: "Engine", lag: Fraction) -> "Engine":

@@ -31,6 +31,7 @@ WORDS = {
     ),
     "single": words("einfachwirkend|single-acting"),
     "count": words("{count} Zylinder|{count} cylinders"),
+    "one": words("1 Zylinder|1 cylinder"),
 }
 NAMES = ("Otto", "Diesel")
 _FORCES = words(
@@ -38,6 +39,7 @@ _FORCES = words(
     "|; $Q$, $r$ and $φ$ of the cylinder named first, which all forces and moments are referred to"
 )
 _MACHINE = words("der Maschine mit {count} Zylindern|of the engine of {count} cylinders")
+_SINGLE = words("der Maschine mit einem Zylinder|of the engine of one cylinder")
 
 
 @dataclass(frozen=True)
@@ -61,22 +63,23 @@ class _Alone:
 
 def words_of_cylinders(assembly: Assembly) -> LoadWords:
     """Return what is said of the cylinders of an engine."""
-    own = words_of(assembly.steam.name)
+    own, count = words_of(assembly.steam.name), len(assembly.cranks)
+    machine = _MACHINE if count > 1 else _SINGLE
     forces = {lang: said + _FORCES[lang] for lang, said in own.forces.items()}
 
     return LoadWords(
         key="cylinders",
         name=words("Zylinder|Cylinders"),
         symbol="",
-        number=lambda load: Fraction(len(assembly.cranks)),
-        label=lambda load, lang: WORDS["count"][lang].format(count=len(assembly.cranks)),
-        machine={lang: text.format(count=len(assembly.cranks)) for lang, text in _MACHINE.items()},
+        number=lambda load: Fraction(count),
+        label=lambda load, lang: WORDS["count" if count > 1 else "one"][lang].format(count=count),
+        machine={lang: text.format(count=count) for lang, text in machine.items()},
         several="engines",
         forces=forces,
         newtons=own.newtons,
         lines=own.lines,
         captioned=False,
-        tag=lambda load: f"{len(assembly.cranks)} cylinders",
+        tag=lambda load: f"{count} cylinders" if count > 1 else "1 cylinder",
         pressure=own.pressure,
     )
 
