@@ -17,6 +17,7 @@ from hypothesis import strategies as st
 from mpmath import mp
 from places import ROOT as HOME
 
+from kurbel import collation_table
 from kurbel.books.formulas.equation import (
     AGREES,
     EQUAL,
@@ -37,9 +38,13 @@ from kurbel.books.formulas.equation import (
     found,
 )
 from kurbel.books.formulas.form import Form
+from kurbel.books.formulas.lines import LONGEST, formula_lines, room_beside, word_lines
 from kurbel.books.formulas.table import Collated, FormulaTable
 from kurbel.books.source import all_tables
 from kurbel.errors import NotationError
+from kurbel.formats.render import render
+from kurbel.page.labels import plain
+from kurbel.page.table import DITTO
 
 TABLES = {key: table for key, table in all_tables().items() if isinstance(table, FormulaTable)}
 FUNCTIONS = {
@@ -378,3 +383,59 @@ def test_formulas_that_cannot_be_used_are_answered_with_a_sentence(
     assert result.code in (1, 2)
     assert sentence in result.err
     assert "Traceback" not in result.err
+
+
+# In lines -------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("formula", "lines"),
+    [
+        ("y = (a + b · c − d · e + f · g)/(h)", ["y = (a + b · c", "− d · e + f · g)/(h)"]),
+        ("y = 1/(a + b · c − d · e + f · g)", ["y = 1/(a + b · c", "− d · e + f · g)"]),
+        ("(a · b − c · d)/(a + b · c − d)", ["(a · b − c · d)", "/(a + b · c − d)"]),
+        ("y = sqrt(a + b · c − d · e + f · g)", ["y = √(a + b · c", "− d · e + f · g)"]),
+        ("a · b · sin(a) · −b · c · d", ["a · b · sin(a) · −b", "· c · d"]),
+        ("a · b · c · d · R:L · e", ["a · b · c · d · R:L", "· e"]),
+        ("p · (a + b) = q · (c − d) · (e − f)", ["p · (a + b)", "= q · (c − d)", "· (e − f)"]),
+        # A power, an index and what has one are not broken.
+        ("y = (a + b · c − d · e)^2", ["y", "= (a + b · c − d · e)²"]),
+        ("y = x^(a + b · c − d · e) + f", ["y", "= x^(a + b · c − d · e)", "+ f"]),
+        ("a b c d e f g h i k l m n o", ["a b c d e f g h i k l m n o"]),
+    ],
+)
+def test_a_long_formula_is_broken_at_relations_sums_products_and_then_in_brackets(
+    formula: str, lines: list[str]
+) -> None:
+    assert [plain(line) for line in formula_lines(formula, 20)] == lines
+
+
+def test_the_lines_of_a_formula_are_the_formula() -> None:
+    """Joined they read as the whole does but for parentheses about a fraction's parts; none is too long."""
+    outer = str.maketrans("", "", "() ")
+    broken = 0
+    for key in TABLES:
+        for one in collated(key):
+            lines = [plain(line) for line in formula_lines(one.row.printed)]
+            whole = plain(f"${one.row.printed}$")
+            assert "".join(lines).translate(outer) == whole.translate(outer)
+            assert max(map(len, lines)) <= LONGEST
+            broken += len(lines) > 1
+    assert broken > 25
+
+
+def test_a_finding_goes_on_below_a_formula_with_its_own_formulas_whole() -> None:
+    said = "wrong: at $a = 1$, $b = 2$ it is $1.5$, not $2.5$"
+    assert word_lines(said, 16) == ("wrong: at $a = 1$,", "$b = 2$ it is $1.5$,", "not $2.5$")
+    assert word_lines("proved", 3) == ("proved",)
+    assert [room_beside(["x" * long]) for long in (1, 45, 60)] == [50, 23, 16]
+
+
+@pytest.mark.parametrize("lang", ["de", "en"])
+@pytest.mark.parametrize("key", TABLES)
+def test_pages_of_formulas_fit_and_records_have_each_formula_whole(key: str, lang: str) -> None:
+    page = collation_table(key, lang=lang)
+    assert max(map(len, render(page, "text").splitlines())) <= 80
+    assert [record[2] for record in page.records.rows] == [one.row.printed for one in collated(key)]
+    places = [row.stub[0].value for row in page.panels[0].rows()]
+    assert len([place for place in places if place is not DITTO]) == len(collated(key)) <= len(places)

@@ -5,26 +5,31 @@ from __future__ import annotations
 import csv
 import io
 import re
+from collections import Counter
 from pathlib import Path
 
 import pytest
 from pages import all_pages
 from readers import fragment
-from rows import assert_rows_stand_in, text_of_pdf
+from rows import assert_rows_stand_in, row_of_words, text_of_pdf
 from tex import PREAMBLE, compiled, complaints, each_engine, each_kind_of_table
 from tools import require_library
 
 from kurbel import table, typeset_pdf
+from kurbel.formats.registry import FORMATS
 from kurbel.formats.render import render
 from kurbel.page.layouts import LANGUAGES
 from kurbel.page.table import Table
+
+# The pages that kurbel says to be longer than one of paper.
+TALL = ("formulas-de", "formulas-en")
 
 
 @pytest.mark.slow
 @each_kind_of_table
 @each_engine
 def test_all_shipped_layouts_compile_in_one_document(engine: str, longtable: bool, tmp_path: Path) -> None:
-    pages = all_pages()
+    pages = [page for page in all_pages() if page.key not in TALL]
     assert len(pages) >= 32
     for page in pages:
         text = render(page, "latex", longtable=longtable)
@@ -39,6 +44,22 @@ def test_all_shipped_layouts_compile_in_one_document(engine: str, longtable: boo
     for page, text in zip(pages, text_of_pdf(tmp_path).split("\f"), strict=False):
         # The prime of an angle is a zero in the text of a PDF.
         assert_rows_stand_in(text.splitlines(), page, angles=False)
+
+
+@pytest.mark.slow
+@each_engine
+def test_layouts_longer_than_a_page_break_and_fit_the_line(engine: str, tmp_path: Path) -> None:
+    assert tuple(page.key for page in all_pages() if FORMATS["latex"].is_tall(page)) == TALL
+    for page in all_pages():
+        if page.key in TALL:
+            text = render(page, "latex", longtable=True, standalone=True)
+            assert complaints(compiled(engine, text, tmp_path, runs=3)) == []
+            text = text_of_pdf(tmp_path)
+            words = Counter(
+                word for panel in page.panels for row in panel.rows() for word in row_of_words(row)
+            )
+            assert all(text.count(word) >= count for word, count in words.items())
+            assert words["bewiesen"] + words["proved"] > 15
 
 
 FIGURE = re.compile(r"(?<![\w.,])[−-]?[0-9]+(?:[.,][0-9]+)?(?![\w.,])")

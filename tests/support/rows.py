@@ -19,9 +19,14 @@ def text_of_pdf(folder: Path) -> str:
 
 
 def assert_rows_stand_in(lines: list[str], page: Table, angles: bool = True) -> None:
-    """Check that the figures of every row of the page stand in a line, from left to right and going down."""
+    """Check that the figures of every row of the page stand in a line, from left to right and going down.
+
+    Of a page without any, the words do.
+    """
     below = iter(lines)
     rows = [row_of_figures(row, page.lang, angles) for panel in page.panels for row in panel.rows()]
+    if not any(rows):
+        rows = [row_of_words(row) for panel in page.panels for row in panel.rows()]
     assert any(rows)
     for row in rows:
         pattern = re.compile(".*?".join(rf"(?<![\d.,]){re.escape(figure)}(?!\d|[.,]\d)" for figure in row))
@@ -37,6 +42,12 @@ def row_of_figures(row: Row, lang: str, angles: bool) -> list[str]:
         if isinstance(cell.value, Number)
         or (angles and isinstance(cell.value, str) and ANGLE.fullmatch(cell.value))
     ]
+
+
+def row_of_words(row: Row) -> list[str]:
+    """Return the labels of a row that have no formula, as plain text."""
+    labels = [cell.value for cell in row.stub + row.cells if isinstance(cell.value, str)]
+    return [written(plain(label)) for label in labels if "$" not in label]
 
 
 ANGLE = re.compile(r"\$\d+°\d+'\$")

@@ -142,7 +142,7 @@ class SourceTable:
         self.notes = given.notes
         self.method = given.method
         self.layout = given.layout
-        self.file = book.folder / f"{name}.csv"
+        self.file = book.file_of(name)
 
     @cached_property
     def cells(self) -> tuple[SourceCell, ...]:
@@ -221,6 +221,10 @@ class Book:
                 self._check_name(kind, name)
         self.tables = [SourceTable(self, name, entry) for name, entry in self.given.tables.items()]
         self.formulas = [FormulaTable(self, name, entry) for name, entry in self.given.formulas.items()]
+
+    def file_of(self, name: str) -> Path:
+        """Return the file of a table."""
+        return self.folder / f"{name}.csv"
 
     @property
     def all_tables(self) -> list[SourceTable | FormulaTable]:

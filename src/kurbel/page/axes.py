@@ -12,7 +12,7 @@ from typing import Any, TypeAlias
 
 from kurbel.exact.numerals import Label, Number, degrees_text, finite_decimals, nearest
 from kurbel.page.quantity import words
-from kurbel.page.table import Cell, Field, Value
+from kurbel.page.table import Cell, Ditto, Field, Value
 from kurbel.reading.notation import Progression, plain, ratio_text
 
 RATIO = words("Kurbelverhältnis R:L|Crank ratio R:L")
@@ -46,7 +46,7 @@ class PageAxis(ABC):
     def heads(self, place: Place) -> tuple[Label, ...]:
         """The heads above a column, outermost first."""
 
-    def stub(self, place: Place) -> Number | Label:
+    def stub(self, place: Place) -> Number | Label | Ditto:
         return self.heads(place)[-1]
 
     def over_group(self, place: Place) -> Label:

@@ -132,6 +132,11 @@ _TOKEN = re.compile(r'[0-9]+(?:\.[0-9]+)?|[A-Za-z]+|"[^"]*"|[\s]+|.', re.DOTALL)
 _DEEPEST = 20
 
 
+def tokens(source: str) -> list[str]:
+    """Return what a formula is made of, white space as one space."""
+    return [" " if token.isspace() else token for token in _TOKEN.findall(source.strip())]
+
+
 def parse_formula(source: str) -> Formula:
     """Return the tree of a formula; raise MalformedError if it is not understood."""
     parser = _Parser(source)
@@ -149,7 +154,7 @@ class _Parser:
     """Recursive descent over the tokens of one formula."""
 
     def __init__(self, source: str) -> None:
-        self.tokens = [" " if token.isspace() else token for token in _TOKEN.findall(source.strip())]
+        self.tokens = tokens(source)
         self.at = 0
         self.depth = 0
 

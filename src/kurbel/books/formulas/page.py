@@ -7,8 +7,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cache, cached_property
+from itertools import chain
 from math import floor, log10
-from typing import Any
+from typing import Any, NamedTuple
 
 from kurbel.books.formulas.equation import (
     AGREES,
@@ -25,6 +26,7 @@ from kurbel.books.formulas.equation import (
     UNSETTLED,
     WRONG,
 )
+from kurbel.books.formulas.lines import formula_lines, room_beside, word_lines
 from kurbel.books.formulas.points import POINTS
 from kurbel.books.formulas.table import Collated, FormulaTable
 from kurbel.books.verdict import ALL, DEVIATIONS
@@ -32,7 +34,7 @@ from kurbel.exact.numerals import Label, nearest, number_text
 from kurbel.page.axes import ColumnAxis, PageAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, Words, words
 from kurbel.page.subject import Question, Subject
-from kurbel.page.table import Field, Note, Records, Value
+from kurbel.page.table import DITTO, Ditto, Field, Note, Records, Value
 from kurbel.reading.given import choose
 
 KEYS = ("table", "place", "printed", "follows", "relation", "letter", "verdict", "detail")
@@ -85,6 +87,15 @@ VERDICTS: Mapping[str, tuple[Words, Words]] = {
 }
 
 
+class Line(NamedTuple):
+    """A line of the page: of a formula, which may go on in the next, and of what is found of it."""
+
+    place: Label
+    first: bool
+    printed: Label
+    verdict: Label | None
+
+
 @dataclass(frozen=True, kw_only=True)
 class FormulaRequest(Question):
     """What is asked for: the formulas of a table, all or those that are not as they should be."""
@@ -105,6 +116,26 @@ class FormulaRequest(Question):
         return self.deviations if self.only == DEVIATIONS else self.collated
 
     @cached_property
+    def labels(self) -> Mapping[str, Label]:
+        """The printed places of all formulas; one without a label has that of the formula above."""
+        labels: dict[str, Label] = {}
+        label = ""
+        for row, _ in self.collated:
+            label = labels[row.place] = row.label or label
+        return labels
+
+    @cached_property
+    def lines(self) -> Sequence[Line]:
+        """The lines of the page."""
+        printed = [formula_lines(one.row.printed) for one in self.shown]
+        room = room_beside(chain.from_iterable(printed))
+        return [
+            line
+            for one, lines in zip(self.shown, printed, strict=True)
+            for line in _lines(one, lines, room, self)
+        ]
+
+    @cached_property
     def page_columns(self) -> tuple[Column, ...]:
         for key in self.columns:
             choose(key, KEYS, "column")
@@ -120,21 +151,30 @@ class FormulaRequest(Question):
 
 
 class _PlaceAxis(PageAxis):
-    """The places of the printed formulas; one without a label has that of the formula above."""
+    """The lines; the place of a formula stands before all of its lines."""
 
     def __init__(self, request: FormulaRequest) -> None:
-        super().__init__(len(request.shown))
+        super().__init__(len(request.lines), len(request.shown))
         self.request = request
-        self.labels: dict[str, Label] = {}
-        label = ""
-        for row, _ in request.collated:
-            label = self.labels[row.place] = row.label or label
 
     def stub_heading(self) -> Label:
         return WORDS["place"][self.request.lang]
 
     def heads(self, place: Place) -> tuple[Label, ...]:
-        return (self.labels[self.request.shown[place["place"]].row.place],)
+        return (self.request.lines[place["place"]].place,)
+
+    def stub(self, place: Place) -> Label | Ditto:
+        return self.heads(place)[0] if self.request.lines[place["place"]].first else DITTO
+
+
+def _lines(one: Collated, printed: Sequence[Label], room: int, request: FormulaRequest) -> Iterator[Line]:
+    """Yield the lines of a formula; what is found of it begins in its last."""
+    *lines, last = printed
+    verdict = verdict_text(one, request.table, request.lang)
+    first, *further = (None,) if verdict is None else word_lines(verdict, room)
+    parts = [*((line, "") for line in lines), (last, first), *(("", line) for line in further)]
+    place = request.labels[one.row.place]
+    yield from (Line(place, not number, *part) for number, part in enumerate(parts))
 
 
 def verdict_text(one: Collated, table: FormulaTable, lang: str) -> Label | None:
@@ -169,8 +209,8 @@ def _figures(value: Any) -> Label:
 def quantities() -> Mapping[str, Quantity]:
     """Return what stands beside a place."""
     shown = {
-        "printed": lambda one, request: f"${one.row.printed}$",
-        "verdict": lambda one, request: verdict_text(one, request.table, request.lang),
+        "printed": lambda line: line.printed,
+        "verdict": lambda line: line.verdict,
     }
     return {
         key: Quantity(key, WORDS[key], "", words(""), None, {"": Formula(kernel)}, WORDS[key])
@@ -179,7 +219,7 @@ def quantities() -> Mapping[str, Quantity]:
 
 
 def _shown(request: FormulaRequest, column: Column, place: Place, times: int) -> Value:
-    shown: Value = column.quantity.formulas[""].kernel(request.shown[place["place"]], request)
+    shown: Value = column.quantity.formulas[""].kernel(request.lines[place["place"]])
     return shown
 
 

@@ -66,7 +66,7 @@ class FormulaTable:
         self.title = given.title
         self.notes = given.notes
         self.labels = given.labels
-        self.file = book.folder / f"{name}.csv"
+        self.file = book.file_of(name)
         self.forms = self._forms(given.letters)
 
     def _forms(self, letters: Mapping[str, str]) -> Mapping[str, Form]:

@@ -66,6 +66,7 @@ _PROSE = str.maketrans(
         "]": "{]}",
         "*": "{*}",
         "°": r"\textdegree{}",
+        "√": r"$\surd$",
     }
 )
 # Two of these in a row are one sign in TeX fonts: --, ,, '' << >>. Between braces LuaTeX still joins them.
