@@ -105,7 +105,7 @@ class EngineRequest(Question):
             )
         if load and load != self.steams[0].name:
             raise ProblemError(f"layout {self.layout.key} is of {LOADS[load].title}; add {option}")
-        if not self.steamed and "expansion" in self.layout.across:
+        if not (load or self.steamed) and "expansion" in self.layout.across:
             raise ProblemError(
                 f"layout {self.layout.key} is over ε, which {LOADS[self.steams[0].name].title} does not have;"
                 f" use --layout {self.words.layout}"
