@@ -21,16 +21,32 @@ def text_of_pdf(folder: Path) -> str:
 def assert_rows_stand_in(lines: list[str], page: Table, angles: bool = True) -> None:
     """Check that the figures of every row of the page stand in a line, from left to right and going down.
 
-    Of a page without any, the words do.
+    Of a page without any its words do, wherever a formula between them puts them.
     """
     below = iter(lines)
     rows = [row_of_figures(row, page.lang, angles) for panel in page.panels for row in panel.rows()]
     if not any(rows):
-        rows = [row_of_words(row) for panel in page.panels for row in panel.rows()]
-    assert any(rows)
+        return assert_words_follow(" ".join(map(written, lines)), page)
     for row in rows:
         pattern = re.compile(".*?".join(rf"(?<![\d.,]){re.escape(figure)}(?!\d|[.,]\d)" for figure in row))
         assert any(pattern.search(written(line)) for line in below), f"{page.key} has no row {row}"
+
+
+def assert_words_follow(text: str, page: Table) -> None:
+    """Check that the labels of the page that have no formula stand in the text, one after the other."""
+    labels = [
+        cell.value
+        for panel in page.panels
+        for row in panel.rows()
+        for cell in row.stub + row.cells
+        if isinstance(cell.value, str) and "$" not in cell.value
+    ]
+    assert any(labels)
+    at = 0
+    for label in labels:
+        word = written(plain(label))
+        assert word in text[at:], f'{page.key} has no "{word}" after {text[:at][-80:]!r}'
+        at = text.index(word, at) + len(word)
 
 
 def row_of_figures(row: Row, lang: str, angles: bool) -> list[str]:
@@ -42,12 +58,6 @@ def row_of_figures(row: Row, lang: str, angles: bool) -> list[str]:
         if isinstance(cell.value, Number)
         or (angles and isinstance(cell.value, str) and ANGLE.fullmatch(cell.value))
     ]
-
-
-def row_of_words(row: Row) -> list[str]:
-    """Return the labels of a row that have no formula, as plain text."""
-    labels = [cell.value for cell in row.stub + row.cells if isinstance(cell.value, str)]
-    return [written(plain(label)) for label in labels if "$" not in label]
 
 
 ANGLE = re.compile(r"\$\d+°\d+'\$")
