@@ -84,6 +84,8 @@ def in_typst(pieces: list[str]) -> list[str]:
         "a~b",
         "\\",
         "a \\",
+        "-¼",
+        "-Ⅳ",
     ]
 )
 @given(st.lists(_PROSE, min_size=1, max_size=20))

@@ -7,6 +7,7 @@ beyond its columns to the last of them, as TeX does; the widths are estimated fo
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
@@ -50,14 +51,20 @@ class Writer(PageWriter):
 _ANYWHERE = re.compile(r"[\\#$*_@<`~\[\]\"']")
 # A hyphen stays before a letter only: with another one, ?, a digit or a space it makes a dash, a break, a
 # minus sign or a list. Points make an ellipsis, strokes a comment or, after a colon, a link.
-_PAIRS = re.compile(r"-(?![^\W\d_])|\.(?=\.)|(?<=\.)\.|/(?=[/*])|(?<=/)/")
+_PAIRS = re.compile(r"-(?=(.?))|\.(?=\.)|(?<=\.)\.|/(?=[/*])|(?<=/)/", re.DOTALL)
 # At the start of a line these make a heading, a list or a term.
 _START = re.compile(r"^( *)([=+/])|^( *[0-9]+)(\.)")
 
 
+def _paired(sign: re.Match[str]) -> str:
+    # A fraction or a Roman numeral of one character is a number too.
+    beside = sign.group(1)
+    return sign.group() if beside and unicodedata.category(beside).startswith("L") else f"\\{sign.group()}"
+
+
 def escape(prose: str) -> str:
     """Return prose of which every character is printed and none obeyed."""
-    escaped = _PAIRS.sub(r"\\\g<0>", _ANYWHERE.sub(r"\\\g<0>", prose))
+    escaped = _PAIRS.sub(_paired, _ANYWHERE.sub(r"\\\g<0>", prose))
     return _START.sub(r"\1\3\\\2\4", escaped)
 
 
