@@ -299,6 +299,7 @@ def test_an_engine_of_one_cylinder_is_called_so() -> None:
         (("eps=2 fires=1", "eps=2"), "cylinder 2 has no fires; give all their places, or none"),
         (("eps=2 fires=1", "eps=2 fires=3"), "fires has the places 1, 3; each of 1 to 2 must be there"),
         (("eps=2 fires=1", "compression=6 peak_pressure=30 fires=2"), "whose cycles have as many strokes"),
+        (("eps=4 rocker=6",), "cylinder 1: --rocker does not belong to the straight crank; it is for"),
         (("eps",), "eps of a cylinder has no value"),
         (("eps=4 bore=1m eps=3",), "eps of a cylinder is given twice; leave one out"),
         (("eps=4 single-acting=no",), "single_acting of a cylinder is no; it must be true or false"),

@@ -86,7 +86,7 @@ def weighed(chosen: Mechanism, drives: Sequence[Any], given: Mapping[str, Any], 
     )
     speed = as_speed(given["speed"])
     return [
-        chosen.with_crank(drive, replace(crank, speed=speed, moving=moving))
+        drive.of(replace(crank, speed=speed, moving=moving))
         for drive, crank in zip(drives, cranks, strict=True)
     ]
 
@@ -182,7 +182,7 @@ def layout_of_load(given: Mapping[str, Any]) -> str:
 
 def _turning(chosen: Mechanism, drive: Any, speed: Any) -> Any:
     """Return a drive that turns at a speed."""
-    return chosen.with_crank(drive, replace(chosen.crank(drive), speed=as_speed(speed)))
+    return drive.of(replace(chosen.crank(drive), speed=as_speed(speed)))
 
 
 def whole_cycle(given: Mapping[str, Any]) -> Fraction:

@@ -55,6 +55,10 @@ class Crank:
         """What is known of the crank, as of other drives."""
         return self
 
+    def of(self, crank: Crank) -> Crank:
+        """Return the drive with what else is known of its crank, as of other drives."""
+        return crank
+
     def moved(self, kind: Kind, method: str) -> Moved:
         """Return the drive as a turn of an engine asks it, by a method, on a kind of number."""
         from kurbel.drive.moved import moved

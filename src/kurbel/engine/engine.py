@@ -231,8 +231,7 @@ class Engine:
         crank = self.crank
         assert crank.speed is not None
         faster = replace(crank, speed=replace(crank.speed, value=crank.speed.value * factor))
-        drive = faster if crank is self.drive else replace(self.drive, crank=faster)  # type: ignore[type-var]
-        return replace(self, drive=drive)
+        return replace(self, drive=self.drive.of(faster))
 
     @property
     def pressure(self) -> Fraction | None:

@@ -90,8 +90,6 @@ class Continued:
     def __eq__(self, other: object) -> bool:
         return bool(self.ball == Continued.of(other).ball)
 
-    __hash__ = None  # type: ignore[assignment]
-
     def __lt__(self, other: Any) -> bool:
         return self._above(other) < 0
 

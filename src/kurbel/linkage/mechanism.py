@@ -6,7 +6,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import Any, ClassVar
 
-from kurbel.drive.crank import Crank
 from kurbel.drive.load import FORCE
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
@@ -73,9 +72,6 @@ class LinkageMechanism(Mechanism):
         "plot": "path,velocity",
         "plot forces": "rod_force,guide_force",
     }
-
-    def with_crank(self, drive: Linkage, crank: Crank) -> Linkage:
-        return drive.of(crank)
 
     def question(self, drives: Sequence[Linkage], method: str | None = None, **asked: Any) -> LinkageRequest:
         return LinkageRequest(drives=tuple(drives), **asked)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import replace
 from functools import cache
 from pkgutil import resolve_name
 from typing import TYPE_CHECKING, Any, ClassVar
@@ -68,10 +67,6 @@ class Mechanism(ABC):
         """Return what is known of a drive's radius, speed and force."""
         found: Crank = drive.crank
         return found
-
-    def with_crank(self, drive: Any, crank: Crank) -> Any:
-        """Return a drive with another radius, speed, force or masses."""
-        return replace(drive, crank=crank)
 
     def loaded_notes(self, drives: Sequence[Any], lang: str) -> Sequence[Label]:
         """Return what pages of engines say of their drives."""
@@ -137,9 +132,6 @@ class StraightCrank(Mechanism):
 
     def crank(self, drive: Crank) -> Crank:
         return drive
-
-    def with_crank(self, drive: Crank, crank: Crank) -> Crank:
-        return crank
 
     def loaded_notes(self, drives: Sequence[Crank], lang: str) -> Sequence[Label]:
         from kurbel.motion.captions import offset_notes

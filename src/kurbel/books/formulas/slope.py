@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import Any
 
 
-class Dual(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Dual:
     """A value and its slope."""
 
     value: Any
     slope: Any
 
-    def __add__(self, other: Dual) -> Dual:  # type: ignore[override]
+    def __add__(self, other: Dual) -> Dual:
         return Dual(self.value + other.value, self.slope + other.slope)
 
     def __sub__(self, other: Dual) -> Dual:
@@ -22,7 +24,7 @@ class Dual(NamedTuple):
     def __neg__(self) -> Dual:
         return Dual(-self.value, -self.slope)
 
-    def __mul__(self, other: Dual) -> Dual:  # type: ignore[override]
+    def __mul__(self, other: Dual) -> Dual:
         return Dual(self.value * other.value, self.slope * other.value + self.value * other.slope)
 
     def __truediv__(self, other: Dual) -> Dual:

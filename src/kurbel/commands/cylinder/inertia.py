@@ -110,7 +110,7 @@ def _rocker_inertia(
     for drive in chosen.drives(said, page.ratios):
         crank = chosen.crank(drive)
         rod = rod_of(given, crank.rod_length)
-        drives.append(chosen.with_crank(drive, replace(crank, rod=rod, speed=turns)))
+        drives.append(drive.of(replace(crank, rod=rod, speed=turns)))
     angles, names = angles_of(page, given), as_names(columns, "phi,inertia_guide")
     return RockerInertiaRequest(
         layout=page, drives=tuple(drives), angles=angles, columns=names, **sheet_of(given)

@@ -32,7 +32,9 @@ def assembly_of(page: Layout, given: Mapping[str, Any]) -> "Assembly":
         )
     described = given["cylinder"]
     _check_used(given, described)
-    parts = [_part(_title(number, own), page, merged(given, own)) for number, own in enumerate(described, 1)]
+    parts = [
+        _part(_title(number, own), page, merged(given, own), own) for number, own in enumerate(described, 1)
+    ]
     lags = lags_of(described, [part.steam for part in parts])
     return Assembly(tuple(_behind(part, lag) for part, lag in zip(parts, lags, strict=True)))
 
@@ -104,13 +106,18 @@ def _title(number: int, own: Mapping[str, Any]) -> str:
     return f"{where}: cylinder {number}" if where else f"cylinder {number}"
 
 
-def _part(title: str, page: Layout, given: Mapping[str, Any]) -> "Engine":
+def _part(title: str, page: Layout, given: Mapping[str, Any], own: Mapping[str, Any]) -> "Engine":
     from kurbel.commands.machines import described_engines
+    from kurbel.commands.motion import meant, of_other_mechanisms
     from kurbel.engine.engine import Engine
 
     if not named(given):
         raise ProblemError(f"{title} has no load; give it eps, card, pressure_ratio, pump or compression")
     try:
+        # What all cylinders have in common may be of the drives of others.
+        foreign = of_other_mechanisms(own, meant(given, layout=None), ("stroke", "speed", "method"))
+        for sentence in foreign.values():
+            raise ProblemError(sentence)
         found = described_engines(page, given)
         for name, what in (("steams", "load"), ("drives", "crank ratio")):
             if len(found[name]) != 1:
