@@ -11,7 +11,7 @@ from msgspec import inspect
 
 import kurbel
 from kurbel.cli.asking import option_names
-from kurbel.drive.machine import Machine
+from kurbel.drive.sections import Machine
 from kurbel.handbook.model import SCHEMA, HandbookKeys
 from kurbel.page.layouts import LayoutFile
 from kurbel.reading.toml_model import left

@@ -10,7 +10,8 @@ from places import CARDS
 
 from kurbel.cli import COMMANDS
 from kurbel.cli.app import command_of
-from kurbel.drive.machine import SECTIONS, read_machine
+from kurbel.drive.machine import read_machine
+from kurbel.drive.sections import SECTIONS
 from kurbel.errors import MachineError
 
 MACHINE = """

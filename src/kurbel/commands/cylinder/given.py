@@ -41,7 +41,7 @@ class OneCylinder(Kind):
 
 def _checked(entries: dict[str, Any]) -> Mapping[str, Any]:
     """Return the entries if a cylinder has such ones."""
-    from kurbel.drive.machine import Cylinder
+    from kurbel.drive.sections import Cylinder
     from kurbel.reading.given import choose
 
     for key, value in entries.items():
