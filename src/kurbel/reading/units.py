@@ -48,6 +48,7 @@ KNOWN: Mapping[str, Mapping[str, Fraction]] = {
     "[mass]": _scaled({"kg": 1, "g": "1/1000", "t": 1000}),
     "[mass]*[length]**2": _scaled({"kg*m*m": 1}),
     "[force]": _scaled({"N": 1, "kN": 1000, "MN": 10**6}),
+    "[energy]": _scaled({"J": 1, "kJ": 1000, "MJ": 10**6, "N*m": 1, "kN*m": 1000, "MN*m": 10**6}),
     "[force]*[length]": _scaled({"N*m": 1, "kN*m": 1000, "MN*m": 10**6}),
     "[pressure]": _scaled({"Pa": 1, "kPa": 1000, "MPa": 10**6, "bar": 10**5, "mbar": 100}),
 }  # fmt: skip
@@ -108,6 +109,8 @@ force = Measure("a force such as 10kN", "[force]", "N", 10**12, "force")
 # "-10kN" where it points the other way; "12 kN m", "300Nm"
 signed_force = replace(force, most=0)
 signed_torque = Measure("a torque such as 12kNm", "[force]*[length]", "N*m")
+# "5kJ", "-410 J" below a mean line
+energy = Measure("an energy such as 5kJ", "[energy]", "J")
 # "1.013bar"; below 0 where it counts from the atmosphere
 pressure = Measure("a pressure such as 1bar", "[pressure]", "Pa")
 
