@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from typing import Any, NamedTuple
 
 from kurbel.drive.crank_forces import Weights
@@ -135,7 +136,7 @@ def check_section(section: Section) -> None:
         raise ProblemError(f"mass {about(section.mass)} must be above 0, for no part of a rod weighs nothing")
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Moving:
     """The moving masses of one crank drive in kg: piston and crosshead, the rod, and `rotating`, the crank's
     own at its pin, which is negative where counterweights outweigh it. `rocker` is the moment of inertia of a
@@ -165,7 +166,7 @@ class Moving:
                 f"the rotating mass is {about(self.rotating)} kg; it must lie within -10^9..10^9 kg"
             )
 
-    @property
+    @cached_property
     def joined(self) -> Masses[Fraction]:
         """The masses of rod and reciprocating parts, and of a rocker at its end, in kg."""
         end = self.rocker / self.arm**2 if self.arm else Fraction(0)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
-from functools import cache, lru_cache
+from functools import lru_cache
 from math import inf
 from typing import TYPE_CHECKING
 
@@ -83,7 +83,7 @@ def rounded(value: Callable[[], arb], decimals: int, rounding: str, tie_bits: Ti
     """
     unit = 10**decimals
     precision = GUARD_BITS + (10 * decimals) // 3
-    bits_of = cache(tie_bits or (lambda boundary: inf))
+    known: dict[int, float] = {}
     while True:
         precision *= 2
         with flint.ctx.workprec(precision):
@@ -93,19 +93,22 @@ def rounded(value: Callable[[], arb], decimals: int, rounding: str, tie_bits: Ti
             # A ball that touches a boundary from above, such as the exact 1.25, is settled for half away.
             if nearest is not None and (rounding == "half-away" or not raised.contains_integer()):
                 return _signed(int(nearest), scaled)
-            odd = (2 * abs(scaled) + flint.arb(0.5)).floor().unique_fmpz()
-            if odd is None and precision <= MOST_TIE_BITS:
+            above = (2 * abs(scaled) + flint.arb(0.5)).floor().unique_fmpz()
+            if above is None and precision <= MOST_TIE_BITS:
                 continue
-            if odd is None:
+            if above is None:
                 raise ProblemError("a value is not settled: it grows beyond all bounds")
-            bits = bits_of(Fraction(int(odd), 2 * unit))
+            odd = int(above)
+            if odd not in known:
+                known[odd] = inf if tie_bits is None else tie_bits(Fraction(odd, 2 * unit))
+            bits = known[odd]
             if precision > (MOST_BITS if bits == inf else MOST_TIE_BITS):
                 raise ProblemError(
                     f"a digit is not settled by {precision // 2} bits: the value may lie half-way between"
                     " two printed ones; ask for another number of digits"
                 )
             if precision > bits and scaled.rad() * 2 < unit * flint.arb(2) ** -int(bits + 1):
-                return _signed(_half(int(odd), rounding), scaled)
+                return _signed(_half(odd, rounding), scaled)
 
 
 def vanishes(value: Callable[[], arb], bits: float) -> bool:

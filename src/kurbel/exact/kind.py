@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from fractions import Fraction
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 if TYPE_CHECKING:
@@ -38,6 +39,13 @@ class Kind(NamedTuple):
 
 def balls() -> Kind:
     """Return balls at the precision in force."""
+    import flint
+
+    return _balls(flint.ctx.prec)
+
+
+@lru_cache(maxsize=16)
+def _balls(precision: int) -> Kind:
     from kurbel.exact import certify as on
 
     return Kind(on.ball, on.ball_circle, on.ball_degrees, on.pi(), on.rod_angle, on.ball, _itself)
@@ -55,12 +63,20 @@ def bounds() -> Kind:
 
 
 def settled(
-    value: Callable[[Kind], Any], decimals: int, rounding: str = "half-away", algebraic: bool = True
+    value: Callable[[Kind], Any],
+    decimals: int,
+    rounding: str = "half-away",
+    algebraic: bool | Callable[[], bool] = True,
 ) -> int:
-    """Return what `rounded` does of a value on any kind of number; one that is not `algebraic` never ties."""
+    """Return what `rounded` does of a value on any kind of number; one that is not `algebraic` never ties.
+
+    Where that itself takes a proof it is asked for only of a value that touches a boundary.
+    """
     from kurbel.exact import certify
 
     def tie_bits(boundary: Fraction) -> float:
+        if callable(algebraic) and not algebraic():
+            return math.inf
         kind = bounds()
         return float((value(kind) - kind.of(boundary)).bits())
 

@@ -125,10 +125,12 @@ def certified(
     def at(kind: Kind) -> Any:
         return _value_at(quantity, drive, angle, kind)
 
-    speed = drive.crank.speed
-    by_turns = quantity.needs == "inertia" and speed is not None and speed.turns
-    free = drive.is_rational and not (quantity.is_arc or by_turns or _weighs(quantity, drive, angle))
-    return settled(at, decimals, rounding, free)
+    def is_algebraic() -> bool:
+        speed = drive.crank.speed
+        by_turns = quantity.needs == "inertia" and speed is not None and speed.turns
+        return drive.is_rational and not (quantity.is_arc or by_turns or _weighs(quantity, drive, angle))
+
+    return settled(at, decimals, rounding, is_algebraic)
 
 
 def _value_at(quantity: Quantity, drive: Linkage, angle: Fraction, kind: Kind) -> Any:

@@ -8,8 +8,9 @@ columns in floats the doubtful cells are settled in balls.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import cached_property
 from math import lcm
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -22,6 +23,9 @@ from kurbel.reading.notation import Progression
 
 if TYPE_CHECKING:
     import numpy as np
+
+    from kurbel.drive.crank_forces import Weights
+    from kurbel.kernel.rod import Loaded, Masses
 
 # Below this many cells balls are done before NumPy is imported.
 PAGE_CELLS = 20_000
@@ -77,7 +81,8 @@ OFFSET, LOADED = "offset", "loaded"
 TANGENT = "tangent"
 
 
-class At(NamedTuple):
+@dataclass(eq=False)
+class At:
     """What a kernel call takes: where the crank stands, λ and e/R (None without an offset) with the sign of
     the stroke, the crank and the kind of number."""
 
@@ -86,6 +91,28 @@ class At(NamedTuple):
     offset: Any
     crank: Crank
     numbers: Kind
+
+    @cached_property
+    def loaded(self) -> Loaded:
+        """The drive with its masses under the force at this place, in newtons."""
+        return self._under_force(self._weights.masses, self._weights.reciprocating)
+
+    @cached_property
+    def on_shaft(self) -> Loaded:
+        """The same with the masses of which the force at the pin is that of the main bearing."""
+        return self._under_force(self._weights.on_shaft, 0)
+
+    @cached_property
+    def _weights(self) -> Weights:
+        of, moving = self.numbers.of, known(self.crank.moving)
+        return moving.weights(of, self.crank.pin_acceleration(self.numbers))
+
+    def _under_force(self, masses: Masses[Any], reciprocating: Any) -> Loaded:
+        from kurbel.kernel.rod import Loaded
+
+        first = self.crank.force.first if self.crank.force else Fraction(0)
+        net = self.acting(self.numbers.of(first))
+        return Loaded(self.circle, self.ratio, masses, self.offset, net, reciprocating)
 
     @property
     def share(self) -> Any:
@@ -141,10 +168,36 @@ def is_transcendental(quantity: Quantity, crank: Crank) -> bool:
 
 def value(quantity: Quantity, method: str, crank: Crank, circle: Any, numbers: Kind) -> Any:
     """Return the quantity in its unit, on the kind of number that circle and `numbers` are of."""
-    ratio = numbers.of(quantity.stroke * (Fraction(0) if method == "infinite" else crank.ratio))
-    offset = numbers.of(quantity.stroke * crank.offset) if crank.offset else None
-    found = kernel_of(quantity, method, crank)(At(circle, ratio, offset, crank, numbers))
-    return found * quantity.scale(crank, numbers) if quantity.scale else found
+    return _value_at(quantity, method, _place(quantity.stroke, method, crank, circle, numbers))
+
+
+def _place(stroke: int, method: str, crank: Crank, circle: Any, numbers: Kind) -> At:
+    ratio = numbers.of(stroke * (Fraction(0) if method == "infinite" else crank.ratio))
+    offset = numbers.of(stroke * crank.offset) if crank.offset else None
+    return At(circle, ratio, offset, crank, numbers)
+
+
+def _value_at(quantity: Quantity, method: str, at: At) -> Any:
+    found = kernel_of(quantity, method, at.crank)(at)
+    return found * quantity.scale(at.crank, at.numbers) if quantity.scale else found
+
+
+class Places:
+    """The places of a crank at an angle, which its quantities share; each is made once for each precision."""
+
+    def __init__(self, crank: Crank, angle: Fraction) -> None:
+        self.crank = crank
+        self.angle = angle
+        self._made: dict[tuple[int, bool, int], At] = {}
+
+    def at(self, stroke: int, method: str, numbers: Kind) -> At:
+        """Return the place on a stroke, on a kind of number."""
+        key = (stroke, method == "infinite", id(numbers))
+        # A place holds its kind of number, so that no other has its id.
+        if key not in self._made:
+            circle = numbers.circle(self.angle)
+            self._made[key] = _place(stroke, method, self.crank, circle, numbers)
+        return self._made[key]
 
 
 def kernel_of(quantity: Quantity, method: str, crank: Crank) -> Callable[[At], Any]:
@@ -173,13 +226,21 @@ def certified(
     rounding: str = "half-away",
 ) -> int:
     """Return the quantity times 10**decimals at an exact angle in degrees, rounded correctly."""
+    return certified_at(quantity, method, Places(crank, angle), decimals, rounding)
+
+
+def certified_at(quantity: Quantity, method: str, places: Places, decimals: int, rounding: str) -> int:
+    """Return the same at places that quantities share."""
+    crank, angle = places.crank, places.angle
 
     def at(kind: Kind) -> Any:
-        return value(quantity, method, crank, kind.circle(angle), kind)
+        return _value_at(quantity, method, places.at(quantity.stroke, method, kind))
 
-    # Turns a second bring the factor π² to what the masses add to an algebraic number.
-    free = not (_weighs(quantity, method, crank, angle) or is_transcendental(quantity, crank))
-    return settled(at, decimals, rounding, free)
+    def is_algebraic() -> bool:
+        # Turns a second bring the factor π² to what the masses add to an algebraic number.
+        return not (is_transcendental(quantity, crank) or _weighs(quantity, method, crank, angle))
+
+    return settled(at, decimals, rounding, is_algebraic)
 
 
 def _weighs(quantity: Quantity, method: str, crank: Crank, angle: Fraction) -> bool:
@@ -214,10 +275,11 @@ def columns_in_balls(
 
     Every value is certified by itself: no NumPy, any number of decimals.
     """
-    return [
-        [certified(one.quantity, one.method, crank, angle, one.places, rounding) for angle in angles]
-        for one in columns
+    rows = [
+        [certified_at(one.quantity, one.method, place, one.places, rounding) for one in columns]
+        for place in (Places(crank, angle) for angle in angles)
     ]
+    return [list(column) for column in zip(*rows, strict=True)] if rows else [[] for _ in columns]
 
 
 def is_long(columns: Sequence[Column], cranks: Sequence[Crank], angles: Sequence[Fraction]) -> bool:

@@ -8,7 +8,7 @@ from fractions import Fraction
 from functools import cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from kurbel.drive.crank import Crank, known
+from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Label
 from kurbel.kernel import kinematics
 from kurbel.motion.evaluation import LOADED, OFFSET, OUT, RETURN, STROKES, TANGENT, TURN, At
@@ -260,10 +260,8 @@ def _in_newtons(key: str, shares: Formulas) -> Formulas:
     """Return the formulas of the force that acts at the place, with masses too, which no line holds."""
 
     def call(at: At) -> Any:
-        crank, of = at.crank, at.numbers.of
-        weights = known(crank.moving).weights(of, crank.pin_acceleration(at.numbers))
-        net = at.acting(of(crank.force.first if crank.force else Fraction(0)))
-        return _crank_force(key).loaded(at.circle, at.ratio, weights, at.offset, net)
+        force = _crank_force(key)
+        return force.on(at.on_shaft if force.on_shaft else at.loaded)
 
     def acting(share: Formula) -> Formula:
         return Formula(lambda at: at.acting(share.kernel(at)), share.printed)
