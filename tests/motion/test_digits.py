@@ -9,7 +9,8 @@ import pytest
 from kurbel.drive.crank import Crank
 from kurbel.drive.load import PistonForce
 from kurbel.drive.rod import Moving, Rod
-from kurbel.motion.evaluation import LOADED, columns_in_balls, columns_in_floats
+from kurbel.motion.bulk import columns_in_floats
+from kurbel.motion.evaluation import LOADED, columns_in_balls
 from kurbel.motion.quantities import registry
 from kurbel.page.quantity import bare
 from kurbel.reading.notation import Progression

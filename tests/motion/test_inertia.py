@@ -23,7 +23,8 @@ from kurbel.drive.rod import Rod
 from kurbel.errors import KurbelError, ProblemError
 from kurbel.exact.jet import Jet, ball_jets
 from kurbel.kernel.rod import Masses
-from kurbel.motion.evaluation import certified, columns_in_balls, columns_in_floats
+from kurbel.motion.bulk import columns_in_floats
+from kurbel.motion.evaluation import certified, columns_in_balls
 from kurbel.motion.inertia import ROD_FORCES, inertia_registry
 from kurbel.motion.inertia_peak import Peak
 from kurbel.page.quantity import bare

@@ -70,7 +70,7 @@ def compute(
     [1.2, -0.20412414523193154, -0.8]
     """
     from kurbel.exact.bulk import evaluate
-    from kurbel.motion.evaluation import on_floats
+    from kurbel.motion.bulk import on_floats
     from kurbel.page.quantity import bare
 
     crank = Crank(as_ratio(ratio), as_fraction(offset))

@@ -58,7 +58,7 @@ def _scaled_angles(angles: Sequence[Fraction], decimals: int, mark: bytes) -> Sc
     import numpy as np
 
     from kurbel.formats.columns import Scaled
-    from kurbel.motion.evaluation import integer_angles
+    from kurbel.motion.bulk import integer_angles
 
     if isinstance(angles, Progression):
         numerators, denominator = integer_angles(angles)

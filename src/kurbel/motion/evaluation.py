@@ -11,26 +11,20 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
-from math import lcm
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from kurbel.drive.crank import Crank, known, largest
+from kurbel.drive.crank import Crank, known
 from kurbel.errors import ProblemError
-from kurbel.exact.kind import Kind, balls, bounds, floats, settled
+from kurbel.exact.kind import Kind, balls, bounds, settled
 from kurbel.kernel import kinematics
 from kurbel.page.quantity import Column, Quantity, Words, words
-from kurbel.reading.notation import Progression
 
 if TYPE_CHECKING:
-    import numpy as np
-
     from kurbel.drive.crank_forces import Weights
     from kurbel.kernel.rod import Loaded, Masses
 
 # Below this many cells balls are done before NumPy is imported.
 PAGE_CELLS = 20_000
-# Floats are worth their while as long as few of them are doubtful.
-DOUBTFUL_SHARE = 0.1
 # Integers of 64 bits have no more digits.
 MOST_DECIMALS = 18
 
@@ -257,17 +251,6 @@ def _weighs(quantity: Quantity, method: str, crank: Crank, angle: Fraction) -> b
     return not vanishes(lambda: part(balls()), float(part(bounds()).bits()))
 
 
-def greatest_load(crank: Crank) -> Fraction:
-    """Return a bound of the forces in newtons that piston force and moving masses call up, but for the rod's
-    slant: without the factor (2π)² where the speed counts turns."""
-    moving, speed = known(crank.moving), known(crank.speed)
-    pin, crosshead, couple, _ = moving.joined
-    masses = abs(pin) + crosshead + abs(Fraction(couple)) + moving.reciprocating + abs(moving.rotating)
-    factor = 40 if speed.turns else 1
-    force = crank.force.first * crank.force.growth if crank.force else Fraction(0)
-    return force + masses * known(crank.radius) * speed.value**2 * factor
-
-
 def columns_in_balls(
     columns: Sequence[Column], crank: Crank, angles: Sequence[Fraction], rounding: str
 ) -> list[list[int]]:
@@ -282,81 +265,6 @@ def columns_in_balls(
     return [list(column) for column in zip(*rows, strict=True)] if rows else [[] for _ in columns]
 
 
-def is_long(columns: Sequence[Column], cranks: Sequence[Crank], angles: Sequence[Fraction]) -> bool:
-    """Whether so many cells, to so few decimals, are worth NumPy's start-up: `columns_in_floats`."""
-    if len(columns) * len(cranks) * len(angles) <= PAGE_CELLS:
-        return False
-    if max(column.places for column in columns) > MOST_DECIMALS:
-        return False
-    reach = float(largest(angles))
-    doubtful = (
-        2 * float_bound(column, crank, reach) * 10.0**column.places for column in columns for crank in cranks
-    )
-    return max(doubtful) < DOUBTFUL_SHARE
-
-
-def float_bound(column: Column, crank: Crank, largest_angle: float) -> float:
-    """Return how far a float of this column can lie from the true value at the exact angle.
-
-    The kernel's own error is a few units in the last place (tests/kernel); rounding λ and the
-    angle to floats adds their share times the slope. Powers of 1/(1 - sin² ψ) cover the growth of all of them
-    up to the slope of the acceleration as λ nears 1.
-    """
-    steepest = float(crank.ratio) * (1 + abs(float(crank.offset)))
-    growth = (1 - min(steepest, 1 - 1e-12) ** 2) ** -3.5
-    unit = 2.0**-53
-    in_radians = max(largest_angle, 360.0) / 57
-    quantity = column.quantity
-    scale = abs(float(quantity.scale(crank, floats()))) if quantity.scale else 1.0
-    if quantity.needs in ("force", "torque") and crank.force is not None:
-        scale *= float(crank.force.growth)
-    if LOADED in quantity.formulas and crank.moving is not None:
-        # A force is a sum of few products of these with powers of 1/cos ψ.
-        scale *= 8 * float(greatest_load(crank))
-    return float((16 + 4 * in_radians) * unit * growth * quantity.bound * scale)
-
-
-def columns_in_floats(
-    columns: Sequence[Column], crank: Crank, angles: Sequence[Fraction], rounding: str
-) -> list[np.ndarray]:
-    """Return the same as int64 arrays: all values in floats, certified where they are doubtful."""
-    from kurbel.exact.bulk import evaluate, nearest
-
-    degrees = float_angles(angles)
-    values = evaluate([on_floats(column, crank) for column in columns], degrees)
-    reach = float(abs(degrees).max())
-    settled = []
-    for column, found in zip(columns, values, strict=True):
-        bound = float_bound(column, crank, reach)
-        scaled, doubtful = nearest(found, column.places, bound, half_even=rounding == "half-even")
-        for row in doubtful.nonzero()[0].tolist():
-            [[scaled[row]]] = columns_in_balls([column], crank, [angles[row]], rounding)
-        settled.append(scaled)
-    return settled
-
-
-def on_floats(column: Column, crank: Crank) -> Callable[[Any], Any]:
-    """Return the column as a function of the circle of floats or arrays."""
-    return lambda circle: value(column.quantity, column.method, crank, circle, floats())
-
-
-def float_angles(angles: Sequence[Fraction]) -> np.ndarray:
-    """Return the angles as floats, each at most one unit in the last place off."""
-    import numpy as np
-
-    if isinstance(angles, Progression):
-        numerators, denominator = integer_angles(angles)
-        if max(abs(int(numerators[0])), abs(int(numerators[-1])), denominator) < 2**53:
-            return numerators / denominator
-    return np.array([float(angle) for angle in angles])
-
-
-def integer_angles(angles: Progression) -> tuple[np.ndarray, int]:
-    """Return the numerators of all angles over one denominator; Python integers where 62 bits are too few."""
-    import numpy as np
-
-    denominator = lcm(angles.start.denominator, angles.step.denominator)
-    first, step = int(angles.start * denominator), int(angles.step * denominator)
-    last = first + step * len(angles)
-    kind = np.int64 if max(abs(first), abs(last)) < 2**62 else object
-    return first + step * np.arange(len(angles), dtype=kind), denominator
+def fits_page(columns: Sequence[Column], cranks: Sequence[Crank], angles: Sequence[Fraction]) -> bool:
+    """Whether so few cells are done in balls before NumPy is imported; of others motion/bulk.py tells."""
+    return len(columns) * len(cranks) * len(angles) <= PAGE_CELLS

@@ -13,7 +13,7 @@ from kurbel.drive.crank import Crank, check_angles
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Number
 from kurbel.motion import captions
-from kurbel.motion.evaluation import NEEDS, columns_in_balls, columns_in_floats, is_long, needed, on_floats
+from kurbel.motion.evaluation import NEEDS, columns_in_balls, fits_page, needed
 from kurbel.motion.quantities import registry
 from kurbel.page.axes import (
     AngleAxis,
@@ -130,6 +130,10 @@ class Request(CrankQuestion, AngleQuestion):
     @property
     def bulk(self) -> bool:
         """Whether so many cells are computed in arrays."""
+        if fits_page(self.page_columns, self.cranks, self.angles):
+            return False
+        from kurbel.motion.bulk import is_long
+
         return is_long(self.page_columns, self.cranks, self.angles)
 
     @cached_property
@@ -140,11 +144,15 @@ class Request(CrankQuestion, AngleQuestion):
 
     def scaled(self, crank: Crank, angles: Sequence[Fraction]) -> Sequence[Any]:
         """Return the scaled digits of every column at these angles."""
-        compute = columns_in_floats if self.bulk else columns_in_balls
-        return compute(self.page_columns, crank, angles, self.rounding)
+        if not self.bulk:
+            return columns_in_balls(self.page_columns, crank, angles, self.rounding)
+        from kurbel.motion.bulk import columns_in_floats
+
+        return columns_in_floats(self.page_columns, crank, angles, self.rounding)
 
     def curves(self, degrees: Any) -> list[list[list[float]]]:
         from kurbel.exact.bulk import evaluate
+        from kurbel.motion.bulk import on_floats
 
         found = [
             evaluate([on_floats(column, crank) for column in self.page_columns], degrees)
