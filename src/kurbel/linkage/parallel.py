@@ -18,7 +18,7 @@ from kurbel.linkage.linkage import At, Linkage, Outline, Point, Stand
 from kurbel.linkage.mechanism import LinkageMechanism
 from kurbel.linkage.quantities import DECIMALS, force_entries, force_formula
 from kurbel.linkage.question import linkage_subject, plain_notes
-from kurbel.motion.quantities import spanned
+from kurbel.motion.entries import spanned
 from kurbel.page.quantity import AND, Formula, Quantity, words
 from kurbel.reading.notation import plain
 

@@ -2,151 +2,26 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Iterator, Mapping
-from fractions import Fraction
+from collections.abc import Iterator, Mapping
 from functools import cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Label
-from kurbel.kernel import kinematics
-from kurbel.motion.evaluation import LOADED, OFFSET, OUT, RETURN, STROKES, TANGENT, TURN, At
-from kurbel.page.quantity import Formula, Quantity, entry, words
+from kurbel.motion.entries import Formulas, motion_entries, on_strokes, spanned, speed_entries
+from kurbel.motion.evaluation import LOADED, OFFSET, TANGENT, At
+from kurbel.page.quantity import Formula, Quantity, words
 
 if TYPE_CHECKING:
     from kurbel.drive.crank_forces import CrankForce
-
-Formulas = Mapping[str, Formula]
-Kernel = Callable[..., Any]
-# What keys say of their unit at their end.
-_UNIT = re.compile(r"_(?:mm|mps2?|nm?|stroke|percent)$")
-
-# In printed formulas {±} is the sign that the return stroke changes, {ψ} the same where ψ itself is printed
-# (cos ψ knows no sign), {angle} the letter of the crank angle.
-
-
-def _motion(straight: Kernel, series: Kernel, offset: Kernel, *printed: Label) -> Formulas:
-    """Return the formulas by the methods exact, series and infinite, and of the offset crank, as printed."""
-
-    def exact(at: At) -> Any:
-        return straight(at.circle, at.ratio)
-
-    kernels = {
-        "exact": exact,
-        "series": lambda at: series(at.circle, at.ratio),
-        "infinite": exact,
-        OFFSET: lambda at: offset(at.circle, at.ratio, at.offset),
-    }
-    return {key: Formula(one, text) for (key, one), text in zip(kernels.items(), printed, strict=True)}
-
-
-PATH = _motion(
-    kinematics.piston_path,
-    kinematics.piston_path_first_order,
-    kinematics.offset_path,
-    "$x/R = 1 - cos {angle} {±} (1 - cos ψ)/λ$",
-    "$x/R = 1 - cos {angle} {±} 1/2 λ sin^2 {angle}$",
-    "$x/R = 1 - cos {angle}$",
-    "$x/R = (cos φ_i - cos {angle}) + (cos ψ_i - cos ψ)/λ$",
-)
-VELOCITY = _motion(
-    kinematics.piston_velocity,
-    kinematics.piston_velocity_first_order,
-    kinematics.offset_velocity,
-    "$c/v = sin {angle} {±} (λ sin {angle} cos {angle})/(cos ψ)$",
-    "$c/v = sin {angle} {±} 1/2 λ sin 2 {angle}$",
-    "$c/v = sin {angle}$",
-    "$c/v = sin {angle} + cos {angle} tan ψ$",
-)
-ACCELERATION = _motion(
-    kinematics.piston_acceleration,
-    kinematics.piston_acceleration_first_order,
-    kinematics.offset_acceleration,
-    "$(p R)/v^2 = cos {angle} {±} λ (cos 2 {angle} + λ^2 sin^4 {angle})/(cos^3 ψ)$",
-    "$(p R)/v^2 = cos {angle} {±} λ cos 2 {angle}$",
-    "$(p R)/v^2 = cos {angle}$",
-    "$(p R)/v^2 = cos {angle} - sin {angle} tan ψ + λ (cos^2 {angle})/(cos^3 ψ)$",
-)
-
-
-def _rod_angle(at: At) -> Any:
-    return at.numbers.rod_angle(at.circle, at.ratio, at.offset)
-
-
-# The rod angle enters the first-order formulas nowhere; it is the same arc by every method.
-ROD_ANGLE: Formulas = {
-    "exact": Formula(_rod_angle),
-    "series": Formula(_rod_angle, "$sin ψ = {ψ}λ sin {angle}$"),
-    "infinite": Formula(_rod_angle, "$ψ = 0$"),
-    OFFSET: Formula(_rod_angle),
-    TANGENT: Formula(lambda slant: slant, "arctan(R/L)"),
-}
 
 
 @cache
 def registry() -> Mapping[str, Quantity]:
     """Return every quantity by its key, in the order in which `kurbel quantities` lists them."""
-    entries = (*_motion_entries(), *_force_entries())
+    entries = (*motion_entries(), *_force_entries())
     of_strokes = [one for each in entries for one in on_strokes(each)]
-    return {one.key: one for one in (*of_strokes, *_speed_entries())}
-
-
-def _motion_entries() -> Iterator[Quantity]:
-    path, velocity = "Kolbenweg|Piston path", "Kolbengeschwindigkeit|Piston velocity"
-    acceleration = "Kolbenbeschleunigung|Piston acceleration"
-    yield spanned("x", path, "$x$", "$x/R$", "$R$", 4, PATH, names=("x",), rises=True)
-    yield spanned(
-        "x_stroke", path, "$x$", "in Teilen des Hubes|in strokes", "Hub|stroke", 4, PATH,
-        scale=lambda crank, numbers: 1 / crank.stroke(numbers), names=("s",), rises=True,
-    )  # fmt: skip
-    yield spanned(
-        "x_percent", path, "$x$", "in % des Hubes|in % of stroke", "% des Hubes|% of the stroke", 2, PATH,
-        scale=lambda crank, numbers: 100 / crank.stroke(numbers),
-    )  # fmt: skip
-    yield spanned("x_mm", path, "$x$", "$x$ in mm", "mm", 2, PATH, scale=Crank.millimetres, needs="length")
-    yield spanned("c", velocity, "$c$", "$c/v$", "$v$", 4, VELOCITY, names=("c",))
-    yield spanned(
-        "c_mps", velocity, "$c$", "$c$ in m/s", "m/s", 3, VELOCITY, scale=Crank.pin_velocity, needs="speed"
-    )
-    yield spanned("p", acceleration, "$p$", "$(p R)/v^2$", "v²/R", 4, ACCELERATION, names=("p",))
-    yield spanned(
-        "p_mps2", acceleration, "$p$", "$p$ in m/s²", "m/s²", 2, ACCELERATION, scale=Crank.pin_acceleration,
-        needs="speed",
-    )  # fmt: skip
-    yield spanned(
-        "psi", "Schubstangenwinkel|Rod angle", "$ψ$", "$ψ$ in °", "°", 3, ROD_ANGLE,
-        is_arc=True, bound=60.0, names=("psi", "ψ"),
-    )  # fmt: skip
-
-
-def _speed_entries() -> Iterator[Quantity]:
-    """Yield what is one number for the whole turn: its scale."""
-    for key, name, head, unit, printed, oblique, scale, needs in (
-        (
-            "v_mps", "Kurbelzapfengeschwindigkeit|Crank-pin velocity", "v", "m/s", " = (S π n)/60",
-            " = (R π n)/30", Crank.pin_velocity, "speed",
-        ),
-        (
-            "c_m_mps", "Mittlere Kolbengeschwindigkeit|Mean piston speed", "c_m", "m/s", " = (S n)/30",
-            " = (S n)/30", Crank.mean_velocity, "mean speed",
-        ),
-        (
-            "v_c_m", "Verhältnis der Geschwindigkeiten|Ratio of the velocities", "v:c_m", "", " = π:2",
-            " = π R:S", Crank.pin_to_mean, "",
-        ),
-    ):  # fmt: skip
-        one = Formula(lambda at: at.numbers.of(Fraction(1)), f"${head}{printed}$")
-        formulas = {
-            "exact": one,
-            "series": one,
-            "infinite": one,
-            OFFSET: one._replace(printed=f"${head}{oblique}$"),
-        }
-        yield spanned(
-            key, name, f"${head}$", f"${head}$" + (unit and f" in {unit}"), unit, 3 if unit else 4, formulas,
-            stroke=TURN, is_arc=not unit, scale=scale, needs=needs,
-        )  # fmt: skip
+    return {one.key: one for one in (*of_strokes, *speed_entries())}
 
 
 class Force(NamedTuple):
@@ -267,31 +142,3 @@ def _in_newtons(key: str, shares: Formulas) -> Formulas:
         return Formula(lambda at: at.acting(share.kernel(at)), share.printed)
 
     return {**{method: acting(one) for method, one in shares.items()}, LOADED: Formula(call)}
-
-
-def spanned(
-    key: str,
-    name: str,
-    symbol: Label,
-    heading: str,
-    unit: str,
-    decimals: int,
-    formulas: Formulas,
-    **rest: Any,
-) -> Quantity:  # fmt: skip
-    """Return an entry that stands under its name."""
-    return entry(key, name, symbol, unit, decimals, formulas, heading, spanners=(words(name),), **rest)
-
-
-def on_strokes(one: Quantity) -> Iterator[Quantity]:
-    """Yield the quantity on the outstroke and, as x_return_mm, on the return."""
-    stem = _UNIT.sub("", one.key)
-    for key, stroke in ((one.key, OUT), (f"{stem}_return{one.key.removeprefix(stem)}", RETURN)):
-        part = STROKES[stroke]
-        yield one._replace(
-            key=key,
-            spanners=(*one.spanners, part),
-            part=part,
-            stroke=stroke,
-            names=one.names if stroke == OUT else (),
-        )

@@ -11,7 +11,7 @@ from kurbel.kernel import linkage
 from kurbel.linkage.arc.rocker import STROKE
 from kurbel.linkage.linkage import At
 from kurbel.linkage.quantities import DECIMALS, FORCES, force_entries, force_formula
-from kurbel.motion.quantities import on_strokes, spanned
+from kurbel.motion.entries import on_strokes, spanned
 from kurbel.page.quantity import Formula, Quantity
 
 ANGLE_DECIMALS = 3
