@@ -13,14 +13,12 @@ from kurbel.drive.crank_forces import CRANK_FORCES
 from kurbel.engine.quantities import AT_ANGLE, EXTREMES, Where, engine_registry, value
 from kurbel.errors import CardError
 from kurbel.exact.certify import NEVER_TIES, TieBits, rounded
-from kurbel.exact.numerals import Number, finite_decimals, nearest
+from kurbel.exact.numerals import Number, figures, given, nearest
 from kurbel.page.quantity import Column, Quantity, bare
 
 if TYPE_CHECKING:
     from kurbel.engine.card.turn import CardTurn
 
-# A quantity with no decimals of its own is printed to so many figures.
-FIGURES = 5
 ESTIMATE_BITS = 80
 FLOAT_ERROR = 1e-12
 # A gain from which on the points are on a curve, not in a cloud.
@@ -166,19 +164,3 @@ def to_place(value: Fraction, decimals: int, rounding: str) -> Number | None:
         return nearest(value, decimals, rounding)
     tens = nearest(value / 10**-decimals, 0, rounding).scaled * 10**-decimals
     return Number(tens, 0) if tens else None
-
-
-def given(value: Fraction, decimals: int | None, rounding: str) -> Number:
-    """Return a rational value, as it was given where it is short: 50000, 120."""
-    if decimals is None:
-        exact, decimals = finite_decimals(value), figures(float(value))
-        decimals = decimals if exact is None else min(exact, decimals)
-    return nearest(value, decimals, rounding)
-
-
-def figures(value: float) -> int:
-    """Return the decimals that print so many figures of a value."""
-    # 9.99996 is 10.000 to five figures.
-    rounded_off = float(f"{value:.{FIGURES - 1}e}")
-    before_point = floor(log10(abs(rounded_off))) + 1 if value else 1
-    return max(0, FIGURES - before_point)

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from math import floor, log10
 from typing import NamedTuple
 
 ROUNDINGS = ("half-away", "half-even")
 MOST_DIGITS = 50
+# A quantity with no decimals of its own is printed to so many figures.
+FIGURES = 5
 
 DECIMALS = {"comma": ",", "point": "."}
 DECIMAL_OF_LANGUAGE = {"de": "comma", "en": "point"}
@@ -45,6 +48,22 @@ def finite_decimals(value: Fraction) -> int | None:
             power += 1
         count = max(count, power)
     return count if denominator == 1 else None
+
+
+def given(value: Fraction, decimals: int | None, rounding: str) -> Number:
+    """Return a rational value, as it was given where it is short: 50000, 120."""
+    if decimals is None:
+        exact, decimals = finite_decimals(value), figures(float(value))
+        decimals = decimals if exact is None else min(exact, decimals)
+    return nearest(value, decimals, rounding)
+
+
+def figures(value: float) -> int:
+    """Return the decimals that print so many figures of a value."""
+    # 9.99996 is 10.000 to five figures.
+    rounded_off = float(f"{value:.{FIGURES - 1}e}")
+    before_point = floor(log10(abs(rounded_off))) + 1 if value else 1
+    return max(0, FIGURES - before_point)
 
 
 def number_text(number: Number, mark: str = ".", minus: str = "-") -> str:

@@ -11,13 +11,13 @@ from typing import Any, NamedTuple
 from kurbel.engine import captions
 from kurbel.engine.axes import load_text
 from kurbel.engine.cylinder import AnyTurn
-from kurbel.engine.digits import Asked, error_number, estimate, estimated, given, settled
+from kurbel.engine.digits import Asked, error_number, estimate, estimated, settled
 from kurbel.engine.engine import Engine
 from kurbel.engine.page import ERROR, errors_beside
 from kurbel.engine.quantities import ENGINE_METHODS, Where
 from kurbel.engine.request import EngineRequest
 from kurbel.errors import ProblemError
-from kurbel.exact.numerals import Label, Number
+from kurbel.exact.numerals import Label, Number, given
 from kurbel.page.axes import Axis, ColumnAxis, ListAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, entry, words
 from kurbel.page.subject import Subject

@@ -11,11 +11,11 @@ import flint
 
 from kurbel.balance.arrangement import LENGTHS, Residual, certified_length
 from kurbel.balance.harmonics_page import EXACT_ZERO
-from kurbel.engine.digits import CLEAN, ESTIMATE_BITS, FLOAT_ERROR, Estimate, figures, given, supported
+from kurbel.engine.digits import CLEAN, ESTIMATE_BITS, FLOAT_ERROR, Estimate, supported
 from kurbel.engine.harmonics.fourier import PARTS, Floats, Spectrum, Wave
 from kurbel.engine.harmonics.quantities import PHASES, SPEED, STAR, At, star, value
 from kurbel.exact.certify import NEVER_TIES, rounded
-from kurbel.exact.numerals import Number
+from kurbel.exact.numerals import Number, figures, given
 from kurbel.kernel.balance import Star
 from kurbel.page.quantity import Column
 

@@ -1,0 +1,152 @@
+"""Products of powers: what multiplying, dividing and powers make of rational numbers, π and enclosed ones.
+
+Each is r^(1/n) π^p Π X^u with a rational r > 0; an X is known by its balls alone. Without one it is settled
+what it equals: π being transcendental, it is rational only where p = 0 and r has an exact root.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import reduce
+from math import lcm
+from operator import mul
+from typing import TYPE_CHECKING, Any
+
+import flint
+
+from kurbel.exact.kind import Kind, balls, settled
+from kurbel.exact.numerals import Number, figures, given
+
+if TYPE_CHECKING:
+    from flint import arb
+
+_NEAR_BITS = 80
+_SURE_BITS = 1000
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Enclosed:
+    """A positive number on any kind; one that is not `algebraic` lies on no rounding boundary."""
+
+    value: Callable[[Kind], Any]
+    algebraic: bool = False
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Product:
+    """r^(1/n) π^p Π X^u, positive."""
+
+    base: Fraction
+    root: int = 1
+    pi: Fraction = Fraction(0)
+    enclosed: tuple[tuple[Enclosed, Fraction], ...] = ()
+
+    @classmethod
+    def of(cls, value: Fraction | int, pi: int = 0) -> Product:
+        """Return a rational number above 0 times a power of π."""
+        assert value > 0
+        return cls(Fraction(value), pi=Fraction(pi))
+
+    @classmethod
+    def about(cls, value: Callable[[Kind], Any], algebraic: bool = False) -> Product:
+        """Return a number above 0 that is known by its balls."""
+        return cls(Fraction(1), enclosed=((Enclosed(value, algebraic), Fraction(1)),))
+
+    def __mul__(self, other: Product) -> Product:
+        root = lcm(self.root, other.root)
+        base = self.base ** (root // self.root) * other.base ** (root // other.root)
+        powers = dict(self.enclosed)
+        for one, power in other.enclosed:
+            powers[one] = powers.get(one, Fraction(0)) + power
+        left = tuple((one, power) for one, power in powers.items() if power)
+        return Product(*_reduced(base, root), self.pi + other.pi, left)
+
+    def __truediv__(self, other: Product) -> Product:
+        return self * other ** Fraction(-1)
+
+    def __pow__(self, power: Fraction) -> Product:
+        base, root = _reduced(self.base**power.numerator, self.root * power.denominator)
+        enclosed = tuple((one, own * power) for one, own in self.enclosed)
+        return Product(base, root, self.pi * power, enclosed)
+
+    def plus(self, other: Product, sign: int = 1) -> Product:
+        """Return the sum, or with sign -1 the difference, which must be above 0.
+
+        Of numbers whose ratio is rational it is exact. Else it is no rational number: powers of π, and roots
+        of rational numbers, whose ratios are not rational depend on each other by no rational factors.
+        """
+        share = (other / self).rational
+        if share is not None:
+            return self * Product.of(1 + sign * share)
+        return Product.about(lambda kind: self.on(kind) + sign * other.on(kind))
+
+    @property
+    def rational(self) -> Fraction | None:
+        """The number where it is known to be rational, else None."""
+        return self.base if self.root == 1 and not self.pi and not self.enclosed else None
+
+    def on(self, kind: Kind) -> Any:
+        """Return the number on a kind of numbers; on separation bounds only without a power of π."""
+        factors = [_power(kind.of(self.base), Fraction(1, self.root), kind)]
+        if self.pi:
+            factors.append(_power(kind.pi, self.pi, kind))
+        factors += (_power(one.value(kind), power, kind) for one, power in self.enclosed)
+        return reduce(mul, factors)
+
+    def ball(self, bits: int = _NEAR_BITS) -> arb:
+        """Return the ball around the number to about so many bits."""
+        with flint.ctx.workprec(bits):
+            near: arb = self.on(balls())
+        return near
+
+    def __float__(self) -> float:
+        return float(self.ball().mid())
+
+    def equals(self, other: Product) -> bool:
+        """Whether two numbers are one; of enclosed ones whether nothing tells them apart."""
+        quotient = self / other
+        if not quotient.enclosed:
+            return quotient.rational == 1
+        return bool(quotient.ball(_SURE_BITS).contains(1))
+
+    def exceeds(self, other: Product) -> bool:
+        """Whether a number is greater than another."""
+        return not self.equals(other) and bool((self / other).ball(_SURE_BITS) > 1)
+
+    def number(self, decimals: int | None, rounding: str, times: int = 1) -> Number:
+        """Return the number times a factor, rounded correctly; without decimals to five figures."""
+        scaled = self * Product.of(times)
+        if scaled.rational is not None:
+            return given(scaled.rational, decimals, rounding)
+        if decimals is None:
+            decimals = figures(float(scaled))
+        algebraic = bool(self.enclosed) and not self.pi and all(one.algebraic for one, _ in self.enclosed)
+        return Number(settled(scaled.on, decimals, rounding, algebraic), decimals)
+
+
+def _power(value: Any, power: Fraction, kind: Kind) -> Any:
+    return value if power == 1 else value ** kind.exponent(power)
+
+
+def _reduced(base: Fraction, root: int) -> tuple[Fraction, int]:
+    """Return the same number with the least root."""
+    for divisor in range(root, 1, -1):
+        if root % divisor == 0:
+            parts = [_exact_root(part, divisor) for part in (base.numerator, base.denominator)]
+            if all(parts):
+                return Fraction(parts[0] or 1, parts[1] or 1), root // divisor
+    return base, root
+
+
+def _exact_root(value: int, degree: int) -> int | None:
+    """Return the whole root of a number, None if it has none."""
+    low, high = 1, 1 << -(-value.bit_length() // degree)
+    while low <= high:
+        middle = (low + high) // 2
+        power = middle**degree
+        if power == value:
+            return middle
+        low, high = (middle + 1, high) if power < value else (low, middle - 1)
+    return None
