@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from decimal import Decimal
 from fractions import Fraction
 from typing import Any
 
 import pytest
-from hypothesis import example, given
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from kurbel.errors import KurbelError, NotationError
@@ -66,9 +67,57 @@ def test_a_decimal_is_read_back_from_what_plain_writes(value: Any) -> None:
     assert notation.number(notation.plain(exact, ",")) == exact
 
 
+decimals = st.decimals(allow_nan=False, allow_infinity=False, places=4, min_value=0, max_value=10**6)
+signs = st.sampled_from(["", "+", "-", "−"])
+marks = st.sampled_from(".,")
+
+
+@settings(max_examples=60)
+@given(signs, decimals, decimals.filter(bool), marks, st.sampled_from(["/", " / "]))
+def test_a_fraction_is_the_quotient_of_its_numbers(
+    sign: str, above: Decimal, below: Decimal, mark: str, bar: str
+) -> None:
+    written = f"{sign}{above}{bar}{below}".replace(".", mark)
+    quotient = Fraction(above) / Fraction(below) * (-1 if sign in "-−" and sign else 1)
+    assert notation.number(written) == quotient
+    assert notation.share(f"{written}%") == quotient / 100
+    assert notation.angle(f"{sign}{above}".replace(".", mark) + "°") == quotient * Fraction(below)
+
+
+@settings(max_examples=40)
+@given(signs, st.integers(0, 999), st.integers(0, 999), st.integers(1, 999))
+def test_a_mixed_number_is_the_sum_of_its_parts(sign: str, whole: int, above: int, below: int) -> None:
+    total = (whole + Fraction(above, below)) * (-1 if sign in "-−" and sign else 1)
+    assert notation.number(f"{sign}{whole} {above}/{below}") == total
+    assert notation.angle(f"{sign}{whole} {above}/{below}°") == total
+    assert notation.number(str(total)) == total
+
+
+@pytest.mark.parametrize("text", ["1/0", "-3/0.0", "2 1/0"])
+def test_a_fraction_over_nothing_is_refused(text: str) -> None:
+    assert sentence_of(notation.number, text) == f'number "{text}" is a fraction over 0, which is no number'
+
+
+@pytest.mark.parametrize("text", ["1/", "/3", "1/2/3", "1 1", "1 1/2.5", "1.5 1/2", "1//2", "½/"])
+def test_what_is_nearly_a_fraction_is_refused(text: str) -> None:
+    assert sentence_of(notation.number, text) == f'number "{text}" is not a number; write it as 4.5 or 4,5'
+
+
+def test_fractions_stand_in_lists_and_ranges() -> None:
+    assert notation.numbers(["1/3;2/3", "1..2:1/2"], "share") == (
+        Fraction(1, 3), Fraction(2, 3), Fraction(1), Fraction(3, 2), Fraction(2),
+    )  # fmt: skip
+    assert sentence_of(lambda text: notation.numbers([text], "share"), "1/3,2/3") == (
+        'share "1/3,2/3" has commas between its values; write the list as 1/3;2/3'
+    )
+
+
 @pytest.mark.parametrize(
     ("text", "value"),
     [
+        ("1:10/3", Fraction(3, 10)),
+        ("5/2:9", Fraction(5, 18)),
+        ("1:4 1/2", Fraction(2, 9)),
         ("1:5", Fraction(1, 5)),
         ("1:4,5", Fraction(2, 9)),
         ("1/4.5", Fraction(2, 9)),

@@ -45,6 +45,7 @@ from kurbel.reading.where import (
         ("psi = 2°30'", Condition("psi", VALUE, Fraction(5, 2))),
         ("ψ = -5", Condition("psi", VALUE, Fraction(-5))),
         ("x = 200mm", Condition("x", VALUE, Fraction(200), "mm")),
+        ("x = 3/8 in", Condition("x", VALUE, Fraction(3, 8), "in")),
         ("x = 2,5e1 mm", Condition("x", VALUE, Fraction(25), "mm")),
         ("c = 3 m/s", Condition("c", VALUE, Fraction(3), "m/s")),
         ("p = -50 m/s²", Condition("p", VALUE, Fraction(-50), "m/s²")),

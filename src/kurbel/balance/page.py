@@ -32,13 +32,12 @@ from kurbel.balance.harmonics_page import (
 from kurbel.balance.newtons import IN_NEWTONS, Weighed
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.numerals import Label, Number, finite_decimals
+from kurbel.exact.numerals import Label, Number, exact_text
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis, angle_text
 from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field
 from kurbel.reading.given import choose
-from kurbel.reading.notation import plain
 
 DEFAULT_ENGINE = "inline-4"
 DECIMALS, NEWTON_DECIMALS = 4, 1
@@ -253,7 +252,7 @@ def _notes(request: BalanceRequest) -> Iterator[Label]:
     lang, cylinders = request.lang, request.arrangement.cylinders
     yield from angle_notes(request.arrangement, lang)
     if len(cylinders) > 1:
-        yield WORDS["positions"][lang] + listed(_exact(one.position) for one in cylinders)
+        yield WORDS["positions"][lang] + listed(exact_text(one.position) for one in cylinders)
     yield WORDS["angles"][lang]
     yield WORDS["symbols"][lang]
     spacing = "spacing" if request.engine else "unit"
@@ -261,7 +260,7 @@ def _notes(request: BalanceRequest) -> Iterator[Label]:
     if request.weighed is not None:
         yield from request.weighed.notes(request.layout.ratio_symbol, lang)
     if request.arrangement.share:
-        yield WORDS["share"][lang].format(share=f"${_exact(request.arrangement.share)}$")
+        yield WORDS["share"][lang].format(share=f"${exact_text(request.arrangement.share)}$")
     yield WORDS["zero"][lang]
     yield from series_notes(request)
 
@@ -277,10 +276,6 @@ def angle_notes(arrangement: Arrangement, lang: str) -> Iterator[Label]:
 def listed(values: Iterable[str]) -> Label:
     """Return values in a row: $0°$; $180°$."""
     return "; ".join(f"${value}$" for value in values)
-
-
-def _exact(value: Fraction) -> str:
-    return str(value) if finite_decimals(value) is None else plain(value)
 
 
 SUBJECT = Subject(

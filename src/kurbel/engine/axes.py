@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.drive.load import CARD, COMPRESSOR, GAS, PUMP, STEAM
 from kurbel.engine.quantities import SPANS
-from kurbel.exact.numerals import Label, Number, finite_decimals, nearest
+from kurbel.exact.numerals import Label, Number, exact_text, finite_decimals, nearest
 from kurbel.page.axes import Axis, ListAxis, Place, angle_decimals, angle_number
 from kurbel.page.quantity import Words, words
 from kurbel.page.table import Field
@@ -158,13 +158,13 @@ def number_label(number: Fraction) -> Label:
 
 def millimetres(length: Fraction) -> Label:
     """Return a length as it stands in a formula."""
-    return f'{plain(1000 * length)} "mm"'
+    return f'{exact_text(1000 * length)} "mm"'
 
 
 def kilopascals(load: Load, times: Fraction = Fraction(1)) -> Label:
     """Return the pressure that Q is of, or a multiple of it, as it stands in a formula."""
     assert load.pressure is not None
-    return f'{plain(load.pressure * times / 1000)} "kPa"'
+    return f'{exact_text(load.pressure * times / 1000)} "kPa"'
 
 
 def _steam_lines(request: EngineRequest, lang: str) -> Iterator[Label]:
@@ -174,11 +174,11 @@ def _steam_lines(request: EngineRequest, lang: str) -> Iterator[Label]:
     elif steam.exponent == 1:
         yield WORDS["mariotte"][lang]
     else:
-        yield WORDS["polytropic"][lang].format(exponent=plain(steam.exponent))
+        yield WORDS["polytropic"][lang].format(exponent=exact_text(steam.exponent))
     if steam.clearance:
-        yield WORDS["clearance"][lang].format(clearance=plain(steam.clearance))
+        yield WORDS["clearance"][lang].format(clearance=exact_text(steam.clearance))
     if steam.back is not None:
-        yield WORDS["back"][lang].format(back=f"{plain(steam.back)} Q" if steam.back else "0")
+        yield WORDS["back"][lang].format(back=f"{exact_text(steam.back)} Q" if steam.back else "0")
     else:
         yield WORDS["best" if steam.exponent == 1 and not steam.clearance else "best_end"][lang]
 

@@ -9,7 +9,7 @@ from kurbel.engine.axes import load_label, named_load
 from kurbel.engine.loads import work
 from kurbel.engine.quantities import AT_ANGLE, ENGINE_METHODS, EXTREMES, FORCES
 from kurbel.engine.request import BY_STROKE, OF_FORCES, OF_IRREGULARITY, OF_LOAD, OVER_ANGLE, EngineRequest
-from kurbel.exact.numerals import Label, Number, number_text
+from kurbel.exact.numerals import Label, Number, exact_text, number_text
 from kurbel.page.quantity import AND, FOR, Quantity, enumerated_letters, filled, words
 from kurbel.page.table import Note
 from kurbel.reading.notation import plain, ratio_text
@@ -151,7 +151,7 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
             yield WORDS["true_inertia"][lang]
         radius = request.flywheels[0].radius
         if radius is not None:
-            yield WORDS["radius"][lang].format(radius=plain(radius))
+            yield WORDS["radius"][lang].format(radius=exact_text(radius))
     if subject in BY_STROKE:
         yield WORDS["turn" if request.first.plain else "whole_turn"][lang]
     if subject in (*BY_STROKE, *OF_FORCES, *OF_LOAD, *OVER_ANGLE) or any(
@@ -205,7 +205,7 @@ def _sized(request: EngineRequest) -> Label:
     assert crank.speed is not None
     if request.assembly is not None:
         return turns_label(crank.speed)
-    radius = f'${request.layout.ratio_symbol[0]} = {plain(1000 * crank.radius)} "mm"$'
+    radius = f'${request.layout.ratio_symbol[0]} = {exact_text(1000 * crank.radius)} "mm"$'
     return f"{radius}, {turns_label(crank.speed)}"
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from decimal import Context, Decimal
 from fractions import Fraction
 from math import floor, log10
 from typing import NamedTuple
@@ -10,6 +11,8 @@ ROUNDINGS = ("half-away", "half-even")
 MOST_DIGITS = 50
 # A quantity with no decimals of its own is printed to so many figures.
 FIGURES = 5
+# What is longer is written as a fraction.
+LONGEST_EXACT = 60
 
 DECIMALS = {"comma": ",", "point": "."}
 DECIMAL_OF_LANGUAGE = {"de": "comma", "en": "point"}
@@ -76,6 +79,39 @@ def number_text(number: Number, mark: str = ".", minus: str = "-") -> str:
     if not number.decimals:
         return sign + digits
     return f"{sign}{digits[: -number.decimals]}{mark}{digits[-number.decimals :]}"
+
+
+def ratio_text(value: Fraction, mark: str = ".") -> str:
+    """Return the ratio as books print it: 1:5, 1:4.5, 3:7, 1:∞."""
+    if not value:
+        return "1:∞"
+    if finite_decimals(1 / value) is not None:
+        return f"1:{plain(1 / value, mark)}"
+    return f"{value.numerator}:{value.denominator}"
+
+
+def plain(value: Fraction, mark: str = ".", minus: str = "-") -> str:
+    """Return the shortest exact decimal, or the value to 15 places where none is exact."""
+    decimals = finite_decimals(value)
+    if decimals is not None and decimals <= LONGEST_EXACT:
+        return number_text(nearest(value, decimals), mark, minus)
+    return number_text(nearest(value, 15), mark, minus)
+
+
+def about(value: Fraction) -> str:
+    """Return the value for a message: exact where that is short, else "1e-300" or 0.333333333333333."""
+    exact = plain(value)
+    if finite_decimals(value) is not None and len(exact) <= 20 and bool(value) == (exact.strip("-0.") != ""):
+        return exact
+    shortened = Decimal(value.numerator) / value.denominator
+    return f"{shortened.normalize(Context(prec=15)):g}"
+
+
+def exact_text(value: Fraction, mark: str = ".") -> str:
+    """Return the shortest exact decimal, or the fraction where none is exact or short: 0.25, 1/6."""
+    decimals = finite_decimals(value)
+    text = "" if decimals is None or decimals > LONGEST_EXACT else number_text(nearest(value, decimals), mark)
+    return text if 0 < len(text) <= LONGEST_EXACT else f"{value.numerator}/{value.denominator}"
 
 
 def degrees_text(angle: Fraction, mark: str = ".", minus: str = "-") -> str:

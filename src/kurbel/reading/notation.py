@@ -1,17 +1,18 @@
-"""Text to exact numbers, and back, as engineers write them: 1:4,5  2..6:0.5  2°30'  0..180:10."""
+"""Text to exact numbers, and back, as engineers write them: 1:4,5  1/3  2..6:0.5  2°30'  0..180:10."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from decimal import Context, Decimal
 from fractions import Fraction
 from functools import partial
 from typing import Any
 
 from kurbel.errors import NotationError
-from kurbel.exact.numerals import finite_decimals, nearest, number_text
+from kurbel.exact.numerals import about as about
+from kurbel.exact.numerals import plain as plain
+from kurbel.exact.numerals import ratio_text as ratio_text
 
 LONGEST_NUMBER = 60
 # A range is three numbers; a longer text would keep the patterns of ranges busy for minutes.
@@ -22,10 +23,16 @@ MOST_ROWS = 10**9
 
 # Pages print U+2212 for minus, and what is copied from them is read back.
 _MINUS = ("-", "−")
-_NUMBER = re.compile(r"([+−-]?)(\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE]([+-]?\d{1,3}))?", re.ASCII)
+_DECIMAL = r"(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d{1,3})?"
+_SIGN = "[+−-]?"
+_NUMERAL = re.compile(
+    rf"({_SIGN})(?:(\d+)\s+(?=\d+/\d+$))?({_DECIMAL})(?:\s*/\s*({_SIGN}{_DECIMAL}))?", re.ASCII
+)
+# A number without a sign where further text follows, such as the degrees before their mark.
+_PART = r"(?:(?:\d+\s+)?\d+/\d+|\d+(?:[.,]\d+)?)"
 _ANGLE = re.compile(
-    r"([+−-]?)(?:(?P<deg>\d+(?:[.,]\d+)?)\s*(?:°|deg))?\s*"
-    r"(?:(?P<min>\d+(?:[.,]\d+)?)\s*['′’])?\s*(?:(?P<sec>\d+(?:[.,]\d+)?)\s*(?:\"|″|''))?",
+    rf"([+−-]?)(?:(?P<deg>{_PART})\s*(?:°|deg))?\s*"
+    rf"(?:(?P<min>{_PART})\s*['′’])?\s*(?:(?P<sec>{_PART})\s*(?:\"|″|''))?",
     re.ASCII,
 )
 _WHOLE = re.compile(r"[+-]?\d+", re.ASCII)
@@ -53,23 +60,36 @@ class Progression(Sequence[Fraction]):
 
 
 def number(text: str, what: str = "number") -> Fraction:
-    """Return the exact value of a decimal: "4,5", "4.5", "-2e-3"."""
+    """Return the exact value of a number: "4,5", "4.5", "-2e-3", "1/3", "1 1/2"."""
     stripped = text.strip()
-    if len(stripped) > LONGEST_NUMBER:
+    if max(map(len, stripped.split("/", 1))) > LONGEST_NUMBER:
         raise NotationError(
             f"{what} {quoted(text)} has {len(stripped)} characters; at most {LONGEST_NUMBER} are read"
         )
-    match = _NUMBER.fullmatch(stripped)
+    match = _NUMERAL.fullmatch(stripped)
     if match is None:
         raise NotationError(f"{what} {quoted(text)} is not a number; write it as 4.5 or 4,5")
-    sign, digits, exponent = match.groups()
-    value = Fraction(digits.replace(",", ".")) * Fraction(10) ** int(exponent or 0)
+    try:
+        return _value_of(match)
+    except ZeroDivisionError:
+        raise NotationError(f"{what} {quoted(text)} is a fraction over 0, which is no number") from None
+
+
+def _value_of(match: re.Match[str]) -> Fraction:
+    sign, whole, above, below = match.groups()
+    value = int(whole or 0) + _decimal(above) / _decimal(below or "1")
     return -value if sign in _MINUS else value
 
 
+def _decimal(text: str) -> Fraction:
+    digits, _, exponent = text.replace(",", ".").replace("−", "-").lower().partition("e")
+    return Fraction(digits) * Fraction(10) ** int(exponent or 0)
+
+
 def ratio(text: str) -> Fraction:
-    """Return λ = R/L from "1:5", "1:4,5", "1/4.5", "2:9", "0.2"; "1:∞" is the infinite rod, 0."""
-    parts = re.split(r"[:/∶]", text.strip())
+    """Return λ = R/L from "1:5", "1:4,5", "1/4.5", "2:9", "1:10/3", "0.2"; "1:∞" is the infinite rod, 0."""
+    # A slash parts R from L, too, but where a colon does it belongs to a fraction.
+    parts = re.split(r"[:∶]" if re.search("[:∶]", text) else "/", text.strip())
     try:
         if len(parts) == 1:
             return number(parts[0])
@@ -138,7 +158,7 @@ def each_number(texts: Iterable[str], what: str) -> tuple[Fraction, ...]:
 
 
 def share(text: str, what: str = "share") -> Fraction:
-    """Return a share: "0.05", "0,05", "5%"."""
+    """Return a share: "0.05", "0,05", "1/20", "5%"."""
     stripped = text.strip()
     if not stripped.endswith("%"):
         return number(stripped, what)
@@ -167,32 +187,6 @@ def progression(start: Fraction, stop: Fraction, step: Fraction, what: str = "an
             f"step {about(step)} makes a table of {about(Fraction(count))} rows; at most 10^9 are allowed"
         )
     return Progression(start, step, count)
-
-
-def ratio_text(value: Fraction, mark: str = ".") -> str:
-    """Return the ratio as books print it: 1:5, 1:4.5, 3:7, 1:∞."""
-    if not value:
-        return "1:∞"
-    if finite_decimals(1 / value) is not None:
-        return f"1:{plain(1 / value, mark)}"
-    return f"{value.numerator}:{value.denominator}"
-
-
-def plain(value: Fraction, mark: str = ".", minus: str = "-") -> str:
-    """Return the shortest exact decimal, or the value to 15 places where none is exact."""
-    decimals = finite_decimals(value)
-    if decimals is not None and decimals <= LONGEST_NUMBER:
-        return number_text(nearest(value, decimals), mark, minus)
-    return number_text(nearest(value, 15), mark, minus)
-
-
-def about(value: Fraction) -> str:
-    """Return the value for a message: exact where that is short, else "1e-300" or 0.333333333333333."""
-    exact = plain(value)
-    if finite_decimals(value) is not None and len(exact) <= 20 and bool(value) == (exact.strip("-0.") != ""):
-        return exact
-    shortened = Decimal(value.numerator) / value.denominator
-    return f"{shortened.normalize(Context(prec=15)):g}"
 
 
 def _values(
@@ -254,7 +248,7 @@ def _is_read(text: str, read: Callable[[str], Fraction]) -> bool:
 
 def _ratio_range(text: str) -> Sequence[Fraction]:
     """1:3..6:0.5 and 1:3..1:6 step the rod length L/R; 0.2..0.3:0.05 steps the ratio itself."""
-    match = re.fullmatch(r"(?:(1)\s*[:/])?([^:/]+)\.\.(?:1\s*[:/](?=.))?([^:/]+)(?::([^:/]+))?", text)
+    match = re.fullmatch(r"(?:(1)\s*[:/])?([^:/]+)\.\.(?:1\s*[:/](?=.))?([^:/]+)(?::([^:]+))?", text)
     if match is None:
         raise NotationError(
             f"crank ratio {quoted(text)} is not a range; write it as 1:3..6, 1:3..6:0.5 or 0.2..0.3:0.05"

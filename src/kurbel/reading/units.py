@@ -1,4 +1,4 @@
-"""Lengths, speeds and powers with their units, exact: 600mm, 23.5 inch, 120/min, 12.5 rad/s, 50kW.
+"""Lengths, speeds and powers with their units, exact: 600mm, 3/8 in, 120/min, 12.5 rad/s, 50kW.
 
 The units of everyday are known; all others need the extra `units`, whose registry takes a second to load.
 """
@@ -20,9 +20,11 @@ def _scaled(units: Mapping[str, int | str]) -> Mapping[str, Fraction]:
     return {unit: Fraction(scale) for unit, scale in units.items()}
 
 
+# What stands before a unit, read as a number or refused as one: in 10 1/s the fraction belongs to the unit.
+BEFORE_UNIT = r"[+−-]?(?:\d+\s+(?=\d+/\d))?[\d.,]+(?:[eE][+-]?\d+)?(?:\s*/\s*[\d.,]+(?:[eE][+-]?\d+)?)?"
 # The number is read by kurbel, for pint would evaluate 9**9**9; the unit may not compute either.
 _MEASURE = re.compile(
-    r"\s*([+-]?[\d.,]+(?:[eE][+-]?\d+)?)\s*"
+    rf"\s*({BEFORE_UNIT})\s*"
     r"(/?\s*[A-Za-zµ_]+(?:\s*[/*·]\s*[A-Za-zµ]+)*|1\s*/\s*[A-Za-z]+)?\s*"
 )
 _LONGEST = 80

@@ -8,10 +8,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from kurbel.errors import NotationError
-from kurbel.exact.numerals import degrees_text, finite_decimals
+from kurbel.exact.numerals import degrees_text, exact_text, finite_decimals
 from kurbel.reading import notation
 from kurbel.reading.given import choose
-from kurbel.reading.notation import LONGEST_NUMBER, plain
+from kurbel.reading.notation import LONGEST_NUMBER
+from kurbel.reading.units import BEFORE_UNIT
 
 GRAMMAR = 'write it as p=0, s=25%, x=1.1, "x = 200 mm", c=max, p=min or "p = 1/6 of dead centre"'
 # What a condition can ask beside a number.
@@ -27,8 +28,7 @@ SMALLEST, LARGEST = Fraction(1, 10**30), Fraction(10**30)
 
 _CONDITION = re.compile(r"\s*([^\s=<>]+)\s*=\s*([^=]*?)\s*")
 _OF_DEAD_CENTRE = re.compile(r"(.*?)\s*\bof\s+(?:the\s+)?dead\s+cent(?:re|er)")
-_FRACTION = re.compile(r"([^/]+)/([^/]+)")
-_MEASURE = re.compile(r"[+−-]?[\d.,]+(?:[eE][+-]?\d+)?\s*((?![eE][+-]?\d)[A-Za-zµ].*)")
+_MEASURE = re.compile(rf"{BEFORE_UNIT}\s*((?![eE][+-]?\d|of\b)[A-Za-zµ].*)")
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,13 +60,6 @@ class Condition:
         if self.quantity in ANGLES and finite_decimals(self.value) is None:
             return degrees_text(self.value, mark)
         return exact_text(self.value, mark)
-
-
-def exact_text(value: Fraction, mark: str = ".") -> str:
-    """Return the shortest exact decimal, or the fraction where none is exact: 0.25, 1/6."""
-    if finite_decimals(value) is not None and len(plain(value)) <= LONGEST_NUMBER:
-        return plain(value, mark)
-    return f"{value.numerator}/{value.denominator}"
 
 
 def read_condition(
@@ -110,20 +103,11 @@ def _of_dead_centre(quantity: str, share: str, shown: str) -> Condition:
 
 
 def _number(text: str, shown: str) -> Fraction:
-    """Return a number, a percentage or a fraction of two numbers: 0.25, 25%, -1/6."""
+    """Return a number or a percentage: 0.25, 25%, -1/6."""
     try:
-        value = _exact(text)
-    except (NotationError, ZeroDivisionError):
+        value = notation.share(text, "share")
+    except NotationError:
         raise NotationError(f"{shown} cannot be read; {GRAMMAR}") from None
     if value and not SMALLEST <= abs(value) <= LARGEST:
         raise NotationError(f"{shown} is out of range; a value is 0 or within 10^-30 and 10^30")
     return value
-
-
-def _exact(text: str) -> Fraction:
-    if text.endswith("%"):
-        return notation.share(text, "share")
-    if match := _FRACTION.fullmatch(text):
-        above, below = (notation.number(part) for part in match.groups())
-        return above / below
-    return notation.number(text)

@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING
 
 from kurbel.exact.closed_form import ClosedForm, closed_forms, form_text, is_at
 from kurbel.exact.course import Target
-from kurbel.exact.numerals import Label, degrees_text, finite_decimals
+from kurbel.exact.numerals import Label, degrees_text, exact_text, finite_decimals
 from kurbel.motion.drives import Drive
 from kurbel.motion.evaluation import METHODS, RETURN, STROKES
 from kurbel.motion.quantities import registry
 from kurbel.page.quantity import AND, Column, Words, bare, words
 from kurbel.reading.notation import ratio_text
-from kurbel.reading.where import ANGLES, DEAD_CENTRE, MAX, MIN, SHARE, Condition, exact_text
+from kurbel.reading.where import ANGLES, DEAD_CENTRE, MAX, MIN, SHARE, Condition
 from kurbel.solve.solve import Root, target_of
 
 if TYPE_CHECKING:

@@ -18,13 +18,13 @@ from kurbel.engine.ties import limit_ties
 from kurbel.engine.turn import Turn
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import NEVER_TIES, TieBits, rounded
-from kurbel.exact.numerals import Label, Number, degrees_text, nearest
+from kurbel.exact.numerals import Label, Number, degrees_text, exact_text, nearest
 from kurbel.page.axes import PHI, Axis, ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, filled, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field, Note
-from kurbel.reading.where import MAX, MIN, VALUE, Condition, exact_text
+from kurbel.reading.where import MAX, MIN, VALUE, Condition
 from kurbel.solve.captions import WORDS as SOLVED
 from kurbel.solve.loaded import ASKED, Loaded, measured
 

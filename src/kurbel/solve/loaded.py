@@ -21,10 +21,9 @@ from kurbel.engine.turn import EQUAL_BITS, Turn
 from kurbel.errors import NoRootError, ProblemError
 from kurbel.exact.certify import ball
 from kurbel.exact.jet import Jet
-from kurbel.exact.numerals import nearest, number_text
+from kurbel.exact.numerals import exact_text, nearest, number_text
 from kurbel.exact.place import fraction
 from kurbel.reading import units
-from kurbel.reading.notation import plain
 from kurbel.reading.where import MAX, MIN, Condition
 
 TORQUE = "torque"
@@ -140,7 +139,7 @@ class Loaded:
 def measured(condition: Condition) -> Fraction:
     """Return the value of a condition with a unit in N or N m."""
     asked = ASKED[condition.quantity]
-    return asked.read(f"{plain(condition.value)} {condition.unit}", condition.quantity)
+    return asked.read(f"{exact_text(condition.value)} {condition.unit}", condition.quantity)
 
 
 def _crank_force(force: CrankForce, segment: Segment, half_turns: arb) -> Jet:

@@ -12,12 +12,11 @@ from kurbel.errors import NoRootError, ProblemError
 from kurbel.exact.certify import NEVER_TIES, ball, ball_circle, pi, rounded
 from kurbel.exact.closed_form import closed_forms, form_text
 from kurbel.exact.course import Course, Target
-from kurbel.exact.numerals import MOST_DIGITS, Number, nearest, number_text
+from kurbel.exact.numerals import MOST_DIGITS, Number, exact_text, nearest, number_text
 from kurbel.exact.place import Place
 from kurbel.motion.drives import Drive
 from kurbel.motion.evaluation import NEEDS, OUT, RETURN
 from kurbel.reading import units
-from kurbel.reading.notation import plain
 from kurbel.reading.where import (
     DEAD_CENTRE,
     MAX,
@@ -91,7 +90,7 @@ def read_on(drive: Drive, text: str) -> Condition:
         options = " and ".join(NEEDS[drive.entries[column].needs])
         raise ProblemError(f'condition "{found}" is in {found.unit} and needs {options}')
     reader = units.signed_torque if found.quantity == TORQUE else units.signed_force
-    value = reader(f"{plain(found.value)} {found.unit}", found.quantity)
+    value = reader(f"{exact_text(found.value)} {found.unit}", found.quantity)
     return Condition(column, VALUE, value)
 
 
@@ -169,7 +168,7 @@ class Measure(NamedTuple):
 
     def metres(self, condition: Condition) -> Fraction:
         """Return the value of the condition in metres and seconds."""
-        return self.read(f"{plain(condition.value)} {condition.unit}", condition.quantity)
+        return self.read(f"{exact_text(condition.value)} {condition.unit}", condition.quantity)
 
     def target(self, crank: Crank, condition: Condition) -> Target:
         assert crank.radius is not None

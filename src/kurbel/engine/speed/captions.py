@@ -7,11 +7,10 @@ from collections.abc import Iterator
 from kurbel.drive.wheel import SQUARE, Wheel
 from kurbel.engine import captions
 from kurbel.engine.request import EngineRequest
-from kurbel.exact.numerals import Label
+from kurbel.exact.numerals import Label, exact_text
 from kurbel.motion.captions import turns_label
 from kurbel.page.quantity import words
 from kurbel.page.table import Note
-from kurbel.reading.notation import plain
 
 WORDS = {
     "root": words("$v/v_1 = sqrt(1 + 2 W/(m_1 v_1^2))$"),
@@ -79,11 +78,11 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
 
 def _wheel(request: EngineRequest, wheel: Wheel, lang: str) -> Iterator[Label]:
     if wheel.number is not None:
-        yield f"$(m_1 v_1^2)/(P r) = {plain(wheel.number)}$"
+        yield f"$(m_1 v_1^2)/(P r) = {exact_text(wheel.number)}$"
     if wheel.inertia is not None:
-        yield f'$J = {plain(wheel.inertia)} "kg m"^2$'
+        yield f'$J = {exact_text(wheel.inertia)} "kg m"^2$'
     if wheel.speed is not None:
         yield f"{turns_label(wheel.speed)}, {WORDS['mean'][lang]}"
     if wheel.power is not None and wheel.inertia is not None:
-        yield f'$N = {plain(wheel.power)} "W"$'
+        yield f'$N = {exact_text(wheel.power)} "W"$'
     yield WORDS["constant_driven" if request.driven else wheel.resistance][lang]

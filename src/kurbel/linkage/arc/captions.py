@@ -5,12 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import partial
 from typing import Any
 
 from kurbel.exact.kind import Kind
-from kurbel.exact.numerals import Label, finite_decimals
+from kurbel.exact.numerals import Label, exact_text
 from kurbel.linkage.arc.crank import ArcCrank
 from kurbel.linkage.arc.quantities import LEFT
 from kurbel.linkage.arc.rocker import RockerCrank
@@ -20,7 +19,7 @@ from kurbel.motion.captions import WORDS as MOTION_WORDS
 from kurbel.motion.captions import digits_text
 from kurbel.motion.evaluation import LOADED, OUT, RETURN
 from kurbel.page.quantity import Words, filled, words
-from kurbel.reading.notation import plain, ratio_text
+from kurbel.reading.notation import ratio_text
 
 # {±} belongs to the stroke, {β±} to the stroke and the side of the pivot, {β+} and {β-} to that side alone.
 CLOSURE = "${lead}R cos φ + L cos ψ = D {β+} B sin θ$, ${lead}R sin φ - L sin ψ = H {β-} B cos θ$"
@@ -81,7 +80,7 @@ class Speech:
         """Return the layout's caption with its quantities and the lengths that all drives have in common."""
         drives = request.drives
         ratio = [f"$R:L = {ratio_text(drives[0].crank.ratio)}$"] if len(drives) == 1 else []
-        common = ", ".join([*ratio, f"${drives[0].letter} = {length_text(drives[0].rocker)} R$"])
+        common = ", ".join([*ratio, f"${drives[0].letter} = {exact_text(drives[0].rocker)} R$"])
         return captioned(request, for_drive=self.words["for"][request.lang].format(drive=common))
 
     def notes(self, request: LinkageRequest) -> Iterator[Label]:
@@ -172,12 +171,7 @@ def _lengths(drive: ArcCrank) -> Mapping[str, Label | None]:
     ratio = drive.crank.ratio
     distance = drive.distance or (1 / ratio if ratio else None)
     lengths = {"B": drive.rocker, "D": distance, "H": drive.pivot_height}
-    return {letter: None if one is None else length_text(one) for letter, one in lengths.items()}
-
-
-def length_text(length: Fraction) -> str:
-    """Return a length as it is printed, exactly."""
-    return str(length) if finite_decimals(length) is None else plain(length)
+    return {letter: None if one is None else exact_text(one) for letter, one in lengths.items()}
 
 
 def printed(value: Callable[[Kind], Any], decimals: int) -> str:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from kurbel.exact.numerals import Label
+from kurbel.exact.numerals import Label, exact_text
 from kurbel.linkage.arc.captions import WORDS as ARC_WORDS
-from kurbel.linkage.arc.captions import Speech, length_text, printed
+from kurbel.linkage.arc.captions import Speech, printed
 from kurbel.linkage.arc.names import NAMES as ARC_NAMES
 from kurbel.linkage.beam.crank import BeamCrank
 from kurbel.linkage.quantities import FORCES
@@ -87,7 +87,7 @@ WORDS: Mapping[str, Words] = {
 
 def _lengths(drive: BeamCrank) -> Mapping[str, Label | None]:
     height = printed(drive.height, PLACES) if drive.crank.ratio else None
-    return {"a": length_text(drive.arm), "D": height, "H": printed(drive.distance, PLACES)}
+    return {"a": exact_text(drive.arm), "D": height, "H": printed(drive.distance, PLACES)}
 
 
 SPEECH = Speech(WORDS, _lengths, further=("piston", "swing"))
