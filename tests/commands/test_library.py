@@ -13,7 +13,7 @@ import kurbel
 import kurbel.commands.numbers
 
 
-@pytest.mark.parametrize(("module", "examples"), [(kurbel, 4), (kurbel.commands.numbers, 4)])
+@pytest.mark.parametrize(("module", "examples"), [(kurbel, 4), (kurbel.commands.numbers, 6)])
 def test_the_examples_of_the_docstrings_are_true(module: object, examples: int) -> None:
     result = doctest.testmod(module)  # type: ignore[arg-type]
     assert (result.failed, result.attempted) == (0, examples)

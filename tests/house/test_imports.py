@@ -150,6 +150,8 @@ RUN = "import sys\nsys.argv[0] = 'kurbel'\nfrom kurbel.cli import main\nmain()"
 
 # Modules about arrays or drawings and nothing else, which others import inside functions.
 ARRAYS = within("kurbel.plot", set(MODULES)) - {"kurbel.plot", "kurbel.plot.style", "kurbel.plot.ticks"} | {
+    "kurbel.commands.arrays.asked",
+    "kurbel.engine.arrays",
     "kurbel.engine.card.force",
     "kurbel.engine.card.turn",
     "kurbel.engine.irregularity",

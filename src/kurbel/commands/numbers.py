@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from decimal import Context, Decimal
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from kurbel.drive.crank import LARGEST_ANGLE, Crank, check_angles
 from kurbel.errors import NotationError, ProblemError
@@ -54,32 +54,54 @@ def certified(
 
 def compute(
     angles: ArrayLike,
-    ratio: Exact,
+    ratio: Exact | None = None,
     columns: str | Sequence[str] = ("x", "c", "p"),
     *,
     method: str = "exact",
     offset: Exact = 0,
+    **given: Any,
 ) -> dict[str, NDArray[np.float64]]:
     """Return each quantity as an array of floats of the shape of `angles`, in degrees.
 
+    `columns` are keys of `kurbel quantities` that are of a crank angle, and `given` the options of `table`,
+    `forces_table`, `inertia_table` or `turning_table` that they need: lengths, speed, force, masses, another
+    mechanism, steam and other loads. Units are those of the columns; angles beyond a turn go on.
+
     Bulk: NumPy on all cores, memory bounded by the output and a fixed block a core. For the straight
     crank x, c and ψ are at most 2 units in the last place from the true value up to R:L = 1:3, and p at
-    most 2 units of max(|p|, 1); `kurbel.kernel.kinematics` states the bounds beyond. Raises KurbelError.
+    most 2 units of max(|p|, 1); `kurbel.kernel.kinematics` states the bounds beyond. At a dead centre, where
+    a load changes sides, a value is that of the stroke that begins. Raises KurbelError.
 
     >>> compute([0, 90, 180], "1:5")["p"].tolist()
     [1.2, -0.20412414523193154, -0.8]
+    >>> compute([30, 60], "1:4", "torque_nm", stroke="600mm", force="10kN")["torque_nm"].round(1).tolist()
+    [1827.3, 2930.7]
+    >>> compute([30, 60], "1:5", "tangential", eps=4)["tangential"].round(4).tolist()
+    [0.4403, 0.5902]
     """
+    degrees, keys = _degrees(angles), as_names(columns)
+    choose(method, METHODS, "method")
+    if not given and {*keys} <= {*_plain(), None}:
+        rows: Iterable[NDArray[np.float64]] = _of_motion(keys, degrees.ravel(), ratio, method, offset)
+    else:
+        from kurbel.commands.arrays.asked import arrays
+
+        told = {"ratio": ratio, "offset": offset or None, "method": None if method == "exact" else method}
+        about = {**{name: one for name, one in told.items() if one is not None}, **given}
+        rows = arrays(keys, degrees.ravel(), about)
+    return {key: row.reshape(degrees.shape) for key, row in zip(keys, rows, strict=True)}
+
+
+def _of_motion(
+    keys: Sequence[str], degrees: NDArray[np.float64], ratio: Exact | None, method: str, offset: Exact
+) -> NDArray[np.float64]:
     from kurbel.exact.bulk import evaluate
     from kurbel.motion.bulk import on_floats
-    from kurbel.page.quantity import bare
 
+    if ratio is None:
+        raise ProblemError("compute needs the crank ratio; write it as 1:5")
     crank = Crank(as_ratio(ratio), as_fraction(offset))
-    degrees = _degrees(angles)
-    choose(method, METHODS, "method")
-    columns = as_names(columns)
-    chosen = [bare(_quantity(key), method, 0) for key in columns]
-    rows = evaluate([on_floats(column, crank) for column in chosen], degrees.ravel())
-    return {key: row.reshape(degrees.shape) for key, row in zip(columns, rows, strict=True)}
+    return evaluate([on_floats(bare(_quantity(key), method, 0), crank) for key in keys], degrees)
 
 
 def typeset(
@@ -108,8 +130,11 @@ def typeset(
 
 
 def _quantity(key: str) -> Quantity:
-    plain = [name for name, quantity in registry().items() if not quantity.needs]
-    return registry()[choose(key, plain, "quantity")]
+    return registry()[choose(key, _plain(), "quantity")]
+
+
+def _plain() -> list[str]:
+    return [name for name, quantity in registry().items() if not quantity.needs]
 
 
 def _degrees(angles: ArrayLike) -> NDArray[np.float64]:

@@ -45,11 +45,10 @@ class LinkageRequest(AngleQuestion):
     def missing(self, quantity: Quantity) -> str:
         return needed(quantity, [drive.crank for drive in self.drives])
 
-    def curves(self, degrees: Any) -> list[list[list[float]]]:
+    def curves(self, degrees: Any) -> list[list[Any]]:
         at, kind = circle(degrees), floats()
         return [
-            [value(column.quantity, drive, at, kind).tolist() for drive in self.drives]
-            for column in self.page_columns
+            [value(column.quantity, drive, at, kind) for drive in self.drives] for column in self.page_columns
         ]
 
 

@@ -62,8 +62,8 @@ class AngleQuestion(Question, ABC):
         """The ratios of the drives, where they have one."""
 
     @abstractmethod
-    def curves(self, degrees: Any) -> list[list[list[float]]]:
-        """Return the values of every column for every drive at an array of angles, in floats."""
+    def curves(self, degrees: Any) -> list[list[Any]]:
+        """Return the values of every column for every drive at an array of angles, in arrays of floats."""
 
 
 def check_pairs(layout: Layout, drives: str) -> None:
@@ -150,7 +150,7 @@ class Request(CrankQuestion, AngleQuestion):
 
         return columns_in_floats(self.page_columns, crank, angles, self.rounding)
 
-    def curves(self, degrees: Any) -> list[list[list[float]]]:
+    def curves(self, degrees: Any) -> list[list[Any]]:
         from kurbel.exact.bulk import evaluate
         from kurbel.motion.bulk import on_floats
 
@@ -158,7 +158,7 @@ class Request(CrankQuestion, AngleQuestion):
             evaluate([on_floats(column, crank) for column in self.page_columns], degrees)
             for crank in self.cranks
         ]
-        return [[one.tolist() for one in of_cranks] for of_cranks in zip(*found, strict=True)]
+        return [list(of_cranks) for of_cranks in zip(*found, strict=True)]
 
 
 CHUNK = 1 << 15

@@ -55,7 +55,7 @@ def motion_panels(question: AngleQuestion) -> list[Panel]:
         for drive, drawn in enumerate(of_drives):
             stroke = STROKES[one.stroke][lang] if one.stroke in STROKES else ""
             told = (f"$R:L = {ratio_text(ratios[drive])}$", stroke) if ratios else ()
-            traces.append(Trace(one, told, angles, drawn))
+            traces.append(Trace(one, told, angles, drawn.tolist()))
     return panels_of(traces, lang, apart=len(ratios) > 1)
 
 
@@ -66,5 +66,5 @@ def pin_force(request: AngleQuestion) -> tuple[Vector, tuple[Label, Label], Labe
     """
     check_drawn(request.angles, 1)
     angles = degrees(request.angles)
-    values = [of_crank for (of_crank,) in request.curves(np.asarray(angles))]
+    values = [of_crank.tolist() for (of_crank,) in request.curves(np.asarray(angles))]
     return vector([column.quantity for column in request.page_columns], request.lang, angles, values)

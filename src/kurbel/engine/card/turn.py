@@ -18,19 +18,17 @@ import numpy as np
 from scipy.optimize import brentq
 
 from kurbel.drive.crank_forces import CrankForce
+from kurbel.engine.arrays import ZERO_TOLERANCE, FloatTurn
 from kurbel.engine.assembly import Assembly
 from kurbel.engine.card.force import CardStroke
-from kurbel.engine.cylinder import AnyTurn, Cylinder, Peak, Standing
+from kurbel.engine.cylinder import Cylinder, Peak
 from kurbel.engine.engine import Diagram, Engine
 from kurbel.errors import CardError, ProblemError
-from kurbel.exact.kind import floats
-from kurbel.kernel.circle import Circle, circle
 
 # Between two samples of half a degree the excess has one zero at most, unless the card is all noise; that a
 # pair of zeros is missed costs less than the interpolation, for the energy hardly changes between them.
 SAMPLES = 721
-# Of the excess force and its zeros; the energy there is off by the square of it.
-ZERO_TOLERANCE = 1e-13
+# Of energies; those at the zeros of the excess force are off by the square of ZERO_TOLERANCE.
 EQUAL_ENERGY = 1e-12
 LEAST_FORCE = 1e-9
 # Cubics gain a factor of 16 with twice the points; noise may seem to gain 8 by chance.
@@ -40,7 +38,7 @@ NOTHING = 1e-300
 BESIDE = 1e-3
 
 
-class CardTurn(AnyTurn):
+class CardTurn(FloatTurn):
     """One turn by a method: exact or series kinematics."""
 
     def __init__(self, engine: Engine | Assembly, method: str) -> None:
@@ -59,10 +57,6 @@ class CardTurn(AnyTurn):
                 " and it must be above 0, or below where the shaft drives the piston; p_forward drives it,"
                 " p_return resists it"
             )
-
-    @cached_property
-    def cylinders(self) -> tuple[Cylinder, ...]:
-        return self.cylinders_on(floats(), _circle)
 
     @cached_property
     def coarser(self) -> tuple[CardTurn, ...]:
@@ -130,38 +124,6 @@ class CardTurn(AnyTurn):
         """The excess at an array of half turns."""
         return self.total(Cylinder.effort, places, -self.mean_force())
 
-    def energies(self, places: Any) -> Any:
-        """Return the excess work since the inner dead centre at an array of half turns."""
-        before = sum(self.cylinders[part].energy(*begun) for part, *begun in self.begun())
-        return self.total(Cylinder.energy, places, -before)
-
-    def total(self, value: Callable[[Cylinder, int, Any], Any], places: Any, first: float) -> Any:
-        """Return the sum of a number and of what each crank has at an array of half turns."""
-        total = np.full_like(places, first)
-        for start, cylinder in self._cranks():
-            begins = [
-                stroke + cylinder.drive.dead_centre(stroke % 2) for stroke in range(len(cylinder.strokes))
-            ]
-            since = (places - float(start) - begins[0]) % len(begins) + begins[0]
-            strokes = np.searchsorted(begins, since, side="right") - 1
-            for stroke in range(len(begins)):
-                here = strokes == stroke
-                total[here] += value(cylinder, stroke, since[here] - stroke)
-        return total
-
-    def _cranks(self) -> Iterator[tuple[Fraction, Cylinder]]:
-        """Yield each crank's start, and its cylinder."""
-        for part, cylinder in zip(self.engine.parts, self.cylinders, strict=True):
-            for start in part.starts:
-                yield start, cylinder
-
-    def has_reached(self, since: Fraction, part: int, stroke: int) -> bool:
-        begun = stroke + self.cylinders[part].drive.dead_centre(stroke % 2)
-        return bool(float(since) - begun >= -ZERO_TOLERANCE)
-
-    def begun(self) -> list[Standing]:
-        return [*self.positions(Fraction(self.cylinder.drive.dead_centre(0)))]
-
     def crank_force_error(self, force: CrankForce, half_turns: Fraction) -> float:
         """How far such a force may be off, in Q: as far as the net pressure there, by the rod's slant."""
         _, stroke, angle = self.first(half_turns)
@@ -209,8 +171,3 @@ class CardTurn(AnyTurn):
         energies = [peak.energy for peak in within]
         chosen = max(energies) if greatest else min(energies)
         return [peak for peak in within if abs(peak.energy - chosen) < EQUAL_ENERGY]
-
-
-def _circle(half_turns: Any) -> Circle[Any]:
-    """Return the circle of exact half turns, or of floats."""
-    return circle(180.0 * (float(half_turns) if isinstance(half_turns, Fraction) else half_turns))

@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq, minimize_scalar
 
 from kurbel.drive.crank_forces import CrankForce
-from kurbel.engine.card.turn import NOTHING, SAMPLES, ZERO_TOLERANCE, CardTurn
+from kurbel.engine.arrays import ZERO_TOLERANCE
+from kurbel.engine.card.turn import NOTHING, SAMPLES, CardTurn
 from kurbel.engine.rodload.load import SIGNS, AnyRodLoad, Span
 
 # Of a stroke; a load of less than this in Q has no sign.

@@ -1,0 +1,1 @@
+"""Values without a page, at arrays of crank angles."""

@@ -1,0 +1,69 @@
+"""Arrays of what any page over the crank angle shows, by the options of that page."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kurbel.commands.cylinder.inertia import inertia_table
+from kurbel.commands.engine import turning_table
+from kurbel.commands.forces import forces_table
+from kurbel.commands.motion import table
+from kurbel.engine.arrays import at_angles
+from kurbel.engine.request import EngineRequest
+from kurbel.errors import KurbelError, ProblemError
+from kurbel.motion.page import AngleQuestion
+from kurbel.page.subject import Question
+
+if TYPE_CHECKING:
+    from kurbel.commands.subject import Asking
+
+Floats = NDArray[np.float64]
+# Of pages that have a quantity the first is asked.
+PAGES: tuple[Asking[..., Question], ...] = (table, forces_table, inertia_table, turning_table)
+
+
+def arrays(columns: Sequence[str], degrees: Floats, given: Mapping[str, Any]) -> Iterator[Floats]:
+    """Yield each quantity at these angles, by the options of a page that shows it. Raises KurbelError."""
+    for key in columns:
+        yield _array(_asked(key, given), key, degrees)
+
+
+def _asked(key: str, given: Mapping[str, Any]) -> Question:
+    """Return the question of the first page that takes the options and has the quantity."""
+    takers = [page for page in PAGES if set(given) <= set(page.command.parameters)]
+    if not takers:
+        unknown = {*given}.difference(*(page.command.parameters for page in PAGES))
+        raise ProblemError(
+            f"compute takes no {min(unknown)}; its options are those of kurbel.forces_table and its like"
+            if unknown
+            else f"no page takes {', '.join(sorted(given))} together; leave what is not of this drive out"
+        )
+    refused: list[KurbelError] = []
+    for page in takers:
+        try:
+            question = page.question(**given, columns=key)
+            # Whether the page has the quantity is known once its columns are.
+            if question.page_columns:
+                return question
+        except KurbelError as error:
+            refused.append(error)
+    # The last one knows most of what was given.
+    raise refused[-1 if len(takers) < len(PAGES) else 0]
+
+
+def _array(question: Question, key: str, degrees: Floats) -> Floats:
+    (column,) = question.page_columns
+    if isinstance(question, AngleQuestion):
+        (found,) = question.curves(degrees)
+    elif isinstance(question, EngineRequest):
+        method = (question.methods or ("exact",))[0]
+        found = at_angles(question, column.quantity, method, degrees)
+    else:
+        raise ProblemError(f"{key} has no array over the crank angle on this page; print it")
+    if len(found) != 1:
+        raise ProblemError(f"{key} was asked for of {len(found)} drives; compute takes one")
+    return np.broadcast_to(found[0], degrees.shape)
