@@ -68,6 +68,35 @@ def test_what_is_typed_outdoes_the_file(machine: str) -> None:
     assert [record["epsilon"] for record in shown.records()] == ["6"]
 
 
+@pytest.mark.parametrize(
+    "words",
+    [
+        "table --angle 60 --rod 1500mm --speed 120/min",
+        "forces --ratio 1:5 --force 10kN --angle 60",
+        "deadcentres --rod 1500mm --offset 200mm --speed 2/s",
+        "delta --ratio 1:5 --eps 4 --reciprocating 300kg --speed 120/min --bore 300mm --pressure 8bar",
+        "solve --rod 1500mm --speed 120/min --where c=max",
+        "balance --reciprocating 2kg --speed 3000/min",
+        "harmonics --rod 1500mm",
+    ],
+)
+def test_a_crank_radius_is_half_a_stroke_wherever_one_is_given(words: str, tmp_path: Path) -> None:
+    (tmp_path / "machine.toml").write_text('[crank]\nradius = "300mm"\n', encoding="utf-8")
+    by_stroke = printed(*words.split(), "--stroke", "600mm").out
+    assert by_stroke == printed(*words.split(), "--crank", "300mm").out
+    assert by_stroke == printed(*words.split(), "--crank", "3/10 m", "--stroke", "60cm").out
+    assert by_stroke == printed(*words.split(), "--machine", str(tmp_path / "machine.toml")).out
+
+
+def test_a_crank_and_a_stroke_that_contradict_each_other_are_both_named(tmp_path: Path) -> None:
+    contradiction = "the stroke 2R is 500mm and the crank R is 300mm, which makes a stroke of 600mm;"
+    assert contradiction in refusal("table", "--rod", "1m", "--crank", "300mm", "--stroke", "500mm")
+    (tmp_path / "machine.toml").write_text('[crank]\nradius = "300mm"\nstroke = "500mm"', encoding="utf-8")
+    assert contradiction in refusal("table", "--machine", str(tmp_path / "machine.toml"), code=1)
+    cylinder = "crank=300mm stroke=500mm bore=300mm pressure=8bar"
+    assert contradiction in refusal("delta", "--eps", "4", "--cylinder", cylinder)
+
+
 # 300 mm to 1350 mm.
 NINE = ("--ratio", "1:4,5", "--stroke", "600mm")
 

@@ -15,7 +15,8 @@ from click.core import ParameterSource, augment_usage_errors
 
 from kurbel.cli import COMMANDS
 from kurbel.cli.app import command_of, one_line
-from kurbel.cli.options import MACHINE, Document, FileName, Given, machine_defaults
+from kurbel.cli.machine import machine_defaults
+from kurbel.cli.options import MACHINE, Document, FileName, Given
 from kurbel.cli.tables import MakingCommand
 from kurbel.errors import ChoiceError, FailedError, ProblemError
 from kurbel.formats.registry import FORMATS

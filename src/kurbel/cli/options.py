@@ -14,8 +14,8 @@ from kurbel.commands import options as kinds
 from kurbel.commands.loads import NAMES, OWN
 from kurbel.commands.options import Parameter, is_given
 from kurbel.commands.parameters import LANG
-from kurbel.commands.subject import Command
-from kurbel.errors import MachineError, NotationError, ProblemError
+from kurbel.commands.subject import Command, spelling
+from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.numerals import DECIMALS
 from kurbel.formats.registry import FORMATS
 from kurbel.reading.given import File, as_length, as_ratios
@@ -199,6 +199,18 @@ class Given:
             if name in self.values and not self.typed(name):
                 self.drop(name)
 
+    def settle_sizes(self, command: Command) -> str:
+        """Give the stroke its value by the option that was given, and return the name of that."""
+        if (spelled := spelling(self.values)) == "stroke":
+            return spelled
+        if self.typed(spelled) != self.typed("stroke"):
+            self.drop("stroke" if self.typed(spelled) else spelled)
+        if not is_given(self.values[spelled]):
+            return "stroke"
+        self.sources["stroke"] = self.sources.pop(spelled)
+        self.values = dict(command.settled(self.values))
+        return spelled
+
     def settle_lengths(self) -> None:
         """Keep two of crank ratio, stroke and length of the rod at the most, for two give the third.
 
@@ -238,21 +250,24 @@ def resolved(command: Command, given: Given, rivals: Rivals = ()) -> dict[str, A
     given.settle(rivals)
     given.settle_loads()
     own = {one.name for one in command.parameters.values()}
+    spelled = given.settle_sizes(command)
     values = {name: value for name, value in given.values.items() if name in own}
-    command.refuse(values, given.typed)
+    command.refuse(values, given.typed, spelled)
     for name in command.foreign(values):
         given.drop(name)
     if own.issuperset(_LENGTHS):
         given.settle_lengths()
     # What may be repeated and was not given is an empty tuple for click.
-    return {
-        key: one.default if (value := given.values[one.name]) == () else value
-        for key, one in command.parameters.items()
-    }
+    defaults = {one.name: one.default for one in command.parameters.values()}
+    return command.arguments(
+        {
+            name: defaults[name] if value == () else value
+            for name, value in given.values.items()
+            if name in own
+        }
+    )
 
 
-# What those commands are about that a list of unlike cylinders says nothing to.
-_ALIKE = {"pressures": "one", "balance": "cylinders alike"}
 # Where a context keeps the name of the file.
 MACHINE = "kurbel.drive.machine"
 
@@ -268,33 +283,7 @@ def machine_option() -> click.Option:
 
 def _load(context: click.Context, parameter: click.Parameter, file: File | None) -> None:
     if file is not None:
+        from kurbel.cli.machine import machine_defaults
+
         context.default_map = {**(context.default_map or {}), **machine_defaults(context.command, file)}
         context.meta[MACHINE] = str(file)
-
-
-def machine_defaults(command: click.Command, file: File) -> dict[str, Any]:
-    """Return what the file says of the options of the command, by their names."""
-    from kurbel.drive.machine import read_machine, with_ratio
-
-    names = {one.name for one in command.params}
-    machine = read_machine(file)
-    if "rod" not in names:
-        machine = with_ratio(machine)
-    for name in ("offset", "mechanism"):
-        if machine.get(name, "straight") != "straight" and name not in names:
-            raise MachineError(
-                f"{file}: crank.{name} is {machine[name]}, and kurbel {command.name} is about the"
-                f" straight crank; leave the {name} out of the machine"
-            )
-    if machine.get("cylinder") and "cylinder" not in names and (alike := _ALIKE.get(command.name or "")):
-        raise MachineError(
-            f"{file}: the machine has a list of cylinders, and kurbel {command.name} is about {alike}; leave"
-            " the list out, and what a cylinder has in the sections"
-        )
-    # What may be repeated is a list, though the machine has one of it.
-    lists = {one.name for one in command.params if one.multiple}
-    return {
-        name: [value] if name in lists and isinstance(value, str) else value
-        for name, value in machine.items()
-        if name in names
-    }

@@ -168,7 +168,7 @@ def _params() -> list[click.Parameter]:
     ]  # fmt: skip
     order = (
         "ratio", "columns", "over", *Wheeled.__annotations__, "method", "from", "to", "step", "offset",
-        "stroke", "rod", "speed", "force", "mechanism", "rocker", "pivot", "beam", *STEAM, "cranks",
+        "stroke", "crank", "rod", "speed", "force", "mechanism", "rocker", "pivot", "beam", *STEAM, "cranks",
         "cylinder", "of", "bore", "pressure", *MASSES,
     )  # fmt: skip
     return [

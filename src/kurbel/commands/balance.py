@@ -70,6 +70,7 @@ class Heavy(option.MovingRod, option.Sheet, total=False):
         ),
     ]  # fmt: skip
     stroke: option.Stroke
+    crank: option.Crank
     speed: Annotated[Exact | None, option.SPEED._replace(help="Speed, for the masses: 120/min, 12.5rad/s.")]
     spacing: Annotated[
         Exact | None,
@@ -103,7 +104,7 @@ def _weighed(page: Layout, given: Mapping[str, Any]) -> "Weighed | None":
 @makes_table(
     needless=_weightless,
     order="cranks positions banks share ratio orders method reciprocating rod_mass centre gyration rod_file"
-    " stroke speed spacing columns",
+    " stroke crank speed spacing columns",
 )
 def balance_table(
     engine: Engine = None,

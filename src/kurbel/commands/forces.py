@@ -142,9 +142,9 @@ class Forces(option.Run, option.AnyDrive, option.Steam, option.MovingRod, option
 @makes_table(
     foreign=_foreign,
     needless=_needless,
-    order="angle from_ to step columns offset stroke rod mechanism rocker pivot beam axles driven force at"
-    " eps back exponent clearance card other_side single_acting cranks bore pressure reciprocating rod_mass"
-    " centre gyration rod_file rotating rocker_inertia speed",
+    order="angle from_ to step columns offset stroke crank rod mechanism rocker pivot beam axles driven force"
+    " at eps back exponent clearance card other_side single_acting cranks bore pressure reciprocating"
+    " rod_mass centre gyration rod_file rotating rocker_inertia speed",
 )
 def forces_table(
     ratio: option.Ratios = None,

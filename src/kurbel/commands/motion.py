@@ -98,7 +98,7 @@ def some(drives: Sequence[Any]) -> Sequence[Any]:
 
 @makes_table(
     foreign=of_other_mechanisms,
-    order="angle from_ to step columns offset stroke rod method speed mechanism rocker pivot beam",
+    order="angle from_ to step columns offset stroke crank rod method speed mechanism rocker pivot beam",
 )
 def table(
     ratio: option.Ratios = None,
@@ -200,7 +200,7 @@ class Turned(option.Linked, option.Sheet, total=False):
 @makes_table(
     foreign=_no_dead_centres,
     needless=_lone_length,
-    order="ratio exact mechanism offset rocker pivot stroke rod speed columns",
+    order="ratio exact mechanism offset rocker pivot stroke crank rod speed columns",
 )
 def dead_centres_table(
     beam: Annotated[

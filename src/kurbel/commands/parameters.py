@@ -30,7 +30,8 @@ STEP = Option(
     "Step of the angles; default 10. Without any of these options a layout has its own angles.", "ANGLE",
     unit="degrees",
 )  # fmt: skip
-STROKE = Option("2R: 600mm.", "LENGTH", unit="m")
+STROKE = Option("2R: 600mm; of an offset crank, too, whose piston goes further.", "LENGTH", unit="m")
+CRANK = Option("R, in place of --stroke: 300mm.", "LENGTH", unit="m")
 SPEED = Option(
     "Speed, for columns in m/s and m/s²: 120/min, 12.5rad/s.", "SPEED", unit="turns a second"
 )  # fmt: skip
@@ -74,6 +75,7 @@ Ratios = Annotated[Given | None, RATIO]
 From = Annotated[Exact | None, Option("First angle; default 0.", "ANGLE", unit="degrees")]
 To = Annotated[Exact | None, Option("Last angle; default 360, the whole turn.", "ANGLE", unit="degrees")]
 Stroke = Annotated[Exact | None, STROKE]
+Crank = Annotated[Exact | None, CRANK]
 Rod = Annotated[
     Exact | None,
     Option("Rod length L, which with --stroke gives the ratio: 1500mm.", "LENGTH", unit="m"),
@@ -164,6 +166,7 @@ class Slide(TypedDict, total=False):
         Exact | None, Option("Offset crank: e as a share of R, or as a length with --stroke.", "E", unit="R")
     ]
     stroke: Stroke
+    crank: Crank
     rod: Rod
 
 

@@ -73,9 +73,9 @@ class Drives(option.AnyDrive, option.Steam, option.MovingRod, option.Sheet, tota
 @makes_table(
     foreign=_of_drives,
     needless=_needless,
-    order="ratio columns offset stroke rod method speed mechanism rocker pivot beam force eps back exponent"
-    " clearance card other_side single_acting cranks bore pressure reciprocating rod_mass centre gyration"
-    " rod_file rotating rocker_inertia",
+    order="ratio columns offset stroke crank rod method speed mechanism rocker pivot beam force eps back"
+    " exponent clearance card other_side single_acting cranks bore pressure reciprocating rod_mass centre"
+    " gyration rod_file rotating rocker_inertia",
 )
 def solve_table(
     where: Annotated[

@@ -22,6 +22,15 @@ Drawn = TypeVar("Drawn", covariant=True)
 Refusals = Callable[[Mapping[str, Any]], Mapping[str, str]]
 
 
+# Options that stand for another, the stroke.
+SPELLED = ("crank",)
+
+
+def spelling(values: Mapping[str, Any]) -> str:
+    """Return the name of the option that gives the stroke."""
+    return next((name for name in SPELLED if is_given(values.get(name))), "stroke")
+
+
 def _none(values: Mapping[str, Any]) -> Mapping[str, str]:
     return {}
 
@@ -49,16 +58,30 @@ class Command(NamedTuple):
         signature = signature_of(ask, order)
         return cls(ask, signature, parameters_of(signature), *about)
 
+    def settled(self, values: Mapping[str, Any]) -> Mapping[str, Any]:
+        """Return the values with those that are given in another way under the name of their option."""
+        if not any(is_given(values.get(name)) for name in SPELLED):
+            return values
+        from kurbel.drive.sizes import in_strokes
+
+        return in_strokes(values)
+
     def built(self, question: Any) -> Page:
         """Return the table that was asked for."""
         return cast("Page", resolve_name(self.builder)(question))
 
-    def refuse(self, values: Mapping[str, Any], given: Callable[[str], bool]) -> None:
-        """Raise ProblemError for what was given in vain."""
+    def refuse(
+        self, values: Mapping[str, Any], given: Callable[[str], bool], spelled: str = "stroke"
+    ) -> None:
+        """Raise ProblemError for what was given in vain, which may be a stroke by another option."""
         for refusals in (self.foreign, self.needless):
             for name, sentence in refusals(values).items():
                 if given(name):
-                    raise ProblemError(sentence)
+                    raise ProblemError(sentence.replace("--stroke", f"--{spelled}"))
+
+    def arguments(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """Return the values as the function takes them, by its parameters' names."""
+        return {key: values[one.name] for key, one in self.parameters.items() if one.name not in SPELLED}
 
 
 class Asking(Protocol[Words, Question]):
@@ -130,8 +153,9 @@ def _checked(command: Command) -> Callable[..., Any]:
             bound.arguments[name] = command.parameters[name].taken(value)
         bound.apply_defaults()
         values = {command.parameters[name].name: value for name, value in bound.arguments.items()}
-        command.refuse(values, lambda name: is_given(values[name]))
-        return command.ask(**bound.arguments)
+        settled = command.settled(values)
+        command.refuse(settled, lambda name: is_given(settled.get(name)), spelling(values))
+        return command.ask(**command.arguments(settled))
 
     return asked
 

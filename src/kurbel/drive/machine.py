@@ -28,7 +28,7 @@ from typing import Any
 from msgspec.structs import asdict
 
 from kurbel.drive.sections import LOADS, SECTIONS, File, Files, Joined, Machine, One, Several
-from kurbel.errors import MachineError
+from kurbel.errors import KurbelError, MachineError
 from kurbel.reading.given import File as NamedFile
 from kurbel.reading.toml_file import TomlFile, TomlKind
 
@@ -69,17 +69,30 @@ def read_machine(path: str | NamedFile) -> dict[str, Any]:
     sections = (getattr(machine, name) for name in SECTIONS)
     given = {name: value for one in sections if one for name, value in asdict(one).items()}
     own = path if isinstance(path, NamedFile) else NamedFile(path)
-    options = _options(own, given)
+    options = _sized(_options(own, given), str(file.path))
     if machine.cylinder is not None:
         if not machine.cylinder:
             raise file.error(
                 ("cylinder",), "cylinder is empty; write a [[cylinder]] for each, or leave it out"
             )
         options["cylinder"] = [
-            Listed(_options(own, asdict(one)), f"{file.path}, line {file.line(('cylinder', number))}")
+            Listed(_sized(_options(own, asdict(one)), where), where)
             for number, one in enumerate(machine.cylinder)
+            for where in [f"{file.path}, line {file.line(('cylinder', number))}"]
         ]
     return options
+
+
+def _sized(options: dict[str, Any], where: str) -> dict[str, Any]:
+    """Return the options with the stroke, which a crank radius gives, too."""
+    if "crank" not in options:
+        return options
+    from kurbel.drive.sizes import in_strokes
+
+    try:
+        return in_strokes(options)
+    except KurbelError as error:
+        raise MachineError(f"{where}: {error}") from None
 
 
 def _options(machine: NamedFile, given: Mapping[str, Any]) -> dict[str, Any]:

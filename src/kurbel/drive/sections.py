@@ -63,6 +63,9 @@ class Section(Struct, forbid_unknown_fields=True):
 class Crank(Section):
     ratio: Annotated[Several | None, about('crank ratio R:L, such as "1:5"')] = None
     stroke: Annotated[One | None, about('stroke 2R, such as "600mm"')] = None
+    crank: Annotated[One | None, about('or crank radius R, such as "300mm"')] = field(
+        name="radius", default=None
+    )
     rod: Annotated[One | None, about('length of the rod, such as "1500mm"')] = None
     speed: Annotated[One | None, about('speed, such as "120/min"')] = None
     offset: Annotated[One | None, about("offset e as a share of R, or a length")] = None

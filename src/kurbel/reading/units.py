@@ -143,6 +143,13 @@ def is_measure(text: str) -> bool:
     return match is not None and match.group(2) is not None
 
 
+def split(text: str) -> tuple[Fraction, str]:
+    """Return the number and the unit, as it is written, of what was read as a measure."""
+    match = _MEASURE.fullmatch(text)
+    assert match is not None
+    return number(match.group(1)), match.group(2) or ""
+
+
 def _known(text: str, what: str, units: Mapping[str, Fraction]) -> Fraction | None:
     """Return the value, None if its unit is none of these."""
     match = _MEASURE.fullmatch(_translated(text)) if len(text) <= _LONGEST else None

@@ -50,7 +50,12 @@ def _checked(entries: dict[str, Any]) -> Mapping[str, Any]:
             raise NotationError(f"{key} of a cylinder has no value; write it as {EXAMPLE}")
         if key in FLAGS and value not in SAID:
             raise NotationError(f"{key} of a cylinder is {str(value)[:40]}; it must be true or false")
-    return {key: SAID[value] if key in FLAGS else value for key, value in entries.items()}
+    said = {key: SAID[value] if key in FLAGS else value for key, value in entries.items()}
+    if "crank" not in said:
+        return said
+    from kurbel.drive.sizes import in_strokes
+
+    return in_strokes(said)
 
 
 Cylinders = Annotated[

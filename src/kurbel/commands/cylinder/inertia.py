@@ -42,8 +42,8 @@ def _rod_drive(values: Mapping[str, Any]) -> Mechanism:
 
 @makes_table(
     foreign=_of_rods,
-    order="angle from_ to step columns offset stroke rod mechanism rocker pivot beam rod_mass centre gyration"
-    " rod_file speed",
+    order="angle from_ to step columns offset stroke crank rod mechanism rocker pivot beam rod_mass centre"
+    " gyration rod_file speed",
 )
 def inertia_table(
     ratio: option.Ratios = None,

@@ -46,7 +46,7 @@ class Piston(option.AnyDrive, option.Cylinder, option.MovingRod, option.Sheet, t
     foreign=_foreign,
     needless=for_masses("speed"),
     order="eps back exponent clearance card other_side single_acting bore pressure ratio mechanism offset"
-    " rocker pivot beam stroke rod speed reciprocating rod_mass centre gyration rod_file shares angle"
+    " rocker pivot beam stroke crank rod speed reciprocating rod_mass centre gyration rod_file shares angle"
     " columns",
 )
 def pressures_table(

@@ -33,7 +33,7 @@ class Driven(option.Steam, option.MovingRod, option.AnyDrive, option.Sheet, tota
 
 
 # What the motion has, too.
-_SHARED = (*option.Sheet.__annotations__, "layouts", "stroke", "rod", "offset")
+_SHARED = (*option.Sheet.__annotations__, "layouts", "stroke", "crank", "rod", "offset")
 
 
 def _of_torque(values: Mapping[str, Any]) -> bool:
