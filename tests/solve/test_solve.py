@@ -209,15 +209,22 @@ def test_nothing_on_a_stroke_is_beyond_its_greatest_and_least_value(
 ) -> None:
     crank = Crank(ratio, (1 / ratio - 1) * offset)
     drive = SlideDrive(crank)
+    # The greatest lean of the rod is that to either side.
+    lean = abs if (quantity, extreme) == ("psi", "max") else mp.mpf
     sign = 1 if extreme == "max" else -1
     found = solved(drive, f"{quantity} = {extreme}")
     for stroke in {root.stroke for root in found}:
         at, (begin, end) = course_of(drive, quantity, stroke), ends_of(crank, stroke)
         with mp.workdps(50):
-            best = sign * at(degrees(next(root for root in found if root.stroke == stroke)))
-            scan = max(sign * at(begin + (end - begin) * step / 90) for step in range(91))
+            best = sign * lean(at(degrees(next(root for root in found if root.stroke == stroke))))
+            scan = max(sign * lean(at(begin + (end - begin) * step / 90)) for step in range(91))
             assert scan <= best + mp.mpf(10) ** -20
             assert best - scan < 0.02 * max(1, abs(best))
+
+
+def test_the_rod_leans_furthest_halfway_on_both_strokes() -> None:
+    half = Fraction(90)
+    assert exact_degrees(solved(SlideDrive(FIFTH), "psi = max")) == [(OUT, half), (RETURN, half)]
 
 
 def test_a_value_at_a_dead_centre_is_had_there_once() -> None:

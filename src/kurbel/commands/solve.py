@@ -101,8 +101,8 @@ def solve_table(
     """Print all crank angles of the turn at which a condition holds, on both strokes.
 
     Path, velocity and acceleration count on either stroke from the dead centre where it begins, in its
-    direction; max and min are those of each stroke. Forces of an engine, by --eps and the like, count over
-    the whole turn.
+    direction; max and min are those of each stroke, and psi=max is where the rod leans furthest to either
+    side. Forces of an engine, by --eps and the like, count over the whole turn.
 
     \b
     kurbel solve --ratio 1:5 --method series --where p=0

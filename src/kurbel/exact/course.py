@@ -97,11 +97,11 @@ class Course:
                 found.append(high)
         return found
 
-    def greatest(self, sign: int = 1) -> list[Place]:
-        """Return where the quantity is greatest or, with sign -1, least."""
+    def greatest(self, sign: int = 1, measure: Callable[[arb], arb] = lambda value: value) -> list[Place]:
+        """Return where the quantity, or a measure of it, is greatest or, with sign -1, least."""
         for bits in PRECISIONS:
             with flint.ctx.workprec(bits):
-                values = {place: sign * self.value(place.half_turns()) for place in self.places}
+                values = {place: sign * measure(self.value(place.half_turns())) for place in self.places}
                 least = max(value.lower() for value in values.values())
                 found = [place for place, value in values.items() if not value.upper() < least]
                 if len(found) == 1 or self._are_level(found):
@@ -110,7 +110,8 @@ class Course:
 
     def _are_level(self, places: Sequence[Place]) -> bool:
         value = fraction(self.value(places[0].half_turns()).mid()).limit_denominator(ROUND)
-        return all(self._equals(place, value) for place in places)
+        # Of a magnitude both signs may stand at the places.
+        return all(self._equals(place, value) or self._equals(place, -value) for place in places)
 
     def _sign(self, place: Place, target: Target) -> int:
         """Return whether the quantity is above the target, 1, below, -1, or has its value, 0."""

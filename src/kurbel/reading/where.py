@@ -20,6 +20,8 @@ VALUE, MAX, MIN, DEAD_CENTRE = "value", "max", "min", "dead centre"
 SHARE = "s"
 # Quantities that are angles, and those of which a share of the value at the dead centre makes sense.
 ANGLES = ("psi", "rocker")
+# Those whose greatest value is the greatest lean to either side.
+LEANING = ("psi",)
 ACCELERATIONS = ("p", "acceleration")
 # Quantities that may have a unit: mm, m/s, m/s².
 MEASURED = ("x", "c", "p")

@@ -16,7 +16,7 @@ from kurbel.motion.evaluation import METHODS, RETURN, STROKES
 from kurbel.motion.quantities import registry
 from kurbel.page.quantity import AND, Column, Words, bare, words
 from kurbel.reading.notation import ratio_text
-from kurbel.reading.where import ANGLES, DEAD_CENTRE, MAX, MIN, SHARE, Condition
+from kurbel.reading.where import ANGLES, DEAD_CENTRE, LEANING, MAX, MIN, SHARE, Condition
 from kurbel.solve.solve import Root, target_of
 
 if TYPE_CHECKING:
@@ -27,6 +27,7 @@ _SQUARE = re.compile(r'(?:²|\^2|\*\*2)"$')
 WORDS: Mapping[str, Words] = {
     "for": words(" für | for "),
     MAX: words("${symbol}$ am größten|${symbol}$ greatest"),
+    "leaning": words("${symbol}$ dem Betrag nach am größten|${symbol}$ greatest in magnitude"),
     MIN: words("${symbol}$ am kleinsten|${symbol}$ least"),
     DEAD_CENTRE: words(
         "${symbol} = {value}$ des Wertes im Totpunkt|${symbol} = {value}$ of the value at the dead centre"
@@ -66,7 +67,9 @@ def condition_label(condition: Condition, drive: Drive, lang: str) -> Label:
     shown = drive.columns[drive.column_of(condition.quantity)]
     symbol = shown.symbol.strip("$")
     if condition.kind in WORDS:
-        return WORDS[condition.kind][lang].format(symbol=symbol, value=exact_text(condition.value))
+        leans = condition.kind == MAX and condition.quantity in LEANING
+        said = WORDS["leaning" if leans else condition.kind][lang]
+        return said.format(symbol=symbol, value=exact_text(condition.value))
     if condition.quantity == SHARE:
         whole = finite_decimals(condition.value) is not None
         value = f"{exact_text(100 * condition.value)} %" if whole else exact_text(condition.value)

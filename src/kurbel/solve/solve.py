@@ -19,6 +19,7 @@ from kurbel.motion.evaluation import NEEDS, OUT, RETURN
 from kurbel.reading import units
 from kurbel.reading.where import (
     DEAD_CENTRE,
+    LEANING,
     MAX,
     MEASURED,
     MIN,
@@ -120,7 +121,9 @@ def _course(root: Root) -> Course:
 def _on_stroke(drive: Drive, condition: Condition, stroke: int) -> Iterator[Root]:
     course = drive.course(condition.quantity, stroke)
     if condition.kind in (MAX, MIN):
-        places = course.greatest(1 if condition.kind == MAX else -1)
+        greatest = condition.kind == MAX
+        measure = {"measure": abs} if greatest and condition.quantity in LEANING else {}
+        places = course.greatest(1 if greatest else -1, **measure)
     else:
         places = course.roots(target_of(drive, condition, stroke))
     for place in places:
