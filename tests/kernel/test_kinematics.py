@@ -56,6 +56,18 @@ def textbook_rod_angle(phi: Ball, ratio: Ball, offset: Ball) -> Ball:
     return (ratio * (phi.sin() - offset)).asin() * 180 / arb.pi()
 
 
+def textbook_rod_velocity(phi: Ball, ratio: Ball, offset: Ball) -> Ball:
+    """By the velocity of the pin across the slide, which the rod's slope takes: L ψ̇ cos ψ = R cos φ."""
+    return ratio * phi.cos() / (ratio * (phi.sin() - offset)).asin().cos()
+
+
+def textbook_rod_acceleration(phi: Ball, ratio: Ball, offset: Ball) -> Ball:
+    """By the acceleration of the pin across the slide: L (ψ̈ cos ψ - ψ̇² sin ψ) = -R sin φ."""
+    psi = (ratio * (phi.sin() - offset)).asin()
+    velocity = textbook_rod_velocity(phi, ratio, offset)
+    return (velocity**2 * psi.sin() - ratio * phi.sin()) / psi.cos()
+
+
 def blau_path(phi: Ball, ratio: Ball, offset: Ball) -> Ball:
     return 1 - phi.cos() + ratio * phi.sin() ** 2 / 2
 
@@ -82,6 +94,8 @@ STRAIGHT: dict[str, Any] = {
     "c": (kinematics.piston_velocity, textbook_velocity, TINY, 1.8, steep),
     "p": (kinematics.piston_acceleration, textbook_acceleration, 1.0, 2, lambda ratio: 10),
     "psi": (rod_angle, textbook_rod_angle, TINY, 1, lambda ratio: 1),
+    "rod_velocity": (kinematics.rod_velocity, textbook_rod_velocity, TINY, 3, lambda ratio: 3),
+    "rod_acceleration": (kinematics.rod_acceleration, textbook_rod_acceleration, TINY, 6, lambda ratio: 6),
     "x series": (kinematics.piston_path_first_order, blau_path, TINY, 1.6, steep),
     "c series": (kinematics.piston_velocity_first_order, blau_velocity, TINY, 1.8, steep),
     "p series": (kinematics.piston_acceleration_first_order, blau_acceleration, 1.0, 2, lambda ratio: 3),
@@ -92,13 +106,17 @@ OFFSET: dict[str, Any] = {
     "c": (kinematics.offset_velocity, textbook_velocity, 1.0),
     "p": (kinematics.offset_acceleration, textbook_acceleration, 1.0),
     "psi": (rod_angle, textbook_rod_angle, 5.0),
+    "rod_velocity": (kinematics.offset_rod_velocity, textbook_rod_velocity, 1.0),
+    "rod_acceleration": (kinematics.offset_rod_acceleration, textbook_rod_acceleration, 1.0),
 }
-# What the return stroke makes of the value at 180° + α; the rod angle stays as it is.
+# What the return stroke makes of the value at 180° + α; the rod angle and its slopes stay as they are.
 RETURNED: dict[str, Callable[[Ball, Ball], Ball]] = {
     "x": lambda value, travel: travel - value,
     "c": lambda value, travel: -value,
     "p": lambda value, travel: -value,
     "psi": lambda value, travel: value,
+    "rod_velocity": lambda value, travel: value,
+    "rod_acceleration": lambda value, travel: value,
 }
 
 

@@ -131,6 +131,23 @@ def _rod_angle(drive: Drive, angle: Real) -> Real:
     return mp.asin(real(drive.ratio) * (mp.sin(angle) - real(drive.offset)))
 
 
+def _rod_velocity(method: str, drive: Drive, angle: Real) -> Real:
+    """Of the pin across the slide: L ψ' cos ψ = R cos φ; to first order cos ψ is 1."""
+    if method == "infinite":
+        return mp.mpf(0)
+    slant = mp.mpf(1) if method == "series" else mp.cos(_rod_angle(drive, angle))
+    return real(drive.ratio) * mp.cos(angle) / slant
+
+
+def _rod_acceleration(method: str, drive: Drive, angle: Real) -> Real:
+    """Of the pin across the slide: L (ψ'' cos ψ - ψ'² sin ψ) = -R sin φ."""
+    across = -real(drive.ratio) * mp.sin(angle)
+    if method != "exact":
+        return across if method == "series" else mp.mpf(0)
+    psi = _rod_angle(drive, angle)
+    return (across + _rod_velocity(method, drive, angle) ** 2 * mp.sin(psi)) / mp.cos(psi)
+
+
 def _rod_force(method: str, drive: Drive, angle: Real) -> Real:
     return mp.mpf(1) if method == "infinite" else 1 / mp.cos(_rod_angle(drive, angle))
 
@@ -149,6 +166,8 @@ _VALUES: Mapping[str, Callable[[str, Drive, Real], Real]] = {
     "c": _velocity,
     "p": _acceleration,
     "psi": _rod_degrees,
+    "rod_velocity": _rod_velocity,
+    "rod_acceleration": _rod_acceleration,
     "rod_force": _rod_force,
     "guide_force": _guide_force,
     "tangential_force": _velocity,
@@ -171,6 +190,8 @@ def _unit(unit: str, drive: Drive) -> Real:
         "mm": lambda: 1000 * radius,
         "mps": lambda: radius * omega,
         "mps2": lambda: radius * omega**2,
+        "radps": lambda: omega,
+        "radps2": lambda: omega**2,
         "n": lambda: real(drive.force),
         "nm": lambda: real(drive.force) * radius,
     }[unit]()

@@ -16,7 +16,10 @@ from kurbel.page.subject import Question
 from kurbel.reading.given import as_names
 
 # What conditions on the motion are about, of any crank drive.
-OF_MOTION = ("x", "s", "c", "p", "psi", "ψ", "path", "velocity", "acceleration", "rocker", "θ")
+OF_MOTION = (
+    *("x", "s", "c", "p", "psi", "ψ", "path", "velocity", "acceleration", "rocker", "θ"),
+    *("rod_velocity", "rod_acceleration", "turn_velocity", "turn_acceleration"),
+)
 _UNLOADED = "is for conditions on the forces of an engine; add its load, such as --eps 4"
 _UNASKED = "is for conditions on the forces of an engine, such as torque=max; leave it out"
 

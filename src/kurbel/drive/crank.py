@@ -110,6 +110,17 @@ class Crank:
         velocity = self.pin_velocity(numbers)
         return velocity * velocity / numbers.of(known(self.radius))
 
+    def angular_velocity(self, numbers: Kind) -> Any:
+        """Return ω in rad/s; bounds, which know no π, leave it out."""
+        speed = known(self.speed)
+        omega = numbers.of(2 * speed.value if speed.turns else speed.value)
+        return omega if not speed.turns or numbers.pi is None else omega * numbers.pi
+
+    def angular_square(self, numbers: Kind) -> Any:
+        """Return ω² in 1/s²."""
+        omega = self.angular_velocity(numbers)
+        return omega * omega
+
     def millimetres(self, numbers: Kind) -> Any:
         return numbers.of(1000 * known(self.radius))
 

@@ -254,12 +254,8 @@ def _piston_acceleration(circle: Circle[Number], ratio: Number, offset: Number |
 
 
 def _turning(circle: Circle[Number], ratio: Number, slant: Slant[Number], offset: Number | None) -> Number:
-    """Return -L ψ̈ = sin φ (1 - λ²)/cos³ ψ; the offset crank's has sin φ - λ sin ψ (1 - η sin φ) above."""
-    if offset is None:
-        above = circle.sine * ((1 - ratio) * (1 + ratio))
-    else:
-        above = circle.sine - ratio * slant.sine * (1 - offset * circle.sine)
-    return above / (slant.cosine * slant.cosine * slant.cosine)
+    """Return -L ψ̈."""
+    return kinematics.rod_turning(circle, ratio, slant.sine, slant.cosine, offset)
 
 
 def magnitude(along: Number, across: Number) -> Number:

@@ -79,7 +79,7 @@ def parallel_registry() -> Mapping[str, Quantity]:
         "tangential_force": force_formula("tangential_force", "$T/F = sin φ$"),
         "radial_force": force_formula("radial_force", "$Z/F = cos φ$"),
     }
-    return {one.key: one for one in (*_coupler_entries(), *force_entries(forces))}
+    return {one.key: one for one in (*_coupler_entries(), *_rod_entries(), *force_entries(forces))}
 
 
 def _coupler_entries() -> Iterator[Quantity]:
@@ -89,6 +89,17 @@ def _coupler_entries() -> Iterator[Quantity]:
             f"coupler_{field}", name, f"${symbol}$", f"${heading}$", unit, DECIMALS, {"exact": formula}
         )
         yield one._replace(spanners=(words(part), *one.spanners), part=words(part))
+
+
+def _rod_entries() -> Iterator[Quantity]:
+    """Yield the turning of the rod, which stays parallel to the line of shafts."""
+    for key, name, letter, unit in (
+        ("rod_velocity", "Winkelgeschwindigkeit der Stange|Angular velocity of the rod", "ω_L", "ω"),
+        ("rod_acceleration", "Winkelbeschleunigung der Stange|Angular acceleration of the rod", "ε_L", "ω²"),
+    ):
+        none = Formula(lambda at: at.kind.of(Fraction(0)), f"${letter} = 0$")
+        head = f"${letter}/{unit.replace('²', '^2')}$"
+        yield spanned(key, name, f"${letter}$", head, unit, DECIMALS, {"exact": none})
 
 
 def _field(name: str) -> Callable[[At], Any]:

@@ -51,6 +51,8 @@ SYMBOLS = {
     "infinite": "",
     "offset": "$sin ψ = λ (sin {angle} - e/R)$, $λ = {ratio}$",
 }
+# What differs between the strokes in printed formulas, as motion/entries.py and quantities.py say.
+_SIGNED = ("{±}", "{sign}", "{turned}", "{ψ}", "{guide}", "{slant}")
 # For columns that the layout's own caption does not know.
 PLAIN_CAPTION = "{quantities}{for_ratio}; {method}"
 WORDS: Mapping[str, Words] = {
@@ -171,7 +173,7 @@ def _printed(quantity: Quantity, key: str) -> Label:
 
 def _has_signs(formula: Label) -> bool:
     """Whether the strokes differ in the formula; of what states none, in those that it follows from."""
-    return not formula or any(place in formula for place in ("{±}", "{ψ}", "{guide}", "{slant}"))
+    return not formula or any(place in formula for place in _SIGNED)
 
 
 def _methods_of(method: str) -> tuple[str, ...]:
@@ -183,6 +185,8 @@ def _signed(line: Label, page: Formulated, sign: str, rod_angle: bool) -> Label:
     signed = f"{sign} " if sign != "+" else ""
     parts = {
         "{±}": sign,
+        "{sign}": signed,
+        "{turned}": {"+": "-", "-": "", "±": "∓ "}[sign],
         "{ψ}": signed if rod_angle else "",
         "{guide}": "" if rod_angle else signed,
         "{slant}": "+" if rod_angle else sign,

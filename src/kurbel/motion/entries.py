@@ -16,10 +16,17 @@ from kurbel.page.quantity import Formula, Quantity, entry, words
 Formulas = Mapping[str, Formula]
 Kernel = Callable[..., Any]
 # What keys say of their unit at their end.
-_UNIT = re.compile(r"_(?:mm|mps2?|nm?|stroke|percent)$")
+_UNIT = re.compile(r"_(?:mm|mps2?|radps2?|nm?|stroke|percent)$")
 
 # In printed formulas {±} is the sign that the return stroke changes, {ψ} the same where ψ itself is printed
-# (cos ψ knows no sign), {angle} the letter of the crank angle.
+# (cos ψ knows no sign), {sign} that sign before a whole formula and {turned} the opposite one, {angle} the
+# letter of the crank angle.
+
+# What turning of the rod is positive, that of ψ on the outstroke.
+OF_ROD = words(
+    "Drehung der Stange positiv gegen den Drehsinn der Kurbel"
+    "|turning of the rod positive against the sense of the crank"
+)
 
 
 def _motion(straight: Kernel, series: Kernel, offset: Kernel, *printed: Label) -> Formulas:
@@ -70,6 +77,26 @@ def _rod_angle(at: At) -> Any:
     return at.numbers.rod_angle(at.circle, at.ratio, at.offset)
 
 
+ROD_VELOCITY = _motion(
+    kinematics.rod_velocity,
+    kinematics.rod_velocity_first_order,
+    kinematics.offset_rod_velocity,
+    "$ω_L/ω = {sign}(λ cos {angle})/(cos ψ)$",
+    "$ω_L/ω = {sign}λ cos {angle}$",
+    "$ω_L = 0$",
+    "$ω_L/ω = (λ cos {angle})/(cos ψ)$",
+)
+ROD_ACCELERATION = _motion(
+    kinematics.rod_acceleration,
+    kinematics.rod_acceleration_first_order,
+    kinematics.offset_rod_acceleration,
+    "$ε_L/ω^2 = {turned}(λ (1 - λ^2) sin {angle})/(cos^3 ψ)$",
+    "$ε_L/ω^2 = {turned}λ sin {angle}$",
+    "$ε_L = 0$",
+    "$ε_L/ω^2 = (ω_L^2/ω^2 sin ψ - λ sin {angle})/(cos ψ)$",
+)
+
+
 # The rod angle enters the first-order formulas nowhere; it is the same arc by every method.
 ROD_ANGLE: Formulas = {
     "exact": Formula(_rod_angle),
@@ -115,6 +142,23 @@ def _rod_entries() -> Iterator[Quantity]:
         "psi", "Schubstangenwinkel|Rod angle", "$ψ$", "$ψ$ in °", "°", 3, ROD_ANGLE,
         is_arc=True, bound=60.0, names=("psi", "ψ"),
     )  # fmt: skip
+    for key, name, letter, unit, formulas, scale in (
+        (
+            "rod_velocity", "Winkelgeschwindigkeit der Stange|Angular velocity of the rod", "ω_L", "ω",
+            ROD_VELOCITY, Crank.angular_velocity,
+        ),
+        (
+            "rod_acceleration", "Winkelbeschleunigung der Stange|Angular acceleration of the rod", "ε_L",
+            "ω²", ROD_ACCELERATION, Crank.angular_square,
+        ),
+    ):  # fmt: skip
+        symbol, power, radians = f"${letter}$", "2" * unit.endswith("²"), unit.replace("ω", "rad/s")
+        share = f"${letter}/{unit.replace('²', '^2')}$"
+        yield spanned(key, name, symbol, share, unit, 4, formulas, names=(key,), direction=OF_ROD)
+        yield spanned(
+            f"{key}_radps{power}", name, symbol, f"{symbol} in {radians}", radians, 3, formulas, scale=scale,
+            needs="speed", direction=OF_ROD,
+        )  # fmt: skip
 
 
 def speed_entries() -> Iterator[Quantity]:

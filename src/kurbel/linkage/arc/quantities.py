@@ -121,9 +121,11 @@ def _arc_entries() -> Iterator[Quantity]:
     ):  # fmt: skip
         de, en = name.split("|")
         speed = f"Winkelgeschwindigkeit {de}|Angular velocity {en}"
-        yield _entry(f"{key}_velocity", speed, f"ω_{letter}", "ω", velocity)
+        yield _entry(f"{key}_velocity", speed, f"ω_{letter}", "ω", velocity, names=(f"{key}_velocity",))
         gain = f"Winkelbeschleunigung {de}|Angular acceleration {en}"
-        yield _entry(f"{key}_acceleration", gain, f"ε_{letter}", "ω²", acceleration)
+        yield _entry(
+            f"{key}_acceleration", gain, f"ε_{letter}", "ω²", acceleration, names=(f"{key}_acceleration",)
+        )
 
 
 def _entry(
