@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from kurbel.commands.balance import balance_table
     from kurbel.commands.books import collation_table, example_table
     from kurbel.commands.cylinder.inertia import inertia_table
+    from kurbel.commands.cylinder.power import power_table
     from kurbel.commands.cylinder.pressures import plot_pressures, pressures_table
     from kurbel.commands.engine import delta_table, flywheel_table, turning_table
     from kurbel.commands.engine_plots import plot_engine_forces, plot_engine_polar, plot_turning
@@ -68,6 +69,7 @@ __all__ = [
     "plot_polar",
     "plot_pressures",
     "plot_turning",
+    "power_table",
     "pressures_table",
     "solve_table",
     "table",
@@ -78,6 +80,7 @@ __all__ = [
 _MODULES = {
     "kurbel.commands.balance": ("balance_table",),
     "kurbel.commands.books": ("collation_table", "example_table"),
+    "kurbel.commands.cylinder.power": ("power_table",),
     "kurbel.commands.cylinder.pressures": ("plot_pressures", "pressures_table"),
     "kurbel.commands.orders.firing": ("firing_table",),
     "kurbel.commands.orders.harmonics": ("harmonics_table",),

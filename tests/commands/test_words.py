@@ -27,6 +27,7 @@ TABLES: Mapping[str, Callable[..., Any]] = {
     "solve": kurbel.solve_table,
     "delta": kurbel.delta_table,
     "turning": kurbel.turning_table,
+    "power": kurbel.power_table,
     "pressures": kurbel.pressures_table,
     "flywheel": kurbel.flywheel_table,
     "deadcentres": kurbel.dead_centres_table,

@@ -17,6 +17,10 @@ Address = tuple[str, ...]
 
 MACHINE = ("--stroke=600mm", "--speed=120/min", "--bore=300mm", "--pressure=800kPa")
 ROD = ("--rod-mass=150kg", "--centre=0.6", "--gyration=0.3")
+STEAM = (
+    "--pressure=8bar", "--back=1.1bar", "--clearance=8%", "--diagram-factor=0.8", "--efficiency=85%",
+    "--speed=250/min", "--specific-volume=0.24 m3/kg",
+)  # fmt: skip
 # By what a page is about: the command that prints it, with what it cannot do without.
 COMMANDS: Mapping[str, tuple[str, ...]] = {
     "motion": ("table",),
@@ -26,6 +30,7 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "compressor": ("delta", "--pressure-ratio=2..6", "--clearance=4%", "--exponent=1.3"),
     "pump": ("delta", "--pump"),
     "gas cycle": ("delta", "--compression=5..8", "--heat=10"),
+    "power": ("power", "--eps=2;3", "--power=75kW", "--stroke-bore=1.5", *STEAM),
     "turning": ("turning",),
     "speed": ("turning", "--flywheel=50", "--speed=120/min"),
     "crank forces": ("forces", "--eps=4"),
@@ -75,6 +80,7 @@ ENGINES = about(
     "machine",
     "rod load",
     "flywheel",
+    "power",
 )
 LOADED = about("compressor", "pump", "gas cycle")
 BEAMS = about("dead centres", "drive dead centres")
@@ -110,6 +116,11 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
     ),
     "pump": (kurbel.delta_table, {"pump": "double"}),
     "gas cycle": (kurbel.delta_table, {"compression": "5..8", "heat": 10}),
+    "power": (kurbel.power_table, {
+        "eps": "2;3", "pressure": 800_000, "back": "1.1bar", "clearance": "8%", "power": 75_000,
+        "diagram_factor": 0.8, "efficiency": "85%", "stroke_bore": 1.5, "speed": "250/min",
+        "specific_volume": 0.24,
+    }),
     "turning": (kurbel.turning_table, {}),
     "speed": (kurbel.turning_table, {"flywheel": 50, "speed": 2}),
     "crank forces": (kurbel.forces_table, {"eps": 4}),

@@ -32,6 +32,10 @@ COMMANDS = {
         "kurbel.commands.cylinder.pressures:pressures_table",
         "Print the acceleration pressure beside that on the piston.",
     ),
+    "power": (
+        "kurbel.commands.cylinder.power:power_table",
+        "Print the mean pressure, the power, or the sizes for a power.",
+    ),
     "flywheel": ("kurbel.commands.engine:flywheel_table", "Print the flywheel that keeps an engine even."),
     "deadcentres": (
         "kurbel.commands.motion:dead_centres_table",

@@ -46,6 +46,7 @@ RIVALS: Mapping[str, Rivals] = {
     "inertia": (*_ANGLES, *_ROD),
     **dict.fromkeys(("delta", "turning", "plot"), (*_STEAM, *_ROD, *_WHEEL)),
     "flywheel": (*_STEAM, *_ROD),
+    "power": _STEAM,
     "balance": (("engine", "cranks"), *((name, "engine") for name in ("cranks", "positions", "banks"))),
 }
 _LENGTHS = ("ratio", "stroke", "rod")

@@ -26,6 +26,7 @@ from kurbel.reading.given import (
     as_pressure,
     as_share,
     as_share_or_length,
+    as_share_or_pressure,
     as_signed_mass,
     as_speed,
 )
@@ -111,7 +112,7 @@ def for_masses(*names: str) -> Callable[[Mapping[str, Any]], Mapping[str, str]]:
     return refusals
 
 
-def _steams(given: Mapping[str, Any], page: Layout) -> Sequence[Acting]:
+def steams_of(given: Mapping[str, Any], page: Layout) -> Sequence[Acting]:
     """Return the indicator cards, or the ideal ones of all expansion ratios, or other loads."""
     from kurbel.engine.engine import Steam
 
@@ -120,7 +121,7 @@ def _steams(given: Mapping[str, Any], page: Layout) -> Sequence[Acting]:
     if not is_given(given["card"]):
         if given["other_side"] is not None:
             raise ProblemError("--other-side is for --card; of an ideal card --back is the pressure there")
-        back = _read(as_share, given["back"], "back pressure")
+        back = _read(as_share_or_pressure, given["back"], "back pressure", given["pressure"])
         exponent = as_number(1 if given["exponent"] is None else given["exponent"], "exponent")
         clearance = as_share(0 if given["clearance"] is None else given["clearance"], "clearance")
         values = as_numbers(page.expansions if given["eps"] is None else given["eps"], "expansion ratio")
@@ -210,7 +211,7 @@ def described_engines(page: Layout, given: Mapping[str, Any]) -> dict[str, Any]:
     # A speed alone makes no force, and the methods are an engine's own.
     known = {name: value for name, value in given.items() if name not in ("speed", "method", "force")}
     chosen, said = described({**known, "layout": None})
-    steams = _steams(given, page)
+    steams = steams_of(given, page)
     if sentence := uncomputed(chosen, steams[0].name) if steams else "":
         raise ProblemError(sentence)
     speed = given.get("speed")

@@ -23,6 +23,7 @@ SUBJECTS: Mapping[str, Pages] = {
     "compressor": Pages("kurbel.engine.page:COMPRESSOR", "delta --pressure-ratio 2..6"),
     "pump": Pages("kurbel.engine.page:PUMP", "delta --pump"),
     "gas cycle": Pages("kurbel.engine.page:GAS_CYCLE", "delta --compression 5..8 --heat 10"),
+    "power": Pages("kurbel.engine.power.page:SUBJECT", "power --eps 3 --pressure 8bar"),
     "turning": Pages("kurbel.engine.page:TURNING", "turning"),
     "speed": Pages("kurbel.engine.speed.page:SPEED", "turning --flywheel 50 --speed 120/min"),
     "evenness": Pages("kurbel.engine.speed.page:EVENNESS", "delta --flywheel 50"),

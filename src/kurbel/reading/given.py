@@ -175,7 +175,7 @@ def _measured(name: str) -> Callable[..., Fraction]:
     return _exactly(read)
 
 
-# Metres, kilograms, kilogram square metres, pascals, newtons, watts.
+# Metres, kilograms, kilogram square metres, pascals, newtons, watts, metres a second, m³/kg, kg/m³.
 as_length = _measured("length")
 as_mass = _measured("mass")
 as_signed_mass = _measured("signed_mass")
@@ -183,6 +183,28 @@ as_inertia = _measured("moment_of_inertia")
 as_pressure = _measured("pressure")
 as_force = _measured("force")
 as_power = _measured("power")
+as_velocity = _measured("velocity")
+as_specific_volume = _measured("specific_volume")
+as_density = _measured("density")
+
+
+def as_share_or_pressure(value: Exact, what: str, whole: Exact | None) -> Fraction:
+    """Return a share, or what a pressure is of the whole one, which is written likewise."""
+    from kurbel.reading import units
+
+    if not isinstance(value, str) or not units.is_measure(value):
+        return as_share(value, what)
+    if whole is None:
+        raise NotationError(
+            f'{what} "{value[:40]}" is a pressure, which counts in the steam pressure; add --pressure'
+        )
+    measured, steam = units.pressure(value, what), as_pressure(whole, "pressure")
+    if not 0 <= measured <= steam:
+        raise NotationError(
+            f'{what} "{value[:40]}" must lie within 0 and the steam pressure {str(whole)[:40]}, both above'
+            " vacuum"
+        )
+    return measured / steam if steam else measured
 
 
 def as_speed(value: Exact) -> Speed:

@@ -37,6 +37,8 @@ _TRANSLATED = {
     "s²": "s/s", "s^2": "s/s", "s**2": "s/s",
     **{f"kg{by}m{two}": "kg*m*m" for by in ("", " ", "*", "·") for two in ("²", "^2", "**2", "2")},
     "Nm": "N*m", "N m": "N*m",
+    **{f"m{three}/kg": "m*m*m/kg" for three in ("³", "^3", "**3", "3")},
+    **{f"kg/m{three}": "kg/m/m/m" for three in ("³", "^3", "**3", "3")},
     "U/min": "rpm", "Upm": "rpm", "U/s": "turn/s", "min⁻¹": "/min", "PS": "metric_horsepower",
 }  # fmt: skip
 
@@ -52,6 +54,8 @@ KNOWN: Mapping[str, Mapping[str, Fraction]] = {
     "[force]": _scaled({"N": 1, "kN": 1000, "MN": 10**6}),
     "[energy]": _scaled({"J": 1, "kJ": 1000, "MJ": 10**6, "N*m": 1, "kN*m": 1000, "MN*m": 10**6}),
     "[force]*[length]": _scaled({"N*m": 1, "kN*m": 1000, "MN*m": 10**6}),
+    "[length]**3/[mass]": _scaled({"m*m*m/kg": 1}),
+    "[mass]/[length]**3": _scaled({"kg/m/m/m": 1}),
     "[pressure]": _scaled({"Pa": 1, "kPa": 1000, "MPa": 10**6, "bar": 10**5, "mbar": 100}),
 }  # fmt: skip
 # Turns a second, of which radians are none.
@@ -113,6 +117,9 @@ signed_force = replace(force, most=0)
 signed_torque = Measure("a torque such as 12kNm", "[force]*[length]", "N*m")
 # "5kJ", "-410 J" below a mean line
 energy = Measure("an energy such as 5kJ", "[energy]", "J")
+# "0.24 m³/kg", "4.2 kg/m³"
+specific_volume = Measure("a specific volume such as 0.24 m³/kg", "[length]**3/[mass]", "m**3/kg", _LARGEST)
+density = Measure("a density such as 4.2 kg/m³", "[mass]/[length]**3", "kg/m**3", _LARGEST)
 # "1.013bar"; below 0 where it counts from the atmosphere
 pressure = Measure("a pressure such as 1bar", "[pressure]", "Pa")
 

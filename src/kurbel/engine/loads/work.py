@@ -148,11 +148,17 @@ def _mean_pressure(engine: Engine, own: tuple[Kind, Any]) -> Any:
     return _work(engine, (kind, 1)) / kind.of(ends(engine) * len(engine.starts))
 
 
+def mean_pressure_of(engine: Engine, kind: Kind) -> Any:
+    """Return the mean pressure in each end of a cylinder that works, on a kind of number; negative where the
+    shaft drives the piston."""
+    return _mean_pressure(engine, (kind, 1))
+
+
 def _ties(turn: AnyTurn, value: Callable[[Engine, tuple[Kind, Any]], Any]) -> TieBits | None:
     engine = turn.engine.parts[0]
     if len(turn.engine.parts) > 1 or engine.steam.name == CARD:
         return NEVER_TIES
-    if not _algebraic(engine.steam):
+    if not is_algebraic(engine.steam):
         return lambda boundary: inf
     on = bounds()
     if not turn.cylinder.drive.algebraic:
@@ -161,7 +167,7 @@ def _ties(turn: AnyTurn, value: Callable[[Engine, tuple[Kind, Any]], Any]) -> Ti
     return lambda boundary: float((value(engine, (on, length)) - _bound(boundary)).bits())
 
 
-def _algebraic(load: Any) -> bool:
+def is_algebraic(load: Any) -> bool:
     """Whether the work has no logarithm; a logarithm of a ratio other than 1 leaves it transcendental."""
     exponents = [getattr(load, name, None) for name in ("exponent", "expansion_exponent")]
     return 1 not in exponents or (load.name == STEAM and load.expansion == 1)

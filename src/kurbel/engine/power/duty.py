@@ -1,0 +1,160 @@
+"""Power, bore, stroke, speed and pressure: those that are given make the others known."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from kurbel.engine.power.relation import Term, number, variable
+from kurbel.errors import ProblemError
+from kurbel.reading.notation import about
+
+if TYPE_CHECKING:
+    from kurbel.engine.power.source import Acting, GivenPressure
+    from kurbel.reading.units import Speed
+
+POWER, BORE, STROKE, SPEED, PRESSURE = VARIABLES = ("power", "bore", "stroke", "speed", "pressure")
+# Their units on pages, in watts, metres, turns a second and pascals.
+UNITS = {
+    POWER: Fraction(1000),
+    BORE: Fraction(1, 1000),
+    STROKE: Fraction(1, 1000),
+    SPEED: Fraction(1, 60),
+    PRESSURE: Fraction(10**5),
+}
+MOST_CYLINDERS = 24
+
+
+@dataclass(frozen=True, kw_only=True)
+class Duty:
+    """What is given beside that which acts on the piston; None is not.
+
+    `power` is the indicated one in watts; `brake_power` that at the shaft, which with the mechanical
+    efficiency η is η times the indicated one, of a driven machine the indicated one by η. `diagram_factor`
+    multiplies the mean pressure. `pressure` is what mean pressures count in, and `pressure_option` gives it.
+    `specific_volume` in m³/kg is that of the steam at admission.
+    """
+
+    power: Fraction | None = None
+    brake_power: Fraction | None = None
+    bore: Fraction | None = None
+    stroke: Fraction | None = None
+    speed: Speed | None = None
+    pressure: Fraction | None = None
+    pressure_option: str = "--pressure"
+    stroke_bore: Fraction | None = None
+    piston_speed: Fraction | None = None
+    diagram_factor: Fraction = Fraction(1)
+    efficiency: Fraction | None = None
+    specific_volume: Fraction | None = None
+    cylinders: int = 1
+
+    def __post_init__(self) -> None:
+        if not 1 <= self.cylinders <= MOST_CYLINDERS:
+            raise ProblemError(
+                f"the engine has {self.cylinders} cylinders; 1 to {MOST_CYLINDERS} are allowed"
+            )
+        for what, share in (("diagram factor", self.diagram_factor), ("efficiency", self.efficiency)):
+            if share is not None and not 0 < share <= 1:
+                raise ProblemError(f"the {what} is {about(share)}; it must be above 0 and at most 1")
+        for what, value in (("stroke over bore", self.stroke_bore), ("piston speed", self.piston_speed)):
+            if value is not None and not 0 < value <= 1000:
+                raise ProblemError(f"the {what} is {about(value)}; it must be above 0 and at most 1000")
+        if self.brake_power is not None:
+            if self.power is not None:
+                raise ProblemError(
+                    "--power is the indicated power and --brake-power that at the shaft; leave one out"
+                )
+            if self.efficiency is None:
+                raise ProblemError(
+                    "--brake-power is that at the shaft, of which the indicated power follows by the"
+                    " mechanical efficiency; add --efficiency, or give the indicated power as --power"
+                )
+
+    @property
+    def sized(self) -> bool:
+        """Whether anything of the power, the sizes or the speed is given."""
+        names = ("power", "brake_power", "bore", "stroke", "speed", "stroke_bore", "piston_speed")
+        return any(getattr(self, name) is not None for name in names)
+
+    def given(self, source: Acting | GivenPressure) -> dict[str, Term]:
+        """Return what is given, by the names of variables."""
+        found = {name: getattr(self, name) for name in (POWER, BORE, STROKE, PRESSURE)}
+        found[PRESSURE] = source.pressure or found[PRESSURE]
+        known = {name: number(value) for name, value in found.items() if value is not None}
+        if self.brake_power is not None:
+            known[POWER] = number(self.brake_power) / self.to_brake(source.driven)
+        if self.speed is not None:
+            turns = number(self.speed.value)
+            known[SPEED] = turns if self.speed.turns else turns / number(2, pi=1)
+        return known
+
+    def to_brake(self, driven: bool) -> Term:
+        """Return what times the indicated power is that at the shaft."""
+        assert self.efficiency is not None
+        return number(1 / self.efficiency if driven else self.efficiency)
+
+    def relations(self, source: Acting | GivenPressure) -> dict[str, tuple[Term, str]]:
+        """Return terms that are 1, by the option that errors name, each with the variable it tells first.
+
+        N = z k p_i A S n, with k working strokes of a cylinder in a turn; S = (S/d) d; c_m = 2 S n.
+        """
+        found = {}
+        bore, stroke, speed = variable(BORE), variable(STROKE), variable(SPEED)
+        if self.stroke_bore is not None:
+            found["--stroke-bore"] = stroke / bore / number(self.stroke_bore), STROKE
+        if self.piston_speed is not None:
+            found["--piston-speed"] = stroke * speed * number(2 / self.piston_speed), SPEED
+        rate = number(source.strokes * self.cylinders * self.diagram_factor / 4, pi=1) * Term(source.mean)
+        volume = bore * bore * stroke * speed
+        found["--power"] = rate * variable(PRESSURE) * volume / variable(POWER), POWER
+        return found
+
+
+def solved(duty: Duty, source: Acting | GivenPressure) -> Mapping[str, Term]:
+    """Return the variables, each in terms of what is given and of those that are not known.
+
+    Raises ProblemError where what is given contradicts itself.
+    """
+    known = duty.given(source)
+    found = dict(known)
+    for option, (relation, told) in duty.relations(source).items():
+        for name, value in found.items():
+            relation = relation.put(name, value)
+        free = [name for name in (told, *VARIABLES) if name in relation.powers]
+        if not free:
+            _check(option, relation, duty, known)
+            continue
+        value = relation.solved_for(free[0])
+        found = {name: one.put(free[0], value) for name, one in found.items()} | {free[0]: value}
+    return {name: found.get(name, variable(name)) for name in VARIABLES}
+
+
+def lacking(duty: Duty, *terms: Term) -> list[str]:
+    """Return the options that would make all terms known, nothing where they are."""
+    free = [name for name in VARIABLES if any(name in term.powers for term in terms)]
+    return [duty.pressure_option if name == PRESSURE else f"--{name}" for name in free]
+
+
+def _check(option: str, relation: Term, duty: Duty, known: Mapping[str, Term]) -> None:
+    """Raise ProblemError for a relation, all of whose variables are known, that does not hold."""
+    if relation.known.rational == 1:
+        return
+    off = float(relation.known)
+    if option == "--power":
+        shown = "--power" if duty.brake_power is None else "--brake-power"
+        power = float(known[POWER].known) / 1000
+        raise ProblemError(
+            f"bore, stroke, speed and pressure make an indicated power of {power * off:.5g} kW, and {shown}"
+            f" asks for {power:.5g} kW; leave {shown} or one of the others out"
+        )
+    if option == "--stroke-bore":
+        given, what, unit = duty.stroke_bore, "stroke and bore are in the ratio", ""
+    else:
+        given, what, unit = duty.piston_speed, "stroke and speed make a piston speed of", " m/s"
+    assert given is not None
+    raise ProblemError(
+        f"{what} {off * float(given):.5g}{unit}, and {option} is {about(given)}{unit}; leave one of them out"
+    )

@@ -1,0 +1,152 @@
+"""What the page of the power says of itself: what is given, the relations, and what acts on the piston."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from kurbel.drive.load import CARD, COMPRESSOR, GAS, PUMP, STEAM, figure
+from kurbel.engine.captions import DRIVEN
+from kurbel.engine.power.duty import Duty
+from kurbel.engine.power.source import Acting, GivenPressure
+from kurbel.exact.numerals import Label
+from kurbel.page.quantity import words
+
+if TYPE_CHECKING:
+    from kurbel.engine.power.page import PowerRequest
+
+__all__ = ["DRIVEN", "notes"]
+# What the relation of the power is made of.
+POWERED = ("indicated_power", "brake_power", "bore", "stroke", "speed", "mean_torque")
+# What the pressure is that mean pressures count in, by the load.
+PRESSURES = {
+    STEAM: words("Dampfdruck vor der Absperrung|steam pressure before cut-off"),
+    COMPRESSOR: words("Saugdruck|suction pressure"),
+    GAS: words("Saugdruck|suction pressure"),
+    PUMP: words("Förderdruck weniger Saugdruck|delivery pressure less suction pressure"),
+    CARD: words("der größte Druck des Diagramms|the greatest pressure of the card"),
+}
+WORDS = {
+    "power": words(
+        "$N_i = z k p_i A S n$, $A = π/4 d^2$; Zylinder $z = {cylinders}$, wirksame Hübe eines Zylinders in"
+        " der Umdrehung $k = {strokes}$"
+        "|$N_i = z k p_i A S n$, $A = π/4 d^2$; cylinders $z = {cylinders}$, working strokes of a cylinder"
+        " in a turn $k = {strokes}$"
+    ),
+    "factor": words(
+        "$p_i = φ_d p_m$, Völligkeitsgrad des Diagramms $φ_d = {factor}$"
+        "|$p_i = φ_d p_m$, diagram factor $φ_d = {factor}$"
+    ),
+    "efficiency": words(
+        "$N_e = η N_i$, mechanischer Wirkungsgrad $η = {efficiency}$"
+        "|$N_e = η N_i$, mechanical efficiency $η = {efficiency}$"
+    ),
+    "supplied": words(
+        "Die Welle treibt den Kolben; Drücke und Leistungen positiv, als zugeführt"
+        "|The shaft drives the piston; pressures and powers positive, as supplied"
+    ),
+    "efficiency_supplied": words(
+        "$N_e = N_i/η$, mechanischer Wirkungsgrad $η = {efficiency}$"
+        "|$N_e = N_i/η$, mechanical efficiency $η = {efficiency}$"
+    ),
+    "given": words("Gegeben: {given}|Given: {given}"),
+    "steam": words(
+        'Dampf eines wirksamen Hubes {volume} $V_h/v$, $v = {specific} "m"^3/"kg"$ vor der Absperrung'
+        '|Steam of a working stroke {volume} $V_h/v$, $v = {specific} "m"^3/"kg"$ before cut-off'
+    ),
+    "kept": words(
+        "; der schädliche Raum enthält noch Dampf vom Gegendruck $p_b$"
+        "|; the clearance still keeps steam of the back pressure $p_b$"
+    ),
+    "uncut": words("Volldruck über den ganzen Hub|Full pressure over the whole stroke"),
+    "mariotte": words("Expansion nach Mariotte|Expansion by Mariotte's law"),
+    "polytropic": words(
+        'Expansion nach $p V^n = "const"$, $n = {exponent}$|Expansion by $p V^n = "const"$, $n = {exponent}$'
+    ),
+    "clearance": words(
+        "schädlicher Raum $κ = {clearance}$ des Hubraumes|clearance $κ = {clearance}$ of the swept volume"
+    ),
+    "back": words("Gegendruck $p_b = {back} p$|back pressure $p_b = {back} p$"),
+    "best": words(
+        "Gegendruck $p_b$ gleich der Endspannung des Dampfes, nicht gegeben"
+        "|back pressure $p_b$ equal to the steam's at the end of the stroke, not given"
+    ),
+    "single": words("einfachwirkend|single-acting"),
+    "double": words("doppeltwirkend|double-acting"),
+    "card": words(
+        "Druck aus dem Diagramm; gedruckt sind nur so viele Stellen, wie seine Punkte tragen"
+        "|pressure from the card; only as many digits as its points support are printed"
+    ),
+}
+
+
+def notes(request: PowerRequest) -> Iterator[Label]:
+    """Yield the lines below the table."""
+    lang, duty, source = request.lang, request.duty, request.sources[0]
+    shown = {column.key for column in request.page_columns}
+    yield from (note[lang] for note in request.layout.notes)
+    if isinstance(source, Acting) and "relative_pressure" in shown:
+        yield f"$p$ {PRESSURES[source.name][lang]}"
+    if given := ", ".join(_given(duty, source)):
+        yield WORDS["given"][lang].format(given=given)
+    if not shown.isdisjoint(POWERED):
+        strokes = figure(source.strokes)
+        yield WORDS["power"][lang].format(cylinders=duty.cylinders, strokes=strokes)
+    if duty.diagram_factor != 1:
+        yield WORDS["factor"][lang].format(factor=figure(duty.diagram_factor))
+    if duty.efficiency is not None:
+        said = "efficiency_supplied" if request.driven else "efficiency"
+        yield WORDS[said][lang].format(efficiency=figure(duty.efficiency))
+    if not isinstance(source, Acting):
+        return
+    if duty.specific_volume is not None and not shown.isdisjoint(("steam", "steam_per_kwh")):
+        yield _steam_taken(source, duty, lang)
+    yield "; ".join(_steam_lines(source, lang) if source.steamed else _lines(request, lang))
+    if request.driven:
+        yield WORDS["supplied"][lang]
+
+
+def _given(duty: Duty, source: Acting | GivenPressure) -> Iterator[Label]:
+    """Yield what is given as it stands in formulas, but for what the table has."""
+    if duty.pressure is not None and not isinstance(source, GivenPressure):
+        yield f'$p = {figure(duty.pressure / 100000)} "bar"$'
+    if duty.stroke_bore is not None:
+        yield f"$S/d = {figure(duty.stroke_bore)}$"
+    if duty.speed is not None and not duty.speed.turns:
+        yield f'$ω = {figure(duty.speed.value)} "rad/s"$'
+
+
+def _steam_taken(source: Acting, duty: Duty, lang: str) -> Label:
+    steam, volume = source.load, duty.specific_volume
+    assert volume is not None
+    kept = "p_b/p" if steam.exponent == 1 else f"(p_b/p)^(1/{figure(steam.exponent)})"
+    taken = f"$1/ε + κ (1 - {kept})$" if steam.clearance else "$1/ε$"
+    said = WORDS["steam"][lang].format(volume=taken, specific=figure(volume))
+    return said + (WORDS["kept"][lang] if steam.clearance else "")
+
+
+def _steam_lines(source: Acting, lang: str) -> Iterator[Label]:
+    steam = source.load
+    if steam.expansion == 1:
+        yield WORDS["uncut"][lang]
+    elif steam.exponent == 1:
+        yield WORDS["mariotte"][lang]
+    else:
+        yield WORDS["polytropic"][lang].format(exponent=figure(steam.exponent))
+    if steam.clearance:
+        yield WORDS["clearance"][lang].format(clearance=figure(steam.clearance))
+    if steam.back is None:
+        yield WORDS["best"][lang]
+    else:
+        yield WORDS["back"][lang].format(back=figure(steam.back))
+    yield WORDS["double" if source.engine.double else "single"][lang]
+
+
+def _lines(request: PowerRequest, lang: str) -> Iterator[Label]:
+    source = request.sources[0]
+    if source.carded:
+        yield WORDS["card"][lang]
+    else:
+        yield from request.words.lines(request, lang)  # type: ignore[arg-type]
+    if request.words.halved:
+        yield WORDS["double" if request.double else "single"][lang]

@@ -1,0 +1,143 @@
+"""What the mean pressure of a cylinder comes from: what acts on its piston, or that it is given."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any, ClassVar
+
+from kurbel.drive.load import CARD, STEAM
+from kurbel.engine.digits import Asked, Estimate, check_card, estimate
+from kurbel.engine.engine import Engine
+from kurbel.engine.loads import work
+from kurbel.engine.quantities import Where, engine_registry
+from kurbel.engine.turn import turn_of
+from kurbel.errors import ProblemError
+from kurbel.exact.kind import Kind
+from kurbel.exact.product import Product
+from kurbel.kernel.steam import power
+from kurbel.page.quantity import bare
+from kurbel.reading.notation import about
+
+MOST_STROKES = 24
+
+
+@dataclass(frozen=True)
+class GivenPressure:
+    """A mean pressure that is given, in so many working strokes of a cylinder in a turn."""
+
+    name: ClassVar[str] = "mean pressure"
+    driven: ClassVar[bool] = False
+    carded: ClassVar[bool] = False
+
+    # That which is given.
+    pressure: ClassVar[Fraction | None] = None
+
+    strokes: Fraction
+
+    def __post_init__(self) -> None:
+        if not 0 < self.strokes <= MOST_STROKES:
+            raise ProblemError(
+                f"the working strokes of a turn are {about(self.strokes)}; they must be above 0 and at most"
+                f" {MOST_STROKES}: 2 of a double-acting cylinder, 1/2 of one in four strokes"
+            )
+
+    @property
+    def mean(self) -> Product:
+        """The mean pressure in units of itself."""
+        return Product.of(1)
+
+
+@dataclass(frozen=True)
+class Acting:
+    """What acts on the piston of an engine: its mean pressure counts in the pressure that Q is of."""
+
+    engine: Engine
+
+    @property
+    def load(self) -> Any:
+        return self.engine.steam
+
+    @property
+    def name(self) -> str:
+        return str(self.load.name)
+
+    @property
+    def carded(self) -> bool:
+        return self.name == CARD
+
+    @cached_property
+    def driven(self) -> bool:
+        """Whether the shaft drives the piston; of a card its work says so."""
+        return bool(self._turn.mean_force() < 0) if self.carded else bool(self.load.driven)
+
+    @property
+    def pressure(self) -> Fraction | None:
+        """The pressure in Pa that Q is of, where the load has one of its own."""
+        return Fraction(self.load.pressure) if self.carded else None
+
+    @property
+    def strokes(self) -> Fraction:
+        """The working strokes of a cylinder in a turn."""
+        return work.ends(self.engine)
+
+    @property
+    def steamed(self) -> bool:
+        return self.name == STEAM
+
+    @cached_property
+    def mean(self) -> Product:
+        """The mean pressure of an end that works, in units of the pressure that Q is of."""
+        return Product.about(self._mean, work.is_algebraic(self.load) and not self.carded)
+
+    def _mean(self, kind: Kind) -> Any:
+        if self.carded:
+            return kind.of(Fraction(float(self._estimate.value)))
+        mean = work.mean_pressure_of(self.engine, kind)
+        return -mean if self.driven else mean
+
+    @cached_property
+    def steam_taken(self) -> Product:
+        """The volume at admission of the steam that a stroke takes, as a share of the swept one.
+
+        1/ε + κ (1 - (p_b/p)^(1/n)): up to the cut-off steam fills the clearance as well, which still keeps
+        steam of the back pressure, by the law of the expansion. Derived by us for the ideal card without
+        compression.
+        """
+        steam = self.load
+        if not steam.clearance:
+            return Product.of(1 / steam.expansion)
+        return Product.about(self._steam_taken, algebraic=True)
+
+    def _steam_taken(self, kind: Kind) -> Any:
+        steam, exponent = self.load.numbers(kind.of, kind.exponent), self.load.exponent
+        kept = steam.back if exponent == 1 else power(steam.back, kind.exponent(1 / exponent))
+        return steam.cut_off + steam.clearance * (1 - kept)
+
+    @cached_property
+    def delivered(self) -> Product:
+        """The volume that a stroke delivers, in the state of suction, as a share of the swept one."""
+        return Product.about(self.load.delivered, algebraic=True)
+
+    def apart(self, value: Product) -> float:
+        """Return how far a value may be off, as a share of it, for the points of a card tell no more."""
+        powers = [power for one, power in value.enclosed if one is self.mean.enclosed[0][0]]
+        if not self.carded or not powers:
+            return 0.0
+        # Of (1 + e)^k, but for k = 1, no more than twice k e is lost, for a card with a figure to it.
+        times = 1.0 if powers[0] == 1 else 2 * abs(float(powers[0]))
+        return times * self._estimate.error / abs(float(self._estimate.value))
+
+    @cached_property
+    def _estimate(self) -> Estimate:
+        """The mean pressure of an indicator card, and how far it may be off."""
+        quantity = engine_registry()["mean_pressure"]
+        return estimate(Asked(bare(quantity, "exact", None), (self._turn,), Where()))
+
+    @cached_property
+    def _turn(self) -> Any:
+        turn = turn_of(self.engine, "exact")
+        if self.carded:
+            check_card(turn, "half-away")
+        return turn

@@ -1,0 +1,157 @@
+"""`kurbel power`: mean pressures by quadrature of the card, powers and sizes by arithmetic of this file."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import cbrt, log, pi
+from pathlib import Path
+
+import pytest
+from cli import kurbel, printed, refusal
+from scipy.integrate import quad
+
+STEAM = ("--pressure=8bar", "--back=1.1bar", "--clearance=8%")
+SIZES = ("--bore=300mm", "--stroke=450mm", "--speed=200/min")
+
+
+def record(*words: str) -> dict[str, float]:
+    (row,) = printed("power", *words, "--digits=9", "-f", "csv").records()
+    # The first column is of what acts on the piston.
+    return {key: float(value) for key, value in [*row.items()][1:]}
+
+
+def card(share: float, cut_off: float, clearance: float, exponent: float) -> float:
+    """The pressure of the ideal card in that of admission."""
+    if share <= cut_off:
+        return 1.0
+    return float(((cut_off + clearance) / (share + clearance)) ** exponent)
+
+
+@pytest.mark.parametrize("exponent", [1.0, 1.2])
+def test_mean_pressure_is_the_area_of_the_card(exponent: float) -> None:
+    area, _ = quad(card, 0, 1, args=(1 / 3, 0.08, exponent), points=[1 / 3], epsabs=1e-13, epsrel=1e-13)
+    found = record("--eps=3", *STEAM, f"--exponent={exponent}", "--diagram-factor=0.8")
+    assert found["theoretical_pressure"] == pytest.approx(8 * area - 1.1, abs=2e-9)
+    assert found["mean_pressure"] == pytest.approx(0.8 * (8 * area - 1.1), abs=2e-9)
+
+
+def test_power_and_steam_of_a_double_acting_engine() -> None:
+    mean = 0.8 * (8 * (1 / 3 + (1 / 3 + 0.08) * log(1.08 / (1 / 3 + 0.08))) - 1.1)
+    swept, turns = pi / 4 * 0.3**2 * 0.45, 200 / 60
+    watts = 2 * turns * swept * mean * 1e5
+    # The clearance keeps steam of 1.1 bar, by Mariotte's law.
+    steam = 2 * turns * swept * (1 / 3 + 0.08 * (1 - 1.1 / 8)) / 0.24
+    words = ("--eps=3", *STEAM, *SIZES, "--diagram-factor=0.8", "--efficiency=85%")
+    found = record(*words, "--specific-volume=0.24 m3/kg")
+    expected = {
+        "indicated_power": watts / 1000, "brake_power": 0.85 * watts / 1000, "piston_speed": 2 * 0.45 * turns,
+        "mean_torque": 0.85 * watts / (2 * pi * turns), "brake_pressure": 0.85 * mean, "steam": 3600 * steam,
+        "steam_per_kwh": 3.6e6 * steam / watts, "steam_per_brake_kwh": 3.6e6 * steam / watts / 0.85,
+    }  # fmt: skip
+    assert {key: found[key] for key in expected} == pytest.approx(expected, rel=1e-8)
+    assert record(*words, f"--steam-density={1 / 0.24:.20f} kg/m3")["steam"] == pytest.approx(found["steam"])
+
+
+@pytest.mark.parametrize(
+    ("words", "sizes"),
+    [
+        # d³ = 4 N/(π k p z L/D n), and so on: N = z k p A S n by hand.
+        (
+            ("--stroke-bore=1.5", "--speed=250/min"),
+            lambda work: (cbrt(work * 60 / 250 / 1.5), 1.5 * cbrt(work * 60 / 250 / 1.5), 250.0),
+        ),
+        (
+            ("--piston-speed=3m/s", "--stroke-bore=1.5"),
+            lambda work: ((work / 1.5) ** 0.5, 1.5 * (work / 1.5) ** 0.5, 90 / (1.5 * (work / 1.5) ** 0.5)),
+        ),
+        (
+            ("--bore=400mm", "--speed=26rad/s"),
+            lambda work: (0.4, work * 2 * pi / 26 / 0.16, 30 * 26 / pi),
+        ),
+        (("--bore=400mm", "--stroke=0.6m"), lambda work: (0.4, 0.6, 60 * work / (0.16 * 0.6))),
+    ],
+)
+def test_a_power_finds_what_is_not_given(
+    words: tuple[str, ...], sizes: Callable[[float], tuple[float, ...]]
+) -> None:
+    # Mean pressure 4 bar, two cylinders that work twice in a turn.
+    given = ("--mean-pressure=5bar", "--diagram-factor=0.8", "--working-strokes=2", "--cylinders=2")
+    found = record(*given, "--brake-power=60kW", "--efficiency=80%", *words)
+    bore, stroke, speed = sizes(75e3 / (pi / 4 * 2 * 2 * 4e5))
+    assert (found["bore"], found["stroke"], found["speed"]) == pytest.approx(
+        (1000 * bore, 1000 * stroke, speed), rel=1e-8
+    )
+    assert found["indicated_power"] == 75
+
+
+def test_of_driven_machines_the_shaft_has_more_to_give() -> None:
+    sizes = ("--suction-pressure=-0.3bar", "--delivery-pressure=5bar", *SIZES, "--efficiency=80%")
+    found = record("--pump", *sizes)
+    flow = 2 * pi / 4 * 0.3**2 * 0.45 * 200
+    assert found["delivery"] == pytest.approx(flow, rel=1e-8)
+    assert found["brake_power"] == pytest.approx(5.3e5 * flow / 60 / 800, rel=1e-8)
+
+
+def test_cylinders_of_four_strokes_work_every_second_turn() -> None:
+    # Otto cycle: q = 10 R T₁ and the efficiency 1 - 6^-0.4 over the volume swept, 5/6 of R T₁/p₁.
+    mean = 10 * (1 - 6**-0.4) / (5 / 6)
+    words = ("--compression=6", "--heat=10", "--suction-pressure=1bar", *SIZES, "--cylinders=4")
+    found = record(*words)
+    assert found["mean_pressure"] == pytest.approx(mean, rel=1e-8)
+    watts = 2 * pi / 4 * 0.3**2 * 0.45 * 200 / 60 * mean * 1e5
+    assert found["indicated_power"] == pytest.approx(watts / 1000, rel=1e-8)
+
+
+def test_a_card_gives_its_power_with_the_digits_that_it_has(tmp_path: Path) -> None:
+    # Straight lines: 6 bar falls to 2 bar, against 1 bar.
+    lines = [f"{at / 20:.2f},{6 - at / 5:.2f},1.00" for at in range(21)]
+    path = tmp_path / "card.csv"
+    path.write_text("position,p_forward [bar],p_return [bar]\n" + "\n".join(lines) + "\n", encoding="utf-8")
+    (row,) = printed("power", f"--card={path}", *SIZES, "-f", "csv").records()
+    watts = 2 * pi / 4 * 0.3**2 * 0.45 * 200 / 60 * 3e5
+    for key, value in (("mean_pressure", 3.0), ("indicated_power", watts / 1000)):
+        places = len(row[key].partition(".")[2])
+        assert abs(float(row[key]) - value) <= 0.51 * 10**-places
+        assert len(row[key].replace(".", "")) == 2
+
+
+@pytest.mark.parametrize(("rounding", "printed_power"), [("half-away", "0.563"), ("half-even", "0.562")])
+def test_a_power_half_way_between_two_figures_is_one(rounding: str, printed_power: str) -> None:
+    # π of the area and π of the speed cancel: 2 · 5 bar · d² S ω/8 = 562.5 W.
+    words = ("--eps=1", "--pressure=10bar", "--back=0.5", "--bore=100mm", "--stroke=50mm", "--speed=9rad/s")
+    row = printed(
+        "power", *words, "--columns=indicated_power", "--digits=3", f"--rounding={rounding}", "-f", "csv"
+    )
+    assert row.records() == [{"indicated_power": printed_power}]
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (("--bore=300mm",), "the power needs what acts on the piston: --eps with --pressure,"),
+        (
+            ("--eps=3", "--pressure=8bar", "--power=75kW"),
+            "this does not tell the power, or the sizes for it; add --stroke and --speed, or in place of one"
+            " --stroke-bore or --piston-speed",
+        ),
+        (("--eps=3", *SIZES), "this does not tell the power, or the sizes for it; add --pressure"),
+        (
+            ("--eps=3", "--pressure=8bar", *SIZES, "--power=75kW"),
+            "bore, stroke, speed and pressure make an indicated power of 62.125 kW, and --power asks for 75"
+            " kW; leave --power or one of the others out",
+        ),
+        (
+            ("--eps=3", "--pressure=8bar", *SIZES, "--stroke-bore=2"),
+            "stroke and bore are in the ratio 1.5, and --stroke-bore is 2; leave one of them out",
+        ),
+        (("--mean-pressure=3bar", *SIZES), "--mean-pressure needs the working strokes of a turn;"),
+        (("--eps=3", "--back=1.1bar"), 'back pressure "1.1bar" is a pressure, which counts in'),
+        (("--eps=3", "--brake-power=3kW", *STEAM), "--brake-power is that at the shaft,"),
+    ],
+)
+def test_what_is_missing_or_contradicts_itself_is_said(words: tuple[str, ...], sentence: str) -> None:
+    assert refusal("power", *words).removeprefix("kurbel: ").startswith(sentence)
+
+
+def test_a_machine_says_what_it_knows() -> None:
+    assert kurbel("power", "--machine=examples/engine.toml").code == 0
