@@ -67,6 +67,10 @@ def test_the_example_has_every_key_but_few_and_builds(tmp_path: Path) -> None:
     (folder / "handbook.toml").write_text(example(), encoding="utf-8")
     (folder / "motion.md").write_text("See [](#paths) and [](#acceleration).\n", encoding="utf-8")
     shutil.copy(ROOT / "examples" / "engine.toml", folder)
+    teaching = (ROOT / "docs" / "teaching.md").read_text(encoding="utf-8")
+    problems = re.search(r"```toml\n(# problems.toml\n.*?)```", teaching, re.DOTALL)
+    assert problems
+    (folder / "problems.toml").write_text(problems[1], encoding="utf-8")
     names = {name for section in SECTIONS.values() for name in section.__struct_fields__}
     unused = {name for name in names if not re.search(rf"\b{name}\b", example())}
     assert unused == {"templates", "layouts", "pdf", "standards"}
@@ -87,7 +91,7 @@ def test_the_example_has_every_key_but_few_and_builds(tmp_path: Path) -> None:
 
 
 def test_guides_link_to_files_that_there_are() -> None:
-    for page in ("handbook.md", "ci.md"):
+    for page in ("handbook.md", "ci.md", "teaching.md"):
         text = (ROOT / "docs" / page).read_text(encoding="utf-8")
         for target in re.findall(r"\]\((?!http)([^)#]+)\)", text):
             assert (ROOT / "docs" / target).is_file(), target

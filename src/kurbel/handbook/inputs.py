@@ -46,15 +46,17 @@ def glance(*paths: str) -> Seen:
 def glance_at(given: str) -> Seen:
     """Look at the manifest, at the files that its parts name, at its templates and layouts.
 
-    Of a manifest that cannot be read it is the manifest alone.
+    Of a manifest that cannot be read, or whose problems cannot, it is that with the TOML files beside it.
     """
     path = manifest_path(given)
     try:
         manifest = read_manifest(path)
         state = Folder(manifest.folder, manifest.output).state()
     except KurbelError:
-        return glance(path)
-    named: list[str | None] = [part.file for part in manifest.parts()]
+        folder = os.path.dirname(path)
+        beside = os.listdir(folder or ".") if os.path.isdir(folder or ".") else ()
+        return glance(path, *(os.path.join(folder, one) for one in sorted(beside) if one.endswith(".toml")))
+    named: list[str | None] = [part.file or part.problems for part in manifest.parts()]
     named += [manifest.machine, manifest.templates, manifest.layouts]
     named += [file for done in state.values() for file in done.inputs]
     return glance(path, *(os.path.join(manifest.folder, one) for one in dict.fromkeys(named) if one))

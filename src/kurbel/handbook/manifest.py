@@ -16,8 +16,8 @@
     run = "table --step 15"
     name = "kolbenbewegung"
 
-A part is a text in Markdown or what a command prints or draws. `kurbel.handbook.model` has its
-keys.
+A part is a text in Markdown, what a command prints or draws, or problems. `kurbel.handbook.model` has
+its keys.
 """
 
 from __future__ import annotations
@@ -41,6 +41,7 @@ from kurbel.handbook.model import (
     check_engine,
     default_options,
 )
+from kurbel.handbook.problems import problems_of
 from kurbel.reading.given import choose
 from kurbel.reading.toml_file import Place, TomlFile, TomlKind, shown
 
@@ -48,10 +49,22 @@ NAME = "handbook.toml"
 KIND = TomlKind("handbook", HandbookError, 2_000_000, "a handbook has chapters with parts", "appendix/")
 MOST_PARTS = 10_000
 LONGEST_NAME = 60
+_OF_A_TEXT = dict.fromkeys(("name", "caption"), "for tables and figures, and this part is a text")
+_OF_PROBLEMS = dict.fromkeys(("shows", "variant"), "for problems, and this part has none")
+# What is said of keys that do not go with what a part has.
+FOREIGN = {
+    "run": _OF_PROBLEMS,
+    "text": _OF_A_TEXT | _OF_PROBLEMS,
+    "file": _OF_A_TEXT | _OF_PROBLEMS,
+    "problems": {"caption": "for a table or a figure by itself; those of problems have their commands'"},
+}
 
 
 class Part(NamedTuple):
-    """A text (of the manifest, or of a file) or a command's words; `options` are its defaults."""
+    """A text (of the manifest, or of a file) or a command's words; `options` are its defaults.
+
+    `problems` is the file of problems that it is of.
+    """
 
     line: int
     name: str = ""
@@ -59,6 +72,7 @@ class Part(NamedTuple):
     text: str = ""
     file: str = ""
     caption: str = ""
+    problems: str = ""
     options: Mapping[str, Any] = {}
 
     @property
@@ -160,18 +174,38 @@ class _Reader:
     def parts(self, chapter: Place, given: Sequence[PartKeys], defaults: Mapping[str, Any]) -> Iterator[Part]:
         for number, one in enumerate(given):
             place: Place = (*chapter, "part", number)
-            contents = [key for key in ("run", "text", "file") if getattr(one, key) is not None]
+            contents = [key for key in ("run", "text", "file", "problems") if getattr(one, key) is not None]
             if len(contents) != 1:
                 found = " and ".join(contents) or "none of them"
-                raise self.error(place, f"a part has one of run, text and file, and this one has {found}")
+                raise self.error(
+                    place, f"a part has one of run, text, file and problems, and this one has {found}"
+                )
             options = {**defaults, "lang": one.lang or defaults["lang"]}
+            for key in (key for key in FOREIGN[contents[0]] if getattr(one, key) is not None):
+                raise self.error((*place, key), f"{key} is {FOREIGN[contents[0]][key]}")
             if one.run is not None:
                 yield self.table(place, one.run, one, options)
-                continue
-            for key in (key for key in ("name", "caption") if getattr(one, key) is not None):
-                raise self.error((*place, key), f"{key} is for tables and figures, and this part is a text")
-            line = self.line((*place, contents[0]))
-            yield Part(line, text=one.text or "", file=one.file or "", options=options)
+            elif one.problems is not None:
+                yield from self.problems(place, one.problems, one, options)
+            else:
+                line = self.line((*place, contents[0]))
+                yield Part(line, text=one.text or "", file=one.file or "", options=options)
+
+    def problems(
+        self, place: Place, inside: str, given: PartKeys, options: Mapping[str, Any]
+    ) -> Iterator[Part]:
+        """Yield the texts of problems, and the pages that answer them."""
+        line = self.line((*place, "problems"))
+        path = os.path.join(os.path.dirname(self.file.path), inside)
+        mark = {"comma": ",", "point": "."}.get(str(options.get("decimal")), "")
+        for one in problems_of(path, options["lang"], given.variant or 1, mark):
+            if given.shows != "solutions":
+                yield Part(line, text=one.posed, problems=inside, options=options)
+            if given.shows != "problems":
+                yield Part(line, text=one.solved, problems=inside, options=options)
+                name = f"{given.name}-{one.name}" if given.name else one.name
+                self.check_name((*place, "problems"), name, self.part_names)
+                yield Part(line, name, one.words, problems=inside, options=options)
 
     def table(self, place: Place, run: str, given: PartKeys, options: Mapping[str, Any]) -> Part:
         place_of_run = (*place, "run")

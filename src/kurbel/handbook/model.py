@@ -16,7 +16,7 @@ from kurbel.exact.numerals import DECIMALS
 from kurbel.formats.registry import FORMATS, compiled_format
 from kurbel.page.labels import Mark, parse
 from kurbel.page.layouts import LANGUAGES
-from kurbel.reading.toml_file import A_TEXT, Choice, Fault, about
+from kurbel.reading.toml_file import A_TEXT, Choice, Fault, about, within
 
 SCHEMA = "handbook.schema.json"
 COMPILED = compiled_format()
@@ -92,6 +92,10 @@ class Standards(Choices, what="standard", allowed=STANDARDS):
     """What a PDF keeps."""
 
 
+class Shows(Choice, what="part of problems", allowed=("both", "problems", "solutions")):
+    """What is printed of problems."""
+
+
 class Heading(str):
     """A text in which formulas stand between dollar signs."""
 
@@ -152,6 +156,11 @@ class PartKeys(Struct, frozen=True, forbid_unknown_fields=True):
     ] = None
     text: Annotated[str | None, about("a text in Markdown")] = None
     file: Annotated[Inside | None, about("a file with a text in Markdown")] = None
+    problems: Annotated[Inside | None, about("a file of problems, with the commands that answer them")] = None
+    shows: Annotated[Shows | None, about("of problems: both, problems or solutions; default: both")] = None
+    variant: Annotated[
+        Annotated[int, within(1, 1000)] | None, about("of problems: which of their variants; default: 1")
+    ] = None
     name: Annotated[str | None, about("name for references and files; default: from the command")] = None
     caption: Annotated[
         Heading | None,
@@ -160,7 +169,7 @@ class PartKeys(Struct, frozen=True, forbid_unknown_fields=True):
     lang: Language = None
 
 
-ONE_OF = [{"required": [key]} for key in ("run", "text", "file")]
+ONE_OF = [{"required": [key]} for key in ("run", "text", "file", "problems")]
 
 
 class ChapterKeys(Struct, frozen=True, forbid_unknown_fields=True):
