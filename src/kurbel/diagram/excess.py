@@ -1,0 +1,237 @@
+"""The excess of a driving torque over that of the load, in steady state: its energy and its extremes.
+
+The excess energy is the integral of the excess over the angle from 0 on. With one of the two torques alone
+the other is constant, its mean. Re-derived; closed form, with every digit certified.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+from kurbel.diagram.fluctuation import Extreme, work_of
+from kurbel.diagram.torque import TURN, Line, Torque, common_cycle
+from kurbel.diagram.waves import QUARTER, Waves
+from kurbel.diagram.zeros import UNIT, Polynomial, Zero, is_plain, zeros
+from kurbel.errors import ProblemError
+from kurbel.exact.kind import Kind, balls, floats
+from kurbel.reading.notation import about
+
+# Two energies that agree to so many bits are taken for equal, as at φ and -φ.
+CHOOSING_BITS, EQUAL_BITS = 64, 200
+
+
+@dataclass(frozen=True)
+class Excess:
+    """A driving torque and that of the load, whose means are the same."""
+
+    drive: Torque
+    load: Torque
+
+    def __post_init__(self) -> None:
+        one, two = self.drive.mean, self.load.mean
+        if not _agree(one, two):
+            means = " and that of the load ".join(
+                about(Fraction(float(mean.at(Fraction(0), floats()))).limit_denominator(10**9))
+                for mean in (one, two)
+            )
+            raise ProblemError(
+                f"the mean torque of the drive is {means} N m; over a cycle in steady state they must be the"
+                " same, or the speed grows or falls from cycle to cycle"
+            )
+        if not self.excess.waves and is_plain(self.excess):
+            raise ProblemError(
+                "the torques of the drive and of the load are the same everywhere; the speed does not vary"
+            )
+
+    @classmethod
+    def between(cls, drive: Torque | None, load: Torque | None) -> Excess:
+        """Return the excess, where one of both is missing over the mean of the other."""
+        if drive is None and load is None:
+            raise ProblemError(
+                "no torque was given; add --torque '5000 + 1500 sin(3φ)' or its points, '0:0; 60:90; 180:0',"
+                " or that of the load, --load-torque"
+            )
+        if drive is None:
+            assert load is not None
+            return cls(_constant(load), load)
+        return cls(drive, _constant(drive) if load is None else load)
+
+    @cached_property
+    def cycle(self) -> Fraction:
+        """The degrees of a cycle of both."""
+        return common_cycle(self.drive.cycle, self.load.cycle)
+
+    @property
+    def turns(self) -> Fraction:
+        return self.cycle / TURN
+
+    @cached_property
+    def excess(self) -> Torque:
+        """The drive's torque less the load's, whose mean is 0."""
+        found = self.drive - self.load
+        level = sum(one.area for one in found.lines) / found.cycle
+        lines = tuple(one._replace(first=one.first - level) for one in found.lines)
+        return Torque(_without_nothing(found.waves - found.waves.level), lines)
+
+    @cached_property
+    def algebraic(self) -> bool:
+        if is_plain(self.excess):
+            return True
+        areas = {self._area(self._zeros_of(greatest)[0]) for greatest in (True, False)}
+        return None not in areas and len(areas) == 1
+
+    def mean_torque(self, kind: Kind) -> Any:
+        return self.drive.mean.at(Fraction(0), kind)
+
+    def work(self, kind: Kind) -> Any:
+        return work_of(self.mean_torque(kind), self.turns, kind)
+
+    def energy(self, degrees: Fraction, kind: Kind) -> Any:
+        """Return the excess energy in J at a crank angle, from 0° on."""
+        return self._energy(Zero(degrees), kind)
+
+    def is_algebraic_at(self, degrees: Fraction) -> bool:
+        """Whether the energy there is an algebraic number."""
+        return not self._area(Zero(degrees))
+
+    def swing(self, kind: Kind) -> Any:
+        return self.extreme_energy(kind, greatest=True) - self.extreme_energy(kind, greatest=False)
+
+    def extreme_energy(self, kind: Kind, *, greatest: bool) -> Any:
+        """Return the greatest or the least excess energy in J."""
+        return self._energy(self._zeros_of(greatest)[0], kind)
+
+    def extremes(self, *, greatest: bool) -> tuple[Extreme, ...]:
+        """Return the places within a cycle, in order."""
+        found = [(zero, times) for zero in self._zeros_of(greatest) for times in range(self._times)]
+        return tuple(sorted((self._extreme(*one) for one in found), key=_place))
+
+    @property
+    def _period(self) -> Fraction:
+        return TURN / self.excess.waves.base if is_plain(self.excess) else self.cycle
+
+    @property
+    def _times(self) -> int:
+        return int(self.cycle / self._period)
+
+    def _extreme(self, zero: Zero, times: int) -> Extreme:
+        shift = self._period * times
+        if zero.exact is not None:
+            exact = (zero.exact + shift) % self.cycle
+            return Extreme(degrees=lambda kind: kind.of(exact), exact=exact)
+        # The search of a period begins a little behind 0°, and ends so far behind its end.
+        beyond = zero.root.low * UNIT + shift >= self.cycle
+        shift -= self.cycle if beyond else 0
+        return Extreme(degrees=lambda kind: zero.degrees(kind) + kind.of(shift))
+
+    @cached_property
+    def _candidates(self) -> list[Zero]:
+        return zeros(self.excess)
+
+    @cached_property
+    def _polynomial(self) -> Polynomial:
+        return Polynomial.of(self.excess.waves)
+
+    def _zeros_of(self, greatest: bool) -> Sequence[Zero]:
+        return self._greatest if greatest else self._least
+
+    @cached_property
+    def _greatest(self) -> Sequence[Zero]:
+        return self._choose(1)
+
+    @cached_property
+    def _least(self) -> Sequence[Zero]:
+        return self._choose(-1)
+
+    def _choose(self, sign: int) -> Sequence[Zero]:
+        """Return where the energy, times the sign, is greatest; several only if they cannot be told apart."""
+        import flint
+
+        left = self._candidates
+        if not self.excess.waves:
+            areas = [sign * (self._area(one) or 0) for one in left]
+            return [one for one, area in zip(left, areas, strict=True) if area == max(areas)]
+        for bits in (CHOOSING_BITS, EQUAL_BITS):
+            with flint.ctx.workprec(bits):
+                kind = balls()
+                energies = [sign * self._energy(one, kind) for one in left]
+                pairs = zip(left, energies, strict=True)
+                left = [one for one, energy in pairs if not any(other > energy for other in energies)]
+        if any(one.root is not None and one.root.rising is None for one in left):
+            raise ProblemError(
+                "the speed rests where it should turn; its extremes cannot be told apart; give slightly other"
+                " numbers"
+            )
+        return left
+
+    def _energy(self, zero: Zero, kind: Kind) -> Any:
+        if kind.enclosed is not None:
+            return kind.enclosed(lambda: self._enclosed(zero))
+        waves, zero_at = self.excess.waves.integral, Fraction(0)
+        if zero.exact is not None:
+            return waves.at(zero.exact, kind) - waves.at(zero_at, kind)
+        total = kind.of(zero_at)
+        for amplitude, order, phase in waves.parts:
+            cosine = zero.cosine(order, phase, self.excess.waves.base, self._polynomial)
+            total = total + kind.of(amplitude) * cosine
+        return total - waves.at(zero_at, kind)
+
+    def _enclosed(self, zero: Zero) -> Any:
+        """Return the energy as a ball."""
+        kind, waves = balls(), self.excess.waves.integral
+        begun = waves.at(Fraction(0), kind)
+        area = self._area(zero)
+        if zero.exact is not None:
+            assert area is not None
+            return waves.at(zero.exact, kind) - begun + kind.of(area / 180) * kind.pi
+        degrees = zero.degrees(kind)
+        total = waves.within(degrees, kind) - begun
+        return total + _below(self.excess, zero.line, degrees, kind) * kind.pi / 180
+
+    def _area(self, zero: Zero) -> Fraction | None:
+        """Return what is below the lines up to an exact place, in N m times degrees; else None."""
+        if zero.exact is None:
+            return None
+        place = zero.exact % self.excess.cycle
+        return Fraction(self.excess.area(place, self.excess.line_at(place)))
+
+
+def _below(excess: Torque, number: int, degrees: Any, kind: Kind) -> Any:
+    """Return what is below the lines up to a ball of degrees."""
+    line = excess.lines[number]
+    behind = degrees - kind.of(line.start)
+    before = Fraction(excess.area(line.start, number))
+    return kind.of(before) + kind.of(line.first) * behind + kind.of(line.slope) * behind * behind / 2
+
+
+def _constant(torque: Torque) -> Torque:
+    """Return the mean of a torque as one of its own."""
+    level = torque.mean.rational
+    waves = Waves({}) if level is not None else torque.mean
+    return Torque(waves, (Line(Fraction(0), torque.cycle, level or Fraction(0)),))
+
+
+def _agree(one: Waves, two: Waves) -> bool:
+    """Whether two constants are equal."""
+    apart = one - two
+    return not apart.rational if apart.rational is not None else apart.vanishes(Fraction(0))
+
+
+def _without_nothing(waves: Waves) -> Waves:
+    """Return the waves without those of an order that come to nothing together, as of cranks at 120°."""
+    found = waves
+    for order in waves.orders:
+        own = Waves({wave: a for wave, a in waves.amplitudes.items() if wave[0] == order})
+        several = len(own.amplitudes) > 1
+        if several and all(own.vanishes(place) for place in (Fraction(0), QUARTER / order)):
+            found -= own
+    return found
+
+
+def _place(extreme: Extreme) -> float:
+    assert extreme.degrees is not None
+    return float(extreme.degrees(floats()))

@@ -1,0 +1,216 @@
+"""A torque as a formula in the crank angle: 5000 + 1500 sin(3φ), 200 sin² φ cos φ, (12,5 + 3 sin 2φ) kN m.
+
+There are numbers, + - * / ( ), powers of whole numbers, sin and cos, and φ or θ within them; a factor needs
+no sign before what follows it. Angles are in degrees, π is 180°. A unit of torque may stand at the end, for
+all of it; without one it is in N m. The result is a sum of waves, exactly.
+"""
+
+from __future__ import annotations
+
+import re
+from fractions import Fraction
+from typing import NamedTuple
+
+from kurbel.diagram.tokens import ANGLES, PI, Token, Tokens
+from kurbel.diagram.waves import QUARTER, Waves
+from kurbel.errors import NotationError
+from kurbel.reading import units
+
+LONGEST_FORMULA = 1000
+MOST_WAVES, MOST_ORDER, MOST_POWER = 400, 200, 20
+
+_WAVES = {"sin": -QUARTER, "cos": Fraction(0)}
+_SQUARES = {"²": 2, "³": 3}
+
+
+class _Angle(NamedTuple):
+    """kφ + α."""
+
+    order: Fraction = Fraction(0)
+    phase: Fraction = Fraction(0)
+
+    def scaled(self, factor: Fraction) -> _Angle:
+        return _Angle(self.order * factor, self.phase * factor)
+
+
+def torque_of(text: str, what: str = "torque") -> Waves:
+    """Return the torque in N m that a formula says. Raises NotationError with the place of what is wrong."""
+    if len(text) > LONGEST_FORMULA:
+        raise NotationError(
+            f"the formula of the {what} has {len(text)} characters; at most {LONGEST_FORMULA} are read"
+        )
+    reader = _Reader(text, what)
+    found = reader.sum()
+    return found.times(reader.unit())
+
+
+class _Reader(Tokens):
+    """Reads sums of products, the angles of sines, and the unit at the end."""
+
+    def sum(self) -> Waves:
+        sign = self._sign()
+        total = self._product().times(sign)
+        while self.token.text in ("+", "-"):
+            sign = self._sign()
+            total = total + self._product().times(sign)
+        return total
+
+    def unit(self) -> Fraction:
+        """Return the unit of torque at the end, in N m."""
+        if self.token.kind == "end":
+            return Fraction(1)
+        if self.token.kind != "word" or self.token.text in (*ANGLES, *PI):
+            self.refuse_token()
+        unit = re.sub(r"\s+", "*", self.text[self.token.place - 1 :].strip())
+        try:
+            return units.signed_torque(f"1 {unit}", f"unit of the {self.what}")
+        except NotationError:
+            self.refuse_token()
+
+    def _sign(self) -> Fraction:
+        return Fraction(-1 if self.took("+", "-") == "-" else 1)
+
+    def _product(self) -> Waves:
+        total = self._factor()
+        while True:
+            if self.took("*"):
+                total = self._checked(total * self._factor())
+            elif self.took("/"):
+                total = total.times(1 / self._divisor())
+            elif self.token.kind == "number":
+                self.refuse(f"has two numbers side by side at place {self.token.place}; write 16000 or 2*3")
+            elif self.token.text == "(" or self.token.text in _WAVES:
+                total = self._checked(total * self._factor())
+            else:
+                return total
+
+    def _divisor(self) -> Fraction:
+        place = self.token.place
+        value = self._factor().rational
+        if value is None:
+            self.refuse(f"divides by a function of φ at place {place}; it may divide by numbers alone")
+        if not value:
+            self.refuse(f"divides by 0 at place {place}")
+        return value
+
+    def _factor(self) -> Waves:
+        token = self.token
+        if token.kind == "number":
+            found = Waves.constant(self.number())
+        elif self.took("("):
+            opened = self.open()
+            found = self.sum()
+            self.close(opened)
+        elif self.took(*_WAVES):
+            return self._wave(token)
+        else:
+            self.refuse_token()
+        return self._raised(found, self._power())
+
+    def _wave(self, function: Token) -> Waves:
+        """Return a sine or cosine, whose power may stand before or behind its angle."""
+        power, behind = self._power(), 1
+        if self.took("("):
+            opened = self.open()
+            angle = self._angle()
+            self.close(opened)
+            behind = self._power()
+        else:
+            angle = self._bare_angle(function)
+        if power > 1 and behind > 1:
+            self.refuse(f"has two powers of the {function.text} at place {function.place}")
+        return self._raised(
+            Waves.cosine(angle.order, angle.phase + _WAVES[function.text]), max(power, behind)
+        )
+
+    def _bare_angle(self, function: Token) -> _Angle:
+        """Return the angle of sin 2φ."""
+        name, numbered = function.text, self.token.kind == "number"
+        factor = self.number() if numbered else Fraction(1)
+        is_angle = bool(self.took(*ANGLES))
+        if not (is_angle or numbered):
+            self.refuse(f"has no angle behind the {name} at place {function.place}; write {name}(3φ)")
+        if not is_angle:
+            self.took("°")
+        if self.token.text in ("/", "°", "^", *_SQUARES) or (self.token.text == "(" and not is_angle):
+            self.refuse(
+                f'has a "{self.token.text}" at place {self.token.place} that may belong to the angle or not;'
+                f" write {name}(φ/2) or {name}(φ)/2, {name}(2(φ - 30))"
+            )
+        return _Angle(factor) if is_angle else _Angle(phase=factor)
+
+    def _angle(self) -> _Angle:
+        """Return the angle in brackets: 3φ + 30°, φ/2, 2(φ - 120)."""
+        sign = self._sign()
+        total = self._angle_product().scaled(sign)
+        while self.token.text in ("+", "-"):
+            sign = self._sign()
+            other = self._angle_product().scaled(sign)
+            total = _Angle(total.order + other.order, total.phase + other.phase)
+        if abs(total.order) > MOST_ORDER:
+            self.refuse(f"has a wave of an order above {MOST_ORDER}")
+        return total
+
+    def _angle_product(self) -> _Angle:
+        total, is_angle = self._angle_factor()
+        while True:
+            times = self.took("*")
+            if not times and self.took("/"):
+                total = total.scaled(1 / self._angle_divisor())
+            elif times or self.token.text in (*ANGLES, *PI, "("):
+                other, other_is = self._angle_factor()
+                if is_angle and other_is:
+                    self.refuse(f"multiplies two angles before place {self.token.place}")
+                total = other.scaled(total.phase) if other_is else total.scaled(other.phase)
+                is_angle = is_angle or other_is
+            elif self.token.kind == "number":
+                self.refuse(f"has two numbers side by side at place {self.token.place}")
+            else:
+                return total
+
+    def _angle_divisor(self) -> Fraction:
+        place = self.token.place
+        divisor, is_angle = self._angle_factor()
+        if is_angle or not divisor.phase:
+            self.refuse(f"divides an angle by an angle or by 0 at place {place}")
+        return divisor.phase
+
+    def _angle_factor(self) -> tuple[_Angle, bool]:
+        """Return a part of an angle, and whether it is one: φ, π, 30°; a bare number may be a factor."""
+        if self.token.kind == "number":
+            return _Angle(phase=self.number()), bool(self.took("°"))
+        if self.took(*ANGLES):
+            return _Angle(order=Fraction(1)), True
+        if self.took(*PI):
+            return _Angle(phase=Fraction(180)), True
+        if self.took("("):
+            opened = self.open()
+            found = self._angle()
+            self.close(opened)
+            return found, bool(found.order)
+        self.refuse_token()
+
+    def _power(self) -> int:
+        """Return the power that follows, 1 if none does."""
+        text = self.token.text
+        if self.took(*_SQUARES):
+            return _SQUARES[text]
+        if not self.took("^"):
+            return 1
+        text, place = self.token.text, self.token.place
+        if not text.isdecimal() or not 1 <= int(text[:4]) <= MOST_POWER:
+            self.refuse(f"has a power at place {place} that is no whole number from 1 to {MOST_POWER}")
+        self.next += 1
+        return int(text)
+
+    def _raised(self, factor: Waves, power: int) -> Waves:
+        total = self._checked(factor)
+        for _ in range(power - 1):
+            total = self._checked(total * factor)
+        return total
+
+    def _checked(self, waves: Waves) -> Waves:
+        """Return the waves, unless they are more than can be told apart."""
+        if len(waves.amplitudes) > MOST_WAVES or any(order > MOST_ORDER for order in waves.orders):
+            self.refuse(f"has more than {MOST_WAVES} waves, or one of an order above {MOST_ORDER}")
+        return waves

@@ -1,0 +1,198 @@
+"""A torque over a cycle of the crank: a sum of waves, straight lines, or both, in N m, with rational numbers.
+
+Angles are in degrees, from the beginning of the cycle on, and the torque comes again after the cycle. Where
+it jumps it has the value behind the jump.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from itertools import accumulate, pairwise
+from math import lcm
+from typing import Any, NamedTuple
+
+from kurbel.diagram.waves import Waves
+from kurbel.errors import ProblemError
+from kurbel.exact.kind import Kind
+from kurbel.reading.notation import about
+
+TURN = 360
+MOST_TURNS = 100
+MOST_LINES = 20_000
+
+
+class Line(NamedTuple):
+    """What a torque has in addition from one angle to another: its first value, and its slope per degree."""
+
+    start: Fraction
+    end: Fraction
+    first: Fraction
+    slope: Fraction = Fraction(0)
+
+    def value(self, degrees: Any) -> Any:
+        return self.first + self.slope * (degrees - self.start)
+
+    @property
+    def last(self) -> Fraction:
+        return Fraction(self.value(self.end))
+
+    @property
+    def area(self) -> Fraction:
+        """What is below it, in N m times degrees."""
+        return (self.end - self.start) * (self.first + self.last) / 2
+
+
+@dataclass(frozen=True)
+class Torque:
+    """A sum of waves and the lines beside it, one behind the other over the whole cycle."""
+
+    waves: Waves
+    lines: tuple[Line, ...]
+
+    @classmethod
+    def of(cls, waves: Waves, cycle: Fraction) -> Torque:
+        """Return a sum of waves, of which the cycle is a multiple of the period."""
+        level = waves.level.rational
+        line = Line(Fraction(0), cycle, level or Fraction(0))
+        return cls(waves if level is None else waves - waves.level, (line,))
+
+    @property
+    def cycle(self) -> Fraction:
+        """The degrees of a cycle."""
+        return self.lines[-1].end
+
+    @property
+    def turns(self) -> Fraction:
+        return self.cycle / TURN
+
+    @cached_property
+    def mean(self) -> Waves:
+        """The mean over a cycle, a sum of constants."""
+        return self.waves.level + Waves.constant(sum(one.area for one in self.lines) / self.cycle)
+
+    @cached_property
+    def most(self) -> Fraction:
+        """A bound of its magnitude."""
+        level = max(max(abs(one.first), abs(one.last)) for one in self.lines)
+        return level + sum(map(abs, self.waves.amplitudes.values()))
+
+    @cached_property
+    def _starts(self) -> list[Fraction]:
+        return [one.start for one in self.lines]
+
+    @cached_property
+    def _areas(self) -> list[Fraction]:
+        """What is below the lines before each."""
+        return [Fraction(0), *accumulate(one.area for one in self.lines)]
+
+    def line_at(self, degrees: Fraction) -> int:
+        """Return the number of the line at an angle of the cycle, behind a corner."""
+        return bisect_right(self._starts, degrees) - 1
+
+    def at(self, degrees: Fraction, kind: Kind) -> Any:
+        """Return the torque at a crank angle."""
+        place = degrees % self.cycle
+        return self.waves.at(degrees, kind) + kind.of(self.lines[self.line_at(place)].value(place))
+
+    def area(self, degrees: Any, number: int) -> Any:
+        """Return what is below the lines from 0 to an angle on one of them, in N m times degrees."""
+        line = self.lines[number]
+        behind = degrees - line.start
+        return self._areas[number] + line.first * behind + line.slope * behind * behind / 2
+
+    def __add__(self, other: Torque) -> Torque:
+        cycle = common_cycle(self.cycle, other.cycle)
+        one, two = self.over(cycle), other.over(cycle)
+        ends = sorted({*(line.end for line in one.lines), *(line.end for line in two.lines)})
+        return Torque(one.waves + two.waves, tuple(_joined(one, two, ends)))
+
+    def __sub__(self, other: Torque) -> Torque:
+        minus = Fraction(-1)
+        lines = (one._replace(first=-one.first, slope=-one.slope) for one in other.lines)
+        return self + Torque(other.waves.times(minus), tuple(lines))
+
+    def over(self, cycle: Fraction) -> Torque:
+        """Return the same over a multiple of its cycle."""
+        times = int(cycle / self.cycle)
+        if times * len(self.lines) > MOST_LINES:
+            raise ProblemError(
+                f"the diagram has {times * len(self.lines)} lines over its cycle; at most {MOST_LINES} are"
+                " computed"
+            )
+        return Torque(
+            self.waves,
+            tuple(
+                one._replace(start=one.start + begun, end=one.end + begun)
+                for begun in (number * self.cycle for number in range(times))
+                for one in self.lines
+            ),
+        )
+
+    def turned(self, degrees: Fraction) -> Torque:
+        """Return the torque of a crank that follows by an angle."""
+        waves, behind = self.waves.turned(degrees), degrees % self.cycle
+        if not behind:
+            return Torque(waves, self.lines)
+        shifted = [one._replace(start=one.start + behind, end=one.end + behind) for one in self.lines]
+        return Torque(waves, tuple(_wrapped(shifted, self.cycle)))
+
+    def superposed(self, cranks: Sequence[Fraction]) -> Torque:
+        """Return the torque of cranks alike that follow by these angles."""
+        first, *others = (self.turned(one) for one in cranks)
+        return sum(others, first)
+
+
+def common_cycle(one: Fraction, other: Fraction) -> Fraction:
+    """Return the shortest cycle that is a multiple of both."""
+    above = lcm(one.numerator * other.denominator, other.numerator * one.denominator)
+    cycle = Fraction(above, one.denominator * other.denominator)
+    if cycle > MOST_TURNS * TURN:
+        raise ProblemError(
+            f"cycles of {about(one)}° and {about(other)}° have none in common within {MOST_TURNS} turns"
+        )
+    return cycle
+
+
+def own_cycle(waves: Waves, turns: Fraction | None, what: str) -> Fraction:
+    """Return the degrees of a cycle of a formula: of these turns, or the fewest whole ones."""
+    base = waves.base
+    if turns is None:
+        # A period is 360°/base: q/p turns of the base p/q, of which p make whole ones.
+        turns = Fraction(base.denominator) if base else Fraction(1)
+        if turns > MOST_TURNS:
+            raise ProblemError(
+                f"the formula of the {what} comes again after {turns} turns; at most {MOST_TURNS} are"
+                " computed"
+            )
+    elif (turns * base).denominator != 1:
+        raise ProblemError(
+            f"the formula of the {what} comes again after {about(TURN / base)}°, and a cycle of"
+            f" {turns} turns has {about(turns * TURN)}°; give a multiple of"
+            f" {1 / base} turns as --turns"
+        )
+    return turns * TURN
+
+
+def _joined(one: Torque, two: Torque, ends: Iterable[Fraction]) -> Iterable[Line]:
+    for start, end in pairwise((Fraction(0), *ends)):
+        parts = [torque.lines[torque.line_at(start)] for torque in (one, two)]
+        first, slope = sum(part.value(start) for part in parts), sum(part.slope for part in parts)
+        yield Line(start, end, Fraction(first), Fraction(slope))
+
+
+def _wrapped(lines: Iterable[Line], cycle: Fraction) -> Iterable[Line]:
+    """Return lines that go beyond the cycle within it, in order."""
+    found = []
+    for one in lines:
+        if one.start >= cycle:
+            found.append(one._replace(start=one.start - cycle, end=one.end - cycle))
+        elif one.end > cycle:
+            found.append(one._replace(end=cycle))
+            found.append(Line(Fraction(0), one.end - cycle, Fraction(one.value(cycle)), one.slope))
+        else:
+            found.append(one)
+    return sorted(found)

@@ -1,0 +1,158 @@
+"""Sums of waves a cos(kφ + α) with rational a, k and α in degrees: what sines of φ and their products are.
+
+Such a sum stays one when it is added, multiplied, turned, differentiated or integrated, so that a torque in
+sines has its mean, its energy and its slope in closed form. Angles are in degrees.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from math import gcd, lcm
+from typing import Any, TypeAlias
+
+from kurbel.exact.kind import Kind
+
+# Of a wave its order k and its phase α, at least 0° and below 180°.
+Wave: TypeAlias = tuple[Fraction, Fraction]
+# Cosines that are rational numbers; no other angles of the first half turn have one (Niven).
+_COSINES = {0: Fraction(1), 60: Fraction(1, 2), 90: Fraction(0), 120: Fraction(-1, 2)}
+HALF_TURN, QUARTER = Fraction(180), Fraction(90)
+
+
+@dataclass(frozen=True)
+class Waves:
+    """A sum of waves by their amplitudes, each of which is not zero."""
+
+    amplitudes: Mapping[Wave, Fraction]
+
+    @classmethod
+    def of(cls, parts: Iterable[tuple[Fraction, Fraction, Fraction]]) -> Waves:
+        """Return the sum of waves of these amplitudes, orders and phases."""
+        found: dict[Wave, Fraction] = {}
+        for amplitude, order, phase in parts:
+            wave, own = _normal(amplitude, order, phase)
+            found[wave] = found.get(wave, Fraction(0)) + own
+        return cls({wave: found[wave] for wave in sorted(found) if found[wave]})
+
+    @classmethod
+    def constant(cls, value: Fraction) -> Waves:
+        return cls.of([(value, Fraction(0), Fraction(0))])
+
+    @classmethod
+    def cosine(cls, order: Fraction, phase: Fraction) -> Waves:
+        """Return cos(kφ + α)."""
+        return cls.of([(Fraction(1), order, phase)])
+
+    @property
+    def parts(self) -> Iterable[tuple[Fraction, Fraction, Fraction]]:
+        """The amplitude, the order and the phase of each wave."""
+        return ((amplitude, *wave) for wave, amplitude in self.amplitudes.items())
+
+    def __bool__(self) -> bool:
+        return bool(self.amplitudes)
+
+    def __add__(self, other: Waves) -> Waves:
+        return Waves.of((*self.parts, *other.parts))
+
+    def __sub__(self, other: Waves) -> Waves:
+        return self + other.times(Fraction(-1))
+
+    def __mul__(self, other: Waves) -> Waves:
+        # cos A cos B = ½ cos(A + B) + ½ cos(A - B)
+        return Waves.of(
+            (a * b / 2, k + sign * order, phase + sign * turned)
+            for a, k, phase in self.parts
+            for b, order, turned in other.parts
+            for sign in (1, -1)
+        )
+
+    def times(self, factor: Fraction) -> Waves:
+        return Waves.of((factor * amplitude, *wave) for wave, amplitude in self.amplitudes.items())
+
+    def turned(self, degrees: Fraction) -> Waves:
+        """Return the same behind by an angle: what it was at φ it is at φ + angle."""
+        return Waves.of((a, order, phase - order * degrees) for a, order, phase in self.parts)
+
+    @cached_property
+    def level(self) -> Waves:
+        """The constant part."""
+        return Waves({wave: a for wave, a in self.amplitudes.items() if not wave[0]})
+
+    @cached_property
+    def rational(self) -> Fraction | None:
+        """The sum where it is one rational number, None where it is not."""
+        if not self.amplitudes:
+            return Fraction(0)
+        return self.amplitudes.get((Fraction(0), Fraction(0))) if len(self.amplitudes) == 1 else None
+
+    @cached_property
+    def orders(self) -> tuple[Fraction, ...]:
+        """The orders above 0, each once."""
+        return tuple(dict.fromkeys(order for order, _ in self.amplitudes if order))
+
+    @property
+    def base(self) -> Fraction:
+        """The greatest order of which all are multiples; 0 of a constant."""
+        if not self.orders:
+            return Fraction(0)
+        above = gcd(*(order.numerator for order in self.orders))
+        return Fraction(above, lcm(*(order.denominator for order in self.orders)))
+
+    @cached_property
+    def slope(self) -> Waves:
+        """The slope over the angle in radians."""
+        return Waves.of((a * order, order, phase + QUARTER) for a, order, phase in self.parts)
+
+    @cached_property
+    def integral(self) -> Waves:
+        """What has the sum without its constant part as its slope over the angle in radians."""
+        return Waves.of((a / order, order, phase - QUARTER) for a, order, phase in self.parts if order)
+
+    def at(self, degrees: Fraction, kind: Kind) -> Any:
+        """Return the sum at a crank angle, on a kind of number."""
+        return self._summed(kind, lambda order, phase: _cosine(order * degrees + phase, kind))
+
+    def within(self, degrees: Any, kind: Kind) -> Any:
+        """Return the sum at an angle that is a ball, on balls."""
+        from kurbel.exact.certify import half_turn_circle
+
+        return self._summed(
+            kind,
+            lambda order, phase: half_turn_circle((kind.of(order) * degrees + kind.of(phase)) / 180).cosine,
+        )
+
+    def vanishes(self, degrees: Fraction, level: Fraction = Fraction(0)) -> bool:
+        """Whether the sum and a number beside it are 0 at a crank angle, for certain."""
+        from kurbel.exact.certify import vanishes
+        from kurbel.exact.kind import balls, bounds
+
+        def value(kind: Kind) -> Any:
+            return self.at(degrees, kind) + kind.of(level)
+
+        return vanishes(lambda: value(balls()), float(value(bounds()).bits()))
+
+    def _summed(self, kind: Kind, cosine: Callable[[Fraction, Fraction], Any]) -> Any:
+        total = kind.of(Fraction(0))
+        for amplitude, order, phase in self.parts:
+            own = kind.of(amplitude)
+            total = total + (own * cosine(order, phase) if order or phase else own)
+        return total
+
+
+def _normal(amplitude: Fraction, order: Fraction, phase: Fraction) -> tuple[Wave, Fraction]:
+    """Return the wave with an order and a phase that are not negative, and its amplitude."""
+    if order < 0:
+        order, phase = -order, -phase
+    phase %= 360
+    if phase >= HALF_TURN:
+        amplitude, phase = -amplitude, phase - HALF_TURN
+    if not order and phase in _COSINES:
+        amplitude, phase = amplitude * _COSINES[int(phase)], Fraction(0)
+    return (order, phase), amplitude
+
+
+def _cosine(degrees: Fraction, kind: Kind) -> Any:
+    return kind.circle(float(degrees) if kind.of is float else degrees).cosine

@@ -1,0 +1,195 @@
+"""Where an excess torque is zero, each place enclosed with a proof: there the speed may be greatest or least.
+
+Straight lines alone have their zeros at rational angles. With waves the zeros are isolated by intervals; one
+at a rational angle is proved to be there. Where there are waves alone, e^(iφ) at a zero is an algebraic
+number, whose separation bound settles ties of what is computed there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from math import lcm, log2
+from typing import Any
+
+from kurbel.diagram.torque import TURN, Line, Torque
+from kurbel.diagram.waves import Waves
+from kurbel.exact.kind import Kind, balls
+from kurbel.exact.separation import Separation
+
+# A zero at a rational angle is sought with denominators up to this.
+MOST_DENOMINATOR = 3600
+RECOGNISING_BITS = 128
+# A part of the turn at which no zero lies by intent; where a search begins should not be one.
+OFF = Fraction(7, 1009)
+# The unit of the search in degrees. It ends at 2^-32 of it, 4e-6 of a radian: there a threefold zero is told
+# from its neighbours by 64 bits, while at 2^-32 of a degree 10^5 intervals about it are not.
+UNIT = Fraction(2**20)
+# Derivatives beyond this one are not asked whether they vanish.
+MOST_MULTIPLE = 8
+
+
+@dataclass(frozen=True, eq=False)
+class Zero:
+    """An angle in degrees: exactly, or within an interval of a line, found anew at each precision."""
+
+    exact: Fraction | None
+    line: int = 0
+    root: Any = None
+    excess: Torque | None = None
+
+    def degrees(self, kind: Kind) -> Any:
+        """Return the angle; of balls and floats, where it is not exact."""
+        if self.exact is not None:
+            return kind.of(self.exact)
+        return kind.enclosed(self._ball)
+
+    def _ball(self) -> Any:
+        from kurbel.exact.roots import refined
+
+        assert self.excess is not None
+        return refined(*functions(self.excess, self.line), self.root) * int(UNIT)
+
+    def cosine(self, order: Fraction, phase: Fraction, base: Fraction, key: Any) -> Separation:
+        """Return the bound of cos(kφ + α) here, by that of e^(iφ k₀) for the base order k₀."""
+        power = int(order / base)
+        ray = Separation(key.size, key.size, key.order, frozenset({(self, key.degree)})) ** power
+        turned = Separation(1, 0, lcm(4, (phase / TURN).denominator))
+        return (ray * turned + ray * turned) / 2
+
+
+@dataclass(frozen=True)
+class Polynomial:
+    """What is known of the polynomial that e^(iφ k₀) is a zero of: the bits of its coefficients, algebraic
+    integers of a cyclotomic field of this order, and its degree."""
+
+    size: float
+    order: int
+    degree: int
+
+    @classmethod
+    def of(cls, waves: Waves) -> Polynomial:
+        scale = lcm(*(2 * amplitude.denominator for amplitude in waves.amplitudes.values()))
+        total = sum(abs(amplitude) * scale for amplitude in waves.amplitudes.values())
+        order = lcm(4, *((phase / TURN).denominator for _, phase in waves.amplitudes))
+        # By Cauchy a zero times the first coefficient is at most twice the greatest of them.
+        return cls(1 + log2(total), order, 2 * int(max(waves.orders) / waves.base))
+
+
+def functions(excess: Torque, number: int) -> tuple[Any, Any]:
+    """Return the excess on one of its lines, and its slope, as functions of an angle in UNITs, a ball."""
+    waves, line = excess.waves, excess.lines[number]
+    slope_of = waves.slope
+
+    def torque(units: Any) -> Any:
+        kind, degrees = balls(), units * int(UNIT)
+        behind = degrees - kind.of(line.start)
+        return waves.within(degrees, kind) + kind.of(line.first) + kind.of(line.slope) * behind
+
+    def slope(units: Any) -> Any:
+        kind = balls()
+        per_degree = slope_of.within(units * int(UNIT), kind) * kind.pi / 180 + kind.of(line.slope)
+        return per_degree * int(UNIT)
+
+    return torque, slope
+
+
+def is_plain(excess: Torque) -> bool:
+    """Whether it is waves alone."""
+    return not any(one.first or one.slope for one in excess.lines)
+
+
+def zeros(excess: Torque) -> list[Zero]:
+    """Return where the excess is zero, with all corners and jumps; of waves alone within their period."""
+    if not excess.waves:
+        return [Zero(place) for place in sorted(set(_straight(excess.lines)))]
+    if is_plain(excess):
+        period = TURN / excess.waves.base
+        return _distinct(_on_line(excess, 0, period * OFF, period * (1 + OFF)))
+    found = [Zero(one.start) for one in excess.lines]
+    for number, one in enumerate(excess.lines):
+        found += _on_line(excess, number, one.start, one.end)
+    return _distinct(found)
+
+
+def _straight(lines: Iterable[Line]) -> Iterator[Fraction]:
+    for one in lines:
+        yield one.start
+        if one.slope:
+            place = one.start - one.first / one.slope
+            if one.start < place < one.end:
+                yield place
+
+
+def _distinct(found: Iterable[Zero]) -> list[Zero]:
+    """Return the zeros, exact ones once."""
+    return [*{id(one) if one.exact is None else one.exact: one for one in found}.values()]
+
+
+def _on_line(excess: Torque, number: int, start: Fraction, end: Fraction) -> Iterator[Zero]:
+    from kurbel.exact.roots import isolate
+
+    for root in _merged(isolate(*functions(excess, number), start / UNIT, end / UNIT)):
+        zero = Zero(None, number, root, excess)
+        exact = _recognised(zero)
+        yield zero if exact is None else Zero(exact)
+
+
+def _merged(roots: Iterable[Any]) -> list[Any]:
+    """Return roots of which neighbours that are not told apart are one interval."""
+    found: list[Any] = []
+    for root in roots:
+        before = found[-1] if found else root
+        if before is not root and before.rising is root.rising is None and before.high == root.low:
+            found[-1] = before._replace(high=root.high)
+        else:
+            found.append(root)
+    return found
+
+
+def _recognised(zero: Zero) -> Fraction | None:
+    """Return the rational angle at which a zero is proved to lie, alone within its interval."""
+    import flint
+
+    from kurbel.exact.certify import ball
+    from kurbel.exact.place import fraction
+
+    with flint.ctx.workprec(RECOGNISING_BITS):
+        found = zero.degrees(balls())
+        nearest = fraction(found.mid()).limit_denominator(MOST_DENOMINATOR)
+        if not found.contains(ball(nearest)):
+            return None
+    return nearest if _is_alone(zero, nearest) else None
+
+
+def _is_alone(zero: Zero, place: Fraction) -> bool:
+    """Whether the excess is zero at an angle, and nowhere else in the zero's interval.
+
+    A zero that the signs isolate is one; of another as many derivatives vanish here as before the first that
+    vanishes nowhere in the interval.
+    """
+    import flint
+
+    from kurbel.exact.roots import ISOLATING_BITS, interval
+
+    assert zero.excess is not None
+    waves, line = zero.excess.waves, zero.excess.lines[zero.line]
+    if not waves.vanishes(place, Fraction(line.value(place))):
+        return False
+    if zero.root.rising is not None:
+        return True
+    with flint.ctx.workprec(ISOLATING_BITS):
+        whole = interval(zero.root.low, zero.root.high)
+        _, slope = functions(zero.excess, zero.line)
+        if not slope(whole).contains(0):
+            return True
+        if line.slope:
+            return False
+        for _ in range(MOST_MULTIPLE):
+            waves = waves.slope
+            if not waves.within(whole * int(UNIT), balls()).contains(0):
+                return True
+            if not waves.vanishes(place):
+                return False
+    return False
