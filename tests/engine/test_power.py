@@ -155,3 +155,9 @@ def test_what_is_missing_or_contradicts_itself_is_said(words: tuple[str, ...], s
 
 def test_a_machine_says_what_it_knows() -> None:
     assert kurbel("power", "--machine=examples/engine.toml").code == 0
+
+
+def test_a_back_pressure_is_its_share_of_the_steam_pressure() -> None:
+    for words in (("delta",), ("forces", "--step=90"), ("solve", "--where=torque=max")):
+        share = printed(*words, "--eps=3", "--back=0.15", "-f", "csv").out
+        assert printed(*words, "--eps=3", "--back=1.2bar", "--pressure=8bar", "-f", "csv").out == share

@@ -106,10 +106,22 @@ def for_masses(*names: str) -> Callable[[Mapping[str, Any]], Mapping[str, str]]:
         if is_heavy(values) or is_given(values.get("cylinder")):
             return {}
         return {
-            name: f"--{name} is for moving masses; add --reciprocating or a rod, --rod-mass" for name in names
+            name: f"--{name} is for moving masses; add --reciprocating or a rod, --rod-mass"
+            for name in names
+            if name != "pressure" or not _has_back_pressure(values)
         }
 
     return refusals
+
+
+def _has_back_pressure(values: Mapping[str, Any]) -> bool:
+    """Whether the back pressure is given as a pressure, which counts in that of the steam."""
+    back = values.get("back")
+    if not isinstance(back, str):
+        return False
+    from kurbel.reading.units import is_measure
+
+    return is_measure(back)
 
 
 def steams_of(given: Mapping[str, Any], page: Layout) -> Sequence[Acting]:
@@ -154,6 +166,8 @@ def load_of(given: Mapping[str, Any]) -> Load | None:
     if _is_other(given):
         return loads.load_of(given)
     if given["bore"] is None and (is_given(given["card"]) or given["pressure"] is None):
+        return None
+    if given["bore"] is None and _has_back_pressure(given):
         return None
     if missing := [name for name in _of_load(given) if given[name] is None]:
         raise ProblemError(f"newtons need the bore and the steam pressure; add --{missing[0]}")

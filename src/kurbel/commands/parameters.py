@@ -42,8 +42,8 @@ METHOD = Option(
 )
 EPS = Option("Expansion ratio, cut-off after 1/ε of the stroke: 4; lists 2;3;4, ranges 2..6.", "ε", many=True)
 BACK = Option(
-    "Back pressure as a share of the steam pressure: 0.1, 10%; default: the best, to which the steam"
-    " expands.",
+    "Back pressure as a share of the steam pressure: 0.1, 10%, or beside --pressure as a pressure, both"
+    " above vacuum: 1.1bar; default: the best, to which the steam expands.",
     "B",
 )
 LANG = Option(

@@ -80,7 +80,9 @@ class Crank(Section):
 
 class Steam(Section):
     eps: Annotated[Several | None, about("expansion ratio ε")] = None
-    back: Annotated[One | None, about("back pressure as a share of the steam pressure")] = None
+    back: Annotated[
+        One | None, about("back pressure as a share of the steam pressure, or as a pressure above vacuum")
+    ] = None
     exponent: Annotated[One | None, about("n of p Vⁿ = const.")] = None
     clearance: Annotated[One | None, about("clearance as a share of the swept volume")] = None
     pressure: Annotated[One | None, about('steam pressure before cut-off, such as "8bar"')] = None
