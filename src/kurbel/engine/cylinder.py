@@ -10,7 +10,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
-from functools import reduce
+from functools import lru_cache, reduce
 from itertools import product
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from kurbel.engine.assembly import Assembly
     from kurbel.engine.engine import Engine
 
+KEPT_POSITIONS = 16
 SIGNS = (OUT, RETURN)
 # Half turns beyond a dead centre of which a float is known.
 JUST_BEYOND = Fraction(1, 10**13)
@@ -134,6 +135,8 @@ class AnyTurn(ABC):
         self.engine = engine
         self.method = method
         self._at_speeds: dict[Fraction, AnyTurn] = {}
+        # The columns of a row are of one angle.
+        self.positions = lru_cache(maxsize=KEPT_POSITIONS)(self._positions)
 
     @property
     def part(self) -> Engine:
@@ -195,11 +198,13 @@ class AnyTurn(ABC):
     def has_reached(self, since: Fraction, part: int, stroke: int) -> bool:
         """Whether a stroke of a part has begun at so many half turns of its φ; at its dead centre it has."""
 
-    def positions(self, half_turns: Fraction) -> Iterator[Standing]:
-        """Yield where each crank stands."""
-        for part, one in enumerate(self.engine.parts):
-            for start in one.starts:
-                yield self.standing(half_turns, part, start)
+    def _positions(self, half_turns: Fraction) -> tuple[Standing, ...]:
+        """Return where each crank stands, the first one first."""
+        return tuple(
+            self.standing(half_turns, part, start)
+            for part, one in enumerate(self.engine.parts)
+            for start in one.starts
+        )
 
     @abstractmethod
     def peaks(self, greatest: bool, stroke: int | None = None) -> Sequence[Peak]:
@@ -263,7 +268,7 @@ class AnyTurn(ABC):
 
     def first(self, half_turns: Fraction) -> Standing:
         """Return where the first crank stands."""
-        return self.standing(half_turns, 0, self.part.starts[0])
+        return self.positions(half_turns)[0]
 
     @abstractmethod
     def begun(self) -> Sequence[Standing]:

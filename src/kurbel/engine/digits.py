@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
-from math import ceil, floor, log10
+from math import ceil, floor, inf, log10
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import flint
@@ -60,8 +60,18 @@ def settled(asked: Asked, rounding: str) -> Number:
     ties: TieBits | None = NEVER_TIES
     if quantity.ties is not None and len(asked.turns) == 1:
         assert asked.unit == 1
-        ties = quantity.ties(asked.turns[0], asked.where.half_turns)
+        ties = _of_boundary(quantity.ties, asked)
     return Number(rounded(asked.value, decimals, rounding, ties), decimals)
+
+
+def _of_boundary(rule: Callable[..., TieBits | None], asked: Asked) -> TieBits:
+    """Return the rule of a value's ties, which is made for one that touches a boundary alone."""
+
+    def bits(boundary: Fraction) -> float:
+        known = rule(asked.turns[0], asked.where.half_turns)
+        return inf if known is None else known(boundary)
+
+    return bits
 
 
 class Estimate(NamedTuple):
