@@ -11,7 +11,8 @@ holds the couple, makes forces across it only.
 A `Loaded` drive has the `Circle` of the crank angle, the ratio λ = R/L, the masses and, for an offset crank,
 η = e/R (None is the straight crank); its forces are numbers of the circle's kind: floats, arrays, balls or
 separation bounds. Accelerations are in units of R ω². With masses in units of the rod's M, forces are in
-M R ω², torques in M R² ω². The crank turns evenly; there is neither friction nor weight.
+M R ω², torques in M R² ω². The crank turns evenly and accelerations are exact unless they come `by` others,
+kernel/inertia; there is neither friction nor weight.
 
 Signs are those of kernel/forces.py: X runs from the shaft along the slide towards the dead centre that the
 stroke leaves, Y towards the side of the crank pin; both point the other way on the return stroke, a negative
@@ -33,6 +34,7 @@ from typing import Generic, NamedTuple, TypeVar
 from kurbel.kernel import kinematics, moving
 from kurbel.kernel.circle import Circle, Number, root
 from kurbel.kernel.forces import Slant, rod_slant, tangential_force
+from kurbel.kernel.inertia.accelerations import EVEN, Accelerations
 from kurbel.kernel.moving import Link
 
 Kind = TypeVar("Kind")
@@ -94,13 +96,17 @@ def with_crank(masses: Masses[Number], rotating: Number) -> Masses[Number]:
     return masses._replace(pin=masses.pin + rotating)
 
 
-def parts(circle: Circle[Number], ratio: Number, offset: Number | None = None) -> Parts[Number]:
+def parts(
+    circle: Circle[Number],
+    ratio: Number,
+    offset: Number | None = None,
+    by: Accelerations[Number] = EVEN,
+) -> Parts[Number]:
     """Return Ensslin's parts of the acceleration, by sin ψ = λ (sin φ - η) and its slopes."""
     slant = rod_slant(circle, ratio, offset)
-    pull = circle.cosine / slant.cosine
-    common = _piston_acceleration(circle, ratio, offset)
+    common, turning = by.piston(circle, ratio, offset), by.turning(circle, ratio, slant, offset)
     # No zero is to have a sign, here and below.
-    return Parts(common, _turning(circle, ratio, slant, offset), ratio * (pull * pull) + 0)
+    return Parts(common, turning, by.stretching(circle, ratio, slant) + 0)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -117,6 +123,7 @@ class Loaded:
     offset: Number | None = None
     piston_force: Number = 0
     reciprocating: Number = 0
+    by: Accelerations[Number] = EVEN
 
     @cached_property
     def slant(self) -> Slant[Number]:
@@ -125,12 +132,12 @@ class Loaded:
     @cached_property
     def acceleration(self) -> Number:
         """The piston's, p."""
-        return _piston_acceleration(self.circle, self.ratio, self.offset)
+        return self.by.piston(self.circle, self.ratio, self.offset)
 
     @cached_property
     def turning(self) -> Number:
         """The inertia couple over L and its sign, square to the rod."""
-        return self.masses.couple * _turning(self.circle, self.ratio, self.slant, self.offset)
+        return self.masses.couple * self.by.turning(self.circle, self.ratio, self.slant, self.offset)
 
     @cached_property
     def push(self) -> Number:
@@ -158,11 +165,12 @@ class Loaded:
         The couple is not in it. The rod presses on the pin the other way.
         """
         masses = self.masses
-        return self.piston_force - (masses.crosshead * self.acceleration + masses.pin * self.circle.cosine)
+        pin = masses.pin * self.by.pin_along(self.circle)
+        return self.piston_force - (masses.crosshead * self.acceleration + pin)
 
     def pin_force_across(self) -> Number:
         """Return the force of the crank pin on the rod across the slide, positive with Y: -m_A sin φ - N."""
-        return 0 - (self.masses.pin * self.circle.sine + self.guide_force())
+        return 0 - (self.masses.pin * self.by.pin_across(self.circle) + self.guide_force())
 
     def pin_force(self) -> Number:
         """Return the magnitude of the force between crank pin and rod."""
@@ -204,11 +212,13 @@ class Loaded:
     def torque(self) -> Number:
         """Return the torque on the shaft, positive as the crank turns: (F - m_B p) c, and the couple's.
 
-        Times ω it is the work of F less the gain of kinetic energy in unit time. Re-derived.
+        Times ω it is the work of F less the gain of kinetic energy in unit time. It has what speeds up the
+        rod's mass at the pin, if the crank does not turn evenly, but nothing of the crank's own. Re-derived.
         """
         # The couple's part is its force on the guide times cos φ, the share of R across the slide.
-        work = self.push * tangential_force(self.circle, self.ratio, self.offset)
-        return work + self.turning * (self.circle.cosine / self.slant.cosine) + 0
+        work = self.push * self.by.lever(self.circle, self.ratio, self.offset)
+        found = work + self.turning * self.by.rod_lever(self.circle, self.slant) + 0
+        return found if self.by.gain is None else found - self.by.gain * self.masses.pin
 
 
 def kinetic_energy(
@@ -245,17 +255,6 @@ def torque_slope(
     curved = -cosine * (1 - ratio) * (1 + ratio) / (w * w * w) * (1 + 3 * (ratio * sine / w) ** 2)
     driven = acceleration * acceleration + velocity * jerk
     return -(masses.crosshead * driven + masses.couple * (slower * slower + turning * curved))
-
-
-def _piston_acceleration(circle: Circle[Number], ratio: Number, offset: Number | None) -> Number:
-    if offset is None:
-        return kinematics.piston_acceleration(circle, ratio)
-    return kinematics.offset_acceleration(circle, ratio, offset)
-
-
-def _turning(circle: Circle[Number], ratio: Number, slant: Slant[Number], offset: Number | None) -> Number:
-    """Return -L ψ̈."""
-    return kinematics.rod_turning(circle, ratio, slant.sine, slant.cosine, offset)
 
 
 def magnitude(along: Number, across: Number) -> Number:
