@@ -1,0 +1,1 @@
+"""Turning-moment diagrams that no engine makes, as options describe them."""

@@ -1,0 +1,158 @@
+"""Torques, loads and areas of turning-moment diagrams, as options describe them."""
+
+from collections.abc import Iterable, Mapping
+from fractions import Fraction
+from os import PathLike
+from typing import TYPE_CHECKING, Annotated, Any, TypedDict
+
+from kurbel.commands.options import FILE, Option, is_given
+from kurbel.errors import ProblemError
+from kurbel.reading.given import Exact, as_crank_angles, as_fraction
+
+if TYPE_CHECKING:
+    from kurbel.diagram.areas import Areas
+    from kurbel.diagram.excess import Excess
+    from kurbel.diagram.fluctuation import Fluctuation
+    from kurbel.diagram.torque import Torque
+
+MOST_TURNS = 100
+DRIVES, LOADS = ("torque", "torque_file"), ("load_torque", "load_torque_file")
+# The options that describe a diagram, each by itself.
+DIAGRAMS = (*DRIVES, *LOADS, "areas")
+
+
+class Diagram(TypedDict, total=False):
+    """A turning-moment diagram that no engine makes."""
+
+    torque: Annotated[
+        str | None,
+        Option(
+            "Diagram without an engine: torque over the crank angle, as a formula, '5000 + 1500 sin(3φ)', or"
+            " points, '0:0; 60:90; 180:0', which straight lines join.",
+            "T", unit="N m",
+        ),
+    ]  # fmt: skip
+    torque_file: Annotated[
+        str | PathLike[str] | None,
+        Option("The same from a CSV file with the columns angle and torque [N m].", "FILE", FILE),
+    ]
+    load_torque: Annotated[
+        str | None,
+        Option(
+            "Torque of the load, a formula or points; default: the mean of the drive. Alone, the drive has"
+            " its mean.",
+            "T", unit="N m",
+        ),
+    ]  # fmt: skip
+    load_torque_file: Annotated[str | PathLike[str] | None, Option("The same from a CSV file.", "FILE", FILE)]
+    turns: Annotated[
+        Exact | None,
+        Option(
+            "Turns after which a diagram comes again: 1, 2, 1/3; default: as its formula, or to its last"
+            " point.",
+            "N",
+        ),
+    ]  # fmt: skip
+    areas: Annotated[
+        str | Iterable[Exact] | None,
+        Option(
+            "Diagram by the areas between it and its mean line, in order, those above positive:"
+            " '+52;-124;+72'.",
+            "AREAS",
+        ),
+    ]  # fmt: skip
+    area_scale: Annotated[
+        str | None,
+        Option(
+            "What a unit of these areas stands for: 52.36J, or the units of torque and angle, '500 N m; 6°'.",
+            "SCALE",
+        ),
+    ]  # fmt: skip
+
+
+def is_diagram(given: Mapping[str, Any]) -> bool:
+    """Whether options describe a diagram."""
+    return any(is_given(given.get(name)) for name in DIAGRAMS)
+
+
+def needless_diagram(given: Mapping[str, Any]) -> Mapping[str, str]:
+    """Return what refuses those options that describe a diagram further where there is none of that kind."""
+    refused = {}
+    if not is_diagram(given):
+        refused["turns"] = "--turns is for a diagram without an engine; add --torque, or leave it out"
+    if not is_given(given["areas"]):
+        refused["area_scale"] = "--area-scale is for --areas; add these, or leave it out"
+    return refused
+
+
+def fluctuation_of(given: Mapping[str, Any]) -> "Fluctuation":
+    """Return how the energy varies by the diagram that options describe. Raises KurbelError."""
+    return areas_of(given) if is_given(given["areas"]) else excess_of(given)
+
+
+def areas_of(given: Mapping[str, Any]) -> "Areas":
+    """Return the areas of a diagram. Raises KurbelError."""
+    from kurbel.diagram.areas import given_areas
+
+    for name in (*DRIVES, *LOADS, "cranks"):
+        if is_given(given.get(name)):
+            raise ProblemError(
+                f"--areas is a whole diagram, and --{name.replace('_', '-')} says of another one; leave one"
+                " out"
+            )
+    areas = given["areas"]
+    texts = [areas] if isinstance(areas, str) else [str(one) for one in areas]
+    return given_areas(texts, given["area_scale"], turns_of(given))
+
+
+def excess_of(given: Mapping[str, Any]) -> "Excess":
+    """Return the excess of the drive's torque over that of the load. Raises KurbelError."""
+    from kurbel.diagram.excess import Excess
+
+    turns = turns_of(given)
+    drive, load = (
+        _torque(given, names, turns, what)
+        for names, what in ((DRIVES, "torque"), (LOADS, "torque of the load"))
+    )
+    if is_given(given.get("cranks")):
+        if drive is None:
+            raise ProblemError("--cranks are those of the drive; add its --torque, or leave them out")
+        drive = drive.superposed(as_crank_angles(given["cranks"]))
+    return Excess.between(drive, load)
+
+
+def turns_of(given: Mapping[str, Any]) -> Fraction | None:
+    """Return the turns of a cycle, None where they were not given."""
+    if given.get("turns") is None:
+        return None
+    turns = as_fraction(given["turns"])
+    if not 0 < turns <= MOST_TURNS:
+        raise ProblemError(f"a cycle of {turns} turns was given; it must be above 0 and at most {MOST_TURNS}")
+    return turns
+
+
+def _torque(
+    given: Mapping[str, Any], names: tuple[str, str], turns: Fraction | None, what: str
+) -> "Torque | None":
+    text, file = (given.get(name) for name in names)
+    if file is not None:
+        if text is not None:
+            flags = " and ".join(f"--{name.replace('_', '-')}" for name in names)
+            raise ProblemError(f"{flags} give the {what} twice; leave one out")
+        from kurbel.diagram.points import read_points, torque_through
+
+        return torque_through(read_points(file), turns, what)
+    if text is None:
+        return None
+    if str(text).lower().endswith(".csv"):
+        flag = names[0].replace("_", "-")
+        raise ProblemError(f"--{flag} {str(text)[:40]} is a file; name it as --{flag}-file")
+    if ":" in str(text):
+        from kurbel.diagram.points import points_of, torque_through
+
+        return torque_through(points_of(str(text), what), turns, what)
+    from kurbel.diagram.formula import torque_of
+    from kurbel.diagram.torque import Torque, own_cycle
+
+    waves = torque_of(str(text), what)
+    return Torque.of(waves, own_cycle(waves, turns, what))
