@@ -11,8 +11,12 @@ import sys
 import time
 from pathlib import Path
 from statistics import median
+from typing import Any, cast
 
 from tabulate import tabulate
+
+import kurbel
+from kurbel.motion.quantities import registry
 
 RUNS = 15
 # The first run, which is not counted, compiles what a wheel would bring compiled.
@@ -44,11 +48,27 @@ print(Template("""{% for row in rows %}
 {% endfor %}""").render(rows=rows))
 '''
 
+
+def every_force() -> list[str]:
+    """Return the command for all forces and motions that a drive with its masses has, each degree."""
+    given = {"stroke": "600mm", "rod": "1500mm", "speed": "120/min", "force": "10N", "reciprocating": "200kg"}
+    given |= {"rod_mass": "150kg", "centre": "0.6", "gyration": "0.3"}
+    about = cast("Any", kurbel.forces_table).question(**given)
+    known = [key for key, one in registry().items() if not about.missing(one)]
+    typed = [f"--{name.replace('_', '-')}={value}" for name, value in given.items()]
+    return [KURBEL, "forces", *typed, "--step", "1", "-f", "csv", "--columns", ",".join(known)]
+
+
+IN_MILLIMETRES = ("table", "--stroke", "100mm", "--rod", "250mm")
+IN_INCHES = ("table", "--stroke", "4in", "--rod", "10in")
 COMMANDS = {
     "empty Python": [sys.executable, "-c", "pass"],
     "kurbel --help": [KURBEL, "--help"],
     "kurbel table --ratio 1:5": [KURBEL, "table", "--ratio", "1:5"],
+    "the same drive in millimetres": [KURBEL, *IN_MILLIMETRES],
+    "the same drive in inches": [KURBEL, *IN_INCHES],
     "kurbel delta --eps 2..6": [KURBEL, "delta", "--eps", "2..6"],
+    "kurbel forces, every column with masses at 361 angles": every_force(),
     "script with numpy and jinja2": [sys.executable, "-c", RIVAL],
     "import numpy, scipy.optimize": [sys.executable, "-c", "import numpy, scipy.optimize"],
 }
