@@ -25,6 +25,7 @@ from kurbel.errors import KurbelError
 
 if TYPE_CHECKING:
     from kurbel.commands.balance import balance_table
+    from kurbel.commands.balancing.rotor import rotor_table
     from kurbel.commands.books import collation_table, example_table
     from kurbel.commands.cylinder.inertia import inertia_table
     from kurbel.commands.cylinder.power import power_table
@@ -71,6 +72,7 @@ __all__ = [
     "plot_turning",
     "power_table",
     "pressures_table",
+    "rotor_table",
     "solve_table",
     "table",
     "turning_table",
@@ -79,6 +81,7 @@ __all__ = [
 ]
 _MODULES = {
     "kurbel.commands.balance": ("balance_table",),
+    "kurbel.commands.balancing.rotor": ("rotor_table",),
     "kurbel.commands.books": ("collation_table", "example_table"),
     "kurbel.commands.cylinder.power": ("power_table",),
     "kurbel.commands.cylinder.pressures": ("plot_pressures", "pressures_table"),

@@ -18,6 +18,7 @@ from textbook import printed as digits
 from kurbel.balance import harmonics
 from kurbel.balance.firing_page import cylinders_registry, orders_registry
 from kurbel.balance.page import balance_registry
+from kurbel.balance.rotors.page import quantities as rotor_quantities
 from kurbel.engine.harmonics.quantities import registry as torques
 from kurbel.engine.quantities import engine_registry
 from kurbel.linkage import dead_centres
@@ -230,10 +231,11 @@ def test_quantities_are_listed_a_line_each() -> None:
     engines = [*engine_registry(), *own, *beam.registry(), *dead_centres.registry()]
     links = [*arc_registry(), *parallel_registry(), *beam_registry(), *coupled_registry()]
     firing = [*orders_registry(), *cylinders_registry()]
+    turned = [*rotor_quantities()]
     rods = [*inertia_registry(), *error_columns()]
     assert keys == [
-        *motion, *engines, *("value" for _ in harmonics.HARMONICS), *torques(), *balance_registry(), *firing,
-        *links, *rods, *(one.key for _, one in own_columns()),
+        *motion, *engines, *("value" for _ in harmonics.HARMONICS), *torques(), *balance_registry(), *turned,
+        *firing, *links, *rods, *(one.key for _, one in own_columns()),
     ]  # fmt: skip
     assert all(len(line.split()) > 2 for line in lines)
     assert printed("quantities", "--lang", "en").out.splitlines() != lines

@@ -33,6 +33,7 @@ TABLES: Mapping[str, Callable[..., Any]] = {
     "deadcentres": kurbel.dead_centres_table,
     "harmonics": kurbel.harmonics_table,
     "balance": kurbel.balance_table,
+    "rotor": kurbel.rotor_table,
     "firing": kurbel.firing_table,
     "collate": kurbel.collation_table,
     "example": kurbel.example_table,

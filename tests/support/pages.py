@@ -16,6 +16,8 @@ from kurbel.page.table import DITTO, Panel, Table
 Address = tuple[str, ...]
 
 MACHINE = ("--stroke=600mm", "--speed=120/min", "--bore=300mm", "--pressure=800kPa")
+MASSES = ("--masses=200;300;400;200kg", "--radii=80;70;60;80mm")
+ANGLES = ("--angles=0;45;115;235",)
 ROD = ("--rod-mass=150kg", "--centre=0.6", "--gyration=0.3")
 STEAM = (
     "--pressure=8bar", "--back=1.1bar", "--clearance=8%", "--diagram-factor=0.8", "--efficiency=85%",
@@ -47,6 +49,7 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "torque": ("harmonics", "--quantity=torque", "--eps=4", "--cranks=0;90"),
     "excitation": ("harmonics", "--eps=4", "--cranks=0;90", *MACHINE),
     "balance": ("balance",),
+    "rotor": ("rotor", *MASSES, *ANGLES, "--planes=0;300;700;1000mm", "--balance-planes=100;500mm"),
     "firing orders": ("firing",),
     "firing": ("firing", "--order=1-3-4-2"),
     "collation": ("collate", "roetscher-112"),
@@ -84,7 +87,7 @@ ENGINES = about(
 )
 LOADED = about("compressor", "pump", "gas cycle")
 BEAMS = about("dead centres", "drive dead centres")
-BALANCES = about("harmonics", "balance")
+BALANCES = about("harmonics", "balance", "rotor")
 TORQUES = about("torque", "excitation", "cylinders")
 FIRINGS = about("firing orders", "firing")
 COLLATIONS = about("collation", "formulas")
@@ -147,6 +150,10 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
         "eps": 4, "cranks": "0;90", "stroke": 0.6, "speed": 2, "bore": 0.3, "pressure": 800_000,
     }),
     "balance": (kurbel.balance_table, {}),
+    "rotor": (kurbel.rotor_table, {
+        "masses": [200, 300, 400, 200], "radii": "80;70;60;80mm", "angles": [0, 45, 115, 235],
+        "planes": "0;300;700;1000mm", "balance_planes": [0.1, 0.5],
+    }),
     "firing orders": (kurbel.firing_table, {}),
     "firing": (kurbel.firing_table, {"order": "1-3-4-2"}),
     "collation": (kurbel.collation_table, {"table": "roetscher-112"}),

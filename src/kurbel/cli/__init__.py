@@ -46,6 +46,10 @@ COMMANDS = {
         "Print the harmonics of the piston's path, velocity or acceleration, or of the torque.",
     ),
     "balance": ("kurbel.commands.balance:balance_table", "Print the free forces and moments of an engine."),
+    "rotor": (
+        "kurbel.commands.balancing.rotor:rotor_table",
+        "Print what rotating masses leave unbalanced, and what balances them.",
+    ),
     "firing": (
         "kurbel.commands.orders.firing:firing_table",
         "Print firing orders, or the cranks that one needs.",

@@ -13,6 +13,7 @@ _ARC = "--mechanism arc --rocker 6"
 _PRESSED = _MACHINE.replace("forces", "pressures")
 _LISTED = "delta --eps 4 --cranks 0;90"
 _EXCITED = "harmonics --quantity torque --eps 4 --bore 300mm --pressure 8bar --stroke 600mm --speed 120/min"
+_ROTOR = "--masses 3;4kg --radii 1m --angles 0;90 --planes 0;1m"
 # What pages can be about, by its name.
 SUBJECTS: Mapping[str, Pages] = {
     "motion": Pages("kurbel.motion.page:MOTION", "table"),
@@ -39,6 +40,7 @@ SUBJECTS: Mapping[str, Pages] = {
     "torque": Pages("kurbel.engine.harmonics.page:TORQUE", "harmonics --quantity torque --eps 4"),
     "excitation": Pages("kurbel.engine.harmonics.page:EXCITING", _EXCITED),
     "balance": Pages("kurbel.balance.page:SUBJECT", "balance"),
+    "rotor": Pages("kurbel.balance.rotors.page:SUBJECT", f"rotor {_ROTOR}"),
     "firing orders": Pages("kurbel.balance.firing_page:ORDERS", "firing"),
     "firing": Pages("kurbel.balance.firing_page:FIRING", "firing --order 1-3-4-2"),
     **mechanisms.SUBJECTS,

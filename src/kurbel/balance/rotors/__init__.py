@@ -1,0 +1,1 @@
+"""Rotating masses: what they leave unbalanced, and the masses that balance them."""

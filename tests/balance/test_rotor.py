@@ -1,0 +1,153 @@
+"""Rotating masses: against the sums of their pulls and moments, taken from what is printed."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from typing import Any
+
+import pytest
+from cli import printed, refusal
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+Rows = dict[str, dict[str, str]]
+Vectors = list[tuple[complex, float]]
+
+
+def page(*words: str, solution: str = "1") -> Rows:
+    rows = printed("rotor", *words, "--digits=9", "--format=csv").records()
+    return {row["line"]: row for row in rows if row["solution"] == solution}
+
+
+def unbalance(row: dict[str, str]) -> complex:
+    """Return m r e^iα of a printed line, from mass and radius."""
+    return cmath.rect(
+        float(row["mass"]) * float(row["radius"]) / 1000, math.radians(float(row["angle"] or 0))
+    )
+
+
+def vectors(rows: Rows, *keys: str) -> Vectors:
+    return [
+        (unbalance(row), float(row["plane"]) / 1000)
+        for key, row in rows.items()
+        if key.rpartition("_")[0] in keys
+    ]
+
+
+def total(masses: Vectors, about: float | None = None) -> complex:
+    return sum((pull * (1 if about is None else plane - about) for pull, plane in masses), 0j)
+
+
+def said(row: dict[str, str], column: str) -> complex:
+    return cmath.rect(float(row[column]), math.radians(float(row["angle"] or 0)))
+
+
+def listed(values: Any, unit: str = "") -> str:
+    return ";".join(f"{value}{unit}" for value in values)
+
+
+MASSES = st.lists(
+    st.tuples(
+        st.integers(1, 400), st.integers(20, 900), st.integers(0, 1440).map(lambda n: n / 4),
+        st.integers(-900, 1900),
+    ),
+    min_size=1,
+    max_size=6,
+)  # fmt: skip
+PLANES = st.tuples(st.integers(-900, 400), st.integers(401, 1900))
+
+
+@settings(max_examples=12, deadline=None)
+@given(
+    masses=MASSES, planes=st.tuples(st.integers(-900, 400), st.integers(401, 1900)), turns=st.integers(1, 50)
+)
+def test_balancing_masses_leave_neither_a_pull_nor_a_couple_and_bearings_take_the_rest(
+    masses: list[tuple[int, int, float, int]], planes: tuple[int, int], turns: int
+) -> None:
+    mass, radius, angle, plane = (listed(one) for one in zip(*masses, strict=True))
+    words = (
+        f"--masses={mass}kg", f"--radii={radius}mm", f"--angles={angle}", f"--planes={plane}mm",
+        f"--speed={turns}/s", "--about=170mm",
+    )  # fmt: skip
+    rows = page(*words, f"--balance-planes={listed(planes)}mm", "--balance-radii=250mm")
+    own = [(cmath.rect(m * r / 1000, math.radians(a)), z / 1000) for m, r, a, z in masses]
+    square = (2 * math.pi * turns) ** 2
+    assert abs(said(rows["unbalance"], "unbalance") - total(own)) < 1e-6
+    assert abs(said(rows["couple"], "moment_n") - square * total(own, 0.17)) < 1e-6 * square
+    added = vectors(rows, "balance")
+    assert [plane for _, plane in added] == [plane / 1000 for plane in planes]
+    assert abs(total(own + added)) < 1e-6
+    assert abs(total(own + added, -1.3)) < 1e-6
+    assert (rows["left_unbalance"]["unbalance"], rows["left_couple"]["moment"]) == ("0", "0")
+    held = page(*words, "--bearings=-0.3;2.1m")
+    near, far = (said(held[f"bearing_{number}"], "unbalance_n") for number in (1, 2))
+    assert abs(near + far - square * total(own)) < 1e-6 * square
+    assert abs(-0.3 * near + 2.1 * far - square * total(own, 0)) < 1e-6 * square
+
+
+@pytest.mark.parametrize(
+    ("masses", "radii", "angles", "planes", "ways"),
+    [
+        ("?;10;5;4kg", "100;125;200;150mm", "?;0;?;?", "0;0.6;1.2;1.8m", 2),
+        ("?;31;52;43kg", "180;240;120;150mm", "?;0;97;211", "?;0;310mm;?", 1),
+        ("17;?;23kg;?", "110;90;70;130mm", "15;?;140;?", "0;200;450;900mm", 1),
+    ],
+)
+def test_what_is_asked_for_balances_the_others(
+    masses: str, radii: str, angles: str, planes: str, ways: int
+) -> None:
+    words = (f"--masses={masses}", f"--radii={radii}", f"--angles={angles}", f"--planes={planes}")
+    found = [vectors(page(*words, solution=str(way)), "mass") for way in range(1, ways + 1)]
+    assert not page(*words, solution=str(ways + 1))
+    for way in found:
+        assert abs(total(way)) < 1e-7
+        assert abs(total(way, 0)) < 1e-7
+    assert len({tuple(way) for way in found}) == ways
+
+
+def test_a_triangle_of_masses_has_the_angles_of_the_triangle() -> None:
+    # 3, 4 and 5 at one radius; what closes is a right angle between 3 and 4.
+    words = ("--masses=3;4;5kg", "--radii=100mm", "--angles=0;?;?")
+    first, second = (page(*words, solution=way) for way in ("1", "2"))
+    third = math.degrees(math.acos(3 / 5))
+    assert {float(rows["mass_2"]["angle"]) for rows in (first, second)} == {90, 270}
+    assert {round(float(rows["mass_3"]["angle"]), 9) for rows in (first, second)} == {
+        round(180 - third, 9), round(180 + third, 9)
+    }  # fmt: skip
+    line = page("--masses=3;4;7kg", "--radii=100mm", "--angles=0;?;?")
+    assert [float(line[f"mass_{number}"]["angle"]) for number in (2, 3)] == [0, 180]
+
+
+def test_a_direction_half_way_between_two_printed_ones_is_rounded_away() -> None:
+    rows = printed(
+        "rotor", "--masses=2;2kg", "--radii=1m", "--angles=0;45", "--digits=0", "--format=csv"
+    ).records()
+    assert rows[-1]["angle"] == "23"
+
+
+def test_without_planes_nothing_is_said_of_couples() -> None:
+    rows = page("--masses=3;4kg", "--radii=100mm", "--angles=0;90")
+    assert [*rows] == ["mass_1", "mass_2", "unbalance"]
+    assert "moment" not in rows["unbalance"]
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (("--masses=3;4kg", "--angles=0", "--radii=1m"), "the number of angles is 1 and that of masses 2;"),
+        (("--masses=3;4kg", "--angles=0;90"), "mass 1 has no radius; give all, --radii"),
+        (("--masses=3;4;50kg", "--angles=0;?;?", "--radii=1m"), "no two angles balance the forces"),
+        (("--masses=?;4kg", "--angles=0;10", "--radii=1m"), "a mass was asked for without its angle"),
+        (("--masses=?;4;4kg", "--angles=?;?;3", "--radii=1m"), "3 values are asked for with a ?"),
+        (("--masses=?;1;1kg", "--angles=?;0;180", "--radii=1m"), "mass 1 is asked for, but the others are"),
+        (("--masses=1kg", "--angles=0", "--radii=1m", "--bearings=0;1m"), "--bearings needs the planes"),
+        (
+            ("--masses=1kg", "--angles=0", "--radii=1m", "--planes=0m", "--bearings=1;1m"),
+            "both planes lie at 1 m",
+        ),
+        (("--masses=1kg", "--angles=0", "--radii=?"), "radius has a ?"),
+    ],
+)
+def test_what_does_not_balance_or_is_not_said_is_refused(words: tuple[str, ...], sentence: str) -> None:
+    assert refusal("rotor", *words).startswith(sentence)
