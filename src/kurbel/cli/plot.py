@@ -11,6 +11,7 @@ from kurbel.cli.options import RIVALS, Given, Option, Type, click_option, machin
 from kurbel.cli.tables import MakingCommand
 from kurbel.commands import engine_plots, plots
 from kurbel.commands.cylinder import pressures
+from kurbel.commands.cylinder.slope import LYING
 from kurbel.commands.engine import Wheeled
 from kurbel.commands.loads import PARTS, astray, named
 from kurbel.commands.machines import MASSES, STEAM
@@ -47,7 +48,7 @@ FLAGS = {
 # The options that all drawings have, or that say which one it is, or where it goes.
 SHARED = frozenset(("positions", *FLAGS, "ratio", "format", "output", "lang", "decimal"))
 OF_ENGINES = frozenset(
-    (*STEAM, *Wheeled.__annotations__, "cranks", "cylinder", "of", "bore", "pressure", *MASSES)
+    (*STEAM, *Wheeled.__annotations__, "cranks", "cylinder", "of", "bore", "pressure", *MASSES, *LYING)
 )
 
 
@@ -169,7 +170,7 @@ def _params() -> list[click.Parameter]:
     order = (
         "ratio", "columns", "over", *Wheeled.__annotations__, "method", "from", "to", "step", "offset",
         "stroke", "crank", "rod", "speed", "force", "mechanism", "rocker", "pivot", "beam", *STEAM, "cranks",
-        "cylinder", "of", "bore", "pressure", *MASSES,
+        "cylinder", "of", "bore", "pressure", *MASSES, *LYING,
     )  # fmt: skip
     return [
         machine_option(), own["positions"], *flags, *(own[name] for name in order), *output,

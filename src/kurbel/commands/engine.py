@@ -12,6 +12,7 @@ from kurbel.commands.machines import (
     engine_of,
     for_masses,
     is_heavy,
+    weightless,
     whole_cycle,
 )
 from kurbel.commands.motion import STEP, meant, of_other_mechanisms
@@ -40,7 +41,8 @@ ONLY_MASSES = ("stroke", "bore", "pressure")
 WITH_MASSES = "with masses the power follows from pressure, bore, stroke and speed; leave --power out"
 ORDER = (
     "ratio back exponent clearance card other_side single_acting cranks method reciprocating rod_mass centre"
-    " gyration rod_file stroke crank rod bore pressure offset mechanism rocker pivot beam rocker_inertia"
+    " gyration rod_file vertical slope gravity stroke crank rod bore pressure offset mechanism rocker pivot"
+    " beam rocker_inertia"
 )
 # Pages of an engine, and those of one with its flywheel.
 DELTA = ("irregularity", "strokes", "evenness", "compressor", "pump", "gas cycle", "cylinders")
@@ -100,7 +102,7 @@ def _of_wheel(values: Mapping[str, Any]) -> Mapping[str, str]:
 
 def beside_wheel(values: Mapping[str, Any]) -> Mapping[str, str]:
     """Refuse what describes a flywheel further, where there is none or none of that kind."""
-    refused = {}
+    refused = {**weightless(values)}
     if values["inertia"] is None:
         refused["power"] = "--power is for --inertia, whose flywheel is weighed against it; leave it out"
     if is_heavy(values):
@@ -246,11 +248,12 @@ def _wheel(page: Layout, given: Mapping[str, Any]) -> "Wheel | None":
 
 
 def _power_of_steam(values: Mapping[str, Any]) -> Mapping[str, str]:
+    light = weightless(values)
     if is_heavy(values):
-        return {"power": WITH_MASSES}
+        return {"power": WITH_MASSES, **light}
     if is_given(values["cylinder"]):
         return {"power": "the power of unlike cylinders follows from their sizes; leave --power out"}
-    return for_masses(*ONLY_MASSES)(values)
+    return {**for_masses(*ONLY_MASSES)(values), **light}
 
 
 @makes_table(foreign=_foreign, needless=_power_of_steam, order=ORDER)

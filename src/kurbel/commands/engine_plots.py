@@ -5,9 +5,10 @@ from typing import TYPE_CHECKING, Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
 from kurbel.commands.cylinder.given import Cylinders, Of
+from kurbel.commands.cylinder.slope import Lying
 from kurbel.commands.engine import Wheeled, beside_wheel
 from kurbel.commands.engine_pages.layouts import has_wheel
-from kurbel.commands.machines import engine_of, is_heavy, load_of, over_cycle
+from kurbel.commands.machines import engine_of, is_heavy, load_of, over_cycle, weightless
 from kurbel.commands.motion import of_other_mechanisms
 from kurbel.commands.options import Choice, Option
 from kurbel.commands.plots import CurveStep, DrawnColumns, DrawnSpeed, LabelLang, curve_angles, only, page_of
@@ -24,7 +25,7 @@ AXES = ("angle", "path")
 ENGINE_LAYOUT, MACHINE_LAYOUT = "engine-forces", "machine-forces"
 
 
-class Drawn(option.Cylinder, option.MovingRod, option.AnyDrive, total=False):
+class Drawn(option.Cylinder, option.MovingRod, Lying, option.AnyDrive, total=False):
     """An engine, as it is drawn."""
 
     cylinder: Cylinders
@@ -50,7 +51,7 @@ def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
     return of_other_mechanisms(values, shared=("stroke", "speed", "method"))
 
 
-@draws(foreign=_foreign)
+@draws(foreign=_foreign, needless=weightless)
 def plot_engine_forces(
     eps: option.Eps = None, *, of: Of = None, columns: DrawnColumns = (), **given: Unpack[Drawn]
 ) -> Drawing:
@@ -63,7 +64,7 @@ def plot_engine_forces(
     return Drawing.of(curves_drawing(question, force_panels(question), mark), given["lang"], mark)
 
 
-@draws(foreign=_foreign)
+@draws(foreign=_foreign, needless=weightless)
 def plot_engine_polar(eps: option.Eps = None, *, of: Of = None, **given: Unpack[Drawn]) -> Drawing:
     """Draw the polar diagram of the force on the crank pin of a steam engine."""
     from kurbel.plot.drawings import polar_drawing

@@ -6,6 +6,7 @@ from typing import Annotated, Any, Unpack
 from kurbel.commands import loads
 from kurbel.commands import parameters as option
 from kurbel.commands.cylinder.given import Of
+from kurbel.commands.cylinder.slope import LYING, Lying
 from kurbel.commands.loads import NAMES, OWN, PARTS
 from kurbel.commands.machines import (
     MASSES,
@@ -16,6 +17,7 @@ from kurbel.commands.machines import (
     is_heavy,
     over_cycle,
     weighed,
+    weightless,
 )
 from kurbel.commands.motion import angles_of, meant, of_other_mechanisms, sheet_of
 from kurbel.commands.options import Choice, LayoutName, Option, is_given
@@ -88,7 +90,7 @@ def _of_case(values: Mapping[str, Any]) -> Mapping[str, str]:
             angles = "does not go with --at tangent, a position with an angle of its own; leave it out"
             force = "does not go with --at tangent, a position under one piston force, --force; leave it out"
             return _refused(("angle", "from", "to", "step"), angles) | _refused(
-                (*STEAM, *MASSES, "bore", "pressure", "speed", "cranks"), force
+                (*STEAM, *MASSES, *LYING, "bore", "pressure", "speed", "cranks"), force
             )
         case "engine":
             which = "steam" if is_given(values["eps"]) or is_given(values["card"]) else "load"
@@ -99,6 +101,7 @@ def _of_case(values: Mapping[str, Any]) -> Mapping[str, str]:
             return {
                 **own,
                 **for_masses("speed")(values),
+                **weightless(values),
                 **(_refused(("stroke",), newton_metres) if bare else {}),
             }
     unasked = _refused(
@@ -108,6 +111,7 @@ def _of_case(values: Mapping[str, Any]) -> Mapping[str, str]:
         ("bore", "pressure", "cranks", *STEAM), "is for the steam of an engine; add --eps or --card"
     )
     further = {**steam, **{name: loads.astray(name) for name in PARTS}, **for_masses("speed")(values)}
+    further |= weightless(values)
     # First, lest an option of the load asks for one.
     return {**unasked, **further, **unasked}
 
@@ -116,7 +120,7 @@ def _refused(names: tuple[str, ...], why: str) -> dict[str, str]:
     return {name: f"--{name.replace('_', '-')} {why}" for name in names}
 
 
-class Forces(option.Run, option.AnyDrive, option.Steam, option.MovingRod, option.Sheet, total=False):
+class Forces(option.Run, option.AnyDrive, option.Steam, option.MovingRod, Lying, option.Sheet, total=False):
     """A crank drive and all that can act on it."""
 
     force: option.Force
@@ -144,7 +148,7 @@ class Forces(option.Run, option.AnyDrive, option.Steam, option.MovingRod, option
     needless=_needless,
     order="angle from_ to step columns offset stroke crank rod mechanism rocker pivot beam axles driven force"
     " at eps back exponent clearance card other_side single_acting cranks bore pressure reciprocating"
-    " rod_mass centre gyration rod_file rotating rocker_inertia speed",
+    " rod_mass centre gyration rod_file rotating rocker_inertia vertical slope gravity speed",
 )
 def forces_table(
     ratio: option.Ratios = None,

@@ -9,6 +9,7 @@ from os import PathLike
 from typing import TYPE_CHECKING, Any
 
 from kurbel.commands import loads
+from kurbel.commands.cylinder.slope import LYING, check_crosshead, slope_of
 from kurbel.commands.loads import FURTHER
 from kurbel.commands.motion import FULL_TURN, described, meant, sheet_of
 from kurbel.commands.options import is_given
@@ -84,7 +85,9 @@ def weighed(chosen: Mechanism, drives: Sequence[Any], given: Mapping[str, Any], 
         rod_of(given, length) if any(given[name] is not None for name in MovingRod.__annotations__) else None,
         _read(as_signed_mass, given.get("rotating"), "rotating mass") or Fraction(0),
         _read(as_inertia, given.get("rocker_inertia"), "rocker inertia") or Fraction(0),
+        slope=slope_of(given),
     )
+    check_crosshead(chosen, moving.slope)
     speed = as_speed(given["speed"])
     return [
         drive.of(replace(crank, speed=speed, moving=moving))
@@ -122,6 +125,15 @@ def _has_back_pressure(values: Mapping[str, Any]) -> bool:
     from kurbel.reading.units import is_measure
 
     return is_measure(back)
+
+
+def weightless(values: Mapping[str, Any]) -> Mapping[str, str]:
+    """Refuse what says something of a weight where nothing has one."""
+    if not any(is_given(values.get(name)) for name in LYING):
+        return {}
+    from kurbel.commands.cylinder.slope import needless_of_slope
+
+    return needless_of_slope(values, is_heavy(values) or is_given(values.get("cylinder")))
 
 
 def steams_of(given: Mapping[str, Any], page: Layout) -> Sequence[Acting]:

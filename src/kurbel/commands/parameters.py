@@ -5,6 +5,7 @@ from os import PathLike
 from typing import Annotated, TypeAlias, TypedDict
 
 from kurbel.commands.cylinder.given import Cylinders
+from kurbel.commands.cylinder.slope import Lying
 from kurbel.commands.loads import Loads
 from kurbel.commands.options import FILE, FLAG, Choice, Columns, Count, LayoutName, Option
 from kurbel.drive import load, mechanisms
@@ -271,7 +272,7 @@ class MovingRod(TypedDict, total=False):
     ]  # fmt: skip
 
 
-class Engine(Steam, MovingRod, AnyDrive, Sheet, total=False):
+class Engine(Steam, MovingRod, Lying, AnyDrive, Sheet, total=False):
     """An engine: its crank drive, its load, its masses and its cranks."""
 
     ratio: Annotated[

@@ -5,8 +5,9 @@ from typing import Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
 from kurbel.commands.cylinder.given import Of
+from kurbel.commands.cylinder.slope import LYING, Lying
 from kurbel.commands.loads import OWN
-from kurbel.commands.machines import MASSES, STEAM, engine_of, for_masses
+from kurbel.commands.machines import MASSES, STEAM, engine_of, for_masses, weightless
 from kurbel.commands.motion import described, meant, of_other_mechanisms, sheet_of, some
 from kurbel.commands.options import Option, is_given
 from kurbel.commands.subject import makes_table
@@ -52,13 +53,13 @@ def _is_of_engine(values: Mapping[str, Any]) -> bool:
 def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
     if _is_of_engine(values):
         bare = {"force": "--force does not go with the load of an engine; leave it out"}
-        return {**bare, **for_masses("speed")(values)}
+        return {**bare, **for_masses("speed")(values), **weightless(values)}
     why = _UNASKED if _is_loaded(values) else _UNLOADED
-    names = (*STEAM, *MASSES, "bore", "pressure", "cranks", "cylinder", "of")
+    names = (*STEAM, *MASSES, *LYING, "bore", "pressure", "cranks", "cylinder", "of")
     return {name: f"--{name.replace('_', '-')} {why}" for name in names}
 
 
-class Drives(option.AnyDrive, option.Steam, option.MovingRod, option.Sheet, total=False):
+class Drives(option.AnyDrive, option.Steam, option.MovingRod, Lying, option.Sheet, total=False):
     """Crank drives of which conditions are asked, under a force or the load of an engine."""
 
     ratio: option.Ratios
@@ -78,7 +79,7 @@ class Drives(option.AnyDrive, option.Steam, option.MovingRod, option.Sheet, tota
     needless=_needless,
     order="ratio columns offset stroke crank rod method speed mechanism rocker pivot beam force eps back"
     " exponent clearance card other_side single_acting cranks bore pressure reciprocating rod_mass centre"
-    " gyration rod_file rotating rocker_inertia",
+    " gyration rod_file rotating rocker_inertia vertical slope gravity",
 )
 def solve_table(
     where: Annotated[

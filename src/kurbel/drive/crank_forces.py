@@ -11,17 +11,28 @@ from typing import Any, NamedTuple
 
 from kurbel.kernel import forces
 from kurbel.kernel.rod import Loaded, Masses, with_crank
+from kurbel.kernel.weight import Weight
 
 
 class Weights(NamedTuple):
     """The moving masses of a cylinder in units of Q/(R ω²), in a kind of number.
 
     `masses` are those of rod and reciprocating parts together, `rotating` the crank's own at its pin.
+    What they weigh, in Q and in the frame of the outstroke, is None where that does not count.
     """
 
     masses: Masses[Any]
     reciprocating: Any
     rotating: Any
+    weight: Weight[Any] | None = None
+
+    @property
+    def still(self) -> Weights | None:
+        """The same without inertia, None if nothing is left."""
+        if self.weight is None:
+            return None
+        nothing = 0 * self.masses.pin
+        return Weights(Masses(nothing, nothing, nothing, nothing), nothing, nothing, self.weight)
 
     @property
     def on_shaft(self) -> Masses[Any]:
@@ -59,10 +70,6 @@ def _none(circle: Any, ratio: Any, offset: Any) -> Any:
     return 0
 
 
-def _inertia(drive: Loaded) -> Any:
-    return drive.thrust() - drive.piston_force
-
-
 def _across(drive: Loaded) -> Any:
     return -1 * drive.pin_force_across()
 
@@ -72,10 +79,10 @@ _THRUST, _ROD, _GUIDE = attrgetter("piston_force"), methodcaller("rod_force"), m
 _PIN, _CROSSHEAD = methodcaller("pin_force"), methodcaller("crosshead_pin_force")
 _TORQUE, _RADIAL = methodcaller("torque"), methodcaller("radial_force")
 _ALONG, _CROSSHEAD_LOAD = methodcaller("pin_force_along"), methodcaller("thrust")
-_PIN_ROD = methodcaller("pin_rod_force")
+_PIN_ROD, _INERTIA = methodcaller("pin_rod_force"), methodcaller("inertia_force")
 CRANK_FORCES: Mapping[str, CrankForce] = {
     "piston_force": CrankForce(_unit, _THRUST, framed=True),
-    "inertia_force": CrankForce(_none, _inertia, framed=True),
+    "inertia_force": CrankForce(_none, _INERTIA, framed=True),
     "crosshead_load": CrankForce(_unit, _CROSSHEAD_LOAD, framed=True),
     "rod_force": CrankForce(forces.rod_force, _ROD, framed=True),
     "pin_rod_force": CrankForce(forces.rod_force, _PIN_ROD, framed=True),

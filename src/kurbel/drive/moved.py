@@ -13,6 +13,7 @@ from kurbel.errors import ProblemError
 from kurbel.kernel import kinematics, rod, turning
 from kurbel.kernel.circle import Circle, Number, root
 from kurbel.kernel.rod import Loaded, Masses
+from kurbel.kernel.weight import Weight, on_return, torque_slope, work
 
 if TYPE_CHECKING:
     from kurbel.drive.crank import Crank
@@ -62,7 +63,13 @@ class Moved(ABC):
 
     @abstractmethod
     def loaded(
-        self, stroke: int, circle: Circle[Any], masses: Masses[Any], net: Number, reciprocating: Number = 0
+        self,
+        stroke: int,
+        circle: Circle[Any],
+        masses: Masses[Any],
+        net: Number,
+        reciprocating: Number = 0,
+        weight: Weight[Any] | None = None,
     ) -> Any:
         """Return the drive with its masses under a force on the piston, or what knows the same forces."""
 
@@ -73,6 +80,16 @@ class Moved(ABC):
     @abstractmethod
     def torque_slope(self, stroke: int, circle: Circle[Any], masses: Masses[Any]) -> Number:
         """Return the change of the masses' torque with the angle in radians."""
+
+    def weight_slope(self, stroke: int, circle: Circle[Any], weight: Weight[Any]) -> Number:
+        """Return the change of the torque of weights with the angle in radians."""
+        own = on_return(weight) if stroke else weight
+        return torque_slope(own, circle, self.acceleration(stroke, circle))
+
+    def work_of_weight(self, stroke: int, circle: Circle[Any], weight: Weight[Any]) -> Number:
+        """Return the work that weights have done since a fixed place, over R."""
+        own = on_return(weight) if stroke else weight
+        return work(own, circle, self.path(stroke, circle), self.length, bool(stroke))
 
     def bare(self, force: CrankForce, stroke: int, circle: Circle[Any]) -> Number:
         """Return a force that a unit force on the piston calls up in the drive without masses."""
@@ -87,7 +104,7 @@ class Moved(ABC):
             return abs(found) if force.magnitude else found
         masses = weights.on_shaft if force.on_shaft else weights.masses
         reciprocating = 0 if force.on_shaft else weights.reciprocating
-        return force.on(self.loaded(stroke, circle, masses, net, reciprocating))
+        return force.on(self.loaded(stroke, circle, masses, net, reciprocating, weights.weight))
 
     def angle_at(self, stroke: int, share: Number) -> Number | None:
         """Return the half turns at which the piston has gone a share of the stroke, None if no formula has
@@ -115,9 +132,16 @@ class Slide(Moved):
         return self.motion.acceleration(circle, self.ratios[stroke])
 
     def loaded(
-        self, stroke: int, circle: Circle[Any], masses: Masses[Any], net: Number, reciprocating: Number = 0
+        self,
+        stroke: int,
+        circle: Circle[Any],
+        masses: Masses[Any],
+        net: Number,
+        reciprocating: Number = 0,
+        weight: Weight[Any] | None = None,
     ) -> Loaded:
-        return Loaded(circle, self.ratios[stroke], masses, None, net, reciprocating)
+        own = framed(weight, stroke)
+        return Loaded(circle, self.ratios[stroke], masses, None, net, reciprocating, weight=own)
 
     def bare(self, force: CrankForce, stroke: int, circle: Circle[Any]) -> Number:
         return force.bare(circle, self.ratios[stroke], None)
@@ -154,10 +178,17 @@ class OffsetSlide(Moved):
         return kinematics.offset_acceleration(circle, *self.numbers[stroke])
 
     def loaded(
-        self, stroke: int, circle: Circle[Any], masses: Masses[Any], net: Number, reciprocating: Number = 0
+        self,
+        stroke: int,
+        circle: Circle[Any],
+        masses: Masses[Any],
+        net: Number,
+        reciprocating: Number = 0,
+        weight: Weight[Any] | None = None,
     ) -> Loaded:
         ratio, offset = self.numbers[stroke]
-        return Loaded(circle, ratio, masses, offset, net, reciprocating)
+        own = framed(weight, stroke)
+        return Loaded(circle, ratio, masses, offset, net, reciprocating, weight=own)
 
     def bare(self, force: CrankForce, stroke: int, circle: Circle[Any]) -> Number:
         return force.bare(circle, *self.numbers[stroke])
@@ -169,6 +200,11 @@ class OffsetSlide(Moved):
     def torque_slope(self, stroke: int, circle: Circle[Any], masses: Masses[Any]) -> Number:
         ratio, offset = self.numbers[stroke]
         return rod.torque_slope(circle, ratio, masses, offset)
+
+
+def framed(weight: Weight[Any] | None, stroke: int) -> Weight[Any] | None:
+    """Return weights in the frame of the stroke."""
+    return on_return(weight) if stroke and weight is not None else weight
 
 
 def moved(crank: Crank, kind: Kind, method: str) -> Moved:

@@ -6,12 +6,17 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.drive.crank_forces import Weights
+from kurbel.drive.slope import Slope
 from kurbel.errors import ProblemError
 from kurbel.kernel.rod import Masses, joined, rod_masses, two_masses
+from kurbel.kernel.weight import Weight
 from kurbel.reading.notation import about
+
+if TYPE_CHECKING:
+    from kurbel.exact.kind import Kind
 
 # Sections end within half a rod's length of its pins.
 REACH = Fraction(1, 2)
@@ -140,7 +145,8 @@ def check_section(section: Section) -> None:
 class Moving:
     """The moving masses of one crank drive in kg: piston and crosshead, the rod, and `rotating`, the crank's
     own at its pin, which is negative where counterweights outweigh it. `rocker` is the moment of inertia of a
-    rocker about its pivot, in kg m², and `arm` its length in metres.
+    rocker about its pivot, in kg m², and `arm` its length in metres. What piston, crosshead and rod weigh
+    counts where the `slope` of the slide is known.
     """
 
     reciprocating: Fraction
@@ -148,6 +154,7 @@ class Moving:
     rotating: Fraction = Fraction(0)
     rocker: Fraction = Fraction(0)
     arm: Fraction | None = None
+    slope: Slope | None = None
 
     def __post_init__(self) -> None:
         if not 0 <= self.rocker <= LARGEST_MASS:
@@ -175,7 +182,15 @@ class Moving:
         own = joined(self.rod.masses("exact", Fraction), self.rod.mass, self.reciprocating)
         return own._replace(rocker=end)
 
-    def weights(self, of: Callable[[Fraction], Any], factor: Any) -> Weights:
-        """Return the masses times a factor, in a kind of number."""
-        masses = Masses(*(of(Fraction(part)) * factor for part in self.joined))
-        return Weights(masses, of(self.reciprocating) * factor, of(self.rotating) * factor)
+    def weights(self, kind: Kind, factor: Any, newton: Any = 1) -> Weights:
+        """Return the masses times a factor, in a kind of number, and their weight, if that counts, times
+        that of a newton."""
+        of, joined = kind.of, self.joined
+        masses = Masses(*(of(Fraction(part)) * factor for part in joined))
+        found = Weights(masses, of(self.reciprocating) * factor, of(self.rotating) * factor)
+        if self.slope is None:
+            return found
+        pin, crosshead, own, *slope = self.slope.weight(
+            kind, joined.pin, joined.crosshead, self.reciprocating
+        )
+        return found._replace(weight=Weight(pin * newton, crosshead * newton, own * newton, *slope))

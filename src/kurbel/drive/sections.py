@@ -73,6 +73,11 @@ class Crank(Section):
     rocker: Annotated[One | None, about("length of the arc crank's rocker in units of R")] = None
     pivot: Annotated[One | None, about('its pivot along and across the slide, such as "5;6"')] = None
     beam: Annotated[One | None, about("arm of the beam engine's beam in units of R")] = None
+    vertical: Annotated[bool | None, about("whether the cylinder stands above the shaft, for weights")] = None
+    slope: Annotated[
+        One | None, about("or by how many degrees the slide rises from the shaft to the cylinder")
+    ] = None
+    gravity: Annotated[One | None, about('acceleration of gravity, by itself "9.80665m/s²"')] = None
     cranks: Annotated[Joined | None, about("angles in degrees by which several cranks follow the first")] = (
         field(name="angles", default=None)
     )
@@ -166,7 +171,7 @@ class Flywheel(Section):
 
 
 # What all cylinders have in common, or what is another thing in a cylinder's table.
-_OF_ALL = ("speed", "cranks", "pump")
+_OF_ALL = ("speed", "cranks", "pump", "vertical", "slope", "gravity")
 _ONE = One | None
 
 

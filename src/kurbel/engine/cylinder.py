@@ -76,7 +76,8 @@ class Cylinder(NamedTuple):
         circle, way = self.circle(angle), stroke % 2
         force = self.strokes[stroke].force(self.share(stroke, circle)) * self.drive.velocity(way, circle)
         if self.weights is not None:
-            force = force + self.drive.loaded(way, circle, self.weights.masses, 0).torque()
+            own = self.drive.loaded(way, circle, self.weights.masses, 0, weight=self.weights.weight)
+            force = force + own.torque()
         return self._whole(force)
 
     def force(self, force: CrankForce, stroke: int, angle: Any) -> Number:
@@ -95,6 +96,8 @@ class Cylinder(NamedTuple):
         total += acting.force(share) * self.drive.acceleration(way, circle)
         if self.weights is not None:
             total += self.drive.torque_slope(way, circle, self.weights.masses)
+            if self.weights.weight is not None:
+                total += self.drive.weight_slope(way, circle, self.weights.weight)
         return self._whole(total * self.kind.pi)
 
     def energy(self, stroke: int, angle: Any) -> Number:
@@ -103,6 +106,8 @@ class Cylinder(NamedTuple):
         work = length * self.strokes[stroke].work(self.share(stroke, circle))
         if self.weights is not None:
             work -= self.drive.kinetic_energy(stroke % 2, circle, self.weights.masses)
+            if self.weights.weight is not None:
+                work += self.drive.work_of_weight(stroke % 2, circle, self.weights.weight)
         before = length * sum(one.work(1) for one in self.strokes[:stroke]) if stroke else 0
         turned = angle + stroke
         if isinstance(turned, Fraction):
@@ -114,6 +119,11 @@ class Cylinder(NamedTuple):
         if self.weights is None:
             return self.kind.of(Fraction(0))
         return self._whole(self.drive.kinetic_energy(stroke % 2, self.circle(angle), self.weights.masses))
+
+    @property
+    def still(self) -> Cylinder:
+        """The same without the inertia of its masses."""
+        return self if self.weights is None else self._replace(weights=self.weights.still)
 
     @property
     def whole_mean(self) -> Number:

@@ -242,5 +242,6 @@ def _force_entries() -> Iterator[Quantity]:
     yield _entry(
         "torque_nm", "Drehmoment|Torque", "$M_d$", "N m", "angle", 1,
         lambda turn, where: turn.tangential_force(where.half_turns),
-        scale=AnyTurn.torque_unit, needs="torque", direction=words("$M_d$ an der Welle|$M_d$ on the shaft"),
+        scale=AnyTurn.torque_unit, needs="torque", ties=ties.torque_ties,
+        direction=words("$M_d$ an der Welle|$M_d$ on the shaft"),
     )  # fmt: skip

@@ -10,14 +10,16 @@ rational one is known: quantities made of them, or with the factor π, have no r
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from fractions import Fraction
-from functools import wraps
+from functools import partial, wraps
 from math import inf, lcm, log2
 from typing import Any, NamedTuple
 
 import flint
 
+from kurbel.drive.crank import known
 from kurbel.drive.crank_forces import CrankForce, Weights
 from kurbel.engine.engine import Engine, Steam
 from kurbel.engine.turn import Turn
@@ -88,11 +90,8 @@ def force_ties(turn: Turn, half_turns: Fraction) -> TieBits:
     """Return how near the tangential force at an exact angle can come to a boundary."""
     cranks = _cranks(turn, half_turns)
 
-    def torque(on: _On, weights: Weights) -> Any:
-        return sum(on.drive.loaded(*on.place(crank), weights.masses, 0).torque() for crank in cranks)
-
     def bits(boundary: Fraction) -> float:
-        if not _without_masses(turn, torque):
+        if not _without_masses(turn, lambda on, weights: _torque(on, cranks, weights)):
             return inf
         on, total = _On(turn, _BOUNDS), Separation.rational(-boundary)
         for crank in cranks:
@@ -115,9 +114,7 @@ def energy_ties(turn: Turn, half_turns: Fraction) -> TieBits:
     cranks = [*_cranks(turn, half_turns), *_cranks(turn, Fraction(0), -1)]
 
     def gain(on: _On, weights: Weights) -> Any:
-        return sum(
-            crank.weight * on.drive.kinetic_energy(*on.place(crank), weights.masses) for crank in cranks
-        )
+        return sum(crank.weight * _gained(on, crank, weights) for crank in cranks)
 
     def bits(boundary: Fraction) -> float:
         # The mean works from a dead centre on, whose share of a turn is irrational unless it is regular; of
@@ -133,6 +130,14 @@ def energy_ties(turn: Turn, half_turns: Fraction) -> TieBits:
         return (_energy(turn, cranks) - Separation.rational(boundary)).bits()
 
     return bits
+
+
+def _gained(on: _On, crank: _Crank, weights: Weights) -> Any:
+    """The energy of the masses, of motion and of height."""
+    gained = on.drive.kinetic_energy(*on.place(crank), weights.masses)
+    if weights.weight is None:
+        return gained
+    return gained - on.drive.work_of_weight(*on.place(crank), weights.weight)
 
 
 def back_ties(turn: Turn, half_turns: Fraction) -> TieBits:
@@ -167,23 +172,60 @@ def limit_ties(force: CrankForce, stroke: int, turn: Turn, angle: Fraction) -> T
 
 @_where_known
 def newton_ties(force: CrankForce, turn: Turn, half_turns: Fraction) -> TieBits:
-    """Return the same in newtons: the steam's share has the factor π, that of the masses π² or none."""
+    """Return the same in newtons: the steam's share has the factor π, that of inertia π² or none."""
     crank = _cranks(turn, half_turns)[0]
+
+    def acting(on: _On, weights: Weights) -> Any:
+        return on.drive.force(force, *on.place(crank), weights, on.kind.of(Fraction(0)))
+
+    return _weighed_ties(turn, [crank], lambda on, crank: on.drive.bare(force, *on.place(crank)), acting)
+
+
+@_where_known
+def torque_ties(turn: Turn, half_turns: Fraction) -> TieBits:
+    """Return the same of the torque of all cranks in newton metres."""
+    cranks, radius = _cranks(turn, half_turns), known(turn.part.crank.radius)
+
+    def acting(on: _On, weights: Weights) -> Any:
+        return on.kind.of(radius) * _torque(on, cranks, weights)
+
+    return _weighed_ties(turn, cranks, lambda on, crank: on.drive.velocity(*on.place(crank)), acting)
+
+
+def _weighed_ties(
+    turn: Turn,
+    cranks: Sequence[_Crank],
+    lever: Callable[[_On, _Crank], Any],
+    acting: Callable[[_On, Weights], Any],
+) -> TieBits:
+    """Return the ties of what is rational only where the steam, which acts by its lever, has no part in it,
+    and inertia by turns a second has none."""
 
     def bits(boundary: Fraction) -> float:
         drive = turn.part.crank
-        if drive.moving is None or not _without_steam(turn, crank):
+        if drive.moving is None or not all(_without_lever(turn, crank, lever) for crank in cranks):
             return inf
-        assert drive.speed is not None
-        assert drive.radius is not None
-        if drive.speed.turns:
+        by_inertia, *others = _apart(turn)
+        if known(drive.speed).turns and not _vanishes(turn, lambda on: acting(on, by_inertia(on.kind))):
             return inf
-        weights = drive.moving.weights(_BOUNDS.of, _BOUNDS.of(drive.radius * drive.speed.value**2))
-        on = _On(turn, _BOUNDS)
-        alone = on.drive.force(force, *on.place(crank), weights, Separation.rational(0))
-        return float((alone - Separation.rational(boundary)).bits())
+        alone = (others or [by_inertia])[0]
+        if known(drive.speed).turns and not others:
+            return inf
+        return float((acting(_On(turn, _BOUNDS), alone(_BOUNDS)) - Separation.rational(boundary)).bits())
 
     return bits
+
+
+def _without_lever(turn: Turn, crank: _Crank, lever: Callable[[_On, _Crank], Any]) -> bool:
+    """Whether the steam has no part in a force, for certain: it does not act, or has no lever there."""
+    none = Fraction(0)
+    return _without_steam(turn, crank) or _vanishes(turn, lambda on: lever(on, crank) + on.kind.of(none))
+
+
+def _torque(on: _On, cranks: Sequence[_Crank], weights: Weights) -> Any:
+    masses, weight = weights.masses, weights.weight
+    loaded = (on.drive.loaded(*on.place(crank), masses, 0, weight=weight) for crank in cranks)
+    return sum(one.torque() for one in loaded)
 
 
 def _is_mariotte(turn: Turn) -> bool:
@@ -218,11 +260,28 @@ def _vanishes(turn: Turn, value: Callable[[_On], Any]) -> bool:
 
 
 def _without_masses(turn: Turn, part: Callable[[_On, Weights], Any]) -> bool:
-    """Whether the masses, in kg, have no part in a sum."""
-    moving = turn.part.crank.moving
-    return moving is None or _vanishes(
-        turn, lambda on: part(on, moving.weights(on.kind.of, on.kind.of(Fraction(1))))
-    )
+    """Whether the masses have no part in a sum, neither by their inertia nor by their weight."""
+    return all(_vanishes(turn, partial(_part, part, own)) for own in _apart(turn))
+
+
+def _part(part: Callable[[_On, Weights], Any], own: Callable[[Kind], Weights], on: _On) -> Any:
+    return part(on, own(on.kind))
+
+
+def _apart(turn: Turn) -> Iterator[Callable[[Kind], Weights]]:
+    """Yield the masses by their inertia and by their weight where these have other powers of π, else by
+    both: of turns a second inertia has π², of radians none."""
+    crank, none = turn.part.crank, Fraction(0)
+    if crank.moving is None:
+        return
+    moving, speed = crank.moving, known(crank.speed)
+    if moving.slope is None:
+        yield lambda kind: moving.weights(kind, kind.of(Fraction(1)))
+    elif speed.turns:
+        yield lambda kind: replace(moving, slope=None).weights(kind, kind.of(Fraction(1)))
+        yield lambda kind: moving.weights(kind, kind.of(none))
+    else:
+        yield lambda kind: moving.weights(kind, kind.of(known(crank.radius) * speed.value**2))
 
 
 def _without_steam(turn: Turn, crank: _Crank) -> bool:

@@ -76,6 +76,10 @@ class LoadedRocker:
         """
         return self.across + self.masses.crosshead * self.draught
 
+    def inertia_force(self) -> Number:
+        """Return the inertia force of the reciprocating mass."""
+        return 0 - (self.reciprocating + self.masses.rocker) * self.acceleration
+
     def thrust(self) -> Number:
         """Return the force of the joint on the rod along the arc, positive against X."""
         return self.piston_force - (self.reciprocating + self.masses.rocker) * self.acceleration

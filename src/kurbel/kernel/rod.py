@@ -12,7 +12,8 @@ A `Loaded` drive has the `Circle` of the crank angle, the ratio λ = R/L, the ma
 η = e/R (None is the straight crank); its forces are numbers of the circle's kind: floats, arrays, balls or
 separation bounds. Accelerations are in units of R ω². With masses in units of the rod's M, forces are in
 M R ω², torques in M R² ω². The crank turns evenly and accelerations are exact unless they come `by` others,
-kernel/inertia; there is neither friction nor weight.
+kernel/inertia; there is no friction in the pins. Weights of the masses act where the masses are, for these
+have the rod's centre of mass.
 
 Signs are those of kernel/forces.py: X runs from the shaft along the slide towards the dead centre that the
 stroke leaves, Y towards the side of the crank pin; both point the other way on the return stroke, a negative
@@ -36,6 +37,7 @@ from kurbel.kernel.circle import Circle, Number, root
 from kurbel.kernel.forces import Slant, rod_slant, tangential_force
 from kurbel.kernel.inertia.accelerations import EVEN, Accelerations
 from kurbel.kernel.moving import Link
+from kurbel.kernel.weight import Weight, pin_torque
 
 Kind = TypeVar("Kind")
 
@@ -91,7 +93,8 @@ def with_crank(masses: Masses[Number], rotating: Number) -> Masses[Number]:
     """Return masses of which the forces at the pin are those of the main bearing on the shaft.
 
     `rotating` is the crank's own mass times the distance of its centre from the shaft, over R; negative for
-    a counterweight. It leaves the guide force and the torque as they are.
+    a counterweight. It leaves the guide force and the torque as they are, and has no weight here, for what
+    the crank weighs is not known of it.
     """
     return masses._replace(pin=masses.pin + rotating)
 
@@ -114,7 +117,8 @@ class Loaded:
     """The crank drive at a crank angle: its masses, and the force F on the piston, positive against X.
 
     `masses` are those of the rod joined with the `reciprocating` one, which goes to and fro with the
-    crosshead and has no part of the rod.
+    crosshead and has no part of the rod; `weight` is what they weigh, None where that does not count.
+    `friction` of piston and crosshead counts as F does.
     """
 
     circle: Circle[Number]
@@ -124,6 +128,8 @@ class Loaded:
     piston_force: Number = 0
     reciprocating: Number = 0
     by: Accelerations[Number] = EVEN
+    weight: Weight[Number] | None = None
+    friction: Number | None = None
 
     @cached_property
     def slant(self) -> Slant[Number]:
@@ -141,8 +147,15 @@ class Loaded:
 
     @cached_property
     def push(self) -> Number:
-        """F - m_B p."""
-        return self.piston_force - self.masses.crosshead * self.acceleration
+        """F - m_B p, with friction and weight along the slide."""
+        push = self.effort - self.masses.crosshead * self.acceleration
+        weight = self.weight
+        return push if weight is None else push + weight.crosshead * weight.along
+
+    @property
+    def effort(self) -> Number:
+        """F with friction."""
+        return self.piston_force if self.friction is None else self.piston_force + self.friction
 
     def couple(self) -> Number:
         """Return the inertia couple M (k² - a b) ψ̈ over L, by which the two masses are wrong.
@@ -152,10 +165,17 @@ class Loaded:
         return self.turning + 0
 
     def guide_force(self) -> Number:
-        """Return the force of the guide on the crosshead, positive with Y: (F - m_B p) tan ψ, the couple's.
+        """Return the force of the guide on the crosshead, positive with Y: (F - m_B p) tan ψ, the couple's
+        and the weight at B across the slide.
 
         Re-derived: moments about A.
         """
+        weight = self.weight
+        return self.side if weight is None else self.side + weight.crosshead * weight.across
+
+    @cached_property
+    def side(self) -> Number:
+        """The guide force but for the weight across."""
         slant = self.slant
         return (self.push * slant.sine + self.turning) / slant.cosine + 0
 
@@ -164,21 +184,41 @@ class Loaded:
 
         The couple is not in it. The rod presses on the pin the other way.
         """
-        masses = self.masses
+        masses, weight = self.masses, self.weight
         pin = masses.pin * self.by.pin_along(self.circle)
-        return self.piston_force - (masses.crosshead * self.acceleration + pin)
+        along = self.effort - (masses.crosshead * self.acceleration + pin)
+        return along if weight is None else along + (weight.crosshead + weight.pin) * weight.along
 
     def pin_force_across(self) -> Number:
         """Return the force of the crank pin on the rod across the slide, positive with Y: -m_A sin φ - N."""
-        return 0 - (self.masses.pin * self.by.pin_across(self.circle) + self.guide_force())
+        across, weight = 0 - (self.masses.pin * self.by.pin_across(self.circle) + self.side), self.weight
+        return across if weight is None else across + weight.pin * weight.across
 
     def pin_force(self) -> Number:
         """Return the magnitude of the force between crank pin and rod."""
         return magnitude(self.pin_force_along(), self.pin_force_across())
 
     def thrust(self) -> Number:
-        """Return the force of the crosshead on the rod along the slide, positive against X: F - m p."""
-        return self.piston_force - self.reciprocating * self.acceleration
+        """Return the force of the crosshead on the rod along the slide, positive against X: F - m p, with
+        friction and weight."""
+        thrust = self.effort - self.reciprocating * self.acceleration
+        return thrust if self.weight is None else thrust + self.weight_force()
+
+    def inertia_force(self) -> Number:
+        """Return the inertia force of the reciprocating mass, positive against X: -m p."""
+        return 0 - self.reciprocating * self.acceleration
+
+    def weight_force(self) -> Number:
+        """Return the weight of the reciprocating mass along the slide, positive against X."""
+        weight = self.weight
+        return 0 if weight is None else weight.reciprocating * weight.along + 0
+
+    def crosshead_side(self) -> Number:
+        """Return the force of the crosshead on the rod across the slide, positive with Y."""
+        weight = self.weight
+        if weight is None:
+            return self.guide_force()
+        return self.side + (weight.crosshead - weight.reciprocating) * weight.across
 
     def rod_force(self) -> Number:
         """Return the force along the rod at its crosshead end, positive where it presses the rod.
@@ -187,7 +227,7 @@ class Loaded:
         the crosshead.
         """
         slant = self.slant
-        return self.thrust() * slant.cosine + self.guide_force() * slant.sine
+        return self.thrust() * slant.cosine + self.crosshead_side() * slant.sine
 
     def pin_rod_force(self) -> Number:
         """Return the force along the rod at its crank-pin end, positive where it presses the rod.
@@ -200,7 +240,7 @@ class Loaded:
 
     def crosshead_pin_force(self) -> Number:
         """Return the magnitude of the force between crosshead pin and rod."""
-        return magnitude(self.thrust(), self.guide_force())
+        return magnitude(self.thrust(), self.crosshead_side())
 
     def radial_force(self) -> Number:
         """Return the force of the rod on the crank pin along the crank, positive towards the shaft.
@@ -218,6 +258,8 @@ class Loaded:
         # The couple's part is its force on the guide times cos φ, the share of R across the slide.
         work = self.push * self.by.lever(self.circle, self.ratio, self.offset)
         found = work + self.turning * self.by.rod_lever(self.circle, self.slant) + 0
+        if self.weight is not None:
+            found = found + pin_torque(self.weight, self.circle)
         return found if self.by.gain is None else found - self.by.gain * self.masses.pin
 
 

@@ -108,4 +108,5 @@ def greatest_load(crank: Crank) -> Fraction:
     masses = abs(pin) + crosshead + abs(Fraction(couple)) + moving.reciprocating + abs(moving.rotating)
     factor = 40 if speed.turns else 1
     force = crank.force.first * crank.force.growth if crank.force else Fraction(0)
-    return force + masses * known(crank.radius) * speed.value**2 * factor
+    weight = 2 * masses * moving.slope.gravity if moving.slope else 0
+    return force + weight + masses * known(crank.radius) * speed.value**2 * factor

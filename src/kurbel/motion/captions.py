@@ -229,6 +229,10 @@ def moving_notes(
     yield WORDS["masses"][lang] + ", ".join(parts)
     if moving.rod is not None:
         yield connecting_rod(moving.rod, lang, ratio_symbol[-1], named)
+    if moving.slope is not None:
+        from kurbel.motion.effort_words import weight_notes
+
+        yield from weight_notes(moving, lang)
 
 
 def connecting_rod(rod: Rod, lang: str, length: str = "L", named: Mapping[str, Words] = WORDS) -> Label:

@@ -85,6 +85,7 @@ class At:
     offset: Any
     crank: Crank
     numbers: Kind
+    stroke: int = OUT
 
     @cached_property
     def loaded(self) -> Loaded:
@@ -98,15 +99,18 @@ class At:
 
     @cached_property
     def _weights(self) -> Weights:
-        of, moving = self.numbers.of, known(self.crank.moving)
-        return moving.weights(of, self.crank.pin_acceleration(self.numbers))
+        moving = known(self.crank.moving)
+        return moving.weights(self.numbers, self.crank.pin_acceleration(self.numbers))
 
     def _under_force(self, masses: Masses[Any], reciprocating: Any) -> Loaded:
+        from kurbel.drive.moved import framed
         from kurbel.kernel.rod import Loaded
 
         first = self.crank.force.first if self.crank.force else Fraction(0)
         net = self.acting(self.numbers.of(first))
-        return Loaded(self.circle, self.ratio, masses, self.offset, net, reciprocating)
+        weight = framed(self._weights.weight, self.stroke != OUT)
+        drive = (self.circle, self.ratio, masses, self.offset)
+        return Loaded(*drive, net, reciprocating, weight=weight)
 
     @property
     def share(self) -> Any:
@@ -168,7 +172,7 @@ def value(quantity: Quantity, method: str, crank: Crank, circle: Any, numbers: K
 def _place(stroke: int, method: str, crank: Crank, circle: Any, numbers: Kind) -> At:
     ratio = numbers.of(stroke * (Fraction(0) if method == "infinite" else crank.ratio))
     offset = numbers.of(stroke * crank.offset) if crank.offset else None
-    return At(circle, ratio, offset, crank, numbers)
+    return At(circle, ratio, offset, crank, numbers, stroke)
 
 
 def _value_at(quantity: Quantity, method: str, at: At) -> Any:
@@ -243,7 +247,7 @@ def _weighs(quantity: Quantity, method: str, crank: Crank, angle: Fraction) -> b
         return False
     from kurbel.exact.certify import vanishes
 
-    alone = replace(crank, force=None)
+    alone = replace(crank, force=None, moving=replace(crank.moving, slope=None))
 
     def part(kind: Kind) -> Any:
         return value(quantity, method, alone, kind.circle(angle), kind)

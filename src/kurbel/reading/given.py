@@ -207,6 +207,16 @@ def as_share_or_pressure(value: Exact, what: str, whole: Exact | None) -> Fracti
     return measured / steam if steam else measured
 
 
+def as_gravity(value: Exact) -> Fraction:
+    """Return an acceleration in m/s², which of text needs no unit."""
+    if isinstance(value, str):
+        from kurbel.reading import units
+
+        if units.is_measure(value):
+            return units.acceleration(value, "gravity")
+    return as_number(value, "gravity")
+
+
 def as_speed(value: Exact) -> Speed:
     """Return a speed of rotation; a bare number counts turns a second."""
     from kurbel.reading import units

@@ -70,7 +70,9 @@ def merged(given: Mapping[str, Any], own: Mapping[str, Any]) -> dict[str, Any]:
     elif any(name in own for name in ROD):
         dropped.append("rod_file")
     left = {name: _NOTHING.get(name) if name in dropped else value for name, value in common.items()}
-    return {**left, **{name: value for name, value in own.items() if name not in PLACE}}
+    kept = {name: value for name, value in own.items() if name not in PLACE}
+    # By its bank the weight of a cylinder has another direction.
+    return {**left, **kept, "bank": own.get("bank")}
 
 
 def _other_loads(common: Mapping[str, Any], own: Mapping[str, Any]) -> list[str]:

@@ -6,7 +6,8 @@ from typing import Annotated, Any, Unpack
 from kurbel.balance.harmonics import HARMONICS, MOST_ORDERS
 from kurbel.commands import parameters as option
 from kurbel.commands.balance import Method, Ratios
-from kurbel.commands.machines import engine_of
+from kurbel.commands.cylinder.slope import Lying
+from kurbel.commands.machines import engine_of, weightless
 from kurbel.commands.motion import sheet_of
 from kurbel.commands.options import Choice, Count, Option, is_given
 from kurbel.commands.subject import makes_table
@@ -20,7 +21,7 @@ TORQUE = "torque"
 OF_TORQUE = ("torque", "excitation")
 
 
-class Driven(option.Steam, option.MovingRod, option.AnyDrive, option.Sheet, total=False):
+class Driven(option.Steam, option.MovingRod, Lying, option.AnyDrive, option.Sheet, total=False):
     """What makes an engine of a crank ratio."""
 
     eps: option.Eps
@@ -54,7 +55,9 @@ def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
 
 
 def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
-    if _of_torque(values) or is_given(values["rod"]):
+    if _of_torque(values):
+        return weightless(values)
+    if is_given(values["rod"]):
         return {}
     return {"stroke": "--stroke gives the ratio with --rod; add that, or leave --stroke out"}
 

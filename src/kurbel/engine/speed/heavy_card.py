@@ -73,7 +73,7 @@ class HeavyCardRun(CardRun):
         """Work and energy at an array of half turns."""
 
         def work(one: Cylinder, stroke: int, angle: Floats) -> Floats:
-            found: Floats = one._replace(weights=None).energy(stroke, angle)
+            found: Floats = one.still.energy(stroke, angle)
             return found
 
         total = self.turn.total

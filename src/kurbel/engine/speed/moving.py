@@ -45,7 +45,7 @@ def slopes_on(turn: AnyTurn, piece: Piece, place: Number) -> Slopes:
     force, torque, bend, curve = -turn.mean_force(), 0, 0, 0
     for part, stroke, angle in _standing(piece, place):
         one = turn.cylinders[part]
-        light = one._replace(weights=None)
+        light = one.still
         force, bend = force + light.effort(stroke, angle), bend + light.slope(stroke, angle)
         # What the masses add to effort and slope is the loss of their energy.
         torque = torque + light.effort(stroke, angle) - one.effort(stroke, angle)
@@ -61,7 +61,7 @@ def _course(cylinders: Sequence[Cylinder], standing: Iterable[Standing]) -> Cour
     work, energy = 0, 0
     for part, stroke, angle in standing:
         one = cylinders[part]
-        work = work + one._replace(weights=None).energy(stroke, angle)
+        work = work + one.still.energy(stroke, angle)
         energy = energy + kinetic_energy(one, stroke, angle)
     return Course(work, energy)
 

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from kurbel.kernel.circle import Circle, Number
     from kurbel.kernel.rocker import LoadedRocker
     from kurbel.kernel.rod import Masses
+    from kurbel.kernel.weight import Weight
     from kurbel.linkage.arc.rocker import RockerCrank
 
 STROKES = (OUT, RETURN)
@@ -47,8 +48,16 @@ class MovedRocker(Moved):
         return linkage.acceleration(self._place(stroke, circle), self.arcs[stroke])
 
     def loaded(
-        self, stroke: int, circle: Circle[Any], masses: Masses[Any], net: Number, reciprocating: Number = 0
+        self,
+        stroke: int,
+        circle: Circle[Any],
+        masses: Masses[Any],
+        net: Number,
+        reciprocating: Number = 0,
+        weight: Weight[Any] | None = None,
     ) -> LoadedRocker:
+        # Refused where it is given: what a rocker weighs is not known.
+        assert weight is None
         place = self._place(stroke, circle)
         return self.drive.under(circle, place, self.arcs[stroke], masses, net, reciprocating)
 

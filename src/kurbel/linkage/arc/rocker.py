@@ -116,7 +116,7 @@ class RockerCrank(Linkage):
     def loaded(self, at: At, force: CrankForce) -> Any:
         """Return a force in newtons that its masses and its force on the rocker's end call up together."""
         crank, of = self.crank, at.kind.of
-        weights = known(crank.moving).weights(of, crank.pin_acceleration(at.kind))
+        weights = known(crank.moving).weights(at.kind, crank.pin_acceleration(at.kind))
         net = of(crank.force.first if crank.force else Fraction(0))
         masses = weights.on_shaft if force.on_shaft else weights.masses
         reciprocating = 0 if force.on_shaft else weights.reciprocating
