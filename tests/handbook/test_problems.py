@@ -20,7 +20,7 @@ name = "heavy"
 run = "table --stroke '{stroke}' --rod 2m --angle {angle}"
 text = { de = "Hub {stroke}.", en = "Stroke {stroke}." }
 checked = { de = "Bei {angle}°.", en = "At {angle}°." }
-values = { stroke = ["0.5 m", "0.75 m"], angle = "20" }
+values = { stroke = ["0.5 m", "0.75 m3"], angle = "20" }
 """
 
 
@@ -39,14 +39,14 @@ def test_a_problem_is_its_text_its_command_and_its_page(tmp_path: Path) -> None:
     posed, solved, page = parts(tmp_path)
     assert posed.text == "**Problem F1.** Stroke 0.5\N{NO-BREAK SPACE}m.\n"
     command = "kurbel table --stroke '0.5 m' --rod 2m --angle 20"
-    assert solved.text == f"**Solution F1.** `{command}` Checked: At 20°.\n"
+    assert solved.text == f"**Solution F1.** `{command}`\n\nChecked: At 20°.\n"
     assert (page.name, page.shown) == ("heavy", command)
 
 
 def test_a_variant_has_its_own_numbers_and_a_language_its_own_words(tmp_path: Path) -> None:
     posed, page = (parts(tmp_path, variant=2, lang="de", name="b")[index] for index in (0, 2))
-    assert posed.text == "**Aufgabe F1.** Hub 0,75\N{NO-BREAK SPACE}m.\n"
-    assert (page.name, page.words[2], page.options["lang"]) == ("b-heavy", "0.75 m", "de")
+    assert posed.text == "**Aufgabe F1.** Hub 0,75\N{NO-BREAK SPACE}m³.\n"
+    assert (page.name, page.words[2], page.options["lang"]) == ("b-heavy", "0.75 m3", "de")
 
 
 def test_problems_or_solutions_stand_alone(tmp_path: Path) -> None:

@@ -84,7 +84,7 @@ class _Items:
                         f'there is no table, figure or chapter "{name[:60]}"{did_you_mean(name, self.names)}'
                     )
         except KurbelError as error:
-            self.failures.append(Failure(part.line, part.file or "text", str(error)))
+            self.failures.append(Failure(part.line, part.file or part.problems or "text", str(error)))
             return _missing(str(error), part, lang)
         return prose.stepwise(blocks, above)
 

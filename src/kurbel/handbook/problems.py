@@ -82,8 +82,8 @@ class Problem(NamedTuple):
         """What stands above the page that answers it, in Markdown."""
         words = WORDS[self.lang]
         command = shlex.join(("kurbel", *self.words))
-        checked = f" {words['checked']}: {self.checked.strip()}" if self.checked else ""
-        return f"**{words['solution']} {self.number}.** `{command}`{checked}\n"
+        checked = f"\n{words['checked']}: {self.checked.strip()}\n" if self.checked else ""
+        return f"**{words['solution']} {self.number}.** `{command}`\n{checked}"
 
 
 def problems_of(path: str, lang: str, variant: int = 1, mark: str = "") -> Iterator[Problem]:
@@ -154,5 +154,10 @@ _IN_BRACES = re.compile(r"\{(\w+)\}")
 
 
 def printed(value: str, mark: str) -> str:
-    """Return a value as texts have it: with their decimal mark, and its unit on its line."""
-    return re.sub(r"(?<=\d)\.(?=\d)", mark, value).replace(" ", "\N{NO-BREAK SPACE}")
+    """Return a value as texts have it: with their decimal mark, m² for m2, and its unit on its line."""
+    marked = re.sub(r"(?<=\d)\.(?=\d)", mark, value)
+    raised = re.sub(r"(?<=[a-z])[23](?!\d)", lambda power: _RAISED[power[0]], marked)
+    return raised.replace(" ", "\N{NO-BREAK SPACE}")
+
+
+_RAISED = {"2": "²", "3": "³"}

@@ -1,0 +1,142 @@
+"""Problems on motion: the triangle of crank and rod, differentiated numerically in 30 digits."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from mpmath import acos, asin, cos, degrees, diff, findroot, mpf, pi, radians, sin, sqrt
+from problem_answers import Rows, solution
+
+
+def path(phi: mpf, crank: mpf, rod: mpf) -> mpf:
+    """How far the piston is from the inner dead centre: the triangle's third side, taken from its longest."""
+    return crank + rod - crank * cos(phi) - sqrt(rod**2 - (crank * sin(phi)) ** 2)
+
+
+def place(angle: mpf, crank: mpf, rod: mpf, speed: mpf) -> dict[str, mpf]:
+    """Path, velocity and acceleration there, in mm, m/s, m/s²."""
+
+    def at(phi: mpf) -> mpf:
+        return path(phi, crank, rod)
+
+    phi = radians(angle)
+    return {
+        "x_mm": at(phi) * 1000,
+        "c_mps": diff(at, phi) * speed,
+        "p_mps2": diff(at, phi, 2) * speed**2,
+    }
+
+
+def angle_of(condition: Callable[[mpf], mpf], low: float, high: float) -> mpf:
+    """The angle in degrees between two at which a condition changes its sign."""
+    bounds = (radians(mpf(low)), radians(mpf(high)))
+    return degrees(findroot(condition, bounds, solver="anderson", tol=mpf(10) ** -24))
+
+
+@solution
+def piston_at_an_angle(stroke: mpf, rod: mpf, speed: mpf, angle: mpf) -> Rows:
+    return [place(angle, stroke / 2, rod, speed)]
+
+
+@solution
+def greatest_velocity_first_order(crank: mpf, rod: mpf, speed: mpf) -> Rows:
+    ratio = crank / rod
+    phi = acos((sqrt(1 + 8 * ratio**2) - 1) / (4 * ratio))
+    velocity = crank * speed * (sin(phi) + ratio / 2 * sin(2 * phi))
+    return [
+        {"phi": degrees(phi), "c_mps": velocity},
+        {"phi": 180 - degrees(phi), "c_mps": velocity},
+    ]
+
+
+@solution
+def greatest_velocity(crank: mpf, rod: mpf, speed: mpf) -> Rows:
+    def at(phi: mpf) -> mpf:
+        return path(phi, crank, rod)
+
+    fastest = angle_of(lambda phi: diff(at, phi, 2), 60, 90)
+    top = place(fastest, crank, rod, speed)["c_mps"]
+    # On the return the third derivative vanishes between the dead centre and the quarter turn.
+    slow = angle_of(lambda phi: diff(at, phi, 3), 181, 230)
+    least = place(slow, crank, rod, speed)
+    return [
+        {"phi": fastest, "c_mps": top, "p_mps2": 0},
+        {"phi": 180 - fastest, "c_mps": top, "p_mps2": 0},
+        {"phi": 0, "p_mps2": place(mpf(0), crank, rod, speed)["p_mps2"]},
+        {"phi": slow - 180, "c_mps": -least["c_mps"], "p_mps2": -least["p_mps2"]},
+    ]
+
+
+@solution
+def rod_turns(crank: mpf, rod: mpf, speed: mpf, angle: mpf) -> Rows:
+    def lean(phi: mpf) -> mpf:
+        return asin(crank * sin(phi) / rod)
+
+    phi = radians(angle)
+    return [
+        {
+            "psi": degrees(lean(phi)),
+            "rod_velocity_radps": diff(lean, phi) * speed,
+            "rod_acceleration_radps2": diff(lean, phi, 2) * speed**2,
+        }
+    ]
+
+
+@solution
+def where_the_rod_works_hardest(crank: mpf, rod: mpf, speed: mpf) -> Rows:
+    lean = degrees(asin(crank / rod))
+    return [
+        {"phi_turn": 90, "psi": lean, "rod_velocity_radps": 0},
+        {"phi_turn": 270, "psi": -lean, "rod_velocity_radps": 0},
+        {"phi_turn": 0, "psi": 0, "rod_velocity_radps": speed * crank / rod},
+    ]
+
+
+@solution
+def offset_stroke(crank: mpf, rod: mpf, offset: mpf) -> Rows:
+    inner, outer = asin(offset / (rod + crank)), pi + asin(offset / (rod - crank))
+    out = outer - inner
+    stroke = sqrt((rod + crank) ** 2 - offset**2) - sqrt((rod - crank) ** 2 - offset**2)
+    return [
+        {
+            "phi_i": degrees(inner),
+            "phi_o": degrees(outer),
+            "time_ratio": out / (2 * pi - out),
+            "stroke_mm": stroke * 1000,
+        }
+    ]
+
+
+@solution
+def half_stroke(stroke: mpf, rod: mpf) -> Rows:
+    phi = degrees(acos(stroke / 4 / rod))
+    return [{"phi": phi, "x_mm": stroke * 500}, {"phi": 180 - phi, "x_mm": stroke * 500}]
+
+
+@solution
+def shares_of_the_stroke(ratio: mpf, share: mpf) -> Rows:
+    """The crosshead is at a distance from the shaft; law of cosines for the crank's angle."""
+    rod = 1 / ratio
+
+    def crank_at(gone: mpf) -> mpf:
+        distance = 1 + rod - 2 * gone
+        return degrees(acos((1 + distance**2 - rod**2) / (2 * distance)))
+
+    return [{"phi": crank_at(share)}, {"phi": 180 - crank_at(1 - share)}]
+
+
+@solution
+def engine_piston(stroke: mpf, rod: mpf, speed: mpf) -> Rows:
+    crank = stroke / 2
+    pull = crank * speed**2
+    slant = sqrt(rod**2 - crank**2)
+    return [
+        {"phi": 0, "x_mm": 0, "c_mps": 0, "p_mps2": pull * (1 + crank / rod)},
+        {
+            "phi": 90,
+            "x_mm": (crank + rod - slant) * 1000,
+            "c_mps": crank * speed,
+            "p_mps2": -pull * crank / slant,
+        },
+        {"phi": 180, "x_mm": stroke * 1000, "c_mps": 0, "p_mps2": -pull * (1 - crank / rod)},
+    ]
