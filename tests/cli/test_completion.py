@@ -99,7 +99,7 @@ def test_a_command_completes_the_layouts_of_its_subject_only() -> None:
     assert completed("bash", "harmonics", "--layout", "h") == ["harmonics"]
     assert completed("bash", "balance", "--layout", "") == ["balance"]
     assert completed("bash", "inertia", "--layout", "") == about(
-        "inertia", "inertia errors", "rocker inertia"
+        "inertia", "inertia errors", "rod masses", "rocker inertia"
     )
     assert completed("bash", "forces", "--layout", "") == about(
         "motion",

@@ -59,6 +59,7 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "beam engine": ("table", "--mechanism=beam", "--beam=3"),
     "coupled axles": ("forces", "--mechanism=parallel", "--axles=3"),
     "inertia": ("inertia", "--centre=0.65", "--gyration=0.35"),
+    "rod masses": ("inertia", "--centre=325mm", "--gyration=175mm", "--rod=500mm", "--rod-mass=12kg"),
     "inertia errors": ("inertia", "--centre=0.65", "--gyration=0.35"),
     "rocker inertia": ("inertia", "--centre=0.65", "--gyration=0.35", "--mechanism=arc", "--rocker=6"),
     "tangent": ("forces", "--at=tangent"),
@@ -95,7 +96,7 @@ LINKAGES = about("arc crank", "parallel crank", "coupled axles", "beam engine")
 # What `kurbel table` prints.
 DRIVES = about("motion", "arc crank", "parallel crank", "beam engine")
 PRESSED = about("pressures", "pressures over the angle")
-RODS = about("inertia", "inertia errors", "rocker inertia", "tangent")
+RODS = about("inertia", "inertia errors", "rod masses", "rocker inertia", "tangent")
 SOLVED = about("roots")
 SOLVED_LOADED = about("loaded roots")
 
@@ -162,6 +163,9 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
     "parallel crank": (kurbel.table, {"mechanism": "parallel"}),
     "beam engine": (kurbel.table, {"mechanism": "beam", "beam": 3}),
     "coupled axles": (kurbel.forces_table, {"mechanism": "parallel", "axles": 3}),
+    "rod masses": (kurbel.inertia_table, {
+        "centre": "325mm", "gyration": "175mm", "rod": 0.5, "rod_mass": 12,
+    }),
     **dict.fromkeys(
         ("inertia", "inertia errors"), (kurbel.inertia_table, {"centre": 0.65, "gyration": "35%"})
     ),

@@ -35,8 +35,10 @@ _STEAM: Rivals = (
     ("card", "eps"),
 )
 _ROD: Rivals = (
-    *((name, "rod_file") for name in ("rod_mass", "centre", "gyration")),
-    *(("rod_file", name) for name in ("centre", "gyration")),
+    *((name, "rod_file") for name in ("rod_mass", "centre", "gyration", "pendulum", "pendulum_from")),
+    *(("rod_file", name) for name in ("centre", "gyration", "pendulum")),
+    *(("gyration", name) for name in ("pendulum", "pendulum_from")),
+    *((name, "gyration") for name in ("pendulum", "pendulum_from")),
 )
 _WHEEL: Rivals = (("flywheel", "inertia"), ("inertia", "flywheel"))
 RIVALS: Mapping[str, Rivals] = {

@@ -19,6 +19,8 @@ from kurbel.motion.mechanism import Mechanism, uncomputed
 from kurbel.page.layouts import Layout
 from kurbel.reading.given import (
     as_crank_angles,
+    as_duration,
+    as_gravity,
     as_inertia,
     as_length,
     as_mass,
@@ -53,13 +55,31 @@ def rod_of(given: Mapping[str, Any], length: Fraction | None) -> Rod:
     """Return the connecting rod between pins so far apart, in metres, if that is known."""
     from kurbel.drive.rod_file import given_rod
 
+    centre = _read(as_share_or_length, given["centre"], "centre of mass", length, _UNKNOWN)
+    if given.get("pendulum") is not None or given.get("pendulum_from") is not None:
+        return _swung(given, centre, length)
     return given_rod(
-        _read(as_share_or_length, given["centre"], "centre of mass", length, _UNKNOWN),
+        centre,
         _read(as_share_or_length, given["gyration"], "radius of gyration", length, _UNKNOWN),
         given["rod_file"],
         _read(as_mass, given["rod_mass"], "rod mass"),
         length,
     )
+
+
+def _swung(given: Mapping[str, Any], centre: Fraction | None, length: Fraction | None) -> Rod:
+    """Return the rod whose radius of gyration its time of swing tells."""
+    from kurbel.drive.swing import given_swing, swung_rod
+
+    for name in ("gyration", "rod_file"):
+        if is_given(given[name]):
+            raise ProblemError(f"--{name.replace('_', '-')} and --pendulum say the same; leave one out")
+    swing = given_swing(
+        _read(as_duration, given["pendulum"], "time of a swing"),
+        given["pendulum_from"],
+        _read(as_gravity, given.get("gravity")),
+    )
+    return swung_rod(swing, centre, length, _read(as_mass, given["rod_mass"], "rod mass"))
 
 
 def weighed(chosen: Mechanism, drives: Sequence[Any], given: Mapping[str, Any], *beside: str) -> list[Any]:

@@ -262,6 +262,21 @@ class MovingRod(TypedDict, total=False):
             unit="rod lengths",
         ),
     ]  # fmt: skip
+    pendulum: Annotated[
+        Exact | None,
+        Option(
+            "In place of --gyration the time of a full swing, to and fro, about the pin that --pendulum-from"
+            " names: 1.8s.",
+            "TIME", unit="s",
+        ),
+    ]  # fmt: skip
+    pendulum_from: Annotated[
+        str | None,
+        Option(
+            "The pin about which the rod swung: crosshead or crank.",
+            kind=Choice("pin", "kurbel.drive.rod:PINS"),
+        ),
+    ]
     rod_file: Annotated[
         Path | None,
         Option(

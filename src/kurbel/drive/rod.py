@@ -21,8 +21,18 @@ if TYPE_CHECKING:
 # Sections end within half a rod's length of its pins.
 REACH = Fraction(1, 2)
 LARGEST_MASS = 10**9
+# The ends about which it may swing.
+PINS = CROSSHEAD, CRANK = "crosshead", "crank"
 # The share of the rod that railway engineers count as reciprocating.
 RAILWAY_CROSSHEAD = Fraction(4, 10)
+
+
+class Swing(NamedTuple):
+    """How the radius of gyration was found: the time in s of a full swing about a pin, and g in m/s²."""
+
+    time: Fraction
+    pin: str
+    gravity: Fraction
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,12 +41,14 @@ class Rod:
 
     k² and not k is kept, for of fractions it is a fraction. The centre lies on the line between the pins,
     0 <= a <= L. k² above a (L - a) is for rods that reach beyond their pins or far to the side; valid up to
-    that of two masses half a length beyond the pins.
+    that of two masses half a length beyond the pins. Of a `swing` k² is transcendental; the fraction is near
+    it to more places than are ever printed.
     """
 
     centre: Fraction
     gyration_square: Fraction
     mass: Fraction | None = None
+    swing: Swing | None = None
 
     def __post_init__(self) -> None:
         if not 0 <= self.centre <= 1:

@@ -150,6 +150,8 @@ class Masses(Section):
     gyration: Annotated[
         One | None, about("its radius of gyration about that, in rod lengths or a length")
     ] = None
+    pendulum: Annotated[One | None, about('or the time of a full swing about a pin, such as "1.8s"')] = None
+    pendulum_from: Annotated[One | None, about("that pin: crosshead or crank")] = None
     rotating: Annotated[One | None, about("mass of the crank itself at its pin, less counterweights")] = None
     rocker_inertia: Annotated[
         One | None, about('moment of inertia of a rocker about its pivot, such as "20kg m²"')

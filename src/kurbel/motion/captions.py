@@ -76,6 +76,12 @@ WORDS: Mapping[str, Words] = {
         "|Rod: centre of mass $a = {centre} {length}$ from the crosshead pin, $k = {gyration} {length}$, "
         "$k^2 - a b = {couple} {length}^2${mass}"
     ),
+    "swing": words(
+        '; $k$ aus der Dauer ${time} "s"$ einer Schwingung hin und her um {pin}'
+        '|; $k$ from the time ${time} "s"$ of a swing to and fro about {pin}'
+    ),
+    "swing_crosshead": words("den Kreuzkopfzapfen|the crosshead pin"),
+    "swing_crank": words("den Kurbelzapfen|the crank pin"),
     "difference": words(
         "Unterschied: genauer Wert weniger Näherung, vor dem Runden gebildet."
         "|Difference: exact value less first order, taken before rounding."
@@ -238,13 +244,23 @@ def moving_notes(
 def connecting_rod(rod: Rod, lang: str, length: str = "L", named: Mapping[str, Words] = WORDS) -> Label:
     """Return the line about a rod: where its masses are, and its mass if that is known."""
     square = rod.gyration_square
-    return named["connecting_rod"][lang].format(
+    said = named["connecting_rod"][lang].format(
         length=length,
         centre=figure(1 - rod.centre),
         gyration=_root(square) or digits_text(lambda numbers: root(numbers.of(square)), 4, algebraic=True),
         couple=figure(rod.couple),
         mass=f', $M = {figure(rod.mass)} "kg"$' if rod.mass is not None else "",
     )
+    return said + _swing(rod, lang)
+
+
+def _swing(rod: Rod, lang: str) -> Label:
+    """Return from which swing the radius of gyration is, nothing where it was given."""
+    if rod.swing is None:
+        return ""
+    time, pin, gravity = rod.swing
+    said = WORDS["swing"][lang].format(time=figure(time), pin=WORDS[f"swing_{pin}"][lang])
+    return f'{said}, $g = {figure(gravity)} "m/s"^2$'
 
 
 def _root(square: Fraction) -> str:

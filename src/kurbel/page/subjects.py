@@ -47,6 +47,7 @@ SUBJECTS: Mapping[str, Pages] = {
     "coupled axles": Pages("kurbel.linkage.coupled:SUBJECT", "forces --mechanism parallel --axles 3"),
     "inertia": Pages("kurbel.motion.inertia_page:INERTIA", _INERTIA),
     "inertia errors": Pages("kurbel.motion.inertia_page:SUBJECT", _INERTIA),
+    "rod masses": Pages("kurbel.motion.rod_masses:SUBJECT", _INERTIA),
     "rocker inertia": Pages("kurbel.linkage.arc.inertia:SUBJECT", f"{_INERTIA} {_ARC}"),
     "roots": Pages("kurbel.solve.page:SUBJECT", "solve --where p=0"),
     "loaded roots": Pages("kurbel.solve.load_page:SUBJECT", "solve --eps 4 --where torque=max"),

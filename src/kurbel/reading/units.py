@@ -56,6 +56,7 @@ KNOWN: Mapping[str, Mapping[str, Fraction]] = {
     "[force]*[length]": _scaled({"N*m": 1, "kN*m": 1000, "MN*m": 10**6}),
     "[length]**3/[mass]": _scaled({"m*m*m/kg": 1}),
     "[mass]/[length]**3": _scaled({"kg/m/m/m": 1}),
+    "[time]": _scaled({"s": 1, "ms": "1/1000", "min": 60}),
     "[pressure]": _scaled({"Pa": 1, "kPa": 1000, "MPa": 10**6, "bar": 10**5, "mbar": 100}),
 }  # fmt: skip
 # Turns a second, of which radians are none.
@@ -117,6 +118,8 @@ signed_force = replace(force, most=0)
 signed_torque = Measure("a torque such as 12kNm", "[force]*[length]", "N*m")
 # "5kJ", "-410 J" below a mean line
 energy = Measure("an energy such as 5kJ", "[energy]", "J")
+# "1.8s"
+duration = Measure("a time such as 1.8s", "[time]", "s", _LARGEST, "time")
 # "0.24 m³/kg", "4.2 kg/m³"
 specific_volume = Measure("a specific volume such as 0.24 m³/kg", "[length]**3/[mass]", "m**3/kg", _LARGEST)
 density = Measure("a density such as 4.2 kg/m³", "[mass]/[length]**3", "kg/m**3", _LARGEST)

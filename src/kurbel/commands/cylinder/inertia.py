@@ -2,26 +2,32 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
+from fractions import Fraction
 from typing import Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
 from kurbel.commands.machines import check_whole, rod_of
 from kurbel.commands.motion import angles_of, meant, of_other_mechanisms, sheet_of
+from kurbel.commands.options import Option
 from kurbel.commands.subject import makes_table
 from kurbel.drive.crank import Described
 from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import Mechanism
-from kurbel.page.layouts import layout_of
+from kurbel.page.layouts import Layout, layout_of
 from kurbel.page.subject import Question
-from kurbel.reading.given import Exact, as_names, as_speed
+from kurbel.reading.given import Exact, as_length, as_names, as_ratios, as_speed
 
-INERTIA, ROCKER_INERTIA = ("inertia", "inertia errors"), "rocker inertia"
+INERTIA, ROCKER_INERTIA = ("inertia", "inertia errors", "rod masses"), "rocker inertia"
 
 
 class Rods(option.Run, option.AnyDrive, option.MovingRod, option.Sheet, total=False):
     """A crank drive with a moving rod."""
 
     layouts: option.Layouts
+    gravity: Annotated[
+        Exact | None,
+        Option("Acceleration of gravity, for --pendulum: 9.81; default 9.80665m/s².", "G", unit="m/s²"),
+    ]
 
 
 def _of_rods(values: Mapping[str, Any]) -> Mapping[str, str]:
@@ -40,8 +46,18 @@ def _rod_drive(values: Mapping[str, Any]) -> Mechanism:
     return chosen
 
 
+def _at_rest(values: Mapping[str, Any]) -> Mapping[str, str]:
+    """Refuse what says nothing about the masses that stand in for a rod."""
+    layout = values["layout"]
+    if layout is None or layout_of(layout, INERTIA, values["layouts"]).subject != "rod masses":
+        return {}
+    said = f"layout {layout} is of the rod by itself"
+    return {name: f"{said}; leave --{name} out" for name in ("speed", "offset", "mechanism")}
+
+
 @makes_table(
     foreign=_of_rods,
+    needless=_at_rest,
     order="angle from_ to step columns offset stroke crank rod mechanism rocker pivot beam rod_mass centre"
     " gyration rod_file speed",
 )
@@ -61,12 +77,14 @@ def inertia_table(
     """Print the forces that the moving rod calls up at guide and crank pin, and the torque.
 
     Exact, by two masses at the pins that keep the centre of mass, and by the railway rule, 6/10 of the mass
-    rotating and 4/10 reciprocating. Layout inertia-errors has the greatest forces and errors of a turn.
+    rotating and 4/10 reciprocating. Layout inertia-errors has the greatest forces and errors of a turn,
+    rod-masses the masses themselves, and those that are dynamically equivalent.
 
     \b
     kurbel inertia --ratio 1:5 --centre 0.65 --gyration 0.35
     kurbel inertia --rod-file rod.csv --stroke 600mm --speed 120/min
     kurbel inertia --centre 0.65 --gyration 0.35 --layout inertia-errors
+    kurbel inertia --rod 500mm --centre 325mm --pendulum 1.3s --pendulum-from crosshead --layout rod-masses
     kurbel inertia --centre 0.65 --gyration 0.35 --mechanism arc --rocker 6
     \f
     >>> import kurbel
@@ -78,6 +96,8 @@ def inertia_table(
     if not (chosen := _rod_drive(given)).crosshead:
         return _rocker_inertia(chosen, layout, Described.of(given, ratio=ratio), speed, columns, given)
     page = layout_of(layout or "inertia", INERTIA, given["layouts"])
+    if page.subject == "rod masses":
+        return _masses(page, ratio, columns, given)
     said = Described.of(given, ratio=ratio, speed=speed)
     cranks = tuple(replace(crank, rod=rod_of(given, crank.rod_length)) for crank in said.cranks(page.ratios))
     if page.subject == "inertia errors":
@@ -90,6 +110,31 @@ def inertia_table(
 
     angles, names = angles_of(page, given), as_names(columns)
     return Request(layout=page, cranks=cranks, angles=angles, columns=names, **sheet_of(given))
+
+
+def _masses(
+    page: Layout,
+    ratio: option.Given | None,
+    columns: option.Names,
+    given: Mapping[str, Any],
+) -> Question:
+    """Return what is asked for of the masses that stand in for the rod, at rest."""
+    from kurbel.motion.rod_masses import RodMassesRequest
+
+    check_whole(page, given)
+    length = _length(ratio, given)
+    rod, names = rod_of(given, length), as_names(columns, "model,crosshead_mass")
+    return RodMassesRequest(layout=page, rod=rod, length=length, columns=names, **sheet_of(given))
+
+
+def _length(ratio: option.Given | None, given: Mapping[str, Any]) -> Fraction | None:
+    """Return the length of the rod in metres, given or by the stroke and one ratio, None if not known."""
+    if given["rod"] is not None:
+        return as_length(given["rod"], "rod")
+    ratios = () if ratio is None else as_ratios(ratio)
+    if given["stroke"] is None or len(ratios) != 1 or not ratios[0]:
+        return None
+    return as_length(given["stroke"], "stroke") / 2 / ratios[0]
 
 
 def _rocker_inertia(

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from kurbel.engine.engine import Engine
 
 LENGTHS = ("ratio", "stroke", "rod")
-ROD = ("rod_mass", "centre", "gyration")
+ROD = ("rod_mass", "centre", "gyration", "pendulum", "pendulum_from")
 PLACE = ("angle", "bank", "fires")
 # What an option is that was not given.
 _NOTHING: Mapping[str, Any] = {"card": None, "single_acting": False, "two_stroke": False}
