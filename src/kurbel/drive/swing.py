@@ -6,11 +6,10 @@ from fractions import Fraction
 from typing import Any
 
 from kurbel.drive.rod import CROSSHEAD, Rod, Swing
+from kurbel.drive.slope import GREATEST_GRAVITY, STANDARD_GRAVITY
 from kurbel.errors import ProblemError
 from kurbel.reading.notation import about
 
-STANDARD_GRAVITY = Fraction(980665, 100000)
-GREATEST_GRAVITY = 1000
 # Of π², far beyond the 50 decimals that are printed at most.
 BITS = 600
 

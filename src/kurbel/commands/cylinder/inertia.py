@@ -49,7 +49,8 @@ def _rod_drive(values: Mapping[str, Any]) -> Mechanism:
 def _at_rest(values: Mapping[str, Any]) -> Mapping[str, str]:
     """Refuse what says nothing about the masses that stand in for a rod."""
     layout = values["layout"]
-    if layout is None or layout_of(layout, INERTIA, values["layouts"]).subject != "rod masses":
+    about = (*INERTIA, ROCKER_INERTIA)
+    if layout is None or layout_of(layout, about, values["layouts"]).subject != "rod masses":
         return {}
     said = f"layout {layout} is of the rod by itself"
     return {name: f"{said}; leave --{name} out" for name in ("speed", "offset", "mechanism")}

@@ -63,7 +63,8 @@ def needless_of_slope(values: Mapping[str, Any], heavy: bool) -> Mapping[str, st
     if not heavy:
         why = "is for the weight of moving masses; add --reciprocating or a rod, --rod-mass"
         return {name: f"--{name} {why}" for name in LYING}
-    if is_given(values.get("vertical")) or values.get("slope") is not None:
+    # By gravity a rod that swings tells its radius of gyration, too.
+    if any(is_given(values.get(name)) for name in ("vertical", "slope", "pendulum")):
         return {}
     return {"gravity": "--gravity is for weights; add --vertical or --slope, by which the cylinder stands"}
 
