@@ -274,6 +274,7 @@ def test_sphinx_builds_every_page_and_its_references_lead_to_their_parts(site: P
     assert every.links["die Skizze"] == "02-gleichgang.html#fig-stellung"
 
 
+@pytest.mark.slow
 def test_index_lists_chapters_tables_and_figures(site: Path) -> None:
     index = Page(site / "index.html")
     assert index.links["2. Gleichgang"] == "02-gleichgang.html"
