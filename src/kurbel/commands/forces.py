@@ -36,6 +36,8 @@ OF_ENGINES = ("crank forces", "machine", ROD_LOAD)
 POSITIONS = ("tangent",)
 COUPLED = "coupled axles"
 AXLES = ("axles", "driven")
+# How masses move.
+MOVING = ("speed", "acceleration", "method")
 _LOADS = {
     **dict.fromkeys((*STEAM, "bore", "pressure", "cranks"), load.STEAM),
     "card": load.CARD,
@@ -90,7 +92,7 @@ def _of_case(values: Mapping[str, Any]) -> Mapping[str, str]:
             angles = "does not go with --at tangent, a position with an angle of its own; leave it out"
             force = "does not go with --at tangent, a position under one piston force, --force; leave it out"
             return _refused(("angle", "from", "to", "step"), angles) | _refused(
-                (*STEAM, *MASSES, *LYING, "bore", "pressure", "speed", "cranks"), force
+                (*STEAM, *MASSES, *LYING, "bore", "pressure", *MOVING, "cranks"), force
             )
         case "engine":
             which = "steam" if is_given(values["eps"]) or is_given(values["card"]) else "load"
@@ -98,8 +100,10 @@ def _of_case(values: Mapping[str, Any]) -> Mapping[str, str]:
             own = _refused(("force",), f"does not go with the {which} of an engine, {keys}; leave it out")
             newton_metres = f"makes newton metres of the {which} only with --bore; add that"
             bare = not is_heavy(values) and values["bore"] is None
+            even = "does not go with the load of an engine, whose crank turns evenly; leave it out"
             return {
                 **own,
+                **_refused(("acceleration",), even),
                 **for_masses("speed")(values),
                 **weightless(values),
                 **(_refused(("stroke",), newton_metres) if bare else {}),
@@ -110,8 +114,8 @@ def _of_case(values: Mapping[str, Any]) -> Mapping[str, str]:
     steam = _refused(
         ("bore", "pressure", "cranks", *STEAM), "is for the steam of an engine; add --eps or --card"
     )
-    further = {**steam, **{name: loads.astray(name) for name in PARTS}, **for_masses("speed")(values)}
-    further |= weightless(values)
+    lone = {**for_masses(*MOVING)(values), **weightless(values)}
+    further = {**steam, **{name: loads.astray(name) for name in PARTS}, **lone}
     # First, lest an option of the load asks for one.
     return {**unasked, **further, **unasked}
 
@@ -148,7 +152,8 @@ class Forces(option.Run, option.AnyDrive, option.Steam, option.MovingRod, Lying,
     needless=_needless,
     order="angle from_ to step columns offset stroke crank rod mechanism rocker pivot beam axles driven force"
     " at eps back exponent clearance card other_side single_acting cranks bore pressure reciprocating"
-    " rod_mass centre gyration rod_file rotating rocker_inertia vertical slope gravity speed",
+    " rod_mass centre gyration rod_file rotating rocker_inertia vertical slope gravity speed acceleration"
+    " method",
 )
 def forces_table(
     ratio: option.Ratios = None,
@@ -166,6 +171,8 @@ def forces_table(
     speed: Annotated[
         Exact | None, option.SPEED._replace(help="Speed, for the masses: 120/min, 12.5rad/s.")
     ] = None,
+    acceleration: option.Acceleration = None,
+    method: Annotated[str | None, option.FIRST_ORDER] = None,
     layout: Annotated[
         str | None,
         Option(
@@ -204,10 +211,11 @@ def forces_table(
     1.0172,0.9967
     """
     layouts, sheet = given["layouts"], sheet_of(given)
-    all_given = {**given, "ratio": ratio, "at": at, "speed": speed, "layout": layout}
+    own = {"ratio": ratio, "at": at, "speed": speed, "layout": layout}
+    all_given = {**given, **own, "acceleration": acceleration, "method": method}
     about, chosen = _about(all_given), _mechanism(all_given)
     # A speed alone makes no force.
-    said = Described.of(given, ratio=ratio)
+    said = Described.of(given, ratio=ratio, method=method)
     chosen.check(said)
     if about == "tangent" and chosen.crosshead:
         from kurbel.motion.tangent_page import TangentRequest
@@ -243,6 +251,7 @@ def forces_table(
     drives = chosen.drives(said, page.ratios)
     return chosen.question(
         weighed(chosen, drives, all_given),
+        method,
         layout=page,
         angles=angles_of(page, given),
         columns=as_names(columns, chosen.examples["forces"]),

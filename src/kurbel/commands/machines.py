@@ -14,6 +14,7 @@ from kurbel.commands.loads import FURTHER
 from kurbel.commands.motion import FULL_TURN, described, meant, sheet_of
 from kurbel.commands.options import is_given
 from kurbel.commands.parameters import MovingRod, Run
+from kurbel.drive.spin import acceleration_of
 from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import Mechanism, uncomputed
 from kurbel.page.layouts import Layout
@@ -109,10 +110,10 @@ def weighed(chosen: Mechanism, drives: Sequence[Any], given: Mapping[str, Any], 
     )
     check_crosshead(chosen, moving.slope)
     speed = as_speed(given["speed"])
-    return [
-        drive.of(replace(crank, speed=speed, moving=moving))
-        for drive, crank in zip(drives, cranks, strict=True)
-    ]
+    about: dict[str, Any] = {"speed": speed, "moving": moving}
+    if given.get("acceleration") is not None:
+        about["acceleration"] = acceleration_of(given["acceleration"], speed)
+    return [drive.of(replace(crank, **about)) for drive, crank in zip(drives, cranks, strict=True)]
 
 
 def is_heavy(values: Mapping[str, Any]) -> bool:

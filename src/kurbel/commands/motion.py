@@ -86,6 +86,7 @@ class Motion(option.Run, option.AnyDrive, option.Sheet, total=False):
 
     method: option.Method
     speed: option.Speed
+    acceleration: option.Acceleration
     layouts: option.Layouts
 
 
@@ -98,7 +99,8 @@ def some(drives: Sequence[Any]) -> Sequence[Any]:
 
 @makes_table(
     foreign=of_other_mechanisms,
-    order="angle from_ to step columns offset stroke crank rod method speed mechanism rocker pivot beam",
+    order="angle from_ to step columns offset stroke crank rod method speed acceleration mechanism"
+    " rocker pivot beam",
 )
 def table(
     ratio: option.Ratios = None,

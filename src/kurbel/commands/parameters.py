@@ -41,6 +41,10 @@ METHOD = Option(
     "exact (default), series (first order, as Blau prints) or infinite (rod of infinite length).",
     kind=Choice("method", "kurbel.motion.evaluation:METHODS"),
 )
+FIRST_ORDER = METHOD._replace(
+    help="Of moving masses: exact (default), series (accelerated to first order, the rod at its true angle)"
+    " or infinite (rod of infinite length)."
+)
 EPS = Option("Expansion ratio, cut-off after 1/ε of the stroke: 4; lists 2;3;4, ranges 2..6.", "ε", many=True)
 BACK = Option(
     "Back pressure as a share of the steam pressure: 0.1, 10%, or beside --pressure as a pressure, both"
@@ -86,6 +90,13 @@ Speed = Annotated[Exact | None, SPEED]
 PlainSpeed = Annotated[Exact | None, SPEED._replace(help="Speed: 120/min, 12.5rad/s.")]
 NeededSpeed = Annotated[Exact, SPEED._replace(help="Speed: 120/min, 12.5rad/s.")]
 Force = Annotated[Exact | None, FORCE]
+Acceleration = Annotated[
+    Exact | None,
+    Option(
+        "Angular acceleration of the crank at these angles, at its --speed: 50rad/s², -20rad/s².", "ALPHA",
+        unit="rad/s²",
+    ),
+]  # fmt: skip
 
 Eps = Annotated[Given | None, EPS]
 Cranks = Annotated[

@@ -37,7 +37,7 @@ def known(part: Part | None) -> Part:
 @dataclass(frozen=True, slots=True)
 class Crank:
     """A crank drive: ratio λ = R/L, offset e/R, crank radius R in metres, speed, piston force,
-    connecting rod and moving masses where they are known.
+    connecting rod and moving masses where they are known; its angular acceleration in rad/s².
 
     Valid for 0 <= λ < 1 and |e| < L − R; λ = 0 is the infinite rod.
     """
@@ -49,6 +49,7 @@ class Crank:
     force: PistonForce | None = None
     rod: Rod | None = None
     moving: Moving | None = None
+    acceleration: Fraction = Fraction(0)
 
     @property
     def crank(self) -> Crank:
@@ -109,17 +110,6 @@ class Crank:
         """Return v²/R of the crank pin in m/s²."""
         velocity = self.pin_velocity(numbers)
         return velocity * velocity / numbers.of(known(self.radius))
-
-    def angular_velocity(self, numbers: Kind) -> Any:
-        """Return ω in rad/s; bounds, which know no π, leave it out."""
-        speed = known(self.speed)
-        omega = numbers.of(2 * speed.value if speed.turns else speed.value)
-        return omega if not speed.turns or numbers.pi is None else omega * numbers.pi
-
-    def angular_square(self, numbers: Kind) -> Any:
-        """Return ω² in 1/s²."""
-        omega = self.angular_velocity(numbers)
-        return omega * omega
 
     def millimetres(self, numbers: Kind) -> Any:
         return numbers.of(1000 * known(self.radius))
@@ -208,6 +198,7 @@ class Described(NamedTuple):
     beam: Exact | None = None
     rocker_inertia: Exact | None = None
     force: PistonForce | None = None
+    acceleration: Exact | None = None
 
     @classmethod
     def of(cls, given: Mapping[str, Any], **more: Any) -> Described:
@@ -249,8 +240,13 @@ class Described(NamedTuple):
                     "--rod gives the rod a length, but ratio 1:∞ asks for an infinite one; leave one out"
                 )
         turns = None if self.speed is None else as_speed(self.speed)
+        gain = Fraction(0)
+        if self.acceleration is not None:
+            from kurbel.drive.spin import acceleration_of
+
+            gain = acceleration_of(self.acceleration, turns)
         return tuple(
-            Crank(value, self._offset(size), size, turns, self.force)
+            Crank(value, self._offset(size), size, turns, self.force, acceleration=gain)
             for value in values
             for size in [length * value if length is not None and radius is None else radius]
         )

@@ -8,6 +8,7 @@ from math import lcm
 from typing import TYPE_CHECKING, Any
 
 from kurbel.drive.crank import Crank, known, largest
+from kurbel.drive.spin import gain
 from kurbel.exact.kind import floats
 from kurbel.motion.evaluation import LOADED, MOST_DECIMALS, columns_in_balls, fits_page, value
 from kurbel.page.quantity import Column
@@ -51,6 +52,8 @@ def float_bound(column: Column, crank: Crank, largest_angle: float) -> float:
     if LOADED in quantity.formulas and crank.moving is not None:
         # A force is a sum of few products of these with powers of 1/cos ψ.
         scale *= 8 * float(greatest_load(crank))
+    if crank.acceleration:
+        scale *= 1 + abs(float(gain(crank, floats())))
     return float((16 + 4 * in_radians) * unit * growth * quantity.bound * scale)
 
 

@@ -136,6 +136,10 @@ def notes(question: Request) -> Iterator[Label]:
     if said := dict.fromkeys(one.quantity.direction[lang] for one in columns if one.quantity.direction):
         yield "; ".join(said)
     yield from drive_notes(question.cranks, lang)
+    if question.method or any(crank.acceleration for crank in question.cranks):
+        from kurbel.motion.accelerated import lines
+
+        yield from lines(question, columns)
     yield from force_notes(question.cranks, lang)
     for crank in question.cranks[:1]:
         if crank.moving is not None:
@@ -151,8 +155,7 @@ def formula_lines(page: Formulated, columns: Sequence[Column]) -> Iterator[Label
         columns = [column for column in columns if LOADED not in column.quantity.formulas]
     if not columns:
         return
-    strokes = {column.quantity.stroke for column in columns} - {TURN}
-    sign = "±" if len(strokes) > 1 else "+" if strokes == {OUT} else "-"
+    strokes, sign = strokes_of(columns)
     shown = {
         # Where no rod is finite, the formulas that divide by λ say nothing.
         (method if finite else "infinite", column.quantity.symbol): column.quantity
@@ -165,11 +168,17 @@ def formula_lines(page: Formulated, columns: Sequence[Column]) -> Iterator[Label
         formulas = [_printed(quantity, key) for (one, _), quantity in shown.items() if one == method]
         line = ", ".join(part for part in (*formulas, SYMBOLS[key]) if part)
         name = f"{METHODS[method].caption[page.lang]}: " if len(methods) > 1 else ""
-        yield name + _signed(line, page, sign, (method, "$ψ$") in shown)
+        yield name + signed(line, page, sign, (method, "$ψ$") in shown)
     if RETURN in strokes and offset:
-        yield _signed(WORDS["offset_return"][page.lang], page, sign, False)
+        yield signed(WORDS["offset_return"][page.lang], page, sign, False)
     elif sign == "±" and any(_has_signs(_printed(one, method)) for (method, _), one in shown.items()):
         yield WORDS["signs"][page.lang]
+
+
+def strokes_of(columns: Sequence[Column]) -> tuple[set[int], str]:
+    """Return the strokes of the columns, and the sign that formulas of these have."""
+    strokes = {column.quantity.stroke for column in columns} - {TURN}
+    return strokes, "±" if len(strokes) > 1 else "+" if strokes == {OUT} else "-"
 
 
 def _printed(quantity: Quantity, key: str) -> Label:
@@ -186,7 +195,7 @@ def _methods_of(method: str) -> tuple[str, ...]:
     return ("exact", "series") if method == DIFFERENCE else (method,)
 
 
-def _signed(line: Label, page: Formulated, sign: str, rod_angle: bool) -> Label:
+def signed(line: Label, page: Formulated, sign: str, rod_angle: bool) -> Label:
     # A rod angle with a sign of its own needs none in the formulas that have it.
     signed = f"{sign} " if sign != "+" else ""
     parts = {

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from typing import Any
 
+from kurbel.drive import spin
 from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Label
 from kurbel.kernel import kinematics
@@ -44,6 +45,17 @@ def _motion(straight: Kernel, series: Kernel, offset: Kernel, *printed: Label) -
     return {key: Formula(one, text) for (key, one), text in zip(kernels.items(), printed, strict=True)}
 
 
+def _driven(acceleration: Formulas, velocity: Formulas) -> Formulas:
+    """Return the formulas of an acceleration with what the crank's own adds: the velocity, times α/ω²."""
+
+    def both(even: Kernel, first: Kernel) -> Kernel:
+        return lambda at: even(at) if at.gain is None else even(at) + at.gain * first(at)
+
+    return {
+        key: one._replace(kernel=both(one.kernel, velocity[key].kernel)) for key, one in acceleration.items()
+    }
+
+
 PATH = _motion(
     kinematics.piston_path,
     kinematics.piston_path_first_order,
@@ -77,6 +89,7 @@ def _rod_angle(at: At) -> Any:
     return at.numbers.rod_angle(at.circle, at.ratio, at.offset)
 
 
+ACCELERATION = _driven(ACCELERATION, VELOCITY)
 ROD_VELOCITY = _motion(
     kinematics.rod_velocity,
     kinematics.rod_velocity_first_order,
@@ -95,6 +108,7 @@ ROD_ACCELERATION = _motion(
     "$ε_L = 0$",
     "$ε_L/ω^2 = (ω_L^2/ω^2 sin ψ - λ sin {angle})/(cos ψ)$",
 )
+ROD_ACCELERATION = _driven(ROD_ACCELERATION, ROD_VELOCITY)
 
 
 # The rod angle enters the first-order formulas nowhere; it is the same arc by every method.
@@ -145,11 +159,11 @@ def _rod_entries() -> Iterator[Quantity]:
     for key, name, letter, unit, formulas, scale in (
         (
             "rod_velocity", "Winkelgeschwindigkeit der Stange|Angular velocity of the rod", "ω_L", "ω",
-            ROD_VELOCITY, Crank.angular_velocity,
+            ROD_VELOCITY, spin.angular_velocity,
         ),
         (
             "rod_acceleration", "Winkelbeschleunigung der Stange|Angular acceleration of the rod", "ε_L",
-            "ω²", ROD_ACCELERATION, Crank.angular_square,
+            "ω²", ROD_ACCELERATION, spin.angular_square,
         ),
     ):  # fmt: skip
         symbol, power, radians = f"${letter}$", "2" * unit.endswith("²"), unit.replace("ω", "rad/s")

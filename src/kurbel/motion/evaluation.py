@@ -21,6 +21,7 @@ from kurbel.page.quantity import Column, Quantity, Words, words
 
 if TYPE_CHECKING:
     from kurbel.drive.crank_forces import Weights
+    from kurbel.kernel.inertia.accelerations import Accelerations
     from kurbel.kernel.rod import Loaded, Masses
 
 # Below this many cells balls are done before NumPy is imported.
@@ -78,7 +79,7 @@ TANGENT = "tangent"
 @dataclass(eq=False)
 class At:
     """What a kernel call takes: where the crank stands, λ and e/R (None without an offset) with the sign of
-    the stroke, the crank and the kind of number."""
+    the stroke, the crank and the kind of number; whether what is accelerated is so to first order."""
 
     circle: Any
     ratio: Any
@@ -86,6 +87,23 @@ class At:
     crank: Crank
     numbers: Kind
     stroke: int = OUT
+    first_order: bool = False
+
+    @cached_property
+    def gain(self) -> Any:
+        """α/ω² of a crank that is itself accelerated, else None."""
+        if not self.crank.acceleration:
+            return None
+        from kurbel.drive.spin import gain
+
+        return gain(self.crank, self.numbers)
+
+    @cached_property
+    def by(self) -> Accelerations[Any]:
+        """How the masses are accelerated."""
+        from kurbel.kernel.inertia.accelerations import Accelerations
+
+        return Accelerations(self.gain, self.first_order)
 
     @cached_property
     def loaded(self) -> Loaded:
@@ -110,7 +128,7 @@ class At:
         net = self.acting(self.numbers.of(first))
         weight = framed(self._weights.weight, self.stroke != OUT)
         drive = (self.circle, self.ratio, masses, self.offset)
-        return Loaded(*drive, net, reciprocating, weight=weight)
+        return Loaded(*drive, net, reciprocating, self.by, weight=weight)
 
     @property
     def share(self) -> Any:
@@ -172,7 +190,7 @@ def value(quantity: Quantity, method: str, crank: Crank, circle: Any, numbers: K
 def _place(stroke: int, method: str, crank: Crank, circle: Any, numbers: Kind) -> At:
     ratio = numbers.of(stroke * (Fraction(0) if method == "infinite" else crank.ratio))
     offset = numbers.of(stroke * crank.offset) if crank.offset else None
-    return At(circle, ratio, offset, crank, numbers, stroke)
+    return At(circle, ratio, offset, crank, numbers, stroke, method == "series")
 
 
 def _value_at(quantity: Quantity, method: str, at: At) -> Any:
@@ -186,11 +204,11 @@ class Places:
     def __init__(self, crank: Crank, angle: Fraction) -> None:
         self.crank = crank
         self.angle = angle
-        self._made: dict[tuple[int, bool, int], At] = {}
+        self._made: dict[tuple[int, str, int], At] = {}
 
     def at(self, stroke: int, method: str, numbers: Kind) -> At:
         """Return the place on a stroke, on a kind of number."""
-        key = (stroke, method == "infinite", id(numbers))
+        key = (stroke, method, id(numbers))
         # A place holds its kind of number, so that no other has its id.
         if key not in self._made:
             circle = numbers.circle(self.angle)
@@ -201,13 +219,13 @@ class Places:
 def kernel_of(quantity: Quantity, method: str, crank: Crank) -> Callable[[At], Any]:
     """Return the kernel's formula by a method; raise ProblemError if there is none."""
     formulas = quantity.formulas
-    if crank.moving is not None and LOADED in formulas:
-        return formulas[LOADED].kernel
     if crank.offset and method != "exact":
         raise ProblemError(f'method "{method}" has no formulas for an offset crank; use exact')
     if method == DIFFERENCE:
-        exact, series = formulas["exact"].kernel, formulas["series"].kernel
-        return lambda at: exact(at) - series(at)
+        exact, series = (kernel_of(quantity, one, crank) for one in ("exact", "series"))
+        return lambda at: exact(at) - series(replace(at, first_order=True))
+    if crank.moving is not None and LOADED in formulas:
+        return formulas[LOADED].kernel
     if method not in formulas:
         raise ProblemError(f'method "{method}" has no formula for {quantity.key}; use exact')
     if crank.offset and OFFSET not in formulas:
@@ -235,6 +253,10 @@ def certified_at(quantity: Quantity, method: str, places: Places, decimals: int,
         return _value_at(quantity, method, places.at(quantity.stroke, method, kind))
 
     def is_algebraic() -> bool:
+        if crank.acceleration and known(crank.speed).turns:
+            from kurbel.motion.accelerated import is_mixed
+
+            return not (quantity.is_arc or is_mixed(quantity, method, crank, angle))
         # Turns a second bring the factor π² to what the masses add to an algebraic number.
         return not (is_transcendental(quantity, crank) or _weighs(quantity, method, crank, angle))
 

@@ -122,7 +122,7 @@ def inertia_registry() -> Mapping[str, Quantity]:
 def _of_slide(force: RodForce, model: str) -> Callable[[At], Any]:
     def kernel(at: At) -> Any:
         masses = known(at.crank.rod).masses(model, at.numbers.of)
-        return force.formula(Loaded(at.circle, at.ratio, masses, at.offset))
+        return force.formula(Loaded(at.circle, at.ratio, masses, at.offset, by=at.by))
 
     return kernel
 
@@ -150,7 +150,7 @@ def _part(key: str, letter: str, name: Words) -> Quantity:
     """A part of the acceleration, which the masses do not change."""
     part = attrgetter(key.removesuffix("_acceleration"))
     return _entry(
-        key, letter, name, "R ω^2", "exact", lambda at: part(rod.parts(at.circle, at.ratio, at.offset))
+        key, letter, name, "R ω^2", "exact", lambda at: part(rod.parts(at.circle, at.ratio, at.offset, at.by))
     )
 
 
@@ -163,8 +163,8 @@ def _entry(
         symbol=f"${letter}$",
         unit=words(unit.replace("^2", "²")),
         decimals=4,
-        # The exact formulas hold for the infinite rod too.
-        formulas=dict.fromkeys(("exact", "infinite", OFFSET), Formula(kernel)),
+        # The exact formulas hold for the infinite rod too, and all are of how masses are accelerated.
+        formulas=dict.fromkeys(("exact", "series", "infinite", OFFSET), Formula(kernel)),
         # One force by several models stands under its letter.
         spanners=(name, words(f"${letter}/({unit})$")),
         heading=ROD_MODELS[model],

@@ -112,7 +112,7 @@ def _error_notes(request: Request) -> Iterator[Label]:
     shown = [column.quantity for column in request.page_columns]
     models = [model for model in MODELS if model != EXACT and any(one.of == model for one in shown)]
     names = {force.name["en"] for force in FORCES} & {one.name["en"] for one in shown if one.of}
-    if not models:
+    if not models or request.method or any(crank.acceleration for crank in request.cranks):
         return
     sheet = ErrorsRequest(
         layout=layout(SHEET), cranks=request.cranks, lang=request.lang, rounding=request.rounding
@@ -162,7 +162,7 @@ def _rod_notes(question: CrankQuestion, shown: Collection[str]) -> Iterator[Labe
     shown."""
     cranks, lang = question.cranks, question.lang
     yield from dict.fromkeys(connecting_rod(crank.rod, lang) for crank in cranks if crank.rod is not None)
-    if any(crank.offset for crank in cranks):
+    if any(crank.offset or crank.acceleration for crank in cranks):
         return
     said = [
         WORDS[key][lang].format(letters=enumerated_letters([one for one in letters if one in shown], lang))

@@ -114,7 +114,7 @@ class StraightCrank(Mechanism):
     title = "the straight crank"
     layout = "kinematics"
     forces_layout = "forces"
-    takes: ClassVar[tuple[str, ...]] = ("ratio", "stroke", "rod", "speed", "method")
+    takes: ClassVar[tuple[str, ...]] = ("ratio", "stroke", "rod", "speed", "method", "acceleration")
     loads: ClassVar[tuple[str, ...]] = (FORCE, MASSES, STEAM, CARD, COMPRESSOR, PUMP, GAS)
     motion = MOTION
     forces = FORCES

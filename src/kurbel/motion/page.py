@@ -96,6 +96,8 @@ class Request(CrankQuestion, AngleQuestion):
             )
         if any(crank.offset for crank in self.cranks):
             self._check_offset()
+        if any(crank.acceleration for crank in self.cranks):
+            check_pairs(self.layout, "drives whose crank is accelerated")
         if self.method == "infinite" and all(column.method is None for column in self.layout.columns):
             cranks = (replace(crank, ratio=Fraction(0)) for crank in self.cranks)
             object.__setattr__(self, "cranks", tuple(dict.fromkeys(cranks)))

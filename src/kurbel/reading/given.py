@@ -184,6 +184,8 @@ as_pressure = _measured("pressure")
 as_force = _measured("force")
 as_power = _measured("power")
 as_duration = _measured("duration")
+# Radians a second squared.
+as_angular_acceleration = _measured("angular_acceleration")
 as_velocity = _measured("velocity")
 as_specific_volume = _measured("specific_volume")
 as_density = _measured("density")

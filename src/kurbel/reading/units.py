@@ -34,7 +34,7 @@ _LARGEST = 10**9
 # Squares; Umdrehungen and Pferdestärken, as German data sheets write them: pint's U is the unit of enzymes,
 # and its PS are petasiemens.
 _TRANSLATED = {
-    "s²": "s/s", "s^2": "s/s", "s**2": "s/s",
+    "s²": "s/s", "s^2": "s/s", "s**2": "s/s", "s2": "s/s",
     **{f"kg{by}m{two}": "kg*m*m" for by in ("", " ", "*", "·") for two in ("²", "^2", "**2", "2")},
     "Nm": "N*m", "N m": "N*m",
     **{f"m{three}/kg": "m*m*m/kg" for three in ("³", "^3", "**3", "3")},
@@ -145,6 +145,17 @@ def speed(text: str) -> Speed:
     # Degrees and revolutions are a rational part of pint's turn, though its π is not exact.
     per_second = "1/s" if root == "1 / second" else "turn/s"
     return Speed(_checked(quantity.to(per_second).magnitude, text, "speed", "turns a second"))
+
+
+def angular_acceleration(text: str, what: str) -> Fraction:
+    """Return an angular acceleration in rad/s²: "50 rad/s²", below 0 where the crank slows down."""
+    # Of other units of angle none is a rational part of the radian.
+    value = _known(text, what, {f"{RADIANS}/s": Fraction(1)})
+    if value is None:
+        raise NotationError(
+            f'{what} "{text[:40]}" cannot be read; write an angular acceleration such as 50rad/s²'
+        )
+    return value
 
 
 def is_measure(text: str) -> bool:

@@ -46,6 +46,9 @@ def _rod_drive(values: Mapping[str, Any]) -> Mechanism:
     return chosen
 
 
+_MOVING = ("speed", "offset", "mechanism", "acceleration", "method")
+
+
 def _at_rest(values: Mapping[str, Any]) -> Mapping[str, str]:
     """Refuse what says nothing about the masses that stand in for a rod."""
     layout = values["layout"]
@@ -53,14 +56,14 @@ def _at_rest(values: Mapping[str, Any]) -> Mapping[str, str]:
     if layout is None or layout_of(layout, about, values["layouts"]).subject != "rod masses":
         return {}
     said = f"layout {layout} is of the rod by itself"
-    return {name: f"{said}; leave --{name} out" for name in ("speed", "offset", "mechanism")}
+    return {name: f"{said}; leave --{name} out" for name in _MOVING}
 
 
 @makes_table(
     foreign=_of_rods,
     needless=_at_rest,
     order="angle from_ to step columns offset stroke crank rod mechanism rocker pivot beam rod_mass centre"
-    " gyration rod_file speed",
+    " gyration rod_file speed acceleration method",
 )
 def inertia_table(
     ratio: option.Ratios = None,
@@ -72,6 +75,8 @@ def inertia_table(
         Exact | None,
         option.SPEED._replace(help="Speed, for columns in N and N m: 120/min, 12.5rad/s."),
     ] = None,
+    acceleration: option.Acceleration = None,
+    method: Annotated[str | None, option.FIRST_ORDER] = None,
     layout: Annotated[str | None, option.layout_option(*INERTIA, ROCKER_INERTIA)] = None,
     **given: Unpack[Rods],
 ) -> Question:
@@ -99,18 +104,23 @@ def inertia_table(
     page = layout_of(layout or "inertia", INERTIA, given["layouts"])
     if page.subject == "rod masses":
         return _masses(page, ratio, columns, given)
-    said = Described.of(given, ratio=ratio, speed=speed)
+    said = Described.of(given, ratio=ratio, speed=speed, method=method, acceleration=acceleration)
     cranks = tuple(replace(crank, rod=rod_of(given, crank.rod_length)) for crank in said.cranks(page.ratios))
     if page.subject == "inertia errors":
         from kurbel.motion.inertia_page import ErrorsRequest
 
         check_whole(page, given)
+        for name in (key for key in ("method", "acceleration") if getattr(said, key) is not None):
+            raise ProblemError(
+                f"layout {page.key} is of a whole even turn, by the exact formulas; leave --{name} out, or"
+                " use --layout inertia"
+            )
         names = as_names(columns, "greatest,error_percent")
         return ErrorsRequest(layout=page, cranks=cranks, columns=names, **sheet_of(given))
     from kurbel.motion.page import Request
 
     angles, names = angles_of(page, given), as_names(columns)
-    return Request(layout=page, cranks=cranks, angles=angles, columns=names, **sheet_of(given))
+    return Request(layout=page, cranks=cranks, angles=angles, columns=names, method=method, **sheet_of(given))
 
 
 def _masses(

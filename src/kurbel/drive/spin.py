@@ -1,0 +1,44 @@
+"""How the crank turns at a moment: its angular velocity, and its angular acceleration if it has one."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from kurbel.drive.crank import known
+from kurbel.errors import ProblemError
+from kurbel.reading.given import as_angular_acceleration
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from kurbel.drive.crank import Crank
+    from kurbel.exact.kind import Kind
+    from kurbel.reading.given import Exact
+    from kurbel.reading.units import Speed
+
+
+def angular_velocity(crank: Crank, numbers: Kind) -> Any:
+    """Return ω in rad/s; bounds, which know no π, leave it out."""
+    speed = known(crank.speed)
+    omega = numbers.of(2 * speed.value if speed.turns else speed.value)
+    return omega if not speed.turns or numbers.pi is None else omega * numbers.pi
+
+
+def angular_square(crank: Crank, numbers: Kind) -> Any:
+    """Return ω² in 1/s²."""
+    omega = angular_velocity(crank, numbers)
+    return omega * omega
+
+
+def gain(crank: Crank, numbers: Kind) -> Any:
+    """Return α/ω²: so much of a velocity adds to an acceleration, in units of the even crank's."""
+    return numbers.of(crank.acceleration) / angular_square(crank, numbers)
+
+
+def acceleration_of(given: Exact, speed: Speed | None) -> Fraction:
+    """Return α in rad/s². Raises ProblemError without a speed."""
+    if speed is None:
+        raise ProblemError(
+            "--acceleration is that of the crank at the speed it has; add that, for example --speed 120/min"
+        )
+    return as_angular_acceleration(given, "acceleration")
