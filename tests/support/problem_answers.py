@@ -11,7 +11,6 @@ from collections.abc import Callable, Mapping, Sequence
 
 from mpmath import mp, mpf
 
-Values = Mapping[str, mpf]
 Rows = Sequence[Mapping[str, mpf | int | float]]
 SOLUTIONS: dict[str, Callable[..., Rows]] = {}
 UNITS = {
@@ -51,8 +50,10 @@ def solution(solve: Callable[..., Rows]) -> Callable[..., Rows]:
     return solve
 
 
-def in_si(value: str) -> mpf:
-    """Return a value as problems have it: '1.5 kN', '20%', '1/3', '1:4' as a ratio."""
+def in_si(value: str) -> mpf | list[mpf]:
+    """Return a value as problems have it: '1.5 kN', '20%', '1/3', '1:4' as a ratio, '1;2' as a list."""
+    if ";" in value:
+        return [one for part in value.split(";") if isinstance(one := in_si(part), mpf)]
     if ":" in value:
         first, second = value.split(":")
         return mpf(first) / mpf(second)

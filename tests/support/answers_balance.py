@@ -1,0 +1,105 @@
+"""Problems on balance: masses as complex vectors, forces of cylinders sampled over a turn."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from mpmath import acos, arg, cos, degrees, exp, mpc, mpf, pi, radians, sin
+from problem_answers import Rows, solution
+
+
+def turned(length: mpf, angle: mpf) -> mpc:
+    return length * exp(1j * radians(angle))
+
+
+def polar(vector: mpc) -> tuple[mpf, mpf]:
+    return abs(vector), degrees(arg(vector)) % 360
+
+
+@solution
+def static_balance(masses: Sequence[mpf], radii: Sequence[mpf], angles: Sequence[mpf], at: mpf) -> Rows:
+    left = sum(turned(m * r, a) for m, r, a in zip(masses, radii, angles, strict=True))
+    mass, angle = polar(-left / at)
+    return [{"mass": mass, "angle": angle}, *({} for _ in masses), {"unbalance": 0}]
+
+
+@solution
+def balance_in_two_planes(
+    masses: Sequence[mpf],
+    radii: Sequence[mpf],
+    angles: Sequence[mpf],
+    planes: Sequence[mpf],
+    balance: Sequence[mpf],
+    at: mpf,
+) -> Rows:
+    vectors = [turned(m * r / 1000, a) for m, r, a in zip(masses, radii, angles, strict=True)]
+    couple = sum(vector * plane for vector, plane in zip(vectors, planes, strict=True))
+    first, second = balance
+    # first + second = −force, first · z₁ + second · z₂ = −couple
+    right = (first * sum(vectors) - couple) / (second - first)
+    left = -sum(vectors) - right
+    found = [dict(zip(("mass", "angle"), polar(one / at), strict=True)) for one in (left, right)]
+    return [*({} for _ in masses), {}, {}, *found, {"unbalance": 0}, {"moment": 0}]
+
+
+@solution
+def complete_balance(masses: Sequence[mpf], radii: mpf, planes: Sequence[mpf]) -> Rows:
+    two, three, four = (m * z for m, z in zip(masses, planes[1:], strict=True))
+    apart = degrees(acos((four**2 - two**2 - three**2) / (2 * two * three)))
+    solved = []
+    for third in (360 - apart, apart):
+        fourth = polar(-two - turned(three, third))[1]
+        rest = masses[0] + turned(masses[1], third) + turned(masses[2], fourth)
+        mass, first = polar(-rest)
+        rows = [{"mass": mass, "angle": first}, {"angle": 0}, {"angle": third}, {"angle": fourth}]
+        solved += [*rows, {"unbalance": 0}, {"moment": 0}]
+    return solved
+
+
+@solution
+def five_cranks(mass: mpf, crank: mpf, ratio: mpf, speed: mpf, spacing: mpf) -> Rows:
+    rows = []
+    for levers in ((1, 1, 1, 1, 1), (-2, -1, 0, 1, 2)):
+        for order, share in ((1, mpf(1)), (2, ratio)):
+            angles = (0, 144, 288, 72, 216)
+            whole = sum(turned(mpf(z), mpf(order * a)) for z, a in zip(levers, angles, strict=True))
+            arm = 1 if levers[0] == 1 else spacing
+            force = abs(whole) * share * mass * crank * speed**2 * arm
+            rows.append({"greatest_n": 0 if levers[0] == 1 else force})
+    return rows
+
+
+def resultants(banks: Sequence[mpf], order: int) -> list[mpf]:
+    """How large the sum of cos(k(φ − β)) along the cylinders' directions β is, over a turn."""
+    sizes = []
+    for step in range(720):
+        phi = 2 * pi * step / 720
+        along = [cos(order * (phi - radians(bank))) for bank in banks]
+        x = sum(one * cos(radians(bank)) for one, bank in zip(along, banks, strict=True))
+        y = sum(one * sin(radians(bank)) for one, bank in zip(along, banks, strict=True))
+        sizes.append((x**2 + y**2) ** mpf("0.5"))
+    return sizes
+
+
+@solution
+def v_twin(half: mpf, mass: mpf, stroke: mpf, ratio: mpf, speed: mpf) -> Rows:
+    unit = mass * stroke / 2 * speed**2
+    first, second = (resultants((-half, half), order) for order in (1, 2))
+    return [
+        {"greatest_n": max(first) * unit, "least_n": min(first) * unit},
+        {"greatest_n": max(second) * unit * ratio},
+        {"greatest_n": 0},
+        {"greatest_n": 0},
+    ]
+
+
+@solution
+def radial_three(mass: mpf, stroke: mpf, ratio: mpf, speed: mpf) -> Rows:
+    unit = mass * stroke / 2 * speed**2
+    first, second = (resultants((mpf(0), mpf(120), mpf(240)), order) for order in (1, 2))
+    return [
+        {"greatest_n": max(first) * unit, "least_n": min(first) * unit},
+        {"greatest_n": max(second) * unit * ratio, "least_n": min(second) * unit * ratio},
+        {"greatest_n": 0},
+        {"greatest_n": 0},
+    ]
