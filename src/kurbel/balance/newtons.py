@@ -13,12 +13,12 @@ from typing import Any
 
 from kurbel.balance.arrangement import Factor
 from kurbel.drive.crank import Crank, known
-from kurbel.drive.load import figure
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
 from kurbel.motion.captions import moving_notes
 from kurbel.page.quantity import Words, words
+from kurbel.reading.amounts import amount
 from kurbel.reading.notation import about
 
 IN_NEWTONS = "_n"
@@ -74,5 +74,5 @@ class Weighed:
         """Yield the lines about masses, size and speed."""
         yield from moving_notes(self.crank, ratio_symbol, lang)
         rod = WORDS["rod"][lang] if known(self.crank.moving).rod is not None else ""
-        spacing = "" if self.spacing is None else f', $a = {figure(1000 * self.spacing)} "mm"$'
-        yield f'$m = {figure(self.mass)} "kg"${rod}{spacing}'
+        spacing = "" if self.spacing is None else f", $a = {amount(self.spacing, 'mm')}$"
+        yield f"$m = {amount(self.mass, 'kg')}${rod}{spacing}"

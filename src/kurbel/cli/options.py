@@ -203,14 +203,13 @@ class Given:
                 self.drop(name)
 
     def settle_sizes(self, command: Command) -> str:
-        """Give the stroke its value by the option that was given, and return the name of that."""
-        if (spelled := spelling(self.values)) == "stroke":
-            return spelled
-        if self.typed(spelled) != self.typed("stroke"):
-            self.drop("stroke" if self.typed(spelled) else spelled)
-        if not is_given(self.values[spelled]):
-            return "stroke"
-        self.sources["stroke"] = self.sources.pop(spelled)
+        """Give the stroke its value by the option that was given, and return the name of that; settle the
+        units of the page."""
+        if (spelled := spelling(self.values)) != "stroke":
+            if self.typed(spelled) != self.typed("stroke"):
+                self.drop("stroke" if self.typed(spelled) else spelled)
+            if (spelled := spelling(self.values)) != "stroke":
+                self.sources["stroke"] = self.sources.pop(spelled)
         self.values = dict(command.settled(self.values))
         return spelled
 

@@ -145,7 +145,7 @@ Decimal = Annotated[
 ]  # fmt: skip
 
 
-class Sheet(TypedDict, total=False):
+class Plain(TypedDict, total=False):
     """How a page is printed."""
 
     digits: Annotated[
@@ -160,6 +160,19 @@ class Sheet(TypedDict, total=False):
     ]
     lang: Lang
     label: Label
+
+
+class Sheet(Plain, total=False):
+    """The same of one whose columns have units."""
+
+    units: Annotated[
+        str | None,
+        Option(
+            "Units of pages and data: metric, imperial or a list, cm;kN. Default: metric; pages of what is"
+            " given in imperial units alone have these.",
+            "UNITS", last=True,
+        ),
+    ]  # fmt: skip
 
 
 class Run(TypedDict, total=False):

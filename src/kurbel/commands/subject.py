@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import re
 from collections.abc import Callable, Mapping
 from functools import wraps
 from pkgutil import resolve_name
@@ -14,6 +15,7 @@ from kurbel.errors import ProblemError
 if TYPE_CHECKING:
     from kurbel.commands.shown import Table
     from kurbel.page.table import Table as Page
+    from kurbel.reading.amounts import Units
 
 Words = ParamSpec("Words")
 Question = TypeVar("Question", covariant=True)
@@ -22,6 +24,10 @@ Drawn = TypeVar("Drawn", covariant=True)
 Refusals = Callable[[Mapping[str, Any]], Mapping[str, str]]
 
 
+# Units that follow a number; of time there is one kind.
+_MARK = r"(?<=[\d. *·/])(?:%s)(?![A-Za-z])"
+_IMPERIAL = re.compile(_MARK % "in|inch|inches|ft|foot|feet|lb|lbs|lbf|psi|hp")
+_METRIC = re.compile(_MARK % "[cdkmµ]?m|[km]?g|t|[kM]?N|[hkM]?Pa|m?bar|atm?|[kM]?W|PS|[kM]?J|kp|kgf")
 # Options that stand for another, the stroke.
 SPELLED = ("crank",)
 
@@ -59,12 +65,26 @@ class Command(NamedTuple):
         return cls(ask, signature, parameters_of(signature), *about)
 
     def settled(self, values: Mapping[str, Any]) -> Mapping[str, Any]:
-        """Return the values with those that are given in another way under the name of their option."""
+        """Return the values with those that are given in another way under the name of their option, and
+        the units of the page as it takes them."""
+        if "units" in values:
+            values = {**values, "units": self._units(values)}
         if not any(is_given(values.get(name)) for name in SPELLED):
             return values
         from kurbel.drive.sizes import in_strokes
 
         return in_strokes(values)
+
+    def _units(self, values: Mapping[str, Any]) -> Units | None:
+        """Return the units that are asked for, else imperial ones where all measures are given in such."""
+        asked = values["units"]
+        measured = [values.get(one.name) for one in self.parameters.values() if one.option.unit]
+        texts = str(measured) + str(values.get("cylinder") or "")
+        if not is_given(asked) and (_METRIC.search(texts) or not _IMPERIAL.search(texts)):
+            return None
+        from kurbel.reading.amounts import IMPERIAL, read_units
+
+        return read_units(asked) if is_given(asked) else read_units(IMPERIAL)._replace(data=False)
 
     def built(self, question: Any) -> Page:
         """Return the table that was asked for."""

@@ -9,9 +9,10 @@ from pkgutil import resolve_name
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Protocol
 
 from kurbel.errors import ProblemError
-from kurbel.exact.numerals import Label, finite_decimals, nearest, number_text
+from kurbel.exact.numerals import Label
+from kurbel.exact.numerals import figure as figure
 from kurbel.reading.given import Exact, as_force
-from kurbel.reading.notation import about, plain
+from kurbel.reading.notation import about
 
 if TYPE_CHECKING:
     from kurbel.exact.kind import Kind
@@ -85,7 +86,9 @@ class PistonForce:
 
     def note(self, lang: str) -> Label:
         """Return the line that pages have below their tables."""
-        return f'$F = {figure(self.first)} "N"$'
+        from kurbel.reading.amounts import amount
+
+        return f"$F = {amount(self.first, 'N')}$"
 
 
 def read_force(given: Exact) -> PistonForce:
@@ -102,16 +105,6 @@ def examples() -> str:
 def piston_forces() -> Iterator[type[PistonForce]]:
     """Return the loads that --force describes."""
     return (resolve_name(entry.place) for entry in LOADS.values() if entry.place)
-
-
-def figure(value: Fraction) -> str:
-    """Return the exact decimal or fraction where there is a short one, else three places."""
-    decimals = finite_decimals(value)
-    if decimals is not None and decimals <= 6:
-        return plain(value)
-    if value.denominator < 1000:
-        return f"{value.numerator}/{value.denominator}"
-    return number_text(nearest(value, 3))
 
 
 class Load(Protocol):

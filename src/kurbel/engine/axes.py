@@ -15,6 +15,7 @@ from kurbel.exact.numerals import Label, Number, exact_text, finite_decimals, ne
 from kurbel.page.axes import Axis, ListAxis, Place, angle_decimals, angle_number
 from kurbel.page.quantity import Words, words
 from kurbel.page.table import Field
+from kurbel.reading.amounts import amount
 from kurbel.reading.notation import plain, ratio_text
 
 if TYPE_CHECKING:
@@ -158,13 +159,13 @@ def number_label(number: Fraction) -> Label:
 
 def millimetres(length: Fraction) -> Label:
     """Return a length as it stands in a formula."""
-    return f'{exact_text(1000 * length)} "mm"'
+    return amount(length, "mm", exact_text)
 
 
 def kilopascals(load: Load, times: Fraction = Fraction(1)) -> Label:
     """Return the pressure that Q is of, or a multiple of it, as it stands in a formula."""
     assert load.pressure is not None
-    return f'{exact_text(load.pressure * times / 1000)} "kPa"'
+    return amount(load.pressure * times, "kPa", exact_text)
 
 
 def _steam_lines(request: EngineRequest, lang: str) -> Iterator[Label]:

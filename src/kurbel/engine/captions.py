@@ -12,6 +12,7 @@ from kurbel.engine.request import BY_STROKE, OF_FORCES, OF_IRREGULARITY, OF_LOAD
 from kurbel.exact.numerals import Label, Number, exact_text, number_text
 from kurbel.page.quantity import AND, FOR, Quantity, enumerated_letters, filled, words
 from kurbel.page.table import Note
+from kurbel.reading.amounts import amount
 from kurbel.reading.notation import plain, ratio_text
 
 # The mark of the two extremes that make δ.
@@ -205,7 +206,7 @@ def _sized(request: EngineRequest) -> Label:
     assert crank.speed is not None
     if request.assembly is not None:
         return turns_label(crank.speed)
-    radius = f'${request.layout.ratio_symbol[0]} = {exact_text(1000 * crank.radius)} "mm"$'
+    radius = f"${request.layout.ratio_symbol[0]} = {amount(crank.radius, 'mm', exact_text)}$"
     return f"{radius}, {turns_label(crank.speed)}"
 
 

@@ -114,6 +114,16 @@ def exact_text(value: Fraction, mark: str = ".") -> str:
     return text if 0 < len(text) <= LONGEST_EXACT else f"{value.numerator}/{value.denominator}"
 
 
+def figure(value: Fraction) -> str:
+    """Return the exact decimal or fraction where there is a short one, else three places."""
+    decimals = finite_decimals(value)
+    if decimals is not None and decimals <= 6:
+        return plain(value)
+    if value.denominator < 1000:
+        return f"{value.numerator}/{value.denominator}"
+    return number_text(nearest(value, 3))
+
+
 def degrees_text(angle: Fraction, mark: str = ".", minus: str = "-") -> str:
     """Return an angle in degrees, minutes and, where they are needed, seconds: 2°30', 0°0'20".
 

@@ -32,7 +32,7 @@ from typing import Any, NamedTuple
 
 from msgspec.structs import asdict, replace
 
-from kurbel.errors import ChoiceError, HandbookError
+from kurbel.errors import HandbookError
 from kurbel.handbook.model import (
     ChapterKeys,
     EngineName,
@@ -42,7 +42,7 @@ from kurbel.handbook.model import (
     default_options,
 )
 from kurbel.handbook.problems import problems_of
-from kurbel.reading.given import choose
+from kurbel.reading.given import did_you_mean
 from kurbel.reading.toml_file import Place, TomlFile, TomlKind, shown
 
 NAME = "handbook.toml"
@@ -241,10 +241,13 @@ class _Reader:
         options = {}
         for key, value in given.items():
             here = (*place, key)
-            try:
-                name = choose(key.replace("_", "-"), default_options(), "option for which there are defaults")
-            except ChoiceError as error:
-                raise self.error(here, error) from None
+            name, known = key.replace("_", "-"), default_options()
+            if name not in known:
+                raise self.error(
+                    here,
+                    f'there is no option for which there are defaults "{name[:60]}"'
+                    f"{did_you_mean(name, known)}; the help of each command lists its options",
+                )
             values = value if isinstance(value, list) else [value]
             if not values or not all(isinstance(one, str | int | float) for one in values):
                 raise self.error(

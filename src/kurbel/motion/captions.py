@@ -24,6 +24,7 @@ from kurbel.page.quantity import (
     for_ratio,
     words,
 )
+from kurbel.reading.amounts import amount, unit_of_page
 from kurbel.reading.notation import ratio_text
 
 if TYPE_CHECKING:
@@ -63,9 +64,9 @@ WORDS: Mapping[str, Words] = {
         "stroke ${stroke} R$"
     ),
     "speed": words(
-        '; {turns}$v = {pin} "m/s"$, mittlere Kolbengeschwindigkeit $c_m = {mean} "m/s"$, $v:c_m = '
+        "; {turns}$v = {pin} {unit}$, mittlere Kolbengeschwindigkeit $c_m = {mean} {unit}$, $v:c_m = "
         "{quotient}$"
-        '|; {turns}$v = {pin} "m/s"$, mean piston speed $c_m = {mean} "m/s"$, $v:c_m = {quotient}$'
+        "|; {turns}$v = {pin} {unit}$, mean piston speed $c_m = {mean} {unit}$, $v:c_m = {quotient}$"
     ),
     "masses": words("Massen: |Masses: "),
     "reciprocating": words("Kolben und Kreuzkopf|piston and crosshead"),
@@ -237,10 +238,10 @@ def moving_notes(
     """
     moving, speed, radius = known(crank.moving), known(crank.speed), ratio_symbol[0]
     said = {"reciprocating": moving.reciprocating, "rotating": moving.rotating}
-    parts = [f'{named[key][lang]} ${figure(mass)} "kg"$' for key, mass in said.items() if mass]
+    parts = [f"{named[key][lang]} ${amount(mass, 'kg')}$" for key, mass in said.items() if mass]
     if moving.rocker:
-        parts.append(f'{named["rocker"][lang]} $J = {figure(moving.rocker)} "kg m"^2$')
-    parts += [f'${radius} = {figure(1000 * known(crank.radius))} "mm"$', turns_label(speed)]
+        parts.append(f"{named['rocker'][lang]} $J = {amount(moving.rocker, 'kg m²')}$")
+    parts += [f"${radius} = {amount(known(crank.radius), 'mm')}$", turns_label(speed)]
     yield WORDS["masses"][lang] + ", ".join(parts)
     if moving.rod is not None:
         yield connecting_rod(moving.rod, lang, ratio_symbol[-1], named)
@@ -258,7 +259,7 @@ def connecting_rod(rod: Rod, lang: str, length: str = "L", named: Mapping[str, W
         centre=figure(1 - rod.centre),
         gyration=_root(square) or digits_text(lambda numbers: root(numbers.of(square)), 4, algebraic=True),
         couple=figure(rod.couple),
-        mass=f', $M = {figure(rod.mass)} "kg"$' if rod.mass is not None else "",
+        mass=f", $M = {amount(rod.mass, 'kg')}$" if rod.mass is not None else "",
     )
     return said + _swing(rod, lang)
 
@@ -279,20 +280,26 @@ def _root(square: Fraction) -> str:
 
 
 def _machine(crank: Crank, lang: str) -> Label:
-    radius = 1000 * known(crank.radius)
-    rod = f', $L = {figure(radius / crank.ratio)} "mm"$' if crank.ratio else ""
-    return f'$R = {figure(radius)} "mm"${rod}' + (_speed(crank, lang) if crank.speed else "")
+    radius = known(crank.radius)
+    rod = f", $L = {amount(radius / crank.ratio, 'mm')}$" if crank.ratio else ""
+    return f"$R = {amount(radius, 'mm')}${rod}" + (_speed(crank, lang) if crank.speed else "")
 
 
 def _speed(crank: Crank, lang: str) -> str:
     speed = known(crank.speed)
     quotient = digits_text(crank.pin_to_mean, 4, algebraic=False)
+    times, unit = unit_of_page("m/s")
     return WORDS["speed"][lang].format(
+        unit=unit,
         turns=f"{turns_label(speed)}, ",
-        pin=digits_text(crank.pin_velocity, 3, algebraic=not speed.turns),
-        mean=digits_text(crank.mean_velocity, 3, algebraic=speed.turns),
+        pin=digits_text(_times(crank.pin_velocity, times), 3, algebraic=not speed.turns),
+        mean=digits_text(_times(crank.mean_velocity, times), 3, algebraic=speed.turns),
         quotient=quotient if crank.offset else "π:2",
     )
+
+
+def _times(value: Callable[[Kind], Any], factor: Fraction) -> Callable[[Kind], Any]:
+    return value if factor == 1 else lambda numbers: value(numbers) * numbers.of(factor)
 
 
 def turns_label(speed: Speed) -> Label:

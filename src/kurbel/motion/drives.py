@@ -37,8 +37,10 @@ from kurbel.kernel.circle import Circle
 from kurbel.motion.captions import Formulated, drive_notes, formula_lines
 from kurbel.motion.evaluation import OUT, certified, is_known, is_transcendental, value
 from kurbel.motion.quantities import registry
-from kurbel.page.quantity import Column, Formula, Quantity
+from kurbel.page.quantity import Column, Formula, Quantity, multiplied, of_multiple
 from kurbel.reading.notation import ratio_text
+
+ONE = Fraction(1)
 
 
 def condition_names(entries: Iterable[Quantity]) -> Mapping[str, str]:
@@ -119,12 +121,14 @@ class Drive(ABC):
             return quantity
         return next(key for key, entry in self.entries.items() if entry.names[:1] == (quantity,))
 
-    def digits(self, column: str, stroke: int, place: Place, decimals: int, rounding: str) -> int:
-        """Return the column's value at a place times 10**decimals, rounded correctly."""
-        quantity = self.entries[column]._replace(stroke=stroke)
+    def digits(
+        self, column: str, stroke: int, place: Place, decimals: int, rounding: str, times: Fraction = ONE
+    ) -> int:
+        """Return the column's value at a place, times a factor, times 10**decimals, rounded correctly."""
+        quantity = multiplied(self.entries[column]._replace(stroke=stroke), times)
         if place.degrees is not None:
             return self.certified(quantity, place.degrees, decimals, rounding)
-        ties = ties_at(place, self._surd(column, stroke))
+        ties = of_multiple(ties_at(place, self._surd(column, stroke)), times)
 
         def at() -> Any:
             return self.value(quantity, half_turn_circle(place.half_turns()), balls())

@@ -16,6 +16,7 @@ from kurbel.page.quantity import Column
 from kurbel.page.subject import Question
 from kurbel.page.table import DITTO, UNIT, Cell, Group, Note, Panel, Records, Row, Table, Value
 from kurbel.page.table import Column as Printed
+from kurbel.reading.amounts import printed_in
 
 # A page is held in memory whole; records stream. 300,000 cells take some seconds and 200 MB.
 MOST_CELLS = 300_000
@@ -24,6 +25,13 @@ MOST_COLUMNS = 500
 
 def build(question: Question, pages: bool = True) -> Table:
     """Return the table that was asked for; without `pages` only its records, which need no memory."""
+    if question.units is None:
+        return _built(question, pages)
+    with printed_in(question.units):
+        return _built(question, pages)
+
+
+def _built(question: Question, pages: bool) -> Table:
     about, layout = question.subject, question.layout
     further = about.page_notes(question) if pages else ()
     return Table(
@@ -32,13 +40,23 @@ def build(question: Question, pages: bool = True) -> Table:
         lang=question.lang,
         caption=about.caption(question),
         panels=panels(*(about.grid or own_grid)(question)) if pages else (),
-        records=about.rows(question) if about.rows else records_of(question),
+        records=_records(question.for_data),
         notes=tuple(
             one if isinstance(one, Note) else Note(one) for one in (*about.notes(question), *further)
         ),
         source=question.source,
         templates=layout.folder,
     )
+
+
+def _records(question: Question) -> Records:
+    """Return the records, whose columns have the endings of their units as keys have them."""
+    about, units = question.subject, question.units
+    records = about.rows(question) if about.rows else records_of(question)
+    if units is None:
+        return records
+    fields = (field._replace(key=units.key(field.key, field.unit)) for field in records.fields)
+    return records._replace(fields=tuple(fields))
 
 
 def own_grid(question: Question) -> tuple[Layout, Grid]:

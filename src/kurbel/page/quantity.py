@@ -97,6 +97,41 @@ def entry(
     return Quantity(key, words(name), symbol, words(unit), decimals, formulas, words(heading), **rest)
 
 
+def multiplied(quantity: Quantity, times: Fraction) -> Quantity:
+    """Return a quantity whose numbers are so many times those of another."""
+    if times == 1:
+        return quantity
+    above, below, ties = times.numerator, times.denominator, quantity.ties
+
+    def scaled(function: Callable[..., Any]) -> Callable[..., Any]:
+        def call(*at: Any) -> Any:
+            found = function(*at)
+            return found if found is None else found * above / below
+
+        return call
+
+    # Two more roundings of floats.
+    changed = quantity._replace(bound=2 * quantity.bound)
+    if ties is not None:
+        changed = changed._replace(ties=lambda *about: of_multiple(ties(*about), times))
+    if quantity.scale is not None:
+        return changed._replace(scale=scaled(quantity.scale))
+    formulas = {key: one._replace(kernel=scaled(one.kernel)) for key, one in quantity.formulas.items()}
+    return changed._replace(formulas=formulas)
+
+
+# How near a number comes to a boundary, as exact/certify.py asks.
+Ties = Callable[[Fraction], float] | None
+
+
+def of_multiple(ties: Ties, times: Fraction) -> Ties:
+    """Return how near so many times a number can come to a boundary, of what is known of that number."""
+    if ties is None or times == 1:
+        return ties
+    slack = times.numerator.bit_length() + times.denominator.bit_length()
+    return lambda boundary: ties(boundary / times) + slack
+
+
 class Column(NamedTuple):
     """A column of a page with all choices made. `methods` are one, or two whose difference is shown."""
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache, cached_property
 from math import prod
 from pkgutil import resolve_name
 from types import MappingProxyType
-from typing import Any, ClassVar, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, TypeAlias
 
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS, Label
@@ -20,6 +20,9 @@ from kurbel.page.subjects import SUBJECTS
 from kurbel.page.table import Field, Note, Records, Value
 from kurbel.reading.given import choose
 from kurbel.reading.notation import MOST_ROWS
+
+if TYPE_CHECKING:
+    from kurbel.reading.amounts import Units
 
 Limit: TypeAlias = Callable[[Fraction], object]
 
@@ -110,7 +113,8 @@ class Question:
     """A layout that is asked for, with the digits, the language and the columns of its page.
 
     `digits` None leaves the decimals to the layout and the quantities, no `columns` the columns to the
-    layout. What a subject asks beside that are the fields of its own question.
+    layout. `units` None are the metric ones of the quantities. What a subject asks beside that are the
+    fields of its own question.
     """
 
     layout: Layout
@@ -119,6 +123,7 @@ class Question:
     lang: str = "de"
     columns: tuple[str, ...] = ()
     label: str = ""
+    units: Units | None = None
 
     # Whether records of the axes alone say something.
     axes_suffice: ClassVar[bool] = False
@@ -142,6 +147,11 @@ class Question:
     def missing(self, quantity: Quantity) -> str:
         """Return the sentence that refuses a column of the quantity, nothing if it is known."""
         return ""
+
+    @cached_property
+    def for_data(self) -> Question:
+        """The same for records, which are in metric units unless others were asked for."""
+        return self if self.units is None or self.units.data else replace(self, units=None)
 
     @property
     def subject(self) -> Subject:
@@ -187,7 +197,7 @@ class Question:
     def page_columns(self) -> tuple[Column, ...]:
         """The columns asked for, else the layout's as far as they are known."""
         if not self.columns:
-            return tuple(self.column(one) for one in self.layout.columns if self.shows(one))
+            return tuple(self.printed(one) for one in self.layout.columns if self.shows(one))
         # The axes of the question may have other keys than its subject states.
         others = self.subject.column_keys(self.layout)[len(self.subject.axis_keys) :]
         allowed = dict.fromkeys((*self.axis_keys, *others))
@@ -196,7 +206,16 @@ class Question:
         for column in chosen:
             if missing := self.missing(self.entry(column.quantity)):
                 raise ProblemError(missing)
-        return tuple(map(self.column, chosen))
+        return tuple(map(self.printed, chosen))
+
+    def printed(self, column: LayoutColumn) -> Column:
+        """Return a column in the units of the page."""
+        own = self.column(column)
+        if self.units is None:
+            return own
+        from kurbel.page.units import in_units
+
+        return in_units(own, self.units, self.lang, self.digits is not None)
 
     def shows(self, column: LayoutColumn) -> bool:
         """Whether the layout's column is shown where none were asked for."""

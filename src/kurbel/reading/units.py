@@ -13,6 +13,7 @@ from functools import cache
 from typing import Any
 
 from kurbel.errors import MissingExtraError, NotationError, ProblemError
+from kurbel.reading.amounts import FOOT, INCH, POUND, POUND_FORCE
 from kurbel.reading.notation import about, number
 
 
@@ -36,28 +37,40 @@ _LARGEST = 10**9
 _TRANSLATED = {
     "s²": "s/s", "s^2": "s/s", "s**2": "s/s", "s2": "s/s",
     **{f"kg{by}m{two}": "kg*m*m" for by in ("", " ", "*", "·") for two in ("²", "^2", "**2", "2")},
-    "Nm": "N*m", "N m": "N*m",
+    "Nm": "N*m", "N m": "N*m", "lbf ft": "lbf*ft", "ft lbf": "ft*lbf", "lbf in": "lbf*in",
+    **{f"lb{by}ft{two}": "lb*ft*ft" for by in ("", " ", "*", "·") for two in ("²", "^2", "**2", "2")},
     **{f"m{three}/kg": "m*m*m/kg" for three in ("³", "^3", "**3", "3")},
     **{f"kg/m{three}": "kg/m/m/m" for three in ("³", "^3", "**3", "3")},
     "U/min": "rpm", "Upm": "rpm", "U/s": "turn/s", "min⁻¹": "/min", "PS": "metric_horsepower",
 }  # fmt: skip
 
 
+_FOOT_POUND, _INCH_POUND = FOOT * POUND_FORCE, INCH * POUND_FORCE
 # By what pint calls their dimension, in the unit that this is read in.
 KNOWN: Mapping[str, Mapping[str, Fraction]] = {
-    "[length]": _scaled({"m": 1, "cm": "1/100", "mm": "1/1000", "in": "0.0254", "inch": "0.0254",
-                         "ft": "0.3048"}),
-    "[length]/[time]": _scaled({"m/s": 1}),
-    "[power]": _scaled({"W": 1, "kW": 1000, "MW": 10**6}),
-    "[mass]": _scaled({"kg": 1, "g": "1/1000", "t": 1000}),
-    "[mass]*[length]**2": _scaled({"kg*m*m": 1}),
-    "[force]": _scaled({"N": 1, "kN": 1000, "MN": 10**6}),
-    "[energy]": _scaled({"J": 1, "kJ": 1000, "MJ": 10**6, "N*m": 1, "kN*m": 1000, "MN*m": 10**6}),
-    "[force]*[length]": _scaled({"N*m": 1, "kN*m": 1000, "MN*m": 10**6}),
+    "[length]": {
+        **_scaled({"m": 1, "cm": "1/100", "mm": "1/1000"}), "in": INCH, "inch": INCH, "ft": FOOT,
+    },
+    "[length]/[time]": {**_scaled({"m/s": 1}), "ft/s": FOOT},
+    "[power]": {**_scaled({"W": 1, "kW": 1000, "MW": 10**6}), "hp": 550 * _FOOT_POUND},
+    "[mass]": {**_scaled({"kg": 1, "g": "1/1000", "t": 1000}), "lb": POUND},
+    "[mass]*[length]**2": {**_scaled({"kg*m*m": 1}), "lb*ft*ft": POUND * FOOT**2},
+    "[force]": {**_scaled({"N": 1, "kN": 1000, "MN": 10**6}), "lbf": POUND_FORCE},
+    "[energy]": {
+        **_scaled({"J": 1, "kJ": 1000, "MJ": 10**6, "N*m": 1, "kN*m": 1000, "MN*m": 10**6}),
+        "ft*lbf": _FOOT_POUND, "lbf*ft": _FOOT_POUND,
+    },
+    "[force]*[length]": {
+        **_scaled({"N*m": 1, "kN*m": 1000, "MN*m": 10**6}),
+        "lbf*ft": _FOOT_POUND, "ft*lbf": _FOOT_POUND, "lbf*in": _INCH_POUND,
+    },
     "[length]**3/[mass]": _scaled({"m*m*m/kg": 1}),
     "[mass]/[length]**3": _scaled({"kg/m/m/m": 1}),
     "[time]": _scaled({"s": 1, "ms": "1/1000", "min": 60}),
-    "[pressure]": _scaled({"Pa": 1, "kPa": 1000, "MPa": 10**6, "bar": 10**5, "mbar": 100}),
+    "[pressure]": {
+        **_scaled({"Pa": 1, "kPa": 1000, "MPa": 10**6, "bar": 10**5, "mbar": 100}),
+        "psi": POUND_FORCE / INCH**2,
+    },
 }  # fmt: skip
 # Turns a second, of which radians are none.
 TURNS = _scaled({"/s": 1, "1/s": 1, "/min": "1/60", "1/min": "1/60", "rpm": "1/60", "Hz": 1})

@@ -114,7 +114,7 @@ class LoadedRequest(EngineRequest):
             for condition in self.conditions
             if ASKED[condition.quantity].measured not in shown
         )
-        return (*own, *(self.column(LayoutColumn(key, key)) for key in asked if key not in shown))
+        return (*own, *(self.printed(LayoutColumn(key, key)) for key in asked if key not in shown))
 
     def angle(self, place: Place, share: int, decimals: int) -> Number:
         """Return φ over the cycle in parts of a degree."""
@@ -186,6 +186,8 @@ def _number(question: LoadedRequest, column: Column, place: Place, times: int) -
     decimals, rounding = column.places, question.rounding
     if condition.kind == VALUE and column.key == _column_of(condition):
         value = measured(condition) if condition.unit else condition.value
+        if question.units is not None:
+            value *= question.units.times(question.entry(column.key).plain_unit("en"))
         return nearest(times * value, decimals, rounding)
     loaded, at = question.at(place), question.roots(place)[place["root"]]
     turn, key = loaded.turn, _bare(column.key)

@@ -109,7 +109,7 @@ class SolveRequest(Question):
             return own
         asked = dict.fromkeys(column_of(self.drives[0], condition) for condition in self.conditions)
         shown = {column.key for column in own}
-        return (*own, *(self.column(LayoutColumn(key, key)) for key in asked if key not in shown))
+        return (*own, *(self.printed(LayoutColumn(key, key)) for key in asked if key not in shown))
 
     @cached_property
     def found(self) -> Mapping[tuple[int, int, int], Sequence[Root]]:
@@ -208,7 +208,9 @@ def _number(question: SolveRequest, column: Column, place: Place, times: int) ->
     root = question.roots(place)[place["root"]]
     if column.key == TURN.key:
         return root.angle(True, times, column.places, question.rounding)
-    return root.number(column.key, column.places, question.rounding)
+    units, own = question.units, question.entry(column.key).plain_unit("en")
+    parts = Fraction(1) if units is None else units.times(own)
+    return root.number(column.key, column.places, question.rounding, parts)
 
 
 SUBJECT = Subject(

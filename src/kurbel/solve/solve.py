@@ -54,11 +54,11 @@ class Root:
     place: Place
     known: Mapping[str, Fraction]
 
-    def number(self, column: str, decimals: int, rounding: str) -> Number:
-        """Return what a column shows of the place."""
+    def number(self, column: str, decimals: int, rounding: str, times: Fraction = Fraction(1)) -> Number:
+        """Return what a column shows of the place, times a factor."""
         if column in self.known:
-            return nearest(self.known[column], decimals, rounding)
-        scaled = self.drive.digits(column, self.stroke, self.place, decimals, rounding)
+            return nearest(times * self.known[column], decimals, rounding)
+        scaled = self.drive.digits(column, self.stroke, self.place, decimals, rounding, times)
         return Number(scaled, decimals)
 
     def angle(self, over_turn: bool, share: int, decimals: int, rounding: str) -> Number:

@@ -37,7 +37,7 @@ def firing_table(
     ] = (),
     layouts: option.Layouts = None,
     layout: Annotated[str | None, option.layout_option("firing orders", "firing")] = None,
-    **sheet: Unpack[option.Sheet],
+    **sheet: Unpack[option.Plain],
 ) -> Question:
     """Print the firing orders that an engine's cranks allow; with --order the cranks that it needs.
 

@@ -12,6 +12,7 @@ from kurbel.engine.captions import inner
 from kurbel.exact.numerals import Label
 from kurbel.page.axes import angle_text
 from kurbel.page.quantity import words
+from kurbel.reading.amounts import amount
 from kurbel.reading.notation import plain, ratio_text
 
 if TYPE_CHECKING:
@@ -118,7 +119,7 @@ def _said(part: Engine, first: int, lang: str) -> Iterator[Label]:
         yield alone.words.newtons(part.steam, part.load)
     sizes = f"$R:L = {ratio_text(part.crank.ratio)}$"
     if part.crank.radius is not None:
-        sizes = f'{WORDS["stroke"][lang]} ${plain(2000 * part.crank.radius)} "mm"$, {sizes}'
+        sizes = f"{WORDS['stroke'][lang]} ${amount(2 * part.crank.radius, 'mm', plain)}$, {sizes}"
     yield sizes
     if part.lag:
         yield WORDS["lag"][lang].format(angle=f"${angle_text(part.lag)}$", number=first)

@@ -21,6 +21,7 @@ from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, filled, for_ratio, words
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
+from kurbel.reading.amounts import amount
 from kurbel.reading.notation import about
 
 OVER_STROKE, OVER_ANGLE = "pressures", "pressures over the angle"
@@ -49,7 +50,7 @@ WORDS: Mapping[str, Words] = {
         " takes of it for the acceleration $a$, over the piston area $A$, $p - q$ what is left for the rod;"
         " positive in the direction of the stroke"
     ),
-    "mass": words('$m = {mass} "kg"${rod}, $d = {bore} "mm"$|$m = {mass} "kg"${rod}, $d = {bore} "mm"$'),
+    "mass": words("$m = {mass}${rod}, $d = {bore}$|$m = {mass}${rod}, $d = {bore}$"),
     "rod": words(
         " mit dem Teil der Schubstange am Kreuzkopfzapfen| with the rod's share at the crosshead pin"
     ),
@@ -198,8 +199,8 @@ def _notes(question: PressuresRequest) -> Iterator[Label]:
         yield WORDS["driven"][lang]
     if pressed.heavy:
         rod = WORDS["rod"][lang] if known(pressed.crank.moving).rod is not None else ""
-        bore = figure(1000 * known(pressed.bore))
-        yield WORDS["mass"][lang].format(mass=figure(pressed.mass), rod=rod, bore=bore)
+        bore = amount(known(pressed.bore), "mm")
+        yield WORDS["mass"][lang].format(mass=amount(pressed.mass, "kg"), rod=rod, bore=bore)
         yield from moving_notes(pressed.crank, question.layout.ratio_symbol, lang)
 
 

@@ -11,6 +11,7 @@ from kurbel.exact.numerals import Label, exact_text
 from kurbel.motion.captions import turns_label
 from kurbel.page.quantity import words
 from kurbel.page.table import Note
+from kurbel.reading.amounts import amount
 
 WORDS = {
     "root": words("$v/v_1 = sqrt(1 + 2 W/(m_1 v_1^2))$"),
@@ -80,9 +81,9 @@ def _wheel(request: EngineRequest, wheel: Wheel, lang: str) -> Iterator[Label]:
     if wheel.number is not None:
         yield f"$(m_1 v_1^2)/(P r) = {exact_text(wheel.number)}$"
     if wheel.inertia is not None:
-        yield f'$J = {exact_text(wheel.inertia)} "kg m"^2$'
+        yield f"$J = {amount(wheel.inertia, 'kg m²', exact_text)}$"
     if wheel.speed is not None:
         yield f"{turns_label(wheel.speed)}, {WORDS['mean'][lang]}"
     if wheel.power is not None and wheel.inertia is not None:
-        yield f'$N = {exact_text(wheel.power)} "W"$'
+        yield f"$N = {amount(wheel.power, 'W', exact_text)}$"
     yield WORDS["constant_driven" if request.driven else wheel.resistance][lang]

@@ -1,0 +1,155 @@
+"""Amounts as pages print them: in metric units, or in those that were typed or asked for.
+
+Every factor is an exact rational number, so that a converted digit is as certain as another.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
+from fractions import Fraction
+from typing import NamedTuple
+
+from kurbel.errors import NotationError
+from kurbel.exact.numerals import Label, figure
+from kurbel.reading.notation import quoted
+
+INCH, FOOT, POUND = Fraction("0.0254"), Fraction("0.3048"), Fraction("0.45359237")
+POUND_FORCE = POUND * Fraction("9.80665")
+METRIC, IMPERIAL = "metric", "imperial"
+
+
+class Unit(NamedTuple):
+    """A unit: as pages and --units write it, its dimension, what it is in that of the SI, what keys of
+    columns in it end with, and what heads call it where that is another word."""
+
+    symbol: str
+    dimension: str
+    size: Fraction
+    ending: str
+    named: Mapping[str, str] | None = None
+
+
+def _units() -> Iterable[Unit]:
+    thousand, pound_foot = Fraction(1000), POUND_FORCE * FOOT
+    yield Unit("mm", "length", 1 / thousand, "mm")
+    yield Unit("cm", "length", Fraction(1, 100), "cm")
+    yield Unit("m", "length", Fraction(1), "m")
+    yield Unit("in", "length", INCH, "in", {"de": "Zoll", "en": "inches"})
+    yield Unit("ft", "length", FOOT, "ft")
+    yield Unit("m/s", "velocity", Fraction(1), "mps")
+    yield Unit("ft/s", "velocity", FOOT, "ftps")
+    yield Unit("in/s", "velocity", INCH, "inps")
+    yield Unit("m/s²", "acceleration", Fraction(1), "mps2")
+    yield Unit("ft/s²", "acceleration", FOOT, "ftps2")
+    yield Unit("in/s²", "acceleration", INCH, "inps2")
+    yield Unit("N", "force", Fraction(1), "n")
+    yield Unit("kN", "force", thousand, "kn")
+    yield Unit("lbf", "force", POUND_FORCE, "lbf")
+    yield Unit("N m", "torque", Fraction(1), "nm")
+    yield Unit("kN m", "torque", thousand, "knm")
+    yield Unit("lbf ft", "torque", pound_foot, "lbfft")
+    yield Unit("lbf in", "torque", POUND_FORCE * INCH, "lbfin")
+    yield Unit("J", "energy", Fraction(1), "j")
+    yield Unit("kJ", "energy", thousand, "kj")
+    yield Unit("ft lbf", "energy", pound_foot, "ftlbf")
+    yield Unit("W", "power", Fraction(1), "w")
+    yield Unit("kW", "power", thousand, "kw")
+    yield Unit("hp", "power", 550 * pound_foot, "hp")
+    yield Unit("kPa", "pressure", thousand, "kpa")
+    yield Unit("bar", "pressure", 100 * thousand, "bar")
+    yield Unit("MPa", "pressure", thousand**2, "mpa")
+    yield Unit("psi", "pressure", POUND_FORCE / INCH**2, "psi")
+    yield Unit("kg", "mass", Fraction(1), "kg")
+    yield Unit("t", "mass", thousand, "t")
+    yield Unit("lb", "mass", POUND, "lb")
+    yield Unit("kg m²", "moment of inertia", Fraction(1), "kgm2")
+    yield Unit("lb ft²", "moment of inertia", POUND * FOOT**2, "lbft2")
+    yield Unit("m³/min", "flow", Fraction(1, 60), "m3min")
+    yield Unit("ft³/min", "flow", FOOT**3 / 60, "ft3min")
+
+
+UNITS: Mapping[str, Unit] = {one.symbol: one for one in _units()}
+OF_SYSTEM = {
+    IMPERIAL: "in; ft/s; ft/s²; lbf; lbf ft; ft lbf; hp; psi; lb; lb ft²; ft³/min",
+    METRIC: "",
+}
+_SAME = str.maketrans({" ": "", "*": "", "·": "", "^": "", "2": "²", "3": "³"})
+_WRITTEN = {symbol.translate(_SAME): symbol for symbol in UNITS}
+
+
+class Units(NamedTuple):
+    """The unit of every dimension that has another one than the metric pages; `data` whether records have
+    them, too, whose keys then say so."""
+
+    chosen: Mapping[str, Unit]
+    data: bool = True
+
+    def of(self, symbol: Label) -> tuple[Unit, Unit] | None:
+        """Return a unit of metric pages and the one in its place, None where it stays."""
+        own = UNITS.get(symbol)
+        other = own and self.chosen.get(own.dimension)
+        return None if own is None or other is None or other == own else (own, other)
+
+    def times(self, symbol: Label) -> Fraction:
+        """Return how many of the unit in its place one of metric pages is."""
+        pair = self.of(symbol)
+        return pair[0].size / pair[1].size if pair else Fraction(1)
+
+    def key(self, key: str, unit: str) -> str:
+        """Return the key under which records in these units have a column, whose unit is this one now."""
+        other = UNITS.get(unit)
+        if other is None or self.chosen.get(other.dimension) != other:
+            return key
+        endings = "|".join(one.ending for one in UNITS.values() if one.dimension == other.dimension)
+        return f"{re.sub(f'_(?:{endings})$', '', key)}_{other.ending}"
+
+
+def read_units(text: str) -> Units:
+    """Return the units of a system, metric or imperial, or those of a list: in; ft/s; lbf."""
+    listed = OF_SYSTEM.get(text.strip().lower(), text)
+    chosen: dict[str, Unit] = {}
+    for name in filter(None, (part.strip() for part in re.split("[;,]", listed))):
+        unit = UNITS.get(_WRITTEN.get(name.translate(_SAME), ""))
+        if unit is None:
+            raise NotationError(
+                f"units {quoted(text)} has the unit {quoted(name)}; write metric, imperial or a list of"
+                f" {', '.join(UNITS)}"
+            )
+        if chosen.setdefault(unit.dimension, unit) != unit:
+            raise NotationError(
+                f"units {quoted(text)} has {chosen[unit.dimension].symbol} and {unit.symbol}, both of"
+                f" {unit.dimension}; leave one out"
+            )
+    return Units(chosen)
+
+
+# The units of the page that is being made.
+_OF_PAGE: ContextVar[Units | None] = ContextVar("units", default=None)
+
+
+@contextmanager
+def printed_in(units: Units) -> Iterator[None]:
+    """Have the amounts below and above a table in these units."""
+    token = _OF_PAGE.set(units)
+    try:
+        yield
+    finally:
+        _OF_PAGE.reset(token)
+
+
+def amount(value: Fraction, symbol: str, shown: Callable[[Fraction], str] = figure) -> Label:
+    """Return an amount of the SI as it stands in a formula, on metric pages in this unit."""
+    times, label = unit_of_page(symbol)
+    value /= UNITS[symbol].size
+    return f"{shown(value) if times == 1 else figure(times * value)} {label}"
+
+
+def unit_of_page(symbol: str) -> tuple[Fraction, Label]:
+    """Return how many units of the page a metric one is, and the label of that as it stands in a formula."""
+    units = _OF_PAGE.get()
+    pair = units and units.of(symbol)
+    name, square = re.fullmatch("(.*?)(²?)", pair[1].symbol if pair else symbol).groups()  # type: ignore[union-attr]
+    return units.times(symbol) if units else Fraction(1), f'"{name}"{"^2" if square else ""}'
