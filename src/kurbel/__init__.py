@@ -30,8 +30,9 @@ if TYPE_CHECKING:
     from kurbel.commands.cylinder.inertia import inertia_table
     from kurbel.commands.cylinder.power import power_table
     from kurbel.commands.cylinder.pressures import plot_pressures, pressures_table
-    from kurbel.commands.engine import delta_table, flywheel_table, turning_table
+    from kurbel.commands.engine import delta_table, turning_table
     from kurbel.commands.engine_plots import plot_engine_forces, plot_engine_polar, plot_turning
+    from kurbel.commands.flywheels.flywheel import flywheel_table
     from kurbel.commands.forces import forces_table
     from kurbel.commands.motion import dead_centres_table, table
     from kurbel.commands.numbers import certified, compute, typeset
@@ -87,7 +88,8 @@ _MODULES = {
     "kurbel.commands.cylinder.pressures": ("plot_pressures", "pressures_table"),
     "kurbel.commands.orders.firing": ("firing_table",),
     "kurbel.commands.orders.harmonics": ("harmonics_table",),
-    "kurbel.commands.engine": ("delta_table", "flywheel_table", "turning_table"),
+    "kurbel.commands.engine": ("delta_table", "turning_table"),
+    "kurbel.commands.flywheels.flywheel": ("flywheel_table",),
     "kurbel.commands.engine_plots": ("plot_engine_forces", "plot_engine_polar", "plot_turning"),
     "kurbel.commands.forces": ("forces_table",),
     "kurbel.commands.cylinder.inertia": ("inertia_table",),

@@ -510,7 +510,7 @@ def test_digits_go_for_every_column(decimals: int) -> None:
 
 
 def test_rounding_tells_what_becomes_of_a_tie() -> None:
-    words = ("flywheel", "--power", "2.5W", *TASK[2:], "--digits", "0")
+    words = ("flywheel", "--eps", "4", "--power", "2.5W", *TASK[2:], "--digits", "0")
     assert column("power", *words) == ["3"]
     assert column("power", *words, "--rounding", "half-even") == ["2"]
     delta = ("delta", "--eps", "2", "--rounding")
@@ -697,7 +697,7 @@ def test_flywheel_keeps_each_irregularity_that_was_asked_for() -> None:
     ],
 )
 def test_irregularity_is_read_as_ratio_decimal_or_percent(text: str, number: str, head: str) -> None:
-    words = ("flywheel", *TASK[:4], "--delta", text)
+    words = ("flywheel", "--eps", "4", *TASK[:4], "--delta", text)
     (record,) = csv(*words)
     assert record["target"] == number
     assert head in printed(*words, "--decimal", "point").out.split()
@@ -706,7 +706,7 @@ def test_irregularity_is_read_as_ratio_decimal_or_percent(text: str, number: str
 
 
 def test_a_list_of_irregularities_may_have_decimal_commas() -> None:
-    words = ("flywheel", *TASK[:4], "--delta", "0,02;1%;1:50;1/150")
+    words = ("flywheel", "--eps", "4", *TASK[:4], "--delta", "0,02;1%;1:50;1/150")
     assert column("target", *words) == ["0.02", "0.01", "0.006666666666667"]
 
 
@@ -721,7 +721,7 @@ def test_a_list_of_irregularities_may_have_decimal_commas() -> None:
 def test_given_values_are_printed_as_they_were_given(
     words: tuple[str, ...], power: str, speed: str, omega: str
 ) -> None:
-    (record,) = csv("flywheel", *words, "--delta", "1:100")
+    (record,) = csv("flywheel", *words, "--delta", "1:100", "--eps", "4")
     assert (record["power"], record["speed"], record["omega"]) == (power, speed, omega)
 
 
@@ -768,9 +768,10 @@ def test_flywheels_of_several_engines_are_told_apart() -> None:
 
 
 def test_every_quantity_of_an_engine_is_listed_with_its_command() -> None:
-    # The linkages have forces of the same keys, a flywheel's speed and each cylinder those of its task.
+    # The linkages have forces of the same keys, a flywheel's speed, each cylinder and flywheels
+    # without an engine those of their tasks.
     listed = printed("quantities").out.splitlines()
-    others = ("--mechanism", "--flywheel", "--layout cylinders")
+    others = ("--mechanism", "--flywheel", "--layout cylinders", "--layout flywheel-sizing")
     lines = [line.split() for line in listed if not any(other in line for other in others)]
     commands = {words[0]: next(word for word in words[1:] if word in COMMANDS) for words in lines}
     scopes = {"angle": "turning", "crank": "forces", "flywheel": "flywheel"}
@@ -798,8 +799,8 @@ def test_the_environment_sets_defaults_and_options_override_them() -> None:
     assert methods == printed("delta", "--method", "exact", "--method", "series").out
     # What is set for one command is nothing to another.
     assert printed("turning", KURBEL_DELTA_EPS="3").out == printed("turning").out
-    power = printed("flywheel", *TASK[2:], KURBEL_FLYWHEEL_POWER="50kW").out
-    assert power == printed("flywheel", *TASK).out
+    power = printed("flywheel", "--eps", "4", *TASK[2:], KURBEL_FLYWHEEL_POWER="50kW").out
+    assert power == printed("flywheel", "--eps", "4", *TASK).out
 
 
 def test_what_the_environment_says_of_the_steam_gives_way_to_what_is_typed() -> None:

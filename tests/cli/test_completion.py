@@ -94,7 +94,7 @@ def test_a_command_completes_the_layouts_of_its_subject_only() -> None:
         "irregularity", "strokes", "evenness", "compressor", "pump", "gas cycle", "cylinders"
     )
     assert completed("bash", "turning", "--layout", "") == ["speed", "turning", "turning-path"]
-    assert completed("bash", "flywheel", "--layout", "") == ["flywheel"]
+    assert completed("bash", "flywheel", "--layout", "") == ["flywheel", "flywheel-sizing"]
     assert completed("bash", "deadcentres", "--layout", "") == BEAMS
     assert completed("bash", "harmonics", "--layout", "h") == ["harmonics"]
     assert completed("bash", "balance", "--layout", "") == ["balance"]

@@ -7,6 +7,7 @@ from fractions import Fraction
 import pytest
 from mpmath import mp, mpf
 
+from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Number, number_text
 from kurbel.exact.product import Product
 
@@ -54,3 +55,17 @@ def test_without_decimals_a_number_has_five_figures_and_a_short_one_its_own() ->
     assert number_text(Product.of(F(5, 2), 2).number(None, "half-away")) == "24.674"
     assert number_text(Product.of(20000).number(None, "half-away")) == "20000"
     assert number_text(Product.of(F(1, 3)).number(None, "half-away")) == "0.33333"
+
+
+def test_an_algebraic_number_is_rational_where_that_is_proved() -> None:
+    def of(kind: Kind) -> object:
+        # √2 √8 + 1/3 = 13/3, by no rule of products.
+        return kind.of(F(2)) ** kind.exponent(F(1, 2)) * kind.of(F(8)) ** kind.exponent(F(1, 2)) + kind.of(
+            F(1, 3)
+        )
+
+    assert Product.algebraic(of).rational == F(13, 3)
+    near = Product.algebraic(lambda kind: kind.of(F(13, 3) + F(1, 10**40)))
+    assert near.rational is None
+    with mp.workdps(60):
+        digits(near, 45, mpf(13) / 3 + mpf(10) ** -40)

@@ -39,6 +39,17 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "machine": ("forces", "--eps=4", *MACHINE, "--reciprocating=300kg", *ROD, "--rotating=-40kg"),
     "rod load": ("forces", "--eps=4"),
     "flywheel": ("flywheel", "--power=50kW", "--speed=120/min", "--delta=1:50;1:100", "--radius=1.5m"),
+    "flywheel sizing": (
+        "flywheel",
+        "--swing=56kJ",
+        "--speed=120/min",
+        "--delta=1:60;1:80",
+        "--rim-diameter=3m",
+        "--density=7200kg/m³",
+        "--rim-section=2:1",
+        "--rim-share=92%",
+        "--radius=1.5m",
+    ),
     **dict.fromkeys(
         ("pressures", "pressures over the angle"), ("pressures", "--eps=4", *MACHINE, "--reciprocating=300kg")
     ),
@@ -136,6 +147,10 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
     "flywheel": (
         kurbel.flywheel_table, {"power": 50_000, "speed": 2, "delta": "1:50;1:100", "radius": "1.5m"}
     ),
+    "flywheel sizing": (kurbel.flywheel_table, {
+        "swing": 56_000, "speed": 2, "delta": "1:60;1:80", "rim_diameter": 3, "density": 7200,
+        "rim_section": "2:1", "rim_share": "92%", "radius": 1.5,
+    }),
     **dict.fromkeys(("pressures", "pressures over the angle"), (kurbel.pressures_table, {
         "eps": 4, "stroke": 0.6, "speed": 2, "bore": 0.3, "pressure": 800_000, "reciprocating": 300,
     })),

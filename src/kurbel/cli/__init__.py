@@ -36,7 +36,10 @@ COMMANDS = {
         "kurbel.commands.cylinder.power:power_table",
         "Print the mean pressure, the power, or the sizes for a power.",
     ),
-    "flywheel": ("kurbel.commands.engine:flywheel_table", "Print the flywheel that keeps an engine even."),
+    "flywheel": (
+        "kurbel.commands.flywheels.flywheel:flywheel_table",
+        "Print the flywheel that keeps an engine even, or that of a problem.",
+    ),
     "deadcentres": (
         "kurbel.commands.motion:dead_centres_table",
         "Print the dead centres of a beam engine or a crank drive.",

@@ -10,13 +10,12 @@ from kurbel.commands.engine_pages.layouts import has_wheel, layout_of_delta, lay
 from kurbel.commands.machines import (
     EXAMPLE,
     engine_of,
-    for_masses,
     is_heavy,
     weightless,
     whole_cycle,
 )
 from kurbel.commands.motion import STEP, meant, of_other_mechanisms
-from kurbel.commands.options import FLAG, Choice, Option, is_given
+from kurbel.commands.options import FLAG, Choice, Option
 from kurbel.commands.subject import makes_table
 from kurbel.errors import ProblemError
 from kurbel.page.layouts import Layout, layout_of
@@ -26,11 +25,7 @@ from kurbel.reading.given import (
     Exact,
     as_angle,
     as_angles,
-    as_irregularities,
-    as_length,
     as_names,
-    as_power,
-    as_speed,
 )
 
 if TYPE_CHECKING:
@@ -245,56 +240,3 @@ def _wheel(page: Layout, given: Mapping[str, Any]) -> "Wheel | None":
     from kurbel.drive.wheel import given_wheel
 
     return given_wheel(given, is_heavy(given))
-
-
-def _power_of_steam(values: Mapping[str, Any]) -> Mapping[str, str]:
-    light = weightless(values)
-    if is_heavy(values):
-        return {"power": WITH_MASSES, **light}
-    if is_given(values["cylinder"]):
-        return {"power": "the power of unlike cylinders follows from their sizes; leave --power out"}
-    return {**for_masses(*ONLY_MASSES)(values), **light}
-
-
-@makes_table(foreign=_foreign, needless=_power_of_steam, order=ORDER)
-def flywheel_table(
-    eps: option.Eps = None,
-    *,
-    power: Annotated[
-        Exact | None,
-        Option("Power of the engine: 50kW, 68PS; with masses it follows from the steam.", "POWER", unit="W"),
-    ] = None,
-    speed: option.NeededSpeed,
-    delta: Annotated[
-        option.Given,
-        Option("Degree of irregularity to keep: 1:100, 0.01; lists 1:50;1:100.", "δ", many=True),
-    ],
-    radius: Annotated[
-        Exact | None,
-        Option("Radius at which the mass of the rim is wanted: 1.5m.", "LENGTH", unit="m"),
-    ] = None,
-    columns: Annotated[option.Names, option.columns_option("flywheel", "target,swing,inertia")] = (),
-    layouts: option.Layouts = None,
-    layout: Annotated[str, option.layout_option("flywheel")] = "flywheel",
-    **given: Unpack[option.Engine],
-) -> Question:
-    """Print the flywheel that keeps an engine or a driven machine even: energy swing, moment of inertia,
-    mass.
-
-    \b
-    kurbel flywheel --power 50kW --speed 120/min --delta 1:100 --eps 4 --ratio 1:5
-    kurbel flywheel --power 50kW --speed 120/min --delta '1:50;1:100' --eps 4 --radius 1.5m
-    """
-    from kurbel.drive.flywheel import Flywheel
-
-    heavy = is_heavy(given) or is_given(given["cylinder"])
-    if power is None and not heavy:
-        raise ProblemError("a flywheel needs the power of the engine; add --power, for example --power 50kW")
-    # With masses it follows from the steam, against which they are weighed.
-    watts = None if power is None or heavy else as_power(power)
-    turns, size = as_speed(speed), None if radius is None else as_length(radius, "radius")
-    page = layout_of(layout, ("flywheel",), layouts)
-    targets = as_irregularities(delta)
-    wheels = tuple(Flywheel(watts, turns, each, size) for each in targets)
-    about = {**given, "eps": eps, "speed": speed}
-    return engine_of(page, about, flywheels=wheels, columns=as_names(columns, EXAMPLE))

@@ -27,13 +27,18 @@ class Flywheel:
         if self.power is not None:
             _check("the power", self.power, "W")
         _check("the speed", self.speed.value, "1/s")
-        if not LEAST <= self.irregularity < 2:
-            raise ProblemError(
-                f"degree of irregularity δ is {about(self.irregularity)}; it must be at least 10^-9 and below"
-                " 2, at which the flywheel would come to rest in every turn"
-            )
+        check_irregularity(self.irregularity)
         if self.radius is not None:
             _check("the radius of the flywheel", self.radius, "m")
+
+
+def check_irregularity(irregularity: Fraction) -> None:
+    """Raise ProblemError for a degree of irregularity that no flywheel can keep."""
+    if not LEAST <= irregularity < 2:
+        raise ProblemError(
+            f"degree of irregularity δ is {about(irregularity)}; it must be at least 10^-9 and below"
+            " 2, at which the flywheel would come to rest in every turn"
+        )
 
 
 def _check(what: str, value: Fraction, unit: str) -> None:

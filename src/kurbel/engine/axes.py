@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.drive.load import CARD, COMPRESSOR, GAS, PUMP, STEAM
 from kurbel.engine.quantities import SPANS
-from kurbel.exact.numerals import Label, Number, exact_text, finite_decimals, nearest
-from kurbel.page.axes import Axis, ListAxis, Place, angle_decimals, angle_number
+from kurbel.exact.numerals import Label, Number, exact_text, nearest
+from kurbel.page.axes import Axis, ListAxis, Place, angle_decimals, angle_number, irregularity_label
 from kurbel.page.quantity import Words, words
 from kurbel.page.table import Field
 from kurbel.reading.amounts import amount
-from kurbel.reading.notation import plain, ratio_text
+from kurbel.reading.notation import plain
 
 if TYPE_CHECKING:
     from kurbel.engine.engine import Load
@@ -125,12 +125,6 @@ def target_axis(request: EngineRequest) -> ListAxis:
         lambda target: angle_number(target, None),
         irregularity_label,
     )
-
-
-def irregularity_label(irregularity: Fraction) -> Label:
-    """Return δ as it is written: 1:100, 1:62.5, or 0.015 where the ratio has no end."""
-    short = finite_decimals(1 / irregularity) is not None
-    return f"${ratio_text(irregularity) if short else plain(irregularity)}$"
 
 
 def load_text(load: Any, lang: str) -> Label:

@@ -16,7 +16,8 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
-from kurbel.exact.kind import Kind, balls, settled
+from kurbel.exact.certify import vanishes
+from kurbel.exact.kind import Kind, balls, bounds, settled
 from kurbel.exact.numerals import Number, figures, given
 
 if TYPE_CHECKING:
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
 
 _NEAR_BITS = 80
 _SURE_BITS = 1000
+_SHORT = 10**6
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -53,6 +55,19 @@ class Product:
     def about(cls, value: Callable[[Kind], Any], algebraic: bool = False) -> Product:
         """Return a number above 0 that is known by its balls."""
         return cls(Fraction(1), enclosed=((Enclosed(value, algebraic), Fraction(1)),))
+
+    @classmethod
+    def algebraic(cls, value: Callable[[Kind], Any]) -> Product:
+        """Return an algebraic number above 0: a rational one where it is proved to be short and rational."""
+        with flint.ctx.workprec(_NEAR_BITS):
+            near = value(balls())
+            short = Fraction(float(near.mid())).limit_denominator(_SHORT)
+            plausible = (near - balls().of(short)).contains(0)
+        if plausible:
+            bits = (value(bounds()) - bounds().of(short)).bits()
+            if vanishes(lambda: value(balls()) - balls().of(short), bits):
+                return cls.of(short)
+        return cls.about(value, algebraic=True)
 
     def __mul__(self, other: Product) -> Product:
         root = lcm(self.root, other.root)

@@ -240,6 +240,12 @@ def angle_text(angle: Fraction) -> str:
     return degrees_text(angle) if finite_decimals(angle) is None else f"{plain(angle)}°"
 
 
+def irregularity_label(irregularity: Fraction) -> Label:
+    """Return δ as it is written: 1:100, 1:62.5, or 0.015 where the ratio has no end."""
+    short = finite_decimals(1 / irregularity) is not None
+    return f"${ratio_text(irregularity) if short else plain(irregularity)}$"
+
+
 def _angle_label(angle: Fraction) -> Label:
     return f"${plain(angle) if finite_decimals(angle) is not None else degrees_text(angle)}$"
 

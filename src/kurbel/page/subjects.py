@@ -14,6 +14,7 @@ _PRESSED = _MACHINE.replace("forces", "pressures")
 _LISTED = "delta --eps 4 --cranks 0;90"
 _EXCITED = "harmonics --quantity torque --eps 4 --bore 300mm --pressure 8bar --stroke 600mm --speed 120/min"
 _ROTOR = "--masses 3;4kg --radii 1m --angles 0;90 --planes 0;1m"
+_EVEN = "--power 50kW --speed 120/min --delta 1:100"
 # What pages can be about, by its name.
 SUBJECTS: Mapping[str, Pages] = {
     "motion": Pages("kurbel.motion.page:MOTION", "table"),
@@ -31,7 +32,10 @@ SUBJECTS: Mapping[str, Pages] = {
     "crank forces": Pages("kurbel.engine.page:CRANK_FORCES", "forces --eps 4"),
     "machine": Pages("kurbel.engine.page:MACHINE", _MACHINE),
     "rod load": Pages("kurbel.engine.rodload.page:SUBJECT", "forces --eps 4"),
-    "flywheel": Pages("kurbel.engine.page:FLYWHEEL", "flywheel --power 50kW --speed 120/min --delta 1:100"),
+    "flywheel": Pages("kurbel.engine.page:FLYWHEEL", f"flywheel --eps 4 {_EVEN}"),
+    "flywheel sizing": Pages(
+        "kurbel.diagram.wheel.page:SUBJECT", "flywheel --swing 5kJ --speed 300/min --delta 1:50"
+    ),
     "pressures": Pages("kurbel.engine.pressures.page:PRESSURES", _PRESSED),
     "pressures over the angle": Pages("kurbel.engine.pressures.page:PRESSURES_OVER_ANGLE", _PRESSED),
     "dead centres": Pages("kurbel.linkage.beam.page:SUBJECT", "deadcentres"),

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 # A float is read by its shortest decimal, so that 0.2 is 1/5; text as on the command line.
 Exact: TypeAlias = str | int | float | Fraction | Decimal
 P = ParamSpec("P")
+_EITHER_WAY = re.compile(r"\s*(?:±|\+/?[-−])\s*(?=[\d.,])")
 
 
 class File(os.PathLike[str]):
@@ -106,7 +107,7 @@ def _each(given: Exact | Iterable[Exact], one: Callable[[Exact], Fraction]) -> t
 
 
 def as_irregularities(given: Exact | Iterable[Exact]) -> Sequence[Fraction]:
-    """Read degrees of irregularity: "1:100", "0.01;1/150", "1%"."""
+    """Read degrees of irregularity: "1:100", "0.01;1/150", "1%"; "±1%" of the mean is one of 2%."""
     return read_values(given, _irregularities, as_ratio)
 
 
@@ -119,6 +120,9 @@ def _irregularities(texts: Iterable[str]) -> Sequence[Fraction]:
 
 
 def _irregularity(text: str) -> Fraction:
+    either_way = _EITHER_WAY.match(text)
+    if either_way:
+        return 2 * _irregularity(text[either_way.end() :])
     try:
         return notation.share(text) if text.strip().endswith("%") else notation.ratio(text)
     except NotationError:
@@ -189,6 +193,9 @@ as_angular_acceleration = _measured("angular_acceleration")
 as_velocity = _measured("velocity")
 as_specific_volume = _measured("specific_volume")
 as_density = _measured("density")
+as_energy = _measured("energy")
+as_stress = _measured("stress")
+as_area = _measured("area")
 
 
 def as_share_or_pressure(value: Exact, what: str, whole: Exact | None) -> Fraction:

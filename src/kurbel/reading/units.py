@@ -34,13 +34,17 @@ PINT_ERRORS = (AttributeError, ValueError, TypeError, AssertionError)
 _LARGEST = 10**9
 # Squares; Umdrehungen and Pferdestärken, as German data sheets write them: pint's U is the unit of enzymes,
 # and its PS are petasiemens.
+_SQUARED, _CUBED = ("²", "^2", "**2", "2"), ("³", "^3", "**3", "3")
+_METRES = ("mm", "cm", "dm", "m", "in", "ft")
 _TRANSLATED = {
     "s²": "s/s", "s^2": "s/s", "s**2": "s/s", "s2": "s/s",
-    **{f"kg{by}m{two}": "kg*m*m" for by in ("", " ", "*", "·") for two in ("²", "^2", "**2", "2")},
+    **{f"kg{by}m{two}": "kg*m*m" for by in ("", " ", "*", "·") for two in _SQUARED},
     "Nm": "N*m", "N m": "N*m", "lbf ft": "lbf*ft", "ft lbf": "ft*lbf", "lbf in": "lbf*in",
-    **{f"lb{by}ft{two}": "lb*ft*ft" for by in ("", " ", "*", "·") for two in ("²", "^2", "**2", "2")},
-    **{f"m{three}/kg": "m*m*m/kg" for three in ("³", "^3", "**3", "3")},
-    **{f"kg/m{three}": "kg/m/m/m" for three in ("³", "^3", "**3", "3")},
+    **{f"lb{by}ft{two}": "lb*ft*ft" for by in ("", " ", "*", "·") for two in _SQUARED},
+    **{f"m{three}/kg": "m*m*m/kg" for three in _CUBED},
+    **{f"/{unit}{three}": f"/{unit}/{unit}/{unit}" for unit in _METRES for three in _CUBED},
+    **{f"/{unit}{two}": f"/{unit}/{unit}" for unit in _METRES for two in _SQUARED},
+    **{f"{unit}{two}": f"{unit}*{unit}" for unit in _METRES for two in _SQUARED[:2]},
     "U/min": "rpm", "Upm": "rpm", "U/s": "turn/s", "min⁻¹": "/min", "PS": "metric_horsepower",
 }  # fmt: skip
 
@@ -65,11 +69,17 @@ KNOWN: Mapping[str, Mapping[str, Fraction]] = {
         "lbf*ft": _FOOT_POUND, "ft*lbf": _FOOT_POUND, "lbf*in": _INCH_POUND,
     },
     "[length]**3/[mass]": _scaled({"m*m*m/kg": 1}),
-    "[mass]/[length]**3": _scaled({"kg/m/m/m": 1}),
     "[time]": _scaled({"s": 1, "ms": "1/1000", "min": 60}),
     "[pressure]": {
         **_scaled({"Pa": 1, "kPa": 1000, "MPa": 10**6, "bar": 10**5, "mbar": 100}),
-        "psi": POUND_FORCE / INCH**2,
+        **_scaled({"N/mm/mm": 10**6, "N/cm/cm": 10**4, "N/m/m": 1}), "psi": POUND_FORCE / INCH**2,
+    },
+    "[mass]/[length]**3": {
+        **_scaled({"kg/m/m/m": 1, "t/m/m/m": 1000, "g/cm/cm/cm": 1000, "kg/dm/dm/dm": 1000}),
+        "lb/in/in/in": POUND / INCH**3, "lb/ft/ft/ft": POUND / FOOT**3,
+    },
+    "[length]**2": {
+        **_scaled({"m*m": 1, "cm*cm": "1/10000", "mm*mm": "1/1000000"}), "in*in": INCH**2,
     },
 }  # fmt: skip
 # Turns a second, of which radians are none.
@@ -138,6 +148,10 @@ specific_volume = Measure("a specific volume such as 0.24 m³/kg", "[length]**3/
 density = Measure("a density such as 4.2 kg/m³", "[mass]/[length]**3", "kg/m**3", _LARGEST)
 # "1.013bar"; below 0 where it counts from the atmosphere
 pressure = Measure("a pressure such as 1bar", "[pressure]", "Pa")
+# "6MPa", "6 N/mm²"
+stress = Measure("a stress such as 6MPa", "[pressure]", "Pa", 10**12)
+# "800cm²"
+area = Measure("an area such as 800cm²", "[length]**2", "m**2", _LARGEST)
 
 
 def speed(text: str) -> Speed:

@@ -1,0 +1,1 @@
+"""The flywheel of an engine, and that of a problem without one."""

@@ -1,0 +1,146 @@
+"""What options say of a flywheel, as the figures of relations.py; each in units of the SI."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Mapping
+from fractions import Fraction
+from functools import partial
+from typing import Any
+
+from kurbel.diagram.wheel.sizing import Known
+from kurbel.errors import NotationError, ProblemError
+from kurbel.exact.numerals import about
+from kurbel.exact.product import Product
+from kurbel.reading.given import (
+    as_area,
+    as_density,
+    as_energy,
+    as_inertia,
+    as_length,
+    as_mass,
+    as_number,
+    as_power,
+    as_ratio,
+    as_share,
+    as_speed,
+    as_stress,
+    as_velocity,
+)
+from kurbel.reading.units import is_measure, split
+
+# By the option the figure that it gives, what errors call it, its unit in the SI, and how it is read.
+_PLAIN: Mapping[str, tuple[str, str, str, Callable[..., Fraction]]] = {
+    "swing": ("swing", "energy swing", "J", as_energy),
+    "energy_fluctuation": ("energy_fluctuation", "coefficient of fluctuation of energy", "", as_share),
+    "work": ("work", "work of a cycle", "J", as_energy),
+    "turns": ("turns", "number of turns of a cycle", "", as_number),
+    "power": ("power", "power", "W", as_power),
+    "inertia": ("inertia", "moment of inertia", "kg m²", as_inertia),
+    "mass": ("mass", "mass", "kg", as_mass),
+    "radius": ("radius", "radius", "m", as_length),
+    "rim_diameter": ("rim_diameter", "mean diameter of the rim", "m", as_length),
+    "rim_speed": ("rim_speed", "speed of the rim", "m/s", as_velocity),
+    "rim_breadth": ("breadth", "breadth of the rim", "m", as_length),
+    "rim_thickness": ("thickness", "thickness of the rim", "m", as_length),
+    "density": ("density", "density", "kg/m³", as_density),
+    "hoop_stress": ("hoop_stress", "hoop stress", "Pa", as_stress),
+    "rim_share": ("rim_share", "share of the rim", "", as_share),
+    "disc_diameter": ("disc_diameter", "diameter of the disc", "m", as_length),
+    "disc_thickness": ("disc_thickness", "thickness of the disc", "m", as_length),
+}
+_SPEEDS = {"speed": "omega", "greatest_speed": "omega_max", "least_speed": "omega_min"}
+_RANGE = re.compile(r"(.+?)\.\.(.+)")
+
+
+def figures_of(given: Mapping[str, Any]) -> Iterator[tuple[str, Known]]:
+    """Yield the figures that options give, but for δ and what a diagram gives. Raises KurbelError."""
+    for figure, value, option in _all(given):
+        yield figure, Known(value, (f"--{option.replace('_', '-')}",))
+
+
+def _all(given: Mapping[str, Any]) -> Iterator[tuple[str, Product, str]]:
+    for option, (figure, name, unit, read) in _PLAIN.items():
+        if given[option] is not None:
+            yield figure, _above_zero(read(given[option], name), name, unit), option
+    for option, figure, value in _speeds(given):
+        yield figure, value, option
+    if given["strokes"] is not None:
+        yield "cycles", _strokes(given["strokes"]), "strokes"
+    if given["share"] is not None:
+        yield "energy_fluctuation", Product.of(1 - share_of(given)), "share"
+    for figure, value in _section(given["rim_section"]):
+        yield figure, value, "rim_section"
+
+
+def share_of(given: Mapping[str, Any]) -> Fraction:
+    """Return the share of a cycle in which a press works."""
+    share = as_share(given["share"], "share of the cycle")
+    if not 0 <= share < 1:
+        raise ProblemError(
+            f"the share of the cycle in which the press works is {about(share)}; it must be 0 or more, for a"
+            " blow, and below 1, at which the motor does all the work at once"
+        )
+    return share
+
+
+def _above_zero(value: Fraction, name: str, unit: str) -> Product:
+    if value <= 0:
+        raise ProblemError(f"the {name} is {f'{about(value)} {unit}'.strip()}; it must be above 0")
+    return Product.of(value)
+
+
+def _speeds(given: Mapping[str, Any]) -> Iterator[tuple[str, str, Product]]:
+    speed = given["speed"]
+    ends = _RANGE.fullmatch(speed) if isinstance(speed, str) else None
+    if ends is None:
+        both: Mapping[str, Any] = {}
+    else:
+        low, high = (end.strip() for end in ends.groups())
+        # The unit stands behind both, or behind the second alone.
+        unit = split(high)[1] if is_measure(high) and not is_measure(low) else ""
+        both = {"least_speed": f"{low}{unit}", "greatest_speed": high}
+    for option, figure in _SPEEDS.items():
+        if given[option] is not None and not (both and option == "speed"):
+            yield option, figure, omega_of(given[option])
+    for option, value in both.items():
+        yield "speed", _SPEEDS[option], omega_of(value)
+
+
+def omega_of(speed: Any) -> Product:
+    """Return ω in 1/s of a speed of rotation."""
+    turns = as_speed(speed)
+    return Product.of(2 * turns.value, 1) if turns.turns else Product.of(turns.value)
+
+
+def _strokes(given: Any) -> Product:
+    turns = as_speed(given)
+    if not turns.turns:
+        raise NotationError(f"the strokes are {given}; they count a minute or a second, as 30/min")
+    return Product.of(turns.value)
+
+
+def _section(given: Any) -> Iterator[tuple[str, Product]]:
+    """Yield what the section of a rim gives: breadth and thickness, its area, or the ratio of both."""
+    if given is None:
+        return
+    sides = re.split(r"\s*[x×]\s*", given) if isinstance(given, str) else []
+    positive = partial(_above_zero, unit="m")
+    if len(sides) == 2:
+        for figure, side in zip(("breadth", "thickness"), sides, strict=True):
+            yield figure, positive(as_length(side, f"{figure} of the rim"), f"{figure} of the rim")
+    elif (isinstance(given, str) and given.rstrip()[-1:].isalpha()) or "²" in str(given):
+        yield "section", _above_zero(as_area(given, "section of the rim"), "section of the rim", "m²")
+    else:
+        name = "ratio of breadth to thickness of the rim"
+        yield "proportion", _above_zero(_ratio(given), name, "")
+
+
+def _ratio(given: Any) -> Fraction:
+    try:
+        return as_ratio(given)
+    except NotationError:
+        raise NotationError(
+            f'section of the rim "{str(given)[:40]}" cannot be read; write breadth to thickness, 2:1, both,'
+            " 400mm x 200mm, or 800cm²"
+        ) from None

@@ -1,0 +1,79 @@
+"""Flywheels without an engine, by what options say of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from kurbel.commands.diagram.given import fluctuation_of, is_diagram
+from kurbel.commands.flywheels.figures import figures_of, share_of
+from kurbel.commands.options import is_given
+from kurbel.diagram.areas import Areas
+from kurbel.diagram.fluctuation import Fluctuation
+from kurbel.diagram.wheel import captions
+from kurbel.diagram.wheel.page import WheelRequest
+from kurbel.diagram.wheel.sizing import Known, gathered, sized
+from kurbel.drive.flywheel import check_irregularity
+from kurbel.errors import ProblemError
+from kurbel.exact.kind import floats
+from kurbel.exact.product import Product
+from kurbel.page.layouts import Layout
+from kurbel.reading.given import as_irregularities
+
+
+def wheels_of(given: Mapping[str, Any], page: Layout, sheet: Mapping[str, Any]) -> WheelRequest:
+    """Return what is asked for, one flywheel for each irregularity to keep. Raises KurbelError."""
+    if given["area_scale"] is not None and not is_given(given["areas"]):
+        raise ProblemError("--area-scale is for --areas; add these, or leave it out")
+    diagram = fluctuation_of(given) if is_diagram(given) else None
+    # The turns of a diagram are those of its cycle, which a load may make longer.
+    described = {**given, "turns": None} if diagram else given
+    figures = gathered((*figures_of(described), *(_of_diagram(diagram) if diagram else ())))
+    limit = figures.pop("hoop_stress", None)
+    targets = as_irregularities(given["delta"]) if is_given(given["delta"]) else ()
+    for target in targets:
+        check_irregularity(target)
+    wheels = [
+        sized({**figures, "delta": Known(Product.of(target), ("--delta",))}, limit) for target in targets
+    ] or [sized(figures, limit)]
+    return WheelRequest(
+        layout=page,
+        wheels=tuple(wheels),
+        targets=tuple(targets),
+        known_from=_source(given),
+        fluctuation=diagram,
+        share=None if given["share"] is None else share_of(given),
+        columns=given["columns"],
+        **sheet,
+    )
+
+
+def _of_diagram(diagram: Fluctuation) -> Iterator[tuple[str, Known]]:
+    """Yield the figures that a diagram gives."""
+    options = ("--areas",) if isinstance(diagram, Areas) else ("the torque",)
+    yield "swing", Known(_swing(diagram), options)
+    if diagram.turns is not None:
+        yield "turns", Known(Product.of(diagram.turns), options)
+    mean = diagram.mean_torque(floats())
+    # That of a shaft which is driven back has no power of its own to print.
+    if mean is not None and mean > 0:
+        yield "mean_torque", Known(Product.algebraic(diagram.mean_torque), options)
+
+
+def _swing(diagram: Fluctuation) -> Product:
+    if isinstance(diagram, Areas):
+        scale = diagram.scale
+        return Product.of((max(diagram.levels) - min(diagram.levels)) * scale.energy, int(scale.of_pi))
+    return Product.algebraic(diagram.swing) if diagram.algebraic else Product.about(diagram.swing)
+
+
+def _source(given: Mapping[str, Any]) -> str:
+    """Return what the swing is known from, for the caption."""
+    sources = {
+        captions.AREAS: given["areas"],
+        captions.TORQUE: is_diagram(given),
+        captions.SWING: given["swing"],
+        captions.PRESS: given["share"],
+        captions.FLUCTUATION: given["energy_fluctuation"],
+    }
+    return next((source for source, value in sources.items() if is_given(value)), "")

@@ -1,0 +1,143 @@
+"""What holds between the figures of a flywheel: products of powers, and the greatest and the least speed.
+
+All in SI units: energies in J, angular velocities ω in 1/s; a cycle has so many `turns`, a second so many
+`cycles`. Rims are thin: their mass lies at the mean diameter. Discs are solid and of one thickness.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from typing import NamedTuple, TypeAlias
+
+from kurbel.errors import ProblemError
+from kurbel.exact.numerals import number_text
+from kurbel.exact.product import Product
+
+Values: TypeAlias = Mapping[str, Product]
+_ONE, _TWO, _HALF = Product.of(1), Product.of(2), Product.of(Fraction(1, 2))
+_SQUARE, _ROOT = Fraction(2), Fraction(1, 2)
+
+
+class Rule(NamedTuple):
+    """How one of the figures follows from others."""
+
+    of: str
+    needs: tuple[str, ...]
+    value: Callable[[Values], Product]
+
+
+def _law(constant: Product, **powers: int) -> Iterator[Rule]:
+    """Yield how each figure follows from the others where the product of these powers is the constant."""
+    for of, own in powers.items():
+        others = {name: power for name, power in powers.items() if name != of}
+        yield Rule(of, (*others,), _solved(constant, Fraction(own), others))
+
+
+def _solved(constant: Product, own: Fraction, others: Mapping[str, int]) -> Callable[[Values], Product]:
+    def value(values: Values) -> Product:
+        product = constant
+        for name, power in others.items():
+            product = product / values[name] ** Fraction(power)
+        return product ** (1 / own)
+
+    return value
+
+
+_LAWS: Sequence[Iterator[Rule]] = (
+    _law(_ONE, swing=1, inertia=-1, omega=-2, delta=-1),
+    _law(_ONE, inertia=1, mass=-1, radius=-2),
+    _law(_ONE, swing=1, energy_fluctuation=-1, work=-1),
+    _law(_ONE, power=1, work=-1, cycles=-1),
+    _law(Product.of(2, 1), omega=1, cycles=-1, turns=-1),
+    _law(_ONE, power=1, mean_torque=-1, omega=-1),
+    _law(Product.of(2, 1), work=1, mean_torque=-1, turns=-1),
+    _law(_HALF, stored=1, inertia=-1, omega=-2),
+    # The rim: v = ½ ω D, σ = ρ v², m = ρ A π D, A = b t, J = m (D/2)².
+    _law(_HALF, rim_speed=1, omega=-1, rim_diameter=-1),
+    _law(_ONE, hoop_stress=1, density=-1, rim_speed=-2),
+    _law(Product.of(1, 1), rim_mass=1, density=-1, section=-1, rim_diameter=-1),
+    _law(_ONE, section=1, breadth=-1, thickness=-1),
+    _law(_ONE, breadth=1, thickness=-1, proportion=-1),
+    _law(_ONE, section=1, proportion=-1, thickness=-2),
+    _law(Product.of(Fraction(1, 4)), rim_inertia=1, rim_mass=-1, rim_diameter=-2),
+    _law(_ONE, rim_inertia=1, inertia=-1, rim_share=-1),
+)
+# J = ½ m (D/2)², m = ρ π/4 D² t.
+_OF_DISC: Sequence[Iterator[Rule]] = (
+    _law(Product.of(Fraction(1, 8)), inertia=1, mass=-1, disc_diameter=-2),
+    _law(Product.of(Fraction(1, 4), 1), mass=1, density=-1, disc_diameter=-2, disc_thickness=-1),
+)
+# ΔW = J ω² δ holds exactly with ω = ½ (ω_max + ω_min) and δ = (ω_max - ω_min)/ω.
+_NAMES = {"omega_max": "greatest", "omega": "mean", "omega_min": "least"}
+
+
+def _above_rest(delta: Product) -> Product:
+    """Return 1 - δ/2. Raises ProblemError where it is not above 0."""
+    why = "it must be below 2, at which the flywheel would come to rest in every turn"
+    return _less(_ONE, delta * _HALF, f"degree of irregularity δ is {figures_of(delta)}; {why}")
+
+
+def _mean(values: Values) -> Product:
+    return values["omega_max"].plus(values["omega_min"]) * _HALF
+
+
+def _between(values: Values, high: str, low: str) -> Product:
+    """Return the difference of two speeds. Raises ProblemError where it is not above 0."""
+    one, other = (f"{figures_of(turns_a_minute(values[name]))}/min" for name in (high, low))
+    said = f"the {_NAMES[high]} speed is {one} and the {_NAMES[low]} {other}"
+    return _less(values[high], values[low], f"{said}; the {_NAMES[high]} must be above the {_NAMES[low]}")
+
+
+def _fallen(values: Values) -> Product:
+    """Return ω_min, at which the flywheel has given up the swing. Raises ProblemError where it rests."""
+    inertia, swing = values["inertia"], values["swing"]
+    energy = inertia * values["omega_max"] ** _SQUARE * _HALF
+    said = f"the flywheel has {figures_of(energy)} J at its greatest speed and is to give up"
+    left = _less(energy, swing, f"{said} {figures_of(swing)} J; it would come to rest, give a heavier one")
+    return (left * _TWO / inertia) ** _ROOT
+
+
+def _risen(values: Values) -> Product:
+    """Return ω_max, at which it has taken up the swing."""
+    energy = values["inertia"] * values["omega_min"] ** _SQUARE * _HALF
+    return (energy.plus(values["swing"]) * _TWO / values["inertia"]) ** _ROOT
+
+
+def _less(one: Product, other: Product, sentence: str) -> Product:
+    if not one.exceeds(other):
+        raise ProblemError(sentence)
+    return one.plus(other, -1)
+
+
+def _twice(values: Values, high: str, low: str) -> Product:
+    """Return δ of the mean and another speed."""
+    return _between(values, high, low) * _TWO / values["omega"]
+
+
+_ENDS = ("omega_max", "omega_min")
+_SPEEDS = (
+    Rule("omega", ("omega_max", "omega_min"), _mean),
+    Rule("delta", ("omega_max", "omega_min"), lambda one: _between(one, *_ENDS) / _mean(one)),
+    Rule("delta", ("omega_max", "omega"), lambda one: _twice(one, "omega_max", "omega")),
+    Rule("delta", ("omega", "omega_min"), lambda one: _twice(one, "omega", "omega_min")),
+    Rule("omega", ("omega_max", "delta"), lambda one: one["omega_max"] / _ONE.plus(one["delta"] * _HALF)),
+    Rule("omega", ("omega_min", "delta"), lambda one: one["omega_min"] / _above_rest(one["delta"])),
+    Rule("omega_max", ("omega", "delta"), lambda one: one["omega"] * _ONE.plus(one["delta"] * _HALF)),
+    Rule("omega_min", ("omega", "delta"), lambda one: one["omega"] * _above_rest(one["delta"])),
+    Rule("omega_min", ("omega_max", "swing", "inertia"), _fallen),
+    Rule("omega_max", ("omega_min", "swing", "inertia"), _risen),
+)
+RULES: Sequence[Rule] = (*_SPEEDS, *(rule for law in _LAWS for rule in law))
+# Of a solid disc alone.
+DISC_RULES: Sequence[Rule] = tuple(rule for law in _OF_DISC for rule in law)
+
+
+def turns_a_minute(omega: Product) -> Product:
+    """Return n in 1/min of ω in 1/s."""
+    return omega * Product.of(30, -1)
+
+
+def figures_of(product: Product) -> str:
+    """Return a number to five figures, for a sentence."""
+    return number_text(product.number(None, "half-away"))

@@ -1,0 +1,168 @@
+"""A flywheel by what is given of it: all figures that follow, what is taken beside it, what is missing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from kurbel.diagram.wheel.quantities import SHOWN, registry
+from kurbel.diagram.wheel.relations import DISC_RULES, RULES, figures_of
+from kurbel.errors import ProblemError
+from kurbel.exact.numerals import number_text
+from kurbel.exact.product import Product
+from kurbel.reading.notation import about
+
+# What is taken where it is not given; pages say so.
+ONE_TURN, RIM_ALONE, LIMIT = "one turn", "rim alone", "limit"
+_OF_RIM = ("rim_diameter", "rim_speed", "section", "breadth", "thickness", "proportion")
+SWING_MISSING = "the swing needs --swing, --areas, --torque, --energy-fluctuation or an engine, --eps"
+# Figures beyond these do not fit a page.
+LEAST, MOST = 1e-15, 1e15
+# What answers no question by itself.
+_ASIDE = {"mean_torque", "work", "cycles", "omega", "omega_max", "omega_min", "turns"}
+
+
+class Known(NamedTuple):
+    """A figure, and the options that give it."""
+
+    value: Product
+    options: tuple[str, ...]
+
+
+Figures = Mapping[str, Known]
+
+
+@dataclass(frozen=True, eq=False)
+class Sizing:
+    """A flywheel with all its figures that are known, and what was taken without being given."""
+
+    figures: Figures
+    taken: tuple[str, ...] = ()
+
+    def shown(self, key: str) -> Product | None:
+        """Return a quantity in its unit, None where it is not known."""
+        shown = SHOWN[key]
+        known = self.figures.get(shown.figure)
+        return None if known is None else shown.of(known.value)
+
+
+def sized(given: Figures, limit: Known | None = None) -> Sizing:
+    """Return the flywheel of what is given, with the hoop stress to which its rim is limited if it is.
+
+    Raises ProblemError where that contradicts itself or says too little.
+    """
+    figures, taken = completed(given), []
+    if limit is not None:
+        if "rim_speed" not in figures:
+            figures = completed({**figures, "hoop_stress": limit})
+            taken.append(LIMIT)
+        _check_limit(figures, limit)
+    assumed = {
+        RIM_ALONE: ("rim_share", any(name in given for name in _OF_RIM) or limit is not None),
+        ONE_TURN: ("turns", "energy_fluctuation" in figures and "swing" not in figures),
+    }
+    for name, (figure, applies) in assumed.items():
+        if applies and figure not in figures:
+            more = completed({**figures, figure: Known(Product.of(1), ())})
+            if len(more) > len(figures) + 1:
+                figures = more
+                taken.append(name)
+    _check_answered(given, figures)
+    return Sizing(figures, tuple(taken))
+
+
+def gathered(pairs: Iterable[tuple[str, Known]]) -> dict[str, Known]:
+    """Return figures by their names. Raises ProblemError where one has two values."""
+    found: dict[str, Known] = {}
+    for figure, known in pairs:
+        before = found.setdefault(figure, known)
+        if not before.value.equals(known.value):
+            raise ProblemError(_contradiction(figure, before, known))
+    return found
+
+
+def completed(given: Figures) -> dict[str, Known]:
+    """Return what is given with all that follows. Raises ProblemError where it contradicts itself."""
+    known = dict(given)
+    disc = any(name.startswith("disc") for name in given)
+    waiting = [*RULES, *(DISC_RULES if disc else ())]
+    while ready := [rule for rule in waiting if known.keys() >= {*rule.needs}]:
+        for rule in ready:
+            waiting.remove(rule)
+            value = rule.value({name: known[name].value for name in rule.needs})
+            options = tuple(dict.fromkeys(one for name in rule.needs for one in known[name].options))
+            found = Known(value, options)
+            before = known.setdefault(rule.of, found)
+            if before is not found and not before.value.equals(value):
+                raise ProblemError(_contradiction(rule.of, before, found))
+    return known
+
+
+def _contradiction(figure: str, before: Known, found: Known) -> str:
+    key, shown = next(((key, one) for key, one in SHOWN.items() if one.figure == figure), ("", None))
+    values = [shown.of(one.value) if shown else one.value for one in (before, found)]
+    one, other = _apart(*values)
+    name, unit = (registry()[key].name["en"], registry()[key].plain_unit("en")) if key else (figure, "")
+    first, second = (_gives(known.options) for known in (before, found))
+    said = f"{first} the {name[:1].lower()}{name[1:]} {one} {unit}".rstrip()
+    return f"{said}, and {second} {other} {unit}".rstrip() + "; leave one of them out"
+
+
+def _gives(options: tuple[str, ...]) -> str:
+    *others, last = options
+    return f"{', '.join(others)} and {last} give" if others else f"{last} gives"
+
+
+def _apart(*values: Product) -> list[str]:
+    """Return numbers for a sentence with as many figures as tell them apart."""
+    texts = [about(one.rational) if one.rational is not None else figures_of(one) for one in values]
+    for decimals in range(3, 40, 3):
+        if len({*texts}) == len(texts):
+            break
+        texts = [number_text(one.number(decimals, "half-away")) for one in values]
+    return texts
+
+
+def _check_limit(figures: Figures, limit: Known) -> None:
+    """Raise ProblemError where the rim is stressed more than is allowed, or that cannot be told."""
+    if "density" not in figures:
+        raise ProblemError("the hoop stress needs the density of the rim; add --density, such as 7200kg/m3")
+    stress = figures.get("hoop_stress")
+    if stress is None or stress.value.exceeds(limit.value):
+        known, allowed = (SHOWN["hoop_stress"].of(one.value) for one in (stress or limit, limit))
+        raise ProblemError(
+            f"the hoop stress of the rim is {figures_of(known)} MPa, above the {figures_of(allowed)} MPa that"
+            " --hoop-stress allows; give a smaller --rim-diameter, or leave it out to have it found"
+        )
+
+
+def _check_answered(given: Figures, figures: Figures) -> None:
+    """Raise ProblemError where what is given finds nothing, with the option that is missing."""
+    for key, shown in SHOWN.items():
+        if shown.figure in figures and not LEAST <= (value := float(figures[shown.figure].value)) <= MOST:
+            name = registry()[key].name["en"]
+            raise ProblemError(f"{name} is {value:.4g} in units of the SI; it must lie within 1e-15 and 1e15")
+    unknown = {"swing", "inertia", "omega", "delta"} - figures.keys()
+    found = figures.keys() - given.keys() - _ASIDE
+    swing_alone = "swing" in given and {"inertia", "delta"} <= unknown
+    if not unknown or ("delta" in unknown and {"swing", "inertia"} & unknown and found and not swing_alone):
+        return
+    raise ProblemError(_missing(unknown, figures))
+
+
+def _missing(unknown: set[str], figures: Figures) -> str:
+    """Return the sentence that names the option that is missing."""
+    if "swing" in unknown and "energy_fluctuation" in figures:
+        return (
+            "the coefficient of fluctuation of energy is a share of the work of a cycle; add --work, or"
+            " --power and --speed"
+        )
+    if "swing" in unknown and unknown != {"swing", "omega"}:
+        return SWING_MISSING
+    if "omega" in unknown:
+        return "the flywheel needs the speed; add --speed, for example --speed 120/min"
+    return (
+        "the flywheel needs --delta, to find its moment of inertia, or --inertia or --mass and --radius, to"
+        " find δ"
+    )

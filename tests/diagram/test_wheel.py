@@ -1,0 +1,201 @@
+"""Flywheels without an engine: every figure by arithmetic of its own, in mpmath, and what is refused."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+import pytest
+from cli import printed, refusal
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from mpmath import mp, mpf
+
+import kurbel
+from kurbel.diagram.wheel.relations import DISC_RULES, RULES
+from kurbel.diagram.wheel.sizing import Known, completed
+from kurbel.exact.product import Product
+
+F = Fraction
+DIGITS = 18
+
+
+@pytest.fixture(autouse=True)
+def precise() -> Any:
+    with mp.workdps(50):
+        yield
+
+
+def figures(words: str, *more: str) -> dict[str, Any]:
+    """The one record of a flywheel, to many digits."""
+    (record,) = printed("flywheel", *words.split(), *more, "--digits", str(DIGITS), "-f", "csv").records()
+    return {key: mpf(value) for key, value in record.items()}
+
+
+def agree(found: dict[str, Any], **expected: Any) -> None:
+    for key, value in expected.items():
+        assert abs(found[key] - value) <= mpf(10) ** -DIGITS / 2, key
+
+
+def rate(turns_a_minute: int) -> Any:
+    return 2 * mp.pi * turns_a_minute / 60
+
+
+def test_a_swing_with_speed_and_irregularity_gives_the_flywheel() -> None:
+    found = figures("--swing 5.3kJ --speed 310/min --delta ±1.25% --radius 0.9m")
+    inertia = 5300 / (mpf("0.025") * rate(310) ** 2)
+    agree(found, delta=mpf("0.025"), steadiness=mpf(40), inertia=inertia, mass=inertia / mpf("0.81"))
+    agree(found, greatest_speed=310 * mpf("1.0125"), least_speed=310 * mpf("0.9875"), swing=mpf(5300))
+
+
+def test_a_flywheel_and_its_swing_give_the_speeds_whose_energies_differ_by_it() -> None:
+    found = figures("--swing 56kJ --speed 120/min --mass 6.5t --radius 1.8m")
+    inertia = 6500 * mpf("1.8") ** 2
+    high, low = (found[key] * mp.pi / 30 for key in ("greatest_speed", "least_speed"))
+    assert abs(inertia * (high**2 - low**2) / 2 - 56000) < mpf("1e-11")
+    agree(found, speed=(found["greatest_speed"] + found["least_speed"]) / 2)
+    agree(found, delta=56000 / (inertia * rate(120) ** 2), inertia=inertia)
+
+
+@pytest.mark.parametrize(("turns", "words"), [(1, ""), (2, "--turns 2")])
+def test_power_and_the_coefficient_of_fluctuation_give_the_swing(turns: int, words: str) -> None:
+    found = figures(f"--power 300kW --speed 90/min --energy-fluctuation 0.1 --delta 1% --radius 2m {words}")
+    work = mpf(300_000) * turns / (mpf(90) / 60)
+    mass = work / 10 / (mpf("0.01") * rate(90) ** 2) / 4
+    agree(found, work=work, swing=work / 10, mass=mass, mean_torque=300_000 / rate(90))
+
+
+def test_a_blow_takes_its_work_from_the_flywheel_alone() -> None:
+    found = figures("--inertia 100kgm2 --greatest-speed 225/min --work 10kJ --share 0")
+    low = mp.sqrt(rate(225) ** 2 - 2 * mpf(10_000) / 100)
+    agree(found, least_speed=low * 30 / mp.pi, speed=(225 + low * 30 / mp.pi) / 2)
+
+
+def test_a_press_between_two_speeds_gives_motor_and_flywheel() -> None:
+    found = figures("--work 10kJ --strokes 30/min --share 1/4 --speed 200..225/min")
+    agree(found, power=mpf(5000), swing=mpf(7500), delta=mpf(25) / mpf("212.5"))
+    agree(found, inertia=2 * 7500 / (rate(225) ** 2 - rate(200) ** 2))
+    slow = figures("--power 3kW --work 9kJ --share 0")
+    agree(slow, strokes=mpf(20))
+
+
+def test_a_rim_to_its_hoop_stress_has_the_share_of_the_inertia() -> None:
+    words = "--swing 56kJ --speed 120/min --delta 1:60 --density 7200kg/m³ --rim-section 2:1 --rim-share 92%"
+    found = figures(words, "--hoop-stress", "6MPa")
+    speed = mp.sqrt(mpf(6) * 10**6 / 7200)
+    diameter = 2 * speed / rate(120)
+    inertia = mpf("0.92") * 56_000 * 60 / rate(120) ** 2
+    mass = 4 * inertia / diameter**2
+    section = mass / (7200 * mp.pi * diameter)
+    agree(found, rim_speed=speed, rim_diameter=diameter, rim_inertia=inertia, rim_mass=mass)
+    agree(found, section=section * 10**4, thickness=mp.sqrt(section / 2) * 1000)
+    agree(found, breadth=2 * mp.sqrt(section / 2) * 1000, hoop_stress=mpf(6))
+
+
+def test_sizes_of_a_rim_and_of_a_disc_give_their_masses() -> None:
+    rim = figures("--rim-diameter 2.1m --density 7200kg/m3", "--rim-section", "300mm x 150mm")
+    mass = 7200 * mpf("0.3") * mpf("0.15") * mp.pi * mpf("2.1")
+    agree(rim, rim_mass=mass, inertia=mass * mpf("1.05") ** 2)
+    disc = figures(
+        "--swing 1kJ --speed 300/min --disc-diameter 0.6m --disc-thickness 80mm --density 7.85t/m3"
+    )
+    mass = 7850 * mp.pi * mpf("0.09") * mpf("0.08")
+    agree(disc, mass=mass, inertia=mass * mpf("0.09") / 2, radius=mp.sqrt(mpf("0.045")))
+    agree(disc, delta=1000 / (mass * mpf("0.045") * rate(300) ** 2))
+
+
+def test_areas_and_a_torque_give_their_swings() -> None:
+    # +52, -124, ...: at most 52 after the first, at least 52 - 124 + 92 - 140 = -120 after the fourth.
+    scale = ("--areas", "+52;-124;+92;-140;+85;-72;+107", "--area-scale", "500 N m; 6°")
+    found = figures("--speed 600/min --delta ±1.5%", *scale)
+    agree(found, swing=172 * 500 * 6 * mp.pi / 180)
+    # 1500 sin 3φ has the energy 500 (1 - cos 3φ), its mean 5000 N m the work 10 kJ π.
+    found = figures("--speed 300/min --inertia 200kgm2", "--torque", "5000 + 1500 sin(3φ)")
+    agree(found, swing=mpf(1000), mean_torque=mpf(5000), energy_fluctuation=1 / (10 * mp.pi))
+    agree(found, power=5000 * rate(300), delta=1000 / (200 * rate(300) ** 2))
+    text = printed(
+        "flywheel", "--speed", "300/min", "--inertia", "200kgm2", "--torque", "5000 + 1500 sin(3φ)"
+    )
+    assert "φ = 60°, 180°, 300°" in " ".join(text.out.split())
+
+
+positive = st.fractions(F(1, 50), 100, max_denominator=50)
+
+
+@settings(deadline=None, max_examples=10)
+@given(st.data())
+def test_every_figure_follows_from_the_others_as_it_was(data: st.DataObject) -> None:
+    names = ("swing", "omega", "delta", "radius", "work", "cycles", "density", "rim_diameter", "rim_share",
+             "proportion")  # fmt: skip
+    one = {name: Product.of(data.draw(positive), data.draw(st.integers(-1, 1))) for name in names}
+    one["delta"] = Product.of(data.draw(st.fractions(F(1, 1000), F(3, 2), max_denominator=1000)))
+    all_known = completed({name: Known(value, ()) for name, value in one.items()})
+    rules = [rule for rule in RULES if all_known.keys() >= {rule.of, *rule.needs}]
+    # But for the disc nothing is left out.
+    assert len(rules) == len(RULES)
+    rule = data.draw(st.sampled_from(rules))
+    value = rule.value({name: all_known[name].value for name in rule.needs})
+    assert value.equals(all_known[rule.of].value), rule.of
+    assert {rule.of for rule in DISC_RULES} == {
+        "inertia",
+        "mass",
+        "density",
+        "disc_diameter",
+        "disc_thickness",
+    }
+
+
+REFUSED = [
+    ("", "the swing needs --swing, --areas, --torque, --energy-fluctuation or an engine, --eps"),
+    ("--power 50kW --speed 120/min --delta 1:100 --ratio 1:5",
+     "the swing needs --swing, --areas, --torque, --energy-fluctuation or an engine, --eps"),
+    ("--swing 5kJ --delta 1:50", "the flywheel needs the speed; add --speed, for example --speed 120/min"),
+    ("--swing 5kJ --speed 120/min",
+     "the flywheel needs --delta, to find its moment of inertia, or --inertia or --mass and --radius, to find"
+     " δ"),
+    ("--energy-fluctuation 0.1 --speed 120/min --delta 1:50",
+     "the coefficient of fluctuation of energy is a share of the work of a cycle; add --work, or --power and"
+     " --speed"),
+    ("--mass 100kg --radius 1m --inertia 99kgm2 --swing 5kJ --speed 120/min",
+     "--inertia gives the moment of inertia 99 kg m², and --mass and --radius give 100 kg m²; leave one of"
+     " them out"),
+    ("--speed 212/min --greatest-speed 225/min --least-speed 200/min --swing 5kJ",
+     "--speed gives the speed 212 min⁻¹, and --greatest-speed and --least-speed give 212.5 min⁻¹; leave one"
+     " of them out"),
+    ("--speed 225..200/min --swing 5kJ",
+     "the greatest speed is 200/min and the least 225/min; the greatest must be above the least"),
+    ("--swing 5kJ --speed 10/min --inertia 1kgm2",
+     "degree of irregularity δ is 4559.5; it must be below 2, at which the flywheel would come to rest in"
+     " every turn"),
+    ("--work 5kJ --share 0 --inertia 1kgm2 --greatest-speed 100/min",
+     "the flywheel has 54.831 J at its greatest speed and is to give up 5000 J; it would come to rest, give a"
+     " heavier one"),
+    ("--speed 90/min --rim-diameter 8m --density 7200kg/m3 --hoop-stress 6MPa",
+     "the hoop stress of the rim is 10.233 MPa, above the 6 MPa that --hoop-stress allows; give a smaller"
+     " --rim-diameter, or leave it out to have it found"),
+    ("--speed 90/min --hoop-stress 6MPa",
+     "the hoop stress needs the density of the rim; add --density, such as 7200kg/m3"),
+    ("--swing 5kJ --speed 300/min --delta 1:50 --bore 300mm",
+     "--bore is of an engine, and none is described; add --eps, --card or another load, or leave it out"),
+    ("--eps 4 --power 50kW --speed 120/min --delta 1:100 --swing 5kJ",
+     "--swing is of a flywheel without an engine, and one is described; leave one of the two out"),
+    ("--share 1 --work 5kJ",
+     "the share of the cycle in which the press works is 1; it must be 0 or more, for a blow, and below 1, at"
+     " which the motor does all the work at once"),
+    ("--swing 5kJ --speed 300/min --delta 1:50 --columns rim_mass",
+     "column rim_mass does not follow from what is given; add what it needs of --rim-diameter, --density"),
+    ("--swing 5kJ --speed 300/min --delta 1:50 --area-scale 5J",
+     "--area-scale is for --areas; add these, or leave it out"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("words", "sentence"), REFUSED, ids=[words for words, _ in REFUSED])
+def test_what_is_missing_or_contradicts_itself_is_told(words: str, sentence: str) -> None:
+    assert refusal("flywheel", *words.split()) == sentence
+
+
+def test_several_irregularities_are_kept_by_as_many_flywheels() -> None:
+    page = kurbel.flywheel_table(swing=5000, speed=5, delta="1:50;±2%", columns="target,inertia", digits=6)
+    inertias = [5000 / (delta * rate(300) ** 2) for delta in (mpf("0.02"), mpf("0.04"))]
+    rows = [f"{target},{float(one):.6f}" for target, one in zip(("0.02", "0.04"), inertias, strict=True)]
+    assert kurbel.typeset(page, "csv").splitlines() == ["target,inertia", *rows]
