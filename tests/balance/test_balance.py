@@ -17,11 +17,9 @@ from numpy.typing import NDArray
 
 from kurbel.balance import harmonics
 from kurbel.balance.arrangement import (
-    LENGTHS,
     Arrangement,
     Cylinder,
     Residual,
-    certified_length,
     factor,
     force,
     moment,
@@ -29,6 +27,7 @@ from kurbel.balance.arrangement import (
     usual,
     vee,
 )
+from kurbel.balance.lengths import LENGTHS, certified_length
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact import certify

@@ -14,8 +14,10 @@ from numpy.typing import NDArray
 from pages import BALANCES, BEAMS, cells, shown
 
 import kurbel
+from kurbel.balance.angles.page import quantities as angle_quantities
 from kurbel.balance.arrangement import usual
-from kurbel.balance.page import ENGINES, balance_registry
+from kurbel.balance.page import balance_registry
+from kurbel.balance.words import ENGINES
 from kurbel.errors import KurbelError
 from kurbel.exact.numerals import Number
 from kurbel.motion.evaluation import METHODS
@@ -284,7 +286,10 @@ SHARE = "it must lie within 0..1, for it is a share of the reciprocating mass"
         (("--orders", "101"), f'orders "101" {COUNT}'),
         (("--orders", "two"), f'orders "two" {COUNT}'),
         (("--columns", "order"), "there is no column beside the axes; add one, such as along"),
-        (("--layout", "harmonics"), "layout harmonics is about something else; choose from balance"),
+        (
+            ("--layout", "harmonics"),
+            "layout harmonics is about something else; choose from balance, balance-angle",
+        ),
         (
             ("--columns", "alog"),
             'there is no column "alog" (did you mean along?); choose from ratio, residual, order, '
@@ -317,8 +322,9 @@ def test_harmonics_that_are_not_known_are_refused() -> None:
 def test_pages_are_not_made_as_pages_of_something_else(name: str) -> None:
     with pytest.raises(KurbelError, match=f"^layout {name} is about something else; choose from "):
         kurbel.table(layout=name)
+    fitting = "balance, balance-angle"
     with pytest.raises(
-        KurbelError, match=f"^layout {BEAMS[0]} is about something else; choose from balance$"
+        KurbelError, match=f"^layout {BEAMS[0]} is about something else; choose from {fitting}$"
     ):
         kurbel.balance_table(layout=BEAMS[0])
 
@@ -326,5 +332,5 @@ def test_pages_are_not_made_as_pages_of_something_else(name: str) -> None:
 def test_every_column_of_the_balance_is_listed_with_its_command() -> None:
     lines = [line.split() for line in printed("quantities", "--lang=en").out.splitlines()]
     listed = {line[0] for line in lines if "balance" in line}
-    assert listed == set(balance_registry())
+    assert listed == {*balance_registry(), *angle_quantities()}
     assert [line[-1] for line in lines if line[0] == "value"] == ["x", "c", "p"]

@@ -15,6 +15,7 @@ from pages import (
     RODS,
     SOLVED,
     SOLVED_LOADED,
+    TURNED,
     command,
     default_page,
 )  # fmt: skip
@@ -99,6 +100,7 @@ PAGES = {
             *ENGINES,
             *BEAMS,
             *BALANCES,
+            *TURNED,
             *LINKAGES,
             *RODS,
             *PRESSED,

@@ -60,6 +60,7 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "torque": ("harmonics", "--quantity=torque", "--eps=4", "--cranks=0;90"),
     "excitation": ("harmonics", "--eps=4", "--cranks=0;90", *MACHINE),
     "balance": ("balance",),
+    "balance at angles": ("balance", "--angle=0;60"),
     "rotor": ("rotor", *MASSES, *ANGLES, "--planes=0;300;700;1000mm", "--balance-planes=100;500mm"),
     "firing orders": ("firing",),
     "firing": ("firing", "--order=1-3-4-2"),
@@ -99,7 +100,8 @@ ENGINES = about(
 )
 LOADED = about("compressor", "pump", "gas cycle")
 BEAMS = about("dead centres", "drive dead centres")
-BALANCES = about("harmonics", "balance", "rotor")
+BALANCES = about("harmonics", "balance")
+TURNED = about("balance at angles", "rotor")
 TORQUES = about("torque", "excitation", "cylinders")
 FIRINGS = about("firing orders", "firing")
 COLLATIONS = about("collation", "formulas")
@@ -166,6 +168,7 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
         "eps": 4, "cranks": "0;90", "stroke": 0.6, "speed": 2, "bore": 0.3, "pressure": 800_000,
     }),
     "balance": (kurbel.balance_table, {}),
+    "balance at angles": (kurbel.balance_table, {"angle": [0, 60]}),
     "rotor": (kurbel.rotor_table, {
         "masses": [200, 300, 400, 200], "radii": "80;70;60;80mm", "angles": [0, 45, 115, 235],
         "planes": "0;300;700;1000mm", "balance_planes": [0.1, 0.5],

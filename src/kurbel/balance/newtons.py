@@ -6,17 +6,18 @@ goes the share at the crosshead pin, and that at the crank pin turns.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
-from kurbel.balance.arrangement import Factor
+from kurbel.balance.arrangement import Arrangement, Factor
+from kurbel.balance.vector import Scale
 from kurbel.drive.crank import Crank, known
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
-from kurbel.exact.numerals import Label
-from kurbel.motion.captions import moving_notes
+from kurbel.exact.numerals import Label, figure
+from kurbel.motion.captions import moving_notes, turns_label
 from kurbel.page.quantity import Words, words
 from kurbel.reading.amounts import amount
 from kurbel.reading.notation import about
@@ -26,16 +27,37 @@ WORDS: Mapping[str, Words] = {
     "rod": words(
         " mit dem Teil der Schubstange am Kreuzkopfzapfen| with the rod's share at the crosshead pin"
     ),
+    "each": words(
+        "Hin- und hergehende Massen in kg: {masses}{rod}|Reciprocating masses in kg: {masses}{rod}"
+    ),
+    "revolving": words(
+        "Umlaufende Massen am Kurbelhalbmesser in kg: {masses}, davon ausgeglichen der Teil {share}"
+        "|Revolving masses at the crank radius in kg: {masses}, of which the share {share} is balanced"
+    ),
+    "counterweights": words(
+        "Gegengewichte der Kurbel gegenüber, Masse mal Halbmesser in kg m: {moments}"
+        "|Counterweights opposite the crank, mass times radius in kg m: {moments}"
+    ),
+    "at_radius": words("; am Halbmesser {radius} in kg: {masses}|; at the radius {radius} in kg: {masses}"),
 }
 
 
 @dataclass(frozen=True, slots=True)
 class Weighed:
-    """The crank of each cylinder with its masses, its radius and the speed; `spacing` is the unit of length
-    of the positions in metres, None where it is not known."""
+    """The crank of a cylinder with its masses, its radius and the speed; `spacing` is the unit of length
+    of the positions in metres, None where it is not known.
+
+    `each` are the masses in kg that go to and fro in the cylinders where these are not alike, and
+    `revolving` those that turn with the cranks at their radius, where they are not balanced apart.
+    Counterweights balance the share of the arrangement of the first and `revolving_share` of the second.
+    """
 
     crank: Crank
     spacing: Fraction | None = None
+    each: tuple[Fraction, ...] = ()
+    revolving: tuple[Fraction, ...] = ()
+    revolving_share: Fraction = Fraction(0)
+    balance_radius: Fraction | None = None
 
     def __post_init__(self) -> None:
         if self.spacing is not None and self.spacing <= 0:
@@ -70,9 +92,75 @@ class Weighed:
 
         return on_balls
 
-    def notes(self, ratio_symbol: str, lang: str) -> Iterator[Label]:
+    def scale(self, residual: str) -> Scale:
+        """Return the unit m R ω² of a residual in newtons, of a moment in newton metres."""
+        arm = Fraction(1) if residual == "force" else known(self.spacing)
+        return Scale.pin_acceleration(self.crank).times(self.mass * arm)
+
+    def on(self, arrangement: Arrangement) -> Arrangement:
+        """Return the arrangement with the masses of its cylinders, in units of m."""
+        count = len(arrangement.cylinders)
+        each, revolving = self.each or (self.mass,) * count, self._turning(count)
+        for what, masses in (("reciprocating", each), ("revolving", revolving)):
+            if len(masses) != count:
+                raise ProblemError(
+                    f"the number of {what} masses is {len(masses)} and that of cylinders {count}; give"
+                    " one for each, or one for all"
+                )
+        free = 1 - self.revolving_share
+        return replace(
+            arrangement,
+            cylinders=tuple(
+                one._replace(mass=mass / self.mass, revolving=free * turning / self.mass)
+                for one, mass, turning in zip(arrangement.cylinders, each, revolving, strict=True)
+            ),
+        )
+
+    def _turning(self, count: int) -> tuple[Fraction, ...]:
+        """Return the masses that turn with the cranks, of one that is given for all of them."""
+        given = self.revolving or (Fraction(0),)
+        return given * count if len(given) == 1 else given
+
+    def counterweights(self, arrangement: Arrangement) -> tuple[Fraction, ...]:
+        """Return mass times radius of the counterweights opposite the cranks, in kg m."""
+        revolving, radius = self._turning(len(arrangement.cylinders)), known(self.crank.radius)
+        return tuple(
+            (arrangement.share * one.mass * self.mass + self.revolving_share * turning) * radius
+            for one, turning in zip(arrangement.cylinders, revolving, strict=True)
+        )
+
+    def notes(self, arrangement: Arrangement, ratio_symbol: str, lang: str) -> Iterator[Label]:
         """Yield the lines about masses, size and speed."""
-        yield from moving_notes(self.crank, ratio_symbol, lang)
+        if not self.each:
+            yield from moving_notes(self.crank, ratio_symbol, lang)
         rod = WORDS["rod"][lang] if known(self.crank.moving).rod is not None else ""
-        spacing = "" if self.spacing is None else f", $a = {amount(self.spacing, 'mm')}$"
-        yield f"$m = {amount(self.mass, 'kg')}${rod}{spacing}"
+        spacing = "" if self.spacing is None else f"$a = {amount(self.spacing, 'mm')}$"
+        if self.each:
+            size = f"${ratio_symbol[0]} = {amount(known(self.crank.radius), 'mm')}$"
+            yield WORDS["each"][lang].format(masses=_listed(self.each), rod=rod)
+            yield ", ".join(filter(None, (size, turns_label(known(self.crank.speed)), spacing)))
+        else:
+            yield ", ".join(filter(None, (f"$m = {amount(self.mass, 'kg')}${rod}", spacing)))
+        if self.revolving:
+            yield WORDS["revolving"][lang].format(
+                masses=_listed(self.revolving), share=f"${figure(self.revolving_share)}$"
+            )
+        told = self.revolving or self.balance_radius is not None
+        if told and any(weights := self.counterweights(arrangement)):
+            yield WORDS["counterweights"][lang].format(moments=_listed(weights)) + self._at_radius(
+                weights, lang
+            )
+
+    def _at_radius(self, weights: Sequence[Fraction], lang: str) -> Label:
+        if self.balance_radius is None:
+            return ""
+        masses = [one / self.balance_radius for one in weights]
+        return WORDS["at_radius"][lang].format(
+            radius=f"${amount(self.balance_radius, 'mm')}$", masses=_listed(masses)
+        )
+
+
+def _listed(masses: Sequence[Fraction]) -> Label:
+    """Return masses in a row, once where all are alike."""
+    shown = masses[:1] if len(set(masses)) == 1 else masses
+    return "; ".join(f"${figure(one)}$" for one in shown)

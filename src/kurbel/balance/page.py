@@ -8,11 +8,9 @@ from fractions import Fraction
 from functools import cache, cached_property
 
 from kurbel.balance.arrangement import (
-    LENGTHS,
     Arrangement,
     Cylinder,
     Residual,
-    certified_length,
     check_count,
     factor,
     force,
@@ -29,12 +27,14 @@ from kurbel.balance.harmonics_page import (
     harmonic_number,
     series_notes,
 )
+from kurbel.balance.lengths import LENGTHS, certified_length
 from kurbel.balance.newtons import IN_NEWTONS, Weighed
+from kurbel.balance.words import ENGINES, UNITS, WORDS
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, exact_text
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis, angle_text
-from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, words
+from kurbel.page.quantity import Column, Formula, Quantity, entry, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field
 from kurbel.reading.given import choose
@@ -62,57 +62,6 @@ _LENGTHS = (
     ("greatest", "größter Betrag|Greatest magnitude", "Betrag|Magnitude", "größter|greatest"),
     ("least", "kleinster Betrag|Least magnitude", "Betrag|Magnitude", "kleinster|least"),
 )  # fmt: skip
-UNITS: Mapping[str, Label] = {"force": "$m R ω^2$", "moment": "$m R ω^2 a$"}
-ENGINES: Mapping[str, tuple[str, str]] = {
-    "inline-1": ("Einzylindermotor", "single cylinder"),
-    "inline-2-180": ("Zweizylinder-Reihenmotor, Kurbeln gegenläufig", "inline twin, cranks opposite"),
-    "inline-2-360": ("Zweizylinder-Reihenmotor, Kurbeln gleichläufig", "inline twin, cranks alike"),
-    "inline-3": ("Dreizylinder-Reihenmotor", "inline three"),
-    "inline-4": ("Vierzylinder-Reihenmotor", "inline four"),
-    "inline-5": ("Fünfzylinder-Reihenmotor", "inline five"),
-    "inline-6": ("Sechszylinder-Reihenmotor", "inline six"),
-    "v2-90": ("V2-Motor von 90°", "90° V twin"),
-    "v6-90": ("V6-Motor von 90°", "90° V6"),
-    "v8-90": ("V8-Motor von 90°", "90° V8"),
-    "v12-60": ("V12-Motor von 60°", "60° V12"),
-    "boxer-2": ("Zweizylinder-Boxermotor", "flat twin"),
-    "boxer-4": ("Vierzylinder-Boxermotor", "flat four"),
-}
-WORDS: Mapping[str, Words] = {
-    "force": words("Kräfte|Forces"),
-    "moment": words("Momente|Moments"),
-    "in": words("{residual} in {unit}"),
-    "residual": words("Kraft oder Moment|Force or moment"),
-    "cylinders": words("{count} Zylinder|{count} cylinders"),
-    "cranks": words("Kurbeln: |Cranks: "),
-    "banks": words("Zylinderachsen: |Axes of the cylinders: "),
-    "positions": words("Lagen in $a$: |Positions in $a$: "),
-    "symbols": words(
-        "$m$ hin- und hergehende Masse eines Zylinders, $R$ Kurbelhalbmesser, $ω$ Winkelgeschwindigkeit; "
-        "die umlaufenden Massen gelten als ausgeglichen"
-        "|$m$ reciprocating mass of a cylinder, $R$ crank radius, $ω$ angular velocity; rotating masses are "
-        "taken as balanced"
-    ),
-    "share": words(
-        "Gegengewichte, der Kurbel gegenüber umlaufend, gleichen von jeder Masse $m$ den Teil {share} aus"
-        "|Counterweights, opposite the crank and turning with it, balance the share {share} of every mass $m$"
-    ),
-    "spacing": words("$a$ Abstand benachbarter Kurbeln|$a$ distance of neighbouring cranks"),
-    "unit": words("$a$ Längeneinheit der Lagen|$a$ unit of length of the positions"),
-    "middle": words(
-        "; Momente um die Mitte, in der Richtung der Kräfte des Paares"
-        "|; moments about the middle, in the direction of the forces of the couple"
-    ),
-    "angles": words(
-        "Winkel zählen im Drehsinn von der Bezugslinie, der Zylinderachse oder beim V der Mittellinie"
-        "|Angles count in the sense of rotation from the line of reference, the cylinder axis or of a V the "
-        "middle line"
-    ),
-    "zero": words(
-        "Beträge enthalten den Faktor $B_k$; 0 ohne Dezimalen ist genau 0"
-        "|Magnitudes include the factor $B_k$; 0 without decimals is exactly 0"
-    ),
-}
 
 
 @cache
@@ -140,16 +89,22 @@ class BalanceRequest(OrdersRequest):
     """What is asked for: the forces and moments of an arrangement with several crank ratios.
 
     `engine` is its name, empty where the cranks were given one by one; `weighed` makes newtons where masses,
-    size and speed are known.
+    size and speed are known. Moments are `about` a position as it was given, by itself the middle, and
+    positions are in `metres` where they were given as lengths.
     """
 
     arrangement: Arrangement
     engine: str = ""
     weighed: Weighed | None = None
+    about: Fraction | None = None
+    metres: bool = False
 
     no_column = "there is no column beside the axes; add one, such as along"
 
     def missing(self, quantity: Quantity) -> str:
+        in_newtons = quantity.key + IN_NEWTONS
+        if self.weighed is not None and self.weighed.each and in_newtons in self.subject.quantities():
+            return f"column {quantity.key} is in units of m R ω², but masses are not alike; take {in_newtons}"
         if quantity.needs != IN_NEWTONS or self.weighed is not None:
             return ""
         *first, last = NEEDS[IN_NEWTONS]
@@ -175,8 +130,10 @@ def arranged(
     positions: Sequence[Fraction],
     banks: Sequence[Fraction],
     share: Fraction,
+    about: Fraction | None = None,
 ) -> tuple[str, Arrangement]:
-    """Return an engine's name and its cylinders, or no name and those of the cranks, about their middle.
+    """Return an engine's name and its cylinders, or no name and those of the cranks, about their middle or
+    a position.
 
     Without either it is the default engine. Positions default to places a unit apart and banks to 0.
     """
@@ -198,12 +155,14 @@ def arranged(
                 " every cylinder needs one of each"
             )
     evenly = row(cranks, banks, share)
-    return "", replace(evenly, cylinders=_placed(evenly, positions)) if positions else evenly
+    return "", replace(evenly, cylinders=_placed(evenly, positions, about)) if positions else evenly
 
 
-def _placed(arrangement: Arrangement, positions: Sequence[Fraction]) -> tuple[Cylinder, ...]:
-    """Return the cylinders at these positions, counted from the middle between the outermost."""
-    middle = (min(positions) + max(positions)) / 2
+def _placed(
+    arrangement: Arrangement, positions: Sequence[Fraction], about: Fraction | None
+) -> tuple[Cylinder, ...]:
+    """Return the cylinders at these positions, counted from one, by itself the middle of the outermost."""
+    middle = (min(positions) + max(positions)) / 2 if about is None else about
     pairs = zip(arrangement.cylinders, positions, strict=True)
     return tuple(cylinder._replace(position=position - middle) for cylinder, position in pairs)
 
@@ -254,15 +213,24 @@ def _notes(request: BalanceRequest) -> Iterator[Label]:
     if len(cylinders) > 1:
         yield WORDS["positions"][lang] + listed(exact_text(one.position) for one in cylinders)
     yield WORDS["angles"][lang]
-    yield WORDS["symbols"][lang]
+    revolving = request.weighed is not None and request.weighed.revolving
+    yield WORDS["symbols"][lang] + ("" if revolving else WORDS["balanced"][lang])
     spacing = "spacing" if request.engine else "unit"
-    yield WORDS[spacing][lang] + WORDS["middle"][lang]
+    metre = '$a = 1000 "mm"$, ' if request.metres and request.weighed is None else ""
+    yield metre + WORDS[spacing][lang] + _about(request)
     if request.weighed is not None:
-        yield from request.weighed.notes(request.layout.ratio_symbol, lang)
+        yield from request.weighed.notes(request.arrangement, request.layout.ratio_symbol, lang)
     if request.arrangement.share:
         yield WORDS["share"][lang].format(share=f"${exact_text(request.arrangement.share)}$")
     yield WORDS["zero"][lang]
     yield from series_notes(request)
+
+
+def _about(request: BalanceRequest) -> Label:
+    if request.about is None:
+        return WORDS["middle"][request.lang]
+    position = f"${exact_text(request.about)} a$"
+    return WORDS["about"][request.lang].format(position=position)
 
 
 def angle_notes(arrangement: Arrangement, lang: str) -> Iterator[Label]:

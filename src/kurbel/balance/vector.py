@@ -100,10 +100,11 @@ def is_zero(value: Value) -> bool:
 
 
 class Scale(NamedTuple):
-    """A rational number times a power of π."""
+    """A rational number times a power of π, and times a transcendental number that is known on balls."""
 
     value: Fraction = Fraction(1)
     turns: int = 0
+    factor: Value | None = None
 
     @classmethod
     def speed(cls, speed: Speed, power: int = 1) -> Scale:
@@ -116,14 +117,20 @@ class Scale(NamedTuple):
         assert crank.speed is not None and crank.radius is not None
         return cls.speed(crank.speed, 2).times(crank.radius)
 
-    def times(self, times: Fraction) -> Scale:
-        return Scale(self.value * times, self.turns)
+    def times(self, times: Fraction | Value) -> Scale:
+        if isinstance(times, Fraction):
+            return self._replace(value=self.value * times)
+        return self._replace(factor=times)
+
+    @property
+    def algebraic(self) -> bool:
+        return not self.turns and self.factor is None
 
     def on(self, kind: Kind) -> Any:
         own = kind.of(self.value)
         for _ in range(abs(self.turns)):
             own = own * kind.pi if self.turns > 0 else own / kind.pi
-        return own
+        return own if self.factor is None else own * self.factor(kind)
 
 
 ONE = Scale()
@@ -159,7 +166,7 @@ def length(vector: Vector, decimals: int | None, rounding: str = "half-away", sc
     if vector.vanishes():
         return EXACT_ZERO
     own = vector.length()
-    return printed(lambda kind: scale.on(kind) * own(kind), decimals, rounding, not scale.turns)
+    return printed(lambda kind: scale.on(kind) * own(kind), decimals, rounding, scale.algebraic)
 
 
 def component(
@@ -173,7 +180,7 @@ def component(
     if vector.lies_along(Fraction(90 - 90 * axis)):
         return EXACT_ZERO
     return printed(
-        lambda kind: scale.on(kind) * vector.point(kind)[axis], decimals, rounding, not scale.turns
+        lambda kind: scale.on(kind) * vector.point(kind)[axis], decimals, rounding, scale.algebraic
     )
 
 

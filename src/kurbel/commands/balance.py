@@ -1,20 +1,30 @@
 """What engines leave unbalanced."""
 
 from collections.abc import Mapping
+from fractions import Fraction
 from typing import TYPE_CHECKING, Annotated, Any, Unpack
 
 from kurbel.balance.arrangement import usual
 from kurbel.balance.harmonics import MOST_ORDERS
 from kurbel.commands import parameters as option
+from kurbel.commands.balancing.masses import (
+    Revolving,
+    needless_of_revolving,
+    position_of,
+    positions_of,
+    reciprocating_of,
+    unlike,
+)
 from kurbel.commands.machines import MASSES, is_heavy, weighed
 from kurbel.commands.motion import ratios_of, sheet_of
 from kurbel.commands.options import Choice, Count, Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.drive.crank import Described
+from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import mechanism
 from kurbel.page.layouts import Layout, layout_of
 from kurbel.page.subject import Question
-from kurbel.reading.given import Exact, as_crank_angles, as_length, as_names, as_places, as_share
+from kurbel.reading.given import Exact, as_angles, as_crank_angles, as_length, as_names, as_share
 
 if TYPE_CHECKING:
     from kurbel.balance.newtons import Weighed
@@ -57,16 +67,18 @@ Banks = Annotated[
 
 
 NEWTONS = ("stroke", "speed")
+AT_ANGLES = "balance at angles"
+SUBJECTS = ("balance", AT_ANGLES)
 
 
-class Heavy(option.MovingRod, option.Sheet, total=False):
+class Heavy(option.MovingRod, Revolving, option.Sheet, total=False):
     """The masses of each cylinder, with what makes forces of them."""
 
     reciprocating: Annotated[
-        Exact | None,
+        option.Given | None,
         Option(
-            "Mass of piston and crosshead of a cylinder: 2kg. Masses need --stroke and --speed.", "MASS",
-            unit="kg",
+            "Mass of piston and crosshead of a cylinder: 2kg; or of each: 2;2.5kg. Masses need --stroke and"
+            " --speed.", "MASSES", unit="kg",
         ),
     ]  # fmt: skip
     stroke: option.Stroke
@@ -79,6 +91,13 @@ class Heavy(option.MovingRod, option.Sheet, total=False):
     layouts: option.Layouts
 
 
+def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
+    found = {"about": "--about is a position; give these, --positions"}
+    if is_given(values["positions"]):
+        found = {}
+    return {**found, **_weightless(values), **needless_of_revolving(values)}
+
+
 def _weightless(values: Mapping[str, Any]) -> Mapping[str, str]:
     if not is_heavy(values):
         why = "is for moving masses; add --reciprocating or a rod, --rod-mass"
@@ -89,22 +108,27 @@ def _weightless(values: Mapping[str, Any]) -> Mapping[str, str]:
     return {}
 
 
-def _weighed(page: Layout, given: Mapping[str, Any]) -> "Weighed | None":
+def _weighed(page: Layout, given: Mapping[str, Any], in_metres: bool) -> "Weighed | None":
     """Return what makes newtons, None where a machine or the environment does not say enough."""
     from kurbel.balance.newtons import Weighed
 
     if not is_heavy(given) or not all(is_given(given[name]) for name in NEWTONS):
         return None
     cranks = Described(given["ratio"], given["stroke"]).cranks(page.ratios)
-    crank, *_ = weighed(mechanism("straight"), cranks, given)
+    masses = reciprocating_of(given)
+    first = masses[0] if masses else None
+    crank, *_ = weighed(mechanism("straight"), cranks, {**given, "reciprocating": first})
     spacing = given["spacing"]
-    return Weighed(crank, None if spacing is None else as_length(spacing, "spacing"))
+    if in_metres and spacing is not None:
+        raise ProblemError("the positions are lengths, and --spacing gives their unit; leave one out")
+    unit = Fraction(1) if in_metres else None if spacing is None else as_length(spacing, "spacing")
+    return Weighed(crank, unit, **unlike(crank, masses, given))
 
 
 @makes_table(
-    needless=_weightless,
-    order="cranks positions banks share ratio orders method reciprocating rod_mass centre gyration rod_file"
-    " stroke crank speed spacing columns",
+    needless=_needless,
+    order="cranks positions about banks share angle ratio orders method reciprocating rod_mass centre"
+    " gyration rod_file revolving revolving_share balance_radius stroke crank speed spacing columns",
 )
 def balance_table(
     engine: Engine = None,
@@ -113,9 +137,17 @@ def balance_table(
     positions: Annotated[
         option.Given | None,
         Option(
-            "Where its cylinders lie along the shaft: 0;1;2;3, which is the default.",
+            "Where its cylinders lie along the shaft: 0;1;2;3, which is the default, or 0;400;800mm.",
             "NUMBERS",
             unit="a unit of your own",
+        ),
+    ] = None,
+    about: Annotated[
+        Exact | None,
+        Option(
+            "Position about which moments are taken: 1, 400mm; default: the middle.",
+            "NUMBER",
+            unit="that of the positions",
         ),
     ] = None,
     banks: Banks = None,
@@ -126,13 +158,18 @@ def balance_table(
     ratio: Ratios = None,
     orders: Orders = 2,
     method: Method = "exact",
+    angle: Annotated[
+        option.Given | None,
+        option.ANGLE._replace(help="Angles of the shaft at which forces are printed: 30, 0;30, 0..180:10."),
+    ] = None,
     columns: Annotated[option.Names, option.columns_option("balance", "order,along,forward")] = (),
-    layout: Annotated[str, option.layout_option("balance")] = "balance",
+    layout: Annotated[str | None, option.layout_option(*SUBJECTS)] = None,
     **given: Unpack[Heavy],
 ) -> Question:
     """Print the free forces and moments of an engine by orders.
 
-    In units of m R ω²; with masses, --stroke and --speed in newtons, moments with --spacing in N m.
+    In units of m R ω²; with masses, --stroke and --speed in newtons, moments with --spacing or positions in
+    millimetres in N m. With --angle at angles of the shaft, by orders and together.
 
     \b
     kurbel balance --engine inline-4 --ratio 1:4
@@ -140,6 +177,8 @@ def balance_table(
     kurbel balance --cranks '0;0;90;90' --positions '0;0;1;1' --banks '-45;45;-45;45'
     kurbel balance --reciprocating 2kg --stroke 90mm --speed 3000/min --spacing 100mm
     kurbel balance --engine inline-1 --machine engine.toml
+    kurbel balance --engine v2-90 --angle '0;30' --method series
+    kurbel balance --cranks '0;90' --positions '0;40cm' --reciprocating '3;2kg' --stroke 20cm --speed 9/s
     \f
     >>> import kurbel
     >>> page = kurbel.balance_table("inline-4", ratio="1:5", columns="residual,order,along,across")
@@ -150,22 +189,37 @@ def balance_table(
     moment,1,0,0
     moment,2,0,0
     """
-    from kurbel.balance.page import BalanceRequest, arranged
+    from kurbel.balance.page import arranged
 
-    page = layout_of(layout, ("balance",), given["layouts"])
-    weights = _weighed(page, {**given, "ratio": ratio})
+    page = layout_of(layout or ("balance" if angle is None else "balance-angle"), SUBJECTS, given["layouts"])
+    if angle is not None and page.subject != AT_ANGLES:
+        raise ProblemError(f"layout {page.key} is of the whole turn; leave --angle out")
+    places, in_metres = positions_of(positions)
+    weights = _weighed(page, {**given, "ratio": ratio}, in_metres)
+    centre = None if about is None else position_of(about, in_metres)
     # Masses are those of one cylinder, and a machine that says no more has one.
     alone = weights is not None and engine is None and cranks is None
     name, arrangement = arranged(
         "inline-1" if alone else engine,
         () if cranks is None else as_crank_angles(cranks),
-        () if positions is None else as_places(positions, "position"),
+        places,
         () if banks is None else as_crank_angles(banks),
         as_share(share),
+        centre,
     )
-    return BalanceRequest(
+    asked: dict[str, Any] = {}
+    if page.subject == AT_ANGLES:
+        from kurbel.balance.angles.page import AngleRequest as Asked
+
+        asked["angles"] = as_angles(page.angles if angle is None else angle)
+    else:
+        from kurbel.balance.page import BalanceRequest as Asked  # type: ignore[assignment]
+    return Asked(
         layout=page,
-        arrangement=arrangement,
+        **asked,
+        about=centre,
+        metres=in_metres,
+        arrangement=arrangement if weights is None else weights.on(arrangement),
         ratios=ratios_of(page, ratio),
         engine=name,
         last_order=orders,

@@ -44,6 +44,7 @@ SUBJECTS: Mapping[str, Pages] = {
     "torque": Pages("kurbel.engine.harmonics.page:TORQUE", "harmonics --quantity torque --eps 4"),
     "excitation": Pages("kurbel.engine.harmonics.page:EXCITING", _EXCITED),
     "balance": Pages("kurbel.balance.page:SUBJECT", "balance"),
+    "balance at angles": Pages("kurbel.balance.angles.page:AT_ANGLES", "balance --angle 30"),
     "rotor": Pages("kurbel.balance.rotors.page:SUBJECT", f"rotor {_ROTOR}"),
     "firing orders": Pages("kurbel.balance.firing_page:ORDERS", "firing"),
     "firing": Pages("kurbel.balance.firing_page:FIRING", "firing --order 1-3-4-2"),

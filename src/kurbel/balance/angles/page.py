@@ -1,0 +1,173 @@
+"""An engine's cylinders, angles and a layout become a table of its free forces and moments at these."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache, cached_property
+from typing import Any
+
+from kurbel.balance.angles.unbalanced import of_all, of_order
+from kurbel.balance.arrangement import factor
+from kurbel.balance.harmonics_page import OrderAxis
+from kurbel.balance.newtons import IN_NEWTONS
+from kurbel.balance.page import DECIMALS, NEEDS, NEWTON_DECIMALS, RESIDUALS, SUBJECT, BalanceRequest
+from kurbel.balance.vector import EXACT_ZERO, ONE, Scale, Vector, component, direction, length
+from kurbel.drive.crank import Crank
+from kurbel.errors import ProblemError
+from kurbel.exact.numerals import Label, Number
+from kurbel.page.axes import AngleAxis, Place
+from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, words
+from kurbel.page.table import Field
+
+MOST_ANGLES = 10_000
+DIRECTION_DECIMALS = 2
+ALL = "all"
+WORDS: Mapping[str, Words] = {
+    ALL: words("alle|all"),
+    "sum": words("Summe|sum"),
+    "shaft": words(
+        "$φ$ Drehwinkel der Welle; bei $φ = 0$ stehen die Kurbeln wie angegeben"
+        "|$φ$ angle of the shaft; at $φ = 0$ the cranks stand as given"
+    ),
+}
+# By the key of a column: what it prints of a vector, times a scale.
+Print = Callable[[Vector, int, str, Scale], Number | None]
+PRINTED: Mapping[str, Print] = {
+    "along": lambda vector, places, rounding, scale: component(vector, 0, places, rounding, scale),
+    "across": lambda vector, places, rounding, scale: component(vector, 1, places, rounding, scale),
+    "magnitude": lambda vector, places, rounding, scale: length(vector, places, rounding, scale),
+    "direction": lambda vector, places, rounding, scale: direction(vector, places, rounding),
+}
+
+
+@cache
+def quantities() -> Mapping[str, Quantity]:
+    """Return the columns by their keys."""
+    rows = (
+        ("along", "längs der Bezugslinie|along the line of reference", "längs|along"),
+        ("across", "quer zur Bezugslinie|across the line of reference", "quer|across"),
+        ("magnitude", "Betrag|Magnitude", "Betrag|magnitude"),
+    )
+    found = []
+    for key, name, head in rows:
+        formulas = {"exact": Formula(PRINTED[key])}
+        own = entry(key, name, "", "m R ω²", DECIMALS, formulas, head)
+        in_newtons = {lang: f"{text} in N, N m" for lang, text in own.heading.items()}
+        found += [
+            own,
+            own._replace(
+                key=key + IN_NEWTONS, unit=words("N, N m"), decimals=NEWTON_DECIMALS, heading=in_newtons,
+                needs=IN_NEWTONS,
+            ),
+        ]  # fmt: skip
+    formulas = {"exact": Formula(PRINTED["direction"])}
+    found.append(entry("direction", "Richtung|Direction", "", "°", DIRECTION_DECIMALS, formulas,
+                       "Richtung in °|direction in °"))  # fmt: skip
+    return {one.key: one for one in found}
+
+
+@dataclass(frozen=True, kw_only=True)
+class AngleRequest(BalanceRequest):
+    """What is asked for: the forces and moments of an arrangement at angles of the shaft, by orders and
+    all together."""
+
+    angles: Sequence[Fraction]
+
+    no_column = "there is no column beside the axes; add one, such as along"
+
+    def check(self) -> None:
+        super().check()
+        if not 1 <= len(self.angles) <= MOST_ANGLES:
+            raise ProblemError(f"{len(self.angles)} angles were given; 1 to {MOST_ANGLES} are allowed")
+
+    @property
+    def in_own_units(self) -> bool:
+        return any(one.key in PRINTED and one.key != "direction" for one in self.page_columns)
+
+    @property
+    def lines(self) -> tuple[int | None, ...]:
+        """The orders, and None for all of them."""
+        return (*self.orders, None)
+
+    @cached_property
+    def vector(self) -> Callable[[str, int | None, int, int], tuple[Vector, Scale]]:
+        """Return the vector of a residual, of an order or all, at a ratio and an angle, each found once."""
+        return cache(self._vector)
+
+    def _vector(self, key: str, order: int | None, ratio: int, at: int) -> tuple[Vector, Scale]:
+        """Return the vector with what makes units of m R ω² of it; of no order, of all."""
+        crank, angle = Crank(self.ratios[ratio]), self.angles[at]
+        if order is not None:
+            return of_order(self.residuals[key, order], order, angle), ONE.times(
+                factor(order, crank, self.method)
+            )
+        if self.method == "exact":
+            first = self.residuals[key, 1]
+            return of_all(self.arrangement, key, first, crank, angle), ONE
+        total = Vector()
+        for one in self.orders:
+            scale = factor(one, crank, self.method)
+            assert isinstance(scale, Fraction)
+            total += of_order(self.residuals[key, one], one, angle) * scale
+        return total, ONE
+
+
+class _LineAxis(OrderAxis):
+    """The orders, and below them all together."""
+
+    def __init__(self, question: AngleRequest) -> None:
+        super().__init__(question)
+        self._things: Sequence[Any] = question.lines
+        self.size = self.count = len(question.lines)
+        self.key_of_all = ALL if question.method == "exact" else "sum"
+        self.all = WORDS[self.key_of_all][question.lang]
+
+    def value(self, place: Place) -> Number | Label:
+        order = self._things[place["order"]]
+        return self.key_of_all if order is None else Number(order, 0)
+
+    def stub(self, place: Place) -> Any:
+        order = self._things[place["order"]]
+        return self.all if order is None else Number(order, 0)
+
+    def field(self) -> Field:
+        return super().field()._replace(decimals=None)
+
+
+def _number(question: AngleRequest, column: Column, place: Place, times: int) -> Number | None:
+    key, order = RESIDUALS[place["residual"]], question.lines[place["order"]]
+    vector, scale = question.vector(key, order, place["ratio"], place["angle"])
+    if not scale.value:
+        return None if column.key == "direction" else EXACT_ZERO
+    if column.quantity.needs and question.weighed is not None:
+        if not question.weighed.knows(key):
+            return None if not vector.vanishes() else EXACT_ZERO
+        scale = question.weighed.scale(key).times(scale.value)._replace(factor=scale.factor)
+    printing = PRINTED[column.key.removesuffix(IN_NEWTONS)]
+    return printing(vector, column.places, question.rounding, scale)
+
+
+def _notes(question: AngleRequest) -> Iterator[Label]:
+    yield WORDS["shaft"][question.lang]
+    yield from SUBJECT.notes(question)  # type: ignore[misc]
+
+
+AT_ANGLES = SUBJECT._replace(
+    key="balance at angles",
+    layout="balance-angle",
+    command="balance --angle 30",
+    axes={
+        "ratio": SUBJECT.axes["ratio"],
+        "residual": SUBJECT.axes["residual"],
+        "angle": AngleAxis,
+        "order": _LineAxis,
+        "column": SUBJECT.axes["column"],
+    },
+    axis_keys=("ratio", "residual", "phi", "order"),
+    quantities=quantities,
+    number=_number,
+    notes=_notes,
+    options=NEEDS,
+)

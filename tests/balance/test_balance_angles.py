@@ -1,0 +1,160 @@
+"""Free forces at an angle: against Newton's forces of the masses themselves, and the textbooks' formulas."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from dataclasses import dataclass
+
+import pytest
+from cli import printed, refusal
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+TURNS = 7
+SQUARE = (2 * math.pi * TURNS) ** 2
+RADIUS = 0.1
+SIZE = (f"--stroke={2 * RADIUS}m", f"--speed={TURNS}/s")
+Row = dict[str, str]
+
+
+def page(*words: str) -> dict[tuple[str, float, str], Row]:
+    rows = printed("balance", *words, "--digits=6", "--format=csv").records()
+    return {(row["residual"], float(row["phi"]), row["order"]): row for row in rows}
+
+
+def said(row: Row, unit: str = "_n") -> complex:
+    return complex(float(row[f"along{unit}"]), float(row[f"across{unit}"]))
+
+
+@dataclass(frozen=True)
+class Cylinder:
+    mass: float
+    revolving: float
+    crank: float
+    bank: float
+    place: float
+
+    def pressed(self, phi: float, ratio: float) -> complex:
+        """Return the force on the frame, by the slope of the slope of where the masses are."""
+        slide = cmath.exp(1j * math.radians(self.bank))
+
+        def at(turned: float) -> complex:
+            pin = math.radians(phi + self.crank) + turned
+            swung = math.sin(pin - math.radians(self.bank))
+            piston = RADIUS * (math.cos(pin - math.radians(self.bank)) + math.sqrt(1 / ratio**2 - swung**2))
+            return self.mass * piston * slide + self.revolving * RADIUS * cmath.exp(1j * pin)
+
+        step = 2e-3
+        # To the sixth power of the step.
+        weights = {0: -49 / 18, 1: 3 / 2, 2: -3 / 20, 3: 1 / 90}
+        return (
+            -SQUARE
+            * sum(
+                weight * at(sign * step * count) / (2 if not count else 1)
+                for count, weight in weights.items()
+                for sign in (1, -1)
+            )
+            / step**2
+        )
+
+
+ENGINES = st.lists(
+    st.builds(
+        Cylinder,
+        mass=st.integers(1, 9),
+        revolving=st.integers(1, 5),
+        crank=st.integers(0, 359),
+        bank=st.integers(-90, 90),
+        place=st.integers(0, 2000),
+    ),
+    min_size=1,
+    max_size=5,
+    unique_by=lambda one: (one.bank, one.place),
+)
+
+
+@settings(max_examples=10, deadline=None)
+@given(engine=ENGINES, rod=st.integers(3, 6), phi=st.integers(0, 359), about=st.integers(-500, 500))
+def test_all_orders_together_are_the_forces_of_the_masses(
+    engine: list[Cylinder], rod: int, phi: int, about: int
+) -> None:
+    lists = {
+        name: ";".join(str(getattr(one, name)) for one in engine)
+        for name in ("mass", "revolving", "crank", "bank", "place")
+    }
+    found = page(
+        *SIZE, f"--ratio=1:{rod}", f"--angle={phi}", f"--about={about}mm", f"--cranks={lists['crank']}",
+        f"--banks={lists['bank']}", f"--positions={lists['place']}mm", f"--reciprocating={lists['mass']}kg",
+        f"--revolving={lists['revolving']}kg",
+    )  # fmt: skip
+    forces = [one.pressed(phi, 1 / rod) for one in engine]
+    moment = sum(force * (one.place - about) / 1000 for force, one in zip(forces, engine, strict=True))
+    for residual, true in (("force", sum(forces)), ("moment", moment)):
+        row = found[residual, phi, "all"]
+        assert said(row) == pytest.approx(true, abs=2e-4)
+        assert float(row["magnitude_n"]) == pytest.approx(abs(true), abs=2e-4)
+        if row["direction"] and abs(true) > 1:
+            assert cmath.rect(1, math.radians(float(row["direction"]))) == pytest.approx(
+                true / abs(true), abs=1e-3
+            )
+
+
+@pytest.mark.parametrize("phi", [0, 25, 90, 214])
+def test_a_v_twin_of_60_degrees_has_the_textbook_s_forces(phi: int) -> None:
+    # m/2 √(9 cos² φ + sin² φ), and of the second order what the two slides have along and across.
+    found = page("--cranks=0;0", "--banks=-30;30", "--ratio=1:4", f"--angle={phi}", "--method=series")
+    angle = math.radians(phi)
+    primary = math.hypot(3 * math.cos(angle), math.sin(angle)) / 2
+    assert float(found["force", phi, "1"]["magnitude"]) == pytest.approx(primary, abs=1e-6)
+    along = 2 * math.cos(math.radians(30)) * math.cos(2 * angle) * math.cos(math.radians(60)) / 4
+    across = 2 * math.sin(math.radians(30)) * math.sin(2 * angle) * math.sin(math.radians(60)) / 4
+    assert said(found["force", phi, "2"], "") == pytest.approx(complex(along, across), abs=1e-6)
+    both = said(found["force", phi, "1"], "") + said(found["force", phi, "2"], "")
+    assert said(found["force", phi, "sum"], "") == pytest.approx(both, abs=2e-6)
+
+
+def test_a_share_balanced_leaves_the_textbook_s_force_and_names_the_counterweight() -> None:
+    words: tuple[str, ...] = ("--engine=inline-1", "--share=0.65", "--reciprocating=50kg", "--revolving=37kg", *SIZE)
+    words += ("--revolving-share=1", "--balance-radius=400mm", "--angle=60", "--method=infinite")
+    row = page(*words)["force", 60, "1"]
+    angle = math.radians(60)
+    force = 50 * RADIUS * SQUARE * math.hypot(0.35 * math.cos(angle), 0.65 * math.sin(angle))
+    assert float(row["magnitude_n"]) == pytest.approx(force, abs=1e-6)
+    text = " ".join(printed("balance", *words, "--lang=en").out.split())
+    assert (
+        f"mass times radius in kg m: {(0.65 * 50 + 37) * RADIUS:g}; at the radius 400 mm in kg: 17.375"
+        in text
+    )
+
+
+def test_what_vanishes_at_every_angle_is_nought_by_proof() -> None:
+    six = page("--engine=inline-6", "--angle=17", "--orders=4")
+    assert {said(row, "") for key, row in six.items() if key[2] != "all"} == {0}
+    boxer = printed("balance", "--engine=boxer-4", "--angle=17;80", "--format=csv").records()
+    assert {row["magnitude"] for row in boxer if row["residual"] == "force"} == {"0"}
+    assert {row["direction"] for row in boxer if row["residual"] == "force"} == {""}
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (("--angle=30", "--layout=balance"), "layout balance is of the whole turn; leave --angle out"),
+        (("--about=1",), "--about is a position; give these, --positions"),
+        (("--revolving=2kg",), "--revolving is for moving masses; add --reciprocating"),
+        (
+            ("--engine=inline-2-180", "--reciprocating=2;3;4kg", *SIZE),
+            "the number of reciprocating masses is 3 and that of cylinders 2",
+        ),
+        (
+            ("--engine=inline-2-180", "--reciprocating=2;3kg", *SIZE, "--columns=along"),
+            "column along is in units of m R ω², but masses are not alike; take along_n",
+        ),
+        (
+            ("--cranks=0;180", "--positions=0;1m", "--spacing=1m", "--reciprocating=2kg", *SIZE),
+            "the positions are lengths, and --spacing gives their unit",
+        ),
+    ],
+)
+def test_what_contradicts_itself_or_says_nothing_is_refused(words: tuple[str, ...], sentence: str) -> None:
+    assert refusal("balance", *words).startswith(sentence)
