@@ -115,7 +115,13 @@ def test_a_v_twin_of_60_degrees_has_the_textbook_s_forces(phi: int) -> None:
 
 
 def test_a_share_balanced_leaves_the_textbook_s_force_and_names_the_counterweight() -> None:
-    words: tuple[str, ...] = ("--engine=inline-1", "--share=0.65", "--reciprocating=50kg", "--revolving=37kg", *SIZE)
+    words: tuple[str, ...] = (
+        "--engine=inline-1",
+        "--share=0.65",
+        "--reciprocating=50kg",
+        "--revolving=37kg",
+        *SIZE,
+    )
     words += ("--revolving-share=1", "--balance-radius=400mm", "--angle=60", "--method=infinite")
     row = page(*words)["force", 60, "1"]
     angle = math.radians(60)
@@ -123,8 +129,7 @@ def test_a_share_balanced_leaves_the_textbook_s_force_and_names_the_counterweigh
     assert float(row["magnitude_n"]) == pytest.approx(force, abs=1e-6)
     text = " ".join(printed("balance", *words, "--lang=en").out.split())
     assert (
-        f"mass times radius in kg m: {(0.65 * 50 + 37) * RADIUS:g}; at the radius 400 mm in kg: 17.375"
-        in text
+        f"mass times radius in kg m: {(0.65 * 50 + 37) * RADIUS:g}; at the radius 400 mm: 17.375 kg" in text
     )
 
 

@@ -27,18 +27,16 @@ WORDS: Mapping[str, Words] = {
     "rod": words(
         " mit dem Teil der Schubstange am Kreuzkopfzapfen| with the rod's share at the crosshead pin"
     ),
-    "each": words(
-        "Hin- und hergehende Massen in kg: {masses}{rod}|Reciprocating masses in kg: {masses}{rod}"
-    ),
+    "each": words("Hin- und hergehende Massen: {masses}{rod}|Reciprocating masses: {masses}{rod}"),
     "revolving": words(
-        "Umlaufende Massen am Kurbelhalbmesser in kg: {masses}, davon ausgeglichen der Teil {share}"
-        "|Revolving masses at the crank radius in kg: {masses}, of which the share {share} is balanced"
+        "Umlaufende Massen am Kurbelhalbmesser: {masses}, davon ausgeglichen der Teil {share}"
+        "|Revolving masses at the crank radius: {masses}, of which the share {share} is balanced"
     ),
     "counterweights": words(
         "Gegengewichte der Kurbel gegenüber, Masse mal Halbmesser in kg m: {moments}"
         "|Counterweights opposite the crank, mass times radius in kg m: {moments}"
     ),
-    "at_radius": words("; am Halbmesser {radius} in kg: {masses}|; at the radius {radius} in kg: {masses}"),
+    "at_radius": words("; am Halbmesser {radius}: {masses}|; at the radius {radius}: {masses}"),
 }
 
 
@@ -129,12 +127,14 @@ class Weighed:
             for one, turning in zip(arrangement.cylinders, revolving, strict=True)
         )
 
-    def notes(self, arrangement: Arrangement, ratio_symbol: str, lang: str) -> Iterator[Label]:
-        """Yield the lines about masses, size and speed."""
+    def notes(
+        self, arrangement: Arrangement, ratio_symbol: str, lang: str, metres: bool = False
+    ) -> Iterator[Label]:
+        """Yield the lines about masses, size and speed; positions in metres need no unit of their own."""
         if not self.each:
             yield from moving_notes(self.crank, ratio_symbol, lang)
         rod = WORDS["rod"][lang] if known(self.crank.moving).rod is not None else ""
-        spacing = "" if self.spacing is None else f"$a = {amount(self.spacing, 'mm')}$"
+        spacing = "" if self.spacing is None or metres else f"$a = {amount(self.spacing, 'mm')}$"
         if self.each:
             size = f"${ratio_symbol[0]} = {amount(known(self.crank.radius), 'mm')}$"
             yield WORDS["each"][lang].format(masses=_listed(self.each), rod=rod)
@@ -147,9 +147,8 @@ class Weighed:
             )
         told = self.revolving or self.balance_radius is not None
         if told and any(weights := self.counterweights(arrangement)):
-            yield WORDS["counterweights"][lang].format(moments=_listed(weights)) + self._at_radius(
-                weights, lang
-            )
+            moments = "; ".join(f"${figure(one)}$" for one in dict.fromkeys(weights))
+            yield WORDS["counterweights"][lang].format(moments=moments) + self._at_radius(weights, lang)
 
     def _at_radius(self, weights: Sequence[Fraction], lang: str) -> Label:
         if self.balance_radius is None:
@@ -161,6 +160,6 @@ class Weighed:
 
 
 def _listed(masses: Sequence[Fraction]) -> Label:
-    """Return masses in a row, once where all are alike."""
+    """Return masses in kg in a row, once where all are alike."""
     shown = masses[:1] if len(set(masses)) == 1 else masses
-    return "; ".join(f"${figure(one)}$" for one in shown)
+    return "; ".join(f"${amount(one, 'kg')}$" for one in shown)

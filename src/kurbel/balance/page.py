@@ -37,6 +37,7 @@ from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis, angle_text
 from kurbel.page.quantity import Column, Formula, Quantity, entry, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field
+from kurbel.reading.amounts import amount
 from kurbel.reading.given import choose
 
 DEFAULT_ENGINE = "inline-4"
@@ -211,15 +212,22 @@ def _notes(request: BalanceRequest) -> Iterator[Label]:
     lang, cylinders = request.lang, request.arrangement.cylinders
     yield from angle_notes(request.arrangement, lang)
     if len(cylinders) > 1:
-        yield WORDS["positions"][lang] + listed(exact_text(one.position) for one in cylinders)
+        if request.metres:
+            lengths = (amount(one.position, "mm") for one in cylinders)
+            yield WORDS["lengths"][lang] + listed(lengths)
+        else:
+            yield WORDS["positions"][lang] + listed(exact_text(one.position) for one in cylinders)
     yield WORDS["angles"][lang]
     revolving = request.weighed is not None and request.weighed.revolving
     yield WORDS["symbols"][lang] + ("" if revolving else WORDS["balanced"][lang])
     spacing = "spacing" if request.engine else "unit"
-    metre = '$a = 1000 "mm"$, ' if request.metres and request.weighed is None else ""
-    yield metre + WORDS[spacing][lang] + _about(request)
+    if request.metres:
+        spacing = "metre"
+    yield WORDS[spacing][lang] + _about(request)
     if request.weighed is not None:
-        yield from request.weighed.notes(request.arrangement, request.layout.ratio_symbol, lang)
+        yield from request.weighed.notes(
+            request.arrangement, request.layout.ratio_symbol, lang, request.metres
+        )
     if request.arrangement.share:
         yield WORDS["share"][lang].format(share=f"${exact_text(request.arrangement.share)}$")
     yield WORDS["zero"][lang]
@@ -229,7 +237,7 @@ def _notes(request: BalanceRequest) -> Iterator[Label]:
 def _about(request: BalanceRequest) -> Label:
     if request.about is None:
         return WORDS["middle"][request.lang]
-    position = f"${exact_text(request.about)} a$"
+    position = f"${amount(request.about, 'mm') if request.metres else exact_text(request.about) + ' a'}$"
     return WORDS["about"][request.lang].format(position=position)
 
 

@@ -32,6 +32,8 @@ WORDS: Mapping[str, Words] = {
     "cranks": words("Kurbeln: |Cranks: "),
     "banks": words("Zylinderachsen: |Axes of the cylinders: "),
     "positions": words("Lagen in $a$: |Positions in $a$: "),
+    "lengths": words("Lagen: |Positions: "),
+    "metre": words('$a = 1 "m"$'),
     "symbols": words(
         "$m$ hin- und hergehende Masse eines Zylinders, $R$ Kurbelhalbmesser, $ω$ Winkelgeschwindigkeit"
         "|$m$ reciprocating mass of a cylinder, $R$ crank radius, $ω$ angular velocity"

@@ -12,7 +12,6 @@ from kurbel.balance.rotors.lines import Line, Places, lines, on
 from kurbel.balance.rotors.rotor import Rotor
 from kurbel.balance.rotors.unknown import Solution, solved
 from kurbel.balance.vector import EXACT_ZERO, ONE, Scale, Vector, direction, is_zero, printed
-from kurbel.drive.load import figure
 from kurbel.exact.figures import as_given
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label, Number
@@ -21,6 +20,7 @@ from kurbel.page.axes import ColumnAxis, ListAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, words
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
+from kurbel.reading.amounts import amount
 from kurbel.reading.units import Speed
 
 ANGLE = "angle"
@@ -130,18 +130,24 @@ class RotorRequest(Question):
 
 def _number(question: RotorRequest, column: Column, place: Place, times: int) -> Number | None:
     line = question.lines[place["solution"]][place["line"]]
-    value = column.quantity.formulas["exact"].kernel(line)
+    key = column.quantity.key
+    own = quantities()[key]
+    value = own.formulas["exact"].kernel(line)
     if value is None:
         return None
-    if column.key == ANGLE:
+    if key == ANGLE:
         return _angle(value, column.places, question.rounding)
     scale = ONE
-    if column.quantity.needs == _OF_SPEED:
+    if own.needs == _OF_SPEED:
         assert question.speed is not None
         scale = Scale.speed(question.speed, 2)
-    return known_number(
-        value, scale.times(_SCALES.get(column.key, Fraction(1))), column.decimals, question.rounding
-    )
+    unit = _SCALES.get(key, Fraction(1)) * in_units_of_page(question, own)
+    return known_number(value, scale.times(unit), column.decimals, question.rounding)
+
+
+def in_units_of_page(question: Question, quantity: Quantity) -> Fraction:
+    """Return how many units of the page a quantity's own is."""
+    return question.units.times(quantity.unit["en"]) if question.units is not None else Fraction(1)
 
 
 def _angle(value: Fraction | Vector, decimals: int, rounding: str) -> Number | None:
@@ -209,7 +215,7 @@ def _notes(question: RotorRequest) -> Iterator[Label]:
     lang, about = question.lang, question.rotor.about
     planes = ""
     if not question.planar:
-        planes = WORDS["planes"][lang].format(about=f'$z = {figure(1000 * about)} "mm"$')
+        planes = WORDS["planes"][lang].format(about=f"$z = {amount(about, 'mm')}$")
     yield WORDS["angles"][lang] + planes
     if question.speed is not None:
         yield WORDS["speed"][lang].format(speed=turns_label(question.speed))
