@@ -6,6 +6,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any, TypedDict, Unpack
 
 from kurbel.commands import parameters as option
+from kurbel.commands.diagram.given import Diagram, foreign, is_diagram, needless
 from kurbel.commands.engine_pages.layouts import has_wheel, layout_of_delta, layout_of_turning
 from kurbel.commands.machines import (
     EXAMPLE,
@@ -74,6 +75,10 @@ class Wheeled(TypedDict, total=False):
 
 class Turning(option.Engine, Wheeled, total=False):
     """An engine with its flywheel."""
+
+
+class AnyTurning(Turning, Diagram, total=False):
+    """The same, or a diagram in place of the engine."""
 
 
 def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
@@ -188,7 +193,7 @@ def _asked(page: Layout) -> Any:
     return CylindersRequest
 
 
-@makes_table(foreign=_foreign, needless=_of_wheel, order=ORDER)
+@makes_table(foreign=foreign(_foreign), needless=needless(_of_wheel), order=ORDER)
 def turning_table(
     eps: option.Eps = None,
     *,
@@ -203,11 +208,11 @@ def turning_table(
     ] = None,
     columns: Annotated[option.Names, option.columns_option("turning", "phi,tangential,energy")] = (),
     layouts: option.Layouts = None,
-    layout: Annotated[str | None, option.layout_option(*TURNING)] = None,
-    **given: Unpack[Turning],
+    layout: Annotated[str | None, option.layout_option(*TURNING, "torques", "areas")] = None,
+    **given: Unpack[AnyTurning],
 ) -> Question:
     """Print the turning effort of an engine or a driven machine: tangential force and excess energy over the
-    crank angle.
+    crank angle; without an engine a turning-moment diagram, by its torque or its areas.
 
     \b
     kurbel turning --eps 4 --ratio 1:5
@@ -215,7 +220,15 @@ def turning_table(
     kurbel turning --eps 4 --cranks '0;90' --step 15
     kurbel turning --eps 4 --step 0.5 -f csv -o drehkraft.csv
     kurbel turning --eps 4 --flywheel 50 --columns phi,speed
+    kurbel turning --torque '5000 + 1500 sin(3φ)' --load-torque '5000 + 600 sin φ'
+    kurbel turning --torque '0:0; 60:90; 180:0; 360:0' --cranks '0;120;240'
+    kurbel turning --areas '+52;-124;+92;-140;+85;-72;+107' --area-scale '500 N m; 6°'
     """
+    if is_diagram(given):
+        from kurbel.commands.diagram.page import diagram_asked
+
+        pages = {"layouts": layouts, "layout": layout}
+        return diagram_asked({**given, **pages, "speed": speed, "angle": angle, "step": step}, columns)
     page = layout_of(layout or layout_of_turning(given), TURNING, layouts)
     cycle = whole_cycle({**given, "eps": eps})
     if step is not None:

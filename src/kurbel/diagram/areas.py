@@ -36,11 +36,12 @@ class Scale(NamedTuple):
 @dataclass(frozen=True)
 class Areas:
     """The signed areas of a cycle, above the mean line positive, and their scale; `turns` of the cycle where
-    they are known."""
+    they are known. They are `measured` where they are energies themselves."""
 
     areas: tuple[Fraction, ...]
     scale: Scale
     turns: Fraction | None = None
+    measured: bool = False
 
     def __post_init__(self) -> None:
         if len(self.areas) < 2:
@@ -82,6 +83,10 @@ class Areas:
     def swing(self, kind: Kind) -> Any:
         return self.energy(max(self.levels) - min(self.levels), kind)
 
+    def extreme_energy(self, kind: Kind, *, greatest: bool) -> Any:
+        """Return the greatest or the least energy in J, that at a being 0."""
+        return self.energy(max(self.levels) if greatest else min(self.levels), kind)
+
     def mean_torque(self, kind: Kind) -> None:
         return None
 
@@ -111,7 +116,7 @@ def given_areas(areas: Sequence[str], scale: str | None = None, turns: Fraction 
             "the areas have no scale; add the energy of a unit of area, --area-scale 52.36J, or the scales of"
             " torque and angle, --area-scale '500 N m; 6°', or write their unit: '+52J;-124J;+72J'"
         )
-    return Areas(tuple(units.energy(part, "area") for part in parts), Scale(Fraction(1)), turns)
+    return Areas(tuple(units.energy(part, "area") for part in parts), Scale(Fraction(1)), turns, True)
 
 
 def read_scale(text: str) -> Scale:

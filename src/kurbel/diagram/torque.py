@@ -80,6 +80,12 @@ class Torque:
         level = max(max(abs(one.first), abs(one.last)) for one in self.lines)
         return level + sum(map(abs, self.waves.amplitudes.values()))
 
+    @property
+    def jumps(self) -> bool:
+        """Whether it jumps anywhere, at the end of the cycle too."""
+        behind = (*self.lines[1:], self.lines[0])
+        return any(one.last != other.first for one, other in zip(self.lines, behind, strict=True))
+
     @cached_property
     def _starts(self) -> list[Fraction]:
         return [one.start for one in self.lines]

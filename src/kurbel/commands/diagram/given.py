@@ -6,6 +6,8 @@ from os import PathLike
 from typing import TYPE_CHECKING, Annotated, Any, TypedDict
 
 from kurbel.commands.options import FILE, Option, is_given
+from kurbel.commands.parameters import Sheet
+from kurbel.commands.subject import Refusals
 from kurbel.errors import ProblemError
 from kurbel.reading.given import Exact, as_crank_angles, as_fraction
 
@@ -19,6 +21,8 @@ MOST_TURNS = 100
 DRIVES, LOADS = ("torque", "torque_file"), ("load_torque", "load_torque_file")
 # The options that describe a diagram, each by itself.
 DIAGRAMS = (*DRIVES, *LOADS, "areas")
+# What else says something on their pages.
+BESIDE = ("speed", "inertia", "cranks", "angle", "step", "columns", "layouts", "layout")
 
 
 class Diagram(TypedDict, total=False):
@@ -75,14 +79,41 @@ def is_diagram(given: Mapping[str, Any]) -> bool:
     return any(is_given(given.get(name)) for name in DIAGRAMS)
 
 
-def needless_diagram(given: Mapping[str, Any]) -> Mapping[str, str]:
-    """Return what refuses those options that describe a diagram further where there is none of that kind."""
-    refused = {}
-    if not is_diagram(given):
-        refused["turns"] = "--turns is for a diagram without an engine; add --torque, or leave it out"
-    if not is_given(given["areas"]):
-        refused["area_scale"] = "--area-scale is for --areas; add these, or leave it out"
-    return refused
+def foreign(others: Refusals, *further: str) -> Refusals:
+    """Return what refuses the options of engines beside a diagram, and without one what `others` does.
+
+    `further` are names of options that say something of diagrams, too.
+    """
+
+    def refusals(values: Mapping[str, Any]) -> Mapping[str, str]:
+        if not is_diagram(values):
+            return others(values)
+        own = {*Diagram.__annotations__, *Sheet.__annotations__, *BESIDE, *further}
+        named = next(name for name in DIAGRAMS if is_given(values.get(name)))
+        flag = named.replace("_", "-")
+        return {
+            name: f"--{name.replace('_', '-')} describes an engine, and --{flag} a diagram without one; leave"
+            " one of them out"
+            for name in values
+            if name not in own
+        }
+
+    return refusals
+
+
+def needless(others: Refusals) -> Refusals:
+    """Return what refuses the options that describe a diagram further where there is none of that kind, and
+    without one what `others` does."""
+
+    def refusals(values: Mapping[str, Any]) -> Mapping[str, str]:
+        refused = {} if is_diagram(values) else {**others(values)}
+        if not is_diagram(values):
+            refused["turns"] = "--turns is for a diagram without an engine; add --torque, or leave it out"
+        if not is_given(values["areas"]):
+            refused["area_scale"] = "--area-scale is for --areas; add these, or leave it out"
+        return refused
+
+    return refusals
 
 
 def fluctuation_of(given: Mapping[str, Any]) -> "Fluctuation":

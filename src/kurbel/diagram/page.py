@@ -1,0 +1,236 @@
+"""The pages of turning-moment diagrams without an engine: over the crank angle, or at the ends of areas."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+from kurbel.diagram.areas import Areas
+from kurbel.diagram.captions import WORDS, outcome
+from kurbel.diagram.excess import Excess
+from kurbel.diagram.quantities import INERTIA, RUN, SCALE, areas_registry, torque_registry
+from kurbel.diagram.steady import Steady
+from kurbel.drive.crank import check_angles
+from kurbel.drive.load import figure
+from kurbel.errors import ProblemError
+from kurbel.exact.kind import floats, settled
+from kurbel.exact.numerals import Label, Number, figures
+from kurbel.motion.captions import turns_label
+from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place, angle_decimals
+from kurbel.page.quantity import Column, Quantity, words
+from kurbel.page.subject import Question, Subject
+from kurbel.page.table import Field
+from kurbel.reading.units import Speed
+
+TORQUES, AREAS = "torques", "areas"
+POINT = words("Punkt|Point")
+NEEDS = {INERTIA: ("--inertia",), RUN: ("--inertia", "--speed"), SCALE: ("--area-scale",)}
+
+
+@dataclass(frozen=True, kw_only=True)
+class DiagramRequest(Question):
+    """What is asked for of a diagram, with the flywheel and its mean speed as far as they are known."""
+
+    inertia: Fraction | None = None
+    speed: Speed | None = None
+
+    def __post_init__(self) -> None:
+        if self.inertia is not None and self.inertia <= 0:
+            raise ProblemError(f"the moment of inertia is {figure(self.inertia)} kg m²; it must be above 0")
+        super().__post_init__()
+
+    @property
+    def swinging(self) -> Any:
+        raise NotImplementedError
+
+    @cached_property
+    def swing(self) -> float:
+        """About the swing of the energy in J, by which columns have their figures."""
+        return float(self.swinging.swing(floats()))
+
+    @cached_property
+    def steady(self) -> Steady | None:
+        """The flywheel in steady state, where it and its speed are known."""
+        if self.inertia is None or self.speed is None:
+            return None
+        return Steady(self.swinging, self.inertia, self.speed)
+
+    def missing(self, quantity: Quantity) -> str:
+        lacks = {INERTIA: self.inertia is None, RUN: self.inertia is None or self.speed is None}
+        if not lacks.get(quantity.needs):
+            return ""
+        return f"column {quantity.key} needs {' and '.join(NEEDS[quantity.needs])}"
+
+    def flywheel(self) -> Iterator[Label]:
+        """Yield the line about the flywheel and its speed."""
+        lang = self.lang
+        if self.inertia is None:
+            yield from () if self.speed is None else (turns_label(self.speed),)
+        elif self.speed is None:
+            yield WORDS["mass"][lang].format(inertia=figure(self.inertia))
+        else:
+            said = WORDS["run"][lang]
+            yield said.format(inertia=figure(self.inertia), speed=turns_label(self.speed))
+
+
+@dataclass(frozen=True, kw_only=True)
+class TorquesRequest(DiagramRequest):
+    """What is asked for of torques at crank angles."""
+
+    excess: Excess
+    angles: Sequence[Fraction] = (Fraction(0),)
+    # What was not given and is the mean of the other, "load" or "drive"; and the cranks of one diagram.
+    constant: str = ""
+    cranks: Sequence[Fraction] = ()
+
+    no_column = "there is no column beside the angle; add one, such as excess_energy"
+
+    def check(self) -> None:
+        check_angles(self.angles)
+
+    @property
+    def swinging(self) -> Excess:
+        return self.excess
+
+
+@dataclass(frozen=True, kw_only=True)
+class AreasRequest(DiagramRequest):
+    """What is asked for of areas at the points between them."""
+
+    areas: Areas
+
+    no_column = "there is no column beside the points; add one, such as excess_energy"
+
+    @property
+    def swinging(self) -> Areas:
+        return self.areas
+
+    def missing(self, quantity: Quantity) -> str:
+        if quantity.needs == SCALE and self.areas.measured:
+            return f"column {quantity.key} is of areas with a scale; these are energies, add --area-scale"
+        return super().missing(quantity)
+
+
+def _greatest(question: TorquesRequest, key: str) -> float:
+    """Return a bound of a quantity's magnitude, by which a column has its figures."""
+    excess, steady = question.excess, question.steady
+    torque = {"load_torque": excess.load, "excess_torque": excess.excess}.get(key, excess.drive)
+    if key == "excess_energy":
+        return question.swing
+    if key == "angular_acceleration":
+        return float(excess.excess.most / (question.inertia or 1))
+    return float(torque.most) if steady is None else _speed(steady, key, float(torque.most))
+
+
+def _speed(steady: Steady, key: str, other: float) -> float:
+    speeds = {"omega": 1.0, "rpm": 30 / floats().pi}
+    return float(steady.mean(floats())) * speeds[key] if key in speeds else other
+
+
+def _settled(
+    question: Any, column: Column, where: Fraction, times: int, most: float, algebraic: bool
+) -> Number:
+    decimals = figures(most) if column.decimals is None else column.decimals
+    kernel = column.quantity.formulas["exact"].kernel
+    scaled = settled(
+        lambda kind: times * kernel(question, where, kind), decimals, question.rounding, algebraic
+    )
+    return Number(scaled, decimals)
+
+
+def _torque_number(question: TorquesRequest, column: Column, place: Place, times: int) -> Number:
+    where, key = question.angles[place["angle"]], column.quantity.key
+    algebraic = key != "rpm"
+    if key in ("excess_energy", "omega"):
+        algebraic = question.excess.is_algebraic_at(where)
+    if key == "omega":
+        algebraic = algebraic and question.steady is not None and question.steady.algebraic
+    return _settled(question, column, where, times, _greatest(question, key), algebraic)
+
+
+def _area_number(question: AreasRequest, column: Column, place: Place, times: int) -> Number:
+    key, steady, areas = column.quantity.key, question.steady, question.areas
+    algebraic = key == "level" or (areas.algebraic and key != "rpm")
+    if key == "omega":
+        algebraic = steady is not None and steady.algebraic
+    level = areas.levels[place["point"]]
+    if key == "level":
+        decimals = column.decimals if angle_decimals(areas.levels) is None else angle_decimals(areas.levels)
+        column = column._replace(decimals=decimals if column.decimals is None else column.decimals)
+    most = question.swing if steady is None else _speed(steady, key, question.swing)
+    return _settled(question, column, level, times, most, algebraic)
+
+
+def _point_axis(question: AreasRequest) -> ListAxis:
+    field = Field("point", POINT[question.lang])
+    return ListAxis(question.areas.letters, field, lambda letter: f"${letter}$", lambda letter: f"${letter}$")
+
+
+def _caption(question: DiagramRequest) -> Label:
+    return question.layout.caption[question.lang]
+
+
+def _torque_notes(question: TorquesRequest) -> Iterator[Label]:
+    lang, excess = question.lang, question.excess
+    yield from (note[lang] for note in question.layout.notes)
+    yield WORDS["signs"][lang]
+    yield "; ".join(_taken(question))
+    yield from question.flywheel()
+    yield from outcome(excess, question.speed, question.steady, lang)
+
+
+def _taken(question: TorquesRequest) -> Iterator[Label]:
+    lang, excess = question.lang, question.excess
+    if question.constant:
+        yield WORDS[question.constant][lang]
+    if any(one.slope for torque in (excess.drive, excess.load) for one in torque.lines):
+        yield WORDS["lines"][lang]
+    if excess.excess.jumps:
+        yield WORDS["jumps"][lang]
+    if question.cranks:
+        angles = "; ".join(f"${figure(one)}°$" for one in question.cranks)
+        yield WORDS["cranks"][lang].format(angles=angles)
+    one = excess.turns == 1
+    yield WORDS["one_cycle"][lang] if one else WORDS["cycle"][lang].format(turns=excess.turns)
+
+
+def _area_notes(question: AreasRequest) -> Iterator[Label]:
+    lang, areas = question.lang, question.areas
+    yield from (note[lang] for note in question.layout.notes)
+    yield WORDS["area_signs"][lang]
+    if not areas.measured:
+        times = " π" if areas.scale.of_pi else ""
+        yield WORDS["scale"][lang].format(scale=f'{figure(areas.scale.energy)}{times} "J"')
+    yield from question.flywheel()
+    yield from outcome(areas, question.speed, question.steady, lang)
+
+
+OF_TORQUES = Subject(
+    key=TORQUES,
+    layout="torques",
+    command="turning --torque T",
+    axes={"angle": AngleAxis, "column": ColumnAxis},
+    axis_keys=("phi",),
+    quantities=torque_registry,
+    number=_torque_number,
+    caption=_caption,
+    notes=_torque_notes,
+    letters=True,
+    options=NEEDS,
+)
+OF_AREAS = Subject(
+    key=AREAS,
+    layout="areas",
+    command="turning --areas AREAS",
+    axes={"point": _point_axis, "column": ColumnAxis},
+    axis_keys=("point",),
+    quantities=areas_registry,
+    number=_area_number,
+    caption=_caption,
+    notes=_area_notes,
+    letters=True,
+    options=NEEDS,
+)
