@@ -69,7 +69,8 @@ class Product:
                 return cls.of(short)
         return cls.about(value, algebraic=True)
 
-    def __mul__(self, other: Product) -> Product:
+    def __mul__(self, other: Product | int) -> Product:
+        other = Product.of(other) if isinstance(other, int) else other
         root = lcm(self.root, other.root)
         base = self.base ** (root // self.root) * other.base ** (root // other.root)
         powers = dict(self.enclosed)
@@ -78,8 +79,8 @@ class Product:
         left = tuple((one, power) for one, power in powers.items() if power)
         return Product(*_reduced(base, root), self.pi + other.pi, left)
 
-    def __truediv__(self, other: Product) -> Product:
-        return self * other ** Fraction(-1)
+    def __truediv__(self, other: Product | int) -> Product:
+        return self * (Product.of(other) if isinstance(other, int) else other) ** Fraction(-1)
 
     def __pow__(self, power: Fraction) -> Product:
         base, root = _reduced(self.base**power.numerator, self.root * power.denominator)
@@ -132,7 +133,7 @@ class Product:
 
     def number(self, decimals: int | None, rounding: str, times: int = 1) -> Number:
         """Return the number times a factor, rounded correctly; without decimals to five figures."""
-        scaled = self * Product.of(times)
+        scaled = self * times
         if scaled.rational is not None:
             return given(scaled.rational, decimals, rounding)
         if decimals is None:

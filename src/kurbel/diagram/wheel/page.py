@@ -7,9 +7,10 @@ from fractions import Fraction
 
 from kurbel.diagram.fluctuation import Fluctuation
 from kurbel.diagram.wheel.captions import caption, notes
-from kurbel.diagram.wheel.quantities import NEEDS, registry
+from kurbel.diagram.wheel.quantities import NEEDS, SHOWN, registry
 from kurbel.diagram.wheel.sizing import Sizing
 from kurbel.exact.numerals import Number
+from kurbel.exact.product import Product
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, angle_number, irregularity_label
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, Quantity, words
@@ -39,7 +40,7 @@ class WheelRequest(Question):
         return super().axis_keys if self.targets else ()
 
     def missing(self, quantity: Quantity) -> str:
-        if self.wheels[0].shown(quantity.key) is not None:
+        if self.wheels[0].knows(quantity.key):
             return ""
         options = ", ".join(NEEDS[quantity.needs])
         return f"column {quantity.key} does not follow from what is given; add what it needs of {options}"
@@ -66,8 +67,13 @@ def _target_axis(question: WheelRequest) -> ListAxis:
 
 
 def _number(question: WheelRequest, column: Column, place: Place, times: int) -> Number | None:
-    value = question.wheels[place["target"]].shown(column.quantity.key)
-    return None if value is None else value.number(column.decimals, question.rounding, times)
+    quantity = column.quantity
+    known = question.wheels[place["target"]].figures.get(SHOWN[quantity.key].figure)
+    if known is None:
+        return None
+    # In other units than its own the quantity's is a multiple.
+    shown: Product = quantity.formulas["exact"].kernel(known.value)
+    return shown.number(column.decimals, question.rounding, times)
 
 
 SUBJECT = Subject(

@@ -40,11 +40,9 @@ class Sizing:
     figures: Figures
     taken: tuple[str, ...] = ()
 
-    def shown(self, key: str) -> Product | None:
-        """Return a quantity in its unit, None where it is not known."""
-        shown = SHOWN[key]
-        known = self.figures.get(shown.figure)
-        return None if known is None else shown.of(known.value)
+    def knows(self, key: str) -> bool:
+        """Whether a quantity is known."""
+        return SHOWN[key].figure in self.figures
 
 
 def sized(given: Figures, limit: Known | None = None) -> Sizing:
