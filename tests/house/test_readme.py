@@ -16,7 +16,7 @@ from places import ROOT, SOURCES
 from registers import register
 
 README = ROOT / "README.md"
-PAGES = (README, ROOT / "docs" / "engines.md", ROOT / "docs" / "speed.md")
+PAGES = (README, *(ROOT / "docs" / name for name in ("engines.md", "speed.md", "flywheels.md")))
 BLOCK = re.compile(r"(?<=```console\n).*?(?=```)", re.DOTALL)
 COMMAND = re.compile(r"^\$ (.+)\n", re.MULTILINE)
 
