@@ -46,7 +46,7 @@ ROWS = {
 OVER_ANGLES = (
     "arc", "blau-kolbenwege", "engine-forces", "forces", "forces-arc", "forces-parallel", "inertia",
     "kinematics", "lueger-kolbenbewegung", "machine-forces", "parallel", "rod-load-turn", "speed",
-    "turning", "turning-path",
+    "torques", "turning", "turning-path",
     "verfahren",
 )  # fmt: skip
 ROWS |= {name: ("--angle=0;60",) for name in OVER_ANGLES}

@@ -16,7 +16,10 @@ from places import ROOT, SOURCES
 from registers import register
 
 README = ROOT / "README.md"
-PAGES = (README, *(ROOT / "docs" / name for name in ("engines.md", "speed.md", "flywheels.md")))
+PAGES = (
+    README,
+    *(ROOT / "docs" / f"{name}.md" for name in ("engines", "speed", "flywheels", "diagrams")),
+)
 BLOCK = re.compile(r"(?<=```console\n).*?(?=```)", re.DOTALL)
 COMMAND = re.compile(r"^\$ (.+)\n", re.MULTILINE)
 

@@ -34,6 +34,8 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "gas cycle": ("delta", "--compression=5..8", "--heat=10"),
     "power": ("power", "--eps=2;3", "--power=75kW", "--stroke-bore=1.5", *STEAM),
     "turning": ("turning",),
+    "torques": ("turning", "--torque=5000 + 1500 sin(3φ)", "--inertia=500kgm2", "--speed=300/min"),
+    "areas": ("turning", "--areas=+52;-124;+92;-140;+85;-72;+107", "--area-scale=500 N m; 6°"),
     "speed": ("turning", "--flywheel=50", "--speed=120/min"),
     "crank forces": ("forces", "--eps=4"),
     "machine": ("forces", "--eps=4", *MACHINE, "--reciprocating=300kg", *ROD, "--rotating=-40kg"),
@@ -139,6 +141,10 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
         "specific_volume": 0.24,
     }),
     "turning": (kurbel.turning_table, {}),
+    "torques": (kurbel.turning_table, {"torque": "5000 + 1500 sin(3φ)", "inertia": 500, "speed": 5}),
+    "areas": (kurbel.turning_table, {
+        "areas": [52, -124, 92, -140, 85, -72, 107], "area_scale": "500 N m; 6°",
+    }),
     "speed": (kurbel.turning_table, {"flywheel": 50, "speed": 2}),
     "crank forces": (kurbel.forces_table, {"eps": 4}),
     "machine": (kurbel.forces_table, {

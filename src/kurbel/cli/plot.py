@@ -12,6 +12,7 @@ from kurbel.cli.tables import MakingCommand
 from kurbel.commands import engine_plots, plots
 from kurbel.commands.cylinder import pressures
 from kurbel.commands.cylinder.slope import LYING
+from kurbel.commands.diagram.given import Diagram
 from kurbel.commands.engine import Wheeled
 from kurbel.commands.loads import PARTS, astray, named
 from kurbel.commands.machines import MASSES, STEAM
@@ -35,6 +36,7 @@ kurbel plot --forces --machine engine.toml -o kraefte.svg
 kurbel plot --turning --eps 4 --ratio 1:5 --over path -o drehkraft.pdf
 kurbel plot --turning --eps 4 --flywheel 50 --speed 120/min -o drehzahl.pdf
 kurbel plot --turning --pressure-ratio 3 --clearance 5% -o kompressor.pdf
+kurbel plot --turning --torque '5000 + 1500 sin(3φ)' --load-torque '5000 + 600 sin φ' -o drehmoment.pdf
 kurbel plot --pressures --machine engine.toml -o beschleunigungsdruck.pdf
 """
 FLAGS = {
@@ -43,7 +45,7 @@ FLAGS = {
     "polar": "Draw the polar diagram of the force on the crank pin, of either.",
     "pressures": "Draw the acceleration pressure under the indicator diagram, over the stroke.",
     "turning": "Draw the turning effort of a steam engine: tangential force, its mean and the excess energy;"
-    " with a flywheel the speed as well.",
+    " with a flywheel the speed as well; with --torque a diagram without an engine.",
 }
 # The options that all drawings have, or that say which one it is, or where it goes.
 SHARED = frozenset(("positions", *FLAGS, "ratio", "format", "output", "lang", "decimal"))
@@ -168,9 +170,9 @@ def _params() -> list[click.Parameter]:
                help="File to write, whole or not at all; - is standard output, unless a terminal."),
     ]  # fmt: skip
     order = (
-        "ratio", "columns", "over", *Wheeled.__annotations__, "method", "from", "to", "step", "offset",
-        "stroke", "crank", "rod", "speed", "force", "mechanism", "rocker", "pivot", "beam", *STEAM, "cranks",
-        "cylinder", "of", "bore", "pressure", *MASSES, *LYING,
+        "ratio", "columns", "over", *Diagram.__annotations__, *Wheeled.__annotations__, "method", "from",
+        "to", "step", "offset", "stroke", "crank", "rod", "speed", "force", "mechanism", "rocker", "pivot",
+        "beam", *STEAM, "cranks", "cylinder", "of", "bore", "pressure", *MASSES, *LYING,
     )  # fmt: skip
     return [
         machine_option(), own["positions"], *flags, *(own[name] for name in order), *output,

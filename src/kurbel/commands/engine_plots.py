@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Unpack
 from kurbel.commands import parameters as option
 from kurbel.commands.cylinder.given import Cylinders, Of
 from kurbel.commands.cylinder.slope import Lying
+from kurbel.commands.diagram.given import Diagram, foreign, is_diagram, needless
 from kurbel.commands.engine import Wheeled, beside_wheel
 from kurbel.commands.engine_pages.layouts import has_wheel
 from kurbel.commands.machines import engine_of, is_heavy, load_of, over_cycle, weightless
@@ -42,8 +43,8 @@ class Drawn(option.Cylinder, option.MovingRod, Lying, option.AnyDrive, total=Fal
     decimal: option.Decimal
 
 
-class DrawnTurning(Drawn, Wheeled, total=False):
-    """An engine with its flywheel."""
+class DrawnTurning(Drawn, Wheeled, Diagram, total=False):
+    """An engine with its flywheel, or a diagram in place of the engine."""
 
 
 def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
@@ -77,7 +78,7 @@ def plot_engine_polar(eps: option.Eps = None, *, of: Of = None, **given: Unpack[
     return Drawing.of(polar_drawing(question, engine_pin_force(question), mark), given["lang"], mark)
 
 
-@draws(foreign=_foreign, needless=beside_wheel)
+@draws(foreign=foreign(_foreign, "from", "to", "over", "decimal"), needless=needless(beside_wheel))
 def plot_turning(
     eps: option.Eps = None,
     *,
@@ -92,13 +93,22 @@ def plot_turning(
     **given: Unpack[DrawnTurning],
 ) -> Drawing:
     """Draw the turning effort of a steam engine: tangential force, its mean and the excess energy, with a
-    flywheel the speed as well.
+    flywheel the speed as well. Without an engine, draw a turning-moment diagram and its load.
     """
     from kurbel.plot.drawings import curves_drawing
     from kurbel.plot.engine import TURNING, across_path, over_path, turning_panels
 
     mark, lang = mark_of(given["lang"], given["decimal"]), given["lang"]
     about, wheel = {**given, "eps": eps, "cranks": cranks}, None
+    if is_diagram(given):
+        from kurbel.commands.diagram.page import diagram_drawn
+        from kurbel.plot.diagram import diagram_panels
+
+        asked = diagram_drawn(about)
+        panels, across = diagram_panels(asked), None
+        if over == "path":
+            panels, across = over_path(panels), across_path(lang)
+        return Drawing.of(curves_drawing(asked, panels, mark, across), lang, mark)
     if has_wheel(given):
         from kurbel.drive.wheel import given_wheel
 

@@ -83,8 +83,14 @@ class Torque:
     @property
     def jumps(self) -> bool:
         """Whether it jumps anywhere, at the end of the cycle too."""
-        behind = (*self.lines[1:], self.lines[0])
-        return any(one.last != other.first for one, other in zip(self.lines, behind, strict=True))
+        return any(self.jump(one.start) for one in self.lines)
+
+    def jump(self, degrees: Fraction) -> Fraction:
+        """Return by how much it jumps at an angle, 0 where it does not."""
+        place = degrees % self.cycle
+        number = self.line_at(place)
+        line = self.lines[number]
+        return line.first - self.lines[number - 1].last if line.start == place else Fraction(0)
 
     @cached_property
     def _starts(self) -> list[Fraction]:

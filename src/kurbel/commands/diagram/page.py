@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from kurbel.commands.diagram.given import DRIVES, LOADS, areas_of, excess_of
 from kurbel.commands.motion import STEP
@@ -15,6 +15,9 @@ from kurbel.page.layouts import layout_of
 from kurbel.page.subject import Question
 from kurbel.reading import notation
 from kurbel.reading.given import as_angle, as_angles, as_crank_angles, as_inertia, as_names, as_speed
+
+if TYPE_CHECKING:
+    from kurbel.diagram.page import TorquesRequest
 
 PAGES = ("torques", "areas")
 EXAMPLE = "phi,excess_energy"
@@ -28,8 +31,7 @@ def diagram_asked(given: Mapping[str, Any], columns: Names) -> Question:
     page = layout_of(given["layout"] or PAGES[of_areas], PAGES[of_areas:][:1], given["layouts"])
     about: dict[str, Any] = {
         "layout": page,
-        "inertia": None if given["inertia"] is None else as_inertia(given["inertia"], "moment of inertia"),
-        "speed": None if given["speed"] is None else as_speed(given["speed"]),
+        **_wheel(given),
         "columns": as_names(columns, "point,excess_energy" if of_areas else EXAMPLE),
         **{name: given[name] for name in Sheet.__annotations__},
     }
@@ -39,14 +41,48 @@ def diagram_asked(given: Mapping[str, Any], columns: Names) -> Question:
                 raise ProblemError(f"--{name} is of crank angles, which areas do not have; leave it out")
         return AreasRequest(areas=areas_of(given), **about)
     excess = excess_of(given)
-    driven, loaded = (any(is_given(given[name]) for name in names) for names in (DRIVES, LOADS))
+    return TorquesRequest(excess=excess, angles=angles_of(given, excess.cycle), **_of_torques(given), **about)
+
+
+def diagram_drawn(given: Mapping[str, Any]) -> TorquesRequest:
+    """Return what is drawn of the diagram that options describe. Raises KurbelError."""
+    from kurbel.commands.plots import curve_angles, page_of
+    from kurbel.diagram.page import TorquesRequest
+    from kurbel.plot.diagram import DRAWN, SPEED
+
+    if is_given(given["areas"]):
+        raise ProblemError(
+            "areas alone have no curve; kurbel turning prints their energies, and --torque draws a diagram by"
+            " its points"
+        )
+    excess, wheel = excess_of(given), _wheel(given)
+    run = given if given["to"] is not None else {**given, "to": excess.cycle}
     return TorquesRequest(
+        layout=page_of(PAGES[0]),
         excess=excess,
-        angles=angles_of(given, excess.cycle),
-        constant="" if driven and loaded else "load" if driven else "drive",
-        cranks=as_crank_angles(given["cranks"]) if is_given(given["cranks"]) else (),
-        **about,
+        angles=curve_angles(run),
+        columns=DRAWN if None in wheel.values() else (*DRAWN, SPEED),
+        lang=given["lang"],
+        **_of_torques(given),
+        **wheel,
     )
+
+
+def _of_torques(given: Mapping[str, Any]) -> dict[str, Any]:
+    """Return what was not given of both torques, and the cranks."""
+    driven, loaded = (any(is_given(given[name]) for name in names) for names in (DRIVES, LOADS))
+    return {
+        "constant": "" if driven and loaded else "load" if driven else "drive",
+        "cranks": as_crank_angles(given["cranks"]) if is_given(given["cranks"]) else (),
+    }
+
+
+def _wheel(given: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the flywheel and its speed, as far as they are known."""
+    return {
+        "inertia": None if given["inertia"] is None else as_inertia(given["inertia"], "moment of inertia"),
+        "speed": None if given["speed"] is None else as_speed(given["speed"]),
+    }
 
 
 def angles_of(given: Mapping[str, Any], cycle: Fraction) -> Sequence[Fraction]:

@@ -1,0 +1,71 @@
+"""What drawings show of turning-moment diagrams: torques, the excess energy, the speed of a flywheel."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from kurbel.diagram.page import TorquesRequest
+from kurbel.diagram.torque import Torque
+from kurbel.exact.kind import floats
+from kurbel.page.quantity import words
+from kurbel.plot.panels import axis_name, check_drawn, degrees
+from kurbel.plot.plotting import Curve, Panel
+
+# What is drawn; the speed of a flywheel where that and its mean are known.
+DRAWN, SPEED = ("torque", "load_torque", "excess_energy"), "rpm"
+MEAN = "$T_m$"
+TORQUES = words("Drehmomente|Torques")
+
+
+def diagram_panels(request: TorquesRequest) -> list[Panel]:
+    """Return a panel of both torques and, where both were given, their mean, one of the excess energy
+    and, of a flywheel, one of its speed.
+
+    The request has the columns `DRAWN`, and `SPEED` where it is known. The curves have the corners and jumps
+    of the torques besides the angles. Raises ProblemError for one angle, or more than can be drawn.
+    """
+    check_drawn(request.angles, 3)
+    excess, lang = request.excess, request.lang
+    drive, load, *others = (column.quantity for column in request.page_columns)
+    both = [
+        Curve(one.symbol, *_course(torque, request))
+        for one, torque in ((drive, excess.drive), (load, excess.load))
+    ]
+    if not request.constant:
+        ends = degrees([request.angles[0], request.angles[-1]])
+        both.append(Curve(MEAN, ends, [float(excess.mean_torque(floats()))] * 2))
+    panels = [Panel(both, TORQUES[lang], drive.plain_unit(lang))]
+    places = _places(excess.excess, request)
+    for one in others:
+        name, heading, unit = axis_name(one, lang)
+        kernel = one.formulas["exact"].kernel
+        values = [float(kernel(request, place, floats())) for place in places]
+        panels.append(Panel([Curve(heading, degrees(places), values)], f"{name} {heading}", unit))
+    return panels
+
+
+def _places(torque: Torque, request: TorquesRequest) -> list[Fraction]:
+    """Return the angles with those at which the torque has corners."""
+    first, last = request.angles[0], request.angles[-1]
+    return sorted({*request.angles, *_within(torque, first, last)})
+
+
+def _within(torque: Torque, first: Fraction, last: Fraction) -> Iterator[Fraction]:
+    turns = range(int(first // torque.cycle), int(last // torque.cycle) + 1)
+    for begun in (torque.cycle * number for number in turns):
+        yield from (begun + one.start for one in torque.lines if first <= begun + one.start <= last)
+
+
+def _course(torque: Torque, request: TorquesRequest) -> tuple[list[float], list[float]]:
+    """Return angles and values of a torque; at a jump both values, the first that before."""
+    angles, values, kind = [], [], floats()
+    for place in _places(torque, request):
+        drop = torque.jump(place)
+        if drop and place > request.angles[0]:
+            angles.append(place)
+            values.append(float(torque.at(place, kind)) - float(drop))
+        if not drop or place < request.angles[-1]:
+            angles.append(place)
+            values.append(float(torque.at(place, kind)))
+    return degrees(angles), values
