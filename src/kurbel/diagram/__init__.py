@@ -1,1 +1,1 @@
-"""Turning-moment diagrams that no engine of kurbel makes, and how a machine's energy varies under them."""
+"""Turning-moment diagrams that no engine makes: torques by formula, points or areas, and loads."""
