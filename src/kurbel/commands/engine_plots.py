@@ -102,7 +102,7 @@ def plot_turning(
     about, wheel = {**given, "eps": eps, "cranks": cranks}, None
     if is_diagram(given):
         from kurbel.commands.diagram.page import diagram_drawn
-        from kurbel.plot.diagram import diagram_panels
+        from kurbel.plot.diagrams.torques import diagram_panels
 
         asked = diagram_drawn(about)
         panels, across = diagram_panels(asked), None

@@ -48,7 +48,7 @@ def diagram_drawn(given: Mapping[str, Any]) -> TorquesRequest:
     """Return what is drawn of the diagram that options describe. Raises KurbelError."""
     from kurbel.commands.plots import curve_angles, page_of
     from kurbel.diagram.page import TorquesRequest
-    from kurbel.plot.diagram import DRAWN, SPEED
+    from kurbel.plot.diagrams.torques import DRAWN, SPEED
 
     if is_given(given["areas"]):
         raise ProblemError(

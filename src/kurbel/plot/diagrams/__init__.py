@@ -1,0 +1,1 @@
+"""Drawings of turning-moment diagrams without an engine."""
