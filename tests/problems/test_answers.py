@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import json
 import tomllib
+from collections.abc import Callable
 from decimal import Decimal
 from importlib import import_module
+from inspect import signature
 from pathlib import Path
 from typing import Any
 
@@ -27,11 +29,17 @@ for name in FILES:
 @pytest.mark.parametrize("file", FILES)
 def test_every_answer_has_the_digits_of_an_independent_solution(file: str, variant: int) -> None:
     for problem in problems_of(str(FILES[file]), "en", variant):
-        values = {name: in_si(value) for name, value in values_of(FILES[file], problem.name, variant).items()}
+        values = as_asked(SOLUTIONS[problem.name], values_of(FILES[file], problem.name, variant))
         answered = printed(*problem.words, "-f", "json", KURBEL_LANG="en").out
         rows = json.loads(answered, parse_float=Decimal, parse_int=Decimal)["rows"]
         with mp.workdps(30):
             assert_digits(problem.name, rows, SOLUTIONS[problem.name](**values))
+
+
+def as_asked(solve: Callable[..., Rows], typed: dict[str, str]) -> dict[str, Any]:
+    """Return the values in SI units; those that a solution reads itself as they are typed."""
+    asked = signature(solve).parameters
+    return {name: one if asked[name].annotation == "str" else in_si(one) for name, one in typed.items()}
 
 
 def values_of(path: Path, name: str, variant: int) -> dict[str, str]:

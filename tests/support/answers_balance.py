@@ -72,8 +72,8 @@ def five_cranks(mass: mpf, crank: mpf, ratio: mpf, speed: mpf, spacing: mpf) -> 
 def resultants(banks: Sequence[mpf], order: int) -> list[mpf]:
     """How large the sum of cos(k(φ − β)) along the cylinders' directions β is, over a turn."""
     sizes = []
-    for step in range(720):
-        phi = 2 * pi * step / 720
+    for step in range(72):
+        phi = 2 * pi * step / 72
         along = [cos(order * (phi - radians(bank))) for bank in banks]
         x = sum(one * cos(radians(bank)) for one, bank in zip(along, banks, strict=True))
         y = sum(one * sin(radians(bank)) for one, bank in zip(along, banks, strict=True))

@@ -1,0 +1,96 @@
+"""Problems on flywheels: energies of a wheel at two speeds, and the volume of a rim."""
+
+from __future__ import annotations
+
+from mpmath import mpf, pi, sqrt
+from problem_answers import Rows, solution
+
+
+def per_minute(speed: mpf) -> mpf:
+    return speed * 30 / pi
+
+
+def wheel(swing: mpf, speed: mpf, delta: mpf) -> dict[str, mpf]:
+    """The wheel whose energies at both ends of the range around a mean speed differ by the swing."""
+    high, low = speed * (1 + delta / 2), speed * (1 - delta / 2)
+    inertia = 2 * swing / (high**2 - low**2)
+    return {"inertia": inertia, "greatest_speed": per_minute(high), "least_speed": per_minute(low)}
+
+
+def range_of(inertia: mpf, swing: mpf, speed: mpf) -> dict[str, mpf]:
+    """The speeds ω(1 ± δ/2) at which the energies of a wheel differ by the swing."""
+    delta = swing / (inertia * speed**2)
+    ends = per_minute(speed * (1 + delta / 2)), per_minute(speed * (1 - delta / 2))
+    return {"delta": delta, "greatest_speed": ends[0], "least_speed": ends[1]}
+
+
+@solution
+def wheel_from_the_swing(swing: mpf, speed: mpf, delta: mpf, radius: mpf) -> Rows:
+    found = wheel(swing, speed, delta)
+    return [{**found, "mass": found["inertia"] / radius**2}]
+
+
+@solution
+def speeds_of_a_wheel(mass: mpf, radius: mpf, swing: mpf, speed: mpf) -> Rows:
+    return [range_of(mass * radius**2, swing, speed)]
+
+
+@solution
+def coefficient_of_energy(power: mpf, speed: mpf, share: mpf, delta: mpf, radius: mpf) -> Rows:
+    swing = share * power * 2 * pi / speed
+    return [{"swing": swing, "mass": wheel(swing, speed, delta)["inertia"] / radius**2}]
+
+
+@solution
+def rim_by_hoop_stress(
+    swing: mpf, speed: mpf, delta: mpf, stress: mpf, density: mpf, share: mpf, section: mpf
+) -> Rows:
+    velocity = sqrt(stress / density)
+    inertia = wheel(swing, speed, delta)["inertia"]
+    radius = velocity / speed
+    mass = share * inertia / radius**2
+    thickness = sqrt(mass / (2 * pi * radius * density * section))
+    return [
+        {
+            "rim_diameter": 2 * radius,
+            "rim_mass": mass,
+            "thickness": thickness * 1000,
+            "breadth": section * thickness * 1000,
+        }
+    ]
+
+
+@solution
+def rim_of_given_diameter(
+    power: mpf, speed: mpf, share: mpf, delta: mpf, diameter: mpf, rim: mpf, density: mpf
+) -> Rows:
+    inertia = wheel(share * power * 2 * pi / speed, speed, delta)["inertia"]
+    mass = rim * inertia / (diameter / 2) ** 2
+    return [
+        {
+            "rim_mass": mass,
+            "section": mass / (density * pi * diameter) * 10**4,
+            "hoop_stress": density * (speed * diameter / 2) ** 2 / 10**6,
+        }
+    ]
+
+
+@solution
+def punching_press(work: mpf, strokes: mpf, share: mpf, speed: str, radius: mpf) -> Rows:
+    low, high = (mpf(one) * pi / 30 for one in speed.removesuffix("/min").split(".."))
+    power = work * strokes / (2 * pi)
+    inertia = 2 * work * (1 - share) / (high**2 - low**2)
+    return [{"power": power, "mass": inertia / radius**2}]
+
+
+@solution
+def one_blow(inertia: mpf, energy: mpf, speed: mpf) -> Rows:
+    return [{"least_speed": per_minute(sqrt(speed**2 - 2 * energy / inertia))}]
+
+
+@solution
+def given_rim(swing: mpf, speed: mpf, diameter: mpf, breadth: mpf, thickness: mpf, density: mpf) -> Rows:
+    mass = density * breadth * thickness * pi * diameter
+    found = range_of(mass * diameter**2 / 4, swing, speed)
+    stress = density * (speed * diameter / 2) ** 2 / 10**6
+    return [{**found, "rim_mass": mass, "hoop_stress": stress}]
