@@ -9,6 +9,7 @@ from pages import (
     BALANCES,
     BEAMS,
     COLLATIONS,
+    EFFORTS,
     ENGINES,
     LINKAGES,
     PRESSED,
@@ -44,7 +45,8 @@ ROWS = {
     "balance": ("--orders=2",),
 }
 OVER_ANGLES = (
-    "arc", "blau-kolbenwege", "engine-forces", "forces", "forces-arc", "forces-parallel", "inertia",
+    "arc", "blau-kolbenwege", "engine-forces", "forces", "forces-arc", "forces-effort",
+    "forces-parallel", "inertia",
     "kinematics", "lueger-kolbenbewegung", "machine-forces", "parallel", "rod-load-turn", "speed",
     "torques", "turning", "turning-path",
     "verfahren",

@@ -70,6 +70,18 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "formulas": ("collate", "blau-equations"),
     "arc crank": ("table", "--mechanism=arc", "--rocker=6"),
     "parallel crank": ("table", "--mechanism=parallel"),
+    "effort": (
+        "forces",
+        "--bore=300mm",
+        "--piston-rod=50mm",
+        "--head-pressure=1.5bar",
+        "--stroke=600mm",
+        "--speed=120/min",
+        "--reciprocating=300kg",
+        *ROD,
+        "--friction=500N",
+        "--slope=30",
+    ),
     "beam engine": ("table", "--mechanism=beam", "--beam=3"),
     "coupled axles": ("forces", "--mechanism=parallel", "--axles=3"),
     "inertia": ("inertia", "--centre=0.65", "--gyration=0.35"),
@@ -107,6 +119,7 @@ TURNED = about("balance at angles", "rotor")
 TORQUES = about("torque", "excitation", "cylinders")
 FIRINGS = about("firing orders", "firing")
 COLLATIONS = about("collation", "formulas")
+EFFORTS = about("effort")
 LINKAGES = about("arc crank", "parallel crank", "coupled axles", "beam engine")
 # What `kurbel table` prints.
 DRIVES = about("motion", "arc crank", "parallel crank", "beam engine")
@@ -185,6 +198,11 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
     "formulas": (kurbel.collation_table, {"table": "blau-equations"}),
     "arc crank": (kurbel.table, {"mechanism": "arc", "rocker": 6}),
     "parallel crank": (kurbel.table, {"mechanism": "parallel"}),
+    "effort": (kurbel.forces_table, {
+        "bore": 0.3, "piston_rod": 0.05, "head_pressure": 150_000, "stroke": 0.6, "speed": 2,
+        "reciprocating": 300, "rod_mass": 150, "centre": 0.6, "gyration": "0.3", "friction": 500,
+        "slope": 30,
+    }),
     "beam engine": (kurbel.table, {"mechanism": "beam", "beam": 3}),
     "coupled axles": (kurbel.forces_table, {"mechanism": "parallel", "axles": 3}),
     "rod masses": (kurbel.inertia_table, {

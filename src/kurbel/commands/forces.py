@@ -5,6 +5,17 @@ from typing import Annotated, Any, Unpack
 
 from kurbel.commands import loads
 from kurbel.commands import parameters as option
+from kurbel.commands.cylinder.effort import (
+    PRESSING,
+    RODS,
+    RUBBING,
+    Pressing,
+    Rods,
+    Rubbing,
+    needless_beside_load,
+    needless_of_pressures,
+    rubbed,
+)
 from kurbel.commands.cylinder.given import Of
 from kurbel.commands.cylinder.slope import LYING, Lying
 from kurbel.commands.loads import NAMES, OWN, PARTS
@@ -32,9 +43,12 @@ from kurbel.page.subject import Question
 from kurbel.reading.given import Exact, as_names
 
 ROD_LOAD = "rod load"
+OF_DRIVES = ("motion", "effort")
 OF_ENGINES = ("crank forces", "machine", ROD_LOAD)
 POSITIONS = ("tangent",)
 COUPLED = "coupled axles"
+EFFORT = "forces-effort"
+PARTED = (*PRESSING, *RUBBING)
 AXLES = ("axles", "driven")
 # How masses move.
 MOVING = ("speed", "acceleration", "method")
@@ -78,7 +92,7 @@ def _about(values: Mapping[str, Any]) -> str:
     if values["at"] is not None or subject == "tangent":
         return "tangent"
     engine = loads.named(values) or is_given(values["of"])
-    return "engine" if engine and subject != "motion" else "piston"
+    return "engine" if engine and subject not in OF_DRIVES else "piston"
 
 
 def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
@@ -92,7 +106,7 @@ def _of_case(values: Mapping[str, Any]) -> Mapping[str, str]:
             angles = "does not go with --at tangent, a position with an angle of its own; leave it out"
             force = "does not go with --at tangent, a position under one piston force, --force; leave it out"
             return _refused(("angle", "from", "to", "step"), angles) | _refused(
-                (*STEAM, *MASSES, *LYING, "bore", "pressure", *MOVING, "cranks"), force
+                (*STEAM, *MASSES, *LYING, *PARTED, *RODS, "bore", "pressure", *MOVING, "cranks"), force
             )
         case "engine":
             which = "steam" if is_given(values["eps"]) or is_given(values["card"]) else "load"
@@ -106,25 +120,37 @@ def _of_case(values: Mapping[str, Any]) -> Mapping[str, str]:
                 **_refused(("acceleration",), even),
                 **for_masses("speed")(values),
                 **weightless(values),
+                **needless_beside_load(values),
                 **(_refused(("stroke",), newton_metres) if bare else {}),
             }
     unasked = _refused(
         tuple(loads.named(values)), f"says nothing on layout {values['layout']}; leave one out"
     )
-    steam = _refused(
-        ("bore", "pressure", "cranks", *STEAM), "is for the steam of an engine; add --eps or --card"
-    )
-    lone = {**for_masses(*MOVING)(values), **weightless(values)}
+    pressed = any(is_given(values[name]) for name in PRESSING)
+    of_steam = ("pressure", "cranks", *STEAM) if pressed else ("bore", "pressure", "cranks", *STEAM)
+    steam = _refused(of_steam, "is for the steam of an engine; add --eps or --card")
+    lone = {**for_masses(*MOVING)(values), **weightless(values), **needless_of_pressures(values)}
+    if not (pressed or is_heavy(values) or is_given(values["force"])):
+        lone |= _refused(RUBBING, "lessens a force; add --force, --head-pressure or masses")
     further = {**steam, **{name: loads.astray(name) for name in PARTS}, **lone}
     # First, lest an option of the load asks for one.
     return {**unasked, **further, **unasked}
+
+
+def _has_parts(values: Mapping[str, Any]) -> bool:
+    """Whether more than a force and masses makes the effort on the piston."""
+    stands = is_heavy(values) and any(is_given(values[name]) for name in LYING)
+    return stands or any(is_given(values[name]) for name in PARTED)
 
 
 def _refused(names: tuple[str, ...], why: str) -> dict[str, str]:
     return {name: f"--{name.replace('_', '-')} {why}" for name in names}
 
 
-class Forces(option.Run, option.AnyDrive, option.Steam, option.MovingRod, Lying, option.Sheet, total=False):
+class Forces(
+    option.Run, option.AnyDrive, option.Steam, option.MovingRod, Lying, Pressing, Rods, Rubbing, option.Sheet,
+    total=False,
+):  # fmt: skip
     """A crank drive and all that can act on it."""
 
     force: option.Force
@@ -152,7 +178,8 @@ class Forces(option.Run, option.AnyDrive, option.Steam, option.MovingRod, Lying,
     needless=_needless,
     order="angle from_ to step columns offset stroke crank rod mechanism rocker pivot beam axles driven force"
     " at eps back exponent clearance card other_side single_acting cranks bore pressure reciprocating"
-    " rod_mass centre gyration rod_file rotating rocker_inertia vertical slope gravity speed acceleration"
+    " rod_mass centre gyration rod_file rotating rocker_inertia vertical slope gravity"
+    " head_pressure crank_pressure pressure_difference piston_rod tail_rod friction speed acceleration"
     " method",
 )
 def forces_table(
@@ -176,10 +203,11 @@ def forces_table(
     layout: Annotated[
         str | None,
         Option(
-            "Page layout; default: forces; with --eps or --card engine-forces, with masses machine-forces,"
+            "Page layout; default: forces, with weight, friction or pressures forces-effort;"
+            " with --eps or --card engine-forces, with masses machine-forces,"
             " and rod-load for extremes and reversal of the rod's load;"
             f" of the {' or '.join(LINKAGES)} crank {', '.join(f'forces-{name}' for name in LINKAGES)}.",
-            kind=LayoutName(("motion", *OF_ENGINES, "tangent", *SUBJECTS, COUPLED)),
+            kind=LayoutName((*OF_DRIVES, *OF_ENGINES, "tangent", *SUBJECTS, COUPLED)),
         ),
     ] = None,
     **given: Unpack[Forces],
@@ -244,13 +272,13 @@ def forces_table(
             return engine_of(page, about_turn, columns=as_names(columns, "thrust,reversal_angle"))
         names = as_names(columns, "epsilon,delta")
         return engine_of(page, about_turn, angles=angles_of(page, over_cycle(given)), columns=names)
-    name = layout or chosen.forces_layout
-    page = layout_of(name, ("motion", *OF_ENGINES) if chosen.crosshead else (chosen.subject,), layouts)
+    name = layout or (EFFORT if chosen.crosshead and _has_parts(all_given) else chosen.forces_layout)
+    page = layout_of(name, (*OF_DRIVES, *OF_ENGINES) if chosen.crosshead else (chosen.subject,), layouts)
     if page.subject in OF_ENGINES:
         raise ProblemError(f"layout {name} is of a steam engine; add --eps or --card")
-    drives = chosen.drives(said, page.ratios)
+    drives = weighed(chosen, chosen.drives(said, page.ratios), all_given)
     return chosen.question(
-        weighed(chosen, drives, all_given),
+        rubbed(chosen, drives, all_given),
         method,
         layout=page,
         angles=angles_of(page, given),

@@ -16,6 +16,7 @@ from kurbel.reading.given import Exact, as_fraction, as_length, as_number, as_ra
 from kurbel.reading.notation import Progression, about, ratio_text
 
 if TYPE_CHECKING:
+    from kurbel.drive.effort import Effort
     from kurbel.drive.moved import Moved
     from kurbel.drive.rod import Moving, Rod
     from kurbel.exact.kind import Kind
@@ -37,7 +38,8 @@ def known(part: Part | None) -> Part:
 @dataclass(frozen=True, slots=True)
 class Crank:
     """A crank drive: ratio λ = R/L, offset e/R, crank radius R in metres, speed, piston force,
-    connecting rod and moving masses where they are known; its angular acceleration in rad/s².
+    connecting rod, moving masses and what else acts on piston and crosshead, where they are known; its
+    angular acceleration in rad/s².
 
     Valid for 0 <= λ < 1 and |e| < L − R; λ = 0 is the infinite rod.
     """
@@ -50,6 +52,7 @@ class Crank:
     rod: Rod | None = None
     moving: Moving | None = None
     acceleration: Fraction = Fraction(0)
+    effort: Effort | None = None
 
     @property
     def crank(self) -> Crank:
@@ -65,6 +68,26 @@ class Crank:
         from kurbel.drive.moved import moved
 
         return moved(self, kind, method)
+
+    @property
+    def loaded(self) -> bool:
+        """Whether more than one force that is given acts on the drive."""
+        return self.moving is not None or self.effort is not None
+
+    @property
+    def weighed(self) -> bool:
+        """Whether the weight of its masses counts."""
+        return self.moving is not None and self.moving.slope is not None
+
+    @property
+    def rubbed(self) -> bool:
+        """Whether there is friction on piston and crosshead."""
+        return self.effort is not None and bool(self.effort.friction)
+
+    @property
+    def pushed(self) -> bool:
+        """Whether forces in newtons are known."""
+        return self.force is not None or self.loaded
 
     @property
     def rod_length(self) -> Fraction | None:
@@ -116,7 +139,7 @@ class Crank:
 
     def newtons(self, numbers: Kind) -> Any:
         """What makes newtons of a unit force; forces of moving masses are in newtons as they are."""
-        return numbers.of(Fraction(1) if self.moving is not None else known(self.force).first)
+        return numbers.of(Fraction(1) if self.loaded else known(self.force).first)
 
     def newton_metres(self, numbers: Kind) -> Any:
         return self.newtons(numbers) * numbers.of(known(self.radius))

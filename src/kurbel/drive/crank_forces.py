@@ -94,4 +94,6 @@ CRANK_FORCES: Mapping[str, CrankForce] = {
     "bearing_along": CrankForce(_unit, _ALONG, framed=True, on_shaft=True),
     "bearing_across": CrankForce(forces.guide_force, _across, framed=True, on_shaft=True),
     "bearing_force": CrankForce(forces.rod_force, _PIN, magnitude=True, on_shaft=True),
+    "weight_force": CrankForce(_none, methodcaller("weight_force"), framed=True),
+    "friction_force": CrankForce(_none, methodcaller("friction_force"), framed=True),
 }

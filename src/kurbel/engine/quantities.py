@@ -176,6 +176,7 @@ class _Force(NamedTuple):
     letter: str
     direction: Words | None = None
     framed: bool = False
+    needs: str = ""
 
 
 _BEARING = words(
@@ -223,6 +224,17 @@ FORCES: Mapping[str, _Force] = {
     "bearing_along": _Force("Lagerkraft längs|Bearing force along", "H_x", _BEARING, framed=True),
     "bearing_across": _Force("Lagerkraft quer|Bearing force across", "H_y", _BEARING, framed=True),
     "bearing_force": _Force("Lagerkraft|Bearing force", "H", _BEARING),
+    "weight_force": _Force(
+        "Gewicht|Weight", "F_G",
+        words("$F_G$ Gewicht von Kolben und Kreuzkopf längs der Führung"
+              "|$F_G$ weight of piston and crosshead along the slide"),
+        framed=True, needs="weight",
+    ),
+    "friction_force": _Force(
+        "Reibung|Friction", "F_R",
+        words("$F_R$ Reibung von Kolben und Kreuzkopf|$F_R$ friction of piston and crosshead"),
+        framed=True, needs="friction",
+    ),
 }  # fmt: skip
 
 
@@ -232,12 +244,12 @@ def _force_entries() -> Iterator[Quantity]:
         in_steam = _entry(
             key, one.name, f"${one.letter}$", "$Q$", "crank", 4,
             lambda turn, where, force=acting: turn.crank_force(force, where.half_turns),
-            direction=one.direction, ties=partial(ties.crank_force_ties, acting),
+            direction=one.direction, ties=partial(ties.crank_force_ties, acting), needs=one.needs,
         )  # fmt: skip
         yield in_steam
         yield in_steam._replace(
             key=f"{key}_n", unit=words("N"), decimals=1, heading=words(f"{in_steam.symbol} in N"),
-            scale=AnyTurn.force_unit, needs="load", ties=partial(ties.newton_ties, acting),
+            scale=AnyTurn.force_unit, needs=one.needs or "load", ties=partial(ties.newton_ties, acting),
         )  # fmt: skip
     yield _entry(
         "torque_nm", "Drehmoment|Torque", "$M_d$", "N m", "angle", 1,

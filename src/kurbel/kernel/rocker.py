@@ -80,6 +80,14 @@ class LoadedRocker:
         """Return the inertia force of the reciprocating mass."""
         return 0 - (self.reciprocating + self.masses.rocker) * self.acceleration
 
+    def weight_force(self) -> Number:
+        """Return no weight: what a rocker weighs is not known."""
+        return 0
+
+    def friction_force(self) -> Number:
+        """Return no friction."""
+        return 0
+
     def thrust(self) -> Number:
         """Return the force of the joint on the rod along the arc, positive against X."""
         return self.piston_force - (self.reciprocating + self.masses.rocker) * self.acceleration

@@ -213,6 +213,10 @@ class Loaded:
         weight = self.weight
         return 0 if weight is None else weight.reciprocating * weight.along + 0
 
+    def friction_force(self) -> Number:
+        """Return the friction of piston and crosshead, positive against X."""
+        return 0 if self.friction is None else self.friction
+
     def crosshead_side(self) -> Number:
         """Return the force of the crosshead on the rod across the slide, positive with Y."""
         weight = self.weight

@@ -20,7 +20,7 @@ FORCE = "force"
 
 
 FORCES: Mapping[str, Force] = {
-    **quantities.FORCES,
+    **{key: one for key, one in quantities.FORCES.items() if key not in quantities.EFFORT},
     "rod_force": Force(
         "Stangenkraft|Rod force", "S",
         "$S$ am Stangenende, auf dem Hingang Druck, auf dem Rückgang Zug"

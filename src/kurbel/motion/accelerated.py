@@ -54,7 +54,7 @@ def is_mixed(quantity: Quantity, method: str, crank: Crank, angle: Fraction) -> 
     # In radians a second all is algebraic, and the parts are zero where these are.
     moving = None if crank.moving is None else replace(crank.moving, slope=None)
     speed = replace(known(crank.speed), turns=False)
-    plain = replace(crank, force=None, moving=moving, speed=speed)
+    plain = replace(crank, force=None, effort=None, moving=moving, speed=speed)
     even = replace(plain, acceleration=Fraction(0))
     masses = crank.moving is not None and LOADED in quantity.formulas
     if masses or quantity.needs in _IN_SECONDS:

@@ -25,6 +25,9 @@ def is_long(columns: Sequence[Column], cranks: Sequence[Crank], angles: Sequence
     """Whether so many cells, to so few decimals, are worth NumPy's start-up: `columns_in_floats`."""
     if fits_page(columns, cranks, angles):
         return False
+    # A float beside a dead centre does not tell for certain which way friction acts.
+    if any(crank.rubbed for crank in cranks):
+        return False
     if max(column.places for column in columns) > MOST_DECIMALS:
         return False
     reach = float(largest(angles))
@@ -49,7 +52,7 @@ def float_bound(column: Column, crank: Crank, largest_angle: float) -> float:
     scale = abs(float(quantity.scale(crank, floats()))) if quantity.scale else 1.0
     if quantity.needs in ("force", "torque") and crank.force is not None:
         scale *= float(crank.force.growth)
-    if LOADED in quantity.formulas and crank.moving is not None:
+    if LOADED in quantity.formulas and crank.loaded:
         # A force is a sum of few products of these with powers of 1/cos ψ.
         scale *= 8 * float(greatest_load(crank))
     if crank.acceleration:
@@ -106,10 +109,14 @@ def integer_angles(angles: Progression) -> tuple[np.ndarray, int]:
 def greatest_load(crank: Crank) -> Fraction:
     """Return a bound of the forces in newtons that piston force and moving masses call up, but for the rod's
     slant: without the factor (2π)² where the speed counts turns."""
-    moving, speed = known(crank.moving), known(crank.speed)
+    moving, speed = crank.moving, crank.speed
+    force = crank.force.first * crank.force.growth if crank.force else Fraction(0)
+    if crank.effort is not None:
+        force += crank.effort.greatest
+    if moving is None or speed is None:
+        return force
     pin, crosshead, couple, _ = moving.joined
     masses = abs(pin) + crosshead + abs(Fraction(couple)) + moving.reciprocating + abs(moving.rotating)
     factor = 40 if speed.turns else 1
-    force = crank.force.first * crank.force.growth if crank.force else Fraction(0)
     weight = 2 * masses * moving.slope.gravity if moving.slope else 0
     return force + weight + masses * known(crank.radius) * speed.value**2 * factor

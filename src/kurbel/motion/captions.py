@@ -143,6 +143,10 @@ def notes(question: Request) -> Iterator[Label]:
         yield from lines(question, columns)
     yield from force_notes(question.cranks, lang)
     for crank in question.cranks[:1]:
+        if crank.effort is not None:
+            from kurbel.motion.effort_words import effort_notes
+
+            yield from effort_notes(crank.effort, lang)
         if crank.moving is not None:
             yield from moving_notes(crank, layout.ratio_symbol, lang)
 
@@ -151,7 +155,7 @@ def formula_lines(page: Formulated, columns: Sequence[Column]) -> Iterator[Label
     """Yield the formulas of the columns, each once, and what their signs mean."""
     finite = [crank for crank in page.cranks if crank.ratio]
     offset = any(crank.offset for crank in finite)
-    if any(crank.moving for crank in page.cranks):
+    if any(crank.loaded for crank in page.cranks):
         # What the masses add has no formula that a line holds.
         columns = [column for column in columns if LOADED not in column.quantity.formulas]
     if not columns:

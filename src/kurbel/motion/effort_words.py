@@ -1,4 +1,4 @@
-"""What pages say of the weight of the moving masses, in both languages."""
+"""What pages say of weight, of pressures on both sides of the piston and of friction, in both languages."""
 
 from __future__ import annotations
 
@@ -10,19 +10,31 @@ from kurbel.exact.numerals import Label
 from kurbel.page.quantity import words
 
 if TYPE_CHECKING:
+    from kurbel.drive.effort import Areas, Effort
     from kurbel.drive.rod import Moving
     from kurbel.drive.slope import Slope
 
 WORDS = {
     "weight": words(
-        "Gewicht von {parts}: Schubrichtung unter ${angle}°$ gegen die Waagerechte, {where}, $g = {gravity}"
+        "Gewicht {parts}: Schubrichtung unter ${angle}°$ gegen die Waagerechte, {where}, $g = {gravity}"
         ' "m/s"^2$'
         "|Weight of {parts}: slide at ${angle}°$ to the horizontal, {where}, $g = {gravity}"
         ' "m/s"^2$'
     ),
-    "reciprocating": words("Kolben und Kreuzkopf|piston and crosshead"),
-    "rod": words("Schubstange|rod"),
-    "all": words("Kolben, Kreuzkopf und Schubstange|piston, crosshead and rod"),
+    "pressures": words(
+        '$F = π/4 ({cover} p_D - {other} p_K)$ zur Welle hin: $p_D = {head} "kPa"$ auf der'
+        ' Deckelseite, $p_K = {crank} "kPa"$ auf der Kurbelseite, über dem Druck der Umgebung'
+        '|$F = π/4 ({cover} p_D - {other} p_K)$ towards the shaft: $p_D = {head} "kPa"$ on the'
+        ' side of the cover, $p_K = {crank} "kPa"$ on that of the crank, above the surroundings'
+    ),
+    "difference": words(
+        '$F = π/4 d^2 Δp$ zur Welle hin: auf der Deckelseite $Δp = {head} "kPa"$ mehr'
+        '|$F = π/4 d^2 Δp$ towards the shaft: $Δp = {head} "kPa"$ more on the side of the cover'
+    ),
+    "friction": words('Reibung ${force} "N"$ gegen die Bewegung|Friction ${force} "N"$ against the motion'),
+    "reciprocating": words("von Kolben und Kreuzkopf|piston and crosshead"),
+    "rod": words("der Schubstange|rod"),
+    "all": words("von Kolben, Kreuzkopf und Schubstange|piston, crosshead and rod"),
     "above": words("Zylinder über der Welle|cylinder above the shaft"),
     "below": words("Zylinder unter der Welle|cylinder below the shaft"),
     "level": words("Zylinder neben der Welle|cylinder beside the shaft"),
@@ -54,3 +66,27 @@ def _where(slope: Slope, lang: str) -> str:
     height = "level" if side in (0, 180) else "above" if side < 180 else "below"
     turning = "" if slope.upright else WORDS["over" if slope.over else "under"][lang]
     return WORDS[height][lang] + turning
+
+
+def effort_notes(effort: Effort, lang: str) -> Iterator[Label]:
+    """Yield the lines about pressures on the piston and about friction."""
+    pressures = effort.pressures
+    if pressures is not None:
+        areas = pressures.areas
+        yield ", ".join(_areas(areas))
+        yield WORDS["difference" if pressures.difference else "pressures"][lang].format(
+            cover="(d^2 - d_D^2)" if areas.tail else "d^2",
+            other="(d^2 - d_K^2)" if areas.rod else "d^2",
+            head=figure(pressures.head / 1000),
+            crank=figure(pressures.crank / 1000),
+        )
+    if effort.friction:
+        yield WORDS["friction"][lang].format(force=figure(effort.friction))
+
+
+def _areas(areas: Areas) -> Iterator[Label]:
+    yield f'$d = {figure(1000 * areas.bore)} "mm"$'
+    if areas.rod:
+        yield f'$d_K = {figure(1000 * areas.rod)} "mm"$'
+    if areas.tail:
+        yield f'$d_D = {figure(1000 * areas.tail)} "mm"$'

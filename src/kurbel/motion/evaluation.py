@@ -37,6 +37,8 @@ NEEDS: Mapping[str, tuple[str, ...]] = {
     "force": ("--force",),
     "torque": ("--force", "--stroke"),
     "masses": ("--reciprocating", "--stroke", "--speed"),
+    "weight": ("--vertical", "--reciprocating", "--stroke", "--speed"),
+    "friction": ("--friction",),
     "rod": ("--centre", "--gyration"),
     "inertia": ("--rod-mass", "--stroke", "--speed"),
 }
@@ -79,7 +81,8 @@ TANGENT = "tangent"
 @dataclass(eq=False)
 class At:
     """What a kernel call takes: where the crank stands, λ and e/R (None without an offset) with the sign of
-    the stroke, the crank and the kind of number; whether what is accelerated is so to first order."""
+    the stroke, the crank, the kind of number, the stroke; whether what is accelerated is so to first order;
+    whether the piston moves in the direction of the stroke, if that is known for certain."""
 
     circle: Any
     ratio: Any
@@ -88,6 +91,7 @@ class At:
     numbers: Kind
     stroke: int = OUT
     first_order: bool = False
+    way: int | None = None
 
     @cached_property
     def gain(self) -> Any:
@@ -117,7 +121,11 @@ class At:
 
     @cached_property
     def _weights(self) -> Weights:
-        moving = known(self.crank.moving)
+        moving = self.crank.moving
+        if moving is None:
+            from kurbel.motion.pushed import NOTHING
+
+            return NOTHING
         return moving.weights(self.numbers, self.crank.pin_acceleration(self.numbers))
 
     def _under_force(self, masses: Masses[Any], reciprocating: Any) -> Loaded:
@@ -127,8 +135,12 @@ class At:
         first = self.crank.force.first if self.crank.force else Fraction(0)
         net = self.acting(self.numbers.of(first))
         weight = framed(self._weights.weight, self.stroke != OUT)
-        drive = (self.circle, self.ratio, masses, self.offset)
-        return Loaded(*drive, net, reciprocating, self.by, weight=weight)
+        drive, friction = (self.circle, self.ratio, masses, self.offset), None
+        if self.crank.effort is not None:
+            from kurbel.motion import pushed
+
+            net, friction = net + pushed.pressed(self), pushed.rubbing(self)
+        return Loaded(*drive, net, reciprocating, self.by, weight=weight, friction=friction)
 
     @property
     def share(self) -> Any:
@@ -146,13 +158,15 @@ class At:
 
 def is_known(quantity: Quantity, crank: Crank) -> bool:
     """Whether what the quantity needs is known of the crank."""
-    pushed = crank.force is not None or crank.moving is not None
+    pushed = crank.pushed
     known = {
         "length": crank.radius is not None,
         **dict.fromkeys(("speed", "mean speed"), crank.speed is not None),
         "force": pushed,
         "torque": crank.radius is not None and pushed,
         "masses": crank.moving is not None,
+        "weight": crank.weighed,
+        "friction": crank.rubbed,
         "rod": crank.rod is not None,
         "inertia": crank.rod is not None and crank.rod.mass is not None and crank.speed is not None,
     }
@@ -205,6 +219,7 @@ class Places:
         self.crank = crank
         self.angle = angle
         self._made: dict[tuple[int, str, int], At] = {}
+        self._ways: dict[int, int] = {}
 
     def at(self, stroke: int, method: str, numbers: Kind) -> At:
         """Return the place on a stroke, on a kind of number."""
@@ -212,8 +227,19 @@ class Places:
         # A place holds its kind of number, so that no other has its id.
         if key not in self._made:
             circle = numbers.circle(self.angle)
-            self._made[key] = _place(stroke, method, self.crank, circle, numbers)
+            made = _place(stroke, method, self.crank, circle, numbers)
+            made.way = self._way(stroke)
+            self._made[key] = made
         return self._made[key]
+
+    def _way(self, stroke: int) -> int | None:
+        if not self.crank.rubbed:
+            return None
+        if stroke not in self._ways:
+            from kurbel.motion.pushed import way_at
+
+            self._ways[stroke] = way_at(self.crank, stroke, self.angle)
+        return self._ways[stroke]
 
 
 def kernel_of(quantity: Quantity, method: str, crank: Crank) -> Callable[[At], Any]:
@@ -224,7 +250,7 @@ def kernel_of(quantity: Quantity, method: str, crank: Crank) -> Callable[[At], A
     if method == DIFFERENCE:
         exact, series = (kernel_of(quantity, one, crank) for one in ("exact", "series"))
         return lambda at: exact(at) - series(replace(at, first_order=True))
-    if crank.moving is not None and LOADED in formulas:
+    if crank.loaded and LOADED in formulas:
         return formulas[LOADED].kernel
     if method not in formulas:
         raise ProblemError(f'method "{method}" has no formula for {quantity.key}; use exact')
@@ -256,7 +282,8 @@ def certified_at(quantity: Quantity, method: str, places: Places, decimals: int,
         if crank.acceleration and known(crank.speed).turns:
             from kurbel.motion.accelerated import is_mixed
 
-            return not (quantity.is_arc or is_mixed(quantity, method, crank, angle))
+            pressed = crank.effort is not None and _weighs(quantity, method, crank, angle)
+            return not (quantity.is_arc or pressed or is_mixed(quantity, method, crank, angle))
         # Turns a second bring the factor π² to what the masses add to an algebraic number.
         return not (is_transcendental(quantity, crank) or _weighs(quantity, method, crank, angle))
 
@@ -264,15 +291,20 @@ def certified_at(quantity: Quantity, method: str, places: Places, decimals: int,
 
 
 def _weighs(quantity: Quantity, method: str, crank: Crank, angle: Fraction) -> bool:
-    """Whether the masses may have a part in the force that has the factor π²."""
-    if LOADED not in quantity.formulas or crank.moving is None or not (crank.speed and crank.speed.turns):
+    """Whether masses or pressures may have a part in the force that has a power of π for a factor."""
+    if LOADED not in quantity.formulas or not crank.loaded:
         return False
+    from kurbel.motion.pushed import with_powers_of_pi
+
+    return any(_counts(quantity, method, alone, angle) for alone in with_powers_of_pi(crank))
+
+
+def _counts(quantity: Quantity, method: str, crank: Crank, angle: Fraction) -> bool:
+    """Whether the quantity may be another than zero."""
     from kurbel.exact.certify import vanishes
 
-    alone = replace(crank, force=None, moving=replace(crank.moving, slope=None))
-
     def part(kind: Kind) -> Any:
-        return value(quantity, method, alone, kind.circle(angle), kind)
+        return value(quantity, method, crank, kind.circle(angle), kind) + kind.of(Fraction(0))
 
     return not vanishes(lambda: part(balls()), float(part(bounds()).bits()))
 

@@ -14,7 +14,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Number
 from kurbel.motion import captions
 from kurbel.motion.evaluation import NEEDS, columns_in_balls, fits_page, needed
-from kurbel.motion.quantities import registry
+from kurbel.motion.quantities import effort_keys, registry
 from kurbel.page.axes import (
     AngleAxis,
     ColumnAxis,
@@ -220,4 +220,12 @@ MOTION = Subject(
     notes=captions.notes,
     rows=motion_records,
     options=NEEDS,
+    listed=lambda: [("table", one) for key, one in registry().items() if key not in effort_keys()],
+)
+# The same with the parts of what acts on the piston.
+EFFORT = MOTION._replace(
+    key="effort",
+    layout="forces-effort",
+    command="forces",
+    listed=lambda: [("forces", registry()[key]) for key in effort_keys()],
 )

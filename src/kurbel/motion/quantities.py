@@ -24,9 +24,16 @@ def registry() -> Mapping[str, Quantity]:
     return {one.key: one for one in (*of_strokes, *speed_entries())}
 
 
+@cache
+def effort_keys() -> tuple[str, ...]:
+    """Return the keys of what acts along the slide: the effort on the piston, and its parts."""
+    return tuple(key for key in registry() if key.partition("_return")[0].removesuffix("_n") in EFFORT)
+
+
 class Force(NamedTuple):
     """A force of the drive: name, letter, in which direction it is positive; what is printed of it, also of
-    the offset crank and, in closed form, where the rod touches the crank circle, if one force calls it up."""
+    the offset crank and, in closed form, where the rod touches the crank circle, if one force calls it up;
+    else what it needs to be known."""
 
     name: str
     letter: str
@@ -34,6 +41,7 @@ class Force(NamedTuple):
     printed: Label = ""
     oblique: Label = ""
     closed: Label = ""
+    needs: str = "masses"
 
 
 # Where masses count, those at the end show what one force alone does not.
@@ -79,7 +87,36 @@ FORCES: Mapping[str, Force] = {
     "bearing_force": Force(
         "Lagerkraft|Bearing force", "H", "$H$ Betrag am Hauptlager|$H$ magnitude at the main bearing"
     ),
+    # What acts along the slide, in its parts.
+    "piston_force": Force(
+        "Kolbenkraft|Piston force", "F", "$F$ auf den Kolben|$F$ on the piston", needs="force"
+    ),
+    "inertia_force": Force(
+        "Massenkraft|Inertia force", "F_m",
+        "$F_m$ der hin- und hergehenden Massen, ohne die Stange"
+        "|$F_m$ of the reciprocating masses, without the rod",
+    ),
+    "weight_force": Force(
+        "Gewicht|Weight", "F_G",
+        "$F_G$ Gewicht von Kolben und Kreuzkopf längs der Führung"
+        "|$F_G$ weight of piston and crosshead along the slide", needs="weight",
+    ),
+    "friction_force": Force(
+        "Reibung|Friction", "F_R",
+        "$F_R$ Reibung von Kolben und Kreuzkopf, im Totpunkt die des Hubes, der dort beginnt"
+        "|$F_R$ friction of piston and crosshead, at a dead centre that of the stroke which begins there",
+        needs="friction",
+    ),
+    "crosshead_load": Force(
+        "Last am Kreuzkopfzapfen|Load at the crosshead pin", "F_B",
+        "$F_B$ ihre Summe am Kreuzkopfzapfen, alle in der Richtung des Hubes, beim Hingang zur Welle hin"
+        "|$F_B$ their sum at the crosshead pin, all in the direction of the stroke, on the outstroke towards"
+        " the shaft", needs="force",
+    ),
 }  # fmt: skip
+
+
+EFFORT = ("piston_force", "inertia_force", "weight_force", "friction_force", "crosshead_load")
 
 
 def _force_entries() -> Iterator[Quantity]:
@@ -99,7 +136,7 @@ def force_entries(
     if shares:
         share = f"${force.letter}/F$"
         yield spanned(key, name, symbol, share, "$F$", 4, shares, names=(key,), direction=said, **rest)
-    needs = "force" if shares else "masses"
+    needs = "force" if shares else force.needs
     yield spanned(
         f"{key}_n", name, symbol, f"{symbol} in N", "N", 1, newton, scale=Crank.newtons, needs=needs,
         direction=said, **rest,

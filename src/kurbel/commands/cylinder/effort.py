@@ -1,0 +1,152 @@
+"""What options describe of the forces on piston and crosshead: pressures on both sides, rods, friction."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from typing import TYPE_CHECKING, Annotated, Any, TypedDict
+
+from kurbel.commands.options import Option
+from kurbel.errors import ProblemError
+from kurbel.reading.given import Exact, as_force, as_length, as_pressure
+
+if TYPE_CHECKING:
+    from kurbel.drive.effort import Areas, Effort, Pressures
+
+RUBBING = ("friction",)
+RODS = ("piston_rod", "tail_rod")
+SIDES = ("head_pressure", "crank_pressure")
+DIFFERENCE = "pressure_difference"
+PRESSING = (*SIDES, DIFFERENCE)
+
+
+class Rubbing(TypedDict, total=False):
+    """What acts against the motion of piston and crosshead."""
+
+    friction: Annotated[
+        Exact | None,
+        Option("Friction of piston and crosshead, against their motion: 500N.", "FORCE", unit="N"),
+    ]
+
+
+class Rods(TypedDict, total=False):
+    """The rods of the piston, which lessen its areas."""
+
+    piston_rod: Annotated[
+        Exact | None,
+        Option(
+            "Diameter of the piston rod, which lessens the area on the side of the crank: 50mm.", "LENGTH",
+            unit="m",
+        ),
+    ]  # fmt: skip
+    tail_rod: Annotated[
+        Exact | None,
+        Option("The same of a rod through the cover, on the other side: 40mm.", "LENGTH", unit="m"),
+    ]
+
+
+class Pressing(TypedDict, total=False):
+    """The pressures on both sides of the piston."""
+
+    head_pressure: Annotated[
+        Exact | None,
+        Option(
+            "With --bore: pressure on the piston's side of the cover, above the surroundings: 0.3bar. It acts"
+            " as long as the crank turns; without --crank-pressure none is on the other side.",
+            "PRESSURE", unit="Pa",
+        ),
+    ]  # fmt: skip
+    crank_pressure: Annotated[
+        Exact | None,
+        Option(
+            "The same on the side of the crank, on the area less that of the --piston-rod: 1.5kPa.",
+            "PRESSURE", unit="Pa",
+        ),
+    ]  # fmt: skip
+    pressure_difference: Annotated[
+        Exact | None,
+        Option(
+            "In place of both: by how much the pressure of the cover's side is higher, on the full area:"
+            " 2.5bar; -2.5bar where it is lower.",
+            "PRESSURE", unit="Pa",
+        ),
+    ]  # fmt: skip
+
+
+def rubbed(chosen: Any, drives: Sequence[Any], given: Mapping[str, Any]) -> list[Any]:
+    """Return drives with what acts on piston and crosshead beside a given force."""
+    found = effort_of(given)
+    if found is None:
+        return list(drives)
+    if not chosen.crosshead:
+        raise ProblemError(
+            f"{chosen.title} with friction or pressures on its piston is not computed; leave out what gives"
+            " these, or add --mechanism straight"
+        )
+    return [drive.of(replace(chosen.crank(drive), effort=found)) for drive in drives]
+
+
+def effort_of(given: Mapping[str, Any]) -> "Effort | None":
+    """Return the pressures and the friction that are given, None without any."""
+    friction = given.get("friction")
+    pressures = _pressures(given)
+    if friction is None and pressures is None:
+        return None
+    from kurbel.drive.effort import Effort
+
+    return Effort(pressures, Fraction(0) if friction is None else as_force(friction, "friction"))
+
+
+def _pressures(given: Mapping[str, Any]) -> "Pressures | None":
+    known = {name: as_pressure(given[name], _words(name)) for name in PRESSING if given.get(name) is not None}
+    if not known:
+        return None
+    from kurbel.drive.effort import Pressures
+
+    if DIFFERENCE in known:
+        return Pressures(areas_of(given), known[DIFFERENCE], Fraction(0), difference=True)
+    head, crank = (known.get(name, Fraction(0)) for name in SIDES)
+    return Pressures(areas_of(given), head, crank)
+
+
+def areas_of(given: Mapping[str, Any]) -> "Areas":
+    """Return the areas of the piston."""
+    from kurbel.drive.effort import Areas
+
+    rods = (given.get(name) for name in RODS)
+    diameters = (
+        Fraction(0) if one is None else as_length(one, _words(name))
+        for name, one in zip(RODS, rods, strict=True)
+    )
+    return Areas(as_length(given["bore"], "bore"), *diameters)
+
+
+def needless_of_pressures(values: Mapping[str, Any]) -> Mapping[str, str]:
+    """Refuse pressures without an area, and what contradicts them, where no engine's load acts."""
+    pressed = [name for name in PRESSING if values.get(name) is not None]
+    if not pressed:
+        bare = "lessens the area on which a pressure acts; add --head-pressure or --crank-pressure"
+        return {name: f"{_flag(name)} {bare}" for name in RODS}
+    first = _flag(pressed[0])
+    refused = {"force": f"--force and {first} are two forces on one piston; leave one out"}
+    if values.get("bore") is None:
+        refused[pressed[0]] = f"{first} needs the area on which it acts; add --bore, for example --bore 300mm"
+    if DIFFERENCE in pressed:
+        both = f"and {_flag(DIFFERENCE)} are given for the same pressures; leave one out"
+        refused |= {name: f"{_flag(name)} {both}" for name in SIDES}
+        whole = f"does not lessen the full area on which {_flag(DIFFERENCE)} acts; give --head-pressure and"
+        refused |= {name: f"{_flag(name)} {whole} --crank-pressure in its place" for name in RODS}
+    return refused
+
+
+def needless_beside_load(values: Mapping[str, Any]) -> Mapping[str, str]:
+    """Refuse pressures beside the load of an engine."""
+    why = "does not go with the load of an engine, which has its own pressures; leave one of the two out"
+    return {name: f"{_flag(name)} {why}" for name in PRESSING}
+
+
+def _flag(name: str) -> str:
+    return f"--{name.replace('_', '-')}"
+
+
+def _words(name: str) -> str:
+    return name.replace("_", " ")

@@ -1,0 +1,92 @@
+"""What acts on piston and crosshead beside a given force: pressures on both sides, friction; checked once."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from kurbel.errors import ProblemError
+from kurbel.exact.kind import Kind
+from kurbel.reading.notation import about
+
+HIGHEST = 10**12
+LARGEST_FRICTION = 10**12
+
+
+@dataclass(frozen=True, slots=True)
+class Areas:
+    """The bore of a cylinder, the diameter of the piston rod, towards the crank, and that of a tail rod,
+    through the cover, in metres; 0 where there is none."""
+
+    bore: Fraction
+    rod: Fraction = Fraction(0)
+    tail: Fraction = Fraction(0)
+
+    def __post_init__(self) -> None:
+        if self.bore <= 0:
+            raise ProblemError(f"the bore is {about(self.bore)} m; it must be above 0")
+        for name, diameter in (("piston rod", self.rod), ("tail rod", self.tail)):
+            if not 0 <= diameter < self.bore:
+                raise ProblemError(
+                    f"the {name} has a diameter of {about(diameter)} m; it must be below the bore,"
+                    f" {about(self.bore)} m"
+                )
+
+    @property
+    def head(self) -> Fraction:
+        """The piston's area on the side of the cover as a share of the bore's."""
+        return 1 - (self.tail / self.bore) ** 2
+
+    @property
+    def crank(self) -> Fraction:
+        """The same on the side of the crank."""
+        return 1 - (self.rod / self.bore) ** 2
+
+
+@dataclass(frozen=True, slots=True)
+class Pressures:
+    """The pressures in Pa on the piston's side of the cover and of the crank, above the surroundings: these
+    press on the rods from outside."""
+
+    areas: Areas
+    head: Fraction = Fraction(0)
+    crank: Fraction = Fraction(0)
+    # Whether only their difference is known.
+    difference: bool = False
+
+    def __post_init__(self) -> None:
+        for pressure in (self.head, self.crank):
+            if abs(pressure) > HIGHEST:
+                raise ProblemError(f"the pressure is {about(pressure)} Pa; it must be at most 10^12 Pa")
+
+    @property
+    def rational(self) -> Fraction:
+        """The force towards the crank in newtons, but for the factor π."""
+        area = self.areas.bore**2 / 4
+        return area * (self.head * self.areas.head - self.crank * self.areas.crank)
+
+    def force(self, kind: Kind) -> Any:
+        """Return that force; separation bounds, which know no π, leave it out."""
+        found = kind.of(self.rational)
+        return found if kind.pi is None else found * kind.pi
+
+
+@dataclass(frozen=True, slots=True)
+class Effort:
+    """Pressures on the piston, and the friction of piston and crosshead in newtons, against their motion."""
+
+    pressures: Pressures | None = None
+    friction: Fraction = Fraction(0)
+
+    def __post_init__(self) -> None:
+        if not 0 <= self.friction <= LARGEST_FRICTION:
+            raise ProblemError(
+                f"the friction is {about(self.friction)} N; it must lie within 0..10^12 N, for it acts"
+                " against the motion"
+            )
+
+    @property
+    def greatest(self) -> Fraction:
+        """A bound of the force in newtons."""
+        return self.friction + (4 * abs(self.pressures.rational) if self.pressures else 0)

@@ -1,0 +1,93 @@
+"""What pushes the piston at a place beside a given force: pressures, and friction against its motion.
+
+Friction has the direction of the stroke that the piston is in; at a dead centre, of that which begins there.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+from kurbel.drive.crank import Crank
+from kurbel.drive.crank_forces import Weights
+from kurbel.exact.kind import Kind, balls, bounds
+from kurbel.kernel import forces, kinematics
+from kurbel.kernel.rod import Masses
+
+if TYPE_CHECKING:
+    from kurbel.motion.evaluation import At
+
+FIRST_BITS = 64
+NOTHING = Weights(Masses(0, 0, 0, 0), 0, 0)
+
+
+def pressed(at: At) -> Any:
+    """Return the force of the pressures in newtons, in the direction of the stroke, 0 without them."""
+    effort = at.crank.effort
+    # On the return stroke the cover lies the other way.
+    return at.stroke * effort.pressures.force(at.numbers) if effort and effort.pressures else 0
+
+
+def rubbing(at: At) -> Any:
+    """Return the friction in newtons, in the direction of the stroke, None where there is none."""
+    effort = at.crank.effort
+    if effort is None or not effort.friction:
+        return None
+    way = _way_of(forces.tangential_force(at.circle, at.ratio, at.offset)) if at.way is None else at.way
+    return at.numbers.of(effort.friction) * way * -1
+
+
+def way_at(crank: Crank, stroke: int, angle: Fraction) -> int:
+    """Return whether the piston moves in the direction of a stroke, 1, or against it, -1, at an angle that
+    counts from where the stroke begins."""
+    if not crank.offset:
+        return 1 if angle % 360 < 180 else -1
+    import flint
+
+    from kurbel.exact.certify import vanishes
+
+    def velocity(kind: Kind) -> Any:
+        return kinematics.offset_velocity(kind.circle(angle), *_numbers(crank, stroke, kind))
+
+    def acceleration(kind: Kind) -> Any:
+        return kinematics.offset_acceleration(kind.circle(angle), *_numbers(crank, stroke, kind))
+
+    rests = vanishes(lambda: velocity(balls()), float(velocity(bounds()).bits()))
+    bits = FIRST_BITS
+    while True:
+        with flint.ctx.workprec(bits):
+            found = (acceleration if rests else velocity)(balls())
+        if not found.contains(0):
+            return 1 if found > 0 else -1
+        bits *= 2
+
+
+def _numbers(crank: Crank, stroke: int, kind: Kind) -> tuple[Any, Any]:
+    return kind.of(stroke * crank.ratio), kind.of(stroke * crank.offset)
+
+
+def _way_of(velocity: Any) -> Any:
+    """Return 1 for velocities in the direction of the stroke, -1 for others, of any kind of number."""
+    if hasattr(velocity, "shape"):
+        import numpy as np
+
+        return np.where(velocity < 0, -1.0, 1.0)
+    if hasattr(velocity, "bits"):
+        return 1
+    if velocity < 0:
+        return -1
+    # A ball about a dead centre holds both.
+    return 1 if velocity >= 0 else (0 * velocity - 1).union(0 * velocity + 1)
+
+
+def with_powers_of_pi(crank: Crank) -> list[Crank]:
+    """Return the drive with that alone which makes forces with a power of π: with its inertia where the speed
+    counts turns, with the pressures."""
+    alone, moving, effort = replace(crank, force=None, effort=None), crank.moving, crank.effort
+    found = []
+    if moving is not None and crank.speed and crank.speed.turns:
+        found.append(replace(alone, moving=replace(moving, slope=None)))
+    if effort is not None and effort.pressures:
+        found.append(replace(alone, moving=None, effort=replace(effort, friction=Fraction(0))))
+    return found

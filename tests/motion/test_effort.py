@@ -1,0 +1,104 @@
+"""Pressures on both sides of the piston, its rods and friction against Newton's and Euler's equations."""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+from dataclasses import replace
+from math import pi
+from typing import Any
+
+import pytest
+from planar import drawn
+
+import kurbel
+from kurbel.errors import KurbelError
+
+PARTS = "piston_force_n,inertia_force_n,weight_force_n,friction_force_n,crosshead_load_n"
+FORCES = f"phi,{PARTS},rod_force_n,guide_force_n,crank_pin_force_n,torque_nm,radial_force_n,bearing_along_n"
+PRESSED: dict[str, Any] = {
+    "bore": "300mm", "piston_rod": "50mm", "tail_rod": "40mm", "head_pressure": "1.2bar",
+    "crank_pressure": "0.3bar",
+}  # fmt: skip
+PUSH = pi / 4 * ((0.3**2 - 0.04**2) * 1.2e5 - (0.3**2 - 0.05**2) * 0.3e5)
+
+
+def rows_of(**asked: Any) -> list[dict[str, float]]:
+    rows = csv.DictReader(io.StringIO(kurbel.typeset(kurbel.forces_table(**asked), "csv")))
+    return [{key: float(value) for key, value in row.items() if key != "ratio"} for row in rows]
+
+
+@pytest.mark.parametrize("seed", range(10, 14))
+def test_forces_are_those_of_two_bodies_under_pressure_and_friction(seed: int) -> None:
+    drive = replace(drawn(seed), force=PUSH, friction=1234.0)
+    asked = {**drive.options, **PRESSED, "friction": "1234N", "angle": (33, 141, 199, 318), "digits": 5}
+    for row in rows_of(**asked, columns=FORCES):
+        true = drive.forces(row["phi"])
+        for key in row.keys() - {"phi"}:
+            assert row[key] == pytest.approx(true[key], abs=6e-6), (seed, row["phi"], key)
+
+
+def test_the_return_stroke_has_the_pressures_against_it_and_friction_too() -> None:
+    columns = "piston_force_return_n,friction_force_return_n,crosshead_load_return_n"
+    (row,) = rows_of(ratio="1:4", **PRESSED, friction=70, angle=50, columns=columns, digits=4)
+    assert row["piston_force_return_n"] == pytest.approx(-PUSH, abs=6e-5)
+    assert row["friction_force_return_n"] == -70
+    assert row["crosshead_load_return_n"] == pytest.approx(-PUSH - 70, abs=6e-5)
+
+
+def test_friction_at_a_dead_centre_is_that_of_the_stroke_which_begins_there() -> None:
+    # sin φ_i = e/(L + R) = 1/2, which no ball tells from the dead centre.
+    asked: dict[str, Any] = {"crank": "100mm", "rod": "400mm", "offset": "250mm", "force": 1, "friction": 9}
+    angles = {30: -9, "29.99999999999999999999": 9, "30.00000000000000000001": -9, 180: -9}
+    found = [rows_of(**asked, angle=angle, columns="friction_force_n")[0] for angle in angles]
+    assert [row["friction_force_n"] for row in found] == [*angles.values()]
+    straight = rows_of(ratio="1:4", force=1, friction=9, angle=(0, 180, 360), columns="friction_force_n")
+    assert [row["friction_force_n"] for row in straight] == [-9, 9, -9]
+
+
+def test_a_sum_half_way_between_two_printed_numbers_is_a_tie() -> None:
+    asked: dict[str, Any] = {"ratio": "1:4", "force": 1000, "friction": "499.75N", "angle": 90}
+    (row,) = rows_of(**asked, columns="crosshead_load_n", rounding="half-even")
+    assert row["crosshead_load_n"] == 500.2
+
+
+def test_the_problem_of_a_vertical_double_acting_engine() -> None:
+    """Bore 300 mm, stroke 450 mm, rod 1.2 m, piston rod 50 mm, 225 kg, 200/min; at 125° from the top dead
+    centre 30 kN/m² above and 1.5 kN/m² below. Textbooks print 3021.6 N m of first order."""
+    page = kurbel.forces_table(
+        bore="300mm", stroke="450mm", rod="1.2m", piston_rod="50mm", reciprocating="225kg",
+        speed="200/min", vertical=True, gravity="9.81", head_pressure="30kPa", crank_pressure="1.5kPa",
+        angle=125, columns="torque_nm",
+    )  # fmt: skip
+    torque = float(kurbel.typeset(page, "csv").split()[-1])
+    assert torque == pytest.approx(3021.6, rel=2e-3)
+
+
+@pytest.mark.parametrize(
+    ("options", "sentence"),
+    [
+        ({"head_pressure": "1bar"}, "--head-pressure needs the area on which it acts; add --bore"),
+        ({**PRESSED, "force": 5}, "--force and --head-pressure are two forces on one piston"),
+        (
+            {"bore": "1m", "pressure_difference": "1bar", "crank_pressure": "1bar"},
+            "--crank-pressure and --pressure-difference are given for the same pressures",
+        ),
+        (
+            {"bore": "1m", "pressure_difference": "1bar", "piston_rod": "5cm"},
+            "--piston-rod does not lessen the full area on which --pressure-difference acts",
+        ),
+        ({**PRESSED, "piston_rod": "3m"}, "the piston rod has a diameter of 3 m; it must be below the bore"),
+        ({"friction": 5}, "--friction lessens a force; add --force, --head-pressure or masses"),
+        ({"force": 9, "friction": "-5N"}, 'friction "-5N" is out of range'),
+        ({"force": 9, "piston_rod": "5cm"}, "--piston-rod lessens the area on which a pressure acts"),
+        ({**PRESSED, "eps": 4}, "--head-pressure does not go with the load of an engine"),
+        (
+            {"force": 9, "friction": 5, "mechanism": "arc", "rocker": 6},
+            "the arc crank with friction or pressures on its piston is not computed",
+        ),
+    ],
+)
+def test_what_contradicts_or_says_nothing_is_refused(options: dict[str, Any], sentence: str) -> None:
+    with pytest.raises(KurbelError, match=re.escape(sentence)):
+        kurbel.forces_table("1:5", **options)
