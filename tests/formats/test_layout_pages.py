@@ -103,6 +103,7 @@ PAGES = {
             *BEAMS,
             *BALANCES,
             *TURNED,
+            *EFFORTS,
             *LINKAGES,
             *RODS,
             *PRESSED,
