@@ -31,7 +31,7 @@ def formula(text: str) -> Torque:
 
 def swing_of(excess: Torque) -> mpf:
     """How far the integral of an excess torque varies over a turn, by its roots."""
-    steps = [2 * pi * step / 180 + mpf("1e-9") for step in range(181)]
+    steps = [2 * pi * step / 120 + mpf("1e-9") for step in range(121)]
     roots = [
         findroot(excess, ends, solver="anderson")
         for ends in pairwise(steps)
