@@ -127,10 +127,10 @@ def test_every_extreme_is_enclosed_with_masses_too() -> None:
     assert len(turn.extrema) == 6
 
 
-def test_masses_have_exact_formulas_only() -> None:
+def test_weisbach_has_no_formulas_for_masses() -> None:
     engine = Engine(heavy(Fraction(1, 5)), Steam(Fraction(4)), load=LOAD)
-    with pytest.raises(ProblemError, match='method "series" has no formulas for the masses; use exact'):
-        turn_of(engine, "series")
+    with pytest.raises(ProblemError, match='method "weisbach" has no formulas for the masses; use exact or'):
+        turn_of(engine, "weisbach")
 
 
 WORDS = (

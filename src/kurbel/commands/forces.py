@@ -118,7 +118,7 @@ def _of_case(values: Mapping[str, Any]) -> Mapping[str, str]:
             return {
                 **own,
                 **_refused(("acceleration",), even),
-                **for_masses("speed")(values),
+                **for_masses("speed", "method")(values),
                 **weightless(values),
                 **needless_beside_load(values),
                 **(_refused(("stroke",), newton_metres) if bare else {}),
@@ -266,7 +266,9 @@ def forces_table(
     if about == "engine":
         name = layout or ("machine-forces" if is_heavy(given) else "engine-forces")
         page = layout_of(name, OF_ENGINES, layouts)
-        about_turn = {**all_given, "method": ()}
+        if method == "infinite":
+            raise ProblemError("--method infinite is not one of engines; write --ratio 1:∞")
+        about_turn = {**all_given, "method": () if method is None else (method,)}
         if page.subject == ROD_LOAD:
             check_whole(page, given)
             return engine_of(page, about_turn, columns=as_names(columns, "thrust,reversal_angle"))

@@ -210,8 +210,12 @@ def framed(weight: Weight[Any] | None, stroke: int) -> Weight[Any] | None:
 def moved(crank: Crank, kind: Kind, method: str) -> Moved:
     """Return the straight or the offset crank as a turn asks it, by a method."""
     ratio = kind.of(crank.ratio)
-    if not crank.offset:
+    if not crank.offset and method == "exact":
         return Slide(ratio, MOTIONS[method], kind)
+    if not crank.offset:
+        from kurbel.drive.first_order import FirstOrderSlide
+
+        return FirstOrderSlide(ratio, MOTIONS[method], kind)
     if method != "exact":
         raise ProblemError(f'method "{method}" has no formulas for the offset crank; use exact')
     return OffsetSlide(ratio, kind.of(crank.offset), kind)

@@ -27,6 +27,12 @@ OF_RUNS = ("speed", "evenness")
 FIRST_ORDER = words("erste Ordnung nach Weisbach|first order by Weisbach")
 DRIVEN = words("der Arbeitsmaschine|of the driven machine")
 WORDS = {
+    "first_order": words(
+        "Massen in erster Ordnung: $p$ mit $cos φ ± λ cos 2 φ$, $ε_L$ mit $∓ λ sin φ$, Hebelarm der Kräfte"
+        " am Kolben $sin φ ± 1/2 λ sin 2 φ$; Stangenkraft und Führungsdruck beim genauen Winkel $ψ$"
+        "|Masses to first order: $p$ with $cos φ ± λ cos 2 φ$, $ε_L$ with $∓ λ sin φ$, the arm of forces on"
+        " the piston $sin φ ± 1/2 λ sin 2 φ$; rod and guide force at the exact angle $ψ$"
+    ),
     "makes_delta": words("aus diesen beiden folgt $δ$|$δ$ follows from these two"),
     "delta": words(
         '$δ = (v_"max" - v_"min")/v_1$; $P$ mittlere Umfangskraft,'
@@ -185,6 +191,9 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
         yield from masses_notes(request, lang)
     elif request.first.crank.moving is not None:
         yield from request.mechanism.masses_notes(request.first.crank, request.layout.ratio_symbol, lang)
+    heavy = any(part.crank.moving is not None for part in request.first.parts)
+    if heavy and any("series" in one.methods for one in columns):
+        yield WORDS["first_order"][lang]
     if request.carded and subject not in OF_FORCES:
         yield from _errors(request)
 

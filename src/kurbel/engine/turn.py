@@ -245,8 +245,8 @@ class Turn(AnyTurn):
 
 def turn_of(engine: Engine | Assembly, method: str) -> AnyTurn:
     """Return the engine's turn by a method: exact, series or weisbach; of an indicator card in floats."""
-    if any(part.crank.moving is not None for part in engine.parts) and method != "exact":
-        raise ProblemError(f'method "{method}" has no formulas for the masses; use exact')
+    if any(part.crank.moving is not None for part in engine.parts) and method == "weisbach":
+        raise ProblemError('method "weisbach" has no formulas for the masses; use exact or series')
     if engine.carded:
         from kurbel.engine.card.turn import CardTurn
 

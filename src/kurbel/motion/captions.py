@@ -137,7 +137,8 @@ def notes(question: Request) -> Iterator[Label]:
     if said := dict.fromkeys(one.quantity.direction[lang] for one in columns if one.quantity.direction):
         yield "; ".join(said)
     yield from drive_notes(question.cranks, lang)
-    if question.method or any(crank.acceleration for crank in question.cranks):
+    first_order = any(one.method in ("series", DIFFERENCE) for one in columns)
+    if first_order or any(crank.acceleration for crank in question.cranks):
         from kurbel.motion.accelerated import lines
 
         yield from lines(question, columns)

@@ -13,7 +13,7 @@ from kurbel.drive.crank import Crank, check_angles
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Number
 from kurbel.motion import captions
-from kurbel.motion.evaluation import NEEDS, columns_in_balls, fits_page, needed
+from kurbel.motion.evaluation import DIFFERENCE, LOADED, NEEDS, columns_in_balls, fits_page, needed
 from kurbel.motion.quantities import effort_keys, registry
 from kurbel.page.axes import (
     AngleAxis,
@@ -94,6 +94,7 @@ class Request(CrankQuestion, AngleQuestion):
                 f"layout {self.layout.key} states its formulas in its heads and takes no method;"
                 " use --layout kinematics to choose one"
             )
+        self._check_masses()
         if any(crank.offset for crank in self.cranks):
             self._check_offset()
         if any(crank.acceleration for crank in self.cranks):
@@ -101,6 +102,16 @@ class Request(CrankQuestion, AngleQuestion):
         if self.method == "infinite" and all(column.method is None for column in self.layout.columns):
             cranks = (replace(crank, ratio=Fraction(0)) for crank in self.cranks)
             object.__setattr__(self, "cranks", tuple(dict.fromkeys(cranks)))
+
+    def _check_masses(self) -> None:
+        """Forces are of first order by those of moving masses alone."""
+        bare = all(crank.moving is None for crank in self.cranks)
+        asked = [one for one in self.page_columns if LOADED in one.quantity.formulas]
+        if bare and any(one.method in ("series", DIFFERENCE) for one in asked):
+            raise ProblemError(
+                f"layout {self.layout.key} has forces of moving masses to first order; give these, such as"
+                " --reciprocating 200kg"
+            )
 
     def _check_offset(self) -> None:
         if self.method not in (None, "exact"):
