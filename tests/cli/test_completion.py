@@ -103,6 +103,8 @@ def test_a_command_completes_the_layouts_of_its_subject_only() -> None:
     )
     assert completed("bash", "forces", "--layout", "") == about(
         "motion",
+        "effort",
+        "mass forces",
         "crank forces",
         "machine",
         "rod load",

@@ -46,7 +46,7 @@ ROWS = {
 }
 OVER_ANGLES = (
     "arc", "blau-kolbenwege", "engine-forces", "forces", "forces-arc", "forces-effort",
-    "forces-parallel", "inertia",
+    "forces-parallel", "forces-verfahren", "inertia",
     "kinematics", "lueger-kolbenbewegung", "machine-forces", "parallel", "rod-load-turn", "speed",
     "torques", "turning", "turning-path",
     "verfahren",

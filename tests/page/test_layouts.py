@@ -401,6 +401,7 @@ def test_fixed_layouts_are_those_whose_heads_state_every_formula() -> None:
     assert [name for name in layout_names() if layout(name).fixed] == [
         "blau-kolbenwege",
         "delta-verfahren",
+        "forces-verfahren",
         "roetscher-112",
         "verfahren",
     ]

@@ -40,6 +40,7 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "crank forces": ("forces", "--eps=4"),
     "machine": ("forces", "--eps=4", *MACHINE, "--reciprocating=300kg", *ROD, "--rotating=-40kg"),
     "rod load": ("forces", "--eps=4"),
+    "mass forces": ("forces", "--force=10kN", *MACHINE[:2], "--reciprocating=300kg"),
     "flywheel": ("flywheel", "--power=50kW", "--speed=120/min", "--delta=1:50;1:100", "--radius=1.5m"),
     "flywheel sizing": (
         "flywheel",
@@ -124,7 +125,7 @@ LINKAGES = about("arc crank", "parallel crank", "coupled axles", "beam engine")
 # What `kurbel table` prints.
 DRIVES = about("motion", "arc crank", "parallel crank", "beam engine")
 PRESSED = about("pressures", "pressures over the angle")
-RODS = about("inertia", "inertia errors", "rod masses", "rocker inertia", "tangent")
+RODS = about("mass forces", "inertia", "inertia errors", "rod masses", "rocker inertia", "tangent")
 SOLVED = about("roots")
 SOLVED_LOADED = about("loaded roots")
 
@@ -215,6 +216,9 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
         kurbel.inertia_table, {"centre": 0.65, "gyration": "35%", "mechanism": "arc", "rocker": 6}
     ),
     "tangent": (kurbel.forces_table, {"at": "tangent"}),
+    "mass forces": (kurbel.forces_table, {
+        "force": 10_000, "stroke": 0.6, "speed": 2, "reciprocating": 300,
+    }),
     "loaded roots": (kurbel.solve_table, {"eps": 4, "where": ("torque=max", "tangential=0.5")}),
     "roots": (kurbel.solve_table, {"where": ("p=0", "s=25%", "c=max")}),
 }  # fmt: skip

@@ -43,7 +43,7 @@ from kurbel.page.subject import Question
 from kurbel.reading.given import Exact, as_names
 
 ROD_LOAD = "rod load"
-OF_DRIVES = ("motion", "effort")
+OF_DRIVES = ("motion", "effort", "mass forces")
 OF_ENGINES = ("crank forces", "machine", ROD_LOAD)
 POSITIONS = ("tangent",)
 COUPLED = "coupled axles"

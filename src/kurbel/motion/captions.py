@@ -5,14 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
-from math import isqrt
 from typing import TYPE_CHECKING, Any, Protocol
 
 from kurbel.drive.crank import Crank, known
 from kurbel.drive.load import figure
 from kurbel.exact.kind import Kind, settled
-from kurbel.exact.numerals import Label, Number, finite_decimals, number_text
-from kurbel.kernel.circle import root
+from kurbel.exact.numerals import Label, Number, number_text
 from kurbel.motion.evaluation import DIFFERENCE, LOADED, METHODS, OFFSET, OUT, RETURN, TURN
 from kurbel.page.quantity import (
     AND,
@@ -28,7 +26,6 @@ from kurbel.reading.amounts import amount, unit_of_page
 from kurbel.reading.notation import ratio_text
 
 if TYPE_CHECKING:
-    from kurbel.drive.rod import Rod
     from kurbel.motion.page import Request
     from kurbel.page.layouts import Layout
     from kurbel.reading.units import Speed
@@ -249,39 +246,13 @@ def moving_notes(
     parts += [f"${radius} = {amount(known(crank.radius), 'mm')}$", turns_label(speed)]
     yield WORDS["masses"][lang] + ", ".join(parts)
     if moving.rod is not None:
+        from kurbel.motion.rod_words import connecting_rod
+
         yield connecting_rod(moving.rod, lang, ratio_symbol[-1], named)
     if moving.slope is not None:
         from kurbel.motion.effort_words import weight_notes
 
         yield from weight_notes(moving, lang)
-
-
-def connecting_rod(rod: Rod, lang: str, length: str = "L", named: Mapping[str, Words] = WORDS) -> Label:
-    """Return the line about a rod: where its masses are, and its mass if that is known."""
-    square = rod.gyration_square
-    said = named["connecting_rod"][lang].format(
-        length=length,
-        centre=figure(1 - rod.centre),
-        gyration=_root(square) or digits_text(lambda numbers: root(numbers.of(square)), 4, algebraic=True),
-        couple=figure(rod.couple),
-        mass=f", $M = {amount(rod.mass, 'kg')}$" if rod.mass is not None else "",
-    )
-    return said + _swing(rod, lang)
-
-
-def _swing(rod: Rod, lang: str) -> Label:
-    """Return from which swing the radius of gyration is, nothing where it was given."""
-    if rod.swing is None:
-        return ""
-    time, pin, gravity = rod.swing
-    said = WORDS["swing"][lang].format(time=figure(time), pin=WORDS[f"swing_{pin}"][lang])
-    return f'{said}, $g = {figure(gravity)} "m/s"^2$'
-
-
-def _root(square: Fraction) -> str:
-    """The square root of a fraction that has a short one, else nothing."""
-    found = Fraction(isqrt(square.numerator), isqrt(square.denominator))
-    return figure(found) if found * found == square and finite_decimals(found) is not None else ""
 
 
 def _machine(crank: Crank, lang: str) -> Label:

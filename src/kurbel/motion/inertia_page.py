@@ -12,11 +12,12 @@ from kurbel.drive.crank import known
 from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number, nearest, number_text
 from kurbel.kernel.rod import Masses
-from kurbel.motion.captions import connecting_rod, drive_notes, notes
+from kurbel.motion.captions import drive_notes, notes
 from kurbel.motion.inertia import ROD_FORCES, ROD_MODELS, inertia_registry
 from kurbel.motion.inertia_peak import Peak
 from kurbel.motion.page import MOTION, CrankQuestion, Request
 from kurbel.motion.quantities import registry
+from kurbel.motion.rod_words import connecting_rod
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.layouts import layout
 from kurbel.page.quantity import Column, Formula, Quantity, bare, entry, enumerated_letters, for_ratio, words

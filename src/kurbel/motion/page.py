@@ -92,7 +92,7 @@ class Request(CrankQuestion, AngleQuestion):
         if self.method and self.layout.fixed:
             raise ProblemError(
                 f"layout {self.layout.key} states its formulas in its heads and takes no method;"
-                " use --layout kinematics to choose one"
+                f" use --layout {self._plain} to choose one"
             )
         self._check_masses()
         if any(crank.offset for crank in self.cranks):
@@ -103,11 +103,17 @@ class Request(CrankQuestion, AngleQuestion):
             cranks = (replace(crank, ratio=Fraction(0)) for crank in self.cranks)
             object.__setattr__(self, "cranks", tuple(dict.fromkeys(cranks)))
 
+    @property
+    def _plain(self) -> str:
+        """The layout that takes a method."""
+        return "forces" if self.layout.subject == MASSES.key else MOTION.layout
+
     def _check_masses(self) -> None:
         """Forces are of first order by those of moving masses alone."""
+        known, approximate = self.subject.quantities(), ("series", DIFFERENCE)
+        heavy = [one for one in self.layout.columns if one.method in approximate]
         bare = all(crank.moving is None for crank in self.cranks)
-        asked = [one for one in self.page_columns if LOADED in one.quantity.formulas]
-        if bare and any(one.method in ("series", DIFFERENCE) for one in asked):
+        if bare and any(LOADED in known[one.quantity].formulas for one in heavy):
             raise ProblemError(
                 f"layout {self.layout.key} has forces of moving masses to first order; give these, such as"
                 " --reciprocating 200kg"
@@ -122,7 +128,7 @@ class Request(CrankQuestion, AngleQuestion):
         if any(column.method not in (None, "exact") for column in self.layout.columns):
             raise ProblemError(
                 f"layout {self.layout.key} prints first-order formulas, which an offset crank does not have;"
-                " use --layout kinematics or leave the offset out"
+                f" use --layout {self._plain} or leave the offset out"
             )
         check_pairs(self.layout, "offset cranks")
 
@@ -239,4 +245,8 @@ EFFORT = MOTION._replace(
     layout="forces-effort",
     command="forces",
     listed=lambda: [("forces", registry()[key]) for key in effort_keys()],
+)
+# The same of moving masses, exact and to first order.
+MASSES = MOTION._replace(
+    key="mass forces", layout="forces-verfahren", command="forces --layout forces-verfahren", listed=tuple
 )

@@ -10,6 +10,7 @@ from kurbel.drive.mechanisms import Pages
 _INERTIA = "inertia --centre 0.65 --gyration 0.35"
 _MACHINE = "forces --eps 4 --bore 300mm --pressure 8bar --stroke 600mm --speed 120/min --reciprocating 300kg"
 _EFFORT = "forces --bore 300mm --pressure-difference 2bar --stroke 600mm --friction 500N"
+_HEAVY = "forces --stroke 600mm --speed 120/min --reciprocating 300kg"
 _ARC = "--mechanism arc --rocker 6"
 _PRESSED = _MACHINE.replace("forces", "pressures")
 _LISTED = "delta --eps 4 --cranks 0;90"
@@ -20,6 +21,7 @@ _EVEN = "--power 50kW --speed 120/min --delta 1:100"
 SUBJECTS: Mapping[str, Pages] = {
     "motion": Pages("kurbel.motion.page:MOTION", "table"),
     "effort": Pages("kurbel.motion.page:EFFORT", _EFFORT),
+    "mass forces": Pages("kurbel.motion.page:MASSES", _HEAVY),
     "tangent": Pages("kurbel.motion.tangent_page:SUBJECT", "forces --at tangent"),
     "irregularity": Pages("kurbel.engine.page:IRREGULARITY", "delta"),
     "strokes": Pages("kurbel.engine.page:STROKES", "delta"),

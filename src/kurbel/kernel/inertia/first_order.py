@@ -1,7 +1,7 @@
 """The masses of the straight crank to first order in λ, so that their torque is the slope of their energy.
 
 The piston has the velocity c = sin φ + ½ λ sin 2φ and the rod turns by λ cos φ; kernel/moving.py has the
-energy of the two. The torque is that of `Loaded` by `WITH_ARM`. Units and arguments are those of kernel/rod.py.
+energy of the two. The torque is that of `Loaded` by `WITH_ARM`; units and arguments are those of `Loaded`.
 Re-derived.
 """
 

@@ -14,9 +14,10 @@ from kurbel.kernel.rocker import LoadedRocker
 from kurbel.linkage.arc.rocker import RockerCrank
 from kurbel.linkage.linkage import At
 from kurbel.linkage.question import LinkageRequest, linkage_subject
-from kurbel.motion.captions import connecting_rod, drive_notes, turns_label
+from kurbel.motion.captions import drive_notes, turns_label
 from kurbel.motion.inertia import RodForce, rod_entries
 from kurbel.motion.mechanism import mechanism
+from kurbel.motion.rod_words import connecting_rod
 from kurbel.page.quantity import Quantity
 
 
