@@ -170,6 +170,16 @@ class Flywheel(Section):
     )
     inertia: Annotated[One | None, about('or by its moment of inertia, such as "1200kgm2"')] = None
     resistance: Annotated[One | None, about("torque that it turns against: constant or square")] = None
+    mass: Annotated[One | None, about('mass, which with the radius makes the inertia, such as "6.5t"')] = None
+    rim_diameter: Annotated[One | None, about('mean diameter of the rim, such as "2m"')] = None
+    rim_section: Annotated[One | None, about('breadth to thickness, "2:1", or both, "400mm x 200mm"')] = None
+    rim_breadth: Annotated[One | None, about("breadth of the rim, along the shaft")] = None
+    rim_thickness: Annotated[One | None, about("thickness of the rim, along the radius")] = None
+    rim_share: Annotated[One | None, about("share of the rim in the moment of inertia")] = None
+    density: Annotated[One | None, about('density of rim or disc, such as "7200kg/m³"')] = None
+    hoop_stress: Annotated[One | None, about('hoop stress that the rim may have, such as "6MPa"')] = None
+    disc_diameter: Annotated[One | None, about("diameter of a solid disc")] = None
+    disc_thickness: Annotated[One | None, about("its thickness")] = None
 
 
 # What all cylinders have in common, or what is another thing in a cylinder's table.
