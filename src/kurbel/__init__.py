@@ -25,6 +25,7 @@ from kurbel.errors import KurbelError
 
 if TYPE_CHECKING:
     from kurbel.commands.balance import balance_table
+    from kurbel.commands.balancing.locomotive import locomotive_table
     from kurbel.commands.balancing.rotor import rotor_table
     from kurbel.commands.books import collation_table, example_table
     from kurbel.commands.cylinder.inertia import inertia_table
@@ -63,6 +64,7 @@ __all__ = [
     "forces_table",
     "harmonics_table",
     "inertia_table",
+    "locomotive_table",
     "plot_engine_forces",
     "plot_engine_polar",
     "plot_forces",
@@ -82,6 +84,7 @@ __all__ = [
 ]
 _MODULES = {
     "kurbel.commands.balance": ("balance_table",),
+    "kurbel.commands.balancing.locomotive": ("locomotive_table",),
     "kurbel.commands.balancing.rotor": ("rotor_table",),
     "kurbel.commands.books": ("collation_table", "example_table"),
     "kurbel.commands.cylinder.power": ("power_table",),

@@ -34,6 +34,7 @@ TABLES: Mapping[str, Callable[..., Any]] = {
     "harmonics": kurbel.harmonics_table,
     "balance": kurbel.balance_table,
     "rotor": kurbel.rotor_table,
+    "locomotive": kurbel.locomotive_table,
     "firing": kurbel.firing_table,
     "collate": kurbel.collation_table,
     "example": kurbel.example_table,

@@ -63,6 +63,16 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "torque": ("harmonics", "--quantity=torque", "--eps=4", "--cranks=0;90"),
     "excitation": ("harmonics", "--eps=4", "--cranks=0;90", *MACHINE),
     "balance": ("balance",),
+    "locomotive": (
+        "locomotive",
+        "--spacing=0.7m",
+        "--gauge=1.5m",
+        "--stroke=60cm",
+        "--reciprocating=300kg",
+        "--speed=300/min",
+        "--wheel=1.8m",
+        "--wheel-load=30kN",
+    ),
     "balance at angles": ("balance", "--angle=0;60"),
     "rotor": ("rotor", *MASSES, *ANGLES, "--planes=0;300;700;1000mm", "--balance-planes=100;500mm"),
     "firing orders": ("firing",),
@@ -116,7 +126,7 @@ ENGINES = about(
 LOADED = about("compressor", "pump", "gas cycle")
 BEAMS = about("dead centres", "drive dead centres")
 BALANCES = about("harmonics", "balance")
-TURNED = about("balance at angles", "rotor")
+TURNED = about("balance at angles", "rotor", "locomotive")
 TORQUES = about("torque", "excitation", "cylinders")
 FIRINGS = about("firing orders", "firing")
 COLLATIONS = about("collation", "formulas")
@@ -188,6 +198,10 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
         "eps": 4, "cranks": "0;90", "stroke": 0.6, "speed": 2, "bore": 0.3, "pressure": 800_000,
     }),
     "balance": (kurbel.balance_table, {}),
+    "locomotive": (kurbel.locomotive_table, {
+        "spacing": 0.7, "gauge": 1.5, "stroke": 0.6, "reciprocating": 300, "speed": 5, "wheel": 1.8,
+        "wheel_load": 30_000,
+    }),
     "balance at angles": (kurbel.balance_table, {"angle": [0, 60]}),
     "rotor": (kurbel.rotor_table, {
         "masses": [200, 300, 400, 200], "radii": "80;70;60;80mm", "angles": [0, 45, 115, 235],

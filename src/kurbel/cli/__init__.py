@@ -53,6 +53,10 @@ COMMANDS = {
         "kurbel.commands.balancing.rotor:rotor_table",
         "Print what rotating masses leave unbalanced, and what balances them.",
     ),
+    "locomotive": (
+        "kurbel.commands.balancing.locomotive:locomotive_table",
+        "Print hammer blow, swaying couple and balancing masses of a locomotive.",
+    ),
     "firing": (
         "kurbel.commands.orders.firing:firing_table",
         "Print firing orders, or the cranks that one needs.",

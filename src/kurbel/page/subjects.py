@@ -15,6 +15,7 @@ _ARC = "--mechanism arc --rocker 6"
 _PRESSED = _MACHINE.replace("forces", "pressures")
 _LISTED = "delta --eps 4 --cranks 0;90"
 _EXCITED = "harmonics --quantity torque --eps 4 --bore 300mm --pressure 8bar --stroke 600mm --speed 120/min"
+_AXLE = "--spacing 0.7m --gauge 1.5m --stroke 600mm --reciprocating 300kg"
 _ROTOR = "--masses 3;4kg --radii 1m --angles 0;90 --planes 0;1m"
 _EVEN = "--power 50kW --speed 120/min --delta 1:100"
 # What pages can be about, by its name.
@@ -52,6 +53,7 @@ SUBJECTS: Mapping[str, Pages] = {
     "balance": Pages("kurbel.balance.page:SUBJECT", "balance"),
     "balance at angles": Pages("kurbel.balance.angles.page:AT_ANGLES", "balance --angle 30"),
     "rotor": Pages("kurbel.balance.rotors.page:SUBJECT", f"rotor {_ROTOR}"),
+    "locomotive": Pages("kurbel.balance.locomotives.page:SUBJECT", f"locomotive {_AXLE}"),
     "firing orders": Pages("kurbel.balance.firing_page:ORDERS", "firing"),
     "firing": Pages("kurbel.balance.firing_page:FIRING", "firing --order 1-3-4-2"),
     **mechanisms.SUBJECTS,

@@ -158,13 +158,16 @@ def _angle(value: Fraction | Vector, decimals: int, rounding: str) -> Number | N
 
 
 def known_number(value: Any, scale: Scale, decimals: int | None, rounding: str) -> Number:
-    """Return a value that is known, times a scale, correctly rounded; 0 where it is proved to be 0."""
+    """Return a value that is known, times a scale, correctly rounded; 0 where it is proved to be 0.
+
+    With a transcendental factor in its scale it is not 0.
+    """
     if isinstance(value, Fraction):
         if not value:
             return EXACT_ZERO
         if not scale.turns:
             return as_given(value * scale.value, decimals, rounding)
-    elif is_zero(value):
+    elif scale.factor is None and is_zero(value):
         return EXACT_ZERO
 
     def scaled(kind: Kind) -> Any:

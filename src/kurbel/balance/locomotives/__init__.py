@@ -1,0 +1,1 @@
+"""Locomotives: balancing masses in the wheels, hammer blow, swaying couple, variation of tractive force."""
