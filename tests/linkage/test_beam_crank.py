@@ -233,7 +233,7 @@ MASSES = ("--reciprocating", "900kg", "--rocker-inertia", "9000kg m²")
 
 @pytest.mark.parametrize(
     "asked",
-    [("delta", *DRIVE, *STEAM, *MASSES), ("deadcentres", *DRIVE), ("solve", "--where", "c=max", *DRIVE[:6]),
+    [("delta", *DRIVE, *STEAM, *MASSES), ("deadcentres", *DRIVE), ("solve", "--where", "c=max", *DRIVE),
      ("inertia", "--centre", "0.6", "--gyration", "0.4", *DRIVE)],
     ids=lambda asked: asked[0],
 )  # fmt: skip
@@ -258,7 +258,8 @@ def test_what_is_reached_nowhere_is_told_with_its_bounds() -> None:
         1:
     ] == 2 * ["0.0000"]
     assert refusal("table", "--mechanism", "beam", "--beam", "3m") == (
-        'beam "3m" has a unit; lengths of the beam engine are in units of R, for example 6'
+        'beam "3m" is a length, but no length of the crank is known; add --crank or --stroke, or give it in'
+        " units of R, for example 6"
     )
 
 

@@ -212,6 +212,7 @@ def test_both_strokes_have_both_signs_below_the_table() -> None:
 def test_every_column_of_the_arc_crank_is_that_of_the_closed_links(lang: str) -> None:
     known = subject("arc crank").column_keys(layout("arc"))
     keys = [key for key in known if key not in ("ratio", "phi") and arc_registry()[key].of != FORCE]
+    keys = [key for key in keys if not arc_registry()[key].needs]
     assert len(keys) == 28
     drive = ("1:3.5", "9", ("3.7", "-9.2"))
     table = page(drive, angle="73.1", columns=keys, lang=lang)
@@ -224,6 +225,33 @@ def test_every_column_of_the_arc_crank_is_that_of_the_closed_links(lang: str) ->
             assert field.decimals == number.decimals == (3 if field.unit == "°" else 4)
             value = links(arc_crank(*drive)).value(motion, stroke, Fraction("73.1"))
             assert number_text(number) == rounded(value, number.decimals), key
+
+
+# Of the links, in R, v = R ω, v²/R and ω: what makes a unit of them, where R = 40 mm and n = 90/min, and
+# the power of π beside it.
+SIZED = {
+    "path_mm": ("path", "40", 0),
+    "velocity_mps": ("velocity", "0.12", 1),
+    "acceleration_mps2": ("acceleration", "0.36", 2),
+    "turn_velocity_radps": ("turn_velocity", "3", 1),
+    "turn_acceleration_radps2": ("turn_acceleration", "9", 2),
+    "rod_velocity_radps": ("rod_velocity", "3", 1),
+    "rod_acceleration_radps2": ("rod_acceleration", "9", 2),
+}
+
+
+@pytest.mark.parametrize("circuit", [1, -1])
+def test_links_are_given_in_millimetres_and_printed_so(circuit: int) -> None:
+    """A four-bar whose angles count from the line of centres."""
+    lengths = ("--crank", "40mm", "--rod", "15cm", "--rocker", "80mm", "--pivot", "150mm;0")
+    asked = ("--speed", "90/min", "--angle", "60", "--columns", ",".join(SIZED), "--digits", "9", "-f", "csv")
+    (row,) = printed(*ARC, *lengths, f"--circuit={circuit}", *asked).records()
+    # All lengths over that of the crank.
+    drive = ArcCrank(Crank(Fraction(4, 15)), Fraction(2), Fraction(15, 4), Fraction(0), circuit)
+    with mp.workdps(DIGITS):
+        for key, (motion, unit, power) in SIZED.items():
+            value = links(drive).value(motion, OUT, Fraction(60)) * mp.mpf(unit) * mp.pi**power
+            assert Fraction(row[key]) == Fraction(rounded(value, 9)), key
 
 
 def test_records_and_pages_have_the_same_digits() -> None:
@@ -300,7 +328,7 @@ def test_the_layout_tells_the_mechanism() -> None:
 def test_what_is_typed_goes_before_the_environment() -> None:
     arc = printed(*ARC, "--rocker", "6").out
     crank = {
-        "KURBEL_TABLE_STROKE": "600mm",
+        "KURBEL_TABLE_BEAM": "3",
         "KURBEL_TABLE_LAYOUT": "forces",
     }
     assert printed(*ARC, "--rocker", "6", **crank).out == arc
@@ -326,9 +354,9 @@ def test_what_is_typed_goes_before_the_environment() -> None:
             "--offset does not belong to the straight crank; it is for --mechanism offset or arc",
         ),
         (
-            "arc --rocker 6 --stroke 1m",
-            "--stroke does not belong to the arc crank, whose page is in units of R and v;"
-            " it is for --mechanism straight or offset",
+            "parallel --stroke 1m",
+            "--stroke does not belong to the parallel crank, whose page is in units of R and v;"
+            " it is for --mechanism straight, offset, arc or beam",
         ),
         (
             "parallel --ratio 1:5",
@@ -342,7 +370,8 @@ def test_what_is_typed_goes_before_the_environment() -> None:
         ),
         (
             "arc --rocker 600mm",
-            'rocker "600mm" has a unit; lengths of the arc crank are in units of R, for example 6',
+            'rocker "600mm" is a length, but no length of the crank is known; add --crank or --stroke, or'
+            " give it in units of R, for example 6",
         ),
         ("arc --rocker x", 'rocker "x" is not a number; write it as 4.5 or 4,5'),
         (

@@ -172,7 +172,7 @@ def _params() -> list[click.Parameter]:
     order = (
         "ratio", "columns", "over", *Diagram.__annotations__, *Wheeled.__annotations__, "method", "from",
         "to", "step", "offset", "stroke", "crank", "rod", "speed", "force", "mechanism", "rocker", "pivot",
-        "beam", *STEAM, "cranks", "cylinder", "of", "bore", "pressure", *MASSES, *LYING,
+        "circuit", "beam", *STEAM, "cranks", "cylinder", "of", "bore", "pressure", *MASSES, *LYING,
     )  # fmt: skip
     return [
         machine_option(), own["positions"], *flags, *(own[name] for name in order), *output,

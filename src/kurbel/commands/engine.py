@@ -38,7 +38,7 @@ WITH_MASSES = "with masses the power follows from pressure, bore, stroke and spe
 ORDER = (
     "ratio back exponent clearance card other_side single_acting cranks method reciprocating rod_mass centre"
     " gyration rod_file vertical slope gravity stroke crank rod bore pressure offset mechanism rocker pivot"
-    " beam rocker_inertia"
+    " circuit beam rocker_inertia"
 )
 # Pages of an engine, and those of one with its flywheel.
 DELTA = ("irregularity", "strokes", "evenness", "compressor", "pump", "gas cycle", "cylinders")

@@ -100,7 +100,7 @@ def some(drives: Sequence[Any]) -> Sequence[Any]:
 @makes_table(
     foreign=of_other_mechanisms,
     order="angle from_ to step columns offset stroke crank rod method speed acceleration mechanism"
-    " rocker pivot beam",
+    " rocker pivot circuit beam",
 )
 def table(
     ratio: option.Ratios = None,
@@ -144,7 +144,7 @@ def table(
 
 
 BEAM, DRIVE = "dead centres", "drive dead centres"
-_OF_DRIVES = ("mechanism", "offset", "rocker", "pivot", "speed")
+_OF_DRIVES = ("mechanism", "offset", "rocker", "pivot", "circuit", "speed")
 _LENGTHS = ("stroke", "rod")
 
 
@@ -202,7 +202,7 @@ class Turned(option.Linked, option.Sheet, total=False):
 @makes_table(
     foreign=_no_dead_centres,
     needless=_lone_length,
-    order="ratio exact mechanism offset rocker pivot stroke crank rod speed columns",
+    order="ratio exact mechanism offset rocker pivot circuit stroke crank rod speed columns",
 )
 def dead_centres_table(
     beam: Annotated[

@@ -202,13 +202,25 @@ class Linked(Slide, total=False):
         str | None,
         Option(mechanisms.described(), kind=Choice("mechanism", mechanisms.MECHANISMS)),
     ]
-    rocker: Annotated[Exact | None, Option("Arc crank: length of the rocker in units of R.", "B", unit="R")]
+    rocker: Annotated[
+        Exact | None,
+        Option("Arc crank: length of the rocker in units of R, or a length with --crank.", "B", unit="R"),
+    ]
     pivot: Annotated[
         str | tuple[Exact, Exact] | None,
         Option(
-            "Arc crank: the rocker's pivot along and across the slide, in units of R; default: as far as the"
-            " rod is long, and B above the slide line.",
+            "Arc crank: the rocker's pivot along and across the slide, in units of R or as lengths; default:"
+            " as far as the rod is long, and B above the slide line. With D;0 angles count from the line of"
+            " centres, as of a four-bar.",
             "D;H", unit="R",
+        ),
+    ]  # fmt: skip
+    circuit: Annotated[
+        Exact | None,
+        Option(
+            "Arc crank: 1 or -1, the two ways to assemble the links; default 1. Of a four-bar with its pivot"
+            " at D;0 the open one is -1.",
+            "WAY",
         ),
     ]  # fmt: skip
 
@@ -216,7 +228,9 @@ class Linked(Slide, total=False):
 class AnyDrive(Linked, total=False):
     """Any crank drive, the beam engine among them."""
 
-    beam: Annotated[Exact | None, Option("Beam engine: arm of the beam in units of R.", "A", unit="R")]
+    beam: Annotated[
+        Exact | None, Option("Beam engine: arm of the beam in units of R, or a length.", "A", unit="R")
+    ]
 
 
 class Cylinder(Loads, total=False):

@@ -77,9 +77,10 @@ class Drives(option.AnyDrive, option.Steam, option.MovingRod, Lying, option.Shee
 @makes_table(
     foreign=_of_drives,
     needless=_needless,
-    order="ratio columns offset stroke crank rod method speed mechanism rocker pivot beam force eps back"
-    " exponent clearance card other_side single_acting cranks bore pressure reciprocating rod_mass centre"
-    " gyration rod_file rotating rocker_inertia vertical slope gravity",
+    order="ratio columns offset stroke crank rod method speed mechanism rocker pivot circuit beam force"
+    " eps back exponent clearance card other_side single_acting cranks bore pressure"
+    " reciprocating rod_mass centre gyration rod_file rotating rocker_inertia vertical slope"
+    " gravity",
 )
 def solve_table(
     where: Annotated[

@@ -218,6 +218,7 @@ class Described(NamedTuple):
     offset: Exact | None = None
     rocker: Exact | None = None
     pivot: str | tuple[Exact, Exact] | None = None
+    circuit: Exact | None = None
     beam: Exact | None = None
     rocker_inertia: Exact | None = None
     force: PistonForce | None = None
@@ -295,18 +296,22 @@ class Described(NamedTuple):
         return displacement / radius
 
 
-def radii(value: Exact, what: str, drive: str = "the arc crank") -> Fraction:
-    """Return a length of a drive in units of R: 6, 6R."""
+def radii(value: Exact, what: str, radius: Fraction | None) -> Fraction:
+    """Return a length of a drive in units of R, which is so many metres if it is known: 6, 6R, 900mm."""
     if not isinstance(value, str):
         return as_fraction(value)
     from kurbel.reading import units
 
     share = value.strip().removesuffix("R")
-    if units.is_measure(share):
+    if not units.is_measure(share):
+        return as_number(share, what)
+    length = units.displacement(value, what)
+    if radius is None:
         raise NotationError(
-            f'{what} "{value[:40]}" has a unit; lengths of {drive} are in units of R, for example 6'
+            f'{what} "{value[:40]}" is a length, but no length of the crank is known; add --crank or'
+            " --stroke, or give it in units of R, for example 6"
         )
-    return as_number(share, what)
+    return length / radius
 
 
 # Of a drive without a rod.

@@ -72,6 +72,7 @@ class Crank(Section):
     mechanism: Annotated[One | None, about('crank drive, such as "arc"; straight or offset by itself')] = None
     rocker: Annotated[One | None, about("length of the arc crank's rocker in units of R")] = None
     pivot: Annotated[One | None, about('its pivot along and across the slide, such as "5;6"')] = None
+    circuit: Annotated[One | None, about("1 or -1, the two ways to assemble the arc crank's links")] = None
     beam: Annotated[One | None, about("arm of the beam engine's beam in units of R")] = None
     vertical: Annotated[bool | None, about("whether the cylinder stands above the shaft, for weights")] = None
     slope: Annotated[

@@ -118,7 +118,8 @@ def certified(
     is one of 0, ±30°, ±45° and ±60° (Conway and Jones, Acta Arithmetica 30, 1976, theorem 7). Rocker and rod
     angles on a boundary are not excluded; `certify.rounded` then raises ProblemError.
 
-    What the masses add is algebraic, times π² where the speed counts turns. With a part of theirs that is not
+    What a speed in turns makes has the factor π. What the masses add is algebraic, times π² where the speed
+    counts turns. With a part of theirs that is not
     zero a force is then transcendental; so are those of the rod alone, but for zeros.
     """
 
@@ -127,7 +128,7 @@ def certified(
 
     def is_algebraic() -> bool:
         speed = drive.crank.speed
-        by_turns = quantity.needs == "inertia" and speed is not None and speed.turns
+        by_turns = quantity.needs in ("inertia", "speed") and speed is not None and speed.turns
         return drive.is_rational and not (quantity.is_arc or by_turns or _weighs(quantity, drive, angle))
 
     return settled(at, decimals, rounding, is_algebraic)

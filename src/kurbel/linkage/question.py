@@ -15,7 +15,7 @@ from kurbel.exact.numerals import Label, Number
 from kurbel.kernel.circle import circle
 from kurbel.linkage.linkage import certified, value
 from kurbel.linkage.quantities import FORCE
-from kurbel.motion.captions import drive_notes, force_notes, moving_notes
+from kurbel.motion.captions import drive_notes, force_notes, moving_notes, turns_label
 from kurbel.motion.evaluation import NEEDS, needed
 from kurbel.motion.page import AngleQuestion, check_pairs
 from kurbel.page.axes import AngleAxis, ColumnAxis, Place, RatioAxis
@@ -147,6 +147,8 @@ def force_lines(
     # Neither the offset nor the mean speed is that of a slide.
     cranks = [replace(drive.crank, offset=Fraction(0), moving=None, speed=None) for drive in question.drives]
     yield from drive_notes(cranks, lang)
+    if first.speed is not None and any(one.needs == "speed" for one in shown):
+        yield turns_label(first.speed)
     yield from force_notes(cranks, lang)
     if first.moving is not None:
         yield from moving_notes(first, question.layout.ratio_symbol, lang, named)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any, ClassVar
 
@@ -19,6 +20,7 @@ from kurbel.linkage.mechanism import LinkageMechanism
 from kurbel.linkage.question import linkage_subject
 from kurbel.motion.captions import moving_notes
 from kurbel.page.quantity import Column, Quantity
+from kurbel.reading.given import as_number
 
 SUBJECT = linkage_subject(
     "arc crank",
@@ -58,7 +60,18 @@ class Arc(RockerMechanism):
     title = ArcCrank.title
     layout = "arc"
     forces_layout = "forces-arc"
-    takes = ("ratio", "offset", "rocker", "pivot", "rocker_inertia", "method")
+    takes = (
+        "ratio",
+        "stroke",
+        "rod",
+        "speed",
+        "offset",
+        "rocker",
+        "pivot",
+        "circuit",
+        "rocker_inertia",
+        "method",
+    )
     speech = SPEECH
     names = NAMES
 
@@ -73,13 +86,7 @@ class Arc(RockerMechanism):
                 f'method "{said.method}" has no formulas for the arc crank; use exact,'
                 " with --ratio 1:∞ for the infinite rod"
             )
-        assert said.rocker is not None
-        across = Fraction(0) if said.offset is None else radii(said.offset, "offset")
-        rocker, places, radius = radii(said.rocker, "rocker"), _pivot(said), said.radius
-        return tuple(
-            ArcCrank(Crank(value, across, radius, force=said.force), rocker, *places)
-            for value in said.ratios(ratios)
-        )
+        return tuple(_arc(said, crank) for crank in said._replace(offset=None).cranks(ratios))
 
     def solved(self, drives: Sequence[Any], method: str | None) -> tuple[ArcDrive, ...]:
         return tuple(map(ArcDrive, drives))
@@ -88,7 +95,18 @@ class Arc(RockerMechanism):
         return arc_columns()
 
 
-def _pivot(said: Described) -> tuple[Fraction, Fraction] | tuple[()]:
+def _arc(said: Described, crank: Crank) -> ArcCrank:
+    assert said.rocker is not None
+    rocker, places = radii(said.rocker, "rocker", crank.radius), _pivot(said, crank.radius)
+    if said.offset is not None:
+        crank = replace(crank, offset=radii(said.offset, "offset", crank.radius))
+    # Without a place the pivot has none of its own.
+    distance, height = places or (None, None)
+    circuit = 1 if said.circuit is None else as_number(said.circuit, "circuit")
+    return ArcCrank(crank, rocker, distance, height, circuit)  # type: ignore[arg-type]
+
+
+def _pivot(said: Described, radius: Fraction | None) -> tuple[Fraction, Fraction] | tuple[()]:
     """D and H from "5;6" or a pair."""
     given = said.pivot
     if given is None:
@@ -99,7 +117,7 @@ def _pivot(said: Described) -> tuple[Fraction, Fraction] | tuple[()]:
             f'pivot "{str(given)[:40]}" is not a place; write its distance from the shaft along and across'
             " the slide in units of R as D;H, for example 5;6"
         )
-    distance, height = (radii(part, "pivot") for part in parts)
+    distance, height = (radii(part, "pivot", radius) for part in parts)
     return distance, height
 
 

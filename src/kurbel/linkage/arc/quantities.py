@@ -6,6 +6,8 @@ from collections.abc import Callable, Iterator, Mapping
 from functools import cache
 from typing import Any
 
+from kurbel.drive import spin
+from kurbel.drive.crank import Crank
 from kurbel.drive.crank_forces import CRANK_FORCES, CrankForce
 from kurbel.kernel import linkage
 from kurbel.linkage.arc.rocker import STROKE
@@ -85,7 +87,15 @@ def _arc_entries() -> Iterator[Quantity]:
         "path", "Weg auf dem Bogen|Path along the arc", "x", "R", Formula(_path),
         is_arc=True, of=STROKE, names=("path", "x"), rises=True,
     )  # fmt: skip
+    yield _sized(
+        "path_mm", "Weg auf dem Bogen|Path along the arc", "x", "mm", Formula(_path), Crank.millimetres,
+        needs="length", is_arc=True, of=STROKE,
+    )  # fmt: skip
     yield _entry("velocity", "Geschwindigkeit|Velocity", "c", "v", _VELOCITY, names=("velocity", "c"))
+    yield _sized("velocity_mps", "Geschwindigkeit|Velocity", "c", "m/s", _VELOCITY, Crank.pin_velocity)
+    yield _sized(
+        "acceleration_mps2", "Beschleunigung|Acceleration", "p", "m/s²", _ACCELERATION, Crank.pin_acceleration
+    )
     yield _entry(
         "acceleration", "Beschleunigung|Acceleration", "p", "v²/R", _ACCELERATION, "$(p R)/v^2$",
         names=("acceleration", "p"),
@@ -126,6 +136,9 @@ def _arc_entries() -> Iterator[Quantity]:
         yield _entry(
             f"{key}_acceleration", gain, f"ε_{letter}", "ω²", acceleration, names=(f"{key}_acceleration",)
         )
+        turning, twice = spin.angular_velocity, spin.angular_square
+        yield _sized(f"{key}_velocity_radps", speed, f"ω_{letter}", "rad/s", velocity, turning)
+        yield _sized(f"{key}_acceleration_radps2", gain, f"ε_{letter}", "rad/s²", acceleration, twice)
 
 
 def _entry(
@@ -136,6 +149,18 @@ def _entry(
     heading = heading or (f"{symbol} in °" if unit == "°" else f"${letter}/{unit.replace('²', '^2')}$")
     decimals = ANGLE_DECIMALS if unit == "°" else DECIMALS
     return spanned(key, name, symbol, heading, unit, decimals, {"exact": formula}, **said)
+
+
+def _sized(
+    key: str, name: str, letter: str, unit: str, formula: Formula, scale: Callable[..., Any],
+    needs: str = "speed", **rest: Any,
+) -> Quantity:  # fmt: skip
+    """An entry in a unit that the crank's length or its speed makes."""
+    symbol, decimals = f"${letter}$", 2 if unit in ("mm", "m/s²") else 3
+    heading, formulas = f"{symbol} in {unit}", {"exact": formula}
+    return spanned(
+        key, name, symbol, heading, unit, decimals, formulas, scale=scale, needs=needs, **rest
+    )  # fmt: skip
 
 
 def _arc_forces() -> Iterator[Quantity]:

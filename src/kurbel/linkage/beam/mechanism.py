@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from kurbel.drive.crank import Crank, Described, radii
+from kurbel.drive.crank import Described, radii
 from kurbel.errors import ProblemError
 from kurbel.linkage.arc.mechanism import RockerMechanism
 from kurbel.linkage.beam.captions import NAMES, SPEECH
@@ -31,7 +31,7 @@ class Beam(RockerMechanism):
     title = BeamCrank.title
     layout = "beam"
     forces_layout = "forces-beam"
-    takes = ("ratio", "beam", "rocker_inertia", "method")
+    takes = ("ratio", "stroke", "rod", "speed", "beam", "rocker_inertia", "method")
     speech = SPEECH
     names = NAMES
 
@@ -47,9 +47,8 @@ class Beam(RockerMechanism):
                 " with --ratio 1:∞ for the infinite rod"
             )
         assert said.beam is not None
-        arm, radius = radii(said.beam, "beam", self.title), said.radius
         return tuple(
-            BeamCrank(Crank(value, radius=radius, force=said.force), arm) for value in said.ratios(ratios)
+            BeamCrank(crank, radii(said.beam, "beam", crank.radius)) for crank in said.cranks(ratios)
         )
 
     def solved(self, drives: Sequence[Any], method: str | None) -> tuple[BeamDrive, ...]:
