@@ -11,6 +11,7 @@ from kurbel.engine.power.duty import Duty
 from kurbel.engine.power.source import Acting, GivenPressure
 from kurbel.exact.numerals import Label
 from kurbel.page.quantity import words
+from kurbel.reading.amounts import amount
 
 if TYPE_CHECKING:
     from kurbel.engine.power.page import PowerRequest
@@ -109,7 +110,7 @@ def notes(request: PowerRequest) -> Iterator[Label]:
 def _given(duty: Duty, source: Acting | GivenPressure) -> Iterator[Label]:
     """Yield what is given as it stands in formulas, but for what the table has."""
     if duty.pressure is not None and not isinstance(source, GivenPressure):
-        yield f'$p = {figure(duty.pressure / 100000)} "bar"$'
+        yield f"$p = {amount(duty.pressure, 'bar')}$"
     if duty.stroke_bore is not None:
         yield f"$S/d = {figure(duty.stroke_bore)}$"
     if duty.speed is not None and not duty.speed.turns:

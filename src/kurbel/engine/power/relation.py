@@ -16,12 +16,16 @@ class Term:
     known: Product
     powers: Mapping[str, Fraction] = field(default_factory=dict)
 
-    def __mul__(self, other: Term) -> Term:
+    def __mul__(self, other: Term | int) -> Term:
+        if isinstance(other, int):
+            return Term(self.known * other, self.powers)
         names = dict.fromkeys((*self.powers, *other.powers))
         powers = {one: self.power(one) + other.power(one) for one in names}
         return Term(self.known * other.known, {one: power for one, power in powers.items() if power})
 
-    def __truediv__(self, other: Term) -> Term:
+    def __truediv__(self, other: Term | int) -> Term:
+        if isinstance(other, int):
+            return Term(self.known / other, self.powers)
         return self * other ** Fraction(-1)
 
     def __pow__(self, exponent: Fraction) -> Term:
