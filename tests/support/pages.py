@@ -100,6 +100,7 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "inertia errors": ("inertia", "--centre=0.65", "--gyration=0.35"),
     "rocker inertia": ("inertia", "--centre=0.65", "--gyration=0.35", "--mechanism=arc", "--rocker=6"),
     "tangent": ("forces", "--at=tangent"),
+    "unknown": ("solve", "--unknown=ratio", "--angle=80", "--where=c=max"),
     "loaded roots": ("solve", "--eps=4", "--where=torque=max", "--where=tangential=0.5"),
     "roots": ("solve", "--where=p=0", "--where=s=25%", "--where=c=max"),
 }
@@ -137,7 +138,7 @@ DRIVES = about("motion", "arc crank", "parallel crank", "beam engine")
 PRESSED = about("pressures", "pressures over the angle")
 RODS = about("mass forces", "inertia", "inertia errors", "rod masses", "rocker inertia", "tangent")
 SOLVED = about("roots")
-SOLVED_LOADED = about("loaded roots")
+SOLVED_LOADED = about("loaded roots", "unknown")
 
 each_layout = pytest.mark.parametrize(
     ("name", "lang"), [(name, lang) for name in layout_names() for lang in LANGUAGES]
@@ -233,6 +234,7 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
     "mass forces": (kurbel.forces_table, {
         "force": 10_000, "stroke": 0.6, "speed": 2, "reciprocating": 300,
     }),
+    "unknown": (kurbel.solve_table, {"unknown": "ratio", "angle": 80, "where": "c=max"}),
     "loaded roots": (kurbel.solve_table, {"eps": 4, "where": ("torque=max", "tangential=0.5")}),
     "roots": (kurbel.solve_table, {"where": ("p=0", "s=25%", "c=max")}),
 }  # fmt: skip

@@ -220,6 +220,12 @@ class Given:
         self.values = dict(command.settled(self.values))
         return spelled
 
+    def settle_unknown(self) -> None:
+        """Drop what is asked for as --unknown."""
+        name = self.values.get("unknown")
+        if name in self.values and not self.typed(name):
+            self.drop(name)
+
     def settle_lengths(self) -> None:
         """Keep two of crank ratio, stroke and length of the rod at the most, for two give the third.
 
@@ -258,6 +264,7 @@ def resolved(command: Command, given: Given, rivals: Rivals = ()) -> dict[str, A
     """
     given.settle(rivals)
     given.settle_loads()
+    given.settle_unknown()
     own = {one.name for one in command.parameters.values()}
     spelled = given.settle_sizes(command)
     values = {name: value for name, value in given.values.items() if name in own}

@@ -9,12 +9,12 @@ from kurbel.commands.cylinder.slope import LYING, Lying
 from kurbel.commands.loads import OWN
 from kurbel.commands.machines import MASSES, STEAM, engine_of, for_masses, weightless
 from kurbel.commands.motion import described, meant, of_other_mechanisms, sheet_of, some
-from kurbel.commands.options import Option, is_given
+from kurbel.commands.options import Choice, Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.errors import NotationError
 from kurbel.page.layouts import layout_of
 from kurbel.page.subject import Question
-from kurbel.reading.given import as_names
+from kurbel.reading.given import Exact, as_names
 
 # What conditions on the motion are about, of any crank drive.
 OF_MOTION = (
@@ -51,6 +51,14 @@ def _is_of_engine(values: Mapping[str, Any]) -> bool:
 
 
 def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
+    if values["unknown"] is not None:
+        # What a force needs, its own page says.
+        return {}
+    return {"angle": "--angle is for --unknown; conditions find the angles themselves", **_of_angles(values)}
+
+
+def _of_angles(values: Mapping[str, Any]) -> Mapping[str, str]:
+    """Refuse what says nothing where angles are asked for."""
     if _is_of_engine(values):
         bare = {"force": "--force does not go with the load of an engine; leave it out"}
         return {**bare, **for_masses("speed")(values), **weightless(values)}
@@ -100,14 +108,32 @@ def solve_table(
             "solve", "stroke,phi,phi_turn,x,c,p", ". Pages keep the stroke and φ at the left."
         ),
     ] = (),
-    layout: Annotated[str | None, option.layout_option("roots", "loaded roots")] = None,
+    unknown: Annotated[
+        str | None,
+        Option(
+            "What is asked for in place of the angle: speed, force, pressure, bore, reciprocating, rod_mass,"
+            " stroke or ratio; with --angle and one condition.",
+            kind=Choice("unknown", "kurbel.solve.unknown:UNKNOWNS"),
+        ),
+    ] = None,
+    angle: Annotated[
+        Exact | None,
+        Option(
+            "With --unknown the crank angle at which the condition holds: 30, or c=max, where a quantity of"
+            " the motion is greatest on the outstroke.",
+            "ANGLE",
+            unit="degrees",
+        ),
+    ] = None,
+    layout: Annotated[str | None, option.layout_option("roots", "loaded roots", "unknown")] = None,
     **given: Unpack[Drives],
 ) -> Question:
     """Print all crank angles of the turn at which a condition holds, on both strokes.
 
     Path, velocity and acceleration count on either stroke from the dead centre where it begins, in its
     direction; max and min are those of each stroke, and psi=max is where the rod leans furthest to either
-    side. Forces of an engine, by --eps and the like, count over the whole turn.
+    side. Forces of an engine, by --eps and the like, count over the whole turn. --unknown asks for another
+    number than the angle, with which a condition holds at one.
 
     \b
     kurbel solve --ratio 1:5 --method series --where p=0
@@ -115,6 +141,8 @@ def solve_table(
     kurbel solve --stroke 600mm --rod 1500mm --speed 120/min --where "c = 3 m/s"
     kurbel solve --ratio 1:5 --mechanism arc --rocker 6 --where acceleration=0
     kurbel solve --eps 4 --where torque=max --where tangential=0.5
+    kurbel solve --machine engine.toml --unknown speed --angle 30 --where crosshead_load=0
+    kurbel solve --unknown ratio --angle 80 --where c=max
     \f
     >>> import kurbel
     >>> page = kurbel.solve_table("p = 0", ratio="1:5", method="series", columns="stroke,phi,x")
@@ -129,6 +157,10 @@ def solve_table(
     texts = _texts(where)
     if not all(isinstance(text, str) for text in texts):
         raise NotationError('a condition is text, such as "p = 0"')
+    if unknown is not None:
+        from kurbel.commands.unknown.command import unknown_of
+
+        return unknown_of(unknown, angle, texts, columns, layout, given)
     if _is_of_engine({**given, "where": texts}):
         return _of_engine(layout, texts, columns, given)
     page = layout_of(layout or "solve", ("roots",), given["layouts"])

@@ -63,6 +63,7 @@ SUBJECTS: Mapping[str, Pages] = {
     "rod masses": Pages("kurbel.motion.rod_masses:SUBJECT", _INERTIA),
     "rocker inertia": Pages("kurbel.linkage.arc.inertia:SUBJECT", f"{_INERTIA} {_ARC}"),
     "roots": Pages("kurbel.solve.page:SUBJECT", "solve --where p=0"),
+    "unknown": Pages("kurbel.solve.unknown_page:SUBJECT", "solve --unknown ratio --angle 80 --where c=max"),
     "loaded roots": Pages("kurbel.solve.load_page:SUBJECT", "solve --eps 4 --where torque=max"),
     "collation": Pages("kurbel.books.collate_page:SUBJECT", "collate roetscher-112"),
     "formulas": Pages("kurbel.books.formulas.page:SUBJECT", "collate blau-equations"),

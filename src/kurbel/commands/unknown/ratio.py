@@ -1,0 +1,85 @@
+"""The crank ratio for which a condition on the motion holds at an angle."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import Any
+
+from kurbel.commands.loads import OWN
+from kurbel.commands.motion import described
+from kurbel.commands.options import is_given
+from kurbel.commands.unknown.place import MOTION, Angle
+from kurbel.errors import ProblemError
+from kurbel.reading.where import MAX, VALUE
+
+GREATEST_RATIO = Fraction(999, 1000)
+MASSES = ("reciprocating", "rod_mass", "rotating", "rod_file")
+
+
+class OfRatio:
+    """The crank ratio of the straight or offset crank, its crosshead's motion known by formulas."""
+
+    def __init__(self, place: Angle, text: str, given: Mapping[str, Any]) -> None:
+        from kurbel.solve.solve import read_on
+
+        if any(is_given(given.get(name)) for name in (*OWN, "cylinder", "force", "rod", *MASSES)):
+            raise ProblemError(
+                "--unknown ratio is of the motion of the piston, without rod length, forces and masses; leave"
+                " these out"
+            )
+        known = {name: value for name, value in given.items() if name in (*MOTION, "speed", "method")}
+        chosen, said = described({**known, "ratio": "1:4", "layout": None})
+        if not chosen.crosshead:
+            raise ProblemError("--unknown ratio is of the straight and the offset crank")
+        self.place, self.drive = place, chosen.solved(chosen.drives(said, ()), given["method"])[0]
+        self.condition = read_on(self.drive, text)
+        if self.condition.kind not in (VALUE, MAX) or (
+            self.condition.kind == MAX and self.condition.quantity != "c"
+        ):
+            raise ProblemError("--unknown ratio takes a value, such as x=1.1 or psi=15, or c=max")
+
+    @property
+    def greatest(self) -> Fraction:
+        return GREATEST_RATIO / (1 + abs(self.drive.crank.offset))
+
+    def found(self) -> list[Any]:
+        from dataclasses import replace
+
+        from kurbel.exact.course import Target
+        from kurbel.exact.kind import balls
+        from kurbel.motion.evaluation import At, kernel_of
+        from kurbel.solve.solve import target_of
+        from kurbel.solve.unknown import of_ratio
+
+        drive, condition = self.drive, self.condition
+        if condition.kind == MAX:
+            # The acceleration is zero once on the outstroke, where the velocity is greatest.
+            if drive.crank.offset:
+                raise ProblemError("c=max with --unknown ratio is of the straight crank; leave --offset out")
+            if not 0 < (self.place.degrees or 0) < 180:
+                raise ProblemError("the velocity is greatest within the outstroke; give an angle in 0..180")
+            condition, target = replace(condition, quantity="p"), Target.rational(Fraction(0))
+        else:
+            target = target_of(drive, condition, 1)
+        kernel = kernel_of(drive.asked(condition.quantity, 1), drive.method, drive.crank)
+        scale = drive.asked(condition.quantity, 1).scale
+
+        def formula(ratio: Any) -> Any:
+            kind = balls()
+            offset = kind.of(drive.crank.offset) if drive.crank.offset else None
+            found = kernel(At(self.place.circle(kind), ratio, offset, drive.crank, kind))
+            return found * scale(drive.crank, kind) if scale else found
+
+        return of_ratio(formula, target.ball, self.greatest)
+
+    def label(self, lang: str) -> str:
+        from kurbel.solve.captions import condition_label
+
+        return condition_label(self.condition, self.drive, lang)
+
+    def lines(self, lang: str) -> list[str]:
+        from kurbel.drive.load import figure
+        from kurbel.solve.unknown_page import WORDS
+
+        return [WORDS["ratio"][lang].format(greatest=f"${figure(self.greatest)}$")]

@@ -1,0 +1,134 @@
+"""The page of a number other than the crank angle for which a condition holds at one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import flint
+
+from kurbel.exact.certify import NEVER_TIES, ball, rounded
+from kurbel.exact.numerals import Label, Number, figures
+from kurbel.page.axes import Axis, ColumnAxis, Place
+from kurbel.page.quantity import Column, Quantity, words
+from kurbel.page.subject import Question, Subject
+from kurbel.page.table import Field
+from kurbel.solve.unknown import UNKNOWNS
+
+NEAR_BITS = 120
+WORDS = {
+    "number": words("Lösung|Solution"),
+    "all": words(
+        "alle Werte über 0, bei denen die Bedingung gilt|all values above 0 with which the condition holds"
+    ),
+    "ratio": words(
+        "alle Kurbelverhältnisse unter {greatest}, bei denen die Bedingung gilt"
+        "|all crank ratios below {greatest} with which the condition holds"
+    ),
+}
+
+
+@cache
+def registry() -> Mapping[str, Quantity]:
+    """Return every unknown by its key; L/R stands beside R/L."""
+    found = {}
+    for key, one in UNKNOWNS.items():
+        heading = f"{one.symbol} in {one.unit}" if one.unit else one.symbol
+        found[key] = Quantity(key, one.name, one.symbol, words(one.unit), None, {}, words(heading))
+        found[key] = found[key]._replace(spanners=(one.name,))
+    rod = words("Stangenverhältnis|Rod ratio")
+    found["rod_ratio"] = Quantity(
+        "rod_ratio", rod, "$L/R$", words(""), None, {}, words("$L/R$"), spanners=(rod,)
+    )
+    return found
+
+
+@dataclass(frozen=True, kw_only=True)
+class UnknownRequest(Question):
+    """What is asked for: all values of an unknown. `condition` and `angle` are labels, `lines` says what else
+    there is to say; `found` are the values in SI units, at the precision in force."""
+
+    unknown: str
+    condition: Label
+    angle: Label
+    found: Sequence[Callable[[], Any]]
+    lines: Sequence[Label]
+
+    no_column = "there is no column beside the number; add one, such as speed"
+
+    def missing(self, quantity: Quantity) -> str:
+        own = (self.unknown, "rod_ratio") if self.unknown == "ratio" else (self.unknown,)
+        if quantity.key in own:
+            return ""
+        return f"column {quantity.key} is not asked for; leave it out, or write --unknown {quantity.key}"
+
+    def value(self, index: int, column: str) -> Any:
+        """Return a value in the unit of a column, at the precision in force."""
+        found = self.found[index]()
+        return 1 / found if column == "rod_ratio" else found / ball(UNKNOWNS[self.unknown].size)
+
+
+class _RootAxis(Axis):
+    """The values, numbered."""
+
+    key = "solution"
+
+    def __init__(self, question: UnknownRequest) -> None:
+        super().__init__(len(question.found))
+        self.lang = question.lang
+
+    def field(self) -> Field:
+        return Field("solution", WORDS["number"][self.lang], "", "", 0)
+
+    def value(self, place: Place) -> Number:
+        return Number(place["root"] + 1, 0)
+
+    def stub(self, place: Place) -> Number:
+        return self.value(place)
+
+    def heads(self, place: Place) -> tuple[Label, ...]:
+        return (str(place["root"] + 1),)
+
+
+def _number(question: UnknownRequest, column: Column, place: Place, times: int) -> Number:
+    index, decimals = place["root"], column.decimals
+    if decimals is None:
+        with flint.ctx.workprec(NEAR_BITS):
+            decimals = figures(float(question.value(index, column.key).mid()))
+    scaled = rounded(
+        lambda: times * question.value(index, column.key), decimals, question.rounding, NEVER_TIES
+    )
+    return Number(scaled, decimals)
+
+
+def _caption(question: UnknownRequest) -> Label:
+    name = UNKNOWNS[question.unknown].name[question.lang]
+    text = question.layout.caption[question.lang]
+    for place, said in (
+        ("{unknown}", name),
+        ("{condition}", question.condition),
+        ("{angle}", question.angle),
+    ):
+        text = text.replace(place, said)
+    return text
+
+
+def _notes(question: UnknownRequest) -> Iterator[Label]:
+    yield from (note[question.lang] for note in question.layout.notes)
+    yield from question.lines
+
+
+SUBJECT = Subject(
+    key="unknown",
+    layout="solve-unknown",
+    command="solve --unknown speed",
+    axes={"root": _RootAxis, "column": ColumnAxis},
+    axis_keys=("solution",),
+    quantities=registry,
+    number=_number,
+    caption=_caption,
+    notes=_notes,
+    letters=True,
+)
