@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from mpmath import atan2, cos, degrees, mpf, radians, sqrt
+from mpmath import atan2, cos, degrees, mpf, pi, radians, sqrt
 from newton_euler import Drive
 from problem_answers import Rows, solution
 
@@ -82,3 +82,32 @@ def heavy_rod_and_weight(
 ) -> Rows:
     drive = Drive(crank, rod, speed, mass, heavy, centre, gyration, slope, G)
     return some(drive.forces(angle, 0), "guide_force_n", "torque_nm")
+
+
+@solution
+def pressure_on_both_sides(
+    stroke: mpf,
+    rod: mpf,
+    bore: mpf,
+    thick: mpf,
+    cover: mpf,
+    under: mpf,
+    mass: mpf,
+    speed: mpf,
+    friction: mpf,
+    angle: mpf,
+) -> Rows:
+    steam = pi / 4 * (cover * bore**2 - under * (bore**2 - thick**2))
+    drive = Drive(stroke / 2, rod, speed, mass, slope=mpf(90), gravity=G)
+    forces = drive.forces(angle, steam - friction)
+    # A rod without mass: the load at the crosshead is what its thrust has along the slide.
+    load = forces["rod_force_n"] * cos(drive.lean(radians(angle)))
+    return [{"crosshead_load_n": load, **some(forces, "guide_force_n", "torque_nm")[0]}]
+
+
+@solution
+def petrol_engine(stroke: mpf, rod: mpf, bore: mpf, pressure: mpf, mass: mpf, speed: mpf, angle: mpf) -> Rows:
+    crank, phi = stroke / 2, radians(angle)
+    towards_the_shaft = crank * speed**2 * (cos(phi) + crank / rod * cos(2 * phi))
+    load = pressure * pi / 4 * bore**2 - mass * towards_the_shaft
+    return [{"crosshead_load_n": load, **some(Drive(crank, rod, speed).forces(angle, load), *KEYS)[0]}]

@@ -87,6 +87,36 @@ def forces(random: Random) -> Asked:
 
 
 @kind
+def effort(random: Random) -> Asked:
+    """Pressures on both sides, piston rod, friction and weight of a vertical engine, on either stroke."""
+    words, crank, rod, speed = crank_drive(random)
+    bore, thick = number(random, 150, 500), number(random, 20, 90)
+    cover, under = number(random, 0.5, 9), number(random, 0.1, 5)
+    mass, friction = number(random, 5, 300), number(random, 50, 900)
+    angle = random.choice((number(random, 3, 177), number(random, 183, 357)))
+    steam = mpf(10) ** 5 * pi / 4 / 10**6
+    steam *= mpf(cover) * mpf(bore) ** 2 - mpf(under) * (mpf(bore) ** 2 - mpf(thick) ** 2)
+    against = mpf(friction) if mpf(angle) < 180 else -mpf(friction)
+    drive = Drive(crank, rod, speed, mpf(mass), slope=mpf(90), gravity=mpf("9.81"))
+    found = drive.forces(mpf(angle), steam - against)
+    words += ["--bore", f"{bore}mm", "--piston-rod", f"{thick}mm", "--head-pressure", f"{cover}bar"]
+    words += ["--crank-pressure", f"{under}bar", "--reciprocating", f"{mass}kg", "--friction", f"{friction}N"]
+    columns = ["guide_force_n", "torque_nm"]
+    asked = [
+        "--vertical",
+        "--gravity",
+        "9.81",
+        "--angle",
+        angle,
+        "--columns",
+        ",".join(columns),
+        "--digits",
+        "3",
+    ]
+    return ["forces", *words, *asked], [{key: found[key] for key in columns}]
+
+
+@kind
 def rotor(random: Random) -> Asked:
     count = random.randint(1, 5)
     masses, radii = ([number(random, 1, 30) for _ in range(count)] for _ in "mr")
