@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -104,6 +105,22 @@ def test_sizes_of_a_rim_and_of_a_disc_give_their_masses() -> None:
     agree(disc, delta=1000 / (mass * mpf("0.045") * rate(300) ** 2))
 
 
+def test_the_flywheel_of_an_engine_has_a_rim(tmp_path: Path) -> None:
+    engine = "--eps 3 --ratio 1:4 --power 50kW --speed 120/min --delta 1:100"
+    own = figures(engine)
+    found = figures(engine, "--rim-diameter", "3m", "--density", "7200kg/m3", "--rim-section", "2:1")
+    agree(found, **{key: own[key] for key in ("power", "mean_torque", "swing", "inertia")})
+    assert abs(found["rim_mass"] - own["inertia"] / mpf("2.25")) < mpf("1e-15")
+    # A machine's file says the same, and gives way to what is typed.
+    path = tmp_path / "machine.toml"
+    path.write_text('[crank]\nratio = "1:4"\nspeed = "120/min"\n[flywheel]\nrim_diameter = "3m"\n'
+                    'density = "7200kg/m3"\nrim_section = "2:1"\ndelta = "1:50"\n', encoding="utf-8")  # fmt: skip
+    words = "--eps 3 --power 50kW --delta 1:100"
+    assert figures(words, "--machine", str(path)) == found
+    alone = figures("--swing 5kJ --inertia 100kgm2", "--machine", str(path))
+    agree(alone, delta=5000 / (100 * rate(120) ** 2), rim_mass=100 / mpf("2.25"))
+
+
 def test_areas_and_a_torque_give_their_swings() -> None:
     # +52, -124, ...: at most 52 after the first, at least 52 - 124 + 92 - 140 = -120 after the fourth.
     scale = ("--areas", "+52;-124;+92;-140;+85;-72;+107", "--area-scale", "500 N m; 6°")
@@ -179,6 +196,8 @@ REFUSED = [
      "--bore is of an engine, and none is described; add --eps, --card or another load, or leave it out"),
     ("--eps 4 --power 50kW --speed 120/min --delta 1:100 --swing 5kJ",
      "--swing is of a flywheel without an engine, and one is described; leave one of the two out"),
+    ("--eps 2;4 --power 50kW --speed 120/min --delta 1:100 --rim-diameter 3m",
+     "a rim is that of one engine by one method; 2 engines were given"),
     ("--share 1 --work 5kJ",
      "the share of the cycle in which the press works is 1; it must be 0 or more, for a blow, and below 1, at"
      " which the motor does all the work at once"),

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import product
 
 from kurbel.engine.axes import load_label, named_load
+from kurbel.engine.described import engine_notes
 from kurbel.engine.loads import work
 from kurbel.engine.quantities import AT_ANGLE, ENGINE_METHODS, EXTREMES, FORCES
 from kurbel.engine.request import BY_STROKE, OF_FORCES, OF_IRREGULARITY, OF_LOAD, OVER_ANGLE, EngineRequest
@@ -13,7 +14,7 @@ from kurbel.exact.numerals import Label, Number, exact_text, number_text
 from kurbel.page.quantity import AND, FOR, Quantity, enumerated_letters, filled, words
 from kurbel.page.table import Note
 from kurbel.reading.amounts import amount
-from kurbel.reading.notation import plain, ratio_text
+from kurbel.reading.notation import ratio_text
 
 # The mark of the two extremes that make δ.
 MAKES_DELTA = "a"
@@ -66,11 +67,6 @@ WORDS = {
     ),
     "whole_turn": words(
         "Winkel vom inneren Totpunkt der ersten Kurbel|Angles from the inner dead centre of the first crank"
-    ),
-    "single": words("einfachwirkend|single-acting"),
-    "cranks": words(
-        "Kurbeln um {angles} hinter der ersten, Zylinder gleich"
-        "|cranks {angles} behind the first, cylinders alike"
     ),
     "difference": words(
         "Unterschied: genauer Wert weniger Näherung, vor dem Runden gebildet."
@@ -174,23 +170,7 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
         yield _sized(request)
     if any(column.methods == ("weisbach",) and column.quantity.of not in OF_RUNS for column in columns):
         yield WORDS["weisbach"][lang]
-    if request.assembly is None:
-        yield "; ".join(_engine(request, lang))
-    else:
-        from kurbel.engine.cylinders.words import cylinder_notes
-
-        yield from cylinder_notes(request.assembly, request.numbers, lang)
-    yield from request.mechanism.loaded_notes(request.drives, lang)
-    if request.driven:
-        from kurbel.engine.loads.convention import convention
-
-        yield from convention(request)
-    if request.assembly is not None:
-        from kurbel.engine.cylinders.words import masses_notes
-
-        yield from masses_notes(request, lang)
-    elif request.first.crank.moving is not None:
-        yield from request.mechanism.masses_notes(request.first.crank, request.layout.ratio_symbol, lang)
+    yield from engine_notes(request)
     heavy = any(part.crank.moving is not None for part in request.first.parts)
     if heavy and any("series" in one.methods for one in columns):
         yield WORDS["first_order"][lang]
@@ -255,16 +235,6 @@ def _force_directions(
         yield WORDS["first_crank"][lang]
     if request.first.crank.moving is None:
         yield WORDS["massless"][lang]
-
-
-def _engine(request: EngineRequest, lang: str) -> Iterator[Label]:
-    yield from request.words.lines(request, lang)
-    engine = request.first
-    if not engine.double and request.words.halved:
-        yield WORDS["single"][lang]
-    if len(engine.cranks) > 1:
-        angles = ", ".join(f"${plain(angle)}°$" for angle in engine.cranks[1:])
-        yield WORDS["cranks"][lang].format(angles=angles)
 
 
 def _errors(request: EngineRequest) -> Iterator[Label]:

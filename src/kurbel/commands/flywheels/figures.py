@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from fractions import Fraction
 from functools import partial
 from typing import Any
@@ -53,9 +53,11 @@ _SPEEDS = {"speed": "omega", "greatest_speed": "omega_max", "least_speed": "omeg
 _RANGE = re.compile(r"(.+?)\.\.(.+)")
 
 
-def figures_of(given: Mapping[str, Any]) -> Iterator[tuple[str, Known]]:
-    """Yield the figures that options give, but for δ and what a diagram gives. Raises KurbelError."""
-    for figure, value, option in _all(given):
+def figures_of(given: Mapping[str, Any], names: Collection[str] = ()) -> Iterator[tuple[str, Known]]:
+    """Yield the figures that options give, or those of them with these names, but for δ and what a diagram
+    gives. Raises KurbelError."""
+    taken = {name: value if not names or name in names else None for name, value in given.items()}
+    for figure, value, option in _all(taken):
         yield figure, Known(value, (f"--{option.replace('_', '-')}",))
 
 

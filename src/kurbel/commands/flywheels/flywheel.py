@@ -42,7 +42,8 @@ def _of_others(values: Mapping[str, Any]) -> Mapping[str, str]:
     """Refuse what describes other crank drives, or an engine that there is not, or a flywheel without one."""
     if _is_engine(values):
         why = "is of a flywheel without an engine, and one is described; leave one of the two out"
-        own = {name: f"--{name.replace('_', '-')} {why}" for name in _OWN}
+        # An engine's flywheel has a rim as others.
+        own = {name: f"--{name.replace('_', '-')} {why}" for name in _OWN if name not in Rim.__annotations__}
         return own | dict(
             of_other_mechanisms(values, meant(values, layout=None), ("stroke", "speed", "method"))
         )
@@ -126,6 +127,7 @@ def flywheel_table(
 
 
 def _of_engine(about: Mapping[str, Any]) -> Question:
+    """Return the page of an engine's flywheel, with a rim that of its sizes."""
     from kurbel.drive.flywheel import Flywheel as Task
 
     power, size = about["power"], about["radius"]
@@ -140,6 +142,12 @@ def _of_engine(about: Mapping[str, Any]) -> Question:
     # With masses it follows from the steam, against which they are weighed.
     watts = None if power is None or heavy else as_power(power)
     turns, radius = as_speed(about["speed"]), None if size is None else as_length(size, "radius")
-    page = layout_of(about["layout"] or ENGINE, (ENGINE,), about["layouts"])
     wheels = tuple(Task(watts, turns, each, radius) for each in as_irregularities(about["delta"]))
+    if any(is_given(about[name]) for name in Rim.__annotations__):
+        from kurbel.commands.flywheels.rim import rims_of
+
+        page = layout_of(about["layout"] or "flywheel-sizing", (SIZING,), about["layouts"])
+        engine = engine_of(layout_of(ENGINE, (ENGINE,)), about, flywheels=wheels)
+        return rims_of(engine, about, page, sheet_of(about))
+    page = layout_of(about["layout"] or ENGINE, (ENGINE,), about["layouts"])
     return engine_of(page, about, flywheels=wheels, columns=about["columns"])

@@ -34,9 +34,10 @@ SOURCES: Mapping[str, Words] = {
 }
 WORDS: Mapping[str, Words] = {
     "speeds": words(
-        '$ΔW = J ω^2 δ$ mit $ω = (ω_"max" + ω_"min")/2$ und $δ = (ω_"max" - ω_"min")/ω$, genau'
-        '|$ΔW = J ω^2 δ$ with $ω = (ω_"max" + ω_"min")/2$ and $δ = (ω_"max" - ω_"min")/ω$, exactly'
+        '$ΔW = J ω^2 δ$ mit $ω = (ω_"max" + ω_"min")/2$ und $δ = (ω_"max" - ω_"min")/ω${exactly}'
+        '|$ΔW = J ω^2 δ$ with $ω = (ω_"max" + ω_"min")/2$ and $δ = (ω_"max" - ω_"min")/ω${exactly}'
     ),
+    "exactly": words(", genau|, exactly"),
     "mass": words("$J = m k^2$"),
     "cycle": words(
         "$W$ Arbeit eines Spiels von {turns}|$W$ work of a cycle of {turns}"
@@ -78,6 +79,8 @@ MOST_PLACES = 8
 
 def caption(question: WheelRequest) -> Label:
     text = question.layout.caption[question.lang]
+    if question.engine:
+        return text.replace("{flywheel}", question.engine[0])
     return text.replace("{flywheel}", SOURCES[question.known_from][question.lang])
 
 
@@ -86,7 +89,9 @@ def notes(question: WheelRequest) -> Iterator[Label]:
     lang, wheel = question.lang, question.wheels[0]
     yield from (note[lang] for note in question.layout.notes)
     if "delta" in wheel.figures:
-        yield WORDS["speeds"][lang]
+        # Masses that move have an energy of their own, which varies.
+        exactly = "" if question.engine else WORDS["exactly"][lang]
+        yield WORDS["speeds"][lang].replace("{exactly}", exactly)
     if question.fluctuation is not None:
         yield from _places(question)
     if question.known_from in (FLUCTUATION, TORQUE) and "turns" in wheel.figures:
@@ -96,6 +101,7 @@ def notes(question: WheelRequest) -> Iterator[Label]:
     if "mass" in wheel.figures and "disc_diameter" not in wheel.figures:
         yield WORDS["mass"][lang]
     yield from _rim(question)
+    yield from question.engine[1:]
 
 
 def _cycle(question: WheelRequest) -> Label:

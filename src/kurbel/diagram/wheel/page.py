@@ -9,7 +9,7 @@ from kurbel.diagram.fluctuation import Fluctuation
 from kurbel.diagram.wheel.captions import caption, notes
 from kurbel.diagram.wheel.quantities import NEEDS, SHOWN, registry
 from kurbel.diagram.wheel.sizing import Sizing
-from kurbel.exact.numerals import Number
+from kurbel.exact.numerals import Label, Number
 from kurbel.exact.product import Product
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, angle_number, irregularity_label
 from kurbel.page.layouts import LayoutColumn
@@ -26,7 +26,8 @@ class WheelRequest(Question):
     """What is asked for: flywheels by what is given, one for each of the irregularities to keep.
 
     Without any of these there is one flywheel. `known_from` says what the swing is known from; `fluctuation`
-    is the diagram, if it is one, and `share` that of a press' cycle in which it works.
+    is the diagram, if it is one, and `share` that of a press' cycle in which it works. `engine` are the
+    caption and the lines of an engine, of which the swing is.
     """
 
     wheels: tuple[Sizing, ...]
@@ -34,6 +35,7 @@ class WheelRequest(Question):
     known_from: str = ""
     fluctuation: Fluctuation | None = None
     share: Fraction | None = None
+    engine: tuple[Label, ...] = ()
 
     @property
     def axis_keys(self) -> tuple[str, ...]:
