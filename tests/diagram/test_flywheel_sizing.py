@@ -30,7 +30,7 @@ def precise() -> Any:
 def figures(words: str, *more: str) -> dict[str, Any]:
     """The one record of a flywheel, to many digits."""
     (record,) = printed("flywheel", *words.split(), *more, "--digits", str(DIGITS), "-f", "csv").records()
-    return {key: mpf(value) for key, value in record.items()}
+    return {key: mpf(value) for key, value in record.items() if ":" not in value}
 
 
 def agree(found: dict[str, Any], **expected: Any) -> None:
@@ -113,8 +113,9 @@ def test_the_flywheel_of_an_engine_has_a_rim(tmp_path: Path) -> None:
     assert abs(found["rim_mass"] - own["inertia"] / mpf("2.25")) < mpf("1e-15")
     # A machine's file says the same, and gives way to what is typed.
     path = tmp_path / "machine.toml"
-    path.write_text('[crank]\nratio = "1:4"\nspeed = "120/min"\n[flywheel]\nrim_diameter = "3m"\n'
-                    'density = "7200kg/m3"\nrim_section = "2:1"\ndelta = "1:50"\n', encoding="utf-8")  # fmt: skip
+    rim = 'rim_diameter = "3m"\ndensity = "7200kg/m3"\nrim_section = "2:1"\ndelta = "1:50"\n'
+    crank = '[crank]\nratio = "1:4"\nspeed = "120/min"\n'
+    path.write_text(f"{crank}[flywheel]\n{rim}", encoding="utf-8")
     words = "--eps 3 --power 50kW --delta 1:100"
     assert figures(words, "--machine", str(path)) == found
     alone = figures("--swing 5kJ --inertia 100kgm2", "--machine", str(path))
