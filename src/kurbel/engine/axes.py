@@ -178,7 +178,23 @@ def _steam_lines(request: EngineRequest, lang: str) -> Iterator[Label]:
         yield WORDS["best" if steam.exponent == 1 and not steam.clearance else "best_end"][lang]
 
 
+def engine_lines(request: EngineRequest, lang: str) -> Iterator[Label]:
+    """Yield what there is to be said of an engine: of its load, its sides and its cranks."""
+    yield from request.words.lines(request, lang)
+    engine = request.first
+    if not engine.double and request.words.halved:
+        yield WORDS["single"][lang]
+    if len(engine.cranks) > 1:
+        angles = ", ".join(f"${plain(angle)}°$" for angle in engine.cranks[1:])
+        yield WORDS["cranks"][lang].format(angles=angles)
+
+
 WORDS = {
+    "single": words("einfachwirkend|single-acting"),
+    "cranks": words(
+        "Kurbeln um {angles} hinter der ersten, Zylinder gleich"
+        "|cranks {angles} behind the first, cylinders alike"
+    ),
     "card": words(
         "Druck aus dem Diagramm, monoton interpoliert; gedruckt sind nur so viele Stellen, wie seine"
         " Punkte tragen, für die übrigen vor dem Komma Nullen"

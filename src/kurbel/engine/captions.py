@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import product
 
-from kurbel.engine.axes import load_label, named_load
-from kurbel.engine.described import engine_notes
+from kurbel.engine.axes import engine_lines, load_label, named_load
 from kurbel.engine.loads import work
 from kurbel.engine.quantities import AT_ANGLE, ENGINE_METHODS, EXTREMES, FORCES
 from kurbel.engine.request import BY_STROKE, OF_FORCES, OF_IRREGULARITY, OF_LOAD, OVER_ANGLE, EngineRequest
@@ -176,6 +175,28 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
         yield WORDS["first_order"][lang]
     if request.carded and subject not in OF_FORCES:
         yield from _errors(request)
+
+
+def engine_notes(request: EngineRequest) -> Iterator[Label]:
+    """Yield the lines about the engine itself: its load, its drive, its masses."""
+    lang = request.lang
+    if request.assembly is None:
+        yield "; ".join(engine_lines(request, lang))
+    else:
+        from kurbel.engine.cylinders.words import cylinder_notes
+
+        yield from cylinder_notes(request.assembly, request.numbers, lang)
+    yield from request.mechanism.loaded_notes(request.drives, lang)
+    if request.driven:
+        from kurbel.engine.loads.convention import convention
+
+        yield from convention(request)
+    if request.assembly is not None:
+        from kurbel.engine.cylinders.words import masses_notes
+
+        yield from masses_notes(request, lang)
+    elif request.first.crank.moving is not None:
+        yield from request.mechanism.masses_notes(request.first.crank, request.layout.ratio_symbol, lang)
 
 
 def _of_delta(request: EngineRequest) -> bool:

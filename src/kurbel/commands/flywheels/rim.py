@@ -9,8 +9,7 @@ from kurbel.commands.flywheels.figures import figures_of
 from kurbel.commands.flywheels.options import Rim
 from kurbel.diagram.wheel.page import WheelRequest
 from kurbel.diagram.wheel.sizing import Known, Sizing, gathered, sized
-from kurbel.engine.captions import caption
-from kurbel.engine.described import engine_notes
+from kurbel.engine.captions import caption, engine_notes
 from kurbel.engine.quantities import Where, engine_registry, value
 from kurbel.errors import ProblemError
 from kurbel.exact.product import Product
