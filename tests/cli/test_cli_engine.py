@@ -768,10 +768,17 @@ def test_flywheels_of_several_engines_are_told_apart() -> None:
 
 
 def test_every_quantity_of_an_engine_is_listed_with_its_command() -> None:
-    # The linkages have forces of the same keys, a flywheel's speed, each cylinder and flywheels
+    # The linkages have forces of the same keys, a flywheel's speed, each cylinder, flywheels and diagrams
     # without an engine those of their tasks.
     listed = printed("quantities").out.splitlines()
-    others = ("--mechanism", "--flywheel", "--layout cylinders", "--layout flywheel-sizing")
+    others = (
+        "--mechanism",
+        "--flywheel",
+        "--layout cylinders",
+        "--layout flywheel-sizing",
+        "--torque",
+        "--areas",
+    )
     lines = [line.split() for line in listed if not any(other in line for other in others)]
     commands = {words[0]: next(word for word in words[1:] if word in COMMANDS) for words in lines}
     scopes = {"angle": "turning", "crank": "forces", "flywheel": "flywheel"}

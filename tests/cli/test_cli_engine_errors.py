@@ -42,6 +42,7 @@ IRREGULARITY = ", ".join(
     about("irregularity", "strokes", "evenness", "compressor", "pump", "gas cycle", "cylinders")
 )
 TURNING_LAYOUTS = ", ".join(about("turning", "speed"))
+ALL_TURNING_LAYOUTS = ", ".join(about("turning", "speed", "torques", "areas"))
 WORK = (
     "work, full_pressure_work, expansion_work, back_work,"
     " mean_pressure, mean_pressure_kpa, indicated_power, volumetric_efficiency, delivered, delivery,"
@@ -254,7 +255,7 @@ TURNINGS = [
     (("--columns", "epsilon,phi"), "there is no column beside the axes; add one, such as energy"),
     (
         ("--layout", "turnings"),
-        f'there is no layout "turnings" (did you mean turning?); choose from {TURNING_LAYOUTS}',
+        f'there is no layout "turnings" (did you mean turning?); choose from {ALL_TURNING_LAYOUTS}',
     ),
     (("--method", "weisbach"), ANGLES_ONLY),
 ]

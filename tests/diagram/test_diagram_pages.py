@@ -111,6 +111,8 @@ def test_files_are_points(tmp_path: Path) -> None:
         ("--areas=5J;-5J --torque=5", "--areas is a whole diagram, and --torque says of another one"),
         ("--areas=5J;-5J --step=4", "--step is of crank angles, which areas do not have"),
         ("--areas=5J;-5J --columns=level", "these are energies, add --area-scale"),
+        ("--layout=areas", "no areas were given; add --areas"),
+        ("--layout=torques", "no torque was given; add --torque"),
         ("--torque=x.csv", "--torque x.csv is a file; name it as --torque-file"),
         ("--torque=5 --torque-file=x.csv", "--torque and --torque-file give the torque twice"),
         ("--load-torque=5+sinφ --cranks=0;90", "--cranks are those of the drive; add its --torque"),

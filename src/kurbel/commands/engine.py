@@ -224,7 +224,7 @@ def turning_table(
     kurbel turning --torque '0:0; 60:90; 180:0; 360:0' --cranks '0;120;240'
     kurbel turning --areas '+52;-124;+92;-140;+85;-72;+107' --area-scale '500 N m; 6°'
     """
-    if is_diagram(given):
+    if is_diagram(given) or layout in ("torques", "areas"):
         from kurbel.commands.diagram.page import diagram_asked
 
         pages = {"layouts": layouts, "layout": layout}

@@ -132,6 +132,8 @@ def areas_of(given: Mapping[str, Any]) -> "Areas":
                 " out"
             )
     areas = given["areas"]
+    if not is_given(areas):
+        raise ProblemError("no areas were given; add --areas '+52;-124;+72' with --area-scale 52.36J")
     texts = [areas] if isinstance(areas, str) else [str(one) for one in areas]
     return given_areas(texts, given["area_scale"], turns_of(given))
 

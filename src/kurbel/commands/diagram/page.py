@@ -27,7 +27,7 @@ def diagram_asked(given: Mapping[str, Any], columns: Names) -> Question:
     """Return what is asked for of the diagram that options describe. Raises KurbelError."""
     from kurbel.diagram.page import AreasRequest, TorquesRequest
 
-    of_areas = is_given(given["areas"])
+    of_areas = is_given(given["areas"]) or given["layout"] == "areas"
     page = layout_of(given["layout"] or PAGES[of_areas], PAGES[of_areas:][:1], given["layouts"])
     about: dict[str, Any] = {
         "layout": page,
