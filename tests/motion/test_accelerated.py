@@ -160,6 +160,20 @@ def test_the_rod_alone_is_accelerated_the_same(method: str, gain: str) -> None:
     assert [*printed(page).values()] == pytest.approx([true[key] for key in keys], rel=1e-9, abs=1e-6)
 
 
+def test_the_inertia_couple_is_that_of_the_rods_turning() -> None:
+    rod = {key: MASSES[key] for key in ("rod_mass", "centre", "gyration")}
+    page = kurbel.inertia_table(
+        **SIZES, **rod, speed="23rad/s", acceleration="60rad/s2", offset="-25mm", angle=201, digits=6,
+        columns="inertia_couple_nm,inertia_couple_two_mass_nm,inertia_correction_nm",
+    )  # fmt: skip
+    slider = Slider(201, mp.mpf(23), mp.mpf(60), mp.mpf("-0.025"))
+    # The rod turns with the crank where ψ falls, and its inertia resists.
+    spin = float(mp.diff(slider.turned, 0, 2)) * 60 * 0.65**2
+    squares = 0.31**2, 0.63 * 0.37
+    true = [squares[0] * spin, squares[1] * spin, (squares[0] - squares[1]) * spin]
+    assert [*printed(page).values()] == pytest.approx(true, rel=1e-9, abs=1e-6)
+
+
 @pytest.mark.parametrize("degrees", [77, 261])
 def test_the_piston_and_the_rod_of_an_accelerated_crank_are_the_second_slopes_over_time(degrees: int) -> None:
     page = kurbel.table(

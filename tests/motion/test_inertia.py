@@ -24,7 +24,7 @@ from kurbel.errors import KurbelError, ProblemError
 from kurbel.exact.jet import Jet, ball_jets
 from kurbel.kernel.rod import Masses
 from kurbel.motion.bulk import columns_in_floats
-from kurbel.motion.evaluation import certified, columns_in_balls
+from kurbel.motion.evaluation import certified, columns_in_balls, is_known
 from kurbel.motion.inertia import ROD_FORCES, inertia_registry
 from kurbel.motion.inertia_peak import Peak
 from kurbel.page.quantity import bare
@@ -207,7 +207,10 @@ def test_long_columns_have_the_digits_of_balls(ratio: str, offset: str) -> None:
     rod = Rod.from_crosshead(Fraction(65, 100), Fraction(35, 100), Fraction(100))
     crank = Crank(lam, eta, Fraction(3, 10), Speed(Fraction(2)), rod=rod)
     angles = Progression(Fraction(1, 7), Fraction(73, 10), 50)
-    columns = [bare(quantity, "exact", 9) for quantity in inertia_registry().values()]
+    # A rod without end has no couple in newton metres.
+    known = [one for one in inertia_registry().values() if is_known(one, crank)]
+    assert len(known) > 35
+    columns = [bare(quantity, "exact", 9) for quantity in known]
     floats = columns_in_floats(columns, crank, angles, "half-away")
     balls = columns_in_balls(columns, crank, angles, "half-away")
     for column, one, other in zip(columns, floats, balls, strict=True):

@@ -51,12 +51,16 @@ class LoadedRocker:
         return self.arc.curvature * self.place.velocity * self.place.velocity
 
     @cached_property
-    def turning(self) -> Number:
-        """The inertia couple over L and its sign, square to the rod."""
+    def swing(self) -> Number:
+        """-L ψ̈."""
         # L ψ̈ = p sin ψ - c (1 + βc) cos ψ, which has no λ below.
         place = self.place
-        across = place.velocity + self.draught
-        return self.masses.couple * (place.slant_cosine * across - place.slant * self.acceleration)
+        return place.slant_cosine * (place.velocity + self.draught) - place.slant * self.acceleration
+
+    @cached_property
+    def turning(self) -> Number:
+        """The inertia couple over L and its sign, square to the rod."""
+        return self.masses.couple * self.swing
 
     @cached_property
     def push(self) -> Number:

@@ -141,9 +141,14 @@ class Loaded:
         return self.by.piston(self.circle, self.ratio, self.offset)
 
     @cached_property
+    def swing(self) -> Number:
+        """-L ψ̈."""
+        return self.by.turning(self.circle, self.ratio, self.slant, self.offset)
+
+    @cached_property
     def turning(self) -> Number:
         """The inertia couple over L and its sign, square to the rod."""
-        return self.masses.couple * self.by.turning(self.circle, self.ratio, self.slant, self.offset)
+        return self.masses.couple * self.swing
 
     @cached_property
     def push(self) -> Number:

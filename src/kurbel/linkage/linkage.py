@@ -128,7 +128,7 @@ def certified(
 
     def is_algebraic() -> bool:
         speed = drive.crank.speed
-        by_turns = quantity.needs in ("inertia", "speed") and speed is not None and speed.turns
+        by_turns = quantity.needs in ("inertia", "couple", "speed") and speed is not None and speed.turns
         return drive.is_rational and not (quantity.is_arc or by_turns or _weighs(quantity, drive, angle))
 
     return settled(at, decimals, rounding, is_algebraic)

@@ -136,7 +136,7 @@ def notes(question: Request) -> Iterator[Label]:
     yield from drive_notes(question.cranks, lang)
     first_order = any(one.method in ("series", DIFFERENCE) for one in columns)
     if first_order or any(crank.acceleration for crank in question.cranks):
-        from kurbel.motion.accelerated import lines
+        from kurbel.motion.notes.accelerated import lines
 
         yield from lines(question, columns)
     yield from force_notes(question.cranks, lang)
@@ -246,7 +246,7 @@ def moving_notes(
     parts += [f"${radius} = {amount(known(crank.radius), 'mm')}$", turns_label(speed)]
     yield WORDS["masses"][lang] + ", ".join(parts)
     if moving.rod is not None:
-        from kurbel.motion.rod_words import connecting_rod
+        from kurbel.motion.notes.rod import connecting_rod
 
         yield connecting_rod(moving.rod, lang, ratio_symbol[-1], named)
     if moving.slope is not None:

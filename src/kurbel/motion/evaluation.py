@@ -41,6 +41,7 @@ NEEDS: Mapping[str, tuple[str, ...]] = {
     "friction": ("--friction",),
     "rod": ("--centre", "--gyration"),
     "inertia": ("--rod-mass", "--stroke", "--speed"),
+    "couple": ("--rod-mass", "--stroke", "--speed", "a finite rod"),
 }
 # What a quantity is of: a stroke, or the turn, of which it is one number.
 OUT, RETURN, TURN = 1, -1, 0
@@ -170,6 +171,7 @@ def is_known(quantity: Quantity, crank: Crank) -> bool:
         "rod": crank.rod is not None,
         "inertia": crank.rod is not None and crank.rod.mass is not None and crank.speed is not None,
     }
+    known["couple"] = known["inertia"] and crank.rod_length is not None
     return known.get(quantity.needs, True)
 
 
@@ -191,7 +193,11 @@ def is_transcendental(quantity: Quantity, crank: Crank) -> bool:
     Such relations exist only for ψ = 0 and ±30°, which are whole degrees, and as cos 36° - cos 72° = 1/2,
     which would need λ = 1 (Conway and Jones, Acta Arithmetica 30, 1976, theorem 7).
     """
-    if quantity.is_arc or crank.speed is None or quantity.needs not in ("speed", "mean speed", "inertia"):
+    if (
+        quantity.is_arc
+        or crank.speed is None
+        or quantity.needs not in ("speed", "mean speed", "inertia", "couple")
+    ):
         return quantity.is_arc
     return crank.speed.turns is not (quantity.needs == "mean speed")
 
@@ -280,7 +286,7 @@ def certified_at(quantity: Quantity, method: str, places: Places, decimals: int,
 
     def is_algebraic() -> bool:
         if crank.acceleration and known(crank.speed).turns:
-            from kurbel.motion.accelerated import is_mixed
+            from kurbel.motion.notes.accelerated import is_mixed
 
             pressed = crank.effort is not None and _weighs(quantity, method, crank, angle)
             return not (quantity.is_arc or pressed or is_mixed(quantity, method, crank, angle))

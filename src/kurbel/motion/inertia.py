@@ -13,6 +13,7 @@ from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
 from kurbel.kernel import rod
 from kurbel.kernel.rod import Loaded, Masses
+from kurbel.motion.entries import OF_ROD
 from kurbel.motion.evaluation import OFFSET, At
 from kurbel.page.quantity import Formula, Quantity, Words, words
 
@@ -38,14 +39,17 @@ class RodForce(NamedTuple):
     coefficients: Coefficients
     changes: Coefficients
     is_torque: bool = False
+    is_couple: bool = False
 
     @property
     def unit(self) -> Label:
-        return "M R^2 ω^2" if self.is_torque else "M R ω^2"
+        return "M R^2 ω^2" if self.is_torque else "M R L ω^2" if self.is_couple else "M R ω^2"
 
     def scale(self, crank: Crank, numbers: Kind) -> Any:
-        """M R ω² in newtons, or M R² ω² in newton metres."""
+        """M R ω² in newtons, or M R² ω² or M R L ω² in newton metres."""
         arm = known(crank.radius) if self.is_torque else Fraction(1)
+        if self.is_couple:
+            arm = known(crank.rod_length)
         return numbers.of(known(known(crank.rod).mass) * arm) * crank.pin_acceleration(numbers)
 
 
@@ -103,6 +107,25 @@ ROD_FORCES: Mapping[str, RodForce] = {
     )
 }
 
+
+def _couple(loaded: Any) -> Any:
+    """-I ψ̈ of the rod about its centre of mass, by its masses at the pins and the couple they lack."""
+    pin, crosshead, couple, *_ = loaded.masses
+    return (pin * crosshead + couple) * loaded.swing + 0
+
+
+# The couples of the rod's inertia. They have no share in pages of errors.
+ROD_COUPLES: Mapping[str, RodForce] = {
+    key: _force(key, letter, name, formula, _GUIDE)._replace(is_couple=True)
+    for key, letter, name, formula in (
+        ("couple", "M_J", "Trägheitspaar der Stange|Inertia couple of the rod", _couple),
+        (
+            "correction", "ΔM_J", "Ergänzungspaar der zwei Massen|Correction couple of the two masses",
+            methodcaller("couple"),
+        ),
+    )
+}  # fmt: skip
+
 # Ensslin's parts of the acceleration of the crank-pin end: key, letter, name.
 _PARTS: tuple[tuple[str, str, Words], ...] = (
     ("common_acceleration", "p_2", words("gemeinsame Beschleunigung|Common acceleration")),
@@ -129,8 +152,9 @@ def _of_slide(force: RodForce, model: str) -> Callable[[At], Any]:
 
 def rod_entries(kernel_of: Callable[[RodForce, str], Callable[[Any], Any]]) -> Iterator[Quantity]:
     """Yield every force by every model, by the kernel calls of a drive."""
-    for force in ROD_FORCES.values():
-        for model in ROD_MODELS:
+    for force in (*ROD_FORCES.values(), *ROD_COUPLES.values()):
+        # Two masses lack what they are given in addition.
+        for model in ("exact",) if force.key == "correction" else ROD_MODELS:
             yield from _entries(force, model, kernel_of(force, model))
 
 
@@ -138,11 +162,14 @@ def _entries(force: RodForce, model: str, kernel: Callable[[Any], Any]) -> Itera
     """Yield the force by a model in units of the rod's mass, and in newtons."""
     key = f"inertia_{force.key}" + ("" if model == "exact" else f"_{model.replace('-', '_')}")
     share = _entry(key, force.letter, force.name, force.unit, model, kernel)
+    if force.is_couple:
+        share = share._replace(direction=OF_ROD)
     yield share
-    unit = "N m" if force.is_torque else "N"
+    unit = "N m" if force.is_torque or force.is_couple else "N"
     yield share._replace(
         key=f"{key}_{unit.replace(' ', '').lower()}", unit=words(unit), decimals=1, scale=force.scale,
-        spanners=(force.name, words(f"${force.letter}$ in {unit}")), needs="inertia",
+        spanners=(force.name, words(f"${force.letter}$ in {unit}")),
+        needs="couple" if force.is_couple else "inertia",
     )  # fmt: skip
 
 

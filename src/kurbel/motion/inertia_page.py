@@ -15,9 +15,9 @@ from kurbel.kernel.rod import Masses
 from kurbel.motion.captions import drive_notes, notes
 from kurbel.motion.inertia import ROD_FORCES, ROD_MODELS, inertia_registry
 from kurbel.motion.inertia_peak import Peak
+from kurbel.motion.notes.rod import connecting_rod
 from kurbel.motion.page import MOTION, CrankQuestion, Request
 from kurbel.motion.quantities import registry
-from kurbel.motion.rod_words import connecting_rod
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.layouts import layout
 from kurbel.page.quantity import Column, Formula, Quantity, bare, entry, enumerated_letters, for_ratio, words
@@ -113,7 +113,7 @@ def _error_notes(request: Request) -> Iterator[Label]:
     shown = [column.quantity for column in request.page_columns]
     models = [model for model in MODELS if model != EXACT and any(one.of == model for one in shown)]
     names = {force.name["en"] for force in FORCES} & {one.name["en"] for one in shown if one.of}
-    if not models or request.method or any(crank.acceleration for crank in request.cranks):
+    if not (models and names) or request.method or any(crank.acceleration for crank in request.cranks):
         return
     sheet = ErrorsRequest(
         layout=layout(SHEET), cranks=request.cranks, lang=request.lang, rounding=request.rounding

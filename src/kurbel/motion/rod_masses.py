@@ -12,7 +12,7 @@ from kurbel.drive.load import figure
 from kurbel.drive.rod import Rod
 from kurbel.exact.numerals import Label, Number, given, number_text
 from kurbel.exact.product import Product
-from kurbel.motion.rod_words import connecting_rod
+from kurbel.motion.notes.rod import connecting_rod
 from kurbel.page.axes import ColumnAxis, ListAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, entry, words
 from kurbel.page.subject import Question, Subject

@@ -17,7 +17,7 @@ from kurbel.linkage.question import LinkageRequest, linkage_subject
 from kurbel.motion.captions import drive_notes, turns_label
 from kurbel.motion.inertia import RodForce, rod_entries
 from kurbel.motion.mechanism import mechanism
-from kurbel.motion.rod_words import connecting_rod
+from kurbel.motion.notes.rod import connecting_rod
 from kurbel.page.quantity import Quantity
 
 

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from kurbel.page.quantity import Column
 
 # What has ω or ω² for a factor.
-_IN_SECONDS = ("speed", "inertia", "masses")
+_IN_SECONDS = ("speed", "inertia", "couple", "masses")
 WORDS = {
     "first_order": words(
         "Näherung der Massenkräfte: $(p R)/v^2 = cos {angle} {±} λ cos 2 {angle}$,"
