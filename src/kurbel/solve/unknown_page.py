@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
+from fractions import Fraction
+from functools import cache, partial
 from typing import Any
 
 import flint
@@ -12,7 +13,7 @@ import flint
 from kurbel.exact.certify import NEVER_TIES, ball, rounded
 from kurbel.exact.numerals import Label, Number, figures
 from kurbel.page.axes import Axis, ColumnAxis, Place
-from kurbel.page.quantity import Column, Quantity, words
+from kurbel.page.quantity import Column, Formula, Quantity, words
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
 from kurbel.solve.unknown import UNKNOWNS
@@ -36,13 +37,19 @@ def registry() -> Mapping[str, Quantity]:
     found = {}
     for key, one in UNKNOWNS.items():
         heading = f"{one.symbol} in {one.unit}" if one.unit else one.symbol
-        found[key] = Quantity(key, one.name, one.symbol, words(one.unit), None, {}, words(heading))
+        formulas = {"exact": Formula(partial(_in_unit, one.size))}
+        found[key] = Quantity(key, one.name, one.symbol, words(one.unit), None, formulas, words(heading))
         found[key] = found[key]._replace(spanners=(one.name,))
     rod = words("Stangenverhältnis|Rod ratio")
+    formulas = {"exact": Formula(lambda found: 1 / found)}
     found["rod_ratio"] = Quantity(
-        "rod_ratio", rod, "$L/R$", words(""), None, {}, words("$L/R$"), spanners=(rod,)
+        "rod_ratio", rod, "$L/R$", words(""), None, formulas, words("$L/R$"), spanners=(rod,)
     )
     return found
+
+
+def _in_unit(size: Fraction, found: Any) -> Any:
+    return found / ball(size)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -54,7 +61,7 @@ class UnknownRequest(Question):
     condition: Label
     angle: Label
     found: Sequence[Callable[[], Any]]
-    lines: Sequence[Label]
+    lines: Callable[[], Sequence[Label]]
 
     no_column = "there is no column beside the number; add one, such as speed"
 
@@ -64,10 +71,9 @@ class UnknownRequest(Question):
             return ""
         return f"column {quantity.key} is not asked for; leave it out, or write --unknown {quantity.key}"
 
-    def value(self, index: int, column: str) -> Any:
+    def value(self, index: int, column: Column) -> Any:
         """Return a value in the unit of a column, at the precision in force."""
-        found = self.found[index]()
-        return 1 / found if column == "rod_ratio" else found / ball(UNKNOWNS[self.unknown].size)
+        return column.quantity.formulas["exact"].kernel(self.found[index]())
 
 
 class _RootAxis(Axis):
@@ -96,10 +102,8 @@ def _number(question: UnknownRequest, column: Column, place: Place, times: int) 
     index, decimals = place["root"], column.decimals
     if decimals is None:
         with flint.ctx.workprec(NEAR_BITS):
-            decimals = figures(float(question.value(index, column.key).mid()))
-    scaled = rounded(
-        lambda: times * question.value(index, column.key), decimals, question.rounding, NEVER_TIES
-    )
+            decimals = figures(float(question.value(index, column).mid()))
+    scaled = rounded(lambda: times * question.value(index, column), decimals, question.rounding, NEVER_TIES)
     return Number(scaled, decimals)
 
 
@@ -117,7 +121,7 @@ def _caption(question: UnknownRequest) -> Label:
 
 def _notes(question: UnknownRequest) -> Iterator[Label]:
     yield from (note[question.lang] for note in question.layout.notes)
-    yield from question.lines
+    yield from question.lines()
 
 
 SUBJECT = Subject(

@@ -45,7 +45,7 @@ def unknown_of(
         condition=asked.label(given["lang"]),
         angle=place.label(given["lang"]),
         found=found,
-        lines=asked.lines(given["lang"]),
+        lines=lambda: asked.lines(given["lang"]),
         columns=as_names(columns, "speed"),
         **sheet_of(given),
     )

@@ -83,7 +83,12 @@ class Sized:
             if name in function.command.signature.parameters and is_given(given)
         }
         angle = self.place.degrees if self.place.degrees is not None else Fraction(0)
-        known = {name: given for name, given in known.items() if name not in ("columns", "layout", "label")}
+        known = {
+            name: given
+            for name, given in known.items()
+            if name not in ("columns", "layout", "label", "units")
+        }
+        known["units"] = "metric"
         return function.question(angle=[angle], columns=[self.column], **known)
 
     def value(self, number: Fraction) -> Any:
