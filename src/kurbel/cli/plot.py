@@ -11,6 +11,7 @@ from kurbel.cli.options import RIVALS, Given, Option, Type, click_option, machin
 from kurbel.cli.tables import MakingCommand
 from kurbel.commands import engine_plots, plots
 from kurbel.commands.cylinder import pressures
+from kurbel.commands.cylinder.effort import RODS, RUBBING
 from kurbel.commands.cylinder.slope import LYING
 from kurbel.commands.diagram.given import Diagram
 from kurbel.commands.engine import Wheeled
@@ -50,7 +51,8 @@ FLAGS = {
 # The options that all drawings have, or that say which one it is, or where it goes.
 SHARED = frozenset(("positions", *FLAGS, "ratio", "format", "output", "lang", "decimal"))
 OF_ENGINES = frozenset(
-    (*STEAM, *Wheeled.__annotations__, "cranks", "cylinder", "of", "bore", "pressure", *MASSES, *LYING)
+    (*STEAM, *Wheeled.__annotations__, "cranks", "cylinder", "of", "bore", "pressure", *MASSES)
+    + (*LYING, *RODS, *RUBBING)
 )
 
 
@@ -172,7 +174,8 @@ def _params() -> list[click.Parameter]:
     order = (
         "ratio", "columns", "over", *Diagram.__annotations__, *Wheeled.__annotations__, "method", "from",
         "to", "step", "offset", "stroke", "crank", "rod", "speed", "force", "mechanism", "rocker", "pivot",
-        "circuit", "beam", *STEAM, "cranks", "cylinder", "of", "bore", "pressure", *MASSES, *LYING,
+        "circuit", "beam", *STEAM, "cranks", "cylinder", "of", "bore", "pressure", *MASSES, *LYING, *RODS,
+        *RUBBING,
     )  # fmt: skip
     return [
         machine_option(), own["positions"], *flags, *(own[name] for name in order), *output,

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
+from kurbel.commands.cylinder.effort import Rods, Rubbing
 from kurbel.commands.cylinder.given import Cylinders, Of
 from kurbel.commands.cylinder.slope import Lying
 from kurbel.commands.diagram.given import Diagram, foreign, is_diagram, needless
@@ -26,7 +27,7 @@ AXES = ("angle", "path")
 ENGINE_LAYOUT, MACHINE_LAYOUT = "engine-forces", "machine-forces"
 
 
-class Drawn(option.Cylinder, option.MovingRod, Lying, option.AnyDrive, total=False):
+class Drawn(option.Cylinder, option.MovingRod, Lying, Rods, Rubbing, option.AnyDrive, total=False):
     """An engine, as it is drawn."""
 
     cylinder: Cylinders

@@ -9,6 +9,7 @@ from os import PathLike
 from typing import TYPE_CHECKING, Any
 
 from kurbel.commands import loads
+from kurbel.commands.cylinder.effort import RODS, RUBBING
 from kurbel.commands.cylinder.slope import LYING, check_crosshead, slope_of
 from kurbel.commands.loads import FURTHER
 from kurbel.commands.motion import FULL_TURN, described, meant, sheet_of
@@ -263,6 +264,10 @@ def described_engines(page: Layout, given: Mapping[str, Any]) -> dict[str, Any]:
         raise ProblemError(sentence)
     speed = given.get("speed")
     drives = weighed(chosen, chosen.drives(said, page.ratios), given, *_of_load(given))
+    if any(given.get(name) is not None for name in (*RUBBING, *RODS)):
+        from kurbel.commands.cylinder.effort import on_engine
+
+        drives = on_engine(chosen, drives, given)
     if speed is not None and given.get("stroke") is not None and not is_heavy(given):
         drives = [_turning(chosen, drive, speed) for drive in drives]
     return {

@@ -4,6 +4,7 @@ from collections.abc import Iterable
 from os import PathLike
 from typing import Annotated, TypeAlias, TypedDict
 
+from kurbel.commands.cylinder.effort import Rods, Rubbing
 from kurbel.commands.cylinder.given import Cylinders
 from kurbel.commands.cylinder.slope import Lying
 from kurbel.commands.loads import Loads
@@ -325,7 +326,7 @@ class MovingRod(TypedDict, total=False):
     ]  # fmt: skip
 
 
-class Engine(Steam, MovingRod, Lying, AnyDrive, Sheet, total=False):
+class Engine(Steam, MovingRod, Lying, Rods, Rubbing, AnyDrive, Sheet, total=False):
     """An engine: its crank drive, its load, its masses and its cranks."""
 
     ratio: Annotated[

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
+from kurbel.commands.cylinder.effort import RODS, RUBBING, Rods, Rubbing
 from kurbel.commands.cylinder.given import Of
 from kurbel.commands.cylinder.slope import LYING, Lying
 from kurbel.commands.loads import OWN
@@ -63,11 +64,13 @@ def _of_angles(values: Mapping[str, Any]) -> Mapping[str, str]:
         bare = {"force": "--force does not go with the load of an engine; leave it out"}
         return {**bare, **for_masses("speed")(values), **weightless(values)}
     why = _UNASKED if _is_loaded(values) else _UNLOADED
-    names = (*STEAM, *MASSES, *LYING, "bore", "pressure", "cranks", "cylinder", "of")
+    names = (*STEAM, *MASSES, *LYING, *RODS, *RUBBING, "bore", "pressure", "cranks", "cylinder", "of")
     return {name: f"--{name.replace('_', '-')} {why}" for name in names}
 
 
-class Drives(option.AnyDrive, option.Steam, option.MovingRod, Lying, option.Sheet, total=False):
+class Drives(
+    option.AnyDrive, option.Steam, option.MovingRod, Lying, Rods, Rubbing, option.Sheet, total=False
+):
     """Crank drives of which conditions are asked, under a force or the load of an engine."""
 
     ratio: option.Ratios

@@ -40,6 +40,9 @@ class Weights(NamedTuple):
         return with_crank(self.masses, self.rotating)
 
 
+NOTHING = Weights(Masses(0, 0, 0, 0), 0, 0)
+
+
 class CrankForce(NamedTuple):
     """A force of the crank drive: `bare` without masses, in the piston force, of circle, ratio and e/R or
     None; `on` the drive with its masses under a piston force, those `on_shaft` if it is the main bearing's.

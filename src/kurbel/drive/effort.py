@@ -74,10 +74,12 @@ class Pressures:
 
 @dataclass(frozen=True, slots=True)
 class Effort:
-    """Pressures on the piston, and the friction of piston and crosshead in newtons, against their motion."""
+    """Pressures on the piston, and the friction of piston and crosshead in newtons, against their motion; the
+    areas on which the load of an engine acts, if rods lessen them."""
 
     pressures: Pressures | None = None
     friction: Fraction = Fraction(0)
+    areas: Areas | None = None
 
     def __post_init__(self) -> None:
         if not 0 <= self.friction <= LARGEST_FRICTION:

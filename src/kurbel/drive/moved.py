@@ -70,6 +70,7 @@ class Moved(ABC):
         net: Number,
         reciprocating: Number = 0,
         weight: Weight[Any] | None = None,
+        friction: Number | None = None,
     ) -> Any:
         """Return the drive with its masses under a force on the piston, or what knows the same forces."""
 
@@ -96,15 +97,26 @@ class Moved(ABC):
         return force.on(self.loaded(stroke, circle, Masses(0, 0), 1))
 
     def force(
-        self, force: CrankForce, stroke: int, circle: Circle[Any], weights: Weights | None, net: Number
+        self,
+        force: CrankForce,
+        stroke: int,
+        circle: Circle[Any],
+        weights: Weights | None,
+        net: Number,
+        friction: Number | None = None,
     ) -> Number:
-        """Return a force of the drive under a force on the piston, with the masses or without."""
+        """Return a force of the drive under a force on the piston, with the masses or without, and friction
+        that counts as it does."""
+        if weights is None and friction is not None:
+            rubbed = self.loaded(stroke, circle, Masses(0, 0, 0, 0), net, friction=friction)
+            return force.on(rubbed)
         if weights is None:
             found = net * self.bare(force, stroke, circle)
             return abs(found) if force.magnitude else found
         masses = weights.on_shaft if force.on_shaft else weights.masses
         reciprocating = 0 if force.on_shaft else weights.reciprocating
-        return force.on(self.loaded(stroke, circle, masses, net, reciprocating, weights.weight))
+        weight = weights.weight
+        return force.on(self.loaded(stroke, circle, masses, net, reciprocating, weight, friction))
 
     def angle_at(self, stroke: int, share: Number) -> Number | None:
         """Return the half turns at which the piston has gone a share of the stroke, None if no formula has
@@ -139,9 +151,12 @@ class Slide(Moved):
         net: Number,
         reciprocating: Number = 0,
         weight: Weight[Any] | None = None,
+        friction: Number | None = None,
     ) -> Loaded:
         own = framed(weight, stroke)
-        return Loaded(circle, self.ratios[stroke], masses, None, net, reciprocating, weight=own)
+        return Loaded(
+            circle, self.ratios[stroke], masses, None, net, reciprocating, weight=own, friction=friction
+        )
 
     def bare(self, force: CrankForce, stroke: int, circle: Circle[Any]) -> Number:
         return force.bare(circle, self.ratios[stroke], None)
@@ -185,10 +200,11 @@ class OffsetSlide(Moved):
         net: Number,
         reciprocating: Number = 0,
         weight: Weight[Any] | None = None,
+        friction: Number | None = None,
     ) -> Loaded:
         ratio, offset = self.numbers[stroke]
         own = framed(weight, stroke)
-        return Loaded(circle, ratio, masses, offset, net, reciprocating, weight=own)
+        return Loaded(circle, ratio, masses, offset, net, reciprocating, weight=own, friction=friction)
 
     def bare(self, force: CrankForce, stroke: int, circle: Circle[Any]) -> Number:
         return force.bare(circle, *self.numbers[stroke])

@@ -93,6 +93,8 @@ class Steam(Section):
     clearance: Annotated[One | None, about("clearance as a share of the swept volume")] = None
     pressure: Annotated[One | None, about('steam pressure before cut-off, such as "8bar"')] = None
     bore: Annotated[One | None, about('bore of the cylinder, such as "300mm"')] = None
+    piston_rod: Annotated[One | None, about('diameter of the piston rod, such as "50mm"')] = None
+    tail_rod: Annotated[One | None, about("that of a rod through the cover")] = None
     single_acting: Annotated[bool | None, about("whether steam works on the outstroke only")] = None
     card: Annotated[Files | None, about("indicator card, a CSV file beside this one")] = None
     other_side: Annotated[One | None, about("pressure on the other face of a single-acting piston")] = None
@@ -153,6 +155,7 @@ class Masses(Section):
     ] = None
     pendulum: Annotated[One | None, about('or the time of a full swing about a pin, such as "1.8s"')] = None
     pendulum_from: Annotated[One | None, about("that pin: crosshead or crank")] = None
+    friction: Annotated[One | None, about('friction of piston and crosshead, such as "500N"')] = None
     rotating: Annotated[One | None, about("mass of the crank itself at its pin, less counterweights")] = None
     rocker_inertia: Annotated[
         One | None, about('moment of inertia of a rocker about its pivot, such as "20kg m²"')

@@ -163,7 +163,7 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
     yield from _directions(request, [column.quantity for column in columns])
     needs = {column.quantity.needs for column in columns}
     newtons, alike = needs & {"load", "torque", "power", "flow"}, request.assembly is None
-    if alike and request.load is not None and (request.first.crank.moving or newtons):
+    if alike and request.load is not None and (request.first.crank.loaded or newtons):
         yield request.words.newtons(request.steams[0], request.load)
     if needs & {"power", "flow"} and request.first.crank.moving is None:
         yield _sized(request)
@@ -195,7 +195,7 @@ def engine_notes(request: EngineRequest) -> Iterator[Label]:
         from kurbel.engine.cylinders.words import masses_notes
 
         yield from masses_notes(request, lang)
-    elif request.first.crank.moving is not None:
+    elif request.first.crank.loaded:
         yield from request.mechanism.masses_notes(request.first.crank, request.layout.ratio_symbol, lang)
 
 
@@ -241,6 +241,14 @@ def _directions(request: EngineRequest, shown: Sequence[Quantity]) -> Iterator[L
         yield "; ".join(_force_directions(request, forces, torques))
 
 
+def _direction(request: EngineRequest, force: Quantity) -> Label:
+    """The direction of a force; the load at the crosshead is the sum of all that acts there."""
+    assert force.direction is not None
+    said, crank = force.direction[request.lang], request.first.crank
+    others = (" + F_G" if crank.weighed else "") + (" + F_R" if crank.rubbed else "")
+    return said.replace("F + F_m", f"F + F_m{others}")
+
+
 def _force_directions(
     request: EngineRequest, forces: Sequence[Quantity], torques: Sequence[Quantity]
 ) -> Iterator[Label]:
@@ -248,7 +256,7 @@ def _force_directions(
     framed = [one.symbol.strip("$") for one in forces if FORCES[one.key.removesuffix("_n")].framed]
     if framed:
         yield WORDS["framed"][lang].format(letters=enumerated_letters([*dict.fromkeys(framed)], lang))
-    yield from dict.fromkeys(one.direction[lang] for one in forces if one.direction)
+    yield from dict.fromkeys(_direction(request, one) for one in forces if one.direction)
     for one in torques:
         if one.direction:
             yield one.direction[lang] + (WORDS["all_cranks"][lang] if several else "")

@@ -56,7 +56,7 @@ class Cylinder(NamedTuple):
 
     An angle is φ in half turns, less the number of strokes before this one; `circle` makes the circle of
     it. Balls are of one precision. `unit` is Q R of these cylinders in those of the engine, None if they
-    are the same.
+    are the same. `friction`, which the strokes have in them, is None where there is none.
     """
 
     drive: Moved
@@ -66,6 +66,7 @@ class Cylinder(NamedTuple):
     kind: Kind
     circle: Callable[[Any], Circle[Any]]
     unit: Number | None = None
+    friction: Number | None = None
 
     def share(self, stroke: int, circle: Circle[Any]) -> Number:
         """Return the share of the stroke that the piston has gone."""
@@ -83,8 +84,10 @@ class Cylinder(NamedTuple):
     def force(self, force: CrankForce, stroke: int, angle: Any) -> Number:
         """Return a force of the drive, in its own Q."""
         circle, way = self.circle(angle), stroke % 2
-        net = self.strokes[stroke].force(self.share(stroke, circle))
-        found = self.drive.force(force, way, circle, self.weights, net)
+        net, friction = self.strokes[stroke].force(self.share(stroke, circle)), None
+        if self.friction is not None:
+            net, friction = net + self.friction, -self.friction
+        found = self.drive.force(force, way, circle, self.weights, net, friction)
         return found * (SIGNS[way] if force.framed else 1)
 
     def slope(self, stroke: int, angle: Any) -> Number:
@@ -168,10 +171,10 @@ class AnyTurn(ABC):
         return tuple(self._cylinder_on(part, kind, circle) for part in self.engine.parts)
 
     def _cylinder_on(self, part: Engine, kind: Kind, circle: Callable[[Any], Circle[Any]]) -> Cylinder:
-        strokes, drive = part.steam.strokes(kind, part.double), part.drive.moved(kind, self.method)
+        strokes, drive = part.strokes(kind), part.drive.moved(kind, self.method)
         mean, weights = turning.mean_force(strokes, kind.pi, drive.length), part.weights(kind)
         unit = None if part is self.part else self._unit(part, kind)
-        return Cylinder(drive, strokes, mean, weights, kind, circle, unit)
+        return Cylinder(drive, strokes, mean, weights, kind, circle, unit, part.friction(kind))
 
     def _unit(self, part: Engine, kind: Kind) -> Number:
         moments = []
@@ -265,6 +268,15 @@ class AnyTurn(ABC):
         """P/Q, the mean tangential force of all cranks together; negative where the shaft drives them."""
         parts = zip(self.engine.parts, self.cylinders, strict=True)
         return sum(one.whole_mean * len(part.starts) for part, one in parts)
+
+    def indicated_force(self) -> Number:
+        """The same without what friction takes."""
+        lost = 0
+        for part, one in zip(self.engine.parts, self.cylinders, strict=True):
+            if one.friction is not None:
+                own = one.friction * one.drive.length / one.kind.pi * len(part.starts)
+                lost = lost + (own if one.unit is None else own * one.unit)
+        return self.mean_force() + lost
 
     def tangential_force(self, half_turns: Fraction) -> Number:
         """The tangential force T/Q of all cranks."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import floor
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from kurbel.engine.card.cycle import AngleCard, CycleCard
     from kurbel.engine.card.force import CardStroke
     from kurbel.exact.kind import Kind
+    from kurbel.kernel.circle import Number
     from kurbel.kernel.turning import Stroke
 
 LARGEST_EXPANSION = 10**6
@@ -205,6 +206,10 @@ class Engine:
         if self.crank.ratio > LARGEST_RATIO:
             raise ProblemError("crank ratio R:L is nearer to 1 than 10^-12; no engine is built so")
         check_count(len(self.cranks))
+        if self.crank.effort is not None:
+            from kurbel.engine.loads import effort
+
+            effort.check(self)
         if self.cranks[0] != 0:
             raise ProblemError(
                 f"the first crank is at {about(self.cranks[0])}°; angles count from the first crank,"
@@ -239,6 +244,22 @@ class Engine:
         if isinstance(self.steam, Diagram):
             return Fraction(self.steam.pressure)
         return None if self.load is None else self.load.pressure
+
+    def strokes(self, kind: Kind) -> Sequence[Stroke]:
+        """Return the strokes of the load on the piston as it is, with its rods and its friction."""
+        if self.crank.effort is None:
+            return self.steam.strokes(kind, self.double)
+        from kurbel.engine.loads import effort
+
+        return effort.rubbed(self, kind)
+
+    def friction(self, kind: Kind) -> Number | None:
+        """Return the friction of piston and crosshead in Q, None where there is none."""
+        if not self.crank.rubbed:
+            return None
+        from kurbel.engine.loads import effort
+
+        return effort.friction_of(self, kind)
 
     def weights(self, kind: Kind) -> Weights | None:
         """Return the masses in units of Q/(R ω²), in a kind of number."""

@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 
 from kurbel.drive.crank_forces import CRANK_FORCES
 from kurbel.drive.flywheel import Flywheel
-from kurbel.engine import flywheel, ties
+from kurbel.engine import flywheel, newton_ties, ties
 from kurbel.engine.cylinder import AnyTurn
 from kurbel.engine.loads import work
 from kurbel.exact.numerals import Label
@@ -249,11 +249,12 @@ def _force_entries() -> Iterator[Quantity]:
         yield in_steam
         yield in_steam._replace(
             key=f"{key}_n", unit=words("N"), decimals=1, heading=words(f"{in_steam.symbol} in N"),
-            scale=AnyTurn.force_unit, needs=one.needs or "load", ties=partial(ties.newton_ties, acting),
+            scale=AnyTurn.force_unit, needs=one.needs or "load",
+            ties=partial(newton_ties.newton_ties, acting),
         )  # fmt: skip
     yield _entry(
         "torque_nm", "Drehmoment|Torque", "$M_d$", "N m", "angle", 1,
         lambda turn, where: turn.tangential_force(where.half_turns),
-        scale=AnyTurn.torque_unit, needs="torque", ties=ties.torque_ties,
+        scale=AnyTurn.torque_unit, needs="torque", ties=newton_ties.torque_ties,
         direction=words("$M_d$ an der Welle|$M_d$ on the shaft"),
     )  # fmt: skip

@@ -20,7 +20,8 @@ from typing import Any, NamedTuple
 import flint
 
 from kurbel.drive.crank import known
-from kurbel.drive.crank_forces import CrankForce, Weights
+from kurbel.drive.crank_forces import NOTHING, CrankForce, Weights
+from kurbel.drive.rod import Moving
 from kurbel.engine.engine import Engine, Steam
 from kurbel.engine.turn import Turn
 from kurbel.exact.certify import NEVER_TIES, TieBits, vanishes
@@ -28,14 +29,15 @@ from kurbel.exact.kind import Kind, balls, bounds
 from kurbel.exact.separation import Separation
 from kurbel.kernel.circle import Circle, Number
 from kurbel.kernel.steam import Expansion
+from kurbel.kernel.turning import Stroke
 
 FIRST_BITS = 200
 
 
-_BOUNDS, _BALLS = bounds(), balls()
+BOUNDS, _BALLS = bounds(), balls()
 
 
-class _Crank(NamedTuple):
+class Standing(NamedTuple):
     """Where a crank stands: its stroke and the half turns φ in it; weight -1 where W is zero."""
 
     stroke: int
@@ -43,24 +45,31 @@ class _Crank(NamedTuple):
     weight: int
 
 
-class _On:
+class Own(NamedTuple):
+    """What acts beside the load: masses, and friction as a force in the direction of the stroke or None."""
+
+    weights: Weights
+    friction: Any
+
+
+class On:
     """The terms of a turn's sums, each of a crank, on a kind of number."""
 
     def __init__(self, turn: Turn, kind: Kind) -> None:
         self.engine, self.kind = turn.part, kind
-        self.strokes = turn.part.steam.strokes(kind, turn.part.double)
+        self.strokes = _pressed(turn.part, kind)
         # With an infinite rod the exact formulas have roots of 1, which would count as roots.
         self.drive = turn.part.drive.moved(kind, turn.method if turn.part.crank.ratio else "series")
 
-    def place(self, crank: _Crank) -> tuple[int, Circle[Number]]:
+    def place(self, crank: Standing) -> tuple[int, Circle[Number]]:
         """The way of a crank, out or back, and the circle of its angle."""
         return crank.stroke % 2, self.kind.circle(180 * crank.angle)
 
-    def share(self, crank: _Crank) -> Number:
+    def share(self, crank: Standing) -> Number:
         """The share of the stroke travelled."""
         return self.drive.path(*self.place(crank)) / self.drive.length
 
-    def net_pressure(self, crank: _Crank) -> Number:
+    def net_pressure(self, crank: Standing) -> Number:
         return self.strokes[crank.stroke].force(self.share(crank))
 
     @property
@@ -68,11 +77,11 @@ class _On:
         """Ideal steam, as it is on the strokes that do not idle."""
         return self.engine.ideal.numbers(self.kind.of, self.kind.exponent)
 
-    def beyond_cut_off(self, crank: _Crank) -> Number:
+    def beyond_cut_off(self, crank: Standing) -> Number:
         return self.share(crank) - self.kind.of(1 / self.engine.ideal.expansion)
 
 
-def _where_known(rule: Callable[..., TieBits]) -> Callable[..., TieBits | None]:
+def where_known(rule: Callable[..., TieBits]) -> Callable[..., TieBits | None]:
     """Return the rule of a turn, the last but one of its arguments, for cranks alike whose pistons have
     algebraic paths; of others a value on a boundary stays unsettled."""
 
@@ -85,15 +94,15 @@ def _where_known(rule: Callable[..., TieBits]) -> Callable[..., TieBits | None]:
     return ruled
 
 
-@_where_known
+@where_known
 def force_ties(turn: Turn, half_turns: Fraction) -> TieBits:
     """Return how near the tangential force at an exact angle can come to a boundary."""
-    cranks = _cranks(turn, half_turns)
+    cranks = cranks_at(turn, half_turns)
 
     def bits(boundary: Fraction) -> float:
-        if not _without_masses(turn, lambda on, weights: _torque(on, cranks, weights)):
+        if not _without_masses(turn, lambda on, own: torque_of(on, cranks, own)):
             return inf
-        on, total = _On(turn, _BOUNDS), Separation.rational(-boundary)
+        on, total = On(turn, BOUNDS), Separation.rational(-boundary)
         for crank in cranks:
             if not _is_steam(turn) or _works(turn.part, crank):
                 total += _pressure_bounds(turn, crank) * on.drive.velocity(*on.place(crank))
@@ -108,13 +117,13 @@ def scaled_ties(scale: Callable[[Turn], Fraction], turn: Turn, half_turns: Fract
     return bits and (lambda boundary: bits(boundary / factor) + max(0.0, -log2(factor)))
 
 
-@_where_known
+@where_known
 def energy_ties(turn: Turn, half_turns: Fraction) -> TieBits:
     """Return how near the excess energy at an exact angle can come to a boundary, inf if it equals none."""
-    cranks = [*_cranks(turn, half_turns), *_cranks(turn, Fraction(0), -1)]
+    cranks = [*cranks_at(turn, half_turns), *cranks_at(turn, Fraction(0), -1)]
 
-    def gain(on: _On, weights: Weights) -> Any:
-        return sum(crank.weight * _gained(on, crank, weights) for crank in cranks)
+    def gain(on: On, own: Own) -> Any:
+        return sum(crank.weight * _gained(on, crank, own) for crank in cranks)
 
     def bits(boundary: Fraction) -> float:
         # The mean works from a dead centre on, whose share of a turn is irrational unless it is regular; of
@@ -124,7 +133,7 @@ def energy_ties(turn: Turn, half_turns: Fraction) -> TieBits:
         # The masses have the energy that they had where W is zero, and all growths of volume with their
         # powers the product 1, or there is a transcendental part.
         if not _without_masses(turn, gain) or (
-            _is_mariotte(turn) and not _vanishes(turn, _growth_off_one(cranks))
+            _is_mariotte(turn) and not vanishes_on(turn, _growth_off_one(cranks))
         ):
             return inf
         return (_energy(turn, cranks) - Separation.rational(boundary)).bits()
@@ -132,17 +141,20 @@ def energy_ties(turn: Turn, half_turns: Fraction) -> TieBits:
     return bits
 
 
-def _gained(on: _On, crank: _Crank, weights: Weights) -> Any:
-    """The energy of the masses, of motion and of height."""
-    gained = on.drive.kinetic_energy(*on.place(crank), weights.masses)
-    if weights.weight is None:
-        return gained
-    return gained - on.drive.work_of_weight(*on.place(crank), weights.weight)
+def _gained(on: On, crank: Standing, own: Own) -> Any:
+    """The energy of the masses, of motion and of height, and what friction took beyond its mean."""
+    weights, gained = own.weights, on.drive.kinetic_energy(*on.place(crank), own.weights.masses)
+    if weights.weight is not None:
+        gained = gained - on.drive.work_of_weight(*on.place(crank), weights.weight)
+    if own.friction is not None:
+        gone = on.share(crank) - on.kind.of(crank.angle)
+        gained = gained - own.friction * on.drive.length * gone
+    return gained
 
 
 def back_ties(turn: Turn, half_turns: Fraction) -> TieBits:
     """Return how near the back pressure, a power of a fraction, can come to a boundary."""
-    back = _On(turn, _BOUNDS).steam.back
+    back = On(turn, BOUNDS).steam.back
     return lambda boundary: float((back - Separation.rational(boundary)).bits())
 
 
@@ -152,79 +164,30 @@ def crank_force_ties(force: CrankForce, turn: Turn, half_turns: Fraction) -> Tie
     return limit_ties(force, stroke, turn, angle)
 
 
-@_where_known
+@where_known
 def limit_ties(force: CrankForce, stroke: int, turn: Turn, angle: Fraction) -> TieBits:
     """Return the same for its limit in a stroke, of which a dead centre is the end or the beginning."""
-    crank = _Crank(stroke, angle, 1)
+    crank = Standing(stroke, angle, 1)
 
-    def of_masses(on: _On, weights: Weights) -> Any:
-        return on.drive.force(force, *on.place(crank), weights, on.kind.of(Fraction(0)))
+    def of_masses(on: On, own: Own) -> Any:
+        return on.drive.force(force, *on.place(crank), own.weights, on.kind.of(Fraction(0)), own.friction)
 
     def bits(boundary: Fraction) -> float:
         if not _without_masses(turn, of_masses):
             return inf
-        on = _On(turn, _BOUNDS)
+        on = On(turn, BOUNDS)
         alone = _pressure_bounds(turn, crank) * on.drive.bare(force, *on.place(crank))
         return float((alone - Separation.rational(boundary)).bits())
 
     return bits
 
 
-@_where_known
-def newton_ties(force: CrankForce, turn: Turn, half_turns: Fraction) -> TieBits:
-    """Return the same in newtons: the steam's share has the factor π, that of inertia π² or none."""
-    crank = _cranks(turn, half_turns)[0]
-
-    def acting(on: _On, weights: Weights) -> Any:
-        return on.drive.force(force, *on.place(crank), weights, on.kind.of(Fraction(0)))
-
-    return _weighed_ties(turn, [crank], lambda on, crank: on.drive.bare(force, *on.place(crank)), acting)
-
-
-@_where_known
-def torque_ties(turn: Turn, half_turns: Fraction) -> TieBits:
-    """Return the same of the torque of all cranks in newton metres."""
-    cranks, radius = _cranks(turn, half_turns), known(turn.part.crank.radius)
-
-    def acting(on: _On, weights: Weights) -> Any:
-        return on.kind.of(radius) * _torque(on, cranks, weights)
-
-    return _weighed_ties(turn, cranks, lambda on, crank: on.drive.velocity(*on.place(crank)), acting)
-
-
-def _weighed_ties(
-    turn: Turn,
-    cranks: Sequence[_Crank],
-    lever: Callable[[_On, _Crank], Any],
-    acting: Callable[[_On, Weights], Any],
-) -> TieBits:
-    """Return the ties of what is rational only where the steam, which acts by its lever, has no part in it,
-    and inertia by turns a second has none."""
-
-    def bits(boundary: Fraction) -> float:
-        drive = turn.part.crank
-        if drive.moving is None or not all(_without_lever(turn, crank, lever) for crank in cranks):
-            return inf
-        by_inertia, *others = _apart(turn)
-        if known(drive.speed).turns and not _vanishes(turn, lambda on: acting(on, by_inertia(on.kind))):
-            return inf
-        alone = (others or [by_inertia])[0]
-        if known(drive.speed).turns and not others:
-            return inf
-        return float((acting(_On(turn, _BOUNDS), alone(_BOUNDS)) - Separation.rational(boundary)).bits())
-
-    return bits
-
-
-def _without_lever(turn: Turn, crank: _Crank, lever: Callable[[_On, _Crank], Any]) -> bool:
-    """Whether the steam has no part in a force, for certain: it does not act, or has no lever there."""
-    none = Fraction(0)
-    return _without_steam(turn, crank) or _vanishes(turn, lambda on: lever(on, crank) + on.kind.of(none))
-
-
-def _torque(on: _On, cranks: Sequence[_Crank], weights: Weights) -> Any:
-    masses, weight = weights.masses, weights.weight
-    loaded = (on.drive.loaded(*on.place(crank), masses, 0, weight=weight) for crank in cranks)
+def torque_of(on: On, cranks: Sequence[Standing], own: Own) -> Any:
+    masses, weight = own.weights.masses, own.weights.weight
+    loaded = (
+        on.drive.loaded(*on.place(crank), masses, on.kind.of(Fraction(0)), 0, weight, own.friction)
+        for crank in cranks
+    )
     return sum(one.torque() for one in loaded)
 
 
@@ -233,18 +196,28 @@ def _is_mariotte(turn: Turn) -> bool:
 
 
 def _is_steam(turn: Turn) -> bool:
-    """Whether ideal steam drives the piston, of which more is known than of other loads."""
-    return isinstance(turn.part.steam, Steam)
+    """Whether ideal steam drives the piston on the whole area, of which more is known than of other loads."""
+    effort = turn.part.crank.effort
+    return isinstance(turn.part.steam, Steam) and (effort is None or effort.areas is None)
 
 
-def _works(engine: Engine, crank: _Crank) -> bool:
+def _pressed(engine: Engine, kind: Kind) -> Sequence[Stroke]:
+    """The strokes of the load without friction."""
+    if engine.crank.effort is None:
+        return engine.steam.strokes(kind, engine.double)
+    from kurbel.engine.loads.effort import pressed
+
+    return pressed(engine, kind)
+
+
+def _works(engine: Engine, crank: Standing) -> bool:
     """Whether the stroke that the crank is in does not idle, of steam."""
     return engine.double or not crank.stroke
 
 
-def _pressure_bounds(turn: Turn, crank: _Crank) -> Separation:
+def _pressure_bounds(turn: Turn, crank: Standing) -> Separation:
     """The net pressure on the piston; a stroke that idles is bounded by that of full pressure."""
-    on = _On(turn, _BOUNDS)
+    on = On(turn, BOUNDS)
     if not _is_steam(turn):
         other: Separation = on.net_pressure(crank)
         return other
@@ -254,62 +227,67 @@ def _pressure_bounds(turn: Turn, crank: _Crank) -> Separation:
     return pressure
 
 
-def _vanishes(turn: Turn, value: Callable[[_On], Any]) -> bool:
+def vanishes_on(turn: Turn, value: Callable[[On], Any]) -> bool:
     """Whether a sum of terms is zero for certain."""
-    return vanishes(lambda: value(_On(turn, _BALLS)), value(_On(turn, _BOUNDS)).bits())
+    return vanishes(lambda: value(On(turn, _BALLS)), value(On(turn, BOUNDS)).bits())
 
 
-def _without_masses(turn: Turn, part: Callable[[_On, Weights], Any]) -> bool:
+def _without_masses(turn: Turn, part: Callable[[On, Own], Any]) -> bool:
     """Whether the masses have no part in a sum, neither by their inertia nor by their weight."""
-    return all(_vanishes(turn, partial(_part, part, own)) for own in _apart(turn))
+    return all(vanishes_on(turn, partial(part_of, part, own)) for own in apart(turn))
 
 
-def _part(part: Callable[[_On, Weights], Any], own: Callable[[Kind], Weights], on: _On) -> Any:
-    return part(on, own(on.kind))
+def part_of(part: Callable[[On, Own], Any], own: Callable[[Kind], Own], on: On) -> Any:
+    return part(on, own(on.kind)) + on.kind.of(Fraction(0))
 
 
-def _apart(turn: Turn) -> Iterator[Callable[[Kind], Weights]]:
-    """Yield the masses by their inertia and by their weight where these have other powers of π, else by
-    both: of turns a second inertia has π², of radians none."""
-    crank, none = turn.part.crank, Fraction(0)
-    if crank.moving is None:
-        return
-    moving, speed = crank.moving, known(crank.speed)
-    if moving.slope is None:
-        yield lambda kind: moving.weights(kind, kind.of(Fraction(1)))
-    elif speed.turns:
-        yield lambda kind: replace(moving, slope=None).weights(kind, kind.of(Fraction(1)))
-        yield lambda kind: moving.weights(kind, kind.of(none))
+def apart(turn: Turn) -> Iterator[Callable[[Kind], Own]]:
+    """Yield the masses by their inertia and what else acts, weight and friction, where these have other
+    powers of π, else both together: of turns a second inertia has π², of radians none."""
+    crank, friction = turn.part.crank, Fraction(0)
+    if crank.rubbed:
+        friction = known(crank.effort).friction
+
+    def own(moving: Moving | None, factor: Fraction, friction: Fraction, kind: Kind) -> Own:
+        weights = NOTHING if moving is None else moving.weights(kind, kind.of(factor))
+        return Own(weights, kind.of(-friction) if friction else None)
+
+    moving, one, none = crank.moving, Fraction(1), Fraction(0)
+    if moving is None:
+        if friction:
+            yield partial(own, None, none, friction)
+    elif known(crank.speed).turns:
+        yield partial(own, replace(moving, slope=None), one, none)
+        if friction or moving.slope is not None:
+            yield partial(own, moving, none, friction)
     else:
-        yield lambda kind: moving.weights(kind, kind.of(known(crank.radius) * speed.value**2))
+        yield partial(own, moving, known(crank.radius) * known(crank.speed).value ** 2, friction)
 
 
-def _without_steam(turn: Turn, crank: _Crank) -> bool:
+def without_steam(turn: Turn, crank: Standing) -> bool:
     """Whether no net pressure acts on the piston, for certain."""
     if _is_steam(turn) and not _works(turn.part, crank):
         return True
-    return vanishes(
-        lambda: _On(turn, _BALLS).net_pressure(crank), float(_pressure_bounds(turn, crank).bits())
-    )
+    return vanishes(lambda: On(turn, _BALLS).net_pressure(crank), float(_pressure_bounds(turn, crank).bits()))
 
 
-def _at_full_pressure(turn: Turn, crank: _Crank) -> bool:
+def _at_full_pressure(turn: Turn, crank: Standing) -> bool:
     """Whether the steam is still admitted, or just cut off."""
     with flint.ctx.workprec(FIRST_BITS):
-        past = _On(turn, _BALLS).beyond_cut_off(crank)
+        past = On(turn, _BALLS).beyond_cut_off(crank)
     if not past.contains(0):
         return bool(past < 0)
-    with flint.ctx.workprec(int(_On(turn, _BOUNDS).beyond_cut_off(crank).bits()) + FIRST_BITS):
-        return bool(_On(turn, _BALLS).beyond_cut_off(crank).contains(0))
+    with flint.ctx.workprec(int(On(turn, BOUNDS).beyond_cut_off(crank).bits()) + FIRST_BITS):
+        return bool(On(turn, _BALLS).beyond_cut_off(crank).contains(0))
 
 
-def _cranks(turn: Turn, half_turns: Fraction, weight: int = 1) -> list[_Crank]:
-    return [_Crank(stroke, angle, weight) for _, stroke, angle in turn.positions(half_turns)]
+def cranks_at(turn: Turn, half_turns: Fraction, weight: int = 1) -> list[Standing]:
+    return [Standing(stroke, angle, weight) for _, stroke, angle in turn.positions(half_turns)]
 
 
-def _energy(turn: Turn, cranks: Sequence[_Crank]) -> Separation:
+def _energy(turn: Turn, cranks: Sequence[Standing]) -> Separation:
     """The energy without its logarithms."""
-    on = _On(turn, _BOUNDS)
+    on = On(turn, BOUNDS)
     work = on.steam.full_pressure_work if _is_mariotte(turn) else on.steam.work
     whole = work(Separation.rational(1))
     # The mean works π P in half a turn, which is half of what both strokes do.
@@ -321,15 +299,15 @@ def _energy(turn: Turn, cranks: Sequence[_Crank]) -> Separation:
     return total
 
 
-def _strokes(engine: Engine, crank: _Crank) -> Fraction:
+def _strokes(engine: Engine, crank: Standing) -> Fraction:
     """How many times the work of a whole stroke was done before this one, less what the mean took."""
     return 2 * crank.stroke - (crank.angle + crank.stroke) * (2 if engine.double else 1)
 
 
-def _growth_off_one(cranks: Sequence[_Crank]) -> Callable[[_On], Number]:
+def _growth_off_one(cranks: Sequence[Standing]) -> Callable[[On], Number]:
     """Return Z - 1, for Z the product of all growths of volume with their powers, which are made whole."""
 
-    def off_one(on: _On) -> Number:
+    def off_one(on: On) -> Number:
         strokes = [_strokes(on.engine, crank) for crank in cranks]
         order = lcm(*(one.denominator for one in strokes))
         end = on.steam.growth(on.kind.of(Fraction(1)))

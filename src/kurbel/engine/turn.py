@@ -253,6 +253,10 @@ def turn_of(engine: Engine | Assembly, method: str) -> AnyTurn:
         return CardTurn(engine, method)
     if method != "weisbach":
         return Turn(engine, method)
+    if any(part.crank.effort is not None for part in engine.parts):
+        raise ProblemError(
+            'method "weisbach" has no equations for friction and piston rods; use exact or series'
+        )
     ideal = engine.parts[0].steam
     if not engine.plain or not isinstance(ideal, Steam) or ideal.exponent != 1 or ideal.clearance:
         raise ProblemError(

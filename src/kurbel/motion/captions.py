@@ -141,12 +141,7 @@ def notes(question: Request) -> Iterator[Label]:
         yield from lines(question, columns)
     yield from force_notes(question.cranks, lang)
     for crank in question.cranks[:1]:
-        if crank.effort is not None:
-            from kurbel.motion.effort_words import effort_notes
-
-            yield from effort_notes(crank.effort, lang)
-        if crank.moving is not None:
-            yield from moving_notes(crank, layout.ratio_symbol, lang)
+        yield from loaded_notes(crank, layout.ratio_symbol, lang)
 
 
 def formula_lines(page: Formulated, columns: Sequence[Column]) -> Iterator[Label]:
@@ -229,6 +224,16 @@ def offset_notes(cranks: Sequence[Crank], lang: str) -> list[Label]:
 def force_notes(cranks: Sequence[Crank], lang: str) -> Iterable[Label]:
     """Return the lines about the piston forces."""
     return dict.fromkeys(crank.force.note(lang) for crank in cranks if crank.force is not None)
+
+
+def loaded_notes(crank: Crank, ratio_symbol: str, lang: str) -> Iterator[Label]:
+    """Yield the lines about what acts on piston and crosshead beside a given force, and about the masses."""
+    if crank.effort is not None:
+        from kurbel.motion.effort_words import effort_notes
+
+        yield from effort_notes(crank.effort, lang)
+    if crank.moving is not None:
+        yield from moving_notes(crank, ratio_symbol, lang)
 
 
 def moving_notes(

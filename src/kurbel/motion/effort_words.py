@@ -31,6 +31,10 @@ WORDS = {
         '$F = π/4 d^2 Δp$ zur Welle hin: auf der Deckelseite $Δp = {head} "kPa"$ mehr'
         '|$F = π/4 d^2 Δp$ towards the shaft: $Δp = {head} "kPa"$ more on the side of the cover'
     ),
+    "rods": words(
+        "{rods}: Kolbenstange und durchgeführte Stange auf ihrer Seite von der Kolbenfläche abgezogen"
+        "|{rods}: areas of piston rod and tail rod taken off on their sides of the piston"
+    ),
     "friction": words('Reibung ${force} "N"$ gegen die Bewegung|Friction ${force} "N"$ against the motion'),
     "reciprocating": words("von Kolben und Kreuzkopf|piston and crosshead"),
     "rod": words("der Schubstange|rod"),
@@ -80,6 +84,8 @@ def effort_notes(effort: Effort, lang: str) -> Iterator[Label]:
             head=figure(pressures.head / 1000),
             crank=figure(pressures.crank / 1000),
         )
+    if effort.areas is not None:
+        yield WORDS["rods"][lang].format(rods=", ".join([*_areas(effort.areas)][1:]))
     if effort.friction:
         yield WORDS["friction"][lang].format(force=figure(effort.friction))
 

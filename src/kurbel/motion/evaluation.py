@@ -124,7 +124,7 @@ class At:
     def _weights(self) -> Weights:
         moving = self.crank.moving
         if moving is None:
-            from kurbel.motion.pushed import NOTHING
+            from kurbel.drive.crank_forces import NOTHING
 
             return NOTHING
         return moving.weights(self.numbers, self.crank.pin_acceleration(self.numbers))

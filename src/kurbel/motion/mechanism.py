@@ -73,10 +73,10 @@ class Mechanism(ABC):
         return ()
 
     def masses_notes(self, crank: Crank, ratio_symbol: str, lang: str) -> Iterable[Label]:
-        """Return what pages say of the moving masses."""
-        from kurbel.motion.captions import moving_notes
+        """Return what pages say of the moving masses, and of what else acts on the piston."""
+        from kurbel.motion.captions import loaded_notes
 
-        return moving_notes(crank, ratio_symbol, lang)
+        return loaded_notes(crank, ratio_symbol, lang)
 
     def named(self, quantity: Quantity) -> Quantity:
         """Return a quantity of an engine as it is called in this drive."""

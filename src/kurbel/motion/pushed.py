@@ -10,16 +10,13 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from kurbel.drive.crank import Crank
-from kurbel.drive.crank_forces import Weights
 from kurbel.exact.kind import Kind, balls, bounds
 from kurbel.kernel import forces, kinematics
-from kurbel.kernel.rod import Masses
 
 if TYPE_CHECKING:
     from kurbel.motion.evaluation import At
 
 FIRST_BITS = 64
-NOTHING = Weights(Masses(0, 0, 0, 0), 0, 0)
 
 
 def pressed(at: At) -> Any:

@@ -75,14 +75,30 @@ class Pressing(TypedDict, total=False):
 def rubbed(chosen: Any, drives: Sequence[Any], given: Mapping[str, Any]) -> list[Any]:
     """Return drives with what acts on piston and crosshead beside a given force."""
     found = effort_of(given)
-    if found is None:
+    return list(drives) if found is None else _with(chosen, drives, found)
+
+
+def on_engine(chosen: Any, drives: Sequence[Any], given: Mapping[str, Any]) -> list[Any]:
+    """Return the drives of an engine with its rods and its friction."""
+    friction, rods = given.get("friction"), [name for name in RODS if given.get(name) is not None]
+    if friction is None and not rods:
         return list(drives)
+    from kurbel.drive.effort import Effort
+
+    if given["bore"] is None:
+        name = "friction" if friction is not None else rods[0]
+        raise ProblemError(f"{_flag(name)} is weighed against the load by the bore; add --bore")
+    force = Fraction(0) if friction is None else as_force(friction, "friction")
+    return _with(chosen, drives, Effort(None, force, areas_of(given) if rods else None))
+
+
+def _with(chosen: Any, drives: Sequence[Any], effort: "Effort") -> list[Any]:
     if not chosen.crosshead:
         raise ProblemError(
             f"{chosen.title} with friction or pressures on its piston is not computed; leave out what gives"
             " these, or add --mechanism straight"
         )
-    return [drive.of(replace(chosen.crank(drive), effort=found)) for drive in drives]
+    return [drive.of(replace(chosen.crank(drive), effort=effort)) for drive in drives]
 
 
 def effort_of(given: Mapping[str, Any]) -> "Effort | None":

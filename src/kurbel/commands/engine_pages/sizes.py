@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
+from kurbel.commands.cylinder.effort import RODS, RUBBING
 from kurbel.commands.loads import NAMES, pressures_of
 from kurbel.commands.machines import EXAMPLE, for_masses
 from kurbel.commands.options import is_given
@@ -30,7 +31,9 @@ def needless_sizes(
 
     Of columns that are asked for each option may be one; those of a layout are shown where all are given.
     """
-    refused = for_masses(*names)(values)
+    # Friction and rods are weighed against the load.
+    weighed = ("bore", "pressure") if any(is_given(values.get(one)) for one in (*RUBBING, *RODS)) else ()
+    refused = for_masses(*(name for name in names if name not in weighed))(values)
     refused = {name: said for name, said in refused.items() if values[name] is not None}
     if not refused:
         return {}

@@ -6,6 +6,7 @@ from typing import Annotated, Any, Unpack
 from kurbel.balance.harmonics import HARMONICS, MOST_ORDERS
 from kurbel.commands import parameters as option
 from kurbel.commands.balance import Method, Ratios
+from kurbel.commands.cylinder.effort import Rods, Rubbing
 from kurbel.commands.cylinder.slope import Lying
 from kurbel.commands.machines import engine_of, weightless
 from kurbel.commands.motion import sheet_of
@@ -21,7 +22,9 @@ TORQUE = "torque"
 OF_TORQUE = ("torque", "excitation")
 
 
-class Driven(option.Steam, option.MovingRod, Lying, option.AnyDrive, option.Sheet, total=False):
+class Driven(
+    option.Steam, option.MovingRod, Lying, Rods, Rubbing, option.AnyDrive, option.Sheet, total=False
+):
     """What makes an engine of a crank ratio."""
 
     eps: option.Eps

@@ -74,8 +74,9 @@ def card_strokes(
 
     Double-acting: both ends give this card, each from its own dead centre, so that the pressure before the
     piston is p_return at the position 1 - share; the strokes are alike. Single-acting: the other face has
-    the pressure other_side in Pa throughout, which counts from the zero of the card. Piston rods and unequal
-    ends are left out. `unit` in Pa stands in for the card's own greatest p_forward. Derived by us.
+    the pressure other_side in Pa throughout, which counts from the zero of the card. Piston rods are those of
+    `on_areas`, unequal ends are left out. `unit` in Pa stands in for the card's own greatest p_forward.
+    Derived by us.
     """
     scale = card.admission if unit is None else unit
     curves = [_scaled(*course, scale) for course in card.courses()]
@@ -96,6 +97,16 @@ def card_strokes(
     return tuple(
         CardStroke(other, one) if index % 2 else CardStroke(one, other) for index, one in enumerate(curves)
     )
+
+
+def on_areas(stroke: CardStroke, behind: float, before: float) -> CardStroke:
+    """Return the stroke of a piston with these shares of the bore's area behind and before it."""
+    return CardStroke(_times(stroke.behind, behind), _times(stroke.before, before))
+
+
+def _times(one: Curve, factor: float) -> Curve:
+    pressure = PPoly(factor * one.pressure.c, one.pressure.x)
+    return Curve(pressure, pressure.antiderivative(), one.corners)
 
 
 def _scaled(positions: Sequence[float], pressures: Sequence[float], scale: float) -> Curve:

@@ -100,7 +100,7 @@ def masses_notes(request: EngineRequest, lang: str) -> Iterator[Label]:
     """Yield the masses, those of each cylinder with its number where they differ."""
     numbers = request.numbers or range(1, len(request.first.parts) + 1)
     every = zip(numbers, request.first.parts, strict=True)
-    parts = [(number, part.crank) for number, part in every if part.crank.moving]
+    parts = [(number, part.crank) for number, part in every if part.crank.loaded]
     same = len({crank for _, crank in parts}) == 1
     for number, crank in parts[:1] if same else parts:
         prefix = "" if same else WORDS["cylinder"][lang].format(number=number)

@@ -34,9 +34,9 @@ KEYS = frozenset(
 def work(turn: AnyTurn, where: Any) -> Number:
     """Return the work of all cylinders in a turn, in Q R, positive as done on the cranks."""
     return (
-        2 * turn.pi * turn.mean_force()
+        2 * turn.pi * turn.indicated_force()
         if len(turn.engine.parts) > 1
-        else _work(turn.engine.parts[0], _own(turn))
+        else _on_areas(turn.engine.parts[0], _own(turn))
     )
 
 
@@ -47,7 +47,7 @@ def mean_pressure(turn: AnyTurn, where: Any) -> Number:
 
 def power(turn: AnyTurn, where: Any) -> Number:
     """Return the indicated power of all cylinders in Q R ω, positive."""
-    return abs(turn.mean_force())
+    return abs(turn.indicated_force())
 
 
 def kilowatts(turn: AnyTurn) -> Number:
@@ -95,7 +95,7 @@ def efficiency(turn: AnyTurn, where: Any) -> Number:
 
 def work_ties(turn: AnyTurn, half_turns: Fraction) -> TieBits | None:
     """Return how near the work of a turn can come to a boundary."""
-    return _ties(turn, _work)
+    return _ties(turn, _on_areas)
 
 
 def mean_pressure_ties(turn: AnyTurn, half_turns: Fraction) -> TieBits | None:
@@ -134,6 +134,14 @@ def _work(engine: Engine, own: tuple[Kind, Any]) -> Any:
     strokes = engine.steam.strokes(kind, engine.double)
     cycle = sum(_whole(one, kind.of(Fraction(1))) for one in strokes)
     return cycle * length * kind.of(Fraction(2 * len(engine.starts), len(strokes)))
+
+
+def _on_areas(engine: Engine, own: tuple[Kind, Any]) -> Any:
+    """The same on the piston's areas: in each end the load does as much as on the bore's, less the rod's."""
+    effort, whole = engine.crank.effort, _work(engine, own)
+    if effort is None or effort.areas is None:
+        return whole
+    return whole * own[0].of((effort.areas.head + effort.areas.crank) / 2)
 
 
 def _whole(stroke: Any, end: Any) -> Any:

@@ -55,9 +55,11 @@ class MovedRocker(Moved):
         net: Number,
         reciprocating: Number = 0,
         weight: Weight[Any] | None = None,
+        friction: Number | None = None,
     ) -> LoadedRocker:
-        # Refused where it is given: what a rocker weighs is not known.
+        # Refused where they are given: what a rocker weighs is not known.
         assert weight is None
+        assert friction is None
         place = self._place(stroke, circle)
         return self.drive.under(circle, place, self.arcs[stroke], masses, net, reciprocating)
 
