@@ -51,8 +51,10 @@ FLAGS = {
 # The options that all drawings have, or that say which one it is, or where it goes.
 SHARED = frozenset(("positions", *FLAGS, "ratio", "format", "output", "lang", "decimal"))
 OF_ENGINES = frozenset(
-    (*STEAM, *Wheeled.__annotations__, "cranks", "cylinder", "of", "bore", "pressure", *MASSES)
-    + (*LYING, *RODS, *RUBBING)
+    (
+        *(*STEAM, *Wheeled.__annotations__, "cranks", "cylinder", "of", "bore", "pressure"),
+        *(*MASSES, *LYING, *RODS, *RUBBING),
+    )
 )
 
 

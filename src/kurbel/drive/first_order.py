@@ -24,8 +24,10 @@ class FirstOrderSlide(Slide):
         net: Number,
         reciprocating: Number = 0,
         weight: Weight[Any] | None = None,
+        friction: Number | None = None,
     ) -> Loaded:
-        return replace(super().loaded(stroke, circle, masses, net, reciprocating, weight), by=WITH_ARM)
+        found = super().loaded(stroke, circle, masses, net, reciprocating, weight, friction)
+        return replace(found, by=WITH_ARM)
 
     def kinetic_energy(self, stroke: int, circle: Circle[Any], masses: Masses[Any]) -> Number:
         return first_order.kinetic_energy(circle, self.ratios[stroke], masses)
