@@ -103,3 +103,76 @@ def radial_three(mass: mpf, stroke: mpf, ratio: mpf, speed: mpf) -> Rows:
         {"greatest_n": 0},
         {"greatest_n": 0},
     ]
+
+
+@solution
+def partly_balanced_cylinder(
+    mass: mpf, turning: mpf, share: mpf, crank: mpf, speed: mpf, at: mpf, angle: mpf
+) -> Rows:
+    """The counterweight itself, at its radius, stands opposite the crank."""
+    counterweight = (turning + share * mass) * crank / at
+    phi = radians(angle)
+    along = (mass + turning) * crank * cos(phi) - counterweight * at * cos(phi)
+    across = turning * crank * sin(phi) - counterweight * at * sin(phi)
+    force = abs(mpc(along, across)) * speed**2
+    return [{"magnitude_n": force}, {}, {"magnitude_n": force}, {}, {}, {}]
+
+
+def wheels_of(spacing: mpf, gauge: mpf, mass: mpf) -> tuple[mpc, mpc]:
+    """The masses at the crank radius in the planes of the wheels that balance two cranks at 90°."""
+    first, second = mpc(mass), mpc(0, mass)
+    left = -(first * (gauge + spacing) / 2 + second * (gauge - spacing) / 2) / gauge
+    return left, -first - second - left
+
+
+@solution
+def inside_cylinders(
+    crank: mpf,
+    spacing: mpf,
+    gauge: mpf,
+    turning: mpf,
+    mass: mpf,
+    share: mpf,
+    at: mpf,
+    speed: mpf,
+) -> Rows:
+    left, right = wheels_of(spacing, gauge, turning + share * mass)
+    lifting = abs(wheels_of(spacing, gauge, share * mass)[0])
+    pull = (1 - share) * mass * crank * speed**2
+    # The cylinders pull with cos φ and cos(φ + 90°), each at its own side of the middle.
+    both = [(cos(pi * step / 180), -sin(pi * step / 180)) for step in range(360)]
+    return [
+        {
+            "mass_left": abs(left) * crank / at,
+            "angle_left": polar(left)[1],
+            "mass_right": abs(right) * crank / at,
+            "angle_right": polar(right)[1],
+            "blow_left": lifting * crank * speed**2,
+            "pull": max(abs(one + other) for one, other in both) * pull,
+            "sway": max(abs(one - other) for one, other in both) * pull * spacing / 2,
+        }
+    ]
+
+
+@solution
+def wheels_lift(
+    crank: mpf,
+    spacing: mpf,
+    gauge: mpf,
+    turning: mpf,
+    mass: mpf,
+    share: mpf,
+    at: mpf,
+    wheel: mpf,
+    load: mpf,
+) -> Rows:
+    lifting = abs(wheels_of(spacing, gauge, share * mass)[0]) * crank
+    speed = (load / lifting) ** mpf("0.5")
+    weight = abs(wheels_of(spacing, gauge, turning + share * mass)[0]) * crank / at
+    return [
+        {
+            "mass_left": weight,
+            "lift_speed": speed * 30 / pi,
+            "lift_velocity": speed * wheel / 2 * mpf("3.6"),
+        }
+    ]

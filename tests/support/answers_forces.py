@@ -111,3 +111,11 @@ def petrol_engine(stroke: mpf, rod: mpf, bore: mpf, pressure: mpf, mass: mpf, sp
     towards_the_shaft = crank * speed**2 * (cos(phi) + crank / rod * cos(2 * phi))
     load = pressure * pi / 4 * bore**2 - mass * towards_the_shaft
     return [{"crosshead_load_n": load, **some(Drive(crank, rod, speed).forces(angle, load), *KEYS)[0]}]
+
+
+@solution
+def load_reverses(stroke: mpf, rod: mpf, mass: mpf, force: mpf, angle: mpf) -> Rows:
+    drive = Drive(stroke / 2, rod, mpf(1))
+    at_one = -drive.acceleration(drive.crosshead, radians(angle))
+    speed = sqrt((force + mass * G) / (mass * at_one))
+    return [{"speed": speed * 30 / pi}]
