@@ -84,6 +84,15 @@ def test_a_power_finds_what_is_not_given(
     assert found["indicated_power"] == 75
 
 
+def test_a_rod_lessens_the_area_of_its_end() -> None:
+    words = ("--mean-pressure=4bar", "--working-strokes=2", *SIZES)
+    found = record(*words, "--piston-rod=60mm", "--tail-rod=45mm")
+    areas = pi / 4 * (0.3**2 - 0.06**2) + pi / 4 * (0.3**2 - 0.045**2)
+    assert found["indicated_power"] == pytest.approx(4e5 * areas * 0.45 * 200 / 60 / 1000, rel=1e-8)
+    said = refusal("power", words[0], "--working-strokes=1", *SIZES, "--piston-rod=60mm")
+    assert "lessen the area of an end of a double-acting piston" in said
+
+
 def test_of_driven_machines_the_shaft_has_more_to_give() -> None:
     sizes = ("--suction-pressure=-0.3bar", "--delivery-pressure=5bar", *SIZES, "--efficiency=80%")
     found = record("--pump", *sizes)

@@ -48,6 +48,7 @@ PAGES = (
     f"pressures {MACHINE} {STEAM}",
     "rotor --masses '200;300kg' --radii '0.2;0.15m' --angles 0;45 --planes 0;400mm --speed 300/min",
     f"solve {MACHINE.replace('--reciprocating 200kg', '')} --where c=max --columns phi,x_mm,c_mps",
+    "solve --unknown force --ratio 1:4 --stroke 300mm --angle 60 --where 'torque = 500 N m'",
     f"solve {STEAM} --stroke 600mm --where torque=max --columns phi,torque_nm",
 )
 

@@ -5,6 +5,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
+from kurbel.commands.cylinder.effort import RODS, Rods
 from kurbel.commands.loads import OWN, pressures_of
 from kurbel.commands.machines import steams_of
 from kurbel.commands.motion import sheet_of
@@ -63,7 +64,7 @@ def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
     return refused
 
 
-class Powered(option.Cylinder, option.Sheet, total=False):
+class Powered(option.Cylinder, Rods, option.Sheet, total=False):
     """A cylinder, what acts in it, and the power it is to have."""
 
     cranks: option.Cranks
@@ -74,8 +75,8 @@ class Powered(option.Cylinder, option.Sheet, total=False):
 @makes_table(
     needless=_needless,
     order="mean_pressure working_strokes pressure back exponent clearance single_acting card ratio"
-    " bore stroke crank speed power brake_power stroke_bore piston_speed cylinders diagram_factor efficiency"
-    " specific_volume steam_density",
+    " bore piston_rod tail_rod stroke crank speed power brake_power stroke_bore piston_speed cylinders"
+    " diagram_factor efficiency specific_volume steam_density",
 )
 def power_table(
     eps: option.Eps = None,
@@ -163,6 +164,7 @@ def power_table(
         stroke_bore=None if stroke_bore is None else as_number(stroke_bore, "stroke over bore"),
         piston_speed=None if piston_speed is None else as_velocity(piston_speed, "piston speed"),
         cylinders=_count(cylinders, given["cranks"]),
+        **_rods(about),
         diagram_factor=Fraction(1) if diagram_factor is None else as_share(diagram_factor, "diagram factor"),
         efficiency=None if efficiency is None else as_share(efficiency, "efficiency"),
         specific_volume=_volume(specific_volume, steam_density),
@@ -174,6 +176,14 @@ def power_table(
         columns=as_names(columns, "mean_pressure,indicated_power"),
         **sheet_of(given),
     )
+
+
+def _rods(given: Mapping[str, Any]) -> dict[str, Fraction | None]:
+    """Return the diameters of the piston's rods in metres, None where there is none."""
+    found = {name: given[name] for name in RODS}
+    return {
+        name: None if rod is None else as_length(rod, name.replace("_", " ")) for name, rod in found.items()
+    }
 
 
 def _count(cylinders: Exact | None, cranks: Any) -> int:

@@ -19,6 +19,8 @@ FORCES = (
     *("rod_force", "guide_force", "tangential_force", "radial_force", "bearing_along", "bearing_across"),
 )
 CHECKED_BITS = 400
+# What the page of the unknown has itself.
+OF_PAGE = ("columns", "layout", "label")
 
 
 class Sized:
@@ -79,16 +81,10 @@ class Sized:
         function = table if moved else forces_table
         known = {
             name: given
-            for name, given in {**self.given, self.unknown: value}.items()
-            if name in function.command.signature.parameters and is_given(given)
+            for name, given in {**self.given, self.unknown: value, "units": "metric"}.items()
+            if name in function.command.signature.parameters and is_given(given) and name not in OF_PAGE
         }
         angle = self.place.degrees if self.place.degrees is not None else Fraction(0)
-        known = {
-            name: given
-            for name, given in known.items()
-            if name not in ("columns", "layout", "label", "units")
-        }
-        known["units"] = "metric"
         return function.question(angle=[angle], columns=[self.column], **known)
 
     def value(self, number: Fraction) -> Any:

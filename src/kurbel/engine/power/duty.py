@@ -34,7 +34,8 @@ class Duty:
     `power` is the indicated one in watts; `brake_power` that at the shaft, which with the mechanical
     efficiency η is η times the indicated one, of a driven machine the indicated one by η. `diagram_factor`
     multiplies the mean pressure. `pressure` is what mean pressures count in, and `pressure_option` gives it.
-    `specific_volume` in m³/kg is that of the steam at admission.
+    `specific_volume` in m³/kg is that of the steam at admission. The rods by their diameters in metres lessen
+    the area of one end each, of a double-acting piston whose bore is given.
     """
 
     power: Fraction | None = None
@@ -50,6 +51,8 @@ class Duty:
     efficiency: Fraction | None = None
     specific_volume: Fraction | None = None
     cylinders: int = 1
+    piston_rod: Fraction | None = None
+    tail_rod: Fraction | None = None
 
     def __post_init__(self) -> None:
         if not 1 <= self.cylinders <= MOST_CYLINDERS:
@@ -62,6 +65,7 @@ class Duty:
         for what, value in (("stroke over bore", self.stroke_bore), ("piston speed", self.piston_speed)):
             if value is not None and not 0 < value <= 1000:
                 raise ProblemError(f"the {what} is {about(value)}; it must be above 0 and at most 1000")
+        self._check_rods()
         if self.brake_power is not None:
             if self.power is not None:
                 raise ProblemError(
@@ -72,6 +76,24 @@ class Duty:
                     "--brake-power is that at the shaft, of which the indicated power follows by the"
                     " mechanical efficiency; add --efficiency, or give the indicated power as --power"
                 )
+
+    def _check_rods(self) -> None:
+        for what, rod in (("piston rod", self.piston_rod), ("tail rod", self.tail_rod)):
+            if rod is None:
+                continue
+            if self.bore is None:
+                raise ProblemError(f"the {what} lessens the area of a piston whose size is known; add --bore")
+            if not 0 < rod < self.bore:
+                raise ProblemError(
+                    f"the {what} is {about(1000 * rod)} mm; it must be above 0 and below the bore,"
+                    f" {about(1000 * self.bore)} mm"
+                )
+
+    @property
+    def open_area(self) -> Fraction:
+        """The mean area of both ends of the piston in that of the bore."""
+        rods = sum((rod**2 for rod in (self.piston_rod, self.tail_rod) if rod is not None), Fraction(0))
+        return 1 - rods / 2 / self.bore**2 if self.bore is not None else Fraction(1)
 
     @property
     def sized(self) -> bool:
@@ -99,7 +121,8 @@ class Duty:
     def relations(self, source: Acting | GivenPressure) -> dict[str, tuple[Term, str]]:
         """Return terms that are 1, by the option that errors name, each with the variable it tells first.
 
-        N = z k p_i A S n, with k working strokes of a cylinder in a turn; S = (S/d) d; c_m = 2 S n.
+        N = z k p_i A S n, A the mean area of both ends, with k working strokes of a cylinder in a turn;
+        S = (S/d) d; c_m = 2 S n.
         """
         found = {}
         bore, stroke, speed = variable(BORE), variable(STROKE), variable(SPEED)
@@ -107,7 +130,8 @@ class Duty:
             found["--stroke-bore"] = stroke / bore / number(self.stroke_bore), STROKE
         if self.piston_speed is not None:
             found["--piston-speed"] = stroke * speed * number(2 / self.piston_speed), SPEED
-        rate = number(source.strokes * self.cylinders * self.diagram_factor / 4, pi=1) * Term(source.mean)
+        times = source.strokes * self.cylinders * self.diagram_factor * self.open_area
+        rate = number(times / 4, pi=1) * Term(source.mean)
         volume = bore * bore * stroke * speed
         found["--power"] = rate * variable(PRESSURE) * volume / variable(POWER), POWER
         return found

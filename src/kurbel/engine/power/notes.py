@@ -29,9 +29,9 @@ PRESSURES = {
 }
 WORDS = {
     "power": words(
-        "$N_i = z k p_i A S n$, $A = π/4 d^2$; Zylinder $z = {cylinders}$, wirksame Hübe eines Zylinders in"
+        "$N_i = z k p_i A S n$, $A = {area}$; Zylinder $z = {cylinders}$, wirksame Hübe eines Zylinders in"
         " der Umdrehung $k = {strokes}$"
-        "|$N_i = z k p_i A S n$, $A = π/4 d^2$; cylinders $z = {cylinders}$, working strokes of a cylinder"
+        "|$N_i = z k p_i A S n$, $A = {area}$; cylinders $z = {cylinders}$, working strokes of a cylinder"
         " in a turn $k = {strokes}$"
     ),
     "factor": words(
@@ -92,7 +92,8 @@ def notes(request: PowerRequest) -> Iterator[Label]:
         yield WORDS["given"][lang].format(given=given)
     if not shown.isdisjoint(POWERED):
         strokes = figure(source.strokes)
-        yield WORDS["power"][lang].format(cylinders=duty.cylinders, strokes=strokes)
+        area = "".join(_area(duty))
+        yield WORDS["power"][lang].format(cylinders=duty.cylinders, strokes=strokes, area=area)
     if duty.diagram_factor != 1:
         yield WORDS["factor"][lang].format(factor=figure(duty.diagram_factor))
     if duty.efficiency is not None:
@@ -115,6 +116,16 @@ def _given(duty: Duty, source: Acting | GivenPressure) -> Iterator[Label]:
         yield f"$S/d = {figure(duty.stroke_bore)}$"
     if duty.speed is not None and not duty.speed.turns:
         yield f'$ω = {figure(duty.speed.value)} "rad/s"$'
+
+
+def _area(duty: Duty) -> Iterator[str]:
+    """Yield the mean area of both ends, less half of that of each rod."""
+    rods = [rod for rod in (duty.piston_rod, duty.tail_rod) if rod is not None]
+    if not rods:
+        yield "π/4 d^2"
+        return
+    taken = " - ".join(f"1/2 ({amount(rod, 'mm')})^2" for rod in rods)
+    yield f"π/4 (d^2 - {taken})"
 
 
 def _steam_taken(source: Acting, duty: Duty, lang: str) -> Label:

@@ -55,6 +55,11 @@ class PowerRequest(Question):
     no_column = "there is no column beside the axes; add one, such as mean_pressure"
 
     def check(self) -> None:
+        if self.duty.open_area != 1 and any(one.strokes != 2 for one in self.sources):
+            raise ProblemError(
+                "--piston-rod and --tail-rod lessen the area of an end of a double-acting piston; leave them"
+                " out"
+            )
         found = self.found(0).variables
         touched = [one for name, one in found.items() if name != PRESSURE and set(one.powers) != {name}]
         asked = [found[POWER]] if found[POWER].powers else touched

@@ -37,8 +37,8 @@ class Found(NamedTuple):
         return self.of(SPEED) * number(self.source.strokes * self.duty.cylinders)
 
     def swept(self) -> Term:
-        """Return the volume of a stroke in m³."""
-        return number(Fraction(1, 4), pi=1) * self.of(BORE) ** Fraction(2) * self.of(STROKE)
+        """Return the volume of a stroke in m³, the mean of both ends."""
+        return number(self.duty.open_area / 4, pi=1) * self.of(BORE) ** Fraction(2) * self.of(STROKE)
 
     def pressure(self) -> Term:
         """Return the mean pressure in Pa."""
