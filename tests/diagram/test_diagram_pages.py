@@ -87,6 +87,24 @@ def test_the_speeds_at_the_ends_of_areas() -> None:
     assert [float(row["omega"]) for row in rows] == pytest.approx(speeds, abs=1e-6)
 
 
+def test_triangles_of_strokes_have_their_areas() -> None:
+    """Of each 3 J an area; the mean of 3900 J over 4π cuts the first triangle, of the height 2 · 10650/π, and
+    leaves (1 - mean/height)² of its area above."""
+    words = ("--triangles=+3550;-500;-350;-1400", "--area-scale=3J", "--turns=2")
+    height, mean = 2 * 10650 / pi, 3900 / (4 * pi)
+    page = said(*words, "--speed=150/min")
+    assert f"mean torque {mean:.2f} N m, work of a cycle 3900.0 J" in page
+    assert f"ΔW = {10650 * (1 - mean / height) ** 2:.1f} J, power {3900 * 150 / 120:.1f} W" in page
+    rows = records(*words, "--angle=0;90;180;720", "--digits=3")
+    assert [float(row["torque"]) for row in rows] == pytest.approx([0, height, 0, 0], abs=6e-4)
+    assert [float(row["excess_energy"]) for row in rows] == [0, 5325 - 487.5, 10650 - 975, 0]
+
+
+def test_values_at_equal_steps_are_points() -> None:
+    spaced = records("--torque=every 30°: 0; 45; 90; 67.5; 45; 22.5; 0", "--turns=1/2", "--step=20")
+    assert spaced == records("--torque=0:0; 60:90; 180:0", "--turns=1/2", "--step=20")
+
+
 def test_a_diagram_of_half_a_turn_has_pages_of_half_a_turn() -> None:
     rows = records("--torque=0:0; 60:90; 180:0", "--turns=1/2", "--step=30")
     assert [row["phi"] for row in rows] == ["0", "30", "60", "90", "120", "150", "180"]
@@ -107,10 +125,14 @@ def test_files_are_points(tmp_path: Path) -> None:
     [
         ("--torque=5+sinφ --eps=4", "--eps describes an engine, and --torque a diagram without one"),
         ("--turns=2 --eps=4", "--turns is for a diagram without an engine; add --torque"),
-        ("--area-scale=4J", "--area-scale is for --areas"),
+        ("--area-scale=4J", "--area-scale is for --areas or --triangles; add these"),
         ("--areas=5J;-5J --torque=5", "--areas is a whole diagram, and --torque says of another one"),
         ("--areas=5J;-5J --step=4", "--step is of crank angles, which areas do not have"),
         ("--areas=5J;-5J --columns=level", "these are energies, add --area-scale"),
+        ("--triangles=3J;-1J", "--triangles need the turns of their cycle; add --turns 2"),
+        ("--triangles=3J;-1J --turns=2 --load-torque=5", "--triangles are against a constant load"),
+        ("--triangles=3J;-1J --torque=5", "--torque and --triangles give the torque twice"),
+        ("--triangles=3;-1 --turns=2 --area-scale=3Nm;6°", "would make one with π, write the angle in rad"),
         ("--layout=areas", "no areas were given; add --areas"),
         ("--layout=torques", "no torque was given; add --torque"),
         ("--torque=x.csv", "--torque x.csv is a file; name it as --torque-file"),

@@ -205,7 +205,7 @@ REFUSED = [
     ("--swing 5kJ --speed 300/min --delta 1:50 --columns rim_mass",
      "column rim_mass does not follow from what is given; add what it needs of --rim-diameter, --density"),
     ("--swing 5kJ --speed 300/min --delta 1:50 --area-scale 5J",
-     "--area-scale is for --areas; add these, or leave it out"),
+     "--area-scale is for --areas or --triangles; add these, or leave it out"),
 ]  # fmt: skip
 
 

@@ -66,6 +66,10 @@ class Areas:
     def algebraic(self) -> bool:
         return not self.scale.of_pi
 
+    @property
+    def torque_is_algebraic(self) -> bool:
+        return False
+
     @cached_property
     def levels(self) -> tuple[Fraction, ...]:
         """What of the area is above the line at each letter, a with 0 first; without the end, which is a."""
@@ -106,17 +110,25 @@ def letter_of(number: int) -> str:
 
 
 def given_areas(areas: Sequence[str], scale: str | None = None, turns: Fraction | None = None) -> Areas:
+    """Return the areas of texts, as `scaled_areas` reads them."""
+    found, own, measured = scaled_areas(areas, scale)
+    return Areas(found, own, turns, measured)
+
+
+def scaled_areas(
+    areas: Sequence[str], scale: str | None = None, what: str = "areas"
+) -> tuple[tuple[Fraction, ...], Scale, bool]:
     """Return the areas of texts such as "+52;-124;+72", with the scale of a text such as "52.36J" or
-    "500 N m; 6°"; without one they have their unit: "+52J;-124J;+72J"."""
+    "500 N m; 6°", and whether they are energies; without a scale they have their unit: "+52J;-124J;+72J"."""
     if scale is not None:
-        return Areas(notation.each_number(areas, "area"), read_scale(scale), turns)
+        return notation.each_number(areas, "area"), read_scale(scale), False
     parts = [part.strip() for text in areas for part in text.split(";")]
     if any(not any(map(str.isalpha, part)) for part in parts):
         raise ProblemError(
-            "the areas have no scale; add the energy of a unit of area, --area-scale 52.36J, or the scales of"
-            " torque and angle, --area-scale '500 N m; 6°', or write their unit: '+52J;-124J;+72J'"
+            f"the {what} have no scale; add the energy of a unit of area, --area-scale 52.36J, or the"
+            " scales of torque and angle, --area-scale '500 N m; 6°', or write their unit: '+52J;-124J;+72J'"
         )
-    return Areas(tuple(units.energy(part, "area") for part in parts), Scale(Fraction(1)), turns, True)
+    return tuple(units.energy(part, "area") for part in parts), Scale(Fraction(1)), True
 
 
 def read_scale(text: str) -> Scale:

@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from fractions import Fraction
 from typing import Any
 
 from kurbel.diagram.fluctuation import Extreme, Fluctuation
 from kurbel.diagram.steady import Steady
-from kurbel.drive.load import figure
 from kurbel.exact.kind import Kind, floats, settled
-from kurbel.exact.numerals import Label, figures, nearest, number_text
+from kurbel.exact.numerals import Label, Number, figures, finite_decimals, nearest, number_text
 from kurbel.page.quantity import Words, words
 from kurbel.reading.units import Speed
 
 # So many places are named; more go on in the same steps.
 MOST_PLACES = 6
+# The decimals of an angle.
+PLACES = 3
 WORDS: Mapping[str, Words] = {
     "signs": words(
         "$T$ Drehmoment des Antriebs, $T_L$ der Last, positiv, wo sie ihn hemmt, $W$ Arbeit von $T - T_L$"
@@ -32,6 +32,10 @@ WORDS: Mapping[str, Words] = {
     "load": words("$T_L$ gleichbleibend, das Mittel von $T$|$T_L$ constant, the mean of $T$"),
     "drive": words("$T$ gleichbleibend, das Mittel von $T_L$|$T$ constant, the mean of $T_L$"),
     "lines": words("Punkte durch Geraden verbunden|points joined by straight lines"),
+    "triangles": words(
+        "Dreiecke gleicher Breite, ihre Spitzen in der Mitte"
+        "|triangles alike in width, their peaks in the middle"
+    ),
     "jumps": words("an Sprüngen der Wert dahinter|at jumps the value behind"),
     "cranks": words(
         "gleiche Diagramme, um {angles} versetzt, überlagert|diagrams alike, {angles} apart, superposed"
@@ -64,8 +68,7 @@ WORDS: Mapping[str, Words] = {
 def shown(value: Callable[[Kind], Any], algebraic: bool) -> str:
     """Return a number to five figures, every digit of which is meant."""
     decimals = figures(float(value(floats())))
-    scaled = settled(value, decimals, algebraic=algebraic)
-    return number_text(nearest(Fraction(scaled, 10**decimals), decimals))
+    return number_text(Number(settled(value, decimals, algebraic=algebraic), decimals))
 
 
 def outcome(
@@ -74,11 +77,19 @@ def outcome(
     """Yield what follows of a cycle: mean torque, work, swing, where the speed is greatest, the flywheel."""
     parts = []
     if fluctuation.mean_torque(floats()) is not None:
-        parts.append(WORDS["mean"][lang].format(mean=shown(fluctuation.mean_torque, algebraic=True)))
-        parts.append(WORDS["work"][lang].format(work=shown(fluctuation.work, algebraic=False)))
+        parts.append(
+            WORDS["mean"][lang].format(mean=shown(fluctuation.mean_torque, fluctuation.torque_is_algebraic))
+        )
+        parts.append(
+            WORDS["work"][lang].format(work=shown(fluctuation.work, not fluctuation.torque_is_algebraic))
+        )
     parts.append(WORDS["swing"][lang].format(swing=shown(fluctuation.swing, fluctuation.algebraic)))
     if speed is not None and fluctuation.mean_torque(floats()) is not None:
-        parts.append(WORDS["power"][lang].format(power=shown(_power(fluctuation, speed), not speed.turns)))
+        parts.append(
+            WORDS["power"][lang].format(
+                power=shown(_power(fluctuation, speed), speed.turns != fluctuation.torque_is_algebraic)
+            )
+        )
     yield ", ".join(parts)
     greatest, least = (places(fluctuation.extremes(greatest=which)) for which in (True, False))
     yield WORDS["extremes"][lang].format(greatest=greatest, least=least)
@@ -98,9 +109,12 @@ def _place(extreme: Extreme) -> str:
     if extreme.letter:
         return extreme.letter
     if extreme.exact is not None:
-        return f"{figure(extreme.exact)}°"
+        decimals = finite_decimals(extreme.exact)
+        return (
+            f"{number_text(nearest(extreme.exact, PLACES if decimals is None else min(decimals, PLACES)))}°"
+        )
     assert extreme.degrees is not None
-    return f"{number_text(nearest(Fraction(settled(extreme.degrees, 3, algebraic=False), 1000), 3))}°"
+    return f"{number_text(Number(settled(extreme.degrees, PLACES, algebraic=False), PLACES))}°"
 
 
 def _power(fluctuation: Fluctuation, speed: Speed) -> Callable[[Kind], Any]:

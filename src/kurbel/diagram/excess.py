@@ -26,10 +26,14 @@ CHOOSING_BITS, EQUAL_BITS = 64, 200
 
 @dataclass(frozen=True)
 class Excess:
-    """A driving torque and that of the load, whose means are the same."""
+    """A driving torque and that of the load, whose means are the same; in J per degree if `by_degree`.
+
+    So diagrams are whose areas are given: those are rational, and the torques have 1/π.
+    """
 
     drive: Torque
     load: Torque
+    by_degree: bool = False
 
     def __post_init__(self) -> None:
         one, two = self.drive.mean, self.load.mean
@@ -48,7 +52,7 @@ class Excess:
             )
 
     @classmethod
-    def between(cls, drive: Torque | None, load: Torque | None) -> Excess:
+    def between(cls, drive: Torque | None, load: Torque | None, by_degree: bool = False) -> Excess:
         """Return the excess, where one of both is missing over the mean of the other."""
         if drive is None and load is None:
             raise ProblemError(
@@ -57,8 +61,8 @@ class Excess:
             )
         if drive is None:
             assert load is not None
-            return cls(_constant(load), load)
-        return cls(drive, _constant(drive) if load is None else load)
+            return cls(_constant(load), load, by_degree)
+        return cls(drive, _constant(drive) if load is None else load, by_degree)
 
     @cached_property
     def cycle(self) -> Fraction:
@@ -79,15 +83,31 @@ class Excess:
 
     @cached_property
     def algebraic(self) -> bool:
-        if is_plain(self.excess):
+        if is_plain(self.excess) or self.by_degree:
             return True
         areas = {self._area(self._zeros_of(greatest)[0]) for greatest in (True, False)}
         return None not in areas and len(areas) == 1
 
+    @property
+    def torque_is_algebraic(self) -> bool:
+        return not self.by_degree
+
+    def torque(self, torque: Torque, degrees: Fraction, kind: Kind) -> Any:
+        """Return one of its torques at a crank angle, in N m."""
+        own = torque.at(degrees, kind)
+        return own * 180 / kind.pi if self.by_degree else own
+
+    def greatest_torque(self, torque: Torque) -> float:
+        """Return a bound of a torque's magnitude, in N m."""
+        return float(torque.most) * (180 / floats().pi if self.by_degree else 1)
+
     def mean_torque(self, kind: Kind) -> Any:
-        return self.drive.mean.at(Fraction(0), kind)
+        mean = self.drive.mean.at(Fraction(0), kind)
+        return mean * 180 / kind.pi if self.by_degree else mean
 
     def work(self, kind: Kind) -> Any:
+        if self.by_degree:
+            return self.drive.mean.at(Fraction(0), kind) * kind.of(self.cycle)
         return work_of(self.mean_torque(kind), self.turns, kind)
 
     def energy(self, degrees: Fraction, kind: Kind) -> Any:
@@ -96,7 +116,7 @@ class Excess:
 
     def is_algebraic_at(self, degrees: Fraction) -> bool:
         """Whether the energy there is an algebraic number."""
-        return not self._area(Zero(degrees))
+        return self.by_degree or not self._area(Zero(degrees))
 
     def swing(self, kind: Kind) -> Any:
         return self.extreme_energy(kind, greatest=True) - self.extreme_energy(kind, greatest=False)
@@ -169,6 +189,8 @@ class Excess:
         return left
 
     def _energy(self, zero: Zero, kind: Kind) -> Any:
+        if self.by_degree:
+            return kind.of(self._area(zero) or Fraction(0))
         if kind.enclosed is not None:
             return kind.enclosed(lambda: self._enclosed(zero))
         waves, zero_at = self.excess.waves.integral, Fraction(0)

@@ -41,6 +41,10 @@ class Fluctuation(Protocol):
     def algebraic(self) -> bool:
         """Whether the swing is an algebraic number, which may lie half-way between two printed ones."""
 
+    @property
+    def torque_is_algebraic(self) -> bool:
+        """The same of torques; where that is so, the work of a cycle is none."""
+
     def swing(self, kind: Kind) -> Any:
         """Return the greatest excess energy less the least, in J."""
 

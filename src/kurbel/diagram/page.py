@@ -121,8 +121,9 @@ def _greatest(question: TorquesRequest, key: str) -> float:
     if key == "excess_energy":
         return question.swing
     if key == "angular_acceleration":
-        return float(excess.excess.most / (question.inertia or 1))
-    return float(torque.most) if steady is None else _speed(steady, key, float(torque.most))
+        return excess.greatest_torque(excess.excess) / float(question.inertia or 1)
+    most = excess.greatest_torque(torque)
+    return most if steady is None else _speed(steady, key, most)
 
 
 def _speed(steady: Steady, key: str, other: float) -> float:
@@ -143,7 +144,7 @@ def _settled(
 
 def _torque_number(question: TorquesRequest, column: Column, place: Place, times: int) -> Number:
     where, key = question.angles[place["angle"]], column.quantity.key
-    algebraic = key != "rpm"
+    algebraic = key != "rpm" and question.excess.torque_is_algebraic
     if key in ("excess_energy", "omega"):
         algebraic = question.excess.is_algebraic_at(where)
     if key == "omega":
@@ -187,7 +188,7 @@ def _taken(question: TorquesRequest) -> Iterator[Label]:
     if question.constant:
         yield WORDS[question.constant][lang]
     if any(one.slope for torque in (excess.drive, excess.load) for one in torque.lines):
-        yield WORDS["lines"][lang]
+        yield WORDS["triangles" if excess.by_degree else "lines"][lang]
     if excess.excess.jumps:
         yield WORDS["jumps"][lang]
     if question.cranks:

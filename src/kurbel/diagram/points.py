@@ -1,4 +1,5 @@
-"""A torque by points of its diagram, joined by straight lines: 0:0; 60:90; 180:0, or a CSV file.
+"""A torque by points of its diagram, joined by straight lines: 0:0; 60:90; 180:0, or every 30°: 0; 45; 90,
+or a CSV file; or by the areas of triangles.
 
     angle [°];torque [N m]
     0;0
@@ -13,6 +14,7 @@ ignored; semicolons, tabs or commas part them.
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from itertools import groupby, pairwise
@@ -28,6 +30,7 @@ from kurbel.reading.notation import about
 KIND = Kind("turning-moment diagram", "point", NotationError)
 MOST_POINTS = 10_000
 _COLUMNS = ("angle", "torque")
+_SPACED = re.compile(r"\s*(?:every|alle)\s+([^:]*):(.*)", re.DOTALL)
 _DEGREES = ("", "°", "deg", "degree", "degrees", "°CA", "degCA")
 
 
@@ -39,7 +42,16 @@ class Point(NamedTuple):
 
 
 def points_of(text: str, what: str = "torque") -> list[Point]:
-    """Return the points of "0:0; 60:90; 180:0"; a torque may have its unit, 60:0,09kNm."""
+    """Return the points of "0:0; 60:90; 180:0" or of "every 30°: 0; 45; 90", which begin at 0°.
+
+    A torque may have its unit, 60:0,09kNm.
+    """
+    if spaced := _SPACED.fullmatch(text):
+        step = notation.angle(spaced[1], f"{what}: angle")
+        if step <= 0:
+            raise NotationError(f"the {what} has points every {about(step)}°; write a step above 0")
+        torques = (_torque(part, what) for part in spaced[2].split(";"))
+        return [Point(number * step, torque) for number, torque in enumerate(torques)]
     found = []
     for part in text.split(";"):
         angle, sign, torque = part.partition(":")
@@ -50,6 +62,22 @@ def points_of(text: str, what: str = "torque") -> list[Point]:
             )
         found.append(Point(notation.angle(angle, f"{what}: angle"), _torque(torque, what)))
     return found
+
+
+def triangles(areas: Sequence[Fraction], turns: Fraction) -> Torque:
+    """Return the torque, in J per degree, of triangles alike in width one behind the other over a cycle.
+
+    `areas` are those between them and the line of no torque, in J. The swing does not depend on where in
+    their widths the peaks are, which are taken in the middle.
+    """
+    if not 2 <= len(areas) <= MOST_POINTS:
+        raise ProblemError(f"{len(areas)} triangles were given; a diagram has 2 to {MOST_POINTS}")
+    width = turns * TURN / len(areas)
+    points = [Point(Fraction(0), Fraction(0))]
+    for number, area in enumerate(areas):
+        begun = number * width
+        points += [Point(begun + width / 2, 2 * area / width), Point(begun + width, Fraction(0))]
+    return Torque(Waves({}), tuple(_lines(points)))
 
 
 def _torque(text: str, what: str) -> Fraction:

@@ -91,15 +91,15 @@ def _speeds(omega: Callable[..., Any]) -> Iterator[Quantity]:
 
 
 def _torque(asked: OfTorques, where: Fraction, kind: Kind) -> Any:
-    return asked.excess.drive.at(where, kind)
+    return asked.excess.torque(asked.excess.drive, where, kind)
 
 
 def _load(asked: OfTorques, where: Fraction, kind: Kind) -> Any:
-    return asked.excess.load.at(where, kind)
+    return asked.excess.torque(asked.excess.load, where, kind)
 
 
 def _excess(asked: OfTorques, where: Fraction, kind: Kind) -> Any:
-    return asked.excess.excess.at(where, kind)
+    return asked.excess.torque(asked.excess.excess, where, kind)
 
 
 def _energy(asked: OfTorques, where: Fraction, kind: Kind) -> Any:

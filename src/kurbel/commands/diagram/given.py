@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from kurbel.diagram.torque import Torque
 
 MOST_TURNS = 100
-DRIVES, LOADS = ("torque", "torque_file"), ("load_torque", "load_torque_file")
+DRIVES, LOADS = ("torque", "torque_file", "triangles"), ("load_torque", "load_torque_file")
 # The options that describe a diagram, each by itself.
 DIAGRAMS = (*DRIVES, *LOADS, "areas")
 # What else says something on their pages.
@@ -32,7 +32,7 @@ class Diagram(TypedDict, total=False):
         str | None,
         Option(
             "Diagram without an engine: torque over the crank angle, as a formula, '5000 + 1500 sin(3φ)', or"
-            " points, '0:0; 60:90; 180:0', which straight lines join.",
+            " points, '0:0; 60:90; 180:0' or 'every 30°: 0; 45; 90', which straight lines join.",
             "T", unit="N m",
         ),
     ]  # fmt: skip
@@ -40,6 +40,14 @@ class Diagram(TypedDict, total=False):
         str | PathLike[str] | None,
         Option("The same from a CSV file with the columns angle and torque [N m].", "FILE", FILE),
     ]
+    triangles: Annotated[
+        str | Iterable[Exact] | None,
+        Option(
+            "Diagram of triangles alike in width, as of the strokes of a gas engine, by their areas from the"
+            " line of no torque: '-350;-1400;+3550;-500', with --turns and --area-scale.",
+            "AREAS",
+        ),
+    ]  # fmt: skip
     load_torque: Annotated[
         str | None,
         Option(
@@ -109,8 +117,8 @@ def needless(others: Refusals) -> Refusals:
         refused = {} if is_diagram(values) else {**others(values)}
         if not is_diagram(values):
             refused["turns"] = "--turns is for a diagram without an engine; add --torque, or leave it out"
-        if not is_given(values["areas"]):
-            refused["area_scale"] = "--area-scale is for --areas; add these, or leave it out"
+        if not (is_given(values["areas"]) or is_given(values["triangles"])):
+            refused["area_scale"] = "--area-scale is for --areas or --triangles; add these, or leave it out"
         return refused
 
     return refusals
@@ -131,18 +139,20 @@ def areas_of(given: Mapping[str, Any]) -> "Areas":
                 f"--areas is a whole diagram, and --{name.replace('_', '-')} says of another one; leave one"
                 " out"
             )
-    areas = given["areas"]
-    if not is_given(areas):
+    if not is_given(given["areas"]):
         raise ProblemError("no areas were given; add --areas '+52;-124;+72' with --area-scale 52.36J")
-    texts = [areas] if isinstance(areas, str) else [str(one) for one in areas]
-    return given_areas(texts, given["area_scale"], turns_of(given))
+    return given_areas(_texts(given["areas"]), given["area_scale"], turns_of(given))
+
+
+def _texts(areas: str | Iterable[Any]) -> list[str]:
+    return [areas] if isinstance(areas, str) else [str(one) for one in areas]
 
 
 def excess_of(given: Mapping[str, Any]) -> "Excess":
     """Return the excess of the drive's torque over that of the load. Raises KurbelError."""
     from kurbel.diagram.excess import Excess
 
-    turns = turns_of(given)
+    turns, by_degree = turns_of(given), is_given(given["triangles"])
     drive, load = (
         _torque(given, names, turns, what)
         for names, what in ((DRIVES, "torque"), (LOADS, "torque of the load"))
@@ -151,7 +161,7 @@ def excess_of(given: Mapping[str, Any]) -> "Excess":
         if drive is None:
             raise ProblemError("--cranks are those of the drive; add its --torque, or leave them out")
         drive = drive.superposed(as_crank_angles(given["cranks"]))
-    return Excess.between(drive, load)
+    return Excess.between(drive, load, by_degree)
 
 
 def turns_of(given: Mapping[str, Any]) -> Fraction | None:
@@ -165,13 +175,16 @@ def turns_of(given: Mapping[str, Any]) -> Fraction | None:
 
 
 def _torque(
-    given: Mapping[str, Any], names: tuple[str, str], turns: Fraction | None, what: str
+    given: Mapping[str, Any], names: tuple[str, ...], turns: Fraction | None, what: str
 ) -> "Torque | None":
-    text, file = (given.get(name) for name in names)
+    own = [name for name in names if is_given(given.get(name))]
+    if len(own) > 1:
+        flags = " and ".join(f"--{name.replace('_', '-')}" for name in own)
+        raise ProblemError(f"{flags} give the {what} twice; leave one out")
+    text, file = (given.get(name) for name in names[:2])
+    if own == ["triangles"]:
+        return _triangles(given, turns)
     if file is not None:
-        if text is not None:
-            flags = " and ".join(f"--{name.replace('_', '-')}" for name in names)
-            raise ProblemError(f"{flags} give the {what} twice; leave one out")
         from kurbel.diagram.points import read_points, torque_through
 
         return torque_through(read_points(file), turns, what)
@@ -189,3 +202,24 @@ def _torque(
 
     waves = torque_of(str(text), what)
     return Torque.of(waves, own_cycle(waves, turns, what))
+
+
+def _triangles(given: Mapping[str, Any], turns: Fraction | None) -> "Torque":
+    from kurbel.diagram.areas import scaled_areas
+    from kurbel.diagram.points import triangles
+
+    for name in LOADS:
+        if is_given(given[name]):
+            raise ProblemError(
+                f"--triangles are against a constant load, and --{name.replace('_', '-')} gives another;"
+                " leave one out, or write the triangles as points of --torque"
+            )
+    if turns is None:
+        raise ProblemError("--triangles need the turns of their cycle; add --turns 2 for four strokes")
+    areas, scale, _ = scaled_areas(_texts(given["triangles"]), given["area_scale"], "triangles")
+    if scale.of_pi:
+        raise ProblemError(
+            "--triangles need the energy of a unit of area, --area-scale 3J; a torque and an angle in degrees"
+            " would make one with π, write the angle in rad"
+        )
+    return triangles([area * scale.energy for area in areas], turns)

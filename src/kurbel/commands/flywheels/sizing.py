@@ -23,8 +23,8 @@ from kurbel.reading.given import as_irregularities
 
 def wheels_of(given: Mapping[str, Any], page: Layout, sheet: Mapping[str, Any]) -> WheelRequest:
     """Return what is asked for, one flywheel for each irregularity to keep. Raises KurbelError."""
-    if given["area_scale"] is not None and not is_given(given["areas"]):
-        raise ProblemError("--area-scale is for --areas; add these, or leave it out")
+    if given["area_scale"] is not None and not (is_given(given["areas"]) or is_given(given["triangles"])):
+        raise ProblemError("--area-scale is for --areas or --triangles; add these, or leave it out")
     diagram = fluctuation_of(given) if is_diagram(given) else None
     # The turns of a diagram are those of its cycle, which a load may make longer.
     described = {**given, "turns": None} if diagram else given
@@ -57,7 +57,8 @@ def _of_diagram(diagram: Fluctuation) -> Iterator[tuple[str, Known]]:
     mean = diagram.mean_torque(floats())
     # That of a shaft which is driven back has no power of its own to print.
     if mean is not None and mean > 0:
-        yield "mean_torque", Known(Product.algebraic(diagram.mean_torque), options)
+        known = Product.algebraic if diagram.torque_is_algebraic else Product.about
+        yield "mean_torque", Known(known(diagram.mean_torque), options)
 
 
 def _swing(diagram: Fluctuation) -> Product:

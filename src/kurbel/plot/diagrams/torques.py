@@ -62,10 +62,12 @@ def _course(torque: Torque, request: TorquesRequest) -> tuple[list[float], list[
     angles, values, kind = [], [], floats()
     for place in _places(torque, request):
         drop = torque.jump(place)
+        value = float(request.excess.torque(torque, place, kind))
         if drop and place > request.angles[0]:
+            # No torque of triangles jumps, whose unit would be another.
             angles.append(place)
-            values.append(float(torque.at(place, kind)) - float(drop))
+            values.append(value - float(drop))
         if not drop or place < request.angles[-1]:
             angles.append(place)
-            values.append(float(torque.at(place, kind)))
+            values.append(value)
     return degrees(angles), values
