@@ -14,7 +14,7 @@ from kurbel.commands import options as kinds
 from kurbel.commands.loads import NAMES, OWN
 from kurbel.commands.options import Parameter, is_given
 from kurbel.commands.parameters import LANG
-from kurbel.commands.subject import Command, spelling
+from kurbel.commands.subject import SPELLED, Command, spelling
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.numerals import DECIMALS
 from kurbel.formats.registry import FORMATS
@@ -212,11 +212,16 @@ class Given:
     def settle_sizes(self, command: Command) -> str:
         """Give the stroke its value by the option that was given, and return the name of that; settle the
         units of the page."""
+        if spelling(self.values) != "stroke":
+            names = [name for name in ("stroke", *SPELLED[:-1]) if is_given(self.values.get(name))]
+            if any(map(self.typed, names)):
+                for name in names:
+                    if not self.typed(name):
+                        self.drop(name)
         if (spelled := spelling(self.values)) != "stroke":
-            if self.typed(spelled) != self.typed("stroke"):
-                self.drop("stroke" if self.typed(spelled) else spelled)
-            if (spelled := spelling(self.values)) != "stroke":
-                self.sources["stroke"] = self.sources.pop(spelled)
+            self.sources["stroke"] = self.sources[spelled]
+            if is_given(self.values.get("time_ratio")):
+                self.sources["rod"] = self.sources[spelled]
         self.values = dict(command.settled(self.values))
         return spelled
 

@@ -175,9 +175,9 @@ def _params() -> list[click.Parameter]:
     ]  # fmt: skip
     order = (
         "ratio", "columns", "over", *Diagram.__annotations__, *Wheeled.__annotations__, "method", "from",
-        "to", "step", "offset", "stroke", "crank", "rod", "speed", "force", "mechanism", "rocker", "pivot",
-        "circuit", "beam", *STEAM, "cranks", "cylinder", "of", "bore", "pressure", *MASSES, *LYING, *RODS,
-        *RUBBING,
+        "to", "step", "offset", "stroke", "crank", "true_stroke", "time_ratio", "rod", "speed", "force",
+        "mechanism", "rocker", "pivot", "circuit", "beam", *STEAM, "cranks", "cylinder", "of", "bore",
+        "pressure", *MASSES, *LYING, *RODS, *RUBBING,
     )  # fmt: skip
     return [
         machine_option(), own["positions"], *flags, *(own[name] for name in order), *output,

@@ -37,8 +37,8 @@ ONLY_MASSES = ("stroke", "bore", "pressure")
 WITH_MASSES = "with masses the power follows from pressure, bore, stroke and speed; leave --power out"
 ORDER = (
     "ratio back exponent clearance card other_side single_acting cranks method reciprocating rod_mass centre"
-    " gyration rod_file vertical slope gravity friction stroke crank rod bore pressure piston_rod tail_rod"
-    " offset mechanism rocker pivot circuit beam rocker_inertia"
+    " gyration rod_file vertical slope gravity friction stroke crank true_stroke time_ratio rod"
+    " bore pressure piston_rod tail_rod offset mechanism rocker pivot circuit beam rocker_inertia"
 )
 # Pages of an engine, and those of one with its flywheel.
 DELTA = ("irregularity", "strokes", "evenness", "compressor", "pump", "gas cycle", "cylinders")

@@ -99,7 +99,8 @@ def some(drives: Sequence[Any]) -> Sequence[Any]:
 
 @makes_table(
     foreign=of_other_mechanisms,
-    order="angle from_ to step columns offset stroke crank rod method speed acceleration mechanism"
+    order="angle from_ to step columns offset stroke crank true_stroke"
+    " time_ratio rod method speed acceleration mechanism"
     " rocker pivot circuit beam",
 )
 def table(
@@ -202,7 +203,8 @@ class Turned(option.Linked, option.Sheet, total=False):
 @makes_table(
     foreign=_no_dead_centres,
     needless=_lone_length,
-    order="ratio exact mechanism offset rocker pivot circuit stroke crank rod speed columns",
+    order="ratio exact mechanism offset rocker pivot circuit stroke crank true_stroke"
+    " time_ratio rod speed columns",
 )
 def dead_centres_table(
     beam: Annotated[

@@ -193,6 +193,22 @@ class Slide(TypedDict, total=False):
     ]
     stroke: Stroke
     crank: Crank
+    true_stroke: Annotated[
+        Exact | None,
+        Option(
+            "Way of the piston, in place of --stroke; of an offset crank R follows from it, with --rod or"
+            " --ratio: 600mm.",
+            "LENGTH", unit="m",
+        ),
+    ]  # fmt: skip
+    time_ratio: Annotated[
+        Exact | None,
+        Option(
+            "With --true-stroke and --offset as a length: time of the outstroke over that of the return, from"
+            " which R and L follow: 1.2.",
+            "Q",
+        ),
+    ]  # fmt: skip
     rod: Rod
 
 

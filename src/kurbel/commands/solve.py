@@ -88,7 +88,8 @@ class Drives(
 @makes_table(
     foreign=_of_drives,
     needless=_needless,
-    order="ratio columns offset stroke crank rod method speed mechanism rocker pivot circuit beam force"
+    order="ratio columns offset stroke crank true_stroke"
+    " time_ratio rod method speed mechanism rocker pivot circuit beam force"
     " eps back exponent clearance card other_side single_acting cranks bore pressure"
     " reciprocating rod_mass centre gyration rod_file rotating rocker_inertia vertical slope"
     " gravity",

@@ -29,7 +29,7 @@ _MARK = r"(?<=[\d. *·/])(?:%s)(?![A-Za-z])"
 _IMPERIAL = re.compile(_MARK % "in|inch|inches|ft|foot|feet|lb|lbs|lbf|psi|hp")
 _METRIC = re.compile(_MARK % "[cdkmµ]?m|[km]?g|t|[kM]?N|[hkM]?Pa|m?bar|atm?|[kM]?W|PS|[kM]?J|kp|kgf")
 # Options that stand for another, the stroke.
-SPELLED = ("crank",)
+SPELLED = ("crank", "true_stroke", "time_ratio")
 
 
 def spelling(values: Mapping[str, Any]) -> str:

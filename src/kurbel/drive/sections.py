@@ -66,6 +66,8 @@ class Crank(Section):
     crank: Annotated[One | None, about('or crank radius R, such as "300mm"')] = field(
         name="radius", default=None
     )
+    true_stroke: Annotated[One | None, about("or the way of the piston of an offset crank")] = None
+    time_ratio: Annotated[One | None, about("with that, the time of the outstroke over the return's")] = None
     rod: Annotated[One | None, about('length of the rod, such as "1500mm"')] = None
     speed: Annotated[One | None, about('speed, such as "120/min"')] = None
     offset: Annotated[One | None, about("offset e as a share of R, or a length")] = None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from fractions import Fraction
 from typing import Any
 
 from kurbel.errors import ProblemError
@@ -10,16 +11,37 @@ from kurbel.exact.numerals import about, exact_text
 from kurbel.reading.given import Exact, as_fraction, as_length
 from kurbel.reading.units import split
 
+# An irrational crank radius is told to more places than these.
+NEAR = Fraction(1, 10**30)
+
 
 def in_strokes(given: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the options with the stroke 2R that the crank radius makes, in the unit of that, without it.
+    """Return the options with the stroke 2R that another option makes in place of that: the crank radius, in
+    its unit, or the true stroke, with the rod where the time ratio makes it.
 
     Raises ProblemError where a stroke is given, too, and is another one.
     """
-    left = {name: value for name, value in given.items() if name != "crank"}
-    crank, stroke = given.get("crank"), given.get("stroke")
-    if crank is None:
+    others = ("crank", "true_stroke", "time_ratio")
+    left = {name: value for name, value in given.items() if name not in others}
+    if (crank := given.get("crank")) is not None:
+        left["stroke"] = _agreed(given.get("stroke"), crank)
+    if given.get("true_stroke") is None:
+        if given.get("time_ratio") is not None:
+            raise ProblemError("--time-ratio makes the crank and the rod of the stroke; add --true-stroke")
         return left
+    from kurbel.drive.true_stroke import found
+
+    radius, rod = found(given)
+    if (stroke := left.get("stroke")) is not None and abs(as_length(stroke, "stroke") / radius - 2) > NEAR:
+        raise ProblemError(
+            f"the stroke 2R is {_shown(stroke)}, and the true stroke {_shown(given['true_stroke'])} takes one"
+            f" of {about(2 * radius)} m; leave one of the two out"
+        )
+    return {**left, "stroke": 2 * radius, **({} if rod is None else {"rod": rod})}
+
+
+def _agreed(stroke: Exact | None, crank: Exact) -> Exact:
+    """Return the stroke that the crank radius makes, if no other one is given."""
     radius = as_length(crank, "crank radius")
     if radius <= 0:
         raise ProblemError(f"the crank radius is {about(radius)} m; it must be above 0")
@@ -28,7 +50,7 @@ def in_strokes(given: Mapping[str, Any]) -> dict[str, Any]:
             f"the stroke 2R is {_shown(stroke)} and the crank R is {_shown(crank)}, which makes a stroke of"
             f" {_shown(_doubled(crank))}; leave one of the two out"
         )
-    return {**left, "stroke": _doubled(crank)}
+    return _doubled(crank)
 
 
 def _doubled(length: Exact) -> Exact:

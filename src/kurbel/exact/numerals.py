@@ -13,6 +13,7 @@ MOST_DIGITS = 50
 FIGURES = 5
 # What is longer is written as a fraction.
 LONGEST_EXACT = 60
+LONGEST_RATIO = 30
 
 DECIMALS = {"comma": ",", "point": "."}
 DECIMAL_OF_LANGUAGE = {"de": "comma", "en": "point"}
@@ -85,6 +86,9 @@ def ratio_text(value: Fraction, mark: str = ".") -> str:
     """Return the ratio as books print it: 1:5, 1:4.5, 3:7, 1:∞."""
     if not value:
         return "1:∞"
+    if max(value.numerator, value.denominator) > 10**LONGEST_RATIO:
+        # That of a crank which is known by its decimals.
+        return f"1:{number_text(nearest(1 / value, 4), mark)}"
     if finite_decimals(1 / value) is not None:
         return f"1:{plain(1 / value, mark)}"
     return f"{value.numerator}:{value.denominator}"

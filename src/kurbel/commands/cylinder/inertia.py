@@ -62,7 +62,8 @@ def _at_rest(values: Mapping[str, Any]) -> Mapping[str, str]:
 @makes_table(
     foreign=_of_rods,
     needless=_at_rest,
-    order="angle from_ to step columns offset stroke crank rod mechanism rocker pivot circuit beam"
+    order="angle from_ to step columns offset stroke crank true_stroke"
+    " time_ratio rod mechanism rocker pivot circuit beam"
     " rod_mass centre gyration rod_file speed acceleration method",
 )
 def inertia_table(

@@ -46,7 +46,8 @@ class Piston(option.AnyDrive, option.Cylinder, option.MovingRod, option.Sheet, t
     foreign=_foreign,
     needless=for_masses("speed"),
     order="eps back exponent clearance card other_side single_acting bore pressure ratio mechanism"
-    " offset rocker pivot circuit beam stroke crank rod speed reciprocating rod_mass centre"
+    " offset rocker pivot circuit beam stroke crank true_stroke"
+    " time_ratio rod speed reciprocating rod_mass centre"
     " gyration rod_file shares angle columns",
 )
 def pressures_table(

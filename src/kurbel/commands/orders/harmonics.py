@@ -11,7 +11,7 @@ from kurbel.commands.cylinder.slope import Lying
 from kurbel.commands.machines import engine_of, weightless
 from kurbel.commands.motion import sheet_of
 from kurbel.commands.options import Choice, Count, Option, is_given
-from kurbel.commands.subject import makes_table
+from kurbel.commands.subject import SPELLED, makes_table
 from kurbel.drive.crank import Described
 from kurbel.errors import ProblemError
 from kurbel.page.layouts import layout, layout_of
@@ -37,7 +37,7 @@ class Driven(
 
 
 # What the motion has, too.
-_SHARED = (*option.Sheet.__annotations__, "layouts", "stroke", "crank", "rod", "offset")
+_SHARED = (*option.Sheet.__annotations__, "layouts", "stroke", *SPELLED, "rod", "offset")
 
 
 def _of_torque(values: Mapping[str, Any]) -> bool:
