@@ -6,6 +6,7 @@ import cmath
 import math
 from dataclasses import dataclass
 
+import numpy as np
 import pytest
 from cli import printed, refusal
 from hypothesis import given, settings
@@ -163,3 +164,43 @@ def test_what_vanishes_at_every_angle_is_nought_by_proof() -> None:
 )
 def test_what_contradicts_itself_or_says_nothing_is_refused(words: tuple[str, ...], sentence: str) -> None:
     assert refusal("balance", *words).startswith(sentence)
+
+
+@settings(max_examples=3, deadline=None)
+@given(engine=ENGINES, rod=st.integers(2, 6), method=st.sampled_from(["exact", "series"]))
+def test_the_greatest_is_that_of_a_fine_turn_and_is_reached_where_it_is_said(
+    engine: list[Cylinder], rod: int, method: str
+) -> None:
+    words = (
+        f"--ratio=1:{rod}", f"--cranks={';'.join(str(one.crank) for one in engine)}",
+        f"--banks={';'.join(str(one.bank) for one in engine)}", f"--method={method}",
+        f"--positions={';'.join(str(one.place) for one in engine)}",
+    )  # fmt: skip
+    shaft = np.radians(np.arange(0, 360, 0.05))
+    middle = (min(one.place for one in engine) + max(one.place for one in engine)) / 2
+    force = np.zeros(len(shaft), complex)
+    moment = np.zeros(len(shaft), complex)
+    for one in engine:
+        turned = shaft + math.radians(one.crank - one.bank)
+        swung = (np.sin(turned) / rod) ** 2
+        even = (np.cos(2 * turned) + swung * np.sin(turned) ** 2) / (1 - swung) ** 1.5
+        even = np.cos(2 * turned) if method == "series" else even
+        pushed = (np.cos(turned) + even / rod) * cmath.exp(1j * math.radians(one.bank))
+        force += pushed
+        moment += pushed * (one.place - middle)
+    rows = printed("balance", *words, "--layout=balance-greatest", "--digits=4", "--format=csv").records()
+    for row in rows:
+        if row["order"] not in ("all", "sum"):
+            continue
+        curve = abs(force if row["residual"] == "force" else moment)
+        height = float(np.max(curve))
+        assert float(row["greatest"]) == pytest.approx(height, rel=2e-6, abs=1e-4)
+        if row["greatest_phi"]:
+            there = float(np.interp(math.radians(float(row["greatest_phi"])), shaft, curve))
+            assert there == pytest.approx(height, rel=1e-5, abs=1e-4)
+
+
+def test_what_lies_half_way_at_the_greatest_is_rounded_away() -> None:
+    words = ("balance", "--engine=inline-1", "--ratio=1:4", "--layout=balance-greatest", "--format=csv")
+    rows = printed(*words, "--digits=1").records()
+    assert (rows[2]["order"], rows[2]["greatest"], rows[2]["greatest_phi"]) == ("all", "1.3", "0.0")

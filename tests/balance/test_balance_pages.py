@@ -288,7 +288,7 @@ SHARE = "it must lie within 0..1, for it is a share of the reciprocating mass"
         (("--columns", "order"), "there is no column beside the axes; add one, such as along"),
         (
             ("--layout", "harmonics"),
-            "layout harmonics is about something else; choose from balance, balance-angle",
+            "layout harmonics is about something else; choose from balance, balance-angle, balance-greatest",
         ),
         (
             ("--columns", "alog"),
@@ -322,7 +322,7 @@ def test_harmonics_that_are_not_known_are_refused() -> None:
 def test_pages_are_not_made_as_pages_of_something_else(name: str) -> None:
     with pytest.raises(KurbelError, match=f"^layout {name} is about something else; choose from "):
         kurbel.table(layout=name)
-    fitting = "balance, balance-angle"
+    fitting = "balance, balance-angle, balance-greatest"
     with pytest.raises(
         KurbelError, match=f"^layout {BEAMS[0]} is about something else; choose from {fitting}$"
     ):
@@ -332,5 +332,5 @@ def test_pages_are_not_made_as_pages_of_something_else(name: str) -> None:
 def test_every_column_of_the_balance_is_listed_with_its_command() -> None:
     lines = [line.split() for line in printed("quantities", "--lang=en").out.splitlines()]
     listed = {line[0] for line in lines if "balance" in line}
-    assert listed == {*balance_registry(), *angle_quantities()}
+    assert listed == {*balance_registry(), *angle_quantities(), "greatest_phi"}
     assert [line[-1] for line in lines if line[0] == "value"] == ["x", "c", "p"]

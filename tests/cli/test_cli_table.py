@@ -15,6 +15,7 @@ from textbook import Drive, evaluate, rounded
 from textbook import printed as digits
 
 from kurbel.balance import harmonics
+from kurbel.balance.angles.extremes import PLACE
 from kurbel.balance.angles.page import quantities as angle_quantities
 from kurbel.balance.firing_page import cylinders_registry, orders_registry
 from kurbel.balance.locomotives.quantities import quantities as locomotive_quantities
@@ -224,7 +225,7 @@ def test_quantities_are_listed_a_line_each() -> None:
     engines = [*engine_registry(), *own, *beam.registry(), *dead_centres.registry()]
     links = [*arc_registry(), *parallel_registry(), *beam_registry(), *coupled_registry()]
     firing = [*orders_registry(), *cylinders_registry()]
-    turned = [*angle_quantities(), *rotor_quantities(), *locomotive_quantities()]
+    turned = [*angle_quantities(), PLACE, *rotor_quantities(), *locomotive_quantities()]
     rods = [*inertia_registry(), *error_columns()]
     assert keys == [
         *motion, *engines, *("value" for _ in harmonics.HARMONICS), *torques(), *balance_registry(), *turned,

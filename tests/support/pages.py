@@ -73,6 +73,7 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
         "--wheel=1.8m",
         "--wheel-load=30kN",
     ),
+    "balance extremes": ("balance", "--engine=inline-3"),
     "balance at angles": ("balance", "--angle=0;60"),
     "rotor": ("rotor", *MASSES, *ANGLES, "--planes=0;300;700;1000mm", "--balance-planes=100;500mm"),
     "firing orders": ("firing",),
@@ -127,7 +128,7 @@ ENGINES = about(
 LOADED = about("compressor", "pump", "gas cycle")
 BEAMS = about("dead centres", "drive dead centres")
 BALANCES = about("harmonics", "balance")
-TURNED = about("balance at angles", "rotor", "locomotive")
+TURNED = about("balance at angles", "balance extremes", "rotor", "locomotive")
 TORQUES = about("torque", "excitation", "cylinders")
 FIRINGS = about("firing orders", "firing")
 COLLATIONS = about("collation", "formulas")
@@ -203,6 +204,7 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
         "spacing": 0.7, "gauge": 1.5, "stroke": 0.6, "reciprocating": 300, "speed": 5, "wheel": 1.8,
         "wheel_load": 30_000,
     }),
+    "balance extremes": (kurbel.balance_table, {"engine": "inline-3"}),
     "balance at angles": (kurbel.balance_table, {"angle": [0, 60]}),
     "rotor": (kurbel.rotor_table, {
         "masses": [200, 300, 400, 200], "radii": "80;70;60;80mm", "angles": [0, 45, 115, 235],

@@ -18,7 +18,7 @@ from kurbel.drive.crank import Crank
 from kurbel.exact import certify
 from kurbel.exact.figures import decimals_of
 from kurbel.exact.kind import Kind, balls, bounds
-from kurbel.exact.numerals import Number
+from kurbel.exact.numerals import Number, nearest
 from kurbel.kernel.balance import Star
 from kurbel.reading.units import Speed
 
@@ -184,8 +184,9 @@ def component(
     )
 
 
-def direction(vector: Vector, decimals: int, rounding: str = "half-away") -> Number | None:
-    """Return the direction in degrees within 0..360, correctly rounded, None where there is none.
+def direction(vector: Vector, decimals: int, rounding: str = "half-away", parts: int = 1) -> Number | None:
+    """Return the direction in degrees within 0..360, correctly rounded, None where there is none; or one of
+    so many parts of it.
 
     That a direction lies half-way between two printed ones is decided by exact arithmetic for stars; others
     are arcs of what is algebraic.
@@ -194,17 +195,17 @@ def direction(vector: Vector, decimals: int, rounding: str = "half-away") -> Num
         return None
     quarter = _quarter(vector)
     if vector.lies_along(Fraction(90 * quarter)):
-        return Number(90 * quarter * 10**decimals, decimals)
+        return nearest(Fraction(90 * quarter, parts), decimals, rounding)
 
     def value() -> Any:
         x, y = vector.point(balls())
         for _ in range(quarter):
             x, y = y, -x
         turn = 360 if not quarter and y < 0 else 90 * quarter
-        return flint.arb.atan2(y, x) * 180 / flint.arb.pi() + turn
+        return (flint.arb.atan2(y, x) * 180 / flint.arb.pi() + turn) / parts
 
     def tie_bits(boundary: Fraction) -> float:
-        return 0.0 if vector.lies_along(boundary) else inf
+        return 0.0 if vector.lies_along(boundary * parts) else inf
 
     ties = certify.NEVER_TIES if vector.rest else tie_bits
     return Number(certify.rounded(value, decimals, rounding, ties), decimals)

@@ -68,7 +68,8 @@ Banks = Annotated[
 
 NEWTONS = ("stroke", "speed")
 AT_ANGLES = "balance at angles"
-SUBJECTS = ("balance", AT_ANGLES)
+EXTREMES = "balance extremes"
+SUBJECTS = ("balance", AT_ANGLES, EXTREMES)
 
 
 class Heavy(option.MovingRod, Revolving, option.Sheet, total=False):
@@ -169,7 +170,8 @@ def balance_table(
     """Print the free forces and moments of an engine by orders.
 
     In units of m R ω²; with masses, --stroke and --speed in newtons, moments with --spacing or positions in
-    millimetres in N m. With --angle at angles of the shaft, by orders and together.
+    millimetres in N m. With --angle at angles of the shaft, by orders and together; layout
+    balance-greatest has the greatest over the turn.
 
     \b
     kurbel balance --engine inline-4 --ratio 1:4
@@ -212,6 +214,8 @@ def balance_table(
         from kurbel.balance.angles.page import AngleRequest as Asked
 
         asked["angles"] = as_angles(page.angles if angle is None else angle)
+    elif page.subject == EXTREMES:
+        from kurbel.balance.angles.extremes import ExtremesRequest as Asked  # type: ignore[assignment]
     else:
         from kurbel.balance.page import BalanceRequest as Asked  # type: ignore[assignment]
     return Asked(

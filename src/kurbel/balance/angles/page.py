@@ -114,10 +114,10 @@ class AngleRequest(BalanceRequest):
         return total, ONE
 
 
-class _LineAxis(OrderAxis):
+class LineAxis(OrderAxis):
     """The orders, and below them all together."""
 
-    def __init__(self, question: AngleRequest) -> None:
+    def __init__(self, question: Any) -> None:
         super().__init__(question)
         self._things: Sequence[Any] = question.lines
         self.size = self.count = len(question.lines)
@@ -162,7 +162,7 @@ AT_ANGLES = SUBJECT._replace(
         "ratio": SUBJECT.axes["ratio"],
         "residual": SUBJECT.axes["residual"],
         "angle": AngleAxis,
-        "order": _LineAxis,
+        "order": LineAxis,
         "column": SUBJECT.axes["column"],
     },
     axis_keys=("ratio", "residual", "phi", "order"),

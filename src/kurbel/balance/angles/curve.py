@@ -1,0 +1,155 @@
+"""The square of a free force or moment over the turn, with its slopes, in ball arithmetic.
+
+Angles are in half turns. What is proved to vanish does not stand in it, so that it is no difference of what
+is much greater.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import lru_cache
+from math import acosh, ceil, log
+from typing import Any, NamedTuple
+
+import flint
+from flint import arb, arb_series
+
+from kurbel.balance.angles.unbalanced import WEIGH
+from kurbel.balance.arrangement import Arrangement, Residual
+from kurbel.balance.harmonics import HARMONICS
+from kurbel.exact.certify import ball, ball_circle
+from kurbel.kernel.balance import Star
+
+# The value, its slope and half its second slope.
+TERMS = 3
+
+
+class Wave(NamedTuple):
+    """An order that is left: two vectors at φ = 0, without the harmonic's factor, which is on balls."""
+
+    order: int
+    residual: Residual
+    factor: Callable[[], Any]
+
+
+class Slide(NamedTuple):
+    """Cylinders that have the same angle between pin and slide, in degrees: their vectors together."""
+
+    turned: Fraction
+    star: Star
+
+
+class Parts(NamedTuple):
+    """The vectors of an order on balls, times its factor, as what cos and sin of its angle are times."""
+
+    order: int
+    of_cosine: tuple[arb, arb]
+    of_sine: tuple[arb, arb]
+
+
+@dataclass(frozen=True)
+class Curve:
+    """The orders that are left, and of an exact sum of all orders what the slides add to the first."""
+
+    waves: tuple[Wave, ...]
+    slides: tuple[Slide, ...] = ()
+    ratio: Fraction = Fraction(0)
+
+    def square(self, half_turns: arb) -> arb_series:
+        """Return |V|² and its slopes at an angle, or enclosures of them over a ball of angles."""
+        parts, tail = _parts(self, flint.ctx.prec)
+        x, y = arb_series(tail, TERMS), arb_series(tail, TERMS)
+        for part in parts:
+            turn = arb_series([half_turns * part.order, part.order], TERMS)
+            sine, cosine = turn.sin_cos_pi()
+            x = x + cosine * part.of_cosine[0] + sine * part.of_sine[0]
+            y = y + cosine * part.of_cosine[1] + sine * part.of_sine[1]
+        return x * x + y * y
+
+
+@lru_cache(maxsize=64)
+def _parts(curve: Curve, bits: int) -> tuple[tuple[Parts, ...], list[arb]]:
+    """Return the orders on balls of so many bits, and what those that are left out can come to."""
+    waves = [*curve.waves]
+    if not curve.slides:
+        return tuple(map(_on_balls, waves)), [flint.arb(0)] * TERMS
+    width = _width(curve.ratio)
+    last = 2 * ceil((bits + 16) * log(2) / (2 * width))
+    for order in range(2, last + 1, 2):
+        forward, backward = (
+            sum((one.star.turned(sign * order * one.turned) for one in curve.slides), Star()) * Fraction(1, 2)
+            for sign in (1, -1)
+        )
+        if not (forward.vanishes() and backward.vanishes()):
+            waves.append(Wave(order, Residual(forward, backward), _harmonic(order, curve.ratio)))
+    return tuple(map(_on_balls, waves)), _tail(curve, last, width)
+
+
+def _harmonic(order: int, ratio: Fraction) -> Callable[[], Any]:
+    return lambda: HARMONICS["p"].value(order, ball(ratio))
+
+
+def _on_balls(wave: Wave) -> Parts:
+    size = wave.factor()
+    f_x, f_y = wave.residual.forward.point(ball_circle, ball)
+    b_x, b_y = wave.residual.backward.point(ball_circle, ball)
+    return Parts(
+        wave.order,
+        ((f_x + b_x) * size, (f_y + b_y) * size),
+        ((b_y - f_y) * size, (f_x - b_x) * size),
+    )
+
+
+def _width(ratio: Fraction) -> float:
+    """Return a width of the strip about the real angles in which the piston acceleration is analytic.
+
+    It is so up to arcosh(1/λ), where λ sin θ = 1; a part of that bounds it well.
+    """
+    return 0.8 * acosh(1 / float(ratio))
+
+
+def _tail(curve: Curve, last: int, width: float) -> list[arb]:
+    """Return balls about 0 that enclose what the orders above the last add to x or y, and to the slopes.
+
+    With θ = u + i w it is |sin θ| <= cosh w and |cos 2θ| <= cosh 2w, and |B_k| is at most twice the bound of
+    the even part there times exp(-k w) (Cauchy). Re-derived.
+    """
+    w, ratio = flint.arb(width), ball(curve.ratio)
+    square = (ratio * w.cosh()) ** 2
+    bound = ratio * ((2 * w).cosh() + square * w.cosh() ** 2) / (1 - square) ** flint.arb(1.5)
+    lengths = sum((abs(length) for one in curve.slides for _, length in one.star.rays), Fraction(0))
+    first, decay = last + 2, (-2 * w).exp()
+    # Two more orders j times have at most (1 + j)² of what the first has by its slopes.
+    all_orders = 2 * bound * ball(lengths) * (-first * w).exp() * 2 / (1 - decay) ** 3
+    slope = flint.arb.pi() * first
+    sizes = (all_orders, all_orders * slope, all_orders * slope * slope / 2)
+    return [flint.arb(0).union(size).union(-size) for size in sizes]
+
+
+def slides_of(arrangement: Arrangement, residual: str) -> tuple[Slide, ...]:
+    """Return the cylinders of an arrangement by their angles between pin and slide.
+
+    What they add to the first order has a period of half a turn; what vanishes of it is left out.
+    """
+    stars: dict[Fraction, Star] = {}
+    for one in arrangement.cylinders:
+        turned = (one.crank - one.bank) % 180
+        ray = Star.ray(one.bank, one.mass * WEIGH[residual](one))
+        stars[turned] = stars.get(turned, Star()) + ray
+    return tuple(Slide(turned, star) for turned, star in sorted(stars.items()) if not star.vanishes())
+
+
+def left(residuals: Sequence[tuple[int, Residual, Callable[[], Any]]]) -> tuple[Wave, ...]:
+    """Return the orders that do not vanish."""
+    return tuple(
+        Wave(order, residual, factor)
+        for order, residual, factor in residuals
+        if not (residual.forward.vanishes() and residual.backward.vanishes())
+    )
+
+
+def midpoint(value: arb) -> arb:
+    """Return the ball's middle alone."""
+    return flint.arb(value.mid())
