@@ -116,12 +116,13 @@ def by_time_ratio(stroke: Fraction, offset: Offset, ratio: Fraction) -> tuple[Fr
         )
     tangent = _tangent(90 * (ratio - 1) / (ratio + 1))
     half, area = stroke**2 / 4, stroke * offset.metres / 2
-    if half <= area * tangent:
+    crank, rod = half - area * tangent, half + area / tangent
+    if crank <= 0 or 16 * crank * rod < stroke**4:
         raise ProblemError(
             f"no crank makes a stroke of {about(stroke)} m with this offset and time ratio; the time ratio"
             " must be nearer to 1, or the offset smaller"
         )
-    return root(half - area * tangent), root(half + area / tangent)
+    return root(crank), root(rod)
 
 
 def root(square: Fraction) -> Fraction:
