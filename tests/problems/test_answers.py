@@ -15,7 +15,9 @@ from places import ROOT
 from problem_answers import SOLUTIONS, Rows, in_si
 from random_problems import compare
 
+from kurbel.documents.markdown import parse_prose
 from kurbel.handbook.problems import problems_of
+from kurbel.page.layouts import LANGUAGES
 
 FOLDER = ROOT / "examples" / "problems"
 FILES = {path.stem: path for path in sorted(FOLDER.glob("*.toml")) if path.stem not in ("handbook", "sheet")}
@@ -47,3 +49,21 @@ def values_of(path: Path, name: str, variant: int) -> dict[str, str]:
 def test_every_problem_is_solved_and_no_name_stands_twice() -> None:
     names = [problem.name for path in FILES.values() for problem in problems_of(str(path), "de")]
     assert sorted(names) == sorted(SOLUTIONS)
+
+
+@pytest.mark.parametrize("lang", LANGUAGES)
+@pytest.mark.parametrize("file", FILES)
+def test_the_texts_of_every_problem_can_be_set(file: str, lang: str) -> None:
+    for problem in problems_of(str(FILES[file]), lang, 2):
+        for text in (problem.posed, problem.solved):
+            parse_prose(text)
+
+
+def test_the_book_has_every_file_in_both_languages() -> None:
+    manifest = tomllib.loads((FOLDER / "handbook.toml").read_text(encoding="utf-8"))
+    found = {
+        (chapter.get("lang", manifest["lang"]), part["problems"])
+        for chapter in manifest["chapter"]
+        for part in chapter["part"]
+    }
+    assert found == {(lang, path.name) for path in FILES.values() for lang in LANGUAGES}

@@ -114,3 +114,21 @@ def three_cranks(points: str, speed: mpf, mass: mpf, radius: mpf) -> Rows:
 def load_over_three_turns(points: str, speed: mpf, mass: mpf, radius: mpf) -> Rows:
     mean, _, swing = swing_of_points(points_of(points))
     return [{"power": mean * speed, **range_of(mass * radius**2, swing, speed)}]
+
+
+@solution
+def four_strokes(areas: str, scale: mpf, speed: mpf, delta: mpf) -> Rows:
+    works = [mpf(area) * scale for area in areas.split(";")]
+    mean = sum(works) / (4 * pi)
+    peak = 2 * works[2] / pi
+    # The part above the line has the height peak − mean, and a width in the same ratio.
+    swing = works[2] * ((peak - mean) / peak) ** 2
+    inertia = wheel(swing, speed, delta)["inertia"]
+    return [{"mean_torque": mean, "power": mean * speed, "swing": swing, "inertia": inertia}]
+
+
+@solution
+def acceleration_of_the_shaft(torque: str, load: str, inertia: mpf, speed: mpf, angle: mpf) -> Rows:
+    excess = formula(torque)(radians(angle)) - formula(load)(radians(angle))
+    assert speed > 0
+    return [{"excess_torque": excess, "angular_acceleration": excess / inertia}]
