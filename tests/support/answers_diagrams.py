@@ -16,15 +16,15 @@ Points = Sequence[tuple[mpf, mpf]]
 
 def formula(text: str) -> Torque:
     """A sum such as 500 + 200 sin(2φ) − 90 cos(3φ) as a function of φ in radians."""
-    terms = re.findall(r"([+-]?)\s*(\d+)(?:\s*(sin|cos)\((\d*)φ\))?", text)
-    assert terms, text
+    found = re.findall(r"([+-]?)\s*(\d+)(?:\s*(sin|cos)\((\d*)φ\))?", text)
+    assert found, text
+    waves: dict[str, Torque] = {"sin": sin, "cos": cos, "": lambda _: mpf(1)}
+    terms = [
+        (mpf(f"{sign}{size}"), waves[function], int(order or 1)) for sign, size, function, order in found
+    ]
 
     def torque(phi: mpf) -> mpf:
-        whole = mpf(0)
-        for sign, size, function, order in terms:
-            value = {"": 1, "sin": sin(int(order or 1) * phi), "cos": cos(int(order or 1) * phi)}[function]
-            whole += (-1 if sign == "-" else 1) * mpf(size) * value
-        return whole
+        return sum((size * wave(order * phi) for size, wave, order in terms), mpf(0))
 
     return torque
 
@@ -32,10 +32,11 @@ def formula(text: str) -> Torque:
 def swing_of(excess: Torque) -> mpf:
     """How far the integral of an excess torque varies over a turn, by its roots."""
     steps = [2 * pi * step / 120 + mpf("1e-9") for step in range(121)]
+    signs = [excess(step) > 0 for step in steps]
     roots = [
         findroot(excess, ends, solver="anderson")
-        for ends in pairwise(steps)
-        if excess(ends[0]) * excess(ends[1]) < 0
+        for ends, (before, after) in zip(pairwise(steps), pairwise(signs), strict=True)
+        if before != after
     ]
     energies = list(accumulate((quad(excess, list(ends)) for ends in pairwise(roots)), initial=mpf(0)))
     return max(energies) - min(energies)
