@@ -768,8 +768,8 @@ def test_flywheels_of_several_engines_are_told_apart() -> None:
 
 
 def test_every_quantity_of_an_engine_is_listed_with_its_command() -> None:
-    # The linkages have forces of the same keys, a flywheel's speed, each cylinder, flywheels and diagrams
-    # without an engine those of their tasks.
+    # The linkages have forces of the same keys, a flywheel's speed, each cylinder, the power, flywheels and
+    # diagrams without an engine those of their tasks.
     listed = printed("quantities").out.splitlines()
     others = (
         "--mechanism",
@@ -778,6 +778,7 @@ def test_every_quantity_of_an_engine_is_listed_with_its_command() -> None:
         "--layout flywheel-sizing",
         "--torque",
         "--areas",
+        " power",
     )
     lines = [line.split() for line in listed if not any(other in line for other in others)]
     commands = {words[0]: next(word for word in words[1:] if word in COMMANDS) for words in lines}

@@ -220,7 +220,7 @@ def test_quantities_are_listed_a_line_each() -> None:
     lines = printed("quantities").out.splitlines()
     keys = [line.split()[0] for line in lines]
     motion = ["ratio", "phi", *registry()]
-    loaded = ("cylinders", "torques", "areas", "speed", "evenness", "rod load", "pressures")
+    loaded = ("cylinders", "power", "torques", "areas", "speed", "evenness", "rod load", "pressures")
     own = [one.key for key in loaded for one, _ in subject(key).entries()]
     engines = [*engine_registry(), *own, *beam.registry(), *dead_centres.registry()]
     links = [*arc_registry(), *parallel_registry(), *beam_registry(), *coupled_registry()]

@@ -91,12 +91,13 @@ def _about(values: Mapping[str, Any]) -> str:
     subject = layout(values["layout"], values["layouts"]).subject if values["layout"] else ""
     if values["at"] is not None or subject == "tangent":
         return "tangent"
-    engine = loads.named(values) or is_given(values["of"])
-    return "engine" if engine and subject not in OF_DRIVES else "piston"
+    return "engine" if loads.named(values) and subject not in OF_DRIVES else "piston"
 
 
 def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
     lone = {} if is_given(values["axles"]) else _refused(("driven",), "is for coupled axles; add --axles 3")
+    if not loads.named(values):
+        lone |= _refused(("of",), "names one of several cylinders; add each as --cylinder, or leave it out")
     return {**lone, **_of_case(values)}
 
 

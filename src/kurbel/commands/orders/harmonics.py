@@ -9,7 +9,7 @@ from kurbel.commands.balance import Method, Ratios
 from kurbel.commands.cylinder.effort import Rods, Rubbing
 from kurbel.commands.cylinder.slope import Lying
 from kurbel.commands.machines import engine_of, weightless
-from kurbel.commands.motion import sheet_of
+from kurbel.commands.motion import meant, of_other_mechanisms, sheet_of
 from kurbel.commands.options import Choice, Count, Option, is_given
 from kurbel.commands.subject import SPELLED, makes_table
 from kurbel.drive.crank import Described
@@ -49,7 +49,7 @@ def _of_torque(values: Mapping[str, Any]) -> bool:
 
 def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
     if _of_torque(values):
-        return {}
+        return of_other_mechanisms(values, meant(values, layout=None), ("stroke", "speed", "method"))
     names = (*(name for name in Driven.__annotations__ if name not in _SHARED), "columns")
     return {
         name: f"--{name.replace('_', '-')} is for the harmonics of the torque; add --quantity torque"
