@@ -53,7 +53,7 @@ def solution(solve: Callable[..., Rows]) -> Callable[..., Rows]:
 def in_si(value: str) -> mpf | list[mpf]:
     """Return a value as problems have it: '1.5 kN', '20%', '1/3', '1:4' as a ratio, '1;2' as a list."""
     if ";" in value:
-        return [one for part in value.split(";") if isinstance(one := in_si(part), mpf)]
+        return [one for part in value.split(";") if isinstance(one := in_si(part.strip()), mpf)]
     if ":" in value:
         first, second = value.split(":")
         return mpf(first) / mpf(second)

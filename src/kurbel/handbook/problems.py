@@ -157,7 +157,7 @@ def printed(value: str, mark: str) -> str:
     """Return a value as texts have it: with their decimal mark, m² for m2, and its unit on its line."""
     marked = re.sub(r"(?<=\d)\.(?=\d)", mark, value)
     raised = re.sub(r"(?<=[a-z])[23](?!\d)", lambda power: _RAISED[power[0]], marked)
-    return raised.replace(" ", "\N{NO-BREAK SPACE}")
+    return re.sub(r"(?<=\d) (?=[^\W\d])", "\N{NO-BREAK SPACE}", raised)
 
 
 _RAISED = {"2": "²", "3": "³"}
