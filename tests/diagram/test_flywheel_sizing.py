@@ -80,6 +80,32 @@ def test_a_press_between_two_speeds_gives_motor_and_flywheel() -> None:
     agree(slow, strokes=mpf(20))
 
 
+def test_a_stroke_that_takes_its_time_leaves_the_flywheel_what_the_motor_does_not_give() -> None:
+    found = figures(
+        "--power 3kW --work 10kJ --duration 1s --greatest-speed 300/min --mass 150kg --radius 0.6m"
+    )
+    # In that second the motor gives 3 kJ; 10 kJ take it 10/3 s.
+    low = mp.sqrt(rate(300) ** 2 - 2 * mpf(7000) / 54)
+    agree(found, strokes=mpf(18), swing=mpf(7000), least_speed=low * 30 / mp.pi)
+    both = figures("--work 10kJ --share 1/4 --duration 1.5s --speed 200..225/min")
+    agree(both, strokes=mpf(10), power=mpf(10_000) / 6, swing=mpf(7500))
+
+
+def test_a_hole_has_the_work_of_its_sheared_area() -> None:
+    press = "--strokes 6/min --duration 1.5s --speed 200..225/min"
+    found = figures(f"--shear-energy 7J/mm² {press} --efficiency 80%", "--hole", "38mm x 32mm")
+    work = mp.pi * 38 * 32 * 7
+    agree(found, work=work, power=work / 10, motor_power=work / 8, swing=work * mpf("0.85"))
+    # The force falls from π d t τ to 0 as the punch goes through.
+    found = figures(f"--shear-strength 300MPa {press}", "--hole", "25mm × 18mm")
+    agree(found, work=mp.pi * 25 * 18 * 300 * mpf("0.018") / 2)
+    slow = figures(
+        "--shear-energy 7J/mm² --power 2kW --duration 1.5s --speed 200..225/min", "--hole", "38mm x 32mm"
+    )
+    work = mp.pi * 38 * 32 * 7
+    agree(slow, strokes=60 * 2000 / work, swing=work - 3000)
+
+
 def test_a_rim_to_its_hoop_stress_has_the_share_of_the_inertia() -> None:
     words = "--swing 56kJ --speed 120/min --delta 1:60 --density 7200kg/m³ --rim-section 2:1 --rim-share 92%"
     found = figures(words, "--hoop-stress", "6MPa")
@@ -143,8 +169,8 @@ positive = st.fractions(F(1, 50), 100, max_denominator=50)
 @settings(deadline=None, max_examples=10)
 @given(st.data())
 def test_every_figure_follows_from_the_others_as_it_was(data: st.DataObject) -> None:
-    names = ("swing", "omega", "delta", "radius", "work", "cycles", "density", "rim_diameter", "rim_share",
-             "proportion")  # fmt: skip
+    energies, wheel = ("efficiency", "swing", "work", "cycles"), ("omega", "delta", "radius")
+    names = (*energies, *wheel, "density", "rim_diameter", "rim_share", "proportion")
     one = {name: Product.of(data.draw(positive), data.draw(st.integers(-1, 1))) for name in names}
     one["delta"] = Product.of(data.draw(st.fractions(F(1, 1000), F(3, 2), max_denominator=1000)))
     all_known = completed({name: Known(value, ()) for name, value in one.items()})
@@ -199,6 +225,15 @@ REFUSED = [
      "--swing is of a flywheel without an engine, and one is described; leave one of the two out"),
     ("--eps 2;4 --power 50kW --speed 120/min --delta 1:100 --rim-diameter 3m",
      "a rim is that of one engine by one method; 2 engines were given"),
+    ("--work 5kJ --power 6kW --duration 1s",
+     "a stroke takes 1 s and comes again after 0.83333 s; it must take less than that"),
+    ("--work 5kJ --duration 1s",
+     "--duration is a share of the time between two strokes; add --strokes, or --power and --work"),
+    ("--hole 38mm --shear-energy 7J/mm²",
+     'hole "38mm" is not a diameter and the thickness of the plate, 38mm x 32mm'),
+    ("--hole 38mm×32mm",
+     "--hole needs the energy of the sheared area, --shear-energy 7J/mm², or the strength of the plate,"
+     " --shear-strength 300MPa; give one of the two"),
     ("--share 1 --work 5kJ",
      "the share of the cycle in which the press works is 1; it must be 0 or more, for a blow, and below 1, at"
      " which the motor does all the work at once"),

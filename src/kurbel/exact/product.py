@@ -158,11 +158,5 @@ def _reduced(base: Fraction, root: int) -> tuple[Fraction, int]:
 
 def _exact_root(value: int, degree: int) -> int | None:
     """Return the whole root of a number, None if it has none."""
-    low, high = 1, 1 << -(-value.bit_length() // degree)
-    while low <= high:
-        middle = (low + high) // 2
-        power = middle**degree
-        if power == value:
-            return middle
-        low, high = (middle + 1, high) if power < value else (low, middle - 1)
-    return None
+    root = int(flint.fmpz(value).root(degree))
+    return root if root**degree == value else None

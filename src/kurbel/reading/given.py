@@ -196,6 +196,7 @@ as_density = _measured("density")
 as_energy = _measured("energy")
 as_stress = _measured("stress")
 as_area = _measured("area")
+as_energy_an_area = _measured("energy_an_area")
 
 
 def as_share_or_pressure(value: Exact, what: str, whole: Exact | None) -> Fraction:

@@ -78,6 +78,7 @@ KNOWN: Mapping[str, Mapping[str, Fraction]] = {
         **_scaled({"kg/m/m/m": 1, "t/m/m/m": 1000, "g/cm/cm/cm": 1000, "kg/dm/dm/dm": 1000}),
         "lb/in/in/in": POUND / INCH**3, "lb/ft/ft/ft": POUND / FOOT**3,
     },
+    "[force]/[length]": _scaled({"J/mm/mm": 10**6, "J/cm/cm": 10**4, "J/m/m": 1}),
     "[length]**2": {
         **_scaled({"m*m": 1, "cm*cm": "1/10000", "mm*mm": "1/1000000"}), "in*in": INCH**2,
     },
@@ -150,6 +151,8 @@ density = Measure("a density such as 4.2 kg/m³", "[mass]/[length]**3", "kg/m**3
 pressure = Measure("a pressure such as 1bar", "[pressure]", "Pa")
 # "6MPa", "6 N/mm²"
 stress = Measure("a stress such as 6MPa", "[pressure]", "Pa", 10**12)
+# "7J/mm²"
+energy_an_area = Measure("an energy of an area such as 7J/mm²", "[force]/[length]", "J/m**2", 10**12)
 # "800cm²"
 area = Measure("an area such as 800cm²", "[length]**2", "m**2", _LARGEST)
 

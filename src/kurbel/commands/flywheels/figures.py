@@ -64,26 +64,13 @@ def figures_of(given: Mapping[str, Any], names: Collection[str] = ()) -> Iterato
 def _all(given: Mapping[str, Any]) -> Iterator[tuple[str, Product, str]]:
     for option, (figure, name, unit, read) in _PLAIN.items():
         if given[option] is not None:
+            # What a motor gives is more than what the press takes.
+            figure = "motor" if option == "power" and given["efficiency"] is not None else figure
             yield figure, _above_zero(read(given[option], name), name, unit), option
     for option, figure, value in _speeds(given):
         yield figure, value, option
-    if given["strokes"] is not None:
-        yield "cycles", _strokes(given["strokes"]), "strokes"
-    if given["share"] is not None:
-        yield "energy_fluctuation", Product.of(1 - share_of(given)), "share"
     for figure, value in _section(given["rim_section"]):
         yield figure, value, "rim_section"
-
-
-def share_of(given: Mapping[str, Any]) -> Fraction:
-    """Return the share of a cycle in which a press works."""
-    share = as_share(given["share"], "share of the cycle")
-    if not 0 <= share < 1:
-        raise ProblemError(
-            f"the share of the cycle in which the press works is {about(share)}; it must be 0 or more, for a"
-            " blow, and below 1, at which the motor does all the work at once"
-        )
-    return share
 
 
 def _above_zero(value: Fraction, name: str, unit: str) -> Product:
@@ -113,13 +100,6 @@ def omega_of(speed: Any) -> Product:
     """Return ω in 1/s of a speed of rotation."""
     turns = as_speed(speed)
     return Product.of(2 * turns.value, 1) if turns.turns else Product.of(turns.value)
-
-
-def _strokes(given: Any) -> Product:
-    turns = as_speed(given)
-    if not turns.turns:
-        raise NotationError(f"the strokes are {given}; they count a minute or a second, as 30/min")
-    return Product.of(turns.value)
 
 
 def _section(given: Any) -> Iterator[tuple[str, Product]]:

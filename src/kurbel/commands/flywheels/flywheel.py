@@ -6,7 +6,7 @@ from typing import Annotated, Any, Unpack
 from kurbel.commands import parameters as option
 from kurbel.commands.diagram.given import Diagram, is_diagram
 from kurbel.commands.engine import ORDER
-from kurbel.commands.flywheels.options import Body, Rim, Swing, Wheel
+from kurbel.commands.flywheels.options import Body, Press, Rim, Swing, Wheel
 from kurbel.commands.loads import OWN
 from kurbel.commands.machines import EXAMPLE, engine_of, for_masses, is_heavy, weightless
 from kurbel.commands.motion import meant, of_other_mechanisms, sheet_of
@@ -22,7 +22,7 @@ WITH_MASSES = "with masses the power follows from pressure, bore, stroke and spe
 # What a page without forces takes for the masses' sake alone.
 ONLY_MASSES = ("stroke", "bore", "pressure")
 # What an engine's flywheel is not given by, and of this what says nothing by itself.
-_OWN = (*Diagram.__annotations__, *Swing.__annotations__, *Body.__annotations__, *Rim.__annotations__)
+_OWN = tuple(name for group in (Diagram, Swing, Press, Body, Rim) for name in group.__annotations__)
 _FURTHER = ("turns", "area_scale")
 
 
@@ -108,6 +108,7 @@ def flywheel_table(
     kurbel flywheel --power 300kW --speed 90/min --energy-fluctuation 0.1 --delta ±0.5% --radius 2m
     kurbel flywheel --torque '5000 + 1500 sin(3φ)' --speed 300/min --inertia 200kgm2
     kurbel flywheel --areas '+52;-124;+72' --area-scale '500 N m; 6°' --speed 600/min --delta ±1.5%
+    kurbel flywheel --power 3kW --work 10kJ --duration 1s --greatest-speed 300/min --mass 150kg --radius 0.6m
     kurbel flywheel --work 10kJ --strokes 30/min --share 1/4 --speed 200..225/min --radius 0.5m
     kurbel flywheel --swing 56kJ --speed 120/min --delta 1:60 --rim-diameter 3m --density 7200kg/m³
     \f

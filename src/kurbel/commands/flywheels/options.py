@@ -19,8 +19,35 @@ class Swing(TypedDict, total=False):
         One, Option("The same as a share of the work of a cycle: 0.1, 10%.", "SHARE")
     ]
     work: Annotated[One, Option("Work of a cycle, of a press that of a stroke: 10kJ.", "ENERGY", unit="J")]
+
+
+class Press(TypedDict, total=False):
+    """A press, between whose strokes the motor makes good what they took of the flywheel."""
+
     strokes: Annotated[One, Option("Press: working strokes, 30/min.", "SPEED", unit="strokes a second")]
     share: Annotated[One, Option("Press: share of the cycle in which it works, 1/4; 0 for a blow.", "SHARE")]
+    duration: Annotated[
+        One, Option("Press: how long a stroke takes, in place of the share: 1s.", "TIME", unit="s")
+    ]
+    hole: Annotated[
+        One,
+        Option(
+            "Press: diameter of the hole and thickness of the plate, whose work it does: '38mm x 32mm'.",
+            "SIZES",
+        ),
+    ]
+    shear_energy: Annotated[
+        One, Option("Press: energy of a sheared area, for --hole: 7J/mm².", "ENERGY", unit="J/m²")
+    ]
+    shear_strength: Annotated[
+        One,
+        Option(
+            "Press: strength of the plate, for --hole, whose work is ½ π d t² τ: 300MPa.", "STRESS", unit="Pa"
+        ),
+    ]
+    efficiency: Annotated[
+        One, Option("Press: efficiency from the motor, whose power is --power: 95%.", "SHARE")
+    ]
 
 
 class Body(TypedDict, total=False):
@@ -66,5 +93,5 @@ class Rim(TypedDict, total=False):
     disc_thickness: Annotated[One, Option("Solid disc: its thickness, 80mm.", "LENGTH", unit="m")]
 
 
-class Wheel(Diagram, Swing, Body, Rim, total=False):
+class Wheel(Diagram, Swing, Press, Body, Rim, total=False):
     """A flywheel without an engine."""

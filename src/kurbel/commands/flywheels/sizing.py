@@ -6,7 +6,8 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from kurbel.commands.diagram.given import fluctuation_of, is_diagram
-from kurbel.commands.flywheels.figures import figures_of, share_of
+from kurbel.commands.flywheels.figures import figures_of
+from kurbel.commands.flywheels.press import press_of, share_of
 from kurbel.commands.options import is_given
 from kurbel.diagram.areas import Areas
 from kurbel.diagram.fluctuation import Fluctuation
@@ -28,7 +29,12 @@ def wheels_of(given: Mapping[str, Any], page: Layout, sheet: Mapping[str, Any]) 
     diagram = fluctuation_of(given) if is_diagram(given) else None
     # The turns of a diagram are those of its cycle, which a load may make longer.
     described = {**given, "turns": None} if diagram else given
-    figures = gathered((*figures_of(described), *(_of_diagram(diagram) if diagram else ())))
+    of_diagram = _of_diagram(diagram) if diagram else ()
+    figures = gathered((*figures_of(described), *press_of(given), *of_diagram))
+    share = share_of(given, figures)
+    if share is not None:
+        swing = Known(share.rest, (share.option,))
+        figures = gathered((*figures.items(), ("energy_fluctuation", swing)))
     limit = figures.pop("hoop_stress", None)
     targets = as_irregularities(given["delta"]) if is_given(given["delta"]) else ()
     for target in targets:
@@ -42,7 +48,7 @@ def wheels_of(given: Mapping[str, Any], page: Layout, sheet: Mapping[str, Any]) 
         targets=tuple(targets),
         known_from=_source(given),
         fluctuation=diagram,
-        share=None if given["share"] is None else share_of(given),
+        press=(share.working, share.rest) if share else None,
         columns=given["columns"],
         **sheet,
     )
@@ -74,7 +80,7 @@ def _source(given: Mapping[str, Any]) -> str:
         captions.AREAS: given["areas"],
         captions.TORQUE: is_diagram(given),
         captions.SWING: given["swing"],
-        captions.PRESS: given["share"],
+        captions.PRESS: given["share"] if given["duration"] is None else given["duration"],
         captions.FLUCTUATION: given["energy_fluctuation"],
     }
     return next((source for source, value in sources.items() if is_given(value)), "")

@@ -10,6 +10,7 @@ from kurbel.diagram.fluctuation import Extreme
 from kurbel.diagram.wheel.sizing import LIMIT, RIM_ALONE
 from kurbel.exact.kind import settled
 from kurbel.exact.numerals import Label, Number, finite_decimals, nearest, number_text
+from kurbel.exact.product import Product
 from kurbel.page.quantity import Words, words
 from kurbel.reading.notation import plain
 
@@ -75,6 +76,8 @@ WORDS: Mapping[str, Words] = {
 ANGLE_DECIMALS = 2
 # More places of one speed are left out.
 MOST_PLACES = 8
+# A longer fraction is written as a decimal.
+LONGEST = 9
 
 
 def caption(question: WheelRequest) -> Label:
@@ -96,8 +99,8 @@ def notes(question: WheelRequest) -> Iterator[Label]:
         yield from _places(question)
     if question.known_from in (FLUCTUATION, TORQUE) and "turns" in wheel.figures:
         yield _cycle(question)
-    if question.share is not None:
-        yield _press(question.share, lang)
+    if question.press is not None:
+        yield _press(*question.press, lang)
     if "mass" in wheel.figures and "disc_diameter" not in wheel.figures:
         yield WORDS["mass"][lang]
     yield from _rim(question)
@@ -112,11 +115,11 @@ def _cycle(question: WheelRequest) -> Label:
     return WORDS["cycle"][lang].format(turns=said[lang].format(turns=number))
 
 
-def _press(share: Fraction, lang: str) -> Label:
+def _press(working: Product | None, rest: Product, lang: str) -> Label:
     """Return what the motor gives while the press works."""
-    if not share:
+    if working is None:
         return WORDS["blow"][lang]
-    return WORDS["press"][lang].format(share=_fraction(share), rest=_fraction(1 - share))
+    return WORDS["press"][lang].format(share=_fraction(working), rest=_fraction(rest))
 
 
 def _rim(question: WheelRequest) -> Iterator[Label]:
@@ -168,5 +171,9 @@ def nearest_short(angle: Fraction, rounding: str) -> Fraction:
     return Fraction(number.scaled, 10**number.decimals)
 
 
-def _fraction(value: Fraction) -> str:
+def _fraction(product: Product) -> str:
+    """Return a share as it stands in a formula: 0.25, 1/3, or to five figures."""
+    value = product.rational
+    if value is None or len(str(value)) > LONGEST:
+        return number_text(product.number(None, "half-away"))
     return plain(value) if finite_decimals(value) is not None else f"{value.numerator}/{value.denominator}"

@@ -26,15 +26,15 @@ class WheelRequest(Question):
     """What is asked for: flywheels by what is given, one for each of the irregularities to keep.
 
     Without any of these there is one flywheel. `known_from` says what the swing is known from; `fluctuation`
-    is the diagram, if it is one, and `share` that of a press' cycle in which it works. `engine` are the
-    caption and the lines of an engine, of which the swing is.
+    is the diagram, if it is one, and `press` the share of its cycle in which a press works, None of a blow,
+    with the rest. `engine` are the caption and the lines of an engine, of which the swing is.
     """
 
     wheels: tuple[Sizing, ...]
     targets: tuple[Fraction, ...] = ()
     known_from: str = ""
     fluctuation: Fluctuation | None = None
-    share: Fraction | None = None
+    press: tuple[Product | None, Product] | None = None
     engine: tuple[Label, ...] = ()
 
     @property

@@ -31,6 +31,7 @@ NEEDS: Mapping[str, tuple[str, ...]] = {
     "wheel": ("--swing", "--speed", "--delta"),
     "power": ("--power", "--speed"),
     "cycles": ("--work", "--strokes"),
+    "motor": ("--power", "--efficiency"),
     "fluctuation": ("--energy-fluctuation", "--power", "--speed"),
     "mass": ("--radius",),
     "rim": ("--rim-diameter", "--density"),
@@ -41,6 +42,7 @@ NEEDS: Mapping[str, tuple[str, ...]] = {
 Row = tuple[str, str, Label, str, Shown, str]
 _ROWS: tuple[Row, ...] = (
     ("power", "Leistung|Power", "$N$", "W", Shown("power"), "power"),
+    ("motor_power", "Leistung des Motors|Power of the motor", "$N_M$", "W", Shown("motor"), "motor"),
     ("strokes", "Arbeitsspiele|Cycles", "$z$", _PER_MINUTE, Shown("cycles", Product.of(60)), "cycles"),
     ("work", "Arbeit eines Spiels|Work of a cycle", "$W$", "J", Shown("work"), "power"),
     ("mean_torque", "mittleres Drehmoment|Mean torque", "$M_m$", "N m", Shown("mean_torque"), "power"),

@@ -49,6 +49,7 @@ _LAWS: Sequence[Iterator[Rule]] = (
     _law(_ONE, inertia=1, mass=-1, radius=-2),
     _law(_ONE, swing=1, energy_fluctuation=-1, work=-1),
     _law(_ONE, power=1, work=-1, cycles=-1),
+    _law(_ONE, power=1, motor=-1, efficiency=-1),
     _law(Product.of(2, 1), omega=1, cycles=-1, turns=-1),
     _law(_ONE, power=1, mean_torque=-1, omega=-1),
     _law(Product.of(2, 1), work=1, mean_torque=-1, turns=-1),
