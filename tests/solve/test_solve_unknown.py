@@ -142,3 +142,20 @@ def test_what_tells_no_number_is_refused(words: tuple[str, ...], sentence: str) 
     given = ("--unknown=speed", "--force=10kN", *PISTON, *words)
     code = 1 if "reached with no" in sentence else 2
     assert refusal("solve", *given, code=code).removeprefix("kurbel: ").startswith(sentence)
+
+
+def test_angles_of_the_greatest_torque_with_masses_under_a_force() -> None:
+    words = (*PISTON, "--force=40kN", "--speed=250/min", "--where=torque=max", "--columns=phi_turn,torque_nm")
+    rows = printed("solve", *words, "--digits=6", "-f", "csv").records()
+    turns = mp.mpf(250) / 60
+
+    def torque_at(phi: mp.mpf) -> mp.mpf:
+        # On the return stroke the force acts in its direction, against the outstroke.
+        force = 40_000 if phi < mp.pi else -40_000
+        return (force - inertia(phi, turns)) * effort(phi) * STROKE / 2
+
+    for row, (low, high) in zip(rows, ((0, 180), (180, 360)), strict=True):
+        greatest = max(torque_at(at(low + (high - low) * one / 4000)) for one in range(1, 4000))
+        angle, value = (float(row[key]) for key in ("phi_turn", "torque_nm"))
+        assert value == pytest.approx(float(greatest), rel=1e-6)
+        assert float(torque_at(at(angle))) == pytest.approx(value, rel=1e-9)

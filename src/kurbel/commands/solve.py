@@ -8,11 +8,11 @@ from kurbel.commands.cylinder.effort import RODS, RUBBING, Rods, Rubbing
 from kurbel.commands.cylinder.given import Of
 from kurbel.commands.cylinder.slope import LYING, Lying
 from kurbel.commands.loads import OWN
-from kurbel.commands.machines import MASSES, STEAM, engine_of, for_masses, weightless
+from kurbel.commands.machines import MASSES, STEAM, engine_of, for_masses, is_heavy, weighed, weightless
 from kurbel.commands.motion import described, meant, of_other_mechanisms, sheet_of, some
 from kurbel.commands.options import Choice, Option, is_given
 from kurbel.commands.subject import makes_table
-from kurbel.errors import NotationError
+from kurbel.errors import NotationError, ProblemError
 from kurbel.page.layouts import layout_of
 from kurbel.page.subject import Question
 from kurbel.reading.given import Exact, as_names
@@ -64,8 +64,21 @@ def _of_angles(values: Mapping[str, Any]) -> Mapping[str, str]:
         bare = {"force": "--force does not go with the load of an engine; leave it out"}
         return {**bare, **for_masses("speed")(values), **weightless(values)}
     why = _UNASKED if _is_loaded(values) else _UNLOADED
-    names = (*STEAM, *MASSES, *LYING, *RODS, *RUBBING, "bore", "pressure", "cranks", "cylinder", "of")
-    return {name: f"--{name.replace('_', '-')} {why}" for name in names}
+    names = (*STEAM, *RODS, *RUBBING, "bore", "pressure", "cranks", "cylinder", "of")
+    refused = {name: f"--{name.replace('_', '-')} {why}" for name in names}
+    if _is_loaded(values) or not _is_of_forces(values):
+        unasked = (
+            why if _is_loaded(values) else "is for conditions on forces, such as torque=max; leave it out"
+        )
+        return {**refused, **{name: f"--{name.replace('_', '-')} {unasked}" for name in (*MASSES, *LYING)}}
+    return {**refused, **weightless(values)}
+
+
+def _is_of_forces(values: Mapping[str, Any]) -> bool:
+    """Whether a condition is about the forces of the drive."""
+    where = values["where"]
+    texts = [] if isinstance(where, Iterator) else _texts(where)
+    return any(str(text).partition("=")[0].strip() not in OF_MOTION for text in texts)
 
 
 class Drives(
@@ -168,8 +181,12 @@ def solve_table(
     if _is_of_engine({**given, "where": texts}):
         return _of_engine(layout, texts, columns, given)
     page = layout_of(layout or "solve", ("roots",), given["layouts"])
+    # A speed alone makes no force.
     chosen, said = described(given)
-    drives = chosen.solved(some(chosen.drives(said, page.ratios)), given["method"])
+    drives = some(chosen.drives(said, page.ratios))
+    if _is_of_forces({"where": texts}):
+        drives = _moving(chosen, drives, given)
+    drives = chosen.solved(drives, given["method"])
     return SolveRequest(
         layout=page,
         drives=drives,
@@ -177,6 +194,22 @@ def solve_table(
         columns=as_names(columns, "stroke,phi,x"),
         **sheet_of(given),
     )
+
+
+def _moving(chosen: Any, drives: Any, given: Mapping[str, Any]) -> Any:
+    """Return the drives with their masses, where conditions on their forces are solved."""
+    if not is_heavy(given):
+        return drives
+    if not chosen.crosshead:
+        raise ProblemError(
+            f"conditions on the forces of moving masses are not solved for {chosen.title}; print them over"
+            " the turn, kurbel forces"
+        )
+    if given["method"] not in (None, "exact"):
+        raise ProblemError(
+            f'method "{given["method"]}" has no conditions on the forces of moving masses; use exact'
+        )
+    return weighed(chosen, drives, given)
 
 
 def _of_engine(

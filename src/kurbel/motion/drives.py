@@ -29,13 +29,14 @@ from kurbel.exact.certify import (
 from kurbel.exact.course import Course
 from kurbel.exact.jet import Jet, ball_jets, jets
 from kurbel.exact.kind import Kind, balls, bounds, surds
+from kurbel.exact.level import level_places
 from kurbel.exact.numerals import Label
 from kurbel.exact.place import SQUARE, Centre, Place, exact_place
 from kurbel.exact.surd import Field, SecondRootError, Surd
 from kurbel.kernel import kinematics
 from kurbel.kernel.circle import Circle
 from kurbel.motion.captions import Formulated, drive_notes, formula_lines
-from kurbel.motion.evaluation import OUT, certified, is_known, is_transcendental, value
+from kurbel.motion.evaluation import LOADED, OUT, certified, is_known, is_transcendental, value
 from kurbel.motion.quantities import registry
 from kurbel.page.quantity import Column, Formula, Quantity, multiplied, of_multiple
 from kurbel.reading.notation import ratio_text
@@ -93,18 +94,30 @@ class Drive(ABC):
     @property
     def names(self) -> Mapping[str, str]:
         """The names of quantities in conditions, and what they stand for; under a force also its columns."""
-        return {**condition_names(self.entries.values()), **{key: key for key in self.pushed}}
+        found = {**condition_names(self.entries.values()), **{key: key for key in self.pushed}}
+        return {**found, **{name: name for name in self.in_newtons}} if self._is_heavy else found
 
     @cached_property
     def in_newtons(self) -> Mapping[str, str]:
         """The columns in N and N m that a piston force calls up, by the quantities that they show."""
-        found = [one.key for one in self.entries.values() if one.needs in ("force", "torque")]
+        needs = ("force", "torque", "masses") if self._is_heavy else ("force", "torque")
+        found = [one.key for one in self.entries.values() if one.needs in needs]
         return {key.removesuffix("_nm").removesuffix("_n"): key for key in found}
+
+    @property
+    def _is_heavy(self) -> bool:
+        """Whether more than a given force acts; linkages are asked with none."""
+        return bool(getattr(self.crank, "loaded", False))
+
+    @property
+    def _acts(self) -> bool:
+        """Whether forces are known in newtons."""
+        return self.crank.force is not None or self._is_heavy
 
     @cached_property
     def pushed(self) -> tuple[str, ...]:
         """Those that are known, of a force that is given."""
-        return tuple(key for key in self.in_newtons.values() if self.crank.force and key in self.columns)
+        return tuple(key for key in self.in_newtons.values() if self._acts and key in self.columns)
 
     @cached_property
     def columns(self) -> Mapping[str, Quantity]:
@@ -112,7 +125,8 @@ class Drive(ABC):
         return {
             key: one
             for key, one in self.entries.items()
-            if is_known(one, self.crank) and self.method in one.formulas
+            if is_known(one, self.crank)
+            and (self.method in one.formulas or (self._is_heavy and LOADED in one.formulas))
         }
 
     def column_of(self, quantity: str) -> str:
@@ -233,6 +247,46 @@ class SlideDrive(Drive):
 
     def value(self, quantity: Quantity, circle: Circle[Any], numbers: Kind) -> Any:
         return value(quantity, self.method, self.crank, circle, numbers)
+
+    def jet(self, quantity: Quantity) -> Jet | None:
+        """Return the quantity with its slopes; what masses add to a force has no rational numbers in it."""
+        return None if self._is_loaded(quantity) else super().jet(quantity)
+
+    @property
+    def _is_pushed_alone(self) -> bool:
+        """Whether all that acts does so on the piston, along the slide."""
+        moving = self.crank.moving
+        return self.crank.effort is None and (moving is None or moving.rod is None)
+
+    def _is_loaded(self, quantity: Quantity) -> bool:
+        return self.crank.loaded and LOADED in quantity.formulas
+
+    def _course(self, quantity: str, stroke: int) -> Course:
+        one = self.asked(quantity, stroke)
+        if not self._is_loaded(one):
+            return super()._course(quantity, stroke)
+
+        def at(half_turns: arb) -> Any:
+            return self.value(one, half_turn_circle(half_turns), balls())
+
+        def jet(half_turns: arb) -> Any:
+            return self.value(one, ball_jets(half_turns), balls())
+
+        def slope(half_turns: arb) -> Any:
+            return jet(half_turns).slope * pi()
+
+        def bend(half_turns: arb) -> Any:
+            return jet(half_turns).bend * pi() * pi()
+
+        begin, end = self.ends(stroke)
+        # In a dead centre what acts on the piston has no torque; across that of the straight crank nothing
+        # acts, and balls know it.
+        turning = one.key in ("torque_nm", "tangential_force_n") and self._is_pushed_alone
+        rest = tuple(
+            Fraction(0) if turning or at(place.half_turns()) == 0 else None for place in (begin, end)
+        )
+        inner = tuple(level_places(slope, bend, begin, end))
+        return Course(at, slope, begin, end, ends=(rest[0], rest[1]), inner=inner)
 
     def certified(self, quantity: Quantity, degrees: Fraction, decimals: int, rounding: str) -> int:
         return certified(quantity, self.method, self.crank, degrees, decimals, rounding)

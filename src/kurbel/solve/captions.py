@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from kurbel.exact.closed_form import ClosedForm, closed_forms, form_text, is_at
 from kurbel.exact.course import Target
 from kurbel.exact.numerals import Label, degrees_text, exact_text, finite_decimals
+from kurbel.motion.captions import loaded_notes
 from kurbel.motion.drives import Drive
 from kurbel.motion.evaluation import METHODS, RETURN, STROKES
 from kurbel.motion.quantities import registry
@@ -98,9 +99,11 @@ def notes(request: SolveRequest) -> Iterator[Label]:
         yield WORDS["extremes"][lang]
     yield from request.drives[0].formula_lines(request, list(_digits(request)))
     yield from _forms(request)
-    force = request.drives[0].crank.force
-    if force is not None:
-        yield force.note(lang)
+    crank = request.drives[0].crank
+    if crank.force is not None:
+        yield crank.force.note(lang)
+    if getattr(crank, "loaded", False):
+        yield from loaded_notes(crank, request.layout.ratio_symbol, lang)
     yield from request.drives[0].closing_lines(request)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -84,6 +84,11 @@ def read_on(drive: Drive, text: str) -> Condition:
     """Return a condition on a drive; one in kN or N m is about the column in N or N m."""
     whose = f"{OF_SLIDES}, forces and torque" if drive.pushed else OF_SLIDES
     found = read_condition(text, drive.names, (*MEASURED, *drive.in_newtons), whose)
+    if not found.unit and found.quantity in drive.in_newtons and getattr(drive.crank, "loaded", False):
+        # Beside masses no force is a share of another.
+        if found.kind == VALUE and found.value:
+            raise ProblemError(f'condition "{found}" needs a unit beside masses; write it in N or N m')
+        return replace(found, quantity=drive.in_newtons[found.quantity])
     if not found.unit or found.quantity in MEASURED:
         return found
     column = drive.in_newtons[found.quantity]
