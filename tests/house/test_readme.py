@@ -18,7 +18,10 @@ from registers import register
 README = ROOT / "README.md"
 PAGES = (
     README,
-    *(ROOT / "docs" / f"{name}.md" for name in ("engines", "speed", "flywheels", "diagrams", "balance")),
+    *(
+        ROOT / "docs" / f"{name}.md"
+        for name in ("engines", "speed", "flywheels", "diagrams", "balance", "effort")
+    ),
 )
 BLOCK = re.compile(r"(?<=```console\n).*?(?=```)", re.DOTALL)
 COMMAND = re.compile(r"^\$ (.+)\n", re.MULTILINE)

@@ -6,13 +6,16 @@ from typing import Annotated, Any, Unpack
 from kurbel.commands import loads
 from kurbel.commands import parameters as option
 from kurbel.commands.cylinder.effort import (
+    PINNED,
     PRESSING,
     RODS,
     RUBBING,
+    Pinned,
     Pressing,
     Rods,
     Rubbing,
     needless_beside_load,
+    needless_of_pins,
     needless_of_pressures,
     rubbed,
 )
@@ -48,7 +51,7 @@ OF_ENGINES = ("crank forces", "machine", ROD_LOAD)
 POSITIONS = ("tangent",)
 COUPLED = "coupled axles"
 EFFORT = "forces-effort"
-PARTED = (*PRESSING, *RUBBING)
+PARTED = (*PRESSING, *RUBBING, *PINNED)
 AXLES = ("axles", "driven")
 # How masses move.
 MOVING = ("speed", "acceleration", "method")
@@ -131,8 +134,11 @@ def _of_case(values: Mapping[str, Any]) -> Mapping[str, str]:
     of_steam = ("pressure", "cranks", *STEAM) if pressed else ("bore", "pressure", "cranks", *STEAM)
     steam = _refused(of_steam, "is for the steam of an engine; add --eps or --card")
     lone = {**for_masses(*MOVING)(values), **weightless(values), **needless_of_pressures(values)}
+    lone |= needless_of_pins(values)
     if not (pressed or is_heavy(values) or is_given(values["force"])):
-        lone |= _refused(RUBBING, "lessens a force; add --force, --head-pressure or masses")
+        lone |= _refused(
+            (*RUBBING, "pin_friction"), "lessens a force; add --force, --head-pressure or masses"
+        )
     further = {**steam, **{name: loads.astray(name) for name in PARTS}, **lone}
     # First, lest an option of the load asks for one.
     return {**unasked, **further, **unasked}
@@ -149,8 +155,8 @@ def _refused(names: tuple[str, ...], why: str) -> dict[str, str]:
 
 
 class Forces(
-    option.Run, option.AnyDrive, option.Steam, option.MovingRod, Lying, Pressing, Rods, Rubbing, option.Sheet,
-    total=False,
+    option.Run, option.AnyDrive, option.Steam, option.MovingRod, Lying, Pressing, Rods, Rubbing, Pinned,
+    option.Sheet, total=False,
 ):  # fmt: skip
     """A crank drive and all that can act on it."""
 
@@ -181,7 +187,8 @@ class Forces(
     " time_ratio rod mechanism rocker pivot circuit beam axles"
     " driven force at eps back exponent clearance card other_side single_acting cranks bore pressure"
     " reciprocating rod_mass centre gyration rod_file rotating rocker_inertia vertical slope gravity"
-    " head_pressure crank_pressure pressure_difference piston_rod tail_rod friction speed acceleration"
+    " head_pressure crank_pressure pressure_difference piston_rod tail_rod friction pin_friction"
+    " crosshead_pin crank_pin shaft speed acceleration"
     " method",
 )
 def forces_table(

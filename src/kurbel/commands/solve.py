@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
-from kurbel.commands.cylinder.effort import RODS, RUBBING, Rods, Rubbing
+from kurbel.commands.cylinder.effort import PRESSING, RODS, RUBBING, Pressing, Rods, Rubbing
 from kurbel.commands.cylinder.given import Of
 from kurbel.commands.cylinder.slope import LYING, Lying
 from kurbel.commands.loads import OWN
@@ -55,7 +55,12 @@ def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
     if values["unknown"] is not None:
         # What a force needs, its own page says.
         return {}
-    return {"angle": "--angle is for --unknown; conditions find the angles themselves", **_of_angles(values)}
+    pressed = "is for --unknown, and for kurbel forces; conditions on angles are under an engine's load"
+    return {
+        "angle": "--angle is for --unknown; conditions find the angles themselves",
+        **{name: f"--{name.replace('_', '-')} {pressed}" for name in PRESSING},
+        **_of_angles(values),
+    }
 
 
 def _of_angles(values: Mapping[str, Any]) -> Mapping[str, str]:
@@ -82,7 +87,7 @@ def _is_of_forces(values: Mapping[str, Any]) -> bool:
 
 
 class Drives(
-    option.AnyDrive, option.Steam, option.MovingRod, Lying, Rods, Rubbing, option.Sheet, total=False
+    option.AnyDrive, option.Steam, option.MovingRod, Lying, Pressing, Rods, Rubbing, option.Sheet, total=False
 ):
     """Crank drives of which conditions are asked, under a force or the load of an engine."""
 

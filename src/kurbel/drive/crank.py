@@ -85,6 +85,11 @@ class Crank:
         return self.effort is not None and bool(self.effort.friction)
 
     @property
+    def pinned(self) -> bool:
+        """Whether the friction of its pins is known."""
+        return self.effort is not None and self.effort.pins is not None and self.radius is not None
+
+    @property
     def pushed(self) -> bool:
         """Whether forces in newtons are known."""
         return self.force is not None or self.loaded

@@ -8,6 +8,8 @@ from typing import Any
 
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
+from kurbel.kernel.circle import root
+from kurbel.kernel.effort.pins import Circles
 from kurbel.reading.notation import about
 
 HIGHEST = 10**12
@@ -73,13 +75,47 @@ class Pressures:
 
 
 @dataclass(frozen=True, slots=True)
+class Pins:
+    """The coefficient of friction of the pins, and the diameters in metres of crosshead pin, crank pin and
+    shaft; 0 where there is no friction."""
+
+    friction: Fraction
+    crosshead: Fraction = Fraction(0)
+    crank: Fraction = Fraction(0)
+    shaft: Fraction = Fraction(0)
+
+    def __post_init__(self) -> None:
+        if not 0 <= self.friction <= 1:
+            raise ProblemError(
+                f"the coefficient of friction of the pins is {about(self.friction)}; it must lie within 0..1"
+            )
+
+    def check(self, radius: Fraction, ratio: Fraction) -> None:
+        """Raise ProblemError for pins in which a crank of this radius in metres is stuck."""
+        reach = self.friction * (self.crosshead + self.crank) / 2
+        if reach * ratio >= radius:
+            raise ProblemError(
+                "the circles of friction of crosshead pin and crank pin are together as large as the rod is"
+                " long; give smaller diameters"
+            )
+
+    def circles(self, kind: Kind, radius: Fraction) -> Circles[Any]:
+        """Return the radii of the circles of friction in crank radii, on a kind of number."""
+        # r sin ρ of μ = tan ρ.
+        share = kind.of(self.friction / (2 * radius)) / root(kind.of(1 + self.friction**2))
+        crosshead, crank, shaft = (kind.of(one) * share for one in (self.crosshead, self.crank, self.shaft))
+        return Circles(crosshead, crank, shaft)
+
+
+@dataclass(frozen=True, slots=True)
 class Effort:
     """Pressures on the piston, and the friction of piston and crosshead in newtons, against their motion; the
-    areas on which the load of an engine acts, if rods lessen them."""
+    areas on which the load of an engine acts, if rods lessen them; the friction of the pins."""
 
     pressures: Pressures | None = None
     friction: Fraction = Fraction(0)
     areas: Areas | None = None
+    pins: Pins | None = None
 
     def __post_init__(self) -> None:
         if not 0 <= self.friction <= LARGEST_FRICTION:

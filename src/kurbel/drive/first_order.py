@@ -7,10 +7,10 @@ from typing import Any
 
 from kurbel.drive.moved import Slide
 from kurbel.kernel.circle import Circle, Number
+from kurbel.kernel.effort.weight import Weight
 from kurbel.kernel.inertia import first_order
 from kurbel.kernel.inertia.accelerations import WITH_ARM
 from kurbel.kernel.rod import Loaded, Masses
-from kurbel.kernel.weight import Weight
 
 
 class FirstOrderSlide(Slide):

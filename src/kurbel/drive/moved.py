@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any, Protocol
 from kurbel.errors import ProblemError
 from kurbel.kernel import kinematics, rod, turning
 from kurbel.kernel.circle import Circle, Number, root
+from kurbel.kernel.effort.weight import Weight, on_return, torque_slope, work
 from kurbel.kernel.rod import Loaded, Masses
-from kurbel.kernel.weight import Weight, on_return, torque_slope, work
 
 if TYPE_CHECKING:
     from kurbel.drive.crank import Crank

@@ -35,6 +35,12 @@ WORDS = {
         "{rods}: Kolbenstange und durchgeführte Stange auf ihrer Seite von der Kolbenfläche abgezogen"
         "|{rods}: areas of piston rod and tail rod taken off on their sides of the piston"
     ),
+    "pins": words(
+        "$M_R$ weniger dem, was die Zapfen nehmen, mit Reibungskreisen $d/2 sin ρ$, $tan ρ = {friction}$:"
+        ' Kreuzkopfzapfen $d = {crosshead} "mm"$, Kurbelzapfen $d = {crank} "mm"$, Welle $d = {shaft} "mm"$'
+        "|$M_R$ less what the pins take, with circles of friction $d/2 sin ρ$, $tan ρ = {friction}$:"
+        ' crosshead pin $d = {crosshead} "mm"$, crank pin $d = {crank} "mm"$, shaft $d = {shaft} "mm"$'
+    ),
     "friction": words('Reibung ${force} "N"$ gegen die Bewegung|Friction ${force} "N"$ against the motion'),
     "reciprocating": words("von Kolben und Kreuzkopf|piston and crosshead"),
     "rod": words("der Schubstange|rod"),
@@ -86,6 +92,11 @@ def effort_notes(effort: Effort, lang: str) -> Iterator[Label]:
         )
     if effort.areas is not None:
         yield WORDS["rods"][lang].format(rods=", ".join([*_areas(effort.areas)][1:]))
+    if effort.pins is not None:
+        yield WORDS["pins"][lang].format(
+            friction=figure(effort.pins.friction),
+            **{name: figure(1000 * getattr(effort.pins, name)) for name in ("crosshead", "crank", "shaft")},
+        )
     if effort.friction:
         yield WORDS["friction"][lang].format(force=figure(effort.friction))
 

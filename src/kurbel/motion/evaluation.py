@@ -39,6 +39,7 @@ NEEDS: Mapping[str, tuple[str, ...]] = {
     "masses": ("--reciprocating", "--stroke", "--speed"),
     "weight": ("--vertical", "--reciprocating", "--stroke", "--speed"),
     "friction": ("--friction",),
+    "pins": ("--pin-friction", "--crank-pin", "--stroke"),
     "rod": ("--centre", "--gyration"),
     "inertia": ("--rod-mass", "--stroke", "--speed"),
     "couple": ("--rod-mass", "--stroke", "--speed", "a finite rod"),
@@ -168,6 +169,7 @@ def is_known(quantity: Quantity, crank: Crank) -> bool:
         "masses": crank.moving is not None,
         "weight": crank.weighed,
         "friction": crank.rubbed,
+        "pins": crank.pinned,
         "rod": crank.rod is not None,
         "inertia": crank.rod is not None and crank.rod.mass is not None and crank.speed is not None,
     }

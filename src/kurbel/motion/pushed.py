@@ -9,14 +9,17 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from kurbel.drive.crank import Crank
+from kurbel.drive.crank import Crank, known
 from kurbel.exact.kind import Kind, balls, bounds
 from kurbel.kernel import forces, kinematics
+from kurbel.kernel.circle import Circle
+from kurbel.kernel.effort.pins import net_torque as pin_torque
 
 if TYPE_CHECKING:
     from kurbel.motion.evaluation import At
 
 FIRST_BITS = 64
+RETURN = -1
 
 
 def pressed(at: At) -> Any:
@@ -33,6 +36,18 @@ def rubbing(at: At) -> Any:
         return None
     way = _way_of(forces.tangential_force(at.circle, at.ratio, at.offset)) if at.way is None else at.way
     return at.numbers.of(effort.friction) * way * -1
+
+
+def net_torque(at: At) -> Any:
+    """Return the torque on the shaft less what the friction of the pins takes, over R, in newtons."""
+    crank = at.crank
+    pins, radius = known(known(crank.effort).pins), known(crank.radius)
+    circle, ratio, offset, thrust = at.circle, at.ratio, at.offset, at.loaded.thrust()
+    if at.stroke == RETURN:
+        # The circles of friction are those of the whole turn.
+        circle = Circle(-1 * circle.sine, -1 * circle.cosine, 2 - circle.versine)
+        ratio, thrust, offset = -1 * ratio, -1 * thrust, None if offset is None else -1 * offset
+    return pin_torque(circle, ratio, offset, thrust, pins.circles(at.numbers, radius))
 
 
 def way_at(crank: Crank, stroke: int, angle: Fraction) -> int:
@@ -70,7 +85,7 @@ def _way_of(velocity: Any) -> Any:
         import numpy as np
 
         return np.where(velocity < 0, -1.0, 1.0)
-    if hasattr(velocity, "bits"):
+    if hasattr(velocity, "union") and not hasattr(velocity, "rad"):
         return 1
     if velocity < 0:
         return -1

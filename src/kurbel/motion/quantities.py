@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from functools import cache
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -27,7 +28,7 @@ def registry() -> Mapping[str, Quantity]:
 @cache
 def effort_keys() -> tuple[str, ...]:
     """Return the keys of what acts along the slide: the effort on the piston, and its parts."""
-    return tuple(key for key in registry() if key.partition("_return")[0].removesuffix("_n") in EFFORT)
+    return tuple(key for key in registry() if _UNIT.sub("", key).removesuffix("_return") in EFFORT)
 
 
 class Force(NamedTuple):
@@ -116,7 +117,8 @@ FORCES: Mapping[str, Force] = {
 }  # fmt: skip
 
 
-EFFORT = ("piston_force", "inertia_force", "weight_force", "friction_force", "crosshead_load")
+EFFORT = ("piston_force", "inertia_force", "weight_force", "friction_force", "crosshead_load", "net_torque")
+_UNIT = re.compile("_nm?$")
 
 
 def _force_entries() -> Iterator[Quantity]:
@@ -126,6 +128,16 @@ def _force_entries() -> Iterator[Quantity]:
     ratio = "$M_d/(F R) = T/F$"
     torque = _unloaded("tangential_force", ratio, ratio, "F R sqrt((R/L)^2 + 1)")
     yield from torque_entries(torque, _in_newtons("tangential_force", torque))
+    yield spanned(
+        "net_torque_nm", "Drehmoment nach der Zapfenreibung|Torque less the friction of the pins", "$M_R$",
+        "$M_R$ in N m", "N m", 1, {LOADED: Formula(_net_torque)}, scale=Crank.newton_metres, needs="pins",
+    )  # fmt: skip
+
+
+def _net_torque(at: At) -> Any:
+    from kurbel.motion.pushed import net_torque
+
+    return net_torque(at)
 
 
 def force_entries(

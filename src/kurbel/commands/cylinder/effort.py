@@ -7,16 +7,18 @@ from typing import TYPE_CHECKING, Annotated, Any, TypedDict
 
 from kurbel.commands.options import Option
 from kurbel.errors import ProblemError
-from kurbel.reading.given import Exact, as_force, as_length, as_pressure
+from kurbel.reading.given import Exact, as_force, as_length, as_number, as_pressure
 
 if TYPE_CHECKING:
-    from kurbel.drive.effort import Areas, Effort, Pressures
+    from kurbel.drive.effort import Areas, Effort, Pins, Pressures
 
 RUBBING = ("friction",)
 RODS = ("piston_rod", "tail_rod")
 SIDES = ("head_pressure", "crank_pressure")
 DIFFERENCE = "pressure_difference"
 PRESSING = (*SIDES, DIFFERENCE)
+PINS = ("crosshead_pin", "crank_pin", "shaft")
+PINNED = ("pin_friction", *PINS)
 
 
 class Rubbing(TypedDict, total=False):
@@ -72,10 +74,42 @@ class Pressing(TypedDict, total=False):
     ]  # fmt: skip
 
 
+class Pinned(TypedDict, total=False):
+    """The friction of the pins, by their circles of friction."""
+
+    pin_friction: Annotated[
+        Exact | None,
+        Option(
+            "Coefficient of friction of the pins, for the torque less their friction: 0.06. A pin without a"
+            " diameter has none.",
+            "μ",
+        ),
+    ]
+    crosshead_pin: Annotated[
+        Exact | None,
+        Option("With --pin-friction: diameter of the crosshead pin: 80mm.", "LENGTH", unit="m"),
+    ]
+    crank_pin: Annotated[Exact | None, Option("The same of the crank pin: 120mm.", "LENGTH", unit="m")]
+    shaft: Annotated[Exact | None, Option("The same of the shaft: 140mm.", "LENGTH", unit="m")]
+
+
 def rubbed(chosen: Any, drives: Sequence[Any], given: Mapping[str, Any]) -> list[Any]:
     """Return drives with what acts on piston and crosshead beside a given force."""
     found = effort_of(given)
-    return list(drives) if found is None else _with(chosen, drives, found)
+    if found is None:
+        return list(drives)
+    if found.pins is not None:
+        for drive in drives:
+            crank = chosen.crank(drive)
+            if crank.radius is None:
+                raise ProblemError("--pin-friction needs the size of the crank; add --stroke")
+            if crank.moving is not None and crank.moving.rod is not None:
+                raise ProblemError(
+                    "--pin-friction is of a rod without mass, whose line of thrust is one; leave the rod's"
+                    " mass out"
+                )
+            found.pins.check(crank.radius, crank.ratio)
+    return _with(chosen, drives, found)
 
 
 def on_engine(chosen: Any, drives: Sequence[Any], given: Mapping[str, Any]) -> list[Any]:
@@ -105,11 +139,24 @@ def effort_of(given: Mapping[str, Any]) -> "Effort | None":
     """Return the pressures and the friction that are given, None without any."""
     friction = given.get("friction")
     pressures = _pressures(given)
-    if friction is None and pressures is None:
+    pins = _pins(given)
+    if friction is None and pressures is None and pins is None:
         return None
     from kurbel.drive.effort import Effort
 
-    return Effort(pressures, Fraction(0) if friction is None else as_force(friction, "friction"))
+    force = Fraction(0) if friction is None else as_force(friction, "friction")
+    return Effort(pressures, force, pins=pins)
+
+
+def _pins(given: Mapping[str, Any]) -> "Pins | None":
+    if given.get("pin_friction") is None:
+        return None
+    from kurbel.drive.effort import Pins
+
+    diameters = (
+        Fraction(0) if given.get(name) is None else as_length(given[name], _words(name)) for name in PINS
+    )
+    return Pins(as_number(given["pin_friction"], "pin friction"), *diameters)
 
 
 def _pressures(given: Mapping[str, Any]) -> "Pressures | None":
@@ -155,9 +202,23 @@ def needless_of_pressures(values: Mapping[str, Any]) -> Mapping[str, str]:
 
 
 def needless_beside_load(values: Mapping[str, Any]) -> Mapping[str, str]:
-    """Refuse pressures beside the load of an engine."""
+    """Refuse pressures beside the load of an engine, and the friction of pins."""
     why = "does not go with the load of an engine, which has its own pressures; leave one of the two out"
-    return {name: f"{_flag(name)} {why}" for name in PRESSING}
+    pins = "is for a given force or pressures; the turn of an engine with it is not computed"
+    refused = {name: f"{_flag(name)} {why}" for name in PRESSING}
+    return refused | {name: f"{_flag(name)} {pins}" for name in PINNED}
+
+
+def needless_of_pins(values: Mapping[str, Any]) -> Mapping[str, str]:
+    """Refuse diameters without friction, friction without one, and masses of which the circles are not."""
+    if values.get("pin_friction") is None:
+        why = "is for the friction of the pins; add --pin-friction, for example --pin-friction 0.06"
+        return {name: f"{_flag(name)} {why}" for name in PINS}
+    if all(values.get(name) is None for name in PINS):
+        names = ", ".join(map(_flag, PINS))
+        return {"pin_friction": f"--pin-friction needs the diameter of a pin; add one of {names}"}
+    why = "does not go with --pin-friction, whose line of thrust is that of a rod without mass; leave one out"
+    return {name: f"{_flag(name)} {why}" for name in ("rod_mass", "rod_file", "rotating")}
 
 
 def _flag(name: str) -> str:

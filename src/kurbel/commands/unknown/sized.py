@@ -17,6 +17,7 @@ from kurbel.reading.where import VALUE, Condition
 MAGNITUDES = ("crosshead_pin_force", "crank_pin_force", "bearing_force")
 FORCES = (
     *("rod_force", "guide_force", "tangential_force", "radial_force", "bearing_along", "bearing_across"),
+    *("crosshead_load", "piston_force", "inertia_force"),
 )
 CHECKED_BITS = 400
 # What the page of the unknown has itself.

@@ -12,9 +12,9 @@ from kurbel.motion.evaluation import OUT, RETURN
 if TYPE_CHECKING:
     from kurbel.exact.kind import Kind
     from kurbel.kernel.circle import Circle, Number
+    from kurbel.kernel.effort.weight import Weight
     from kurbel.kernel.rocker import LoadedRocker
     from kurbel.kernel.rod import Masses
-    from kurbel.kernel.weight import Weight
     from kurbel.linkage.arc.rocker import RockerCrank
 
 STROKES = (OUT, RETURN)
