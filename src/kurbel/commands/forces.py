@@ -183,7 +183,7 @@ class Forces(
 @makes_table(
     foreign=_foreign,
     needless=_needless,
-    order="angle from_ to step columns offset stroke crank true_stroke"
+    order="angle from_ to step zero columns offset stroke crank true_stroke"
     " time_ratio rod mechanism rocker pivot circuit beam axles"
     " driven force at eps back exponent clearance card other_side single_acting cranks bore pressure"
     " reciprocating rod_mass centre gyration rod_file rotating rocker_inertia vertical slope gravity"

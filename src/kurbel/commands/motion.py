@@ -19,7 +19,7 @@ from kurbel.page.subject import Question
 from kurbel.reading import notation
 from kurbel.reading.given import as_angle, as_angles, as_names, as_numbers
 
-FULL_TURN = Fraction(360)
+HALF_TURN, FULL_TURN = Fraction(180), Fraction(360)
 STEP = Fraction(10)
 
 
@@ -42,8 +42,24 @@ def described(given: Mapping[str, Any], **more: Any) -> tuple[Mechanism, Describ
 
 
 def sheet_of(given: Mapping[str, Any]) -> dict[str, Any]:
-    """Return how the page is to be printed."""
-    return {name: given[name] for name in Sheet.__annotations__ if name in given}
+    """Return how the page is to be printed, and from where its angles count."""
+    asked = {name: given[name] for name in Sheet.__annotations__ if name in given}
+    return asked if given.get("zero") is None else {**asked, "zero": zero_of(given)}
+
+
+def zero_of(given: Mapping[str, Any]) -> Fraction:
+    """Return the angle φ that the page calls 0."""
+    zero = given.get("zero")
+    if zero is None or zero == "inner":
+        return Fraction(0)
+    if zero != "outer":
+        return as_angle(zero, "zero")
+    if given.get("offset") is not None or given.get("mechanism") not in (None, "straight"):
+        raise ProblemError(
+            "--zero outer is for dead centres on the slide direction; of another drive give the angle, 180"
+            " for the slide direction itself"
+        )
+    return HALF_TURN
 
 
 def of_other_mechanisms(
@@ -60,7 +76,11 @@ def ratios_of(page: Layout, ratio: Given | None) -> tuple[Fraction, ...]:
 
 
 def angles_of(page: Layout, given: Mapping[str, Any]) -> Sequence[Fraction]:
-    """Return the angles that are listed, or those of a run, or the layout's own."""
+    """Return the angles that are listed, or those of a run, or the layout's own, as φ."""
+    return notation.shifted(_counted_angles(page, given), zero_of(given))
+
+
+def _counted_angles(page: Layout, given: Mapping[str, Any]) -> Sequence[Fraction]:
     angle, step = given["angle"], given["step"]
     if all(given[name] is None for name in ("from_", "to", "step")):
         return as_angles(page.angles if angle is None else angle)
@@ -99,7 +119,7 @@ def some(drives: Sequence[Any]) -> Sequence[Any]:
 
 @makes_table(
     foreign=of_other_mechanisms,
-    order="angle from_ to step columns offset stroke crank true_stroke"
+    order="angle from_ to step zero columns offset stroke crank true_stroke"
     " time_ratio rod method speed acceleration mechanism"
     " rocker pivot circuit beam",
 )

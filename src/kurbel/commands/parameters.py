@@ -183,6 +183,14 @@ class Run(TypedDict, total=False):
     from_: From
     to: To
     step: Annotated[Exact | None, STEP]
+    zero: Annotated[
+        Exact | None,
+        Option(
+            "Where the angles of the page count from, if not from φ = 0: an angle, or outer for the outer"
+            " dead centre, φ = 180°.",
+            "ANGLE", unit="degrees",
+        ),
+    ]  # fmt: skip
 
 
 class Slide(TypedDict, total=False):

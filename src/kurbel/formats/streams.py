@@ -14,7 +14,7 @@ from kurbel.motion.page import CHUNK, RecordRows
 from kurbel.page.axes import angle_decimals, angle_number
 from kurbel.page.build import build
 from kurbel.page.subject import Question
-from kurbel.reading.notation import Progression, ratio_text
+from kurbel.reading.notation import Progression, ratio_text, shifted
 
 if TYPE_CHECKING:
     from kurbel.formats.columns import Scaled
@@ -25,7 +25,7 @@ def record_chunks(request: Question, form: RecordsFormat, decimal: str) -> Itera
     """Yield the table's records in a format, a chunk of rows at a time."""
     table = build(request, pages=False)
     rows = table.records.rows
-    if isinstance(rows, RecordRows) and rows.question.bulk and _fits(rows.question.angles):
+    if isinstance(rows, RecordRows) and rows.question.bulk and _fits(_counted(rows)):
         yield from form.writer.bulk(table, rows.keys, partial(_fields, rows), decimal)
         return
     lines = form.writer.rows(table, decimal)
@@ -38,14 +38,19 @@ def _fields(rows: RecordRows, mark: str) -> Iterator[dict[str, Scaled | bytes]]:
     from kurbel.formats.columns import Scaled
 
     decimals = {key: column.places for key, column in rows.columns.items()}
-    of_angles = angle_decimals(rows.question.angles) or 0
+    of_angles, zero = angle_decimals(_counted(rows)) or 0, rows.question.zero
     for crank, angles, values in rows.chunks():
         fields: dict[str, Scaled | bytes] = {
             key: Scaled(values[key], decimals[key], mark.encode()) for key in values
         }
         fields["ratio"] = ratio_text(crank.ratio, mark).encode()
-        fields["phi"] = _scaled_angles(angles, of_angles, mark.encode())
+        fields["phi"] = _scaled_angles(shifted(angles, -zero), of_angles, mark.encode())
         yield fields
+
+
+def _counted(rows: RecordRows) -> Sequence[Fraction]:
+    """Return the angles as the page counts them."""
+    return shifted(rows.question.angles, -rows.question.zero)
 
 
 def _fits(angles: Sequence[Fraction]) -> bool:

@@ -29,7 +29,7 @@ from kurbel.page.layouts import Layout, LayoutColumn
 from kurbel.page.quantity import Column, Quantity
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Records, Value
-from kurbel.reading.notation import ratio_text
+from kurbel.reading.notation import ratio_text, shifted
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -198,11 +198,12 @@ class RecordRows(Rows):
         super().__init__(question, {}, {column.key: column for column in question.page_columns}, keys)
 
     def __iter__(self) -> Iterator[tuple[Value, ...]]:
-        of_angles = angle_decimals(self.question.angles)
+        zero = self.question.zero
+        of_angles = angle_decimals(shifted(self.question.angles, -zero))
         for crank, angles, values in self.chunks():
             ratio = f"${ratio_text(crank.ratio)}$"
             for row, angle in enumerate(angles):
-                axes: dict[str, Value] = {"ratio": ratio, "phi": angle_number(angle, of_angles)}
+                axes: dict[str, Value] = {"ratio": ratio, "phi": angle_number(angle - zero, of_angles)}
                 yield tuple(
                     axes[key] if key in axes else Number(int(values[key][row]), self.columns[key].places)
                     for key in self.keys

@@ -10,10 +10,11 @@ from functools import cached_property
 from itertools import product
 from typing import Any, TypeAlias
 
+from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, degrees_text, finite_decimals, nearest
 from kurbel.page.quantity import words
 from kurbel.page.table import Cell, Ditto, Field, Value
-from kurbel.reading.notation import Progression, plain, ratio_text
+from kurbel.reading.notation import Progression, plain, ratio_text, shifted
 
 RATIO = words("Kurbelverhältnis R:L|Crank ratio R:L")
 PHI = words("Kurbelwinkel|Crank angle")
@@ -167,7 +168,12 @@ class AngleAxis(Axis):
 
     def __init__(self, question: Any) -> None:
         self.layout, self.lang = question.layout, question.lang
-        self.all = question.angles
+        if self.layout.pairs and question.zero:
+            raise ProblemError(
+                f"layout {self.layout.key} sets an angle over its mirror image, which counts from φ = 0;"
+                " leave --zero out"
+            )
+        self.all = shifted(question.angles, -question.zero)
         self.angles = angle_pairs(self.all) if self.layout.pairs else self.all
         self.lines = 2 if self.layout.pairs else 1
         super().__init__(len(self.angles), len(self.all))

@@ -10,7 +10,7 @@ from math import prod
 
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, degrees_text
-from kurbel.page.axes import Axis, Grid, Place, places
+from kurbel.page.axes import Axis, Grid, Place, angle_text, places
 from kurbel.page.layouts import Layout
 from kurbel.page.quantity import Column
 from kurbel.page.subject import Question
@@ -33,7 +33,7 @@ def build(question: Question, pages: bool = True) -> Table:
 
 def _built(question: Question, pages: bool) -> Table:
     about, layout = question.subject, question.layout
-    further = about.page_notes(question) if pages else ()
+    further = (*_zero(question), *(about.page_notes(question) if pages else ()))
     return Table(
         key=question.key,
         layout=layout.key,
@@ -47,6 +47,19 @@ def _built(question: Question, pages: bool) -> Table:
         source=question.source,
         templates=layout.folder,
     )
+
+
+def _zero(question: Question) -> Iterator[Label]:
+    """Yield the line about angles that do not count from φ = 0."""
+    if not question.zero:
+        return
+    said = {
+        "de": "Winkel der Tafel von ${phi} = {zero}$ an; die der Formeln und Totlagen von ${phi} = 0$ an",
+        "en": "Angles of the table count from ${phi} = {zero}$, those of formulas and dead centres from"
+        " ${phi} = 0$",
+    }
+    phi = question.layout.angle_symbol
+    yield said[question.lang].format(phi=phi, zero=angle_text(question.zero))
 
 
 def _records(question: Question) -> Records:

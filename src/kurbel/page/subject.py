@@ -113,8 +113,8 @@ class Question:
     """A layout that is asked for, with the digits, the language and the columns of its page.
 
     `digits` None leaves the decimals to the layout and the quantities, no `columns` the columns to the
-    layout. `units` None are the metric ones of the quantities. What a subject asks beside that are the
-    fields of its own question.
+    layout. Angles of the page count from φ = `zero`; `units` None are the metric ones of the quantities. What
+    a subject asks beside that are the fields of its own question.
     """
 
     layout: Layout
@@ -124,6 +124,7 @@ class Question:
     columns: tuple[str, ...] = ()
     label: str = ""
     units: Units | None = None
+    zero: Fraction = Fraction(0)
 
     # Whether records of the axes alone say something.
     axes_suffice: ClassVar[bool] = False

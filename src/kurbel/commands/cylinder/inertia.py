@@ -62,7 +62,7 @@ def _at_rest(values: Mapping[str, Any]) -> Mapping[str, str]:
 @makes_table(
     foreign=_of_rods,
     needless=_at_rest,
-    order="angle from_ to step columns offset stroke crank true_stroke"
+    order="angle from_ to step zero columns offset stroke crank true_stroke"
     " time_ratio rod mechanism rocker pivot circuit beam"
     " rod_mass centre gyration rod_file speed acceleration method",
 )
