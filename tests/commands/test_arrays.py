@@ -22,6 +22,10 @@ MACHINES: tuple[dict[str, Any], ...] = (
         "speed": 2,
         "reciprocating": 200,
     },
+    {
+        "eps": 3, "bore": 0.3, "pressure": 8e5, "stroke": 0.6, "speed": 2, "reciprocating": 200,
+        "vertical": True, "friction": 500, "piston_rod": 0.05,
+    },
     {"pressure_ratio": 4, "clearance": "5%"},
     {"compression": 6, "heat": 10},
 )

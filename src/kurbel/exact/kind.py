@@ -91,7 +91,10 @@ def floats() -> Kind:
     def angle(point: Any, ratio: Any, offset: Any) -> Any:
         return on_floats.rod_angle(point, ratio, offset or 0.0)
 
-    return Kind(float, on_floats.circle, on_floats.arcsine, math.pi, angle, float, _rounded)
+    def circle(degrees: Any) -> Any:
+        return on_floats.circle(float(degrees) if isinstance(degrees, Fraction) else degrees)
+
+    return Kind(float, circle, on_floats.arcsine, math.pi, angle, float, _rounded)
 
 
 def _rounded(value: Callable[[], arb]) -> float:

@@ -44,7 +44,7 @@ _TRANSLATED = {
     **{f"m{three}/kg": "m*m*m/kg" for three in _CUBED},
     **{f"/{unit}{three}": f"/{unit}/{unit}/{unit}" for unit in _METRES for three in _CUBED},
     **{f"/{unit}{two}": f"/{unit}/{unit}" for unit in _METRES for two in _SQUARED},
-    **{f"{unit}{two}": f"{unit}*{unit}" for unit in _METRES for two in _SQUARED[:2]},
+    **{f"{unit}{two}": f"{unit}*{unit}" for unit in _METRES for two in _SQUARED},
     "U/min": "rpm", "Upm": "rpm", "U/s": "turn/s", "min⁻¹": "/min", "PS": "metric_horsepower",
 }  # fmt: skip
 
@@ -56,10 +56,11 @@ KNOWN: Mapping[str, Mapping[str, Fraction]] = {
         **_scaled({"m": 1, "cm": "1/100", "mm": "1/1000"}), "in": INCH, "inch": INCH, "ft": FOOT,
     },
     "[length]/[time]": {**_scaled({"m/s": 1}), "ft/s": FOOT},
+    "[length]/[time]**2": {**_scaled({"m/s/s": 1}), "ft/s/s": FOOT},
     "[power]": {**_scaled({"W": 1, "kW": 1000, "MW": 10**6}), "hp": 550 * _FOOT_POUND},
     "[mass]": {**_scaled({"kg": 1, "g": "1/1000", "t": 1000}), "lb": POUND},
     "[mass]*[length]**2": {**_scaled({"kg*m*m": 1}), "lb*ft*ft": POUND * FOOT**2},
-    "[force]": {**_scaled({"N": 1, "kN": 1000, "MN": 10**6}), "lbf": POUND_FORCE},
+    "[force]": {**_scaled({"N": 1, "kN": 1000, "MN": 10**6, "kgf": "9.80665"}), "lbf": POUND_FORCE},
     "[energy]": {
         **_scaled({"J": 1, "kJ": 1000, "MJ": 10**6, "N*m": 1, "kN*m": 1000, "MN*m": 10**6}),
         "ft*lbf": _FOOT_POUND, "lbf*ft": _FOOT_POUND,
@@ -73,6 +74,8 @@ KNOWN: Mapping[str, Mapping[str, Fraction]] = {
     "[pressure]": {
         **_scaled({"Pa": 1, "kPa": 1000, "MPa": 10**6, "bar": 10**5, "mbar": 100}),
         **_scaled({"N/mm/mm": 10**6, "N/cm/cm": 10**4, "N/m/m": 1}), "psi": POUND_FORCE / INCH**2,
+        **_scaled({"kN/m/m": 1000, "MN/m/m": 10**6, "kgf/cm/cm": "98066.5", "at": "98066.5", "atm": 101325}),
+        "lbf/in/in": POUND_FORCE / INCH**2,
     },
     "[mass]/[length]**3": {
         **_scaled({"kg/m/m/m": 1, "t/m/m/m": 1000, "g/cm/cm/cm": 1000, "kg/dm/dm/dm": 1000}),
