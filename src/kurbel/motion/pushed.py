@@ -41,7 +41,9 @@ def rubbing(at: At) -> Any:
 def net_torque(at: At) -> Any:
     """Return the torque on the shaft less what the friction of the pins takes, over R, in newtons."""
     crank = at.crank
-    pins, radius = known(known(crank.effort).pins), known(crank.radius)
+    pins, radius = crank.effort.pins if crank.effort else None, known(crank.radius)
+    if pins is None:
+        return at.loaded.torque()
     circle, ratio, offset, thrust = at.circle, at.ratio, at.offset, at.loaded.thrust()
     if at.stroke == RETURN:
         # The circles of friction are those of the whole turn.
