@@ -43,8 +43,8 @@ _TRANSLATED = {
     **{f"lb{by}ft{two}": "lb*ft*ft" for by in ("", " ", "*", "·") for two in _SQUARED},
     **{f"m{three}/kg": "m*m*m/kg" for three in _CUBED},
     **{f"/{unit}{three}": f"/{unit}/{unit}/{unit}" for unit in _METRES for three in _CUBED},
-    **{f"/{unit}{two}": f"/{unit}/{unit}" for unit in _METRES for two in _SQUARED},
-    **{f"{unit}{two}": f"{unit}*{unit}" for unit in _METRES for two in _SQUARED},
+    **{f"/{unit}{two}": f"/{unit}/{unit}" for unit in _METRES for two in ("²", "^2", "2")},
+    **{f"{unit}{two}": f"{unit}*{unit}" for unit in _METRES for two in ("²", "^2", "2")},
     "U/min": "rpm", "Upm": "rpm", "U/s": "turn/s", "min⁻¹": "/min", "PS": "metric_horsepower",
 }  # fmt: skip
 
