@@ -14,6 +14,7 @@ from kurbel.drive.mechanisms import MECHANISMS, MOTIONS
 from kurbel.errors import ProblemError
 from kurbel.motion import mechanism as mechanisms
 from kurbel.motion.mechanism import Mechanism
+from kurbel.page.axes import shifted
 from kurbel.page.layouts import Layout, layout_of
 from kurbel.page.subject import Question
 from kurbel.reading import notation
@@ -77,7 +78,7 @@ def ratios_of(page: Layout, ratio: Given | None) -> tuple[Fraction, ...]:
 
 def angles_of(page: Layout, given: Mapping[str, Any]) -> Sequence[Fraction]:
     """Return the angles that are listed, or those of a run, or the layout's own, as φ."""
-    return notation.shifted(_counted_angles(page, given), zero_of(given))
+    return shifted(_counted_angles(page, given), zero_of(given))
 
 
 def _counted_angles(page: Layout, given: Mapping[str, Any]) -> Sequence[Fraction]:

@@ -7,9 +7,13 @@ from typing import Annotated, TypeAlias, TypedDict
 from kurbel.commands.cylinder.effort import Rods, Rubbing
 from kurbel.commands.cylinder.given import Cylinders
 from kurbel.commands.cylinder.slope import Lying
+from kurbel.commands.drives.given import AnyDrive as AnyDrive
+from kurbel.commands.drives.given import Crank as Crank
+from kurbel.commands.drives.given import Linked as Linked
+from kurbel.commands.drives.given import Stroke as Stroke
 from kurbel.commands.loads import Loads
 from kurbel.commands.options import FILE, FLAG, Choice, Columns, Count, LayoutName, Option
-from kurbel.drive import load, mechanisms
+from kurbel.drive import load
 from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS
 from kurbel.page.layouts import LANGUAGES
 from kurbel.reading.given import Exact
@@ -32,8 +36,6 @@ STEP = Option(
     "Step of the angles; default 10. Without any of these options a layout has its own angles.", "ANGLE",
     unit="degrees",
 )  # fmt: skip
-STROKE = Option("2R: 600mm; of an offset crank, too, whose piston goes further.", "LENGTH", unit="m")
-CRANK = Option("R, in place of --stroke: 300mm.", "LENGTH", unit="m")
 SPEED = Option(
     "Speed, for columns in m/s and m/s²: 120/min, 12.5rad/s.", "SPEED", unit="turns a second"
 )  # fmt: skip
@@ -80,12 +82,6 @@ def layout_option(*subjects: str) -> Option:
 Ratios = Annotated[Given | None, RATIO]
 From = Annotated[Exact | None, Option("First angle; default 0.", "ANGLE", unit="degrees")]
 To = Annotated[Exact | None, Option("Last angle; default 360, the whole turn.", "ANGLE", unit="degrees")]
-Stroke = Annotated[Exact | None, STROKE]
-Crank = Annotated[Exact | None, CRANK]
-Rod = Annotated[
-    Exact | None,
-    Option("Rod length L, which with --stroke gives the ratio: 1500mm.", "LENGTH", unit="m"),
-]
 Method = Annotated[str | None, METHOD]
 Speed = Annotated[Exact | None, SPEED]
 PlainSpeed = Annotated[Exact | None, SPEED._replace(help="Speed: 120/min, 12.5rad/s.")]
@@ -191,71 +187,6 @@ class Run(TypedDict, total=False):
             "ANGLE", unit="degrees",
         ),
     ]  # fmt: skip
-
-
-class Slide(TypedDict, total=False):
-    """A crank drive with a crosshead, beside its ratio."""
-
-    offset: Annotated[
-        Exact | None, Option("Offset crank: e as a share of R, or as a length with --stroke.", "E", unit="R")
-    ]
-    stroke: Stroke
-    crank: Crank
-    true_stroke: Annotated[
-        Exact | None,
-        Option(
-            "Way of the piston, in place of --stroke; of an offset crank R follows from it, with --rod or"
-            " --ratio: 600mm.",
-            "LENGTH", unit="m",
-        ),
-    ]  # fmt: skip
-    time_ratio: Annotated[
-        Exact | None,
-        Option(
-            "With --true-stroke and --offset as a length: time of the outstroke over that of the return, from"
-            " which R and L follow: 1.2.",
-            "Q",
-        ),
-    ]  # fmt: skip
-    rod: Rod
-
-
-class Linked(Slide, total=False):
-    """Any crank drive."""
-
-    mechanism: Annotated[
-        str | None,
-        Option(mechanisms.described(), kind=Choice("mechanism", mechanisms.MECHANISMS)),
-    ]
-    rocker: Annotated[
-        Exact | None,
-        Option("Arc crank: length of the rocker in units of R, or a length with --crank.", "B", unit="R"),
-    ]
-    pivot: Annotated[
-        str | tuple[Exact, Exact] | None,
-        Option(
-            "Arc crank: the rocker's pivot along and across the slide, in units of R or as lengths; default:"
-            " as far as the rod is long, and B above the slide line. With D;0 angles count from the line of"
-            " centres, as of a four-bar.",
-            "D;H", unit="R",
-        ),
-    ]  # fmt: skip
-    circuit: Annotated[
-        Exact | None,
-        Option(
-            "Arc crank: 1 or -1, the two ways to assemble the links; default 1. Of a four-bar with its pivot"
-            " at D;0 the open one is -1.",
-            "WAY",
-        ),
-    ]  # fmt: skip
-
-
-class AnyDrive(Linked, total=False):
-    """Any crank drive, the beam engine among them."""
-
-    beam: Annotated[
-        Exact | None, Option("Beam engine: arm of the beam in units of R, or a length.", "A", unit="R")
-    ]
 
 
 class Cylinder(Loads, total=False):

@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING
 from kurbel.drive.crank import largest
 from kurbel.motion.evaluation import MOST_DECIMALS
 from kurbel.motion.page import CHUNK, RecordRows
-from kurbel.page.axes import angle_decimals, angle_number
+from kurbel.page.axes import angle_decimals, angle_number, shifted
 from kurbel.page.build import build
 from kurbel.page.subject import Question
-from kurbel.reading.notation import Progression, ratio_text, shifted
+from kurbel.reading.notation import Progression, ratio_text
 
 if TYPE_CHECKING:
     from kurbel.formats.columns import Scaled

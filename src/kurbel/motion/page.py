@@ -23,13 +23,14 @@ from kurbel.page.axes import (
     angle_decimals,
     angle_number,
     angle_pairs,
+    shifted,
 )
 from kurbel.page.build import Rows, records_of
 from kurbel.page.layouts import Layout, LayoutColumn
 from kurbel.page.quantity import Column, Quantity
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Records, Value
-from kurbel.reading.notation import ratio_text, shifted
+from kurbel.reading.notation import ratio_text
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -14,7 +14,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, degrees_text, finite_decimals, nearest
 from kurbel.page.quantity import words
 from kurbel.page.table import Cell, Ditto, Field, Value
-from kurbel.reading.notation import Progression, plain, ratio_text, shifted
+from kurbel.reading.notation import Progression, plain, ratio_text
 
 RATIO = words("Kurbelverhältnis R:L|Crank ratio R:L")
 PHI = words("Kurbelwinkel|Crank angle")
@@ -239,6 +239,15 @@ def angle_pairs(angles: Sequence[Fraction]) -> tuple[Fraction, ...]:
 def with_ratio(label: Label, ratio: Fraction) -> Label:
     """Put the ratio as a fraction where the label has {ratio}: 1/4.5."""
     return label.replace("{ratio}", ratio_text(ratio).replace(":", "/") if ratio else "0")
+
+
+def shifted(angles: Sequence[Fraction], by: Fraction) -> Sequence[Fraction]:
+    """Return each angle plus another one."""
+    if not by:
+        return angles
+    if isinstance(angles, Progression):
+        return Progression(angles.start + by, angles.step, angles.size)
+    return tuple(angle + by for angle in angles)
 
 
 def angle_text(angle: Fraction) -> str:

@@ -189,15 +189,6 @@ def progression(start: Fraction, stop: Fraction, step: Fraction, what: str = "an
     return Progression(start, step, count)
 
 
-def shifted(angles: Sequence[Fraction], by: Fraction) -> Sequence[Fraction]:
-    """Return each angle plus another one."""
-    if not by:
-        return angles
-    if isinstance(angles, Progression):
-        return Progression(angles.start + by, angles.step, angles.size)
-    return tuple(angle + by for angle in angles)
-
-
 def _values(
     parts: Iterable[str],
     one: Callable[[str], Fraction],

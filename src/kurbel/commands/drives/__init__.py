@@ -1,0 +1,1 @@
+"""Crank drives as options give them."""

@@ -1,0 +1,82 @@
+"""The options that describe a crank drive: which one it is, and its lengths."""
+
+from typing import Annotated, TypedDict
+
+from kurbel.commands.options import Choice, Option
+from kurbel.drive import mechanisms
+from kurbel.reading.given import Exact
+
+STROKE = Option("2R: 600mm; of an offset crank, too, whose piston goes further.", "LENGTH", unit="m")
+CRANK = Option("R, in place of --stroke: 300mm.", "LENGTH", unit="m")
+
+Stroke = Annotated[Exact | None, STROKE]
+Crank = Annotated[Exact | None, CRANK]
+Rod = Annotated[
+    Exact | None,
+    Option("Rod length L, which with --stroke gives the ratio: 1500mm.", "LENGTH", unit="m"),
+]
+
+
+class Slide(TypedDict, total=False):
+    """A crank drive with a crosshead, beside its ratio."""
+
+    offset: Annotated[
+        Exact | None, Option("Offset crank: e as a share of R, or as a length with --stroke.", "E", unit="R")
+    ]
+    stroke: Stroke
+    crank: Crank
+    true_stroke: Annotated[
+        Exact | None,
+        Option(
+            "Way of the piston, in place of --stroke; of an offset crank R follows from it, with --rod or"
+            " --ratio: 600mm.",
+            "LENGTH", unit="m",
+        ),
+    ]  # fmt: skip
+    time_ratio: Annotated[
+        Exact | None,
+        Option(
+            "With --true-stroke and --offset as a length: time of the outstroke over that of the return, from"
+            " which R and L follow: 1.2.",
+            "Q",
+        ),
+    ]  # fmt: skip
+    rod: Rod
+
+
+class Linked(Slide, total=False):
+    """Any crank drive."""
+
+    mechanism: Annotated[
+        str | None,
+        Option(mechanisms.described(), kind=Choice("mechanism", mechanisms.MECHANISMS)),
+    ]
+    rocker: Annotated[
+        Exact | None,
+        Option("Arc crank: length of the rocker in units of R, or a length with --crank.", "B", unit="R"),
+    ]
+    pivot: Annotated[
+        str | tuple[Exact, Exact] | None,
+        Option(
+            "Arc crank: the rocker's pivot along and across the slide, in units of R or as lengths; default:"
+            " as far as the rod is long, and B above the slide line. With D;0 angles count from the line of"
+            " centres, as of a four-bar.",
+            "D;H", unit="R",
+        ),
+    ]  # fmt: skip
+    circuit: Annotated[
+        Exact | None,
+        Option(
+            "Arc crank: 1 or -1, the two ways to assemble the links; default 1. Of a four-bar with its pivot"
+            " at D;0 the open one is -1.",
+            "WAY",
+        ),
+    ]  # fmt: skip
+
+
+class AnyDrive(Linked, total=False):
+    """Any crank drive, the beam engine among them."""
+
+    beam: Annotated[
+        Exact | None, Option("Beam engine: arm of the beam in units of R, or a length.", "A", unit="R")
+    ]
