@@ -75,6 +75,7 @@ def test_a_blow_takes_its_work_from_the_flywheel_alone() -> None:
 def test_a_press_between_two_speeds_gives_motor_and_flywheel() -> None:
     found = figures("--work 10kJ --strokes 30/min --share 1/4 --speed 200..225/min")
     agree(found, power=mpf(5000), swing=mpf(7500), delta=mpf(25) / mpf("212.5"))
+    assert figures("--work 10kJ --strokes 30/min --share 25% --speed 225/min..200/min") == found
     agree(found, inertia=2 * 7500 / (rate(225) ** 2 - rate(200) ** 2))
     slow = figures("--power 3kW --work 9kJ --share 0")
     agree(slow, strokes=mpf(20))
@@ -123,6 +124,10 @@ def test_sizes_of_a_rim_and_of_a_disc_give_their_masses() -> None:
     rim = figures("--rim-diameter 2.1m --density 7200kg/m3", "--rim-section", "300mm x 150mm")
     mass = 7200 * mpf("0.3") * mpf("0.15") * mp.pi * mpf("2.1")
     agree(rim, rim_mass=mass, inertia=mass * mpf("1.05") ** 2)
+    sides = figures("--rim-diameter 2.1m --density 7200kg/m3", "--rim-section", "300 x 150 mm")
+    assert rim == sides
+    area = figures("--rim-diameter 2.1m --density 7200kg/m3 --rim-section 450cm2")
+    agree(area, rim_mass=rim["rim_mass"])
     disc = figures(
         "--swing 1kJ --speed 300/min --disc-diameter 0.6m --disc-thickness 80mm --density 7.85t/m3"
     )
@@ -206,7 +211,7 @@ REFUSED = [
     ("--speed 212/min --greatest-speed 225/min --least-speed 200/min --swing 5kJ",
      "--speed gives the speed 212 min⁻¹, and --greatest-speed and --least-speed give 212.5 min⁻¹; leave one"
      " of them out"),
-    ("--speed 225..200/min --swing 5kJ",
+    ("--greatest-speed 200/min --least-speed 225/min --swing 5kJ",
      "the greatest speed is 200/min and the least 225/min; the greatest must be above the least"),
     ("--swing 5kJ --speed 10/min --inertia 1kgm2",
      "degree of irregularity δ is 4559.5; it must be below 2, at which the flywheel would come to rest in"
@@ -234,6 +239,11 @@ REFUSED = [
     ("--hole 38mm×32mm",
      "--hole needs the energy of the sheared area, --shear-energy 7J/mm², or the strength of the plate,"
      " --shear-strength 300MPa; give one of the two"),
+    ("--rim-diameter 2m --rim-section 2:0",
+     'section of the rim "2:0" cannot be read; write breadth to thickness, 2:1, both, 400mm x 200mm, or'
+     " 800cm²"),
+    ("--rim-diameter 2m --rim-section 2:1 --rim-share 105%",
+     "the share of the rim is 1.05; it must be at most 1, the whole flywheel"),
     ("--share 1 --work 5kJ",
      "the share of the cycle in which the press works is 1; it must be 0 or more, for a blow, and below 1, at"
      " which the motor does all the work at once"),

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from fractions import Fraction
-from functools import partial
 from typing import Any
 
 from kurbel.diagram.wheel.sizing import Known
@@ -51,6 +50,7 @@ _PLAIN: Mapping[str, tuple[str, str, str, Callable[..., Fraction]]] = {
 }
 _SPEEDS = {"speed": "omega", "greatest_speed": "omega_max", "least_speed": "omega_min"}
 _RANGE = re.compile(r"(.+?)\.\.(.+)")
+_SQUARE = re.compile(r"(?<=[a-z])2$")
 
 
 def figures_of(given: Mapping[str, Any], names: Collection[str] = ()) -> Iterator[tuple[str, Known]]:
@@ -66,7 +66,10 @@ def _all(given: Mapping[str, Any]) -> Iterator[tuple[str, Product, str]]:
         if given[option] is not None:
             # What a motor gives is more than what the press takes.
             figure = "motor" if option == "power" and given["efficiency"] is not None else figure
-            yield figure, _above_zero(read(given[option], name), name, unit), option
+            number = read(given[option], name)
+            if option == "rim_share" and number > 1:
+                raise ProblemError(f"the {name} is {about(number)}; it must be at most 1, the whole flywheel")
+            yield figure, _above_zero(number, name, unit), option
     for option, figure, value in _speeds(given):
         yield figure, value, option
     for figure, value in _section(given["rim_section"]):
@@ -82,18 +85,21 @@ def _above_zero(value: Fraction, name: str, unit: str) -> Product:
 def _speeds(given: Mapping[str, Any]) -> Iterator[tuple[str, str, Product]]:
     speed = given["speed"]
     ends = _RANGE.fullmatch(speed) if isinstance(speed, str) else None
-    if ends is None:
-        both: Mapping[str, Any] = {}
-    else:
-        low, high = (end.strip() for end in ends.groups())
-        # The unit stands behind both, or behind the second alone.
-        unit = split(high)[1] if is_measure(high) and not is_measure(low) else ""
-        both = {"least_speed": f"{low}{unit}", "greatest_speed": high}
     for option, figure in _SPEEDS.items():
-        if given[option] is not None and not (both and option == "speed"):
+        if given[option] is not None and not (ends and option == "speed"):
             yield option, figure, omega_of(given[option])
-    for option, value in both.items():
-        yield "speed", _SPEEDS[option], omega_of(value)
+    if ends is not None:
+        one, other = map(omega_of, in_one_unit(ends.groups()))
+        low, high = (other, one) if one.exceeds(other) else (one, other)
+        yield "speed", "omega_min", low
+        yield "speed", "omega_max", high
+
+
+def in_one_unit(texts: Sequence[str]) -> list[str]:
+    """Return measures of which the last alone may have a unit, each with it: 200 and 225/min."""
+    *others, last = (text.strip() for text in texts)
+    unit = split(last)[1] if is_measure(last) else ""
+    return [*(text if is_measure(text) else f"{text}{unit}" for text in others), last]
 
 
 def omega_of(speed: Any) -> Product:
@@ -102,20 +108,25 @@ def omega_of(speed: Any) -> Product:
     return Product.of(2 * turns.value, 1) if turns.turns else Product.of(turns.value)
 
 
+def sides_of(given: Any) -> list[str]:
+    """Return the two lengths of "400mm x 200mm" or "400 x 200 mm", none of another text."""
+    sides = re.split(r"[x×]", given) if isinstance(given, str) else []
+    return in_one_unit(sides) if len(sides) == 2 else []
+
+
 def _section(given: Any) -> Iterator[tuple[str, Product]]:
     """Yield what the section of a rim gives: breadth and thickness, its area, or the ratio of both."""
     if given is None:
         return
-    sides = re.split(r"\s*[x×]\s*", given) if isinstance(given, str) else []
-    positive = partial(_above_zero, unit="m")
-    if len(sides) == 2:
+    name = "section of the rim"
+    if sides := sides_of(given):
         for figure, side in zip(("breadth", "thickness"), sides, strict=True):
-            yield figure, positive(as_length(side, f"{figure} of the rim"), f"{figure} of the rim")
-    elif (isinstance(given, str) and given.rstrip()[-1:].isalpha()) or "²" in str(given):
-        yield "section", _above_zero(as_area(given, "section of the rim"), "section of the rim", "m²")
+            yield figure, _above_zero(as_length(side, f"{figure} of the rim"), f"{figure} of the rim", "m")
+    elif isinstance(given, str) and any(map(str.isalpha, given)):
+        area = as_area(_SQUARE.sub("²", given.strip()), name)
+        yield "section", _above_zero(area, name, "m²")
     else:
-        name = "ratio of breadth to thickness of the rim"
-        yield "proportion", _above_zero(_ratio(given), name, "")
+        yield "proportion", _above_zero(_ratio(given), "ratio of breadth to thickness of the rim", "")
 
 
 def _ratio(given: Any) -> Fraction:

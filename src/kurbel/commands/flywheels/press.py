@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from typing import Any, NamedTuple
 
+from kurbel.commands.flywheels.figures import sides_of
 from kurbel.diagram.wheel.relations import figures_of
 from kurbel.diagram.wheel.sizing import Figures, Known, completed
 from kurbel.errors import NotationError, ProblemError
@@ -112,8 +112,8 @@ def _punched(given: Mapping[str, Any]) -> Known:
             "--hole needs the energy of the sheared area, --shear-energy 7J/mm², or the strength of the"
             " plate, --shear-strength 300MPa; give one of the two"
         )
-    sides = re.split(r"\s*[x×]\s*", str(given["hole"]))
-    if len(sides) != 2:
+    sides = sides_of(given["hole"])
+    if not sides:
         raise NotationError(
             f'hole "{str(given["hole"])[:40]}" is not a diameter and the thickness of the plate, 38mm x 32mm'
         )

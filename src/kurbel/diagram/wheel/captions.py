@@ -149,10 +149,10 @@ def _places(question: WheelRequest) -> Iterator[Label]:
 
 
 def _listed(places: Sequence[Extreme], question: WheelRequest) -> Label:
-    shown = [f"${_place(one, question.rounding)}$" for one in places[:MOST_PLACES]]
+    first, *others = (_place(one, question.rounding) for one in places[:MOST_PLACES])
+    begun = f"${first}$" if places[0].letter else f"$φ = {first}$"
     more = ["..."] if len(places) > MOST_PLACES else []
-    named = ", ".join([*shown, *more])
-    return named if places[0].letter else f"$φ$ = {named}"
+    return ", ".join([begun, *(f"${one}$" for one in others), *more])
 
 
 def _place(place: Extreme, rounding: str) -> str:
