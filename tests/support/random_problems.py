@@ -220,6 +220,58 @@ def diagram_by_points(random: Random) -> Asked:
     return ["flywheel", *words], [row]
 
 
+@kind
+def locomotive(random: Random) -> Asked:
+    """Two cylinders at any places, their cranks at any angle: balancing masses, hammer blow, forces."""
+    spacing, gauge = number(random, 400, 2200), number(random, 1000, 1600)
+    crank, at, speed = number(random, 200, 400), number(random, 400, 900), number(random, 100, 400)
+    mass, turning = number(random, 80, 400), number(random, 50, 400)
+    share, angle = number(random, 0.1, 0.95, 2), random.randrange(60, 121, 5)
+    arm, half = mpf(spacing) / 2, mpf(gauge) / 2
+    omega2 = si(f"{speed}/min") ** 2
+    pins = (mpc(1), turned(mpf(1), mpf(angle)))
+
+    def left_wheel(size: mpf) -> mpc:
+        return -size * (pins[0] * (half + arm) + pins[1] * (half - arm)) / (2 * half)
+
+    weight, lifting = mpf(turning) + mpf(share) * mpf(mass), mpf(share) * mpf(mass)
+    pull = (1 - mpf(share)) * mpf(mass) * mpf(crank) / 1000 * omega2
+    row = {
+        "mass_left": abs(left_wheel(weight)) * mpf(crank) / mpf(at),
+        "angle_left": polar(left_wheel(weight))[1],
+        "blow_left": abs(left_wheel(lifting)) * mpf(crank) / 1000 * omega2,
+        "pull": abs(pins[0] + pins[1]) * pull,
+        "sway": abs(pins[0] - pins[1]) * pull * arm / 1000,
+    }
+    words = ["--spacing", f"{spacing}mm", "--gauge", f"{gauge}mm", "--crank", f"{crank}mm"]
+    words += ["--revolving", f"{turning}kg", "--reciprocating", f"{mass}kg", "--share", share]
+    words += ["--cranks", f"0;{angle}", "--balance-radius", f"{at}mm", "--speed", f"{speed}/min"]
+    return ["locomotive", *words], [row]
+
+
+@kind
+def compressor(random: Random) -> Asked:
+    """Work by integrals of the pressure over the volume on both strokes."""
+    ratio, exponent = mpf(number(random, 1.5, 9, 2)), mpf(number(random, 1.05, 1.4))
+    clearance = mpf(number(random, 1, 8, 2))
+    bore, stroke, speed = number(random, 80, 400), number(random, 80, 400), number(random, 100, 600)
+    whole, rest = 1 + clearance / 100, clearance / 100
+    work = sum(
+        turn * quad(lambda v, mass=mass: (mass / v) ** exponent, ends)
+        for turn, mass, ends in (
+            (1, whole, [whole / ratio ** (1 / exponent), whole]),
+            (-1, rest * ratio ** (1 / exponent), [rest, rest * ratio ** (1 / exponent)]),
+        )
+    )
+    work += ratio * (whole / ratio ** (1 / exponent) - rest) - (whole - rest * ratio ** (1 / exponent))
+    volume = swept(mpf(bore) / 1000, mpf(stroke) / 1000)
+    power = work * volume * turns(si(f"{speed}/min")) * 100
+    words = ["--pressure-ratio", mp.nstr(ratio, 6), "--exponent", mp.nstr(exponent, 6), "--single-acting"]
+    words += ["--clearance", f"{mp.nstr(clearance, 6)}%", "--suction-pressure", "1bar"]
+    words += ["--bore", f"{bore}mm", "--stroke", f"{stroke}mm", "--speed", f"{speed}/min"]
+    return ["power", *words], [{"indicated_power": power}]
+
+
 def assert_digits(name: str, rows: Sequence[dict[str, Any]], expected: Rows) -> None:
     """Assert that the rows print what is expected, to half a unit of the last decimal."""
     assert len(rows) == len(expected), name
