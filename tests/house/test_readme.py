@@ -20,7 +20,7 @@ PAGES = (
     README,
     *(
         ROOT / "docs" / f"{name}.md"
-        for name in ("engines", "speed", "flywheels", "diagrams", "balance", "effort")
+        for name in ("engines", "speed", "flywheels", "diagrams", "balance", "effort", "given")
     ),
 )
 BLOCK = re.compile(r"(?<=```console\n).*?(?=```)", re.DOTALL)
