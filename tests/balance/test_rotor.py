@@ -126,6 +126,13 @@ def test_a_direction_half_way_between_two_printed_ones_is_rounded_away() -> None
     assert rows[-1]["angle"] == "23"
 
 
+def test_directions_lie_within_a_turn() -> None:
+    row = page("--masses=5;1kg", "--radii=1m", "--angles=0;300")["unbalance"]
+    assert float(row["angle"]) == pytest.approx(
+        360 - math.degrees(math.atan2(math.sqrt(3) / 2, 5.5)), abs=1e-8
+    )
+
+
 def test_without_planes_nothing_is_said_of_couples() -> None:
     rows = page("--masses=3;4kg", "--radii=100mm", "--angles=0;90")
     assert [*rows] == ["mass_1", "mass_2", "unbalance"]

@@ -52,7 +52,7 @@ SUBJECTS: Mapping[str, Pages] = {
     "excitation": Pages("kurbel.engine.harmonics.page:EXCITING", _EXCITED),
     "balance": Pages("kurbel.balance.page:SUBJECT", "balance"),
     "balance at angles": Pages("kurbel.balance.angles.page:AT_ANGLES", "balance --angle 30"),
-    "balance extremes": Pages("kurbel.balance.angles.extremes:EXTREMES", "balance --layout balance-greatest"),
+    "balance extremes": Pages("kurbel.balance.angles.extremes:EXTREMES", "balance"),
     "rotor": Pages("kurbel.balance.rotors.page:SUBJECT", f"rotor {_ROTOR}"),
     "locomotive": Pages("kurbel.balance.locomotives.page:SUBJECT", f"locomotive {_AXLE}"),
     "firing orders": Pages("kurbel.balance.firing_page:ORDERS", "firing"),
