@@ -18,7 +18,7 @@ from answers_flywheels import range_of
 from answers_motion import path, place
 from answers_power import mean_pressure, swept, turns
 from cli import printed
-from mpmath import cos, mp, mpc, mpf, pi, quad
+from mpmath import cos, mp, mpc, mpf, pi, quad, radians
 from newton_euler import Drive
 from problem_answers import Rows, in_si
 
@@ -114,6 +114,39 @@ def effort(random: Random) -> Asked:
         "3",
     ]
     return ["forces", *words, *asked], [{key: found[key] for key in columns}]
+
+
+@kind
+def steam_engine(random: Random) -> Asked:
+    """A double-acting engine at any angle: expansion on either side, piston rods, friction, weight."""
+    words, crank, rod, speed = crank_drive(random)
+    bore, thick, tail = number(random, 200, 600), number(random, 20, 90), number(random, 20, 90)
+    pressure, back = number(random, 5, 14), number(random, 0.3, 1.6)
+    expansion, clearance = mpf(number(random, 1.5, 6, 2)), mpf(number(random, 1, 12, 2)) / 100
+    mass, friction = number(random, 20, 300), number(random, 50, 900)
+    angle = random.choice((number(random, 3, 177), number(random, 183, 357)))
+    going_out = mpf(angle) < 180
+    gone = path(radians(mpf(angle)), crank, rod) / (2 * crank)
+    share = gone if going_out else 1 - gone
+    behind = mpf(pressure) * min(mpf(1), (1 / expansion + clearance) / (share + clearance))
+    cover, under = (mpf(bore) ** 2 - mpf(one) ** 2 for one in (tail, thick))
+    force = behind * cover - mpf(back) * under if going_out else mpf(back) * cover - behind * under
+    force *= pi / 40
+    force -= mpf(friction) if going_out else -mpf(friction)
+    found = Drive(crank, rod, speed, mpf(mass), slope=mpf(90), gravity=mpf("9.81")).forces(mpf(angle), force)
+    words += ["--bore", f"{bore}mm", "--piston-rod", f"{thick}mm", "--tail-rod", f"{tail}mm"]
+    words += ["--pressure", f"{pressure}bar", "--back", f"{back}bar", "--eps", mp.nstr(expansion, 6)]
+    words += [
+        "--clearance",
+        mp.nstr(clearance, 6),
+        "--reciprocating",
+        f"{mass}kg",
+        "--friction",
+        f"{friction}N",
+    ]
+    columns = ["guide_force_n", "torque_nm"]
+    words += ["--vertical", "--gravity", "9.81", "--columns", ",".join(columns), "--digits", "3"]
+    return ["forces", *words, "--angle", angle], [{key: found[key] for key in columns}]
 
 
 @kind
