@@ -94,3 +94,31 @@ def given_rim(swing: mpf, speed: mpf, diameter: mpf, breadth: mpf, thickness: mp
     found = range_of(mass * diameter**2 / 4, swing, speed)
     stress = density * (speed * diameter / 2) ** 2 / 10**6
     return [{**found, "rim_mass": mass, "hoop_stress": stress}]
+
+
+@solution
+def holes_in_a_plate(
+    hole: str,
+    strength: mpf,
+    strokes: mpf,
+    share: mpf,
+    efficiency: mpf,
+    speed: mpf,
+    diameter: mpf,
+    delta: mpf,
+    rim: mpf,
+    density: mpf,
+) -> Rows:
+    wide, thick = (mpf(one) / 1000 for one in hole.replace("mm", "").split(" x "))
+    work = strength * pi * wide * thick * thick / 2
+    inertia = wheel(work * (1 - share), speed, delta)["inertia"]
+    mass = rim * inertia / (diameter / 2) ** 2
+    thickness = sqrt(mass / (density * pi * diameter * 2))
+    power = work * strokes / (2 * pi) / efficiency
+    return [{"motor_power": power, "thickness": thickness * 1000, "breadth": thickness * 2000}]
+
+
+@solution
+def riveting_machine(work: mpf, power: mpf, time: mpf, inertia: mpf, speed: mpf) -> Rows:
+    after = sqrt(speed**2 - 2 * (work - power * time) / inertia)
+    return [{"least_speed": per_minute(after), "strokes": power / work * 60}]
