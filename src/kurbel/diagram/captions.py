@@ -10,6 +10,7 @@ from kurbel.diagram.steady import Steady
 from kurbel.exact.kind import Kind, floats, settled
 from kurbel.exact.numerals import Label, Number, figures, finite_decimals, nearest, number_text
 from kurbel.page.quantity import Words, words
+from kurbel.reading.amounts import unit_of_page
 from kurbel.reading.units import Speed
 
 # So many places are named; more go on in the same steps.
@@ -43,17 +44,17 @@ WORDS: Mapping[str, Words] = {
     "cycle": words("Spiel von ${turns}$ Umdrehungen|cycle of ${turns}$ turns"),
     "one_cycle": words("Spiel von einer Umdrehung|cycle of one turn"),
     "scale": words("eine Flächeneinheit ${scale}$|a unit of area ${scale}$"),
-    "mean": words('mittleres Moment ${mean} "N m"$|mean torque ${mean} "N m"$'),
-    "work": words('Arbeit des Spieles ${work} "J"$|work of a cycle ${work} "J"$'),
-    "swing": words('Arbeitsüberschuss $ΔW = {swing} "J"$|energy swing $ΔW = {swing} "J"$'),
+    "mean": words("mittleres Moment ${mean}$|mean torque ${mean}$"),
+    "work": words("Arbeit des Spieles ${work}$|work of a cycle ${work}$"),
+    "swing": words("Arbeitsüberschuss $ΔW = {swing}$|energy swing $ΔW = {swing}$"),
     "extremes": words(
         "Drehzahl am größten bei {greatest}, am kleinsten bei {least}"
         "|speed greatest at {greatest}, least at {least}"
     ),
-    "power": words('Leistung ${power} "W"$|power ${power} "W"$'),
+    "power": words("Leistung ${power}$|power ${power}$"),
     "run": words(
-        '$J = {inertia} "kg m"^2$, {speed}, Mittel aus größter und kleinster'
-        '|$J = {inertia} "kg m"^2$, {speed}, mean of the greatest and the least'
+        "$J = {inertia}$, {speed}, Mittel aus größter und kleinster"
+        "|$J = {inertia}$, {speed}, mean of the greatest and the least"
     ),
     "irregularity": words(
         'Ungleichförmigkeitsgrad $δ = (ΔW)/(J ω^2) = {delta}$, $n_"max" = {most} "min"^(-1)$,'
@@ -61,7 +62,7 @@ WORDS: Mapping[str, Words] = {
         '|degree of irregularity $δ = (ΔW)/(J ω^2) = {delta}$, $n_"max" = {most} "min"^(-1)$,'
         ' $n_"min" = {least} "min"^(-1)$'
     ),
-    "mass": words('$J = {inertia} "kg m"^2$'),
+    "mass": words("$J = {inertia}$"),
 }
 
 
@@ -71,6 +72,12 @@ def shown(value: Callable[[Kind], Any], algebraic: bool) -> str:
     return number_text(Number(settled(value, decimals, algebraic=algebraic), decimals))
 
 
+def _amount(value: Callable[[Kind], Any], algebraic: bool, symbol: str) -> Label:
+    """Return the same of an amount in this unit of metric pages, with the unit of the page."""
+    times, unit = unit_of_page(symbol)
+    return f"{shown(lambda kind: value(kind) * kind.of(times), algebraic)} {unit}"
+
+
 def outcome(
     fluctuation: Fluctuation, speed: Speed | None, steady: Steady | None, lang: str
 ) -> Iterator[Label]:
@@ -78,16 +85,20 @@ def outcome(
     parts = []
     if fluctuation.mean_torque(floats()) is not None:
         parts.append(
-            WORDS["mean"][lang].format(mean=shown(fluctuation.mean_torque, fluctuation.torque_is_algebraic))
+            WORDS["mean"][lang].format(
+                mean=_amount(fluctuation.mean_torque, fluctuation.torque_is_algebraic, "N m")
+            )
         )
         parts.append(
-            WORDS["work"][lang].format(work=shown(fluctuation.work, not fluctuation.torque_is_algebraic))
+            WORDS["work"][lang].format(
+                work=_amount(fluctuation.work, not fluctuation.torque_is_algebraic, "J")
+            )
         )
-    parts.append(WORDS["swing"][lang].format(swing=shown(fluctuation.swing, fluctuation.algebraic)))
+    parts.append(WORDS["swing"][lang].format(swing=_amount(fluctuation.swing, fluctuation.algebraic, "J")))
     if speed is not None and fluctuation.mean_torque(floats()) is not None:
         parts.append(
             WORDS["power"][lang].format(
-                power=shown(_power(fluctuation, speed), speed.turns != fluctuation.torque_is_algebraic)
+                power=_amount(_power(fluctuation, speed), speed.turns != fluctuation.torque_is_algebraic, "W")
             )
         )
     yield ", ".join(parts)

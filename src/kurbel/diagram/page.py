@@ -23,6 +23,7 @@ from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place, angle_decim
 from kurbel.page.quantity import Column, Quantity, words
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
+from kurbel.reading.amounts import amount
 from kurbel.reading.units import Speed
 
 TORQUES, AREAS = "torques", "areas"
@@ -70,10 +71,10 @@ class DiagramRequest(Question):
         if self.inertia is None:
             yield from () if self.speed is None else (turns_label(self.speed),)
         elif self.speed is None:
-            yield WORDS["mass"][lang].format(inertia=figure(self.inertia))
+            yield WORDS["mass"][lang].format(inertia=amount(self.inertia, "kg m²"))
         else:
             said = WORDS["run"][lang]
-            yield said.format(inertia=figure(self.inertia), speed=turns_label(self.speed))
+            yield said.format(inertia=amount(self.inertia, "kg m²"), speed=turns_label(self.speed))
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from kurbel.drive.load import figure
 from kurbel.exact.numerals import Label
 from kurbel.page.quantity import words
+from kurbel.reading.amounts import amount
 
 if TYPE_CHECKING:
     from kurbel.drive.effort import Areas, Effort
@@ -22,14 +23,14 @@ WORDS = {
         ' "m/s"^2$'
     ),
     "pressures": words(
-        '$F = π/4 ({cover} p_D - {other} p_K)$ zur Welle hin: $p_D = {head} "kPa"$ auf der'
-        ' Deckelseite, $p_K = {crank} "kPa"$ auf der Kurbelseite, über dem Druck der Umgebung'
-        '|$F = π/4 ({cover} p_D - {other} p_K)$ towards the shaft: $p_D = {head} "kPa"$ on the'
-        ' side of the cover, $p_K = {crank} "kPa"$ on that of the crank, above the surroundings'
+        "$F = π/4 ({cover} p_D - {other} p_K)$ zur Welle hin: $p_D = {head}$ auf der"
+        " Deckelseite, $p_K = {crank}$ auf der Kurbelseite, über dem Druck der Umgebung"
+        "|$F = π/4 ({cover} p_D - {other} p_K)$ towards the shaft: $p_D = {head}$ on the"
+        " side of the cover, $p_K = {crank}$ on that of the crank, above the surroundings"
     ),
     "difference": words(
-        '$F = π/4 d^2 Δp$ zur Welle hin: auf der Deckelseite $Δp = {head} "kPa"$ mehr'
-        '|$F = π/4 d^2 Δp$ towards the shaft: $Δp = {head} "kPa"$ more on the side of the cover'
+        "$F = π/4 d^2 Δp$ zur Welle hin: auf der Deckelseite $Δp = {head}$ mehr"
+        "|$F = π/4 d^2 Δp$ towards the shaft: $Δp = {head}$ more on the side of the cover"
     ),
     "rods": words(
         "{rods}: Kolbenstange und durchgeführte Stange auf ihrer Seite von der Kolbenfläche abgezogen"
@@ -37,11 +38,11 @@ WORDS = {
     ),
     "pins": words(
         "$M_R$ weniger dem, was die Zapfen nehmen, mit Reibungskreisen $d/2 sin ρ$, $tan ρ = {friction}$:"
-        ' Kreuzkopfzapfen $d = {crosshead} "mm"$, Kurbelzapfen $d = {crank} "mm"$, Welle $d = {shaft} "mm"$'
+        " Kreuzkopfzapfen $d = {crosshead}$, Kurbelzapfen $d = {crank}$, Welle $d = {shaft}$"
         "|$M_R$ less what the pins take, with circles of friction $d/2 sin ρ$, $tan ρ = {friction}$:"
-        ' crosshead pin $d = {crosshead} "mm"$, crank pin $d = {crank} "mm"$, shaft $d = {shaft} "mm"$'
+        " crosshead pin $d = {crosshead}$, crank pin $d = {crank}$, shaft $d = {shaft}$"
     ),
-    "friction": words('Reibung ${force} "N"$ gegen die Bewegung|Friction ${force} "N"$ against the motion'),
+    "friction": words("Reibung ${force}$ gegen die Bewegung|Friction ${force}$ against the motion"),
     "reciprocating": words("von Kolben und Kreuzkopf|piston and crosshead"),
     "rod": words("der Schubstange|rod"),
     "all": words("von Kolben, Kreuzkopf und Schubstange|piston, crosshead and rod"),
@@ -87,23 +88,23 @@ def effort_notes(effort: Effort, lang: str) -> Iterator[Label]:
         yield WORDS["difference" if pressures.difference else "pressures"][lang].format(
             cover="(d^2 - d_D^2)" if areas.tail else "d^2",
             other="(d^2 - d_K^2)" if areas.rod else "d^2",
-            head=figure(pressures.head / 1000),
-            crank=figure(pressures.crank / 1000),
+            head=amount(pressures.head, "kPa"),
+            crank=amount(pressures.crank, "kPa"),
         )
     if effort.areas is not None:
         yield WORDS["rods"][lang].format(rods=", ".join([*_areas(effort.areas)][1:]))
     if effort.pins is not None:
         yield WORDS["pins"][lang].format(
             friction=figure(effort.pins.friction),
-            **{name: figure(1000 * getattr(effort.pins, name)) for name in ("crosshead", "crank", "shaft")},
+            **{name: amount(getattr(effort.pins, name), "mm") for name in ("crosshead", "crank", "shaft")},
         )
     if effort.friction:
-        yield WORDS["friction"][lang].format(force=figure(effort.friction))
+        yield WORDS["friction"][lang].format(force=amount(effort.friction, "N"))
 
 
 def _areas(areas: Areas) -> Iterator[Label]:
-    yield f'$d = {figure(1000 * areas.bore)} "mm"$'
+    yield f"$d = {amount(areas.bore, 'mm')}$"
     if areas.rod:
-        yield f'$d_K = {figure(1000 * areas.rod)} "mm"$'
+        yield f"$d_K = {amount(areas.rod, 'mm')}$"
     if areas.tail:
-        yield f'$d_D = {figure(1000 * areas.tail)} "mm"$'
+        yield f"$d_D = {amount(areas.tail, 'mm')}$"

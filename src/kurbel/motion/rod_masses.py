@@ -8,7 +8,6 @@ from fractions import Fraction
 from functools import cache
 from typing import NamedTuple
 
-from kurbel.drive.load import figure
 from kurbel.drive.rod import Rod
 from kurbel.exact.numerals import Label, Number, given, number_text
 from kurbel.exact.product import Product
@@ -17,6 +16,7 @@ from kurbel.page.axes import ColumnAxis, ListAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, entry, words
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
+from kurbel.reading.amounts import amount, unit_of_page
 
 KILOGRAMS, LENGTHS, BOTH = "mass", "length", "mass and length"
 UNKNOWN = {
@@ -182,12 +182,16 @@ def _sizes(question: RodMassesRequest, length: Fraction) -> Iterator[Label]:
     """Yield the rod's length, its radius of gyration and, of a known mass, its moment of inertia."""
     rod, rounding = question.rod, question.rounding
     square = Product.of(rod.gyration_square * length**2)
-    yield f'$L = {figure(1000 * length)} "mm"$'
-    gyration = square ** Fraction(1, 2) * Product.of(1000)
-    yield f'$k = {number_text(gyration.number(None, rounding))} "mm"$'
+    yield f"$L = {amount(length, 'mm')}$"
+    times, unit = unit_of_page("mm")
+    gyration = square ** Fraction(1, 2) * Product.of(1000 * times)
+    yield f"$k = {number_text(gyration.number(None, rounding))} {unit}$"
     if rod.mass is not None:
-        inertia = square * Product.of(rod.mass)
-        yield f'$J_S = M k^2 = {number_text(inertia.number(None, rounding))} "kg" "m"^2$'
+        times, unit = unit_of_page("kg m²")
+        inertia = square * Product.of(rod.mass * times)
+        # Of metric pages the unit is set in two words.
+        label = unit if times != 1 else '"kg" "m"^2'
+        yield f"$J_S = M k^2 = {number_text(inertia.number(None, rounding))} {label}$"
 
 
 SUBJECT = Subject(
