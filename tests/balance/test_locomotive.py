@@ -77,7 +77,7 @@ def test_wheels_and_frame_bear_what_the_turned_masses_do(
 
 def test_cranks_at_right_angles_have_the_textbook_s_formulas() -> None:
     words = ("--spacing=0.7m", "--gauge=1.5m", "--stroke=60cm", "--reciprocating=300kg", "--velocity=72km/h")
-    (row,) = page(*words, "--wheel=1.6m", "--share=2/3")
+    (row,) = page(*words, "--wheel=1.6m", "--share=2/3", "--hammer-blow=10kN")
     omega = 20 / 0.8
     whole = 300 * 0.3 * omega**2
     assert float(row["pull"]) == pytest.approx(math.sqrt(2) * whole / 3, abs=1e-6)
@@ -85,6 +85,12 @@ def test_cranks_at_right_angles_have_the_textbook_s_formulas() -> None:
     assert (row["pull_phi"], row["sway_phi"]) == ("315.000000", "225.000000")
     inner, outer = 1.1 / 1.5, 0.4 / 1.5
     assert float(row["blow_left"]) == pytest.approx(2 / 3 * whole * math.hypot(inner, outer), abs=1e-6)
+    assert float(row["share_most"]) == pytest.approx(1e4 / whole / math.hypot(inner, outer), abs=1e-6)
+    (coupled,) = page(*words, "--wheel=1.6m", "--share=2/3", "--axles=3", "--revolving=150kg")
+    assert float(coupled["blow_left"]) == pytest.approx(float(row["blow_left"]) / 3, abs=1e-6)
+    assert coupled["pull"] == row["pull"]
+    at_pins = (150 + 300 * 2 / 9) * 0.3 * math.hypot(inner, outer)
+    assert float(coupled["balance_left"]) == pytest.approx(at_pins, abs=1e-6)
     assert float(row["angle_left"]) == pytest.approx(180 + math.degrees(math.atan(outer / inner)), abs=1e-6)
     assert float(row["speed"]) == pytest.approx(omega * 30 / math.pi, abs=1e-6)
 

@@ -55,7 +55,7 @@ KNOWN: Mapping[str, Mapping[str, Fraction]] = {
     "[length]": {
         **_scaled({"m": 1, "cm": "1/100", "mm": "1/1000"}), "in": INCH, "inch": INCH, "ft": FOOT,
     },
-    "[length]/[time]": {**_scaled({"m/s": 1}), "ft/s": FOOT},
+    "[length]/[time]": {**_scaled({"m/s": 1, "km/h": "5/18"}), "ft/s": FOOT},
     "[length]/[time]**2": {**_scaled({"m/s/s": 1}), "ft/s/s": FOOT},
     "[power]": {**_scaled({"W": 1, "kW": 1000, "MW": 10**6}), "hp": 550 * _FOOT_POUND},
     "[mass]": {**_scaled({"kg": 1, "g": "1/1000", "t": 1000}), "lb": POUND},

@@ -37,11 +37,16 @@ class Crank(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Locomotive:
-    """The cranks on an axle, their radius and the distance of the planes of its wheels, in m."""
+    """The cranks on an axle, their radius and the distance of the planes of its wheels, in m.
+
+    Of several coupled `axles` each has an equal part of what balances the reciprocating masses; the revolving
+    ones are those of the axle with the cranks.
+    """
 
     cranks: tuple[Crank, ...]
     radius: Fraction
     gauge: Fraction
+    axles: int = 1
 
     def __post_init__(self) -> None:
         if not 1 <= len(self.cranks) <= MOST_CYLINDERS:
@@ -69,12 +74,15 @@ class Locomotive:
     def balance(self, share: Fraction) -> tuple[Vector, ...]:
         """Return the unbalances in kg m of the masses in the left and the right wheel."""
         return balancing(
-            self._placed([one.revolving + share * one.reciprocating for one in self.cranks]), self.planes
+            self._placed([one.revolving + share / self.axles * one.reciprocating for one in self.cranks]),
+            self.planes,
         )
 
     def blows(self, share: Fraction) -> tuple[Vector, ...]:
         """Return those of them that are for what goes to and fro; times ω² they are the hammer blows."""
-        return shares(self._placed([share * one.reciprocating for one in self.cranks]), self.planes)
+        return shares(
+            self._placed([share / self.axles * one.reciprocating for one in self.cranks]), self.planes
+        )
 
     def blow(self, share: Fraction) -> Vector:
         """Return the greater one."""

@@ -31,6 +31,12 @@ WORDS: Mapping[str, Words] = {
         "Kräfte erster Ordnung; die umlaufenden Massen sind ganz ausgeglichen|Forces of the first order; the"
         " revolving masses are balanced wholly"
     ),
+    "axles": words(
+        "Den Teil der hin- und hergehenden Massen gleichen {axles} gekuppelte Achsen zu gleichen Teilen aus;"
+        " Ausgleich und Räder sind die der Achse mit den Kurbeln"
+        "|{axles} coupled axles balance equal parts of the share of the reciprocating masses; balance and"
+        " wheels are those of the axle with the cranks"
+    ),
     "angles": words(
         "Winkel zählen im Drehsinn wie die der Kurbeln, φ von der Stellung, in der diese stehen wie angegeben"
         "|Angles count in the sense of rotation as those of the cranks, φ from where these stand as given"
@@ -114,6 +120,8 @@ def _notes(question: LocomotiveRequest) -> Iterator[Label]:
     yield masses + (WORDS["revolving"][lang] + _listed(_once(revolving), "kg") if any(revolving) else "")
     if run := "; ".join(_said_of_run(question.run, lang)):
         yield run
+    if engine.axles > 1:
+        yield WORDS["axles"][lang].format(axles=engine.axles)
     yield WORDS["order"][lang]
     yield WORDS["angles"][lang]
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Unpack
 from kurbel.commands import parameters as option
 from kurbel.commands.balancing.rotor import Paper
 from kurbel.commands.motion import sheet_of
-from kurbel.commands.options import Option, is_given
+from kurbel.commands.options import Count, Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.errors import ProblemError
 from kurbel.page.layouts import layout_of
@@ -41,7 +41,7 @@ def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
 @makes_table(
     foreign=_foreign,
     machine=False,
-    order="cranks spacing positions gauge stroke crank reciprocating revolving share balance_radius speed"
+    order="cranks spacing positions gauge stroke crank reciprocating revolving share axles balance_radius speed"
     " velocity wheel wheel_load hammer_blow",
 )
 def locomotive_table(
@@ -68,6 +68,10 @@ def locomotive_table(
         option.Given | None,
         Option("Mass that turns with a crank at its radius: 160kg, or each.", "MASSES", unit="kg"),
     ] = None,
+    axles: Annotated[
+        int,
+        Option("Coupled axles that balance equal parts of the share, 1 to 12.", "N", Count("axles", 1, 12)),
+    ] = 1,
     share: Annotated[
         option.Given,
         Option("Shares of the reciprocating masses that are balanced: 2/3, 0.5;0.6.", "SHARES"),
@@ -117,6 +121,7 @@ def locomotive_table(
             _cranks(cranks, spacing, positions, reciprocating, revolving),
             _radius(stroke),
             as_length(gauge, "gauge"),
+            axles,
         ),
         run=Run(
             speed=None if speed is None else as_speed(speed),
