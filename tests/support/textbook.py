@@ -45,7 +45,13 @@ def evaluate(key: str, method: str, drive: Drive, degrees: Fraction, bits: int =
             return exact - series
         angle = real(degrees + 180 if returning else degrees) * mp.pi / 180
         value = _VALUES[name](method, drive, angle)
-        if returning and name == "x":
+        if returning and name == "time":
+            outer = (
+                mp.pi + mp.asin(real(drive.offset) / (1 / real(drive.ratio) - 1)) if drive.offset else mp.pi
+            )
+            inner = mp.asin(real(drive.offset) / (1 / real(drive.ratio) + 1)) if drive.offset else 0
+            value -= (outer - inner) / (real(drive.speed) * (2 * mp.pi if drive.turns else 1))
+        elif returning and name == "x":
             value = stroke(drive) - value
         elif returning and name in ("c", "p", "tangential_force", "radial_force", "torque"):
             value = -value
@@ -148,6 +154,13 @@ def _rod_acceleration(method: str, drive: Drive, angle: Real) -> Real:
     return (across + _rod_velocity(method, drive, angle) ** 2 * mp.sin(psi)) / mp.cos(psi)
 
 
+def _time(method: str, drive: Drive, angle: Real) -> Real:
+    """Since the inner dead centre, where crank and rod are in line."""
+    omega = real(drive.speed) * (2 * mp.pi if drive.turns else 1)
+    inner = mp.asin(real(drive.offset) / (1 / real(drive.ratio) + 1)) if drive.offset else 0
+    return (angle - inner) / omega
+
+
 def _rod_force(method: str, drive: Drive, angle: Real) -> Real:
     return mp.mpf(1) if method == "infinite" else 1 / mp.cos(_rod_angle(drive, angle))
 
@@ -166,6 +179,7 @@ _VALUES: Mapping[str, Callable[[str, Drive, Real], Real]] = {
     "c": _velocity,
     "p": _acceleration,
     "psi": _rod_degrees,
+    "time": _time,
     "rod_velocity": _rod_velocity,
     "rod_acceleration": _rod_acceleration,
     "rod_force": _rod_force,

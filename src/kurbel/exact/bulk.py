@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from typing import Any, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,13 +26,21 @@ LARGEST_KEPT = (1 << 25) - (1 << 16)
 PRODUCT_ERROR = 1.2e-16
 LARGEST = 2.0**52
 
+
+class OfDegrees(NamedTuple):
+    """A column of the angle itself, in degrees, and not of its circle."""
+
+    of: Callable[[NDArray[np.float64]], Any]
+
+
 Column = Callable[[Circle[Any]], Any]
 
 
-def evaluate(functions: Sequence[Column], angles: NDArray[np.float64]) -> NDArray[np.float64]:
+def evaluate(functions: Sequence[Column | OfDegrees], angles: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return one row a function, one column an angle in degrees: shape (len(functions), len(angles)).
 
-    Each function maps the circle of a block of angles to an array (or to one number for all of them).
+    Each function maps the circle of a block of angles, or the angles, to an array (or to one number for all
+    of them).
     Besides them only a block a core is held in memory. The bits do not depend on the number of cores.
     """
     out = np.empty((len(functions), len(angles)))
@@ -40,7 +48,10 @@ def evaluate(functions: Sequence[Column], angles: NDArray[np.float64]) -> NDArra
     def fill(block: slice) -> None:
         point = circle(angles[block])
         for row, function in zip(out, functions, strict=True):
-            row[block] = function(point)
+            if isinstance(function, OfDegrees):
+                row[block] = function.of(angles[block])
+            else:
+                row[block] = function(point)
 
     in_blocks(fill, len(angles))
     return out

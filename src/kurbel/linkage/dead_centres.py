@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 
 from kurbel.drive.crank import Crank, Described, known
 from kurbel.drive.load import figure
+from kurbel.drive.spin import turn_time
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number
@@ -23,7 +24,7 @@ from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, filled
 from kurbel.page.subject import Question, Subject
 from kurbel.reading.given import as_speed
 
-ANGLES, SHARES, LENGTHS = 3, 4, 2
+ANGLES, SHARES, LENGTHS, TIMES = 3, 4, 2, 5
 ROCKER = "rocker"
 NAMES: Mapping[str, Words] = {
     "straight": words("gerader Kurbeltrieb|straight crank"),
@@ -101,6 +102,21 @@ class Ends(NamedTuple):
         lead = self.lead()
         return (180 + lead) / (180 - lead)
 
+    def outstroke_time(self) -> Any:
+        """Return the time of the outstroke in seconds, the crank turning uniformly."""
+        return self._time(1)
+
+    def return_time(self) -> Any:
+        """Return that of the return stroke."""
+        return self._time(-1)
+
+    def _time(self, sign: int) -> Any:
+        crank = crank_of(self.drive)
+        even = isinstance(self.drive, Crank) and not crank.offset
+        # Bounds know no arcs.
+        lead = self.kind.of(Fraction(0)) if even else self.lead()
+        return (180 + sign * lead) / 360 * turn_time(crank, self.kind)
+
     def stroke(self) -> Any:
         """Return the way between the dead centres in units of R: of an arc crank along its arc."""
         drive = self.drive
@@ -145,6 +161,9 @@ _ROWS: tuple[Row, ...] = (
      Ends.lead, ""),
     ("time_ratio", "Zeitverhältnis Hingang zu Rückgang|Time of the outstroke to that of the return",
      "t_h:t_r", "", SHARES, Ends.time_ratio, ""),
+    ("outstroke_time", "Zeit des Hingangs|Time of the outstroke", "t_h", "s", TIMES, Ends.outstroke_time,
+     "time"),
+    ("return_time", "Zeit des Rückgangs|Time of the return", "t_r", "s", TIMES, Ends.return_time, "time"),
     ("stroke", "Hub|Stroke", "S", "R", SHARES, Ends.stroke, ""),
     ("stroke_mm", "Hub|Stroke", "S", "mm", LENGTHS, Ends.stroke_mm, "length"),
     ("swing", "Schwingungswinkel|Swing", "Δ θ", "°", ANGLES, Ends.swing, ROCKER),
@@ -208,6 +227,8 @@ def _is_algebraic(quantity: Quantity, drive: Crank | RockerCrank) -> bool:
         return not known(crank.speed).turns
     if not isinstance(drive, Crank):
         return False
+    if quantity.needs == "time":
+        return known(crank.speed).turns and not crank.offset
     return quantity.key in ("stroke", "stroke_mm") or (quantity.key == "c_m_mps" and known(crank.speed).turns)
 
 

@@ -17,6 +17,8 @@ from kurbel.reading.notation import Progression
 if TYPE_CHECKING:
     import numpy as np
 
+    from kurbel.exact.bulk import OfDegrees
+
 # Floats are worth their while as long as few of them are doubtful.
 DOUBTFUL_SHARE = 0.1
 
@@ -79,8 +81,14 @@ def columns_in_floats(
     return settled
 
 
-def on_floats(column: Column, crank: Crank) -> Callable[[Any], Any]:
-    """Return the column as a function of the circle of floats or arrays."""
+def on_floats(column: Column, crank: Crank) -> Callable[[Any], Any] | OfDegrees:
+    """Return the column as a function of the circle of floats or arrays, a time as one of the angle."""
+    if column.quantity.needs == "time":
+        from kurbel.exact.bulk import OfDegrees
+
+        return OfDegrees(
+            lambda degrees: value(column.quantity, column.method, crank, None, floats(), degrees)
+        )
     return lambda circle: value(column.quantity, column.method, crank, circle, floats())
 
 

@@ -125,6 +125,7 @@ def motion_entries() -> Iterator[Quantity]:
     """Yield what moves on the outstroke, in the order in which `kurbel quantities` lists it."""
     yield from _piston_entries()
     yield from _rod_entries()
+    yield from _clock_entries()
 
 
 def _piston_entries() -> Iterator[Quantity]:
@@ -173,6 +174,19 @@ def _rod_entries() -> Iterator[Quantity]:
             f"{key}_radps{power}", name, symbol, f"{symbol} in {radians}", radians, 3, formulas, scale=scale,
             needs="speed", direction=OF_ROD,
         )  # fmt: skip
+
+
+def _clock_entries() -> Iterator[Quantity]:
+    """Yield the time of an evenly turning crank since the dead centre where the stroke begins."""
+
+    def since(at: At) -> Any:
+        return spin.turned(at.crank, at.stroke, at.degrees, at.numbers)
+
+    formulas = dict.fromkeys(("exact", "series", "infinite"), Formula(since, "$t = {angle}/ω$"))
+    yield spanned(
+        "time", "Zeit seit dem Totpunkt|Time since the dead centre", "$t$", "$t$ in s", "s", 5,
+        {**formulas, OFFSET: Formula(since, "$t = ({angle} - φ_i)/ω$")}, scale=spin.turn_time, needs="time",
+    )  # fmt: skip
 
 
 def speed_entries() -> Iterator[Quantity]:

@@ -34,6 +34,7 @@ NEEDS: Mapping[str, tuple[str, ...]] = {
     "": (),
     "length": ("--stroke",),
     **dict.fromkeys(("speed", "mean speed"), ("--stroke", "--speed")),
+    "time": ("--stroke", "--speed"),
     "force": ("--force",),
     "torque": ("--force", "--stroke"),
     "masses": ("--reciprocating", "--stroke", "--speed"),
@@ -94,6 +95,7 @@ class At:
     stroke: int = OUT
     first_order: bool = False
     way: int | None = None
+    degrees: Any = None
 
     @cached_property
     def gain(self) -> Any:
@@ -163,7 +165,7 @@ def is_known(quantity: Quantity, crank: Crank) -> bool:
     pushed = crank.pushed
     known = {
         "length": crank.radius is not None,
-        **dict.fromkeys(("speed", "mean speed"), crank.speed is not None),
+        **dict.fromkeys(("speed", "mean speed", "time"), crank.speed is not None),
         "force": pushed,
         "torque": crank.radius is not None and pushed,
         "masses": crank.moving is not None,
@@ -195,6 +197,10 @@ def is_transcendental(quantity: Quantity, crank: Crank) -> bool:
     Such relations exist only for ψ = 0 and ±30°, which are whole degrees, and as cos 36° - cos 72° = 1/2,
     which would need λ = 1 (Conway and Jones, Acta Arithmetica 30, 1976, theorem 7).
     """
+    if quantity.needs == "time":
+        from kurbel.drive.spin import begun
+
+        return not known(crank.speed).turns or begun(crank, quantity.stroke) is None
     if (
         quantity.is_arc
         or crank.speed is None
@@ -204,9 +210,16 @@ def is_transcendental(quantity: Quantity, crank: Crank) -> bool:
     return crank.speed.turns is not (quantity.needs == "mean speed")
 
 
-def value(quantity: Quantity, method: str, crank: Crank, circle: Any, numbers: Kind) -> Any:
-    """Return the quantity in its unit, on the kind of number that circle and `numbers` are of."""
-    return _value_at(quantity, method, _place(quantity.stroke, method, crank, circle, numbers))
+def value(
+    quantity: Quantity, method: str, crank: Crank, circle: Any, numbers: Kind, degrees: Any = None
+) -> Any:
+    """Return the quantity in its unit, on the kind of number that circle and `numbers` are of.
+
+    A time takes the angle of the circle in `degrees`.
+    """
+    at = _place(quantity.stroke, method, crank, circle, numbers)
+    at.degrees = degrees
+    return _value_at(quantity, method, at)
 
 
 def _place(stroke: int, method: str, crank: Crank, circle: Any, numbers: Kind) -> At:
@@ -236,7 +249,7 @@ class Places:
         if key not in self._made:
             circle = numbers.circle(self.angle)
             made = _place(stroke, method, self.crank, circle, numbers)
-            made.way = self._way(stroke)
+            made.way, made.degrees = self._way(stroke), numbers.of(self.angle)
             self._made[key] = made
         return self._made[key]
 

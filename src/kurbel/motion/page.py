@@ -100,6 +100,8 @@ class Request(CrankQuestion, AngleQuestion):
             self._check_offset()
         if any(crank.acceleration for crank in self.cranks):
             check_pairs(self.layout, "drives whose crank is accelerated")
+            if any(column.quantity.needs == "time" for column in self.page_columns):
+                raise ProblemError("a time is that of a crank that turns evenly; leave --acceleration out")
         if self.method == "infinite" and all(column.method is None for column in self.layout.columns):
             cranks = (replace(crank, ratio=Fraction(0)) for crank in self.cranks)
             object.__setattr__(self, "cranks", tuple(dict.fromkeys(cranks)))

@@ -8,10 +8,12 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, NamedTuple
 
 from kurbel.drive.crank import Crank
+from kurbel.drive.spin import turn_time, turned
 from kurbel.errors import NoRootError, ProblemError
 from kurbel.exact.certify import NEVER_TIES, ball, ball_circle, pi, rounded
 from kurbel.exact.closed_form import closed_forms, form_text
 from kurbel.exact.course import Course, Target
+from kurbel.exact.kind import balls
 from kurbel.exact.numerals import MOST_DIGITS, Number, exact_text, nearest, number_text
 from kurbel.exact.place import Place
 from kurbel.motion.drives import Drive
@@ -58,8 +60,22 @@ class Root:
         """Return what a column shows of the place, times a factor."""
         if column in self.known:
             return nearest(times * self.known[column], decimals, rounding)
+        if self.place.degrees is None and self.drive.entries[column].needs == "time":
+            return self._time(decimals, rounding, times)
         scaled = self.drive.digits(column, self.stroke, self.place, decimals, rounding, times)
         return Number(scaled, decimals)
+
+    def _time(self, decimals: int, rounding: str, times: Fraction) -> Number:
+        """Return the time since the dead centre where the stroke begins, at an irrational angle."""
+        crank = self.drive.crank
+
+        def seconds() -> arb:
+            numbers = balls()
+            beyond = turned(crank, self.stroke, 180 * self.place.half_turns(), numbers)
+            found: arb = beyond * turn_time(crank, numbers) * numbers.of(times)
+            return found
+
+        return Number(rounded(seconds, decimals, rounding, NEVER_TIES), decimals)
 
     def angle(self, over_turn: bool, share: int, decimals: int, rounding: str) -> Number:
         """Return φ of the stroke, or that of the whole turn from 0 to 360°, in parts of a degree."""
