@@ -268,6 +268,8 @@ def kernel_of(quantity: Quantity, method: str, crank: Crank) -> Callable[[At], A
     formulas = quantity.formulas
     if crank.offset and method != "exact":
         raise ProblemError(f'method "{method}" has no formulas for an offset crank; use exact')
+    if method == DIFFERENCE and quantity.needs == "time":
+        return lambda at: at.numbers.of(Fraction(0))
     if method == DIFFERENCE:
         exact, series = (kernel_of(quantity, one, crank) for one in ("exact", "series"))
         return lambda at: exact(at) - series(replace(at, first_order=True))
