@@ -15,8 +15,9 @@ from kurbel.drive.crank import Crank
 from kurbel.exact.certify import NEVER_TIES, rounded
 from kurbel.exact.closed_form import ClosedForm, closed_forms, form_text
 from kurbel.exact.numerals import Number, number_text
-from kurbel.motion.drives import SlideDrive, condition_names, slide_columns
+from kurbel.motion.drives import condition_names
 from kurbel.motion.evaluation import OUT
+from kurbel.motion.slide import SlideDrive, slide_columns
 from kurbel.reading.notation import ratio
 from kurbel.reading.where import read_condition
 from kurbel.solve.solve import Root, solve, target_of

@@ -10,7 +10,8 @@ from hypothesis import strategies as st
 
 from kurbel.errors import KurbelError, NotationError
 from kurbel.linkage.arc.drive import arc_columns
-from kurbel.motion.drives import condition_names, slide_columns
+from kurbel.motion.drives import condition_names
+from kurbel.motion.slide import slide_columns
 from kurbel.reading.where import (
     ACCELERATIONS,
     ANGLES,

@@ -24,8 +24,9 @@ from kurbel.exact.place import SQUARE, exact_place
 from kurbel.kernel import kinematics
 from kurbel.linkage.arc.crank import ArcCrank
 from kurbel.linkage.arc.drive import ArcDrive, arc_columns
-from kurbel.motion.drives import Drive, SlideDrive, condition_names, slide_columns
+from kurbel.motion.drives import Drive, condition_names
 from kurbel.motion.evaluation import OFFSET, OUT, RETURN, At
+from kurbel.motion.slide import SlideDrive, slide_columns
 from kurbel.page.quantity import Formula, entry
 from kurbel.reading.units import Speed
 from kurbel.reading.where import VALUE, Condition, read_condition

@@ -71,7 +71,7 @@ def rod_of(given: Mapping[str, Any], length: Fraction | None) -> Rod:
 
 def _swung(given: Mapping[str, Any], centre: Fraction | None, length: Fraction | None) -> Rod:
     """Return the rod whose radius of gyration its time of swing tells."""
-    from kurbel.drive.swing import given_swing, swung_rod
+    from kurbel.drive.rod_file import given_swing, swung_rod
 
     for name in ("gyration", "rod_file"):
         if is_given(given[name]):

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
 from fractions import Fraction
 from functools import cache, cached_property
 from math import inf
@@ -24,21 +23,17 @@ from kurbel.exact.certify import (
     half_turn_circle,
     pi,
     rounded,
-    vanishes,
 )
 from kurbel.exact.course import Course
 from kurbel.exact.jet import Jet, ball_jets, jets
-from kurbel.exact.kind import Kind, balls, bounds, surds
-from kurbel.exact.level import level_places
+from kurbel.exact.kind import Kind, balls, surds
 from kurbel.exact.numerals import Label
 from kurbel.exact.place import SQUARE, Centre, Place, exact_place
 from kurbel.exact.surd import Field, SecondRootError, Surd
-from kurbel.kernel import kinematics
 from kurbel.kernel.circle import Circle
-from kurbel.motion.captions import Formulated, drive_notes, formula_lines
-from kurbel.motion.evaluation import LOADED, OUT, certified, is_known, is_transcendental, value
-from kurbel.motion.quantities import registry
-from kurbel.page.quantity import Column, Formula, Quantity, multiplied, of_multiple
+from kurbel.motion.captions import Formulated
+from kurbel.motion.evaluation import LOADED, is_known, is_transcendental
+from kurbel.page.quantity import Column, Quantity, multiplied, of_multiple
 from kurbel.reading.notation import ratio_text
 
 ONE = Fraction(1)
@@ -228,118 +223,6 @@ class Drive(ABC):
         if jet is None:
             return self.unclosed(one, Course(at, slope, begin, end))
         return Course(at, slope, begin, end, jet.value, jet.slope)
-
-
-class SlideDrive(Drive):
-    """The straight or offset crank."""
-
-    def __init__(self, crank: Crank, method: str = "exact") -> None:
-        super().__init__(crank, slide_columns())
-        self.method = method
-
-    @property
-    def is_straight(self) -> bool:
-        return not (self.crank.offset and self.crank.ratio)
-
-    def at_dead_centre(self, stroke: int) -> Fraction | None:
-        # p = 1 ± λ by every formula.
-        return 1 + stroke * self.ratio if self.is_straight else None
-
-    def value(self, quantity: Quantity, circle: Circle[Any], numbers: Kind) -> Any:
-        return value(quantity, self.method, self.crank, circle, numbers)
-
-    def jet(self, quantity: Quantity) -> Jet | None:
-        """Return the quantity with its slopes; what masses add to a force has no rational numbers in it."""
-        return None if self._is_loaded(quantity) else super().jet(quantity)
-
-    @property
-    def _is_pushed_alone(self) -> bool:
-        """Whether all that acts does so on the piston, along the slide."""
-        moving = self.crank.moving
-        return self.crank.effort is None and (moving is None or moving.rod is None)
-
-    def _is_loaded(self, quantity: Quantity) -> bool:
-        return self.crank.loaded and LOADED in quantity.formulas
-
-    def _course(self, quantity: str, stroke: int) -> Course:
-        one = self.asked(quantity, stroke)
-        if not self._is_loaded(one):
-            return super()._course(quantity, stroke)
-
-        def at(half_turns: arb) -> Any:
-            return self.value(one, half_turn_circle(half_turns), balls())
-
-        def jet(half_turns: arb) -> Any:
-            return self.value(one, ball_jets(half_turns), balls())
-
-        def slope(half_turns: arb) -> Any:
-            return jet(half_turns).slope * pi()
-
-        def bend(half_turns: arb) -> Any:
-            return jet(half_turns).bend * pi() * pi()
-
-        begin, end = self.ends(stroke)
-        # In a dead centre what acts on the piston has no torque; across that of the straight crank nothing
-        # acts, and balls know it.
-        turning = one.key in ("torque_nm", "tangential_force_n") and self._is_pushed_alone
-        rest = tuple(
-            Fraction(0) if turning or at(place.half_turns()) == 0 else None for place in (begin, end)
-        )
-        inner = tuple(level_places(slope, bend, begin, end))
-        return Course(at, slope, begin, end, ends=(rest[0], rest[1]), inner=inner)
-
-    def certified(self, quantity: Quantity, degrees: Fraction, decimals: int, rounding: str) -> int:
-        return certified(quantity, self.method, self.crank, degrees, decimals, rounding)
-
-    def asked(self, quantity: str, stroke: int) -> Quantity:
-        """Return what a condition is about: of the rod angle its sine."""
-        found = super().asked(quantity, stroke)
-        if quantity != "psi":
-            return found
-        sine = Formula(lambda at: kinematics.rod_sine(at.circle, at.ratio, at.offset or 0))
-        return found._replace(formulas=dict.fromkeys(found.formulas, sine), is_arc=False)
-
-    def unclosed(self, quantity: Quantity, course: Course) -> Course:
-        # A stroke √a - √b with an irrational root is irrational.
-        ends = (Fraction(0), Fraction(1) if quantity.key == "x_stroke" else None)
-
-        def is_exactly(half_turns: Fraction, wanted: Fraction) -> bool:
-            def apart(kind: Kind) -> Any:
-                return self.value(quantity, kind.circle(180 * half_turns), kind) - kind.of(wanted)
-
-            return vanishes(lambda: apart(balls()), float(apart(bounds()).bits()))
-
-        return replace(course, ends=ends, is_exactly=is_exactly)
-
-    def ends(self, stroke: int) -> tuple[Place, Place]:
-        if self.is_straight:
-            return super().ends(stroke)
-        angle = self.crank.dead_angle
-        angles = (lambda: angle(stroke, balls()) / 180, lambda: 1 + angle(-stroke, balls()) / 180)
-        return self.rests(self.asked("c", stroke), angles)
-
-    def formula_lines(self, question: Formulated, columns: Sequence[Column]) -> Iterator[Label]:
-        return formula_lines(question, columns)
-
-    def closing_lines(self, question: Formulated) -> Iterable[Label]:
-        return drive_notes(question.cranks, question.lang)
-
-
-@cache
-def slide_columns() -> Mapping[str, Quantity]:
-    """Return what can be shown of a place of the straight or offset crank."""
-    return {key: one for key, one in registry().items() if one.stroke == OUT}
-
-
-def slide_drives(cranks: Sequence[Crank], method: str) -> tuple[SlideDrive, ...]:
-    """Return the drives of these cranks by a method; that of the infinite rod makes all ratios 1:∞."""
-    if method != "exact" and any(crank.offset for crank in cranks):
-        raise ProblemError(
-            f'method "{method}" has no formulas for an offset crank; use exact, or leave the offset out'
-        )
-    if method == "infinite":
-        cranks = tuple(dict.fromkeys(replace(crank, ratio=Fraction(0)) for crank in cranks))
-    return tuple(SlideDrive(crank, method) for crank in cranks)
 
 
 def ties_at(place: Place, surd: Surd | None) -> TieBits | None:

@@ -15,8 +15,9 @@ from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
 
 if TYPE_CHECKING:
-    from kurbel.motion.drives import Drive, SlideDrive
+    from kurbel.motion.drives import Drive
     from kurbel.motion.page import AngleQuestion, Request
+    from kurbel.motion.slide import SlideDrive
     from kurbel.page.quantity import Column, Quantity
 
 _LENGTHS = ("stroke", "rod", "speed")
@@ -144,12 +145,12 @@ class StraightCrank(Mechanism):
         return Request(cranks=tuple(drives), method=method, **asked)
 
     def solved(self, drives: Sequence[Crank], method: str | None) -> tuple[SlideDrive, ...]:
-        from kurbel.motion.drives import slide_drives
+        from kurbel.motion.slide import slide_drives
 
         return slide_drives(drives, method or "exact")
 
     def conditions(self) -> Mapping[str, Quantity]:
-        from kurbel.motion.drives import slide_columns
+        from kurbel.motion.slide import slide_columns
 
         return slide_columns()
 
