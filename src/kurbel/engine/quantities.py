@@ -176,7 +176,6 @@ class _Force(NamedTuple):
     letter: str
     direction: Words | None = None
     framed: bool = False
-    needs: str = ""
 
 
 _BEARING = words(
@@ -228,12 +227,12 @@ FORCES: Mapping[str, _Force] = {
         "Gewicht|Weight", "F_G",
         words("$F_G$ Gewicht von Kolben und Kreuzkopf längs der Führung"
               "|$F_G$ weight of piston and crosshead along the slide"),
-        framed=True, needs="weight",
+        framed=True,
     ),
     "friction_force": _Force(
         "Reibung|Friction", "F_R",
         words("$F_R$ Reibung von Kolben und Kreuzkopf|$F_R$ friction of piston and crosshead"),
-        framed=True, needs="friction",
+        framed=True,
     ),
 }  # fmt: skip
 
@@ -244,12 +243,12 @@ def _force_entries() -> Iterator[Quantity]:
         in_steam = _entry(
             key, one.name, f"${one.letter}$", "$Q$", "crank", 4,
             lambda turn, where, force=acting: turn.crank_force(force, where.half_turns),
-            direction=one.direction, ties=partial(ties.crank_force_ties, acting), needs=one.needs,
+            direction=one.direction, ties=partial(ties.crank_force_ties, acting),
         )  # fmt: skip
         yield in_steam
         yield in_steam._replace(
             key=f"{key}_n", unit=words("N"), decimals=1, heading=words(f"{in_steam.symbol} in N"),
-            scale=AnyTurn.force_unit, needs=one.needs or "load",
+            scale=AnyTurn.force_unit, needs="load",
             ties=partial(newton_ties.newton_ties, acting),
         )  # fmt: skip
     yield _entry(
