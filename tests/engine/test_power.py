@@ -162,8 +162,18 @@ def test_what_is_missing_or_contradicts_itself_is_said(words: tuple[str, ...], s
     assert refusal("power", *words).removeprefix("kurbel: ").startswith(sentence)
 
 
-def test_a_machine_says_what_it_knows() -> None:
+def test_a_machine_says_what_it_knows(tmp_path: Path) -> None:
     assert kurbel("power", "--machine=examples/engine.toml").code == 0
+    path = tmp_path / "engine.toml"
+    path.write_text(
+        '[crank]\nratio = "1:5"\nstroke = "450mm"\nspeed = "200/min"\nefficiency = "85%"\n[steam]\neps = 3\n'
+        'bore = "300mm"\npressure = "8bar"\nback = "1.1bar"\nclearance = "8%"\ndiagram_factor = 0.8\n'
+        'specific_volume = "0.24 m3/kg"\n',
+        encoding="utf-8",
+    )
+    words = ("--eps=3", *STEAM, *SIZES, "--diagram-factor=0.8", "--efficiency=85%")
+    typed = printed("power", *words, "--specific-volume=0.24 m3/kg").out
+    assert printed("power", f"--machine={path}").out == typed
 
 
 def test_a_back_pressure_is_its_share_of_the_steam_pressure() -> None:

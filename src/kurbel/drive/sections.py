@@ -81,6 +81,7 @@ class Crank(Section):
         One | None, about("or by how many degrees the slide rises from the shaft to the cylinder")
     ] = None
     gravity: Annotated[One | None, about('acceleration of gravity, by itself "9.80665m/s²"')] = None
+    efficiency: Annotated[One | None, about('mechanical efficiency, such as "85%"')] = None
     cranks: Annotated[Joined | None, about("angles in degrees by which several cranks follow the first")] = (
         field(name="angles", default=None)
     )
@@ -98,6 +99,10 @@ class Steam(Section):
     piston_rod: Annotated[One | None, about('diameter of the piston rod, such as "50mm"')] = None
     tail_rod: Annotated[One | None, about("that of a rod through the cover")] = None
     single_acting: Annotated[bool | None, about("whether steam works on the outstroke only")] = None
+    diagram_factor: Annotated[One | None, about("area of the real card in that of the ideal one")] = None
+    specific_volume: Annotated[
+        One | None, about('specific volume of the steam before cut-off, such as "0.24 m3/kg"')
+    ] = None
     card: Annotated[Files | None, about("indicator card, a CSV file beside this one")] = None
     other_side: Annotated[One | None, about("pressure on the other face of a single-acting piston")] = None
 
@@ -189,7 +194,10 @@ class Flywheel(Section):
 
 
 # What all cylinders have in common, or what is another thing in a cylinder's table.
-_OF_ALL = ("speed", "cranks", "pump", "vertical", "slope", "gravity")
+_OF_ALL = (
+    *("speed", "cranks", "pump", "vertical", "slope", "gravity"),
+    *("efficiency", "diagram_factor", "specific_volume"),
+)
 _ONE = One | None
 
 
