@@ -30,6 +30,9 @@ FACTORS = {
     ("kg", "lb"): POUND,
     ("kg m²", "lb ft²"): POUND * FOOT**2,
     ("m³/min", "ft³/min"): FOOT**3,
+    ("m", "in"): FOOT / 12,
+    ("cm²", "in²"): (100 * FOOT / 12) ** 2,
+    ("MPa", "psi"): FORCE / (FOOT / 12) ** 2 / 10**6,
 }
 SIZES = "--stroke 610mm --speed 130/min"
 MASSES = f"{SIZES} --bore 305mm --pressure 7bar --reciprocating 210kg"
@@ -47,6 +50,11 @@ MASSES = f"{SIZES} --bore 305mm --pressure 7bar --reciprocating 210kg"
         (
             f"flywheel --card {CARDS / 'ideal-2.csv'} --speed 130/min --power 40kW --delta 1:90",
             {"kg m²", "J", "W", "N m"},
+        ),
+        (
+            "flywheel --swing 5kJ --speed 310/min --delta 1:50 --rim-diameter 2m --density 7200kg/m³"
+            " --rim-section 7:3",
+            {"J", "kg m²", "m", "m/s", "MPa", "kg", "cm²", "mm"},
         ),
         (f"turning --eps 3 --angle 37 {MASSES} --columns phi,torque_nm,tangential_kpa", {"N m", "kPa"}),
         (f"pressures --eps 3 --shares 0.3 {MASSES}", {"bar"}),

@@ -69,13 +69,15 @@ def _units() -> Iterable[Unit]:
     yield Unit("lb ft²", "moment of inertia", POUND * FOOT**2, "lbft2")
     yield Unit("cm²", "area", Fraction(1, 10_000), "cm2")
     yield Unit("in²", "area", INCH**2, "in2")
+    yield Unit("kg/m³", "density", Fraction(1), "kgm3")
+    yield Unit("lb/in³", "density", POUND / INCH**3, "lbin3")
     yield Unit("m³/min", "flow", Fraction(1, 60), "m3min")
     yield Unit("ft³/min", "flow", FOOT**3 / 60, "ft3min")
 
 
 UNITS: Mapping[str, Unit] = {one.symbol: one for one in _units()}
 OF_SYSTEM = {
-    IMPERIAL: "in; ft/s; ft/s²; lbf; lbf ft; ft lbf; hp; psi; lb; lb ft²; in²; ft³/min",
+    IMPERIAL: "in; ft/s; ft/s²; lbf; lbf ft; ft lbf; hp; psi; lb; lb ft²; in²; lb/in³; ft³/min",
     METRIC: "",
 }
 _SAME = str.maketrans({" ": "", "*": "", "·": "", "^": "", "2": "²", "3": "³"})

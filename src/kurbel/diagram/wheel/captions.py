@@ -12,6 +12,7 @@ from kurbel.exact.kind import settled
 from kurbel.exact.numerals import Label, Number, finite_decimals, nearest, number_text
 from kurbel.exact.product import Product
 from kurbel.page.quantity import Words, words
+from kurbel.reading.amounts import unit_of_page
 from kurbel.reading.notation import plain
 
 if TYPE_CHECKING:
@@ -59,7 +60,7 @@ WORDS: Mapping[str, Words] = {
         "$m_R = ρ A π D$, $J_R = m_R D^2/4$: die Masse im mittleren Durchmesser"
         "|$m_R = ρ A π D$, $J_R = m_R D^2/4$: the mass at the mean diameter"
     ),
-    "density": words("$ρ = {density}$ kg/m³"),
+    "density": words("$ρ = {density} {unit}$"),
     LIMIT: words(
         "der Kranz hat den größten Durchmesser, den $σ$ erlaubt"
         "|the rim has the greatest diameter that $σ$ allows"
@@ -132,8 +133,10 @@ def _rim(question: WheelRequest) -> Iterator[Label]:
     if "disc_diameter" in wheel.figures:
         yield WORDS["disc"][lang]
     if "density" in wheel.figures:
-        density = number_text(wheel.figures["density"].value.number(None, question.rounding))
-        said.insert(0, WORDS["density"][lang].format(density=density))
+        times, unit = unit_of_page("kg/m³")
+        density = wheel.figures["density"].value * Product.of(times)
+        number = number_text(density.number(None, question.rounding))
+        said.insert(0, WORDS["density"][lang].format(density=number, unit=unit))
     if said:
         yield "; ".join(said)
 
