@@ -49,6 +49,11 @@ def test_a_variant_has_its_own_numbers_and_a_language_its_own_words(tmp_path: Pa
     assert (page.name, page.words[2], page.options["lang"]) == ("b-heavy", "0.75 m3", "de")
 
 
+def test_a_problem_may_have_the_language_of_its_handbook_alone(tmp_path: Path) -> None:
+    german = PROBLEM.replace(', en = "Stroke {stroke}."', "").replace(', en = "At {angle}°."', "")
+    assert parts(tmp_path, german, lang="de")[0].text.startswith("**Aufgabe F1.** Hub")
+
+
 def test_problems_or_solutions_stand_alone(tmp_path: Path) -> None:
     assert [part.text[:9] for part in parts(tmp_path, shows="problems")] == ["**Problem"]
     assert [part.text[:10] for part in parts(tmp_path, shows="solutions")] == ["**Solution", ""]
@@ -63,6 +68,8 @@ def test_problems_or_solutions_stand_alone(tmp_path: Path) -> None:
         ("rod 2m", "rod '2m", {}, "line 5: run has a quotation mark without its partner"),
         ("[[problem]]", "[problem]", {}, "problem is a table; write [[problem]]"),
         ('name = "heavy"\n', "", {}, "line 3: there is no name"),
+        ('en = "Stroke {stroke}."', 'en = " "', {}, 'line 6: text has nothing in en; write en = "..."'),
+        ("text = {", "text = 1 #", {}, "text is 1; it must be a section with de and en"),
         (PROBLEM, 'letter = "F"', {}, "the file has no problem"),
         ("", "", {"caption": "x"}, "caption is for a table or a figure by itself"),
         ("", "", {"shows": "all"}, "choose from both, problems, solutions"),

@@ -33,13 +33,13 @@ WORDS = {
 
 
 class Bilingual(Struct, frozen=True, forbid_unknown_fields=True):
-    """A text in Markdown in both languages."""
+    """A text in Markdown in both languages, or in that of the handbooks which print it."""
 
     NOUN: ClassVar = "language of the text"
     SHAPE: ClassVar = "a section with de and en"
 
-    de: Annotated[str, about("in German", "Eine Kurbel ...")]
-    en: Annotated[str, about("in English", "A crank ...")]
+    de: Annotated[str, about("in German")] = ""
+    en: Annotated[str, about("in English")] = ""
 
 
 class ProblemKeys(Struct, frozen=True, forbid_unknown_fields=True):
@@ -140,8 +140,11 @@ class _Filled:
         return tuple(self.filled(place, word, self.values) for word in words)
 
     def text(self, key: str, given: Bilingual, lang: str, mark: str) -> str:
+        text: str = getattr(given, lang)
+        if not text.strip():
+            raise self.file.error((*self.place, key), f'{key} has nothing in {lang}; write {lang} = "..."')
         spaced = {name: printed(value, mark) for name, value in self.values.items()}
-        return self.filled((*self.place, key, lang), getattr(given, lang), spaced)
+        return self.filled((*self.place, key, lang), text, spaced)
 
     def filled(self, place: Place, text: str, values: Mapping[str, str]) -> str:
         if unknown := [name for name in _IN_BRACES.findall(text) if name not in values]:
