@@ -239,6 +239,9 @@ REFUSED = [
     ("--hole 38mm×32mm",
      "--hole needs the energy of the sheared area, --shear-energy 7J/mm², or the strength of the plate,"
      " --shear-strength 300MPa; give one of the two"),
+    ("--inertia 100kgm2 --rim-diameter 2m --density 7200kg/m3 --rim-section 100mmx40mm",
+     "the rim has the moment of inertia 180.96 kg m², more than the whole flywheel with 100 kg m²; give a"
+     " smaller rim"),
     ("--rim-diameter 2m --rim-section 2:0",
      'section of the rim "2:0" cannot be read; write breadth to thickness, 2:1, both, 400mm x 200mm, or'
      " 800cm²"),

@@ -66,6 +66,7 @@ def sized(given: Figures, limit: Known | None = None) -> Sizing:
             if len(more) > len(figures) + 1:
                 figures = more
                 taken.append(name)
+    _check_rim(figures)
     _check_answered(given, figures)
     return Sizing(figures, tuple(taken))
 
@@ -132,6 +133,17 @@ def _check_limit(figures: Figures, limit: Known) -> None:
         raise ProblemError(
             f"the hoop stress of the rim is {figures_of(known)} MPa, above the {figures_of(allowed)} MPa that"
             " --hoop-stress allows; give a smaller --rim-diameter, or leave it out to have it found"
+        )
+
+
+def _check_rim(figures: Figures) -> None:
+    """Raise ProblemError where the rim has more than the whole flywheel."""
+    share = figures.get("rim_share")
+    if share is not None and share.value.exceeds(Product.of(1)):
+        rim, whole = (figures_of(figures[name].value) for name in ("rim_inertia", "inertia"))
+        raise ProblemError(
+            f"the rim has the moment of inertia {rim} kg m², more than the whole flywheel with {whole} kg m²;"
+            " give a smaller rim"
         )
 
 
