@@ -15,7 +15,7 @@ from typing import Any
 from kurbel.diagram.fluctuation import Extreme, work_of
 from kurbel.diagram.torque import TURN, Line, Torque, common_cycle
 from kurbel.diagram.waves import QUARTER, Waves
-from kurbel.diagram.zeros import UNIT, Polynomial, Zero, is_plain, zeros
+from kurbel.diagram.zeros import Polynomial, Zero, is_plain, zeros
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, balls, floats
 from kurbel.reading.notation import about
@@ -144,7 +144,7 @@ class Excess:
             exact = (zero.exact + shift) % self.cycle
             return Extreme(degrees=lambda kind: kind.of(exact), exact=exact)
         # The search of a period begins a little behind 0°, and ends so far behind its end.
-        beyond = zero.root.low * UNIT + shift >= self.cycle
+        beyond = zero.begun + shift >= self.cycle
         shift -= self.cycle if beyond else 0
         return Extreme(degrees=lambda kind: zero.degrees(kind) + kind.of(shift))
 

@@ -125,14 +125,15 @@ class Waves:
         )
 
     def vanishes(self, degrees: Fraction, level: Fraction = Fraction(0)) -> bool:
-        """Whether the sum and a number beside it are 0 at a crank angle, for certain."""
-        from kurbel.exact.certify import vanishes
+        """Whether the sum and a number beside it are 0 at a crank angle, proved within MOST_BITS."""
+        from kurbel.exact.certify import MOST_BITS, vanishes
         from kurbel.exact.kind import balls, bounds
 
         def value(kind: Kind) -> Any:
             return self.at(degrees, kind) + kind.of(level)
 
-        return vanishes(lambda: value(balls()), float(value(bounds()).bits()))
+        bits = float(value(bounds()).bits())
+        return bits < MOST_BITS and vanishes(lambda: value(balls()), bits)
 
     def _summed(self, kind: Kind, cosine: Callable[[Fraction, Fraction], Any]) -> Any:
         total = kind.of(Fraction(0))

@@ -18,14 +18,16 @@ from kurbel.diagram.waves import Waves
 from kurbel.exact.kind import Kind, balls
 from kurbel.exact.separation import Separation
 
-# A zero at a rational angle is sought with denominators up to this.
-MOST_DENOMINATOR = 3600
+# A zero at a rational angle is sought with denominators up to these, the simplest first.
+DENOMINATORS = (1, 12, 3600)
 RECOGNISING_BITS = 128
 # A part of the turn at which no zero lies by intent; where a search begins should not be one.
 OFF = Fraction(7, 1009)
-# The unit of the search in degrees. It ends at 2^-32 of it, 4e-6 of a radian: there a threefold zero is told
-# from its neighbours by 64 bits, while at 2^-32 of a degree 10^5 intervals about it are not.
-UNIT = Fraction(2**20)
+# Units of the search in degrees, each of which ends at 2^-32 of it. About a sevenfold zero 64 bits leave 0.2°
+# open, a thousand steps of the second: what the first leaves open is looked at in steps of the second only
+# where it is not longer than this many of its own.
+UNITS = (2**26, 2**20)
+MOST_OPEN = 4
 # Derivatives beyond this one are not asked whether they vanish.
 MOST_MULTIPLE = 8
 
@@ -38,6 +40,7 @@ class Zero:
     line: int = 0
     root: Any = None
     excess: Torque | None = None
+    unit: int = 1
 
     def degrees(self, kind: Kind) -> Any:
         """Return the angle; of balls and floats, where it is not exact."""
@@ -49,7 +52,12 @@ class Zero:
         from kurbel.exact.roots import refined
 
         assert self.excess is not None
-        return refined(*functions(self.excess, self.line), self.root) * int(UNIT)
+        return refined(*functions(self.excess, self.line, self.unit), self.root) * self.unit
+
+    @property
+    def begun(self) -> Fraction:
+        """An angle in degrees shortly before it."""
+        return Fraction(self.root.low * self.unit)
 
     def cosine(self, order: Fraction, phase: Fraction, base: Fraction, key: Any) -> Separation:
         """Return the bound of cos(kφ + α) here, by that of e^(iφ k₀) for the base order k₀."""
@@ -77,20 +85,20 @@ class Polynomial:
         return cls(1 + log2(total), order, 2 * int(max(waves.orders) / waves.base))
 
 
-def functions(excess: Torque, number: int) -> tuple[Any, Any]:
-    """Return the excess on one of its lines, and its slope, as functions of an angle in UNITs, a ball."""
+def functions(excess: Torque, number: int, unit: int) -> tuple[Any, Any]:
+    """Return the excess on one of its lines, and its slope, as functions of an angle in units, a ball."""
     waves, line = excess.waves, excess.lines[number]
     slope_of = waves.slope
 
     def torque(units: Any) -> Any:
-        kind, degrees = balls(), units * int(UNIT)
+        kind, degrees = balls(), units * unit
         behind = degrees - kind.of(line.start)
         return waves.within(degrees, kind) + kind.of(line.first) + kind.of(line.slope) * behind
 
     def slope(units: Any) -> Any:
         kind = balls()
-        per_degree = slope_of.within(units * int(UNIT), kind) * kind.pi / 180 + kind.of(line.slope)
-        return per_degree * int(UNIT)
+        per_degree = slope_of.within(units * unit, kind) * kind.pi / 180 + kind.of(line.slope)
+        return per_degree * unit
 
     return torque, slope
 
@@ -127,13 +135,19 @@ def _distinct(found: Iterable[Zero]) -> list[Zero]:
     return [*{id(one) if one.exact is None else one.exact: one for one in found}.values()]
 
 
-def _on_line(excess: Torque, number: int, start: Fraction, end: Fraction) -> Iterator[Zero]:
-    from kurbel.exact.roots import isolate
+def _on_line(
+    excess: Torque, number: int, start: Fraction, end: Fraction, unit: int = UNITS[0]
+) -> Iterator[Zero]:
+    from kurbel.exact.roots import LEAST_WIDTH, isolate
 
-    for root in _merged(isolate(*functions(excess, number), start / UNIT, end / UNIT)):
-        zero = Zero(None, number, root, excess)
+    for root in _merged(isolate(*functions(excess, number, unit), start / unit, end / unit)):
+        zero = Zero(None, number, root, excess, unit)
         exact = _recognised(zero)
-        yield zero if exact is None else Zero(exact)
+        is_open = exact is None and root.rising is None and unit != UNITS[-1]
+        if is_open and root.high - root.low <= MOST_OPEN * LEAST_WIDTH:
+            yield from _on_line(excess, number, root.low * unit, root.high * unit, UNITS[-1])
+        else:
+            yield zero if exact is None else Zero(exact)
 
 
 def _merged(roots: Iterable[Any]) -> list[Any]:
@@ -157,10 +171,10 @@ def _recognised(zero: Zero) -> Fraction | None:
 
     with flint.ctx.workprec(RECOGNISING_BITS):
         found = zero.degrees(balls())
-        nearest = fraction(found.mid()).limit_denominator(MOST_DENOMINATOR)
-        if not found.contains(ball(nearest)):
-            return None
-    return nearest if _is_alone(zero, nearest) else None
+        middle = fraction(found.mid())
+        near = dict.fromkeys(middle.limit_denominator(most) for most in DENOMINATORS)
+        within = [place for place in near if found.contains(ball(place))]
+    return next((place for place in within if _is_alone(zero, place)), None)
 
 
 def _is_alone(zero: Zero, place: Fraction) -> bool:
@@ -181,14 +195,14 @@ def _is_alone(zero: Zero, place: Fraction) -> bool:
         return True
     with flint.ctx.workprec(ISOLATING_BITS):
         whole = interval(zero.root.low, zero.root.high)
-        _, slope = functions(zero.excess, zero.line)
+        _, slope = functions(zero.excess, zero.line, zero.unit)
         if not slope(whole).contains(0):
             return True
         if line.slope:
             return False
         for _ in range(MOST_MULTIPLE):
             waves = waves.slope
-            if not waves.within(whole * int(UNIT), balls()).contains(0):
+            if not waves.within(whole * zero.unit, balls()).contains(0):
                 return True
             if not waves.vanishes(place):
                 return False
