@@ -211,7 +211,7 @@ class Excess:
             assert area is not None
             return waves.at(zero.exact, kind) - begun + kind.of(area / 180) * kind.pi
         degrees = zero.degrees(kind)
-        total = waves.within(degrees, kind) - begun
+        total = waves.within(degrees) - begun
         return total + _below(self.excess, zero.line, degrees, kind) * kind.pi / 180
 
     def _area(self, zero: Zero) -> Fraction | None:

@@ -6,7 +6,7 @@ sines has its mean, its energy and its slope in closed form. Angles are in degre
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -113,16 +113,34 @@ class Waves:
 
     def at(self, degrees: Fraction, kind: Kind) -> Any:
         """Return the sum at a crank angle, on a kind of number."""
-        return self._summed(kind, lambda order, phase: _cosine(order * degrees + phase, kind))
+        total = kind.of(Fraction(0))
+        for amplitude, order, phase in self.parts:
+            own = kind.of(amplitude)
+            total = total + (own * _cosine(order * degrees + phase, kind) if order or phase else own)
+        return total
 
-    def within(self, degrees: Any, kind: Kind) -> Any:
-        """Return the sum at an angle that is a ball, on balls."""
-        from kurbel.exact.certify import half_turn_circle
+    def within(self, degrees: Any) -> Any:
+        """Return the sum at an angle that is a ball."""
+        import flint
 
-        return self._summed(
-            kind,
-            lambda order, phase: half_turn_circle((kind.of(order) * degrees + kind.of(phase)) / 180).cosine,
-        )
+        total, half_turns = flint.arb(0), degrees / 180
+        for amplitude, order, phase in self._balls(flint.ctx.prec):
+            total += amplitude * (order * half_turns + phase).cos_pi()
+        return total
+
+    def _balls(self, precision: int) -> list[tuple[Any, Any, Any]]:
+        """Return the waves as balls, phases in half turns; made once for each precision."""
+        from kurbel.exact.certify import ball
+
+        if precision not in self._enclosed:
+            self._enclosed[precision] = [
+                (ball(amplitude), ball(order), ball(phase / 180)) for amplitude, order, phase in self.parts
+            ]
+        return self._enclosed[precision]
+
+    @cached_property
+    def _enclosed(self) -> dict[int, list[tuple[Any, Any, Any]]]:
+        return {}
 
     def vanishes(self, degrees: Fraction, level: Fraction = Fraction(0)) -> bool:
         """Whether the sum and a number beside it are 0 at a crank angle, proved within MOST_BITS."""
@@ -134,13 +152,6 @@ class Waves:
 
         bits = float(value(bounds()).bits())
         return bits < MOST_BITS and vanishes(lambda: value(balls()), bits)
-
-    def _summed(self, kind: Kind, cosine: Callable[[Fraction, Fraction], Any]) -> Any:
-        total = kind.of(Fraction(0))
-        for amplitude, order, phase in self.parts:
-            own = kind.of(amplitude)
-            total = total + (own * cosine(order, phase) if order or phase else own)
-        return total
 
 
 def _normal(amplitude: Fraction, order: Fraction, phase: Fraction) -> tuple[Wave, Fraction]:

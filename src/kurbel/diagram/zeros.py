@@ -15,6 +15,7 @@ from typing import Any
 
 from kurbel.diagram.torque import TURN, Line, Torque
 from kurbel.diagram.waves import Waves
+from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, balls
 from kurbel.exact.separation import Separation
 
@@ -28,6 +29,8 @@ OFF = Fraction(7, 1009)
 # where it is not longer than this many of its own.
 UNITS = (2**26, 2**20)
 MOST_OPEN = 4
+# Some seconds of them.
+MOST_CALLS = 100_000
 # Derivatives beyond this one are not asked whether they vanish.
 MOST_MULTIPLE = 8
 
@@ -93,11 +96,11 @@ def functions(excess: Torque, number: int, unit: int) -> tuple[Any, Any]:
     def torque(units: Any) -> Any:
         kind, degrees = balls(), units * unit
         behind = degrees - kind.of(line.start)
-        return waves.within(degrees, kind) + kind.of(line.first) + kind.of(line.slope) * behind
+        return waves.within(degrees) + kind.of(line.first) + kind.of(line.slope) * behind
 
     def slope(units: Any) -> Any:
         kind = balls()
-        per_degree = slope_of.within(units * unit, kind) * kind.pi / 180 + kind.of(line.slope)
+        per_degree = slope_of.within(units * unit) * kind.pi / 180 + kind.of(line.slope)
         return per_degree * unit
 
     return torque, slope
@@ -140,7 +143,8 @@ def _on_line(
 ) -> Iterator[Zero]:
     from kurbel.exact.roots import LEAST_WIDTH, isolate
 
-    for root in _merged(isolate(*functions(excess, number, unit), start / unit, end / unit)):
+    torque, slope = functions(excess, number, unit)
+    for root in _merged(isolate(_counted(torque), slope, start / unit, end / unit)):
         zero = Zero(None, number, root, excess, unit)
         exact = _recognised(zero)
         is_open = exact is None and root.rising is None and unit != UNITS[-1]
@@ -148,6 +152,21 @@ def _on_line(
             yield from _on_line(excess, number, root.low * unit, root.high * unit, UNITS[-1])
         else:
             yield zero if exact is None else Zero(exact)
+
+
+def _counted(torque: Any) -> Any:
+    """Return the function, which refuses to be asked without end."""
+    calls = iter(range(MOST_CALLS))
+
+    def asked(units: Any) -> Any:
+        if next(calls, None) is None:
+            raise ProblemError(
+                "the torque has too many places at which it is just its load; give a formula with smaller"
+                " powers and orders"
+            )
+        return torque(units)
+
+    return asked
 
 
 def _merged(roots: Iterable[Any]) -> list[Any]:
@@ -202,7 +221,7 @@ def _is_alone(zero: Zero, place: Fraction) -> bool:
             return False
         for _ in range(MOST_MULTIPLE):
             waves = waves.slope
-            if not waves.within(whole * zero.unit, balls()).contains(0):
+            if not waves.within(whole * zero.unit).contains(0):
                 return True
             if not waves.vanishes(place):
                 return False
