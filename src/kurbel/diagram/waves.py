@@ -15,10 +15,10 @@ from typing import Any, TypeAlias
 
 from kurbel.exact.kind import Kind
 
-# Of a wave its order k and its phase α, at least 0° and below 180°.
+# Of a wave its order k and its phase α, at least 0° and below 180°, of a constant at most 90°.
 Wave: TypeAlias = tuple[Fraction, Fraction]
-# Cosines that are rational numbers; no other angles of the first half turn have one (Niven).
-_COSINES = {0: Fraction(1), 60: Fraction(1, 2), 90: Fraction(0), 120: Fraction(-1, 2)}
+# Cosines that are rational numbers; no other angles of the first quarter have one (Niven).
+_COSINES = {0: Fraction(1), 60: Fraction(1, 2), 90: Fraction(0)}
 HALF_TURN, QUARTER = Fraction(180), Fraction(90)
 
 
@@ -111,12 +111,16 @@ class Waves:
         """What has the sum without its constant part as its slope over the angle in radians."""
         return Waves.of((a / order, order, phase - QUARTER) for a, order, phase in self.parts if order)
 
+    def placed(self, degrees: Fraction) -> Waves:
+        """Return the sum at a crank angle as one of constants, of which equal ones are one."""
+        return Waves.of((a, Fraction(0), order * degrees + phase) for a, order, phase in self.parts)
+
     def at(self, degrees: Fraction, kind: Kind) -> Any:
         """Return the sum at a crank angle, on a kind of number."""
         total = kind.of(Fraction(0))
-        for amplitude, order, phase in self.parts:
+        for amplitude, _, phase in self.placed(degrees).parts:
             own = kind.of(amplitude)
-            total = total + (own * _cosine(order * degrees + phase, kind) if order or phase else own)
+            total = total + (own * _cosine(phase, kind) if phase else own)
         return total
 
     def within(self, degrees: Any) -> Any:
@@ -147,6 +151,9 @@ class Waves:
         from kurbel.exact.certify import MOST_BITS, vanishes
         from kurbel.exact.kind import balls, bounds
 
+        if not self.placed(degrees) + Waves.constant(level):
+            return True
+
         def value(kind: Kind) -> Any:
             return self.at(degrees, kind) + kind.of(level)
 
@@ -161,6 +168,8 @@ def _normal(amplitude: Fraction, order: Fraction, phase: Fraction) -> tuple[Wave
     phase %= 360
     if phase >= HALF_TURN:
         amplitude, phase = -amplitude, phase - HALF_TURN
+    if not order and phase > QUARTER:
+        amplitude, phase = -amplitude, HALF_TURN - phase
     if not order and phase in _COSINES:
         amplitude, phase = amplitude * _COSINES[int(phase)], Fraction(0)
     return (order, phase), amplitude
