@@ -134,6 +134,7 @@ def test_ratios_of_a_condition() -> None:
             ("--angle=30", "--where=torque=0", "--speed=3/min"),
             "--speed is given and asked for, as",
         ),
+        (("--angle=30", "--where=torque=0", "--mechanism=arc", "--rocker=6"), "--unknown is of the straight"),
         (("--angle=0", "--where=torque=5 N m"), "the condition does not depend on what is asked for;"),
         (("--angle=30", "--where=torque=9 kN m"), "torque = 9 kN m is reached with no speed above 0"),
     ],

@@ -21,7 +21,8 @@ class OfRatio:
     """The crank ratio of the straight or offset crank, its crosshead's motion known by formulas."""
 
     def __init__(self, place: Angle, text: str, given: Mapping[str, Any]) -> None:
-        from kurbel.solve.solve import read_on
+        from kurbel.motion.evaluation import NEEDS
+        from kurbel.solve.solve import MEASURES, read_on
 
         if any(is_given(given.get(name)) for name in (*OWN, "cylinder", "force", "rod", *MASSES)):
             raise ProblemError(
@@ -34,6 +35,12 @@ class OfRatio:
             raise ProblemError("--unknown ratio is of the straight and the offset crank")
         self.place, self.drive = place, chosen.solved(chosen.drives(said, ()), given["method"])[0]
         self.condition = read_on(self.drive, text)
+        if (
+            self.condition.unit
+            and (column := MEASURES[self.condition.quantity].column) not in self.drive.columns
+        ):
+            needs = " and ".join(NEEDS[self.drive.entries[column].needs])
+            raise ProblemError(f'condition "{self.condition}" is in {self.condition.unit} and needs {needs}')
         if self.condition.kind not in (VALUE, MAX) or (
             self.condition.kind == MAX and self.condition.quantity != "c"
         ):

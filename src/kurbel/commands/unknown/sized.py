@@ -8,6 +8,7 @@ from functools import cache
 from typing import Any
 
 from kurbel.commands.loads import OWN
+from kurbel.commands.motion import meant
 from kurbel.commands.options import is_given
 from kurbel.commands.unknown.place import Angle
 from kurbel.errors import ProblemError
@@ -32,6 +33,15 @@ class Sized:
 
         self.unknown, self.place, self.given, self.about = unknown, place, given, UNKNOWNS[unknown]
         self.loaded = any(is_given(given.get(name)) for name in (*OWN, "cylinder"))
+        if is_given(given.get("card")):
+            raise ProblemError(
+                "--unknown under an indicator card is not solved: between its points nothing is proved; give"
+                " ideal steam, such as --eps 4"
+            )
+        if not self.loaded and not meant({**given, "layout": None}).crosshead:
+            raise ProblemError(
+                "--unknown is of the straight and the offset crank, and of others under the load of an engine"
+            )
         if unknown == "stroke" and is_given(given.get("rod")):
             raise ProblemError("--unknown stroke is at a crank ratio; give --ratio in place of --rod")
         if self.loaded and place.degrees is None:
