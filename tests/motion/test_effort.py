@@ -55,6 +55,8 @@ def test_friction_at_a_dead_centre_is_that_of_the_stroke_which_begins_there() ->
     assert [row["friction_force_n"] for row in found] == [*angles.values()]
     straight = rows_of(ratio="1:4", force=1, friction=9, angle=(0, 180, 360), columns="friction_force_n")
     assert [row["friction_force_n"] for row in straight] == [-9, 9, -9]
+    arrays = kurbel.compute([0, 179, 180, 360], "1:4", ["friction_force_n"], force=1, friction=9)
+    assert arrays["friction_force_n"].tolist() == [-9, -9, 9, -9]
 
 
 def test_a_sum_half_way_between_two_printed_numbers_is_a_tie() -> None:

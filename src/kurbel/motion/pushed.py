@@ -34,8 +34,22 @@ def rubbing(at: At) -> Any:
     effort = at.crank.effort
     if effort is None or not effort.friction:
         return None
-    way = _way_of(forces.tangential_force(at.circle, at.ratio, at.offset)) if at.way is None else at.way
-    return at.numbers.of(effort.friction) * way * -1
+    return at.numbers.of(effort.friction) * (_way(at) if at.way is None else at.way) * -1
+
+
+def _way(at: At) -> Any:
+    """Return 1 where the piston moves in the direction of the stroke, -1 where against it, of any kind of
+    number: a float in a dead centre goes where it is drawn to, a ball about one holds both."""
+    velocity = forces.tangential_force(at.circle, at.ratio, at.offset)
+    if hasattr(velocity, "union"):
+        if hasattr(velocity, "rad") and not velocity.contains(0):
+            return 1 if velocity > 0 else -1
+        return (0 * velocity - 1).union(0 * velocity + 1)
+    import numpy as np
+
+    drawn = at.by.piston(at.circle, at.ratio, at.offset)
+    towards: Any = np.where(velocity == 0, drawn, velocity)
+    return np.where(towards < 0, -1.0, 1.0)
 
 
 def net_torque(at: At) -> Any:
@@ -79,20 +93,6 @@ def way_at(crank: Crank, stroke: int, angle: Fraction) -> int:
 
 def _numbers(crank: Crank, stroke: int, kind: Kind) -> tuple[Any, Any]:
     return kind.of(stroke * crank.ratio), kind.of(stroke * crank.offset)
-
-
-def _way_of(velocity: Any) -> Any:
-    """Return 1 for velocities in the direction of the stroke, -1 for others, of any kind of number."""
-    if hasattr(velocity, "shape"):
-        import numpy as np
-
-        return np.where(velocity < 0, -1.0, 1.0)
-    if hasattr(velocity, "union") and not hasattr(velocity, "rad"):
-        return 1
-    if velocity < 0:
-        return -1
-    # A ball about a dead centre holds both.
-    return 1 if velocity >= 0 else (0 * velocity - 1).union(0 * velocity + 1)
 
 
 def with_powers_of_pi(crank: Crank) -> list[Crank]:
