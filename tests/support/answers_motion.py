@@ -4,7 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from mpmath import acos, asin, cos, degrees, diff, findroot, mpf, pi, radians, sin, sqrt
+from mpmath import (
+    acos,
+    arg,
+    asin,
+    cos,
+    degrees,
+    diff,
+    expj,
+    findroot,
+    lu_solve,
+    matrix,
+    mpf,
+    pi,
+    radians,
+    sin,
+    sqrt,
+)
 from problem_answers import Rows, solution
 
 
@@ -139,4 +155,37 @@ def engine_piston(stroke: mpf, rod: mpf, speed: mpf) -> Rows:
             "p_mps2": -pull * crank / slant,
         },
         {"phi": 180, "x_mm": stroke * 1000, "c_mps": 0, "p_mps2": -pull * (1 - crank / rod)},
+    ]
+
+
+@solution
+def stroke_of_an_offset_crank(stroke: mpf, rod: mpf, offset: mpf) -> Rows:
+    def gone(crank: mpf) -> mpf:
+        return sqrt((rod + crank) ** 2 - offset**2) - sqrt((rod - crank) ** 2 - offset**2)
+
+    ends = (stroke / 4, stroke / 2)
+    crank = findroot(lambda radius: gone(radius) - stroke, ends, solver="anderson")
+    return offset_stroke(crank, rod, offset)
+
+
+@solution
+def four_bar(crank: mpf, coupler: mpf, rocker: mpf, frame: mpf, speed: mpf, angle: mpf) -> Rows:
+    pin = crank * expj(radians(angle))
+    across = abs(frame - pin)
+    # The far pin by the law of cosines in the triangle of coupler and rocker, above the frame.
+    lean = acos((coupler**2 + across**2 - rocker**2) / (2 * coupler * across))
+    far = pin + coupler * expj(arg(frame - pin) + lean)
+    rod, arm = far - pin, far - frame
+    # speed · pin + turning · rod = rocking · arm, each turned by a right angle.
+    loop = matrix([[rod.real, -arm.real], [rod.imag, -arm.imag]])
+    turning, rocking = lu_solve(loop, -speed * matrix([pin.real, pin.imag]))
+    return [{"turn_velocity_radps": rocking, "rod_velocity_radps": -turning}]
+
+
+@solution
+def time_of_half_a_stroke(crank: mpf, rod: mpf, speed: mpf) -> Rows:
+    phi = acos(crank / rod / 2)
+    return [
+        {"phi": degrees(phi), "time": phi / speed},
+        {"phi": 180 - degrees(phi), "time": (pi - phi) / speed},
     ]
