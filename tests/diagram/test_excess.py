@@ -157,6 +157,13 @@ def test_zeros_that_fall_together_are_one(text: str, swing: float) -> None:
     assert swing_of(excess) == pytest.approx(swing)
 
 
+def test_means_that_are_equal_by_algebra_are_equal() -> None:
+    """cos 36° - cos 72° is ½, of which neither part is rational."""
+    assert swing_of(Excess.between(waved("cos 36 - cos 72 + sin φ"), waved("1/2 - sin φ"))) == pytest.approx(
+        4
+    )
+
+
 def test_waves_of_cranks_that_come_to_nothing_are_left_out() -> None:
     drive = waved("sin φ + 3 sin 3φ").superposed([Fraction(0), Fraction(120), Fraction(240)])
     assert swing_of(Excess.between(drive, None)) == pytest.approx(6)
