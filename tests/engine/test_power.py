@@ -89,6 +89,9 @@ def test_a_rod_lessens_the_area_of_its_end() -> None:
     found = record(*words, "--piston-rod=60mm", "--tail-rod=45mm")
     areas = pi / 4 * (0.3**2 - 0.06**2) + pi / 4 * (0.3**2 - 0.045**2)
     assert found["indicated_power"] == pytest.approx(4e5 * areas * 0.45 * 200 / 60 / 1000, rel=1e-8)
+    found = record("--mean-pressure=3.5bar;3.2bar", *words[1:], "--piston-rod=60mm")
+    work = 3.5e5 * pi / 4 * 0.3**2 + 3.2e5 * pi / 4 * (0.3**2 - 0.06**2)
+    assert found["indicated_power"] == pytest.approx(work * 0.45 * 200 / 60 / 1000, rel=1e-8)
     said = refusal("power", words[0], "--working-strokes=1", *SIZES, "--piston-rod=60mm")
     assert "lessen the area of an end of a double-acting piston" in said
 

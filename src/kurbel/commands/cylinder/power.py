@@ -83,7 +83,12 @@ def power_table(
     *,
     mean_pressure: Annotated[
         Exact | None,
-        Option("The mean effective pressure itself, with --working-strokes: 5bar.", "PRESSURE", unit="Pa"),
+        Option(
+            "The mean effective pressure itself, with --working-strokes: 5bar; '3.5bar;3.2bar' of the ends at"
+            " the cover and at the crank.",
+            "PRESSURE",
+            unit="Pa",
+        ),
     ] = None,
     working_strokes: Annotated[
         Exact | None,
@@ -218,7 +223,11 @@ def _duty(given: Mapping[str, Any], **own: Any) -> "Duty":
     from kurbel.engine.power.duty import Duty
 
     if given["mean_pressure"] is not None:
-        return Duty(pressure=_above_zero(given["mean_pressure"], "mean pressure"), **own)
+        ends = given["mean_pressure"]
+        parts = ends.split(";") if isinstance(ends, str) else [ends]
+        if len(parts) > 2:
+            raise ProblemError(f"{len(parts)} mean pressures were given; a piston has two ends")
+        return Duty(ends=tuple(_above_zero(one, "mean pressure") for one in parts), **own)
     name = pressures_of(given)[0] if _is_other(given) else "pressure"
     pressure = None if given[name] is None else as_pressure(given[name], name.replace("_", " "))
     if name == "delivery_pressure" and pressure is not None and given["suction_pressure"] is not None:

@@ -35,7 +35,8 @@ class Duty:
     efficiency η is η times the indicated one, of a driven machine the indicated one by η. `diagram_factor`
     multiplies the mean pressure. `pressure` is what mean pressures count in, and `pressure_option` gives it.
     `specific_volume` in m³/kg is that of the steam at admission. The rods by their diameters in metres lessen
-    the area of one end each, of a double-acting piston whose bore is given.
+    the area of one end each, of a double-acting piston whose bore is given. Mean pressures that are given are
+    `ends`: of all, or of the ends at the cover and at the crank.
     """
 
     power: Fraction | None = None
@@ -53,6 +54,7 @@ class Duty:
     cylinders: int = 1
     piston_rod: Fraction | None = None
     tail_rod: Fraction | None = None
+    ends: tuple[Fraction, ...] = ()
 
     def __post_init__(self) -> None:
         if not 1 <= self.cylinders <= MOST_CYLINDERS:
@@ -89,6 +91,13 @@ class Duty:
                     f" {about(1000 * self.bore)} mm"
                 )
 
+    def _of_ends(self) -> Fraction | None:
+        """Return the mean of the pressures given, by the areas of the ends."""
+        if len(self.ends) < 2 or self.bore is None:
+            return sum(self.ends, Fraction(0)) / len(self.ends) if self.ends else None
+        areas = [self.bore**2 - (rod or 0) ** 2 for rod in (self.tail_rod, self.piston_rod)]
+        return sum((one * area for one, area in zip(self.ends, areas, strict=True)), Fraction(0)) / sum(areas)
+
     @property
     def open_area(self) -> Fraction:
         """The mean area of both ends of the piston in that of the bore."""
@@ -104,7 +113,7 @@ class Duty:
     def given(self, source: Acting | GivenPressure) -> dict[str, Term]:
         """Return what is given, by the names of variables."""
         found = {name: getattr(self, name) for name in (POWER, BORE, STROKE, PRESSURE)}
-        found[PRESSURE] = source.pressure or found[PRESSURE]
+        found[PRESSURE] = source.pressure or self._of_ends() or found[PRESSURE]
         known = {name: number(value) for name, value in found.items() if value is not None}
         if self.brake_power is not None:
             known[POWER] = number(self.brake_power) / self.to_brake(source.driven)

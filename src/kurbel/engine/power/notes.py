@@ -50,6 +50,10 @@ WORDS = {
         "$N_e = N_i/η$, mechanischer Wirkungsgrad $η = {efficiency}$"
         "|$N_e = N_i/η$, mechanical efficiency $η = {efficiency}$"
     ),
+    "ends": words(
+        "$p_i$ am Deckel ${cover}$, an der Kurbel ${crank}$, im Mittel nach den Flächen"
+        "|$p_i$ at the cover ${cover}$, at the crank ${crank}$, the mean by their areas"
+    ),
     "given": words("Gegeben: {given}|Given: {given}"),
     "steam": words(
         'Dampf eines wirksamen Hubes {volume} $V_h/v$, $v = {specific} "m"^3/"kg"$ vor der Absperrung'
@@ -90,6 +94,9 @@ def notes(request: PowerRequest) -> Iterator[Label]:
         yield f"$p$ {PRESSURES[source.name][lang]}"
     if given := ", ".join(_given(duty, source)):
         yield WORDS["given"][lang].format(given=given)
+    if len(duty.ends) > 1:
+        cover, crank = (amount(one, "bar") for one in duty.ends)
+        yield WORDS["ends"][lang].format(cover=cover, crank=crank)
     if not shown.isdisjoint(POWERED):
         strokes = figure(source.strokes)
         area = "".join(_area(duty))

@@ -55,6 +55,10 @@ class PowerRequest(Question):
     no_column = "there is no column beside the axes; add one, such as mean_pressure"
 
     def check(self) -> None:
+        if len(self.duty.ends) > 1 and any(one.strokes != 2 for one in self.sources):
+            raise ProblemError(
+                "two mean pressures are those of both ends of a double-acting piston; add --working-strokes 2"
+            )
         if self.duty.open_area != 1 and any(one.strokes != 2 for one in self.sources):
             raise ProblemError(
                 "--piston-rod and --tail-rod lessen the area of an end of a double-acting piston; leave them"
