@@ -229,7 +229,7 @@ def force_notes(cranks: Sequence[Crank], lang: str) -> Iterable[Label]:
 def loaded_notes(crank: Crank, ratio_symbol: str, lang: str) -> Iterator[Label]:
     """Yield the lines about what acts on piston and crosshead beside a given force, and about the masses."""
     if crank.effort is not None:
-        from kurbel.motion.effort_words import effort_notes
+        from kurbel.motion.notes.effort import effort_notes
 
         yield from effort_notes(crank.effort, lang)
     if crank.moving is not None:
@@ -255,7 +255,7 @@ def moving_notes(
 
         yield connecting_rod(moving.rod, lang, ratio_symbol[-1], named)
     if moving.slope is not None:
-        from kurbel.motion.effort_words import weight_notes
+        from kurbel.motion.notes.effort import weight_notes
 
         yield from weight_notes(moving, lang)
 

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.drive.crank import Crank, known
 from kurbel.errors import ProblemError
-from kurbel.exact.kind import Kind, balls, bounds, settled
+from kurbel.exact.kind import Kind, settled
 from kurbel.kernel import kinematics
 from kurbel.page.quantity import Column, Quantity, Words, words
 
@@ -133,18 +133,9 @@ class At:
         return moving.weights(self.numbers, self.crank.pin_acceleration(self.numbers))
 
     def _under_force(self, masses: Masses[Any], reciprocating: Any) -> Loaded:
-        from kurbel.drive.moved import framed
-        from kurbel.kernel.rod import Loaded
+        from kurbel.motion.pushed import under_force
 
-        first = self.crank.force.first if self.crank.force else Fraction(0)
-        net = self.acting(self.numbers.of(first))
-        weight = framed(self._weights.weight, self.stroke != OUT)
-        drive, friction = (self.circle, self.ratio, masses, self.offset), None
-        if self.crank.effort is not None:
-            from kurbel.motion import pushed
-
-            net, friction = net + pushed.pressed(self), pushed.rubbing(self)
-        return Loaded(*drive, net, reciprocating, self.by, weight=weight, friction=friction)
+        return under_force(self, masses, reciprocating, self._weights.weight)
 
     @property
     def share(self) -> Any:
@@ -305,31 +296,20 @@ def certified_at(quantity: Quantity, method: str, places: Places, decimals: int,
         if crank.acceleration and known(crank.speed).turns:
             from kurbel.motion.notes.accelerated import is_mixed
 
-            pressed = crank.effort is not None and _weighs(quantity, method, crank, angle)
+            pressed = crank.effort is not None and _has_pi(quantity, method, crank, angle)
             return not (quantity.is_arc or pressed or is_mixed(quantity, method, crank, angle))
         # Turns a second bring the factor π² to what the masses add to an algebraic number.
-        return not (is_transcendental(quantity, crank) or _weighs(quantity, method, crank, angle))
+        return not (is_transcendental(quantity, crank) or _has_pi(quantity, method, crank, angle))
 
     return settled(at, decimals, rounding, is_algebraic)
 
 
-def _weighs(quantity: Quantity, method: str, crank: Crank, angle: Fraction) -> bool:
-    """Whether masses or pressures may have a part in the force that has a power of π for a factor."""
+def _has_pi(quantity: Quantity, method: str, crank: Crank, angle: Fraction) -> bool:
     if LOADED not in quantity.formulas or not crank.loaded:
         return False
-    from kurbel.motion.pushed import with_powers_of_pi
+    from kurbel.motion.pushed import has_power_of_pi
 
-    return any(_counts(quantity, method, alone, angle) for alone in with_powers_of_pi(crank))
-
-
-def _counts(quantity: Quantity, method: str, crank: Crank, angle: Fraction) -> bool:
-    """Whether the quantity may be another than zero."""
-    from kurbel.exact.certify import vanishes
-
-    def part(kind: Kind) -> Any:
-        return value(quantity, method, crank, kind.circle(angle), kind) + kind.of(Fraction(0))
-
-    return not vanishes(lambda: part(balls()), float(part(bounds()).bits()))
+    return has_power_of_pi(quantity, method, crank, angle)
 
 
 def columns_in_balls(

@@ -10,16 +10,31 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from kurbel.drive.crank import Crank, known
+from kurbel.drive.moved import framed
 from kurbel.exact.kind import Kind, balls, bounds
 from kurbel.kernel import forces, kinematics
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.effort.pins import net_torque as pin_torque
+from kurbel.kernel.rod import Loaded, Masses
 
 if TYPE_CHECKING:
+    from kurbel.kernel.effort.weight import Weight
     from kurbel.motion.evaluation import At
+    from kurbel.page.quantity import Quantity
 
 FIRST_BITS = 64
 RETURN = -1
+
+
+def under_force(at: At, masses: Masses[Any], reciprocating: Any, weight: Weight[Any] | None) -> Loaded:
+    """Return the drive with its masses under all that acts at a place, in newtons."""
+    crank = at.crank
+    net = at.acting(at.numbers.of(crank.force.first if crank.force else Fraction(0)))
+    drive, friction = (at.circle, at.ratio, masses, at.offset), None
+    if crank.effort is not None:
+        net, friction = net + pressed(at), rubbing(at)
+    own = framed(weight, at.stroke == RETURN)
+    return Loaded(*drive, net, reciprocating, at.by, weight=own, friction=friction)
 
 
 def pressed(at: At) -> Any:
@@ -95,7 +110,23 @@ def _numbers(crank: Crank, stroke: int, kind: Kind) -> tuple[Any, Any]:
     return kind.of(stroke * crank.ratio), kind.of(stroke * crank.offset)
 
 
-def with_powers_of_pi(crank: Crank) -> list[Crank]:
+def has_power_of_pi(quantity: Quantity, method: str, crank: Crank, angle: Fraction) -> bool:
+    """Whether masses or pressures may have a part in a force that has a power of π for a factor."""
+    return any(_counts(quantity, method, alone, angle) for alone in _with_powers_of_pi(crank))
+
+
+def _counts(quantity: Quantity, method: str, crank: Crank, angle: Fraction) -> bool:
+    """Whether the quantity may be another than zero."""
+    from kurbel.exact.certify import vanishes
+    from kurbel.motion.evaluation import value
+
+    def part(kind: Kind) -> Any:
+        return value(quantity, method, crank, kind.circle(angle), kind) + kind.of(Fraction(0))
+
+    return not vanishes(lambda: part(balls()), float(part(bounds()).bits()))
+
+
+def _with_powers_of_pi(crank: Crank) -> list[Crank]:
     """Return the drive with that alone which makes forces with a power of π: with its inertia where the speed
     counts turns, with the pressures."""
     alone, moving, effort = replace(crank, force=None, effort=None), crank.moving, crank.effort
