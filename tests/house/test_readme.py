@@ -20,7 +20,7 @@ PAGES = (
     README,
     *(
         ROOT / "docs" / f"{name}.md"
-        for name in ("engines", "speed", "flywheels", "diagrams", "balance", "effort", "given")
+        for name in ("engines", "speed", "flywheels", "diagrams", "balance", "effort", "given", "motion")
     ),
 )
 BLOCK = re.compile(r"(?<=```console\n).*?(?=```)", re.DOTALL)
