@@ -22,13 +22,19 @@ def registry() -> Mapping[str, Quantity]:
     """Return every quantity by its key, in the order in which `kurbel quantities` lists them."""
     entries = (*motion_entries(), *_force_entries())
     of_strokes = [one for each in entries for one in on_strokes(each)]
-    return {one.key: one for one in (*of_strokes, *speed_entries())}
+    found = {one.key: one for one in (*of_strokes, *speed_entries())}
+    # What acts along the slide has pages of its own.
+    return {**{key: one for key, one in found.items() if not _of_effort(key)}, **found}
 
 
 @cache
 def effort_keys() -> tuple[str, ...]:
     """Return the keys of what acts along the slide: the effort on the piston, and its parts."""
-    return tuple(key for key in registry() if _UNIT.sub("", key).removesuffix("_return") in EFFORT)
+    return tuple(key for key in registry() if _of_effort(key))
+
+
+def _of_effort(key: str) -> bool:
+    return _UNIT.sub("", key).removesuffix("_return") in EFFORT
 
 
 class Force(NamedTuple):
