@@ -10,7 +10,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from mpmath import mp
 
-from kurbel.drive.true_stroke import Offset, by_ratio, by_rod, by_time_ratio
+from kurbel.drive.size.true_stroke import Offset, by_ratio, by_rod, by_time_ratio
 from kurbel.errors import ProblemError
 
 lengths = st.fractions(min_value=Fraction(1, 20), max_value=2, max_denominator=200)

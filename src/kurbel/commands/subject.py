@@ -71,7 +71,7 @@ class Command(NamedTuple):
             values = {**values, "units": self._units(values)}
         if not any(is_given(values.get(name)) for name in SPELLED):
             return values
-        from kurbel.drive.sizes import in_strokes
+        from kurbel.drive.size.given import in_strokes
 
         return in_strokes(values)
 

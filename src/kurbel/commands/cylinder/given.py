@@ -53,7 +53,7 @@ def _checked(entries: dict[str, Any]) -> Mapping[str, Any]:
     said = {key: SAID[value] if key in FLAGS else value for key, value in entries.items()}
     if "crank" not in said:
         return said
-    from kurbel.drive.sizes import in_strokes
+    from kurbel.drive.size.given import in_strokes
 
     return in_strokes(said)
 

@@ -29,7 +29,7 @@ def in_strokes(given: Mapping[str, Any]) -> dict[str, Any]:
         if given.get("time_ratio") is not None:
             raise ProblemError("--time-ratio makes the crank and the rod of the stroke; add --true-stroke")
         return left
-    from kurbel.drive.true_stroke import found
+    from kurbel.drive.size.true_stroke import found
 
     radius, rod = found(given)
     if (stroke := left.get("stroke")) is not None and abs(as_length(stroke, "stroke") / radius - 2) > NEAR:
