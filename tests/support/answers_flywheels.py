@@ -76,10 +76,9 @@ def rim_of_given_diameter(
 
 
 @solution
-def punching_press(work: mpf, strokes: mpf, share: mpf, speed: str, radius: mpf) -> Rows:
-    low, high = (mpf(one) * pi / 30 for one in speed.removesuffix("/min").split(".."))
+def punching_press(work: mpf, strokes: mpf, share: mpf, low: mpf, high: mpf, radius: mpf) -> Rows:
     power = work * strokes / (2 * pi)
-    inertia = 2 * work * (1 - share) / (high**2 - low**2)
+    inertia = 2 * work * (1 - share) / (high**2 - low**2) * (30 / pi) ** 2
     return [{"power": power, "mass": inertia / radius**2}]
 
 
