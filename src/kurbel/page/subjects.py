@@ -32,8 +32,8 @@ SUBJECTS: Mapping[str, Pages] = {
     "gas cycle": Pages("kurbel.engine.page:GAS_CYCLE", "delta --compression 5..8 --heat 10"),
     "power": Pages("kurbel.engine.power.page:SUBJECT", "power --eps 3 --pressure 8bar"),
     "turning": Pages("kurbel.engine.page:TURNING", "turning"),
-    "torques": Pages("kurbel.diagram.page:OF_TORQUES", "turning --torque 5000+1500sin(3φ)"),
-    "areas": Pages("kurbel.diagram.page:OF_AREAS", "turning --areas +52J;-124J;+72J"),
+    "torques": Pages("kurbel.engine.diagram.page:OF_TORQUES", "turning --torque 5000+1500sin(3φ)"),
+    "areas": Pages("kurbel.engine.diagram.page:OF_AREAS", "turning --areas +52J;-124J;+72J"),
     "speed": Pages("kurbel.engine.speed.page:SPEED", "turning --flywheel 50 --speed 120/min"),
     "evenness": Pages("kurbel.engine.speed.page:EVENNESS", "delta --flywheel 50"),
     "crank forces": Pages("kurbel.engine.page:CRANK_FORCES", "forces --eps 4"),
@@ -41,7 +41,7 @@ SUBJECTS: Mapping[str, Pages] = {
     "rod load": Pages("kurbel.engine.rodload.page:SUBJECT", "forces --eps 4"),
     "flywheel": Pages("kurbel.engine.page:FLYWHEEL", f"flywheel --eps 4 {_EVEN}"),
     "flywheel sizing": Pages(
-        "kurbel.diagram.wheel.page:SUBJECT", "flywheel --swing 5kJ --speed 300/min --delta 1:50"
+        "kurbel.engine.diagram.wheel.page:SUBJECT", "flywheel --swing 5kJ --speed 300/min --delta 1:50"
     ),
     "pressures": Pages("kurbel.engine.pressures.page:PRESSURES", _PRESSED),
     "pressures over the angle": Pages("kurbel.engine.pressures.page:PRESSURES_OVER_ANGLE", _PRESSED),

@@ -12,10 +12,10 @@ from kurbel.errors import ProblemError
 from kurbel.reading.given import Exact, as_crank_angles, as_fraction
 
 if TYPE_CHECKING:
-    from kurbel.diagram.areas import Areas
-    from kurbel.diagram.excess import Excess
-    from kurbel.diagram.fluctuation import Fluctuation
-    from kurbel.diagram.torque import Torque
+    from kurbel.engine.diagram.areas import Areas
+    from kurbel.engine.diagram.excess import Excess
+    from kurbel.engine.diagram.fluctuation import Fluctuation
+    from kurbel.engine.diagram.torque import Torque
 
 MOST_TURNS = 100
 DRIVES, LOADS = ("torque", "torque_file", "triangles"), ("load_torque", "load_torque_file")
@@ -131,7 +131,7 @@ def fluctuation_of(given: Mapping[str, Any]) -> "Fluctuation":
 
 def areas_of(given: Mapping[str, Any]) -> "Areas":
     """Return the areas of a diagram. Raises KurbelError."""
-    from kurbel.diagram.areas import given_areas
+    from kurbel.engine.diagram.areas import given_areas
 
     for name in (*DRIVES, *LOADS, "cranks"):
         if is_given(given.get(name)):
@@ -150,7 +150,7 @@ def _texts(areas: str | Iterable[Any]) -> list[str]:
 
 def excess_of(given: Mapping[str, Any]) -> "Excess":
     """Return the excess of the drive's torque over that of the load. Raises KurbelError."""
-    from kurbel.diagram.excess import Excess
+    from kurbel.engine.diagram.excess import Excess
 
     turns, by_degree = turns_of(given), is_given(given["triangles"])
     drive, load = (
@@ -185,7 +185,7 @@ def _torque(
     if own == ["triangles"]:
         return _triangles(given, turns)
     if file is not None:
-        from kurbel.diagram.points import read_points, torque_through
+        from kurbel.engine.diagram.points import read_points, torque_through
 
         return torque_through(read_points(file), turns, what)
     if text is None:
@@ -194,19 +194,19 @@ def _torque(
         flag = names[0].replace("_", "-")
         raise ProblemError(f"--{flag} {str(text)[:40]} is a file; name it as --{flag}-file")
     if ":" in str(text):
-        from kurbel.diagram.points import points_of, torque_through
+        from kurbel.engine.diagram.points import points_of, torque_through
 
         return torque_through(points_of(str(text), what), turns, what)
-    from kurbel.diagram.formula import torque_of
-    from kurbel.diagram.torque import Torque, own_cycle
+    from kurbel.engine.diagram.formula import torque_of
+    from kurbel.engine.diagram.torque import Torque, own_cycle
 
     waves = torque_of(str(text), what)
     return Torque.of(waves, own_cycle(waves, turns, what))
 
 
 def _triangles(given: Mapping[str, Any], turns: Fraction | None) -> "Torque":
-    from kurbel.diagram.areas import scaled_areas
-    from kurbel.diagram.points import triangles
+    from kurbel.engine.diagram.areas import scaled_areas
+    from kurbel.engine.diagram.points import triangles
 
     for name in LOADS:
         if is_given(given[name]):

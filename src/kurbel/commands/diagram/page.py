@@ -17,7 +17,7 @@ from kurbel.reading import notation
 from kurbel.reading.given import as_angle, as_angles, as_crank_angles, as_inertia, as_names, as_speed
 
 if TYPE_CHECKING:
-    from kurbel.diagram.page import TorquesRequest
+    from kurbel.engine.diagram.page import TorquesRequest
 
 PAGES = ("torques", "areas")
 EXAMPLE = "phi,excess_energy"
@@ -25,7 +25,7 @@ EXAMPLE = "phi,excess_energy"
 
 def diagram_asked(given: Mapping[str, Any], columns: Names) -> Question:
     """Return what is asked for of the diagram that options describe. Raises KurbelError."""
-    from kurbel.diagram.page import AreasRequest, TorquesRequest
+    from kurbel.engine.diagram.page import AreasRequest, TorquesRequest
 
     of_areas = is_given(given["areas"]) or given["layout"] == "areas"
     page = layout_of(given["layout"] or PAGES[of_areas], PAGES[of_areas:][:1], given["layouts"])
@@ -47,7 +47,7 @@ def diagram_asked(given: Mapping[str, Any], columns: Names) -> Question:
 def diagram_drawn(given: Mapping[str, Any]) -> TorquesRequest:
     """Return what is drawn of the diagram that options describe. Raises KurbelError."""
     from kurbel.commands.plots import curve_angles, page_of
-    from kurbel.diagram.page import TorquesRequest
+    from kurbel.engine.diagram.page import TorquesRequest
     from kurbel.plot.diagrams.torques import DRAWN, SPEED
 
     if is_given(given["areas"]):

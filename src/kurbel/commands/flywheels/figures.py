@@ -7,7 +7,7 @@ from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
-from kurbel.diagram.wheel.sizing import Known
+from kurbel.engine.diagram.wheel.sizing import Known
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.numerals import about
 from kurbel.exact.product import Product

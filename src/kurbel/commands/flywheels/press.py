@@ -7,8 +7,8 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from kurbel.commands.flywheels.figures import sides_of
-from kurbel.diagram.wheel.relations import figures_of
-from kurbel.diagram.wheel.sizing import Figures, Known, completed
+from kurbel.engine.diagram.wheel.relations import figures_of
+from kurbel.engine.diagram.wheel.sizing import Figures, Known, completed
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.numerals import about
 from kurbel.exact.product import Product

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 from kurbel.commands.flywheels.figures import figures_of
 from kurbel.commands.flywheels.options import Rim
-from kurbel.diagram.wheel.page import WheelRequest
-from kurbel.diagram.wheel.sizing import Known, Sizing, gathered, sized
 from kurbel.engine.captions import caption, engine_notes
+from kurbel.engine.diagram.wheel.page import WheelRequest
+from kurbel.engine.diagram.wheel.sizing import Known, Sizing, gathered, sized
 from kurbel.engine.quantities import Where, engine_registry, value
 from kurbel.errors import ProblemError
 from kurbel.exact.product import Product

@@ -9,12 +9,12 @@ from kurbel.commands.diagram.given import fluctuation_of, is_diagram
 from kurbel.commands.flywheels.figures import figures_of
 from kurbel.commands.flywheels.press import press_of, share_of
 from kurbel.commands.options import is_given
-from kurbel.diagram.areas import Areas
-from kurbel.diagram.fluctuation import Fluctuation
-from kurbel.diagram.wheel import captions
-from kurbel.diagram.wheel.page import WheelRequest
-from kurbel.diagram.wheel.sizing import Known, gathered, sized
 from kurbel.drive.flywheel import check_irregularity
+from kurbel.engine.diagram.areas import Areas
+from kurbel.engine.diagram.fluctuation import Fluctuation
+from kurbel.engine.diagram.wheel import captions
+from kurbel.engine.diagram.wheel.page import WheelRequest
+from kurbel.engine.diagram.wheel.sizing import Known, gathered, sized
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import floats
 from kurbel.exact.product import Product

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from kurbel.diagram.page import TorquesRequest
-from kurbel.diagram.torque import Torque
+from kurbel.engine.diagram.page import TorquesRequest
+from kurbel.engine.diagram.torque import Torque
 from kurbel.exact.kind import floats
 from kurbel.page.quantity import words
 from kurbel.plot.panels import axis_name, check_drawn, degrees

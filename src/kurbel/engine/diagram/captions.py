@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
-from kurbel.diagram.fluctuation import Extreme, Fluctuation
-from kurbel.diagram.steady import Steady
+from kurbel.engine.diagram.fluctuation import Extreme, Fluctuation
+from kurbel.engine.diagram.steady import Steady
 from kurbel.exact.kind import Kind, floats, settled
 from kurbel.exact.numerals import Label, Number, figures, finite_decimals, nearest, number_text
 from kurbel.page.quantity import Words, words

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from kurbel.diagram.wheel.quantities import SHOWN, registry
-from kurbel.diagram.wheel.relations import DISC_RULES, RULES, figures_of
+from kurbel.engine.diagram.wheel.quantities import SHOWN, registry
+from kurbel.engine.diagram.wheel.relations import DISC_RULES, RULES, figures_of
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import number_text
 from kurbel.exact.product import Product

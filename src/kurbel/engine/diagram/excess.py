@@ -12,10 +12,10 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
-from kurbel.diagram.fluctuation import Extreme, work_of
-from kurbel.diagram.torque import TURN, Line, Torque, common_cycle
-from kurbel.diagram.waves import QUARTER, Waves
-from kurbel.diagram.zeros import Polynomial, Zero, is_plain, zeros
+from kurbel.engine.diagram.fluctuation import Extreme, work_of
+from kurbel.engine.diagram.torque import TURN, Line, Torque, common_cycle
+from kurbel.engine.diagram.waves import QUARTER, Waves
+from kurbel.engine.diagram.zeros import Polynomial, Zero, is_plain, zeros
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, balls, floats
 from kurbel.reading.notation import about

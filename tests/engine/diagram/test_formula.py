@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kurbel.diagram.formula import torque_of
+from kurbel.engine.diagram.formula import torque_of
 from kurbel.errors import KurbelError
 from kurbel.exact.kind import floats
 

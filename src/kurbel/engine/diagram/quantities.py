@@ -11,10 +11,10 @@ from fractions import Fraction
 from functools import cache
 from typing import Any, Protocol
 
-from kurbel.diagram.areas import Areas
-from kurbel.diagram.excess import Excess
-from kurbel.diagram.steady import Steady
 from kurbel.drive.crank import known
+from kurbel.engine.diagram.areas import Areas
+from kurbel.engine.diagram.excess import Excess
+from kurbel.engine.diagram.steady import Steady
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
 from kurbel.page.quantity import Formula, Quantity, entry, words

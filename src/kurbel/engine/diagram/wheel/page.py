@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-from kurbel.diagram.fluctuation import Fluctuation
-from kurbel.diagram.wheel.captions import caption, notes
-from kurbel.diagram.wheel.quantities import NEEDS, SHOWN, registry
-from kurbel.diagram.wheel.sizing import Sizing
+from kurbel.engine.diagram.fluctuation import Fluctuation
+from kurbel.engine.diagram.wheel.captions import caption, notes
+from kurbel.engine.diagram.wheel.quantities import NEEDS, SHOWN, registry
+from kurbel.engine.diagram.wheel.sizing import Sizing
 from kurbel.exact.numerals import Label, Number
 from kurbel.exact.product import Product
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, angle_number, irregularity_label

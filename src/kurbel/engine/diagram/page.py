@@ -8,13 +8,13 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
-from kurbel.diagram.areas import Areas
-from kurbel.diagram.captions import WORDS, outcome
-from kurbel.diagram.excess import Excess
-from kurbel.diagram.quantities import INERTIA, RUN, SCALE, areas_registry, torque_registry
-from kurbel.diagram.steady import Steady
 from kurbel.drive.crank import check_angles
 from kurbel.drive.load import figure
+from kurbel.engine.diagram.areas import Areas
+from kurbel.engine.diagram.captions import WORDS, outcome
+from kurbel.engine.diagram.excess import Excess
+from kurbel.engine.diagram.quantities import INERTIA, RUN, SCALE, areas_registry, torque_registry
+from kurbel.engine.diagram.steady import Steady
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import floats, settled
 from kurbel.exact.numerals import Label, Number, figures

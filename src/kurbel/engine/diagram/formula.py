@@ -11,8 +11,8 @@ import re
 from fractions import Fraction
 from typing import NamedTuple
 
-from kurbel.diagram.tokens import ANGLES, PI, Token, Tokens
-from kurbel.diagram.waves import QUARTER, Waves
+from kurbel.engine.diagram.tokens import ANGLES, PI, Token, Tokens
+from kurbel.engine.diagram.waves import QUARTER, Waves
 from kurbel.errors import NotationError
 from kurbel.reading import units
 

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from kurbel.diagram.fluctuation import Extreme
-from kurbel.diagram.wheel.sizing import LIMIT, RIM_ALONE
+from kurbel.engine.diagram.fluctuation import Extreme
+from kurbel.engine.diagram.wheel.sizing import LIMIT, RIM_ALONE
 from kurbel.exact.kind import settled
 from kurbel.exact.numerals import Label, Number, finite_decimals, nearest, number_text
 from kurbel.exact.product import Product
@@ -16,7 +16,7 @@ from kurbel.reading.amounts import unit_of_page
 from kurbel.reading.notation import plain
 
 if TYPE_CHECKING:
-    from kurbel.diagram.wheel.page import WheelRequest
+    from kurbel.engine.diagram.wheel.page import WheelRequest
 
 SWING, FLUCTUATION, PRESS, AREAS, TORQUE = "swing", "fluctuation", "press", "areas", "torque"
 # What the energy swing is known from.

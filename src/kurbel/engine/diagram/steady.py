@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, Protocol
 
-from kurbel.diagram.fluctuation import Fluctuation
+from kurbel.engine.diagram.fluctuation import Fluctuation
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, balls
 from kurbel.reading.notation import about

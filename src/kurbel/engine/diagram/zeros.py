@@ -13,8 +13,8 @@ from fractions import Fraction
 from math import lcm, log2
 from typing import Any
 
-from kurbel.diagram.torque import TURN, Line, Torque
-from kurbel.diagram.waves import Waves
+from kurbel.engine.diagram.torque import TURN, Line, Torque
+from kurbel.engine.diagram.waves import Waves
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, balls
 from kurbel.exact.separation import Separation

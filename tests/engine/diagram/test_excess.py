@@ -13,10 +13,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kurbel.diagram.excess import Excess
-from kurbel.diagram.formula import torque_of
-from kurbel.diagram.points import points_of, torque_through
-from kurbel.diagram.torque import Torque, own_cycle
+from kurbel.engine.diagram.excess import Excess
+from kurbel.engine.diagram.formula import torque_of
+from kurbel.engine.diagram.points import points_of, torque_through
+from kurbel.engine.diagram.torque import Torque, own_cycle
 from kurbel.errors import KurbelError
 from kurbel.exact.kind import balls, floats, settled
 

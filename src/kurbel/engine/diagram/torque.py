@@ -15,7 +15,7 @@ from itertools import accumulate, pairwise
 from math import lcm
 from typing import Any, NamedTuple
 
-from kurbel.diagram.waves import Waves
+from kurbel.engine.diagram.waves import Waves
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.reading.notation import about

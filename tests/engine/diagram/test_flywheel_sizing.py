@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 from mpmath import mp, mpf
 
 import kurbel
-from kurbel.diagram.wheel.relations import DISC_RULES, RULES
-from kurbel.diagram.wheel.sizing import Known, completed
+from kurbel.engine.diagram.wheel.relations import DISC_RULES, RULES
+from kurbel.engine.diagram.wheel.sizing import Known, completed
 from kurbel.exact.product import Product
 
 F = Fraction

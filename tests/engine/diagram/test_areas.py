@@ -6,7 +6,7 @@ from math import pi
 
 import pytest
 
-from kurbel.diagram.areas import given_areas, letter_of
+from kurbel.engine.diagram.areas import given_areas, letter_of
 from kurbel.errors import KurbelError
 from kurbel.exact.kind import floats
 

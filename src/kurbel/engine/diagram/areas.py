@@ -15,7 +15,7 @@ from itertools import accumulate
 from string import ascii_lowercase
 from typing import Any, NamedTuple
 
-from kurbel.diagram.fluctuation import Extreme
+from kurbel.engine.diagram.fluctuation import Extreme
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.reading import notation, units
