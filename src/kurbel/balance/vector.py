@@ -15,6 +15,7 @@ from typing import Any, NamedTuple, TypeAlias
 import flint
 
 from kurbel.drive.crank import Crank
+from kurbel.errors import ProblemError
 from kurbel.exact import certify
 from kurbel.exact.figures import decimals_of
 from kurbel.exact.kind import Kind, balls, bounds
@@ -89,9 +90,17 @@ class Vector:
         return value
 
     def length(self) -> Value:
-        """Return the length; of a vector that vanishes too, on separation bounds alone."""
+        """Return the length."""
         square = self.square()
-        return lambda kind: square(kind) ** kind.exponent(Fraction(1, 2))
+
+        def value(kind: Kind) -> Any:
+            found = square(kind)
+            if isinstance(found, flint.arb):
+                # A ball about 0, of a vector that is not told from it, has no root.
+                found = found.nonnegative_part()
+            return found ** kind.exponent(Fraction(1, 2))
+
+        return value
 
 
 def is_zero(value: Value) -> bool:
@@ -223,3 +232,8 @@ def _quarter(vector: Vector) -> int:
             elif not y.contains(0):
                 return 1 if y > 0 else 3
         bits *= 2
+        if bits > certify.MOST_BITS:
+            raise ProblemError(
+                f"a direction is not settled by {bits // 2} bits: what it is of may be 0; leave its column"
+                " out"
+            )

@@ -6,15 +6,14 @@ the position of its plane along the shaft. Turning at ω it pulls at the shaft w
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from kurbel.balance.vector import Value, Vector
 from kurbel.drive.crank import LARGEST_ANGLE
 from kurbel.errors import ProblemError
-from kurbel.exact.kind import Kind
 from kurbel.reading.notation import about
 
 MOST_MASSES = 100
@@ -93,19 +92,17 @@ def moment(masses: Sequence[Placed], about: Fraction) -> Vector:
 
     Without an unbalance of all together it is the same about any point.
     """
-    return sum((_arm(one, about) for one in masses), Vector())
+    planes = [one.plane for one in masses]
+    if not all(isinstance(plane, Fraction) for plane in planes):
+        # Planes are found from two linear equations, so that masses balanced in their forces have no couple.
+        return Vector()
+    return sum((one.vector * (plane - about) for one, plane in _in_planes(masses)), Vector())
 
 
-def _arm(one: Placed, about: Fraction) -> Vector:
-    plane = one.plane
-    if isinstance(plane, Fraction):
-        return one.vector * (plane - about)
-
-    def point(kind: Kind) -> tuple[Any, Any]:
-        x, y = one.vector.point(kind)
-        return x * plane(kind), y * plane(kind)
-
-    return Vector(rest=((point, Fraction(1)),)) - one.vector * about
+def _in_planes(masses: Sequence[Placed]) -> Iterator[tuple[Placed, Fraction]]:
+    for one in masses:
+        assert isinstance(one.plane, Fraction)
+        yield one, one.plane
 
 
 def balancing(masses: Sequence[Placed], planes: Sequence[Fraction]) -> tuple[Vector, ...]:
