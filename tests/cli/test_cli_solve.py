@@ -177,7 +177,7 @@ def test_the_library_gives_the_page_of_the_command_line() -> None:
         {"where": "p = 0", "ratio": []},
         {"where": "p = 0", "method": "fast"},
         {"where": "p = 0", "mechanism": "arc", "rocker": 6, "method": "series"},
-        {"where": "p = 0", "mechanism": "arc", "rocker": 6, "stroke": 1},
+        {"where": "p = 0", "mechanism": "arc", "rocker": 6, "stroke": 0},
         {"where": "p = 0", "mechanism": "arc", "rocker": 6, "pivot": "5"},
         {"where": "p = 0", "columns": "y"},
         {"where": "p = 2"},
