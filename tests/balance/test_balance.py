@@ -55,8 +55,9 @@ def pushed(
     for cylinder in arrangement.cylinders:
         slide, pin = math.radians(cylinder.bank), TURN + math.radians(cylinder.crank)
         piston = textbook_acceleration(pin - slide, ratio) * np.exp(1j * slide)
-        counterweight = -float(arrangement.share) * np.exp(1j * pin)
-        total += weigh(cylinder) * (piston + counterweight)
+        moved, turned = float(cylinder.mass), float(cylinder.revolving)
+        pinned = (turned - moved * float(arrangement.share)) * np.exp(1j * pin)
+        total += weigh(cylinder) * (moved * piston + pinned)
     return total
 
 
@@ -69,7 +70,10 @@ ANGLES = st.one_of(
     st.sampled_from([0, 60, 72, 90, 120, 144, 180, 240, 270]).map(Fraction),
     st.fractions(-360, 360, max_denominator=60),
 )
-CYLINDERS = st.builds(Cylinder, ANGLES, st.fractions(-4, 4, max_denominator=6), ANGLES)
+MASSES = st.one_of(st.just(Fraction(1)), st.fractions(0, 3, max_denominator=4))
+CYLINDERS = st.builds(
+    Cylinder, ANGLES, st.fractions(-4, 4, max_denominator=6), ANGLES, mass=MASSES, revolving=MASSES
+)
 ARRANGEMENTS = st.builds(
     lambda cylinders, share: Arrangement(tuple(cylinders), share),
     st.lists(CYLINDERS, min_size=1, max_size=12, unique_by=lambda one: (one.position, one.bank % 360)),
