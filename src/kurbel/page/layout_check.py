@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any
 
@@ -116,8 +116,10 @@ def _faults_of_columns(page: Layout) -> Iterator[tuple[Place, str]]:
             yield (*place, "heading"), "heading is an empty list; nothing else stands over the column"
 
 
-def _methods(formulas: Iterable[str]) -> list[str]:
-    known = [method for method in METHODS if method in formulas] or ["exact"]
+def _methods(formulas: Collection[str]) -> list[str]:
+    # Of a straight crank with its masses, which alone has an infinite rod, all methods have one formula.
+    every = formulas if not {"infinite", "loaded"} <= {*formulas} else {*formulas, "series"}
+    known = [method for method in METHODS if method in every] or ["exact"]
     if "weisbach" in known:
         return [*known, *(f"exact-{other}" for other in known if other != "exact")]
     return [*known, *(["difference"] if {"exact", "series"} <= {*known} else [])]
