@@ -132,6 +132,9 @@ class LineAxis(OrderAxis):
         order = self._things[place["order"]]
         return self.all if order is None else Number(order, 0)
 
+    def heads(self, place: Place) -> tuple[Label, ...]:
+        return super().heads(place) if self._things[place["order"]] is not None else (self.all,)
+
     def field(self) -> Field:
         return super().field()._replace(decimals=None)
 
