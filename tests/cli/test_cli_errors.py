@@ -151,8 +151,12 @@ DRIVES = [
     (("--stroke", ""), 'stroke "" is not a length such as 600mm'),
     (("--stroke", "600mm", "--rod", "200mm"), f"crank ratio R:L is 1.5; {TOO_SHORT}"),
     (
-        ("--stroke", "600mm", "--rod", "2m", "--ratio", "1:5"),
+        ("--stroke", "600mm", "--rod", "1.5m", "--ratio", "1:5"),
         "--stroke and --rod already give the ratio; leave --ratio out",
+    ),
+    (
+        ("--stroke", "600mm", "--rod", "2m", "--ratio", "1:5"),
+        "--stroke and --rod give the ratio 3:20, and --ratio says 1:5; leave one out",
     ),
     (
         ("--rod", "3m", "--ratio", "1:∞"),

@@ -112,7 +112,7 @@ def test_the_page_says_the_stroke_that_was_given_and_the_times() -> None:
         ),
         (
             "--true-stroke 250mm --offset 9cm --rod 1m --stroke 250mm",
-            "and the true stroke 250mm takes one of",
+            "and the true stroke 250mm takes one of 248.969 mm",
         ),
         ("--true-stroke 200mm --offset 10cm --rod 15cm", "no crank makes a stroke of 0.2 m"),
         ("--time-ratio 1.2 --offset 9cm", "add --true-stroke"),

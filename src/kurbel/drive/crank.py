@@ -211,6 +211,14 @@ def _check_ratio(ratio: Fraction) -> None:
         )
 
 
+def _given_twice(made: Fraction, said: Sequence[Fraction]) -> str:
+    """Return the sentence on ratios beside the lengths that give one, with both where they contradict."""
+    if said == (made,):
+        return "--stroke and --rod already give the ratio; leave --ratio out"
+    ratios = ";".join(map(ratio_text, said))
+    return f"--stroke and --rod give the ratio {ratio_text(made)}, and --ratio says {ratios}; leave one out"
+
+
 class Described(NamedTuple):
     """What was said of a crank drive, None where nothing was: its options as they were given, in the order
     in which one too many is refused; the force as it was read."""
@@ -252,8 +260,6 @@ class Described(NamedTuple):
 
     def cranks(self, default: Sequence[str]) -> tuple[Crank, ...]:
         """Return the straight or offset cranks, of a layout's ratios if nothing gives one."""
-        if self.ratio is not None and self.stroke is not None and self.rod is not None:
-            raise ProblemError("--stroke and --rod already give the ratio; leave --ratio out")
         if self.method == "infinite" and self.rod is not None and self.stroke is None:
             raise ProblemError("--rod gives the rod a length, but --method infinite takes none; use --stroke")
         radius = self.radius
@@ -262,6 +268,8 @@ class Described(NamedTuple):
             raise ProblemError(f"the length of the rod is {about(length)} m; it must be above 0")
         if radius is not None and length is not None:
             values: Sequence[Fraction] = (radius / length,)
+            if self.ratio is not None:
+                raise ProblemError(_given_twice(radius / length, self.ratios(())))
         else:
             values = self.ratios(default)
             if length is not None and 0 in values:

@@ -198,6 +198,9 @@ REFUSED = [
     ("", "the swing needs --swing, --areas, --torque, --energy-fluctuation or an engine, --eps"),
     ("--power 50kW --speed 120/min --delta 1:100 --ratio 1:5",
      "the swing needs --swing, --areas, --torque, --energy-fluctuation or an engine, --eps"),
+    ("--work 11kJ --strokes 30/min --speed 200/min --delta 1:10",
+     "the swing is a share of the work of a cycle; add that of a press, --share or --duration, or"
+     " --energy-fluctuation"),
     ("--swing 5kJ --delta 1:50", "the flywheel needs the speed; add --speed, for example --speed 120/min"),
     ("--swing 5kJ --speed 120/min",
      "the flywheel needs --delta, to find its moment of inertia, or --inertia or --mass and --radius, to find"

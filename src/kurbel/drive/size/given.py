@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Any
 
 from kurbel.errors import ProblemError
-from kurbel.exact.numerals import about, exact_text
+from kurbel.exact.numerals import about, exact_text, nearest, number_text
 from kurbel.reading.given import Exact, as_fraction, as_length
 from kurbel.reading.units import split
 
@@ -35,7 +35,7 @@ def in_strokes(given: Mapping[str, Any]) -> dict[str, Any]:
     if (stroke := left.get("stroke")) is not None and abs(as_length(stroke, "stroke") / radius - 2) > NEAR:
         raise ProblemError(
             f"the stroke 2R is {_shown(stroke)}, and the true stroke {_shown(given['true_stroke'])} takes one"
-            f" of {about(2 * radius)} m; leave one of the two out"
+            f" of {number_text(nearest(2000 * radius, 3))} mm; leave one of the two out"
         )
     return {**left, "stroke": 2 * radius, **({} if rod is None else {"rod": rod})}
 

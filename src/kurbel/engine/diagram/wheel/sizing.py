@@ -158,15 +158,20 @@ def _check_answered(given: Figures, figures: Figures) -> None:
     swing_alone = "swing" in given and {"inertia", "delta"} <= unknown
     if not unknown or ("delta" in unknown and {"swing", "inertia"} & unknown and found and not swing_alone):
         return
-    raise ProblemError(_missing(unknown, figures))
+    raise ProblemError(_missing(unknown, given, figures))
 
 
-def _missing(unknown: set[str], figures: Figures) -> str:
+def _missing(unknown: set[str], given: Figures, figures: Figures) -> str:
     """Return the sentence that names the option that is missing."""
     if "swing" in unknown and "energy_fluctuation" in figures:
         return (
             "the coefficient of fluctuation of energy is a share of the work of a cycle; add --work, or"
             " --power and --speed"
+        )
+    if "swing" in unknown and {"work", "cycles"} & given.keys():
+        return (
+            "the swing is a share of the work of a cycle; add that of a press, --share or --duration, or"
+            " --energy-fluctuation"
         )
     if "swing" in unknown and unknown != {"swing", "omega"}:
         return SWING_MISSING
