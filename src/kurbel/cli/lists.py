@@ -28,7 +28,8 @@ def layouts(layouts: File | None, lang: str) -> None:
 def _printing(layout: Layout, folder: File | None) -> str:
     """Return what prints the layout."""
     own = ("--layouts", str(folder)) if layout.folder and folder else ()
-    return shlex.join(("kurbel", *SUBJECTS[layout.subject].sample.split(), *own, "--layout", layout.key))
+    sample = SUBJECTS[layout.subject].sample.partition(" --layout ")[0]
+    return shlex.join(("kurbel", *sample.split(), *own, "--layout", layout.key))
 
 
 @click.command(params=[LANG])
