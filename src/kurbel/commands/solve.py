@@ -53,8 +53,10 @@ def _is_of_engine(values: Mapping[str, Any]) -> bool:
 
 def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
     if values["unknown"] is not None:
+        from kurbel.commands.unknown.ratio import needless_of_ratio
+
         # What a force needs, its own page says.
-        return {}
+        return needless_of_ratio(values, _texts(values["where"])) if values["unknown"] == "ratio" else {}
     pressed = "is for --unknown, and for kurbel forces; conditions on angles are under an engine's load"
     return {
         "angle": "--angle is for --unknown; conditions find the angles themselves",
@@ -67,6 +69,9 @@ def _of_angles(values: Mapping[str, Any]) -> Mapping[str, str]:
     """Refuse what says nothing where angles are asked for."""
     if _is_of_engine(values):
         bare = {"force": "--force does not go with the load of an engine; leave it out"}
+        sized = ("cylinder", "bore", "rod", "offset")
+        if not (is_heavy(values) or any(is_given(values[name]) for name in sized)):
+            bare["stroke"] = "--stroke makes newton metres of the load only with --bore; add that"
         return {**bare, **for_masses("speed")(values), **weightless(values)}
     why = _UNASKED if _is_loaded(values) else _UNLOADED
     names = (*STEAM, *RODS, *RUBBING, "bore", "pressure", "cranks", "cylinder", "of")

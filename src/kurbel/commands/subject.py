@@ -97,7 +97,7 @@ class Command(NamedTuple):
         for refusals in (self.foreign, self.needless):
             for name, sentence in refusals(values).items():
                 if given(name):
-                    raise ProblemError(sentence.replace("--stroke", f"--{spelled}"))
+                    raise ProblemError(sentence.replace("--stroke", f"--{spelled.replace('_', '-')}"))
 
     def arguments(self, values: Mapping[str, Any]) -> dict[str, Any]:
         """Return the values as the function takes them, by its parameters' names."""

@@ -40,9 +40,15 @@ def needless_of_revolving(values: Mapping[str, Any]) -> Mapping[str, str]:
     if not is_given(values["reciprocating"]) and not is_given(values.get("rod_mass")):
         why = "is for moving masses; add --reciprocating, or take kurbel rotor for masses that only turn"
         return {name: f"--{name.replace('_', '-')} {why}" for name in Revolving.__annotations__}
+    refused = {}
     if not is_given(values["revolving"]):
-        return {"revolving_share": "--revolving-share is of --revolving; add that"}
-    return {}
+        refused["revolving_share"] = "--revolving-share is of --revolving; add that"
+    if values["revolving_share"] is None and not as_share(values["share"]):
+        refused["balance_radius"] = (
+            "--balance-radius is that of counterweights, which balance a share of the masses; add --share 0.5"
+            " or --revolving-share 1"
+        )
+    return refused
 
 
 def reciprocating_of(given: Mapping[str, Any]) -> tuple[Fraction, ...]:

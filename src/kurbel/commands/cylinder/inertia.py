@@ -8,7 +8,7 @@ from typing import Annotated, Any, Unpack
 from kurbel.commands import parameters as option
 from kurbel.commands.machines import check_whole, rod_of
 from kurbel.commands.motion import angles_of, meant, of_other_mechanisms, sheet_of
-from kurbel.commands.options import Option
+from kurbel.commands.options import Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.drive.crank import Described
 from kurbel.errors import ProblemError
@@ -53,10 +53,27 @@ def _at_rest(values: Mapping[str, Any]) -> Mapping[str, str]:
     """Refuse what says nothing about the masses that stand in for a rod."""
     layout = values["layout"]
     about = (*INERTIA, ROCKER_INERTIA)
+    unswung = {}
+    if values["pendulum"] is None:
+        unswung["gravity"] = "--gravity is for the time of a swing; add --pendulum, or leave it out"
     if layout is None or layout_of(layout, about, values["layouts"]).subject != "rod masses":
-        return {}
+        return unswung
     said = f"layout {layout} is of the rod by itself"
-    return {name: f"{said}; leave --{name} out" for name in _MOVING}
+    refused = {name: f"{said}; leave --{name} out" for name in _MOVING}
+    return {**unswung, **refused, **_lengthless(values, said)}
+
+
+def _lengthless(values: Mapping[str, Any], said: str) -> Mapping[str, str]:
+    """Refuse stroke and ratio where they do not make the length of the rod, both together or beside it."""
+    known = values["rod"] is not None
+    missing = {"ratio": "stroke", "stroke": "ratio"}
+    return {
+        name: f"{said}, whose length --rod gives; leave --{name} out"
+        if known
+        else f"{said}, whose length --stroke and --ratio give together; add --{other}, or leave --{name} out"
+        for name, other in missing.items()
+        if known or not is_given(values[other])
+    }
 
 
 @makes_table(

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
 from kurbel.commands.cylinder.effort import RODS, Rods
+from kurbel.commands.cylinder.needless import needless
 from kurbel.commands.loads import OWN, pressures_of
 from kurbel.commands.machines import steams_of
 from kurbel.commands.motion import sheet_of
@@ -42,28 +43,6 @@ NEEDED = (
 )
 
 
-def _steam(name: str) -> str:
-    return f"--{name} is for the steam that an ideal card takes; add --eps"
-
-
-def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
-    """Refuse what says nothing of the load that is given."""
-    refused: dict[str, str] = {}
-    if values["eps"] is None or not is_given(values["eps"]):
-        refused |= {name: _steam(name.replace("_", "-")) for name in ("specific_volume", "steam_density")}
-        refused["back"] = "--back is that of steam; add --eps"
-    if not is_given(values["card"]):
-        refused["ratio"] = (
-            "--ratio is for an indicator card over the crank angle, --card; the work of a stroke does not"
-            " depend on it"
-        )
-    elif values["pressure"] is not None:
-        refused["pressure"] = "an indicator card has its own pressures; leave --pressure out"
-    if values["mean_pressure"] is None:
-        refused["working_strokes"] = "--working-strokes is for --mean-pressure; other loads say it themselves"
-    return refused
-
-
 class Powered(option.Cylinder, Rods, option.Sheet, total=False):
     """A cylinder, what acts in it, and the power it is to have."""
 
@@ -73,7 +52,7 @@ class Powered(option.Cylinder, Rods, option.Sheet, total=False):
 
 
 @makes_table(
-    needless=_needless,
+    needless=needless,
     order="mean_pressure working_strokes pressure back exponent clearance single_acting card ratio"
     " bore piston_rod tail_rod stroke crank speed power brake_power stroke_bore piston_speed cylinders"
     " diagram_factor efficiency specific_volume steam_density",

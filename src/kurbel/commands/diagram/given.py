@@ -117,6 +117,10 @@ def needless(others: Refusals) -> Refusals:
         refused = {} if is_diagram(values) else {**others(values)}
         if not is_diagram(values):
             refused["turns"] = "--turns is for a diagram without an engine; add --torque, or leave it out"
+        if is_given(values["areas"]):
+            refused["turns"] = (
+                "--turns is of a diagram over the crank angle, and --areas have none; leave it out"
+            )
         if not (is_given(values["areas"]) or is_given(values["triangles"])):
             refused["area_scale"] = "--area-scale is for --areas or --triangles; add these, or leave it out"
         return refused

@@ -55,9 +55,30 @@ def _of_others(values: Mapping[str, Any]) -> Mapping[str, str]:
     return {name: f"--{name.replace('_', '-')} {why}" for name in names}
 
 
+def _of_nothing(values: Mapping[str, Any]) -> Mapping[str, str]:
+    """Refuse what tells no figure of a flywheel without an engine."""
+    refused = {}
+    cyclic = ("energy_fluctuation", "work", "hole", "power", "strokes", "share")
+    if not (
+        is_diagram(values) or any(is_given(values[one]) for one in cyclic) or is_given(values["columns"])
+    ):
+        refused["turns"] = (
+            "--turns is of the cycle of a diagram or of a work; add --torque, --work or --power, or leave it"
+            " out"
+        )
+    pressing = any(is_given(values[one]) for one in ("work", "hole", "energy_fluctuation"))
+    turning = is_diagram(values) and not is_given(values["areas"])
+    if not (is_given(values["power"]) or pressing or turning):
+        refused["efficiency"] = (
+            "--efficiency is that between a motor and its press; add --power, or --work and --strokes, or"
+            " leave it out"
+        )
+    return refused
+
+
 def _power_of_steam(values: Mapping[str, Any]) -> Mapping[str, str]:
     if not _is_engine(values):
-        return {}
+        return _of_nothing(values)
     light = weightless(values)
     if is_heavy(values):
         return {"power": WITH_MASSES, **light}

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import re
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
+from kurbel.commands.cylinder.effort import PRESSING, RODS, RUBBING
+from kurbel.commands.cylinder.slope import LYING
 from kurbel.commands.loads import OWN
+from kurbel.commands.machines import MASSES as ALL_MASSES
+from kurbel.commands.machines import STEAM
 from kurbel.commands.motion import described
 from kurbel.commands.options import is_given
 from kurbel.commands.unknown.place import MOTION, Angle
@@ -15,6 +20,20 @@ from kurbel.reading.where import MAX, VALUE
 
 GREATEST_RATIO = Fraction(999, 1000)
 MASSES = ("reciprocating", "rod_mass", "rotating", "rod_file")
+# Of conditions on the motion: x = 200 mm.
+_WITH_UNIT = re.compile(r"=\s*[-+−]?[\d.,/]+\s*[a-z]")
+OF_FORCES = (*STEAM, "bore", "pressure", "cranks", "of", *ALL_MASSES, *LYING, *PRESSING, *RODS, *RUBBING)
+
+
+def needless_of_ratio(values: Mapping[str, Any], texts: Sequence[Any]) -> Mapping[str, str]:
+    """Return the sentences that refuse what says nothing of a ratio that is asked for."""
+    why = "is of forces, and --unknown ratio is of the motion of the piston; leave it out"
+    own = (*OWN, "cylinder", *MASSES)
+    refused = {name: f"--{name.replace('_', '-')} {why}" for name in OF_FORCES if name not in own}
+    if not (any(_WITH_UNIT.search(str(text)) for text in texts) or is_given(values["offset"])):
+        why = "gives lengths in mm, and the condition has none; leave it out, or write one as 'x = 200 mm'"
+        refused["stroke"] = f"--stroke {why}"
+    return refused
 
 
 class OfRatio:
