@@ -55,6 +55,16 @@ def test_masses_that_are_moved_press_on_the_frame_with_the_newtons_of_each_order
             assert float(found[residual, order]["along_n"]) == pytest.approx(amplitude(of, order), abs=2e-6)
 
 
+def test_the_ratio_may_be_that_of_crank_and_rod() -> None:
+    sized = (f"--crank={1000 * RADIUS}mm", f"--rod={1000 * ROD}mm")
+    said = ("--cranks=0;200;75", "--positions=0;1;1.8")
+    weighed = ("--reciprocating=271kg", f"--speed={TURNS * 60}/min", *said)
+    assert page(*sized, *weighed) == page(*MACHINE, "--reciprocating=271kg", *said)
+    assert page(*sized, *said) == page(f"--ratio={RADIUS}:{ROD}", *said)
+    refused = refusal("balance", f"--rod={1000 * ROD}mm")
+    assert "--rod gives the ratio with the length of the crank; add --stroke" in refused
+
+
 def test_one_cylinder_is_meant_by_masses_and_moments_need_the_length_of_their_arms() -> None:
     alone = page(*MACHINE, *MASSES)
     assert float(alone["force", 1]["along_n"]) == pytest.approx(amplitude(pressed(0), 1), abs=2e-6)

@@ -47,6 +47,24 @@ def test_the_return_stroke_has_the_pressures_against_it_and_friction_too() -> No
     assert row["crosshead_load_return_n"] == pytest.approx(-PUSH - 70, abs=6e-5)
 
 
+@pytest.mark.parametrize(
+    ("angle", "lang", "said"),
+    [
+        (210, "en", "beyond the outer dead centre directions remain those of the outstroke"),
+        (570, "de", "jenseits des äußeren Totpunkts bleiben die Richtungen die des Hingangs"),
+        (150, "en", ""),
+    ],
+)
+def test_columns_of_the_outstroke_say_so_at_angles_of_the_return(angle: int, lang: str, said: str) -> None:
+    # The pressures push towards the shaft, in the direction of the outstroke, on the return, too.
+    asked: dict[str, Any] = {"stroke": "1m", "ratio": "1:4", **PRESSED, "angle": angle, "digits": 3}
+    (row,) = rows_of(**asked, columns="piston_force_n")
+    assert row["piston_force_n"] == pytest.approx(PUSH, abs=6e-4)
+    text = " ".join(kurbel.typeset(kurbel.forces_table(**asked, lang=lang), "text").split())
+    assert said in text
+    assert any(word in text for word in ("beyond the outer", "jenseits des äußeren")) == bool(said)
+
+
 def test_friction_at_a_dead_centre_is_that_of_the_stroke_which_begins_there() -> None:
     # sin φ_i = e/(L + R) = 1/2, which no ball tells from the dead centre.
     asked: dict[str, Any] = {"crank": "100mm", "rod": "400mm", "offset": "250mm", "force": 1, "friction": 9}

@@ -84,6 +84,7 @@ class Heavy(option.MovingRod, Revolving, option.Sheet, total=False):
     ]  # fmt: skip
     stroke: option.Stroke
     crank: option.Crank
+    rod: option.Rod
     speed: Annotated[Exact | None, option.SPEED._replace(help="Speed, for the masses: 120/min, 12.5rad/s.")]
     spacing: Annotated[
         Exact | None,
@@ -102,11 +103,29 @@ def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
 def _weightless(values: Mapping[str, Any]) -> Mapping[str, str]:
     if not is_heavy(values):
         why = "is for moving masses; add --reciprocating or a rod, --rod-mass"
-        return {name: f"--{name} {why}" for name in (*NEWTONS, "spacing")}
+        # With the rod the stroke gives the ratio.
+        sized = ("speed", "spacing") if is_given(values["rod"]) else (*NEWTONS, "spacing")
+        return {**{name: f"--{name} {why}" for name in sized}, **_strokeless(values)}
     if missing := [f"--{name}" for name in NEWTONS if not is_given(values[name])]:
         why = f"needs {' and '.join(missing)} to become a force"
         return {name: f"--{name.replace('_', '-')} {why}" for name in MASSES if name in values}
     return {}
+
+
+def _strokeless(values: Mapping[str, Any]) -> Mapping[str, str]:
+    known = is_given(values["stroke"])
+    return {} if known else {"rod": "--rod gives the ratio with the length of the crank; add --stroke"}
+
+
+def _ratios(page: Layout, given: Mapping[str, Any]) -> tuple[Fraction, ...]:
+    """Return the crank ratios, as given or of stroke and rod, or the layout's own."""
+    if given["rod"] is None:
+        return ratios_of(page, given["ratio"])
+    return tuple(one.ratio for one in _described(given).cranks(page.ratios))
+
+
+def _described(given: Mapping[str, Any]) -> Described:
+    return Described(given["ratio"], given["stroke"], given["rod"])
 
 
 def _weighed(page: Layout, given: Mapping[str, Any], in_metres: bool) -> "Weighed | None":
@@ -115,7 +134,7 @@ def _weighed(page: Layout, given: Mapping[str, Any], in_metres: bool) -> "Weighe
 
     if not is_heavy(given) or not all(is_given(given[name]) for name in NEWTONS):
         return None
-    cranks = Described(given["ratio"], given["stroke"]).cranks(page.ratios)
+    cranks = _described(given).cranks(page.ratios)
     masses = reciprocating_of(given)
     first = masses[0] if masses else None
     crank, *_ = weighed(mechanism("straight"), cranks, {**given, "reciprocating": first})
@@ -129,7 +148,7 @@ def _weighed(page: Layout, given: Mapping[str, Any], in_metres: bool) -> "Weighe
 @makes_table(
     needless=_needless,
     order="cranks positions about banks share angle ratio orders method reciprocating rod_mass centre"
-    " gyration rod_file revolving revolving_share balance_radius stroke crank speed spacing columns",
+    " gyration rod_file revolving revolving_share balance_radius stroke crank rod speed spacing columns",
 )
 def balance_table(
     engine: Engine = None,
@@ -197,7 +216,8 @@ def balance_table(
     if angle is not None and page.subject != AT_ANGLES:
         raise ProblemError(f"layout {page.key} is of the whole turn; leave --angle out")
     places, in_metres = positions_of(positions)
-    weights = _weighed(page, {**given, "ratio": ratio}, in_metres)
+    drive = {**given, "ratio": ratio}
+    weights = _weighed(page, drive, in_metres)
     centre = None if about is None else position_of(about, in_metres)
     # Masses are those of one cylinder, and a machine that says no more has one.
     alone = weights is not None and engine is None and cranks is None
@@ -224,7 +244,7 @@ def balance_table(
         about=centre,
         metres=in_metres,
         arrangement=arrangement if weights is None else weights.on(arrangement),
-        ratios=ratios_of(page, ratio),
+        ratios=_ratios(page, drive),
         engine=name,
         last_order=orders,
         method=method,

@@ -10,6 +10,7 @@ from kurbel.commands.cylinder.slope import Lying
 from kurbel.commands.drives.given import AnyDrive as AnyDrive
 from kurbel.commands.drives.given import Crank as Crank
 from kurbel.commands.drives.given import Linked as Linked
+from kurbel.commands.drives.given import Rod as Rod
 from kurbel.commands.drives.given import Stroke as Stroke
 from kurbel.commands.loads import Loads
 from kurbel.commands.options import FILE, FLAG, Choice, Columns, Count, LayoutName, Option

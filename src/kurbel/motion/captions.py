@@ -133,6 +133,10 @@ def notes(question: Request) -> Iterator[Label]:
         yield from formula_lines(question, columns)
     if said := dict.fromkeys(one.quantity.direction[lang] for one in columns if one.quantity.direction):
         yield "; ".join(said)
+        if any(one.effort or (one.moving and one.moving.slope) for one in question.cranks):
+            from kurbel.motion.notes.effort import direction_notes
+
+            yield from direction_notes(question.angles, columns, lang)
     yield from drive_notes(question.cranks, lang)
     first_order = any(one.method in ("series", DIFFERENCE) for one in columns)
     if first_order or any(crank.acceleration for crank in question.cranks):
