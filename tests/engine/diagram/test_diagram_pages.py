@@ -129,6 +129,10 @@ def test_files_are_points(tmp_path: Path) -> None:
         ("--areas=5J;-5J --torque=5", "--areas is a whole diagram, and --torque says of another one"),
         ("--areas=5J;-5J --step=4", "--step is of crank angles, which areas do not have"),
         ("--areas=5J;-5J --columns=level", "these are energies, add --area-scale"),
+        (
+            "--triangles=3J;-1J --turns=2 --power=2kW",
+            "--power gives the scale of triangles, and these have one",
+        ),
         ("--triangles=3J;-1J", "--triangles need the turns of their cycle; add --turns 2"),
         ("--triangles=3J;-1J --turns=2 --load-torque=5", "--triangles are against a constant load"),
         ("--triangles=3J;-1J --torque=5", "--torque and --triangles give the torque twice"),

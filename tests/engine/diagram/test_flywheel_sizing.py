@@ -257,12 +257,28 @@ REFUSED = [
      "column rim_mass does not follow from what is given; add what it needs of --rim-diameter, --density"),
     ("--swing 5kJ --speed 300/min --delta 1:50 --area-scale 5J",
      "--area-scale is for --areas or --triangles; add these, or leave it out"),
+    ("--triangles 0;-1;3;0 --turns 2 --power 20kW",
+     "the triangles have no scale; add the energy of a unit of area, --area-scale 3J, or --power and --speed,"
+     " which give the work of the cycle, or write their unit: '-350J;+3550J'"),
+    ("--triangles 0;-3;1;0 --turns 2 --power 20kW --speed 300/min",
+     "the triangles sum to -2; they are the work of a cycle and must sum to more than 0"),
 ]  # fmt: skip
 
 
 @pytest.mark.parametrize(("words", "sentence"), REFUSED, ids=[words for words, _ in REFUSED])
 def test_what_is_missing_or_contradicts_itself_is_told(words: str, sentence: str) -> None:
     assert refusal("flywheel", *words.split()) == sentence
+
+
+@pytest.mark.parametrize("cranks", [(), ("--cranks=0;360",)])
+def test_power_and_speed_give_the_scale_of_triangles(cranks: tuple[str, ...]) -> None:
+    # 20 kW at 300/min are 8 kJ in two turns, 12 kJ of the expansion; its triangle, of the height h, stands
+    # out above the mean h/12. Two such cylinders have half of it each: twice above it, by (1 - 1/6)² of 6 kJ.
+    page = "--triangles 0;-1;3;0 --turns 2 --power 20kW --speed 300/min --delta 4%"
+    swing = F(12000) * F(11, 12) ** 2 if not cranks else F(6000) * F(5, 6) ** 2
+    found = figures(page, *cranks)
+    agree(found, work=mpf(8000), swing=mpf(swing.numerator) / swing.denominator)
+    agree(found, inertia=found["swing"] / (rate(300) ** 2 * mpf("0.04")))
 
 
 def test_several_irregularities_are_kept_by_as_many_flywheels() -> None:

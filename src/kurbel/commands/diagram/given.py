@@ -1,6 +1,6 @@
 """Torques, loads and areas of turning-moment diagrams, as options describe them."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from os import PathLike
 from typing import TYPE_CHECKING, Annotated, Any, TypedDict
@@ -9,7 +9,15 @@ from kurbel.commands.options import FILE, Option, is_given
 from kurbel.commands.parameters import Sheet
 from kurbel.commands.subject import Refusals
 from kurbel.errors import ProblemError
-from kurbel.reading.given import Exact, as_crank_angles, as_fraction
+from kurbel.reading.given import (
+    Exact,
+    as_crank_angles,
+    as_energy,
+    as_fraction,
+    as_power,
+    as_share,
+    as_speed,
+)
 
 if TYPE_CHECKING:
     from kurbel.engine.diagram.areas import Areas
@@ -44,7 +52,8 @@ class Diagram(TypedDict, total=False):
         str | Iterable[Exact] | None,
         Option(
             "Diagram of triangles alike in width, as of the strokes of a gas engine, by their areas from the"
-            " line of no torque: '-350;-1400;+3550;-500', with --turns and --area-scale.",
+            " line of no torque: '-350;-1400;+3550;-500', with --turns and --area-scale, or --power and"
+            " --speed.",
             "AREAS",
         ),
     ]  # fmt: skip
@@ -97,6 +106,8 @@ def foreign(others: Refusals, *further: str) -> Refusals:
         if not is_diagram(values):
             return others(values)
         own = {*Diagram.__annotations__, *Sheet.__annotations__, *BESIDE, *further}
+        if is_given(values["triangles"]):
+            own.add("power")
         named = next(name for name in DIAGRAMS if is_given(values.get(name)))
         flag = named.replace("_", "-")
         return {
@@ -117,6 +128,8 @@ def needless(others: Refusals) -> Refusals:
         refused = {} if is_diagram(values) else {**others(values)}
         if not is_diagram(values):
             refused["turns"] = "--turns is for a diagram without an engine; add --torque, or leave it out"
+        if is_given(values["triangles"]) and _is_scaled(values):
+            refused["power"] = "--power gives the scale of triangles, and these have one; leave it out"
         if is_given(values["areas"]):
             refused["turns"] = (
                 "--turns is of a diagram over the crank angle, and --areas have none; leave it out"
@@ -220,6 +233,8 @@ def _triangles(given: Mapping[str, Any], turns: Fraction | None) -> "Torque":
             )
     if turns is None:
         raise ProblemError("--triangles need the turns of their cycle; add --turns 2 for four strokes")
+    if not _is_scaled(given):
+        return triangles([*_by_work(given, turns)], turns)
     areas, scale, _ = scaled_areas(_texts(given["triangles"]), given["area_scale"], "triangles")
     if scale.of_pi:
         raise ProblemError(
@@ -227,3 +242,45 @@ def _triangles(given: Mapping[str, Any], turns: Fraction | None) -> "Torque":
             " would make one with π, write the angle in rad"
         )
     return triangles([area * scale.energy for area in areas], turns)
+
+
+def _is_scaled(given: Mapping[str, Any]) -> bool:
+    """Whether triangles have a scale, or their areas a unit."""
+    return given["area_scale"] is not None or any(map(str.isalpha, "".join(_texts(given["triangles"]))))
+
+
+def _by_work(given: Mapping[str, Any], turns: Fraction) -> Iterator[Fraction]:
+    """Yield the areas of triangles in J, of which all together are the work of the cycle."""
+    from kurbel.reading.notation import about, each_number
+
+    areas = each_number(_texts(given["triangles"]), "area")
+    total, work = sum(areas, Fraction(0)), _work(given, turns)
+    if total <= 0:
+        raise ProblemError(
+            f"the triangles sum to {about(total)}; they are the work of a cycle and must sum to more than 0"
+        )
+    cranks = len(as_crank_angles(given["cranks"])) if is_given(given.get("cranks")) else 1
+    yield from (area * work / total / cranks for area in areas)
+
+
+def _work(given: Mapping[str, Any], turns: Fraction) -> Fraction:
+    """Return the work of a cycle in J, given or by power and speed."""
+    if given.get("work") is not None:
+        return as_energy(given["work"], "work of a cycle")
+    if given["power"] is None or given["speed"] is None:
+        raise ProblemError(
+            "the triangles have no scale; add the energy of a unit of area, --area-scale 3J, or --power and"
+            " --speed, which give the work of the cycle, or write their unit: '-350J;+3550J'"
+        )
+    if ".." in str(given["speed"]):
+        raise ProblemError(
+            f"the work of a cycle needs the mean speed, and {str(given['speed'])[:40]} is a range; write it"
+            " as --speed 300/min with --delta"
+        )
+    speed = as_speed(given["speed"])
+    if not speed.turns:
+        raise ProblemError(
+            f"the speed {given['speed']} makes a scale of the triangles with π; write it in turns, as 300/min"
+        )
+    share = 1 if given.get("efficiency") is None else as_share(given["efficiency"], "efficiency")
+    return as_power(given["power"]) * share * turns / speed.value
