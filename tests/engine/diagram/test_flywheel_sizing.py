@@ -198,6 +198,11 @@ REFUSED = [
     ("", "the swing needs --swing, --areas, --torque, --energy-fluctuation or an engine, --eps"),
     ("--power 50kW --speed 120/min --delta 1:100 --ratio 1:5",
      "the swing needs --swing, --areas, --torque, --energy-fluctuation or an engine, --eps"),
+    ("--work 11kJ --power 5.5kW --share 1/4 --strokes 40/min --speed 200/min --delta 10%",
+     "--power gives the power 5500 W, and --work and --strokes give 7333.3 W; leave one of them out"),
+    ("--power 50kW --speed 120/min --delta 1:60 --inertia 1200kgm2 --energy-fluctuation 0.1",
+     "--inertia, --speed, --delta and --energy-fluctuation give the work of a cycle 31583 J, and --power and"
+     " --speed give 25000 J; leave one of them out"),
     ("--work 11kJ --strokes 30/min --speed 200/min --delta 1:10",
      "the swing is a share of the work of a cycle; add that of a press, --share or --duration, or"
      " --energy-fluctuation"),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import NamedTuple
 
 from kurbel.engine.diagram.wheel.quantities import SHOWN, registry
@@ -17,6 +18,9 @@ from kurbel.reading.notation import about
 ONE_TURN, RIM_ALONE, LIMIT = "one turn", "rim alone", "limit"
 _OF_RIM = ("rim_diameter", "rim_speed", "section", "breadth", "thickness", "proportion")
 SWING_MISSING = "the swing needs --swing, --areas, --torque, --energy-fluctuation or an engine, --eps"
+# An exact value that is longer is told to five figures.
+LONGEST_TOLD = 10
+_HALF = Fraction(1, 2)
 # Figures beyond these do not fit a page.
 LEAST, MOST = 1e-15, 1e15
 # What answers no question by itself.
@@ -66,6 +70,7 @@ def sized(given: Figures, limit: Known | None = None) -> Sizing:
             if len(more) > len(figures) + 1:
                 figures = more
                 taken.append(name)
+    _check_turns(given, figures)
     _check_rim(figures)
     _check_answered(given, figures)
     return Sizing(figures, tuple(taken))
@@ -115,12 +120,17 @@ def _gives(options: tuple[str, ...]) -> str:
 
 def _apart(*values: Product) -> list[str]:
     """Return numbers for a sentence with as many figures as tell them apart."""
-    texts = [about(one.rational) if one.rational is not None else figures_of(one) for one in values]
+    texts = [_figures(one) for one in values]
     for decimals in range(3, 40, 3):
         if len({*texts}) == len(texts):
             break
         texts = [number_text(one.number(decimals, "half-away")) for one in values]
     return texts
+
+
+def _figures(value: Product) -> str:
+    exact = None if value.rational is None else about(value.rational)
+    return figures_of(value) if exact is None or len(exact) > LONGEST_TOLD else exact
 
 
 def _check_limit(figures: Figures, limit: Known) -> None:
@@ -134,6 +144,15 @@ def _check_limit(figures: Figures, limit: Known) -> None:
             f"the hoop stress of the rim is {figures_of(known)} MPa, above the {figures_of(allowed)} MPa that"
             " --hoop-stress allows; give a smaller --rim-diameter, or leave it out to have it found"
         )
+
+
+def _check_turns(given: Figures, figures: Figures) -> None:
+    """Raise ProblemError where all else is given, and a cycle would take neither whole nor half turns."""
+    turns = figures.get("turns")
+    if turns is None or not turns.options or {"turns", "work", "cycles", "mean_torque"} & given.keys():
+        return
+    if turns.value.rational is None or turns.value.rational % _HALF:
+        completed({**given, "turns": Known(Product.of(1), ())})
 
 
 def _check_rim(figures: Figures) -> None:
