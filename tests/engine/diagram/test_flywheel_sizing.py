@@ -262,6 +262,12 @@ REFUSED = [
      "column rim_mass does not follow from what is given; add what it needs of --rim-diameter, --density"),
     ("--swing 5kJ --speed 300/min --delta 1:50 --area-scale 5J",
      "--area-scale is for --areas or --triangles; add these, or leave it out"),
+    ("--swing 5kJ --rim-speed 26..28m/s --delta 3%",
+     "--rim-speed gives the coefficient of fluctuation of speed 0.0740740740740741, and --delta gives 0.03;"
+     " leave one of them out"),
+    ("--swing 5kJ --rim-speed 25m/s",
+     "the flywheel needs --delta, to find the mass of its rim by the speed of that, or --rim-speed 26..28m/s,"
+     " from the least to the greatest"),
     ("--triangles 0;-1;3;0 --turns 2 --power 20kW",
      "the triangles have no scale; add the energy of a unit of area, --area-scale 3J, or --power and --speed,"
      " which give the work of the cycle, or write their unit: '-350J;+3550J'"),
@@ -273,6 +279,28 @@ REFUSED = [
 @pytest.mark.parametrize(("words", "sentence"), REFUSED, ids=[words for words, _ in REFUSED])
 def test_what_is_missing_or_contradicts_itself_is_told(words: str, sentence: str) -> None:
     assert refusal("flywheel", *words.split()) == sentence
+
+
+@pytest.mark.parametrize(
+    ("words", "speed", "share"),
+    [
+        ("--rim-speed 25m/s --delta 3%", 25, F(3, 100)),
+        ("--rim-speed 28..26m/s", 27, F(2, 27)),
+        ("--hoop-stress 4.5MPa --density 7200kg/m3 --delta 3%", 25, F(3, 100)),
+    ],
+)
+def test_the_mass_of_a_rim_follows_from_its_speed(words: str, speed: int, share: F) -> None:
+    # Holes of 38 mm in 32 mm, 7 J for a mm², of which the motor gives 32/200 while one is punched.
+    swing = 7 * mp.pi * 38 * 32 * mpf("0.84")
+    page = "--hole 38mmx32mm --shear-energy 7J/mm2 --strokes 6/min --share 32/200"
+    found, delta = figures(f"{page} {words}"), mpf(share.numerator) / share.denominator
+    agree(found, swing=swing, rim_speed=mpf(speed), delta=delta, rim_mass=swing / (speed**2 * delta))
+    assert "speed" not in found
+    # The energies at both speeds differ by the swing; with a speed of rotation the same follows.
+    high, low = speed * (1 + delta / 2), speed * (1 - delta / 2)
+    assert abs(found["rim_mass"] * (high**2 - low**2) / 2 - swing) < mpf("1e-10")
+    turning = figures(f"{page} {words} --speed 100/min --rim-share 0.9")
+    agree(turning, rim_mass=swing * mpf("0.9") / (speed**2 * delta), speed=mpf(100))
 
 
 @pytest.mark.parametrize("cranks", [(), ("--cranks=0;360",)])

@@ -63,7 +63,9 @@ def figures_of(given: Mapping[str, Any], names: Collection[str] = ()) -> Iterato
 
 def _all(given: Mapping[str, Any]) -> Iterator[tuple[str, Product, str]]:
     for option, (figure, name, unit, read) in _PLAIN.items():
-        if given[option] is not None:
+        if option == "rim_speed" and (ends := _ends(given[option])):
+            yield from ((figure, value, option) for figure, value in _of_rim_speeds(ends))
+        elif given[option] is not None:
             # What a motor gives is more than what the press takes.
             figure = "motor" if option == "power" and given["efficiency"] is not None else figure
             number = read(given[option], name)
@@ -83,16 +85,33 @@ def _above_zero(value: Fraction, name: str, unit: str) -> Product:
 
 
 def _speeds(given: Mapping[str, Any]) -> Iterator[tuple[str, str, Product]]:
-    speed = given["speed"]
-    ends = _RANGE.fullmatch(speed) if isinstance(speed, str) else None
+    ends = _ends(given["speed"])
     for option, figure in _SPEEDS.items():
         if given[option] is not None and not (ends and option == "speed"):
             yield option, figure, omega_of(given[option])
-    if ends is not None:
-        one, other = map(omega_of, in_one_unit(ends.groups()))
+    if ends:
+        one, other = map(omega_of, ends)
         low, high = (other, one) if one.exceeds(other) else (one, other)
         yield "speed", "omega_min", low
         yield "speed", "omega_max", high
+
+
+def _ends(speed: Any) -> list[str]:
+    """Return the two speeds of "200..225/min", none of another text."""
+    ends = _RANGE.fullmatch(speed) if isinstance(speed, str) else None
+    return in_one_unit(ends.groups()) if ends else []
+
+
+def _of_rim_speeds(ends: Sequence[str]) -> Iterator[tuple[str, Product]]:
+    """Yield the mean speed of a rim and δ, of its least and its greatest speed."""
+    low, high = sorted(as_velocity(end, "speed of the rim") for end in ends)
+    if low <= 0 or low == high:
+        raise ProblemError(
+            f"the speed of the rim runs from {about(low)} m/s to {about(high)} m/s; the least must be above 0"
+            " and below the greatest"
+        )
+    yield "rim_speed", Product.of((low + high) / 2)
+    yield "delta", Product.of(2 * (high - low) / (low + high))
 
 
 def in_one_unit(texts: Sequence[str]) -> list[str]:

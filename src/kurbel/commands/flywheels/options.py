@@ -69,7 +69,14 @@ class Rim(TypedDict, total=False):
     """The rim that makes the moment of inertia, or a disc."""
 
     rim_diameter: Annotated[One, Option("Mean diameter of the rim: 2m.", "LENGTH", unit="m")]
-    rim_speed: Annotated[One, Option("Speed of the rim at its mean diameter: 25m/s.", "VELOCITY", unit="m/s")]
+    rim_speed: Annotated[
+        One,
+        Option(
+            "Speed of the rim at its mean diameter: 25m/s, or 26..28m/s; with δ its mass needs no --speed.",
+            "VELOCITY",
+            unit="m/s",
+        ),
+    ]
     rim_section: Annotated[
         One,
         Option("Section of the rim: breadth to thickness, 2:1, both, '400mm x 200mm', or 800cm².", "SECTION"),

@@ -40,7 +40,8 @@ def wheels_of(given: Mapping[str, Any], page: Layout, sheet: Mapping[str, Any]) 
     for target in targets:
         check_irregularity(target)
     wheels = [
-        sized({**figures, "delta": Known(Product.of(target), ("--delta",))}, limit) for target in targets
+        sized(gathered((*figures.items(), ("delta", Known(Product.of(target), ("--delta",))))), limit)
+        for target in targets
     ] or [sized(figures, limit)]
     return WheelRequest(
         layout=page,

@@ -39,6 +39,12 @@ WORDS: Mapping[str, Words] = {
         '$ΔW = J ω^2 δ$ mit $ω = (ω_"max" + ω_"min")/2$ und $δ = (ω_"max" - ω_"min")/ω${exactly}'
         '|$ΔW = J ω^2 δ$ with $ω = (ω_"max" + ω_"min")/2$ and $δ = (ω_"max" - ω_"min")/ω${exactly}'
     ),
+    "rim_speeds": words(
+        '{swing} $= m_R v^2 δ$ mit $v = (v_"max" + v_"min")/2$ und $δ = (v_"max" - v_"min")/v$, genau: die'
+        " Masse im mittleren Durchmesser, $v$ ihre Geschwindigkeit"
+        '|{swing} $= m_R v^2 δ$ with $v = (v_"max" + v_"min")/2$ and $δ = (v_"max" - v_"min")/v$, exactly:'
+        " the mass at the mean diameter, $v$ its speed"
+    ),
     "exactly": words(", genau|, exactly"),
     "mass": words("$J = m k^2$"),
     "cycle": words(
@@ -92,7 +98,10 @@ def notes(question: WheelRequest) -> Iterator[Label]:
     """Yield the lines below the table: its formulas, what was taken, where the speed is greatest."""
     lang, wheel = question.lang, question.wheels[0]
     yield from (note[lang] for note in question.layout.notes)
-    if "delta" in wheel.figures:
+    if "delta" in wheel.figures and "rim_mass" in wheel.figures and "omega" not in wheel.figures:
+        swing = "$ΔW$" if wheel.figures["rim_share"].value.rational == 1 else "$J_R/J ΔW$"
+        yield WORDS["rim_speeds"][lang].replace("{swing}", swing)
+    elif "delta" in wheel.figures:
         # Masses that move have an energy of their own, which varies.
         exactly = "" if question.engine else WORDS["exactly"][lang]
         yield WORDS["speeds"][lang].replace("{exactly}", exactly)
@@ -126,8 +135,9 @@ def _press(working: Product | None, rest: Product, lang: str) -> Label:
 def _rim(question: WheelRequest) -> Iterator[Label]:
     lang, wheel = question.lang, question.wheels[0]
     said = [WORDS[key][lang] for key in (LIMIT, RIM_ALONE) if key in wheel.taken]
-    formulas = [WORDS["stress"][lang]] if "rim_speed" in wheel.figures else []
-    formulas += [WORDS["rim"][lang]] if "rim_mass" in wheel.figures else []
+    turning = "omega" in wheel.figures
+    formulas = [WORDS["stress"][lang]] if "rim_speed" in wheel.figures and turning else []
+    formulas += [WORDS["rim"][lang]] if "rim_mass" in wheel.figures and turning else []
     if formulas:
         yield ", ".join(formulas)
     if "disc_diameter" in wheel.figures:

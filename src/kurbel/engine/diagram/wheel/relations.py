@@ -63,6 +63,8 @@ _LAWS: Sequence[Iterator[Rule]] = (
     _law(_ONE, section=1, proportion=-1, thickness=-2),
     _law(Product.of(Fraction(1, 4)), rim_inertia=1, rim_mass=-1, rim_diameter=-2),
     _law(_ONE, rim_inertia=1, inertia=-1, rim_share=-1),
+    # Of these without ω: J_R/J ΔW = m v² δ.
+    _law(_ONE, swing=1, rim_share=1, rim_mass=-1, rim_speed=-2, delta=-1),
 )
 # J = ½ m (D/2)², m = ρ π/4 D² t.
 _OF_DISC: Sequence[Iterator[Rule]] = (

@@ -175,6 +175,8 @@ def _check_answered(given: Figures, figures: Figures) -> None:
     unknown = {"swing", "inertia", "omega", "delta"} - figures.keys()
     found = figures.keys() - given.keys() - _ASIDE
     swing_alone = "swing" in given and {"inertia", "delta"} <= unknown
+    if "rim_mass" in found and unknown <= {"inertia", "omega"}:
+        return
     if not unknown or ("delta" in unknown and {"swing", "inertia"} & unknown and found and not swing_alone):
         return
     raise ProblemError(_missing(unknown, given, figures))
@@ -194,6 +196,11 @@ def _missing(unknown: set[str], given: Figures, figures: Figures) -> str:
         )
     if "swing" in unknown and unknown != {"swing", "omega"}:
         return SWING_MISSING
+    if {"omega", "delta"} <= unknown and "rim_speed" in figures:
+        return (
+            "the flywheel needs --delta, to find the mass of its rim by the speed of that, or --rim-speed"
+            " 26..28m/s, from the least to the greatest"
+        )
     if "omega" in unknown:
         return "the flywheel needs the speed; add --speed, for example --speed 120/min"
     return (
