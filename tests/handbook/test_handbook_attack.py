@@ -194,7 +194,7 @@ def test_a_file_saved_during_the_build_is_read_again_by_the_next(
 ) -> None:
     from kurbel.cli import asking
 
-    machine = '[crank]\nratio = "1:5"\nspeed = "120/min"\n[flywheel]\npower = "50kW"\ndelta = "1:100"\n'
+    machine = '[crank]\nspeed = "120/min"\n[steam]\neps = 4\n[flywheel]\npower = "50kW"\ndelta = "1:100"\n'
     folder = book(tmp_path, MANIFEST.replace("delta --eps 2..4", "flywheel --machine engine.toml"))
     (folder / "engine.toml").write_text(machine)
     make_part = asking.make_part
