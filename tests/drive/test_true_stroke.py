@@ -119,6 +119,9 @@ def test_the_page_says_the_stroke_that_was_given_and_the_times() -> None:
         ("--true-stroke 250mm --time-ratio 1.2", "needs the offset as a length"),
         ("--true-stroke 250mm --time-ratio 0.8 --offset 9cm", "with an offset above 0 it is above 1"),
         ("--true-stroke 250mm --time-ratio 1.2 --offset 9cm --rod 1m", "leave --rod and --ratio out"),
+        # Of R nothing is left at 40 decimals of a metre.
+        ("--true-stroke 1e-60m --offset 9cm --rod 1m", "the true stroke 1e-60m is too small"),
+        ("--true-stroke 1e-60m --offset 0.1 --ratio 1:4", "the true stroke 1e-60m is too small"),
         ("--true-stroke 250mm --mechanism arc --rocker 6", "is for the straight and the offset crank"),
     ],
 )

@@ -31,6 +31,13 @@ def found(given: Mapping[str, Any]) -> tuple[Fraction, Fraction | None]:
 
     Raises ProblemError for what no crank does, or what is not enough to find one.
     """
+    radius, rod = _sizes(given)
+    if not radius or rod == 0:
+        raise ProblemError(f"the true stroke {given['true_stroke']} is too small to find a crank of")
+    return radius, rod
+
+
+def _sizes(given: Mapping[str, Any]) -> tuple[Fraction, Fraction | None]:
     stroke, offset = as_length(given["true_stroke"], "true stroke"), _offset(given.get("offset"))
     if given.get("mechanism") not in (None, "straight", "offset"):
         raise ProblemError("--true-stroke is for the straight and the offset crank; give --crank or --stroke")
