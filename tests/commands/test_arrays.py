@@ -99,3 +99,15 @@ def test_what_has_no_array_is_said(columns: str, given: dict[str, Any], said: st
 
 def radians_of(degrees: np.ndarray) -> list[float]:
     return [radians(one) for one in degrees]
+
+
+def test_a_diagram_without_an_engine_has_arrays_over_any_turns() -> None:
+    told: dict[str, Any] = {"torque": "5000 + 1500 sin(3φ)", "load_torque": "5000 + 600 sin φ"}
+    keys = ["torque", "excess_torque", "excess_energy", "angular_acceleration"]
+    found = kurbel.compute(TURN.reshape(2, -1), columns=keys, inertia=40, **told)
+    phi = np.radians(TURN).reshape(2, -1)
+    excess = 1500 * np.sin(3 * phi) - 600 * np.sin(phi)
+    energy = 500 * (1 - np.cos(3 * phi)) - 600 * (1 - np.cos(phi))
+    true = [5000 + 1500 * np.sin(3 * phi), excess, energy, excess / 40]
+    for key, values in zip(keys, true, strict=True):
+        np.testing.assert_allclose(found[key], values, rtol=1e-12, atol=1e-9, err_msg=key)

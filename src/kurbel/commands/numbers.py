@@ -65,7 +65,7 @@ def compute(
 
     `columns` are keys of `kurbel quantities` that are of a crank angle, and `given` the options of `table`,
     `forces_table`, `inertia_table` or `turning_table` that they need: lengths, speed, force, masses, another
-    mechanism, steam and other loads. Units are those of the columns; angles beyond a turn go on.
+    mechanism, steam and other loads, torques. Units are those of the columns; angles beyond a turn go on.
 
     Bulk: NumPy on all cores, memory bounded by the output and a fixed block a core. For the straight
     crank x, c and ψ are at most 2 units in the last place from the true value up to R:L = 1:3, and p at

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,9 +14,12 @@ from kurbel.commands.engine import turning_table
 from kurbel.commands.forces import forces_table
 from kurbel.commands.motion import table
 from kurbel.engine.arrays import at_angles
+from kurbel.engine.diagram.page import TorquesRequest
 from kurbel.engine.request import EngineRequest
 from kurbel.errors import KurbelError, ProblemError
+from kurbel.exact.kind import floats
 from kurbel.motion.page import AngleQuestion
+from kurbel.page.quantity import Quantity
 from kurbel.page.subject import Question
 
 if TYPE_CHECKING:
@@ -62,8 +66,17 @@ def _array(question: Question, key: str, degrees: Floats) -> Floats:
     elif isinstance(question, EngineRequest):
         method = (question.methods or ("exact",))[0]
         found = at_angles(question, column.quantity, method, degrees)
+    elif isinstance(question, TorquesRequest):
+        found = [_of_torques(question, column.quantity, degrees)]
     else:
         raise ProblemError(f"{key} has no array over the crank angle on this page; print it")
     if len(found) != 1:
         raise ProblemError(f"{key} was asked for of {len(found)} drives; compute takes one")
     return np.broadcast_to(found[0], degrees.shape)
+
+
+def _of_torques(question: TorquesRequest, quantity: Quantity, degrees: Floats) -> Floats:
+    kernel = quantity.formulas["exact"].kernel
+    places, where = np.unique(degrees, return_inverse=True)
+    values = [float(kernel(question, Fraction(place), floats())) for place in places.tolist()]
+    return np.array(values)[where].reshape(degrees.shape)
