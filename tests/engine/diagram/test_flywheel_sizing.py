@@ -263,7 +263,7 @@ REFUSED = [
     ("--swing 5kJ --speed 300/min --delta 1:50 --area-scale 5J",
      "--area-scale is for --areas or --triangles; add these, or leave it out"),
     ("--swing 5kJ --rim-speed 26..28m/s --delta 3%",
-     "--rim-speed gives the coefficient of fluctuation of speed 0.0740740740740741, and --delta gives 0.03;"
+     "--rim-speed gives the coefficient of fluctuation of speed 0.074074, and --delta gives 0.03;"
      " leave one of them out"),
     ("--swing 5kJ --rim-speed 25m/s",
      "the flywheel needs --delta, to find the mass of its rim by the speed of that, or --rim-speed 26..28m/s,"

@@ -10,6 +10,7 @@ from typing import Any
 
 from kurbel.drive.crank import check_angles
 from kurbel.drive.load import figure
+from kurbel.engine.diagram.acceleration import acceleration_line
 from kurbel.engine.diagram.areas import Areas
 from kurbel.engine.diagram.captions import WORDS, outcome
 from kurbel.engine.diagram.excess import Excess
@@ -18,6 +19,7 @@ from kurbel.engine.diagram.steady import Steady
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import floats, settled
 from kurbel.exact.numerals import Label, Number, figures
+from kurbel.exact.product import Product
 from kurbel.motion.captions import turns_label
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place, angle_decimals
 from kurbel.page.quantity import Column, Quantity, words
@@ -182,6 +184,8 @@ def _torque_notes(question: TorquesRequest) -> Iterator[Label]:
     yield "; ".join(_taken(question))
     yield from question.flywheel()
     yield from outcome(excess, question.speed, question.steady, lang)
+    if question.inertia is not None:
+        yield from acceleration_line(excess, [Product.of(question.inertia)], question.rounding, lang)
 
 
 def _taken(question: TorquesRequest) -> Iterator[Label]:

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
+from kurbel.engine.diagram.excess import Excess
 from kurbel.engine.diagram.fluctuation import Extreme
 from kurbel.engine.diagram.wheel.sizing import LIMIT, RIM_ALONE
 from kurbel.exact.kind import settled
@@ -107,6 +108,7 @@ def notes(question: WheelRequest) -> Iterator[Label]:
         yield WORDS["speeds"][lang].replace("{exactly}", exactly)
     if question.fluctuation is not None:
         yield from _places(question)
+        yield from _accelerated(question)
     if question.known_from in (FLUCTUATION, TORQUE) and "turns" in wheel.figures:
         yield _cycle(question)
     if question.press is not None:
@@ -159,6 +161,15 @@ def _places(question: WheelRequest) -> Iterator[Label]:
     yield WORDS["places"][question.lang].format(**names)
     if high[0].letter:
         yield WORDS["letters"][question.lang]
+
+
+def _accelerated(question: WheelRequest) -> Iterator[Label]:
+    """Yield the greatest and the least angular acceleration, where torques are known."""
+    inertias = [wheel.figures["inertia"].value for wheel in question.wheels if "inertia" in wheel.figures]
+    if isinstance(question.fluctuation, Excess) and inertias:
+        from kurbel.engine.diagram.acceleration import acceleration_line
+
+        yield from acceleration_line(question.fluctuation, inertias, question.rounding, question.lang)
 
 
 def _listed(places: Sequence[Extreme], question: WheelRequest) -> Label:
