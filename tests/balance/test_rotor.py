@@ -158,3 +158,21 @@ def test_without_planes_nothing_is_said_of_couples() -> None:
 )
 def test_what_does_not_balance_or_is_not_said_is_refused(words: tuple[str, ...], sentence: str) -> None:
     assert refusal("rotor", *words).startswith(sentence)
+
+
+def test_a_mass_that_is_asked_for_may_have_the_unit_of_all() -> None:
+    said = ("--radii=300mm", "--angles=?;0;120;?", "--planes=0;450;1200;1650mm")
+    rows = page("--masses=?;400;400;?kg", *said)
+    assert rows == page("--masses=?;400;400kg;?", *said)
+    # Moments about the outer planes.
+    for key, pull in (("1", 120 * (1200 + 450 * 1j) / 1650), ("4", 120 * (450 + 1200 * 1j) / 1650)):
+        real, turned = pull.real, pull.imag * cmath.rect(1, math.radians(120))
+        assert unbalance(rows[f"mass_{key}"]) == pytest.approx(-(real + turned), abs=1e-7)
+    refused = refusal("rotor", "--masses=3;4g;?kg", "--radii=300mm", "--angles=0;120;?")
+    assert 'mass "3" has no unit' in refused
+
+
+def test_balance_names_the_command_that_finds_masses_and_cranks() -> None:
+    sized = ("--stroke=600mm", "--speed=2/s")
+    for words in (("--cranks=0;?",), (*sized, "--reciprocating=?;9kg"), ("--cranks=0;90", "--positions=0;?")):
+        assert f"{words[-1].split('=')[0]} has a ?, which kurbel rotor finds" in refusal("balance", *words)

@@ -9,6 +9,7 @@ from kurbel.balance.harmonics import MOST_ORDERS
 from kurbel.commands import parameters as option
 from kurbel.commands.balancing.masses import (
     Revolving,
+    check_known,
     needless_of_revolving,
     position_of,
     positions_of,
@@ -215,6 +216,7 @@ def balance_table(
     page = layout_of(layout or ("balance" if angle is None else "balance-angle"), SUBJECTS, given["layouts"])
     if angle is not None and page.subject != AT_ANGLES:
         raise ProblemError(f"layout {page.key} is of the whole turn; leave --angle out")
+    check_known({**given, "cranks": cranks, "positions": positions})
     places, in_metres = positions_of(positions)
     drive = {**given, "ratio": ratio}
     weights = _weighed(page, drive, in_metres)

@@ -68,11 +68,15 @@ def _parts(given: Exact | Iterable[Exact], what: str) -> list[Any]:
 
 
 def _with_unit(parts: list[str], has_unit: Callable[[str], bool], zero: str) -> list[str]:
-    """Return the parts with the unit of the last where it is the only one; 0 needs none."""
+    """Return the parts with the unit of the last, 4kg or ?kg, where it is the only one; 0 needs none."""
+    asked = parts[-1].removeprefix(UNKNOWN).strip() if parts[-1].startswith(UNKNOWN) else ""
+    if asked:
+        parts = [*parts[:-1], UNKNOWN]
     known = [part for part in parts if part != UNKNOWN]
-    unit = ""
-    if known and [part for part in known if has_unit(part)] == known[-1:]:
-        unit = known[-1].lstrip("+-−0123456789., ")
+    unit = asked
+    if measured := [part for part in known if has_unit(part)]:
+        last = known[-1].lstrip("+-−0123456789., ")
+        unit = last if measured == known[-1:] and asked in ("", last) else ""
     named = [part + unit if part != UNKNOWN and not has_unit(part) else part for part in parts]
     return [f"0{zero}" if part == "0" else part for part in named]
 

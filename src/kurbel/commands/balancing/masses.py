@@ -51,6 +51,22 @@ def needless_of_revolving(values: Mapping[str, Any]) -> Mapping[str, str]:
     return refused
 
 
+def check_known(given: Mapping[str, Any]) -> None:
+    """Raise ProblemError for what is asked for by a ?, with the command that finds it."""
+    for name in ("cranks", "positions", "reciprocating"):
+        value = given[name]
+        if "?" in (value if isinstance(value, str) else ";".join(map(str, _listed(value)))):
+            raise ProblemError(
+                f"--{name} has a ?, which kurbel rotor finds: in the first order masses that go to and fro"
+                " balance like masses at their cranks; give them there as --masses, --radii, --angles and"
+                " --planes, then here what was found"
+            )
+
+
+def _listed(value: Any) -> list[Any]:
+    return [*value] if isinstance(value, Iterable) else [value]
+
+
 def reciprocating_of(given: Mapping[str, Any]) -> tuple[Fraction, ...]:
     """Return the masses of piston and crosshead in kg: none, one of all cylinders, or one of each."""
     masses = given["reciprocating"]
