@@ -1,6 +1,6 @@
 """The masses of cylinders that are not alike, and where these lie, as they are given."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Annotated, Any, TypedDict
 
@@ -55,16 +55,12 @@ def check_known(given: Mapping[str, Any]) -> None:
     """Raise ProblemError for what is asked for by a ?, with the command that finds it."""
     for name in ("cranks", "positions", "reciprocating"):
         value = given[name]
-        if "?" in (value if isinstance(value, str) else ";".join(map(str, _listed(value)))):
+        if isinstance(value, str | Sequence) and any("?" in str(one) for one in value):
             raise ProblemError(
                 f"--{name} has a ?, which kurbel rotor finds: in the first order masses that go to and fro"
                 " balance like masses at their cranks; give them there as --masses, --radii, --angles and"
                 " --planes, then here what was found"
             )
-
-
-def _listed(value: Any) -> list[Any]:
-    return [*value] if isinstance(value, Iterable) else [value]
 
 
 def reciprocating_of(given: Mapping[str, Any]) -> tuple[Fraction, ...]:
