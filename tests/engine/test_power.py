@@ -35,6 +35,19 @@ def test_mean_pressure_is_the_area_of_the_card(exponent: float) -> None:
     assert found["mean_pressure"] == pytest.approx(0.8 * (8 * area - 1.1), abs=2e-9)
 
 
+def test_the_greatest_pressure_of_an_otto_cycle_is_a_pressure() -> None:
+    # The heat at one volume raises the pressure of 1.03 · 6^1.4 bar to 34.5 bar; of it expansion leaves
+    # the share 1 - 6^-0.4 as work.
+    raised = 34.5 - 1.03 * 6**1.4
+    mean = raised * (1 - 6**-0.4) / 0.4 / (6 - 1)
+    words = ("--compression=6", "--peak-pressure=34.5bar")
+    assert record(*words, "--suction-pressure=1.03bar")["mean_pressure"] == pytest.approx(mean, abs=1e-9)
+    exhaust = record(*words, "--suction-pressure=1.03bar", "--exhaust-pressure=1.2bar")["mean_pressure"]
+    assert exhaust == pytest.approx(mean - (1.2 - 1.03), abs=1e-9)
+    said = "the peak pressure 34.5bar is compared with the suction pressure; add --suction-pressure"
+    assert refusal("power", *words) == said
+
+
 def test_power_and_steam_of_a_double_acting_engine() -> None:
     mean = 0.8 * (8 * (1 / 3 + (1 / 3 + 0.08) * log(1.08 / (1 / 3 + 0.08))) - 1.1)
     swept, turns = pi / 4 * 0.3**2 * 0.45, 200 / 60

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
+from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any, TypedDict
 
 from kurbel.commands.options import FLAG, Choice, Option, is_given
@@ -102,7 +103,12 @@ class Loads(TypedDict, total=False):
         ),
     ]
     peak_pressure: Annotated[
-        Exact | None, Option("Otto and dual cycle: greatest pressure in suction pressures: 30.", "RATIO")
+        Exact | None,
+        Option(
+            "Otto and dual cycle: greatest pressure in suction pressures, 30, or beside --suction-pressure"
+            " 34.5bar.",
+            "RATIO",
+        ),
     ]
     cut_off: Annotated[
         Exact | None,
@@ -113,7 +119,7 @@ class Loads(TypedDict, total=False):
         Exact | None, Option("Gas engine: n of the expansion; default that of --exponent, 1.4.", "N")
     ]
     exhaust_pressure: Annotated[
-        Exact | None, Option("Gas engine: exhaust pressure in suction pressures; default 1.", "RATIO")
+        Exact | None, Option("Gas engine: exhaust pressure likewise; default 1.", "RATIO")
     ]
     two_stroke: Annotated[bool, Option("Gas engine: in two strokes.", kind=FLAG, default=False)]
 
@@ -255,13 +261,25 @@ def _cycles(given: Mapping[str, Any]) -> Sequence["Acting"]:
     from kurbel.engine.loads.gas import OTTO, GasCycle
 
     names = {"peak_pressure": "peak", "exhaust_pressure": "exhaust"}
-    numbers = (
-        "exponent", "expansion_exponent", "peak_pressure", "cut_off", "heat", "exhaust_pressure",
-    )  # fmt: skip
-    found = _known(given, *((name, as_number) for name in numbers))
+    numbers = ("exponent", "expansion_exponent", "cut_off", "heat")
+    in_suctions = partial(_in_suctions, given["suction_pressure"])
+    found = _known(given, *((name, as_number) for name in numbers), *((name, in_suctions) for name in names))
     known: dict[str, Any] = {names.get(name, name): value for name, value in found.items()}
     cycle, ratios = given["cycle"] or OTTO, as_numbers(given["compression"], "compression ratio")
     return [GasCycle(ratio, cycle, two_stroke=given["two_stroke"], **known) for ratio in ratios]
+
+
+def _in_suctions(suction: Exact | None, pressure: Exact, what: str) -> Fraction:
+    """Return a pressure in suction pressures, which is given so or as a measure."""
+    from kurbel.reading.units import is_measure
+
+    if not isinstance(pressure, str) or not is_measure(pressure):
+        return as_number(pressure, what)
+    if suction is None:
+        raise ProblemError(
+            f"the {what} {pressure[:40]} is compared with the suction pressure; add --suction-pressure"
+        )
+    return as_pressure(pressure, what) / _above_zero(as_pressure(suction, "suction pressure"))
 
 
 def _above_zero(pressure: Fraction) -> Fraction:
