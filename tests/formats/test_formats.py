@@ -73,6 +73,7 @@ OTHERS = {
     "__init__": {"pdf"},
     "books.source": {".csv"},
     "cli.handbook": {"text"},
+    "commands.diagram.given": {".csv"},
     # A kind of option.
     "commands.options": {"text"},
     "commands.shown": {"html", "latex", "markdown"},
@@ -85,6 +86,7 @@ OTHERS = {
     "handbook.manifest": {"text", "pdf"},
     "handbook.model": {"text", "pdf"},
     "handbook.pages": {"text"},
+    "handbook.problems": {"text"},
     "plot.style": {"pdf"},
 }
 

@@ -12,6 +12,7 @@ from pages import (
     EFFORTS,
     ENGINES,
     LINKAGES,
+    POWERS,
     PRESSED,
     RODS,
     SOLVED,
@@ -100,6 +101,7 @@ PAGES = {
         for name in (
             "kinematics",
             *ENGINES,
+            *POWERS,
             *BEAMS,
             *BALANCES,
             *TURNED,

@@ -538,7 +538,7 @@ def test_points_are_read_without_pint(tmp_path: Path, monkeypatch: pytest.Monkey
     assert read_rod(path) == Rod(Fraction(35, 100), Fraction(275, 1000) - Fraction(35, 100) ** 2)
     assert read_rod(written(tmp_path, METRIC), Fraction(1)).mass is not None
     with pytest.raises(MissingExtraError):
-        read_rod(written(tmp_path, METRIC.replace("kg", "lb")), Fraction(1))
+        read_rod(written(tmp_path, METRIC.replace("kg", "slug")), Fraction(1))
 
 
 @pytest.mark.parametrize(

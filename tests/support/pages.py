@@ -123,9 +123,9 @@ ENGINES = about(
     "machine",
     "rod load",
     "flywheel",
-    "power",
 )
 LOADED = about("compressor", "pump", "gas cycle")
+POWERS = about("power")
 BEAMS = about("dead centres", "drive dead centres")
 BALANCES = about("harmonics", "balance")
 TURNED = about("balance at angles", "balance extremes", "rotor", "locomotive")

@@ -103,7 +103,7 @@ def _entries() -> Iterator[Quantity]:
                  EFFICIENT)  # fmt: skip
     yield _entry("steam", "Dampfverbrauch|Steam taken", "$D$", "kg/h", Fraction(1, 3600), Found.steam,
                  STEAMED)  # fmt: skip
-    per_kwh, kwh = "Dampfverbrauch für die Kilowattstunde|Steam for a kilowatt-hour", Fraction(1, 3600 * 1000)
+    per_kwh, kwh = "Dampf je kWh|Steam per kWh", Fraction(1, 3600 * 1000)
     yield _entry("steam_per_kwh", f"{per_kwh}, indicated".replace("stunde|", "stunde, indiziert|"),
                  "$D/N_i$", "kg/kWh", kwh, Found.steam_of_work, STEAMED)  # fmt: skip
     yield _entry("steam_per_brake_kwh", f"{per_kwh} at the shaft".replace("stunde|", "stunde an der Welle|"),
