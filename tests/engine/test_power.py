@@ -48,6 +48,22 @@ def test_the_greatest_pressure_of_an_otto_cycle_is_a_pressure() -> None:
     assert refusal("power", *words) == said
 
 
+def test_the_diagram_factor_is_found_from_the_power() -> None:
+    mean = (10 * (1 + log(6)) / 6 - 0.55) * 1e5
+    steam = ("--eps=6", "--pressure=10bar", "--back=0.55bar", "--diagram-factor=?")
+    sizes = ("--bore=250mm", "--speed=210/min")
+    factor = 45e3 / (2 * 3.5 * pi / 4 * 0.25**2 * 0.375 * mean)
+    found = record(*steam, *sizes, "--stroke=375mm", "--power=45kW")
+    assert found["diagram_factor"] == pytest.approx(factor, abs=1e-9)
+    assert found["mean_pressure"] == pytest.approx(factor * mean / 1e5, abs=1e-9)
+    brake = record(*steam, *sizes, "--stroke-bore=1.5", "--brake-power=36kW", "--efficiency=80%")
+    assert brake["diagram_factor"] == found["diagram_factor"]
+    assert refusal("power", *steam, *sizes, "--power=45kW").endswith("speed and pressure; add --stroke")
+    assert "makes an indicated power of 52.868 kW, less than the 53 kW that are given" in refusal(
+        "power", *steam, *sizes, "--stroke=375mm", "--power=53kW"
+    )
+
+
 def test_power_and_steam_of_a_double_acting_engine() -> None:
     mean = 0.8 * (8 * (1 / 3 + (1 / 3 + 0.08) * log(1.08 / (1 / 3 + 0.08))) - 1.1)
     swept, turns = pi / 4 * 0.3**2 * 0.45, 200 / 60

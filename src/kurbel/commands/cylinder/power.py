@@ -100,7 +100,11 @@ def power_table(
     cylinders: Annotated[Exact | None, Option("Number of cylinders alike; default 1.", "NUMBER")] = None,
     diagram_factor: Annotated[
         Exact | None,
-        Option("Area of the real card in that of the ideal one: 0.8; default 1, the ideal card.", "SHARE"),
+        Option(
+            "Area of the real card in that of the ideal one: 0.8, or ? to find it from a power; default 1,"
+            " the ideal card.",
+            "SHARE",
+        ),
     ] = None,
     efficiency: Annotated[
         Exact | None, Option("Mechanical efficiency, for the power at the shaft: 85%.", "SHARE")
@@ -149,7 +153,10 @@ def power_table(
         piston_speed=None if piston_speed is None else as_velocity(piston_speed, "piston speed"),
         cylinders=_count(cylinders, given["cranks"]),
         **_rods(about),
-        diagram_factor=Fraction(1) if diagram_factor is None else as_share(diagram_factor, "diagram factor"),
+        factor_asked=diagram_factor == "?",
+        diagram_factor=Fraction(1)
+        if diagram_factor in (None, "?")
+        else as_share(diagram_factor, "diagram factor"),
         efficiency=None if efficiency is None else as_share(efficiency, "efficiency"),
         specific_volume=_volume(specific_volume, steam_density),
     )

@@ -15,7 +15,10 @@ if TYPE_CHECKING:
     from kurbel.engine.power.source import Acting, GivenPressure
     from kurbel.reading.units import Speed
 
-POWER, BORE, STROKE, SPEED, PRESSURE = VARIABLES = ("power", "bore", "stroke", "speed", "pressure")
+POWER, BORE, STROKE, SPEED, PRESSURE, FACTOR = VARIABLES = (
+    *("power", "bore", "stroke", "speed", "pressure"),
+    "diagram_factor",
+)
 # Their units on pages, in watts, metres, turns a second and pascals.
 UNITS = {
     POWER: Fraction(1000),
@@ -33,10 +36,11 @@ class Duty:
 
     `power` is the indicated one in watts; `brake_power` that at the shaft, which with the mechanical
     efficiency η is η times the indicated one, of a driven machine the indicated one by η. `diagram_factor`
-    multiplies the mean pressure. `pressure` is what mean pressures count in, and `pressure_option` gives it.
-    `specific_volume` in m³/kg is that of the steam at admission. The rods by their diameters in metres lessen
-    the area of one end each, of a double-acting piston whose bore is given. Mean pressures that are given are
-    `ends`: of all, or of the ends at the cover and at the crank.
+    multiplies the mean pressure; it is to be found if `factor_asked`. `pressure` is what mean pressures
+    count in, and `pressure_option` gives it. `specific_volume` in m³/kg is that of the steam at admission.
+    The rods by their diameters in metres lessen the area of one end each, of a double-acting piston whose
+    bore is given. Mean pressures that are given are `ends`: of all, or of the ends at the cover and at the
+    crank.
     """
 
     power: Fraction | None = None
@@ -49,6 +53,7 @@ class Duty:
     stroke_bore: Fraction | None = None
     piston_speed: Fraction | None = None
     diagram_factor: Fraction = Fraction(1)
+    factor_asked: bool = False
     efficiency: Fraction | None = None
     specific_volume: Fraction | None = None
     cylinders: int = 1
@@ -115,6 +120,8 @@ class Duty:
         found = {name: getattr(self, name) for name in (POWER, BORE, STROKE, PRESSURE)}
         found[PRESSURE] = source.pressure or self._of_ends() or found[PRESSURE]
         known = {name: number(value) for name, value in found.items() if value is not None}
+        if not self.factor_asked:
+            known[FACTOR] = number(self.diagram_factor)
         if self.brake_power is not None:
             known[POWER] = number(self.brake_power) / self.to_brake(source.driven)
         if self.speed is not None:
@@ -139,8 +146,8 @@ class Duty:
             found["--stroke-bore"] = stroke / bore / number(self.stroke_bore), STROKE
         if self.piston_speed is not None:
             found["--piston-speed"] = stroke * speed * number(2 / self.piston_speed), SPEED
-        times = source.strokes * self.cylinders * self.diagram_factor * self.open_area
-        rate = number(times / 4, pi=1) * Term(source.mean)
+        times = source.strokes * self.cylinders * self.open_area
+        rate = number(times / 4, pi=1) * Term(source.mean) * variable(FACTOR)
         volume = bore * bore * stroke * speed
         found["--power"] = rate * variable(PRESSURE) * volume / variable(POWER), POWER
         return found
@@ -168,7 +175,12 @@ def solved(duty: Duty, source: Acting | GivenPressure) -> Mapping[str, Term]:
 def lacking(duty: Duty, *terms: Term) -> list[str]:
     """Return the options that would make all terms known, nothing where they are."""
     free = [name for name in VARIABLES if any(name in term.powers for term in terms)]
-    return [duty.pressure_option if name == PRESSURE else f"--{name}" for name in free]
+    return [option_of(duty, name) for name in free]
+
+
+def option_of(duty: Duty, name: str) -> str:
+    """Return the option that gives a variable."""
+    return duty.pressure_option if name == PRESSURE else f"--{name.replace('_', '-')}"
 
 
 def _check(option: str, relation: Term, duty: Duty, known: Mapping[str, Term]) -> None:

@@ -38,6 +38,10 @@ WORDS = {
         "$p_i = φ_d p_m$, Völligkeitsgrad des Diagramms $φ_d = {factor}$"
         "|$p_i = φ_d p_m$, diagram factor $φ_d = {factor}$"
     ),
+    "factor_found": words(
+        "$p_i = φ_d p_m$, Völligkeitsgrad des Diagramms $φ_d$ aus der Leistung"
+        "|$p_i = φ_d p_m$, diagram factor $φ_d$ from the power"
+    ),
     "efficiency": words(
         "$N_e = η N_i$, mechanischer Wirkungsgrad $η = {efficiency}$"
         "|$N_e = η N_i$, mechanical efficiency $η = {efficiency}$"
@@ -101,6 +105,8 @@ def notes(request: PowerRequest) -> Iterator[Label]:
         strokes = figure(source.strokes)
         area = "".join(_area(duty))
         yield WORDS["power"][lang].format(cylinders=duty.cylinders, strokes=strokes, area=area)
+    if duty.factor_asked:
+        yield WORDS["factor_found"][lang]
     if duty.diagram_factor != 1:
         yield WORDS["factor"][lang].format(factor=figure(duty.diagram_factor))
     if duty.efficiency is not None:

@@ -11,8 +11,10 @@ from kurbel.engine.axes import LoadAxis, LoadWords, words_of
 from kurbel.engine.digits import FLOAT_ERROR, supported
 from kurbel.engine.engine import Engine
 from kurbel.engine.power import notes
-from kurbel.engine.power.duty import POWER, PRESSURE, Duty, lacking, solved
+from kurbel.engine.power.duty import FACTOR as DIAGRAM_FACTOR
+from kurbel.engine.power.duty import POWER, PRESSURE, Duty, lacking, option_of, solved
 from kurbel.engine.power.quantities import (
+    ASKED,
     EFFICIENT,
     FACTOR,
     GIVES,
@@ -25,6 +27,7 @@ from kurbel.engine.power.relation import Term
 from kurbel.engine.power.source import Acting, GivenPressure
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number
+from kurbel.exact.product import Product
 from kurbel.page.axes import ColumnAxis, Place
 from kurbel.page.quantity import Column, Quantity, words
 from kurbel.page.subject import Question, Subject
@@ -64,6 +67,8 @@ class PowerRequest(Question):
                 "--piston-rod and --tail-rod lessen the area of an end of a double-acting piston; leave them"
                 " out"
             )
+        if self.duty.factor_asked:
+            self._check_factor()
         found = self.found(0).variables
         touched = [one for name, one in found.items() if name != PRESSURE and set(one.powers) != {name}]
         asked = [found[POWER]] if found[POWER].powers else touched
@@ -73,6 +78,26 @@ class PowerRequest(Question):
                 f"this does not tell the power, or the sizes for it; add {' and '.join(free)}"
                 f"{_instead(free, self.duty)}"
             )
+
+    def _check_factor(self) -> None:
+        """Raise ProblemError where the diagram factor does not follow, or would be above 1."""
+        for index, source in enumerate(self.sources):
+            if not isinstance(source, Acting) or not source.steamed:
+                raise ProblemError("--diagram-factor ? is that of the ideal card of steam; add --eps")
+            found = self.found(index).variables
+            missing = [option_of(self.duty, name) for name, one in found.items() if one.powers]
+            if missing := [option for option in missing if option != "--diagram-factor"]:
+                raise ProblemError(
+                    "the diagram factor is found from power, bore, stroke, speed and pressure; add"
+                    f" {' and '.join(missing)}"
+                )
+            factor = found[DIAGRAM_FACTOR].known
+            if factor.exceeds(Product.of(1)):
+                power = float(found[POWER].known) / 1000
+                raise ProblemError(
+                    f"the ideal card makes an indicated power of {power / float(factor):.5g} kW, less than"
+                    f" the {power:.5g} kW that are given; the diagram factor is at most 1"
+                )
 
     @property
     def steams(self) -> list[Any]:
@@ -119,7 +144,8 @@ class PowerRequest(Question):
             STEAMED: ("steam with --eps", acting is None or not acting.steamed),
             GIVES: ("a compressor or a pump", acting is None or not hasattr(acting.load, "delivered")),
             EFFICIENT: ("the mechanical efficiency, --efficiency", duty.efficiency is None),
-            FACTOR: ("--diagram-factor", duty.diagram_factor == 1),
+            FACTOR: ("--diagram-factor", duty.diagram_factor == 1 and not duty.factor_asked),
+            ASKED: ("--diagram-factor ?", not duty.factor_asked),
             UNITLESS: ("what acts on the piston", acting is None),
         }
         needed = [lacks[one][0] for one in quantity.needs.split() if lacks[one][1]]

@@ -8,12 +8,14 @@ from functools import cache, partial
 from typing import NamedTuple
 
 from kurbel.engine.power.duty import BORE, POWER, PRESSURE, SPEED, STROKE, UNITS, Duty
+from kurbel.engine.power.duty import FACTOR as DIAGRAM_FACTOR
 from kurbel.engine.power.relation import Term, number
 from kurbel.engine.power.source import Acting, GivenPressure
 from kurbel.page.quantity import Formula, Quantity, entry, words
 
 # What a quantity needs beside the variables in it.
 STEAMED, GIVES, EFFICIENT, FACTOR, UNITLESS = "steam", "delivery", "efficiency", "factor", "share"
+ASKED = "asked"
 
 
 class Found(NamedTuple):
@@ -42,7 +44,7 @@ class Found(NamedTuple):
 
     def pressure(self) -> Term:
         """Return the mean pressure in Pa."""
-        return self.of(PRESSURE) * number(self.duty.diagram_factor) * self.mean()
+        return self.of(PRESSURE) * self.of(DIAGRAM_FACTOR) * self.mean()
 
     def brake(self) -> Term:
         """Return what times the indicated power is that at the shaft."""
@@ -79,6 +81,8 @@ def _entries() -> Iterator[Quantity]:
                  1, lambda found: found.mean(), UNITLESS)  # fmt: skip
     yield _entry("theoretical_pressure", theory, "$p_m$", "bar", UNITS[PRESSURE],
                  lambda found: found.of(PRESSURE) * found.mean(), FACTOR)  # fmt: skip
+    yield _entry("diagram_factor", "Völligkeitsgrad des Diagramms|Diagram factor", "$φ_d$", "", 1,
+                 partial(_variable, DIAGRAM_FACTOR), ASKED)  # fmt: skip
     yield _entry("mean_pressure", "mittlerer indizierter Druck|Mean effective pressure", "$p_i$", "bar",
                  UNITS[PRESSURE], Found.pressure)  # fmt: skip
     for key, name, symbol, unit in (
