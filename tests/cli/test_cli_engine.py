@@ -769,7 +769,7 @@ def test_flywheels_of_several_engines_are_told_apart() -> None:
 
 def test_every_quantity_of_an_engine_is_listed_with_its_command() -> None:
     # The linkages have forces of the same keys, a flywheel's speed, each cylinder, the power, flywheels and
-    # diagrams without an engine those of their tasks.
+    # diagrams without an engine, unknowns, rotors and locomotives those of their tasks.
     listed = printed("quantities").out.splitlines()
     others = (
         "--mechanism",
@@ -778,6 +778,9 @@ def test_every_quantity_of_an_engine_is_listed_with_its_command() -> None:
         "--layout flywheel-sizing",
         "--torque",
         "--areas",
+        "--unknown",
+        " locomotive",
+        " rotor",
         " power",
     )
     lines = [line.split() for line in listed if not any(other in line for other in others)]
