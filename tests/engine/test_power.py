@@ -182,6 +182,11 @@ def test_a_power_half_way_between_two_figures_is_one(rounding: str, printed_powe
             " kW; leave --power or one of the others out",
         ),
         (
+            ("--eps=3", "--pressure=8bar", *SIZES, "--power=50kW"),
+            "bore, stroke, speed and pressure make an indicated power of 62.125 kW, and --power asks for 50"
+            " kW; leave --power or one of the others out, or take --diagram-factor ?",
+        ),
+        (
             ("--eps=3", "--pressure=8bar", *SIZES, "--stroke-bore=2"),
             "stroke and bore are in the ratio 1.5, and --stroke-bore is 2; leave one of them out",
         ),

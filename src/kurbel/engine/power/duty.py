@@ -191,9 +191,12 @@ def _check(option: str, relation: Term, duty: Duty, known: Mapping[str, Term]) -
     if option == "--power":
         shown = "--power" if duty.brake_power is None else "--brake-power"
         power = float(known[POWER].known) / 1000
+        # Of steam, whose ideal card makes more.
+        ideal = off > 1 and duty.pressure_option == "--pressure" and not duty.ends
+        asked = ", or take --diagram-factor ?" if ideal and duty.diagram_factor == 1 else ""
         raise ProblemError(
             f"bore, stroke, speed and pressure make an indicated power of {power * off:.5g} kW, and {shown}"
-            f" asks for {power:.5g} kW; leave {shown} or one of the others out"
+            f" asks for {power:.5g} kW; leave {shown} or one of the others out{asked}"
         )
     if option == "--stroke-bore":
         given, what, unit = duty.stroke_bore, "stroke and bore are in the ratio", ""
