@@ -192,8 +192,8 @@ def _check(option: str, relation: Term, duty: Duty, known: Mapping[str, Term]) -
         shown = "--power" if duty.brake_power is None else "--brake-power"
         power = float(known[POWER].known) / 1000
         # Of steam, whose ideal card makes more.
-        ideal = off > 1 and duty.pressure_option == "--pressure" and not duty.ends
-        asked = ", or take --diagram-factor ?" if ideal and duty.diagram_factor == 1 else ""
+        steamed = duty.pressure is not None and duty.pressure_option == "--pressure"
+        asked = ", or take --diagram-factor ?" if off > 1 and steamed and duty.diagram_factor == 1 else ""
         raise ProblemError(
             f"bore, stroke, speed and pressure make an indicated power of {power * off:.5g} kW, and {shown}"
             f" asks for {power:.5g} kW; leave {shown} or one of the others out{asked}"
