@@ -782,6 +782,7 @@ def test_every_quantity_of_an_engine_is_listed_with_its_command() -> None:
         " locomotive",
         " rotor",
         " power",
+        "solve --unknown",
     )
     lines = [line.split() for line in listed if not any(other in line for other in others)]
     commands = {words[0]: next(word for word in words[1:] if word in COMMANDS) for words in lines}

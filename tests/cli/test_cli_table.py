@@ -220,16 +220,20 @@ def test_quantities_are_listed_a_line_each() -> None:
     lines = printed("quantities").out.splitlines()
     keys = [line.split()[0] for line in lines]
     motion = ["ratio", "phi", *registry()]
-    loaded = ("cylinders", "power", "torques", "areas", "speed", "evenness", "rod load", "pressures")
+    loaded = (
+        "cylinders", "power", "torques", "areas", "speed", "evenness", "rod load", "flywheel sizing",
+        "pressures",
+    )  # fmt: skip
     own = [one.key for key in loaded for one, _ in subject(key).entries()]
     engines = [*engine_registry(), *own, *beam.registry(), *dead_centres.registry()]
     links = [*arc_registry(), *parallel_registry(), *beam_registry(), *coupled_registry()]
     firing = [*orders_registry(), *cylinders_registry()]
     turned = [*angle_quantities(), PLACE, *rotor_quantities(), *locomotive_quantities()]
-    rods = [*inertia_registry(), *error_columns()]
+    rods = [*inertia_registry(), *error_columns(), *(one.key for one, _ in subject("rod masses").entries())]
     assert keys == [
         *motion, *engines, *("value" for _ in harmonics.HARMONICS), *torques(), *balance_registry(), *turned,
         *firing, *links, *rods, *(one.key for _, one in own_columns()),
+        *(one.key for one, _ in subject("unknown").entries()),
     ]  # fmt: skip
     assert all(len(line.split()) > 2 for line in lines)
     assert printed("quantities", "--lang", "en").out.splitlines() != lines
