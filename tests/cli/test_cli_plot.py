@@ -902,9 +902,8 @@ REFUSALS = [
         "the offset crank needs the offset e; add --offset, for example --offset 0.5",
     ),
     (
-        ("--mechanism", "arc", "--rocker", "6", "--stroke", "600mm"),
-        "--stroke does not belong to the arc crank, whose page is in units of R and v; it is for --mechanism"
-        " straight or offset",
+        ("--mechanism", "parallel", "--stroke", "600mm"),
+        "--stroke does not belong to the parallel crank, whose page is in units of R and v; it is for",
     ),
     (
         ("--mechanism", "parallel", "--positions", "30", "--ratio", "1:4"),

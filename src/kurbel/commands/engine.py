@@ -16,7 +16,7 @@ from kurbel.commands.machines import (
     whole_cycle,
 )
 from kurbel.commands.motion import STEP, meant, of_other_mechanisms
-from kurbel.commands.options import FLAG, Choice, Option
+from kurbel.commands.options import FLAG, Choice, Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.errors import ProblemError
 from kurbel.page.layouts import Layout, layout_of
@@ -89,7 +89,9 @@ def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
 def _of_wheel(values: Mapping[str, Any]) -> Mapping[str, str]:
     """Refuse what says nothing beside a flywheel or without one, and a flywheel of which nothing is asked."""
     given = [name for name in ("flywheel", "inertia") if values[name] is not None]
-    sizes = () if "inertia" in given else (*(() if given else ("speed",)), *ONLY_MASSES)
+    # With the rod the stroke gives the ratio.
+    only = tuple(name for name in ONLY_MASSES if name != "stroke" or not is_given(values["rod"]))
+    sizes = () if "inertia" in given else (*(() if given else ("speed",)), *only)
     refused = {**beside_wheel(values)}
     if any(values[name] is not None for name in sizes):
         from kurbel.commands.engine_pages.sizes import needless_sizes

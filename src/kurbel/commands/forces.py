@@ -117,7 +117,7 @@ def _of_case(values: Mapping[str, Any]) -> Mapping[str, str]:
             keys = "--eps or --card" if which == "steam" else f"--{loads.named(values)[0].replace('_', '-')}"
             own = _refused(("force",), f"does not go with the {which} of an engine, {keys}; leave it out")
             newton_metres = f"makes newton metres of the {which} only with --bore; add that"
-            bare = not is_heavy(values) and values["bore"] is None
+            bare = not is_heavy(values) and values["bore"] is None and not is_given(values["rod"])
             even = "does not go with the load of an engine, whose crank turns evenly; leave it out"
             return {
                 **own,

@@ -19,6 +19,7 @@ OF_SIZE: Mapping[str, tuple[str, ...]] = {
     "mean_pressure_kpa": ("bore", "pressure"),
     "pin_path_mm": ("stroke",),
     "tangential_kpa": ("bore", "pressure"),
+    "torque_nm": ("stroke", "bore", "pressure"),
 }
 # What may stand beside them, by columns: the bore of a cylinder is given with its stroke.
 BESIDE = {"mean_pressure_kpa": ("stroke",)}
