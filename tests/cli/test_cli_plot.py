@@ -903,8 +903,8 @@ REFUSALS = [
     ),
     (
         ("--mechanism", "parallel", "--stroke", "600mm"),
-        "--stroke does not belong to the parallel crank, whose page is in units of R and v; it is for --mechanism"
-        " straight, offset, arc or beam",
+        "--stroke does not belong to the parallel crank, whose page is in units of R and v; it is for"
+        " --mechanism straight, offset, arc or beam",
     ),
     (
         ("--mechanism", "parallel", "--positions", "30", "--ratio", "1:4"),

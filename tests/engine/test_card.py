@@ -404,7 +404,7 @@ def test_without_pint_the_sentence_says_what_to_install(
     monkeypatch.setitem(sys.modules, "pint", None)
     read_card(written(tmp_path, text_of()))
     with pytest.raises(MissingExtraError) as raised:
-        read_card(written(tmp_path, text_of().replace("bar", "psi")))
+        read_card(written(tmp_path, text_of().replace("bar", "torr")))
     assert str(raised.value) == (
         "quantities with units need pint; install it with: pip install 'kurbel[units]'"
     )
