@@ -169,12 +169,13 @@ def shown(value: Any) -> str:
     return f'"{value}"'[:42] if isinstance(value, str) else str(value)[:40]
 
 
+# Possessive quantifiers, which Python 3.11 brought, match wrongly before 3.11.5; loops unrolled do without.
 _TOKEN = (
-    r'(?P<text>"""(?:[^"\\]|\\.|"(?!""))*+"{3,5}|\'\'\'(?:[^\']|\'(?!\'\'))*+\'{3,5}'
-    r'|"(?:[^"\\\n]|\\.)*+"|\'[^\'\n]*+\')'
+    r'(?P<text>"""[^"\\]*(?:(?:\\.|"(?!""))[^"\\]*)*"{3,5}|\'\'\'[^\']*(?:\'(?!\'\')[^\']*)*\'{3,5}'
+    r'|"[^"\\\n]*(?:\\.[^"\\\n]*)*"|\'[^\'\n]*\')'
     r"|(?P<mark>\[|\]|\{|\}|,|=|\.|\n)"
-    r"|(?P<word>[^\s\"'\[\]{},=.#]++)"
-    r"|#[^\n]*+"
+    r"|(?P<word>[^\s\"'\[\]{},=.#]+)"
+    r"|#[^\n]*"
 )
 
 
