@@ -208,7 +208,7 @@ def engine_label(name: str, arrangement: Arrangement, lang: str) -> Label:
     return WORDS["cylinders"][lang].format(count=len(arrangement.cylinders))
 
 
-def _notes(request: BalanceRequest) -> Iterator[Label]:
+def balance_notes(request: BalanceRequest) -> Iterator[Label]:
     lang, cylinders = request.lang, request.arrangement.cylinders
     yield from angle_notes(request.arrangement, lang)
     if len(cylinders) > 1:
@@ -264,6 +264,6 @@ SUBJECT = Subject(
     quantities=balance_registry,
     number=_number,
     caption=_caption,
-    notes=_notes,
+    notes=balance_notes,
     options=NEEDS,
 )

@@ -232,15 +232,21 @@ def balance_table(
         centre,
     )
     asked: dict[str, Any] = {}
+    request: type[Any]
     if page.subject == AT_ANGLES:
-        from kurbel.balance.angles.page import AngleRequest as Asked
+        from kurbel.balance.angles.page import AngleRequest
 
+        request = AngleRequest
         asked["angles"] = as_angles(page.angles if angle is None else angle)
     elif page.subject == EXTREMES:
-        from kurbel.balance.angles.extremes import ExtremesRequest as Asked  # type: ignore[assignment]
+        from kurbel.balance.angles.extremes import ExtremesRequest
+
+        request = ExtremesRequest
     else:
-        from kurbel.balance.page import BalanceRequest as Asked  # type: ignore[assignment]
-    return Asked(
+        from kurbel.balance.page import BalanceRequest
+
+        request = BalanceRequest
+    return request(
         layout=page,
         **asked,
         about=centre,

@@ -92,6 +92,7 @@ def at_angles(request: EngineRequest, quantity: Quantity, method: str, degrees: 
             f"{quantity.key} is one number of a turn and has no array over the crank angle; print it, with"
             " kurbel.delta_table"
         )
+    # Kernels hand the place on to the turn, and that of arrays takes an array.
     where = Where(half_turns=degrees / 180)  # type: ignore[arg-type]
     return [
         np.broadcast_to(value(quantity, ArrayTurn(engine, method), where), degrees.shape)

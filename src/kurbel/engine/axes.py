@@ -47,7 +47,7 @@ class LoadWords(NamedTuple):
     several: str
     forces: Words
     newtons: Callable[[Any, Load], Label]
-    lines: Callable[[EngineRequest, str], Iterator[Label]]
+    lines: Callable[[Any, str], Iterator[Label]]
     layout: str = "delta-detail"
     halved: bool = True
     captioned: bool = True

@@ -155,5 +155,6 @@ def unit_of_page(symbol: str) -> tuple[Fraction, Label]:
     """Return how many units of the page a metric one is, and the label of that as it stands in a formula."""
     units = _OF_PAGE.get()
     pair = units and units.of(symbol)
-    name, square = re.fullmatch("(.*?)(²?)", pair[1].symbol if pair else symbol).groups()  # type: ignore[union-attr]
-    return units.times(symbol) if units else Fraction(1), f'"{name}"{"^2" if square else ""}'
+    printed = pair[1].symbol if pair else symbol
+    name = printed.removesuffix("²")
+    return units.times(symbol) if units else Fraction(1), f'"{name}"{"" if name == printed else "^2"}'

@@ -16,7 +16,7 @@ from kurbel.balance.angles.unbalanced import of_all, of_order
 from kurbel.balance.arrangement import Residual, factor
 from kurbel.balance.lengths import LENGTHS, certified_length
 from kurbel.balance.newtons import IN_NEWTONS
-from kurbel.balance.page import NEEDS, RESIDUALS, SUBJECT, BalanceRequest, balance_registry
+from kurbel.balance.page import NEEDS, RESIDUALS, SUBJECT, BalanceRequest, balance_notes, balance_registry
 from kurbel.balance.vector import EXACT_ZERO, ONE, Scale, Vector, direction, is_zero
 from kurbel.drive.crank import Crank
 from kurbel.exact.certify import NEVER_TIES, rounded
@@ -172,7 +172,7 @@ def _is_reached(question: ExtremesRequest, where: tuple[str, int], found: Greate
 
 def _notes(question: ExtremesRequest) -> Iterator[Label]:
     yield WORDS["shaft"][question.lang]
-    yield from SUBJECT.notes(question)  # type: ignore[misc]
+    yield from balance_notes(question)
 
 
 EXTREMES = SUBJECT._replace(

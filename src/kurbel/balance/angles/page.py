@@ -12,7 +12,15 @@ from kurbel.balance.angles.unbalanced import of_all, of_order
 from kurbel.balance.arrangement import factor
 from kurbel.balance.harmonics_page import OrderAxis
 from kurbel.balance.newtons import IN_NEWTONS
-from kurbel.balance.page import DECIMALS, NEEDS, NEWTON_DECIMALS, RESIDUALS, SUBJECT, BalanceRequest
+from kurbel.balance.page import (
+    DECIMALS,
+    NEEDS,
+    NEWTON_DECIMALS,
+    RESIDUALS,
+    SUBJECT,
+    BalanceRequest,
+    balance_notes,
+)
 from kurbel.balance.vector import EXACT_ZERO, ONE, Scale, Vector, component, direction, length
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
@@ -154,7 +162,7 @@ def _number(question: AngleRequest, column: Column, place: Place, times: int) ->
 
 def _notes(question: AngleRequest) -> Iterator[Label]:
     yield WORDS["shaft"][question.lang]
-    yield from SUBJECT.notes(question)  # type: ignore[misc]
+    yield from balance_notes(question)
 
 
 AT_ANGLES = SUBJECT._replace(

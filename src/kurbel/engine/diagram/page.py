@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -34,7 +35,7 @@ NEEDS = {INERTIA: ("--inertia",), RUN: ("--inertia", "--speed"), SCALE: ("--area
 
 
 @dataclass(frozen=True, kw_only=True)
-class DiagramRequest(Question):
+class DiagramRequest(Question, ABC):
     """What is asked for of a diagram, with the flywheel and its mean speed as far as they are known."""
 
     inertia: Fraction | None = None
@@ -46,8 +47,9 @@ class DiagramRequest(Question):
         super().__post_init__()
 
     @property
+    @abstractmethod
     def swinging(self) -> Any:
-        raise NotImplementedError
+        """What has the swing."""
 
     @cached_property
     def swing(self) -> float:

@@ -68,7 +68,7 @@ def pressed(engine: Engine, kind: Kind) -> Sequence[Stroke]:
             for one, (behind, before) in zip(cards, _sides(areas), strict=True)
         )
     # Steam presses on the side behind the piston, the back pressure on the other.
-    back = engine.steam.numbers(kind.of, kind.exponent).back  # type: ignore[attr-defined]
+    back = engine.ideal.numbers(kind.of, kind.exponent).back
     return tuple(
         Scaled(one, kind.of(behind), back * kind.of(behind - before))
         for one, (behind, before) in zip(strokes, _sides(areas), strict=True)

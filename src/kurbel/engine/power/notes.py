@@ -172,6 +172,6 @@ def _lines(request: PowerRequest, lang: str) -> Iterator[Label]:
     if source.carded:
         yield WORDS["card"][lang]
     else:
-        yield from request.words.lines(request, lang)  # type: ignore[arg-type]
+        yield from request.words.lines(request, lang)
     if request.words.halved:
         yield WORDS["double" if request.double else "single"][lang]

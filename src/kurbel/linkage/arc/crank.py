@@ -46,7 +46,7 @@ class ArcCrank(RockerCrank):
     rocker: Fraction
     distance: Fraction | None = None
     height: Fraction | None = None
-    circuit: int = 1
+    circuit: Fraction | int = 1
 
     def __post_init__(self) -> None:
         if self.circuit not in (1, -1):

@@ -103,7 +103,7 @@ def _arc(said: Described, crank: Crank) -> ArcCrank:
     # Without a place the pivot has none of its own.
     distance, height = places or (None, None)
     circuit = 1 if said.circuit is None else as_number(said.circuit, "circuit")
-    return ArcCrank(crank, rocker, distance, height, circuit)  # type: ignore[arg-type]
+    return ArcCrank(crank, rocker, distance, height, circuit)
 
 
 def _pivot(said: Described, radius: Fraction | None) -> tuple[Fraction, Fraction] | tuple[()]:
