@@ -34,8 +34,15 @@ DOTS_PER_MM = DOTS_PER_INCH / MM_PER_INCH
 
 TEXT_SIZE = 9.0
 SMALL_TEXT = 8.0
-THIN, MEDIUM, STRONG = 0.4, 0.7, 1.2
+# Widths of lines in points, of the series of ISO 128-2, which has steps of √2 in mm. Narrow, wide and
+# extra-wide lines are there as 1 : 2 : 4; HEAVY is a step wider.
+THIN, MEDIUM, STRONG, HEAVY = (width * MM for width in (0.13, 0.25, 0.5, 0.7))
 BLACK, GREY, PALE, WHITE = "#000000", "#8c8c8c", "#d9d9d9", "#ffffff"
+
+# Patterns of ISO 128-2 in widths of the line: line 04 for centre lines, 05 for further positions, 07.
+LONG_DASH_DOT = (24.0, 3.0, 0.5, 3.0)
+LONG_DASH_DOUBLE_DOT = (24.0, 3.0, 0.5, 3.0, 0.5, 3.0)
+DOTTED = (0.5, 3.0)
 
 STYLE: Mapping[Any, Any] = {
     # matplotlib brings these fonts along: text and formulas match, and look the same on every machine.
@@ -88,7 +95,7 @@ _PATTERNS: tuple[tuple[float, ...], ...] = (
 )
 LINES = tuple(
     Line(colour, dashes, width)
-    for width in (STRONG, 0.55)
+    for width in (STRONG, MEDIUM)
     for colour, dashes in zip(_COLOURS, _PATTERNS, strict=True)
 )
 
