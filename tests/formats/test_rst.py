@@ -28,7 +28,7 @@ from readers import model_cells
 from kurbel.documents.document import Chapter, Document, Item
 from kurbel.documents.markdown import parse_prose
 from kurbel.formats.documents import document_files
-from kurbel.formats.page import head_rows
+from kurbel.formats.head import head_rows
 from kurbel.formats.printer import set_prose
 from kurbel.formats.render import render
 from kurbel.formats.rst.grid import GridCell, grid_lines

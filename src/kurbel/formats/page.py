@@ -8,13 +8,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence, Set
-from itertools import accumulate, chain, groupby, islice, pairwise, zip_longest
+from itertools import accumulate, chain, islice, pairwise, zip_longest
 from typing import Literal, NamedTuple
 
 from kurbel.exact.numerals import Label, Number, number_text
+from kurbel.formats.head import HeadCell, head_rows
+from kurbel.formats.spacing import gaps, panel_pauses
 from kurbel.formats.writer import PageWriter
 from kurbel.page.labels import plain, set_label
-from kurbel.page.table import DITTO, Cell, Column, Panel, Table
+from kurbel.page.table import DITTO, Cell, Panel, Table
 
 # What no layout says.
 WORDS = {
@@ -39,28 +41,19 @@ class PageCell(NamedTuple):
 
 
 class PageColumn(NamedTuple):
+    """A column; `gap` is the space before it, in em."""
+
     heading: tuple[str, ...]
     align: Literal["left", "right"]
-
-
-class HeadCell(NamedTuple):
-    """A cell of the head. `level` counts the spanners above it: 0 for the outermost one."""
-
-    lines: tuple[str, ...]
-    kind: Literal["stub", "spanner", "heading"]
-    first: int
-    across: int = 1
-    down: int = 1
-    level: int = 0
-
-    @property
-    def last(self) -> int:
-        return self.first + self.across - 1
+    gap: float
 
 
 class PageGroup(NamedTuple):
+    """Rows; `pauses` are those, counted from 0, before which a small space stands."""
+
     label: str
     rows: tuple[tuple[PageCell, ...], ...]
+    pauses: frozenset[int]
 
 
 class PagePanel(NamedTuple):
@@ -184,20 +177,21 @@ class Setter:
         starts = set(accumulate((len(group.rows) for group in panel.groups), initial=0))
         body = [self.cells(cells, starts) for cells in by_column]
         lines = iter(zip(*body, strict=True))
+        head = tuple(
+            tuple(cell._replace(lines=self.labels(cell.lines)) for cell in row) for row in head_rows(panel)
+        )
+        headings = {cell.first: cell.lines for row in head for cell in row if cell.kind != "spanner"}
         return PagePanel(
             columns=tuple(
-                PageColumn(self.labels(column.heading), alignment(cells))
-                for column, cells in zip(model, by_column, strict=True)
+                PageColumn(headings[place], alignment(cells), gap)
+                for place, (cells, gap) in enumerate(zip(by_column, gaps(panel), strict=True))
             ),
             stubs=len(panel.stub),
             names=len(panel.stub) - 1 if panel.stub and _are_short(row.stub[-1] for row in rows) else None,
-            head=tuple(
-                tuple(cell._replace(lines=self.labels(cell.lines)) for cell in row)
-                for row in head_rows(panel)
-            ),
+            head=head,
             groups=tuple(
-                PageGroup(self.label(group.label), tuple(islice(lines, len(group.rows))))
-                for group in panel.groups
+                PageGroup(self.label(group.label), tuple(islice(lines, len(group.rows))), pauses)
+                for group, pauses in zip(panel.groups, panel_pauses(panel, self.table.pause), strict=True)
             ),
         )
 
@@ -261,30 +255,3 @@ _LONGEST_NAME = 24
 
 def _are_short(names: Iterable[Cell]) -> bool:
     return all(len(plain(cell.value)) <= _LONGEST_NAME for cell in names if isinstance(cell.value, str))
-
-
-def head_rows(panel: Panel) -> tuple[tuple[HeadCell, ...], ...]:
-    """Return the rows of the head, spanners merged where neighbours share them and all above them."""
-    columns = panel.stub + panel.columns
-    levels = max(len(column.spanners) for column in columns)
-    rows = []
-    for level in range(levels + 1):
-        cells = [*_spanners(columns, level), *_headings(columns, level, levels, len(panel.stub))]
-        rows.append(tuple(sorted(cells, key=lambda cell: cell.first)))
-    return tuple(rows)
-
-
-def _spanners(columns: Sequence[Column], level: int) -> Iterator[HeadCell]:
-    first = 0
-    for path, members in groupby(columns, key=lambda column: column.spanners[: level + 1]):
-        across = len(list(members))
-        if len(path) > level:
-            yield HeadCell((path[level],), "spanner", first, across, 1, level)
-        first += across
-
-
-def _headings(columns: Sequence[Column], level: int, levels: int, stubs: int) -> Iterator[HeadCell]:
-    for place, column in enumerate(columns):
-        if len(column.spanners) == level:
-            kind: Literal["stub", "heading"] = "stub" if place < stubs else "heading"
-            yield HeadCell(column.heading, kind, place, 1, levels - level + 1, level)

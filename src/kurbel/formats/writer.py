@@ -168,7 +168,7 @@ def _widths(panel: PagePanel) -> list[float]:
         for cell in spanners:
             # Between two columns stand twice 6 points, 1.2 em at normal size.
             extent = sum(widths[cell.first : cell.last + 1]) + 1.2 * (cell.across - 1)
-            lacking = max(em(cell.lines[0]) - extent, 0.0)
+            lacking = max(em(cell.text) - extent, 0.0)
             for place in range(cell.first, cell.last + 1):
                 widths[place] += lacking / cell.across
     return widths

@@ -46,6 +46,7 @@ def _built(question: Question, pages: bool) -> Table:
         ),
         source=question.source,
         templates=layout.folder,
+        pause=layout.pause,
     )
 
 

@@ -159,6 +159,10 @@ class LayoutFile:
     ] = 0
     pairs: Annotated[bool, about("whether an angle stands over its mirror image")] = False
     formulas: Annotated[bool, about("whether formulas stand below the table")] = True
+    pause: Annotated[
+        Annotated[int, within(0, LARGEST_BLOCK)] | None,
+        about("rows between small spaces, 0 for none; default: three or five by the step"),
+    ] = None
     unit: Annotated[bool, about("whether a last column has the unit of each row")] = False
 
 

@@ -115,7 +115,8 @@ class Table:
     """A finished table. `key` is its name for cross references, without a prefix: "kinematics".
 
     `layout` names the templates' folder, where it is not the key; `templates` is the folder of the user's in
-    which that lies, nothing where it is kurbel's.
+    which that lies, nothing where it is kurbel's. `pause` is the number of rows between small spaces, 0 for
+    none; None leaves it to the step of the rows.
     """
 
     key: str
@@ -127,6 +128,7 @@ class Table:
     source: Label = ""
     layout: str = ""
     templates: str = ""
+    pause: int | None = None
 
     def __post_init__(self) -> None:
         defined = {note.mark for note in self.notes}

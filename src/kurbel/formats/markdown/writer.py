@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import chain
 from typing import Any, NamedTuple
 
 from kurbel.formats.page import PageCell, PagePanel
@@ -79,14 +80,17 @@ def _lines(panel: PagePanel, rows: Sequence[Sequence[PageCell]]) -> Iterator[str
 
 
 def _headings(panel: PagePanel) -> list[str]:
-    spanners: list[list[str]] = [[] for _ in panel.columns]
-    for row in panel.spanners:
-        for cell in row:
-            for place in range(cell.first, cell.last + 1):
-                spanners[place].append(cell.lines[0])
+    """Return the heads of each column on one line: the spanners, its own heading, the symbol of all."""
+    names: list[list[str]] = [[] for _ in panel.columns]
+    symbols: list[list[str]] = [[] for _ in panel.columns]
+    for cell in chain.from_iterable(panel.spanners):
+        name, *symbol = cell.lines
+        for place in range(cell.first, cell.last + 1):
+            names[place].append(name)
+            symbols[place] += symbol
     return [
-        " ".join(text for text in (*above, _one_line(column.heading)) if text)
-        for above, column in zip(spanners, panel.columns, strict=True)
+        " ".join(text for text in (*above, _one_line(column.heading), *below) if text)
+        for above, column, below in zip(names, panel.columns, symbols, strict=True)
     ]
 
 

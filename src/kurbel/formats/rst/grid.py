@@ -7,6 +7,7 @@ from itertools import accumulate
 from typing import NamedTuple
 from unicodedata import combining, east_asian_width
 
+from kurbel.formats.head import HeadCell
 from kurbel.formats.page import PagePanel
 from kurbel.formats.rst.writer import finish
 
@@ -29,11 +30,15 @@ class GridCell(NamedTuple):
 def grid_table(panel: PagePanel) -> list[str]:
     """Return the lines of a panel."""
     head = [
-        GridCell(row, cell.first, _block(cell.lines), cell.down, cell.across)
+        GridCell(row, cell.first, _head_lines(cell), cell.down, cell.across)
         for row, cells in enumerate(panel.head)
         for cell in cells
     ]
     return grid_lines([*head, *_body(panel)], len(panel.head))
+
+
+def _head_lines(cell: HeadCell) -> tuple[str, ...]:
+    return (cell.text,) if cell.kind == "spanner" else _block(cell.lines)
 
 
 def _block(lines: Sequence[str]) -> tuple[str, ...]:

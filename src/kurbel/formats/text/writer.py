@@ -10,7 +10,8 @@ from itertools import accumulate, islice, zip_longest
 from textwrap import fill
 from typing import NamedTuple
 
-from kurbel.formats.page import HeadCell, Page, PageCell, PagePanel, page
+from kurbel.formats.head import HeadCell
+from kurbel.formats.page import Page, PageCell, PagePanel, page
 from kurbel.formats.writer import PageWriter
 from kurbel.page.table import Table
 
@@ -174,7 +175,7 @@ def _widths(panel: PagePanel, gaps: Sequence[int]) -> list[int]:
         for cell in spanners:
             members = range(cell.first, cell.last + 1)
             extent = sum(widths[place] for place in members) + sum(gaps[place] for place in members[1:])
-            for step in range(max(len(cell.lines[0]) - extent, 0)):
+            for step in range(max(len(cell.text) - extent, 0)):
                 widths[members[step % cell.across]] += 1
     return widths
 
@@ -190,7 +191,7 @@ def _placed(pieces: Iterable[tuple[int, str]]) -> str:
 def _spanner_lines(spanners: Sequence[HeadCell], grid: Grid) -> tuple[str, str]:
     texts, rules = [], []
     for cell in spanners:
-        text, left = cell.lines[0], grid.lefts[cell.first]
+        text, left = cell.text, grid.lefts[cell.first]
         texts.append((left, text.center(grid.extent(cell))))
         if text:
             rules.append((left, LIGHT * grid.extent(cell)))

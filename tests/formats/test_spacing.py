@@ -1,0 +1,118 @@
+"""What belongs together stands together: gaps between columns, pauses between rows, symbols in spanners."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TypeAlias
+
+import pytest
+
+from kurbel.exact.numerals import Number
+from kurbel.formats.head import shared_symbols
+from kurbel.formats.spacing import gaps, panel_pauses
+from kurbel.page.table import DITTO, Cell, Column, Group, Panel, Row
+
+Stub: TypeAlias = Sequence[Cell] | Sequence[tuple[Cell, ...]]
+
+
+def panel(stub: Stub, *columns: Column, key: str = "angle") -> Panel:
+    cells = [(one,) if isinstance(one, Cell) else one for one in stub]
+    rows = tuple(Row(tuple(one), (Cell(None),) * len(columns)) for one in cells)
+    names = tuple(Column(f"{key}{place}" if place else key, (key,)) for place in range(len(cells[0])))
+    return Panel(names[::-1], columns, (Group(rows),))
+
+
+def numbers(start: int, stop: int, step: int, decimals: int = 0) -> list[Cell]:
+    return [Cell(Number(one, decimals)) for one in range(start, stop + 1, step)]
+
+
+def before(cells: Stub, key: str = "angle", every: int | None = None) -> list[int]:
+    """Return the rows before which there is a pause."""
+    (pauses,) = panel_pauses(panel(cells, Column("x", ("x",)), key=key), every)
+    return sorted(pauses)
+
+
+X, C = ("Kolbenweg",), ("Kolbengeschwindigkeit",)
+
+
+def test_gaps_are_half_as_wide_within_a_pair_as_between_pairs() -> None:
+    columns = [Column(str(place), ("Hingang",), path) for place, path in enumerate((X, X, C, C))]
+    assert [*gaps(panel(numbers(0, 20, 10), *columns))] == [0, 2.6, 1.3, 2.6, 1.3]
+
+
+def test_halves_under_one_outer_spanner_stand_closer_than_strangers() -> None:
+    paths = [("Rod", "x"), ("Rod", "x"), ("Rod", "c"), ("Pin", "c")]
+    columns = [Column(str(place), ("out",), path) for place, path in enumerate(paths)]
+    assert [*gaps(panel(numbers(0, 20, 10), *columns))][1:] == [2.6, 1.3, 2.0, 2.6]
+
+
+def test_columns_without_spanners_stand_at_even_gaps() -> None:
+    columns = [Column(name, (name,)) for name in "xcp"]
+    assert [*gaps(panel(numbers(0, 20, 10), *columns))] == [0, 2.0, 2.0, 2.0]
+
+
+@pytest.mark.parametrize(
+    ("start", "stop", "step", "decimals", "stride"),
+    [
+        (0, 180, 10, 0, 30),
+        (0, 180, 5, 0, 15),
+        (0, 90, 1, 0, 5),
+        (0, 90, 2, 0, 10),
+        (0, 360, 15, 0, 45),
+        (0, 360, 30, 0, 90),
+        (0, 360, 20, 0, 60),
+        (0, 50, 1, 1, 5),
+        (5, 175, 10, 0, 30),
+    ],
+)
+def test_angles_pause_at_round_ones(start: int, stop: int, step: int, decimals: int, stride: int) -> None:
+    wanted = [place for place, one in enumerate(range(start, stop + 1, step)) if place and not one % stride]
+    assert before(numbers(start, stop, step, decimals)) == wanted
+
+
+def test_other_values_pause_at_fives_and_tens() -> None:
+    # 2,0 to 6,0 in steps of 0,2: a pause before each whole number.
+    assert before(numbers(20, 60, 2, 1), "expansion") == [5, 10, 15, 20]
+
+
+def test_angles_in_minutes_pause_as_those_in_decimals() -> None:
+    halves = [Cell(f"${half // 2}°{30 * (half % 2)}'$") for half in range(13)]
+    assert before(halves) == before(numbers(0, 60, 5, 1)) != []
+
+
+@pytest.mark.parametrize("stub", [numbers(0, 100, 10), [Cell(word) for word in "abcdefghijklmnop"]])
+def test_short_tables_and_words_have_no_pauses(stub: Stub) -> None:
+    assert before(stub) == []
+
+
+def test_uneven_steps_have_no_pauses() -> None:
+    assert before([*numbers(0, 120, 10), *numbers(125, 180, 5)]) == []
+
+
+def test_rows_of_one_cell_of_the_stub_stay_together() -> None:
+    pairs = [(Cell(DITTO if place % 4 else f"1:{place}"), Cell(f"row {place}")) for place in range(16)]
+    assert before(pairs) == [4, 8, 12]
+
+
+def test_a_layout_says_after_how_many_rows() -> None:
+    assert before(numbers(0, 70, 10), every=4) == [4]
+    assert before(numbers(0, 180, 10), every=0) == []
+
+
+def heads(*columns: tuple[tuple[str, ...], tuple[str, ...]]) -> dict[tuple[str, ...], str]:
+    made = (Column(str(place), heading, path) for place, (path, heading) in enumerate(columns))
+    return shared_symbols(panel(numbers(0, 20, 10), *made))
+
+
+def test_a_symbol_that_all_columns_below_share_stands_in_the_spanner() -> None:
+    shared = heads(
+        (X, ("Hingang", "$x/R$")), (X, ("Rückgang", "$x/R$")), (C, ("Hingang", "$c/v$")), (C, ("R", "$c/v$"))
+    )
+    assert shared == {X: "$x/R$", C: "$c/v$"}
+
+
+@pytest.mark.parametrize("odd", ["$x$ in mm", "mm"])
+def test_symbols_stay_where_a_line_of_the_head_would_remain(odd: str) -> None:
+    assert not heads((X, ("Hingang", "$x/R$")), (X, ("Hingang", odd)), (C, ("H", "$c$")), (C, ("R", "$c$")))
+    # Nothing else would be left of the heading.
+    assert not heads((X, ("$x/R$",)), (X, ("$x/R$",)))
