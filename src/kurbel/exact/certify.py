@@ -139,6 +139,19 @@ def _signed(magnitude: int, scaled: arb) -> int:
     return -magnitude if scaled < 0 else magnitude
 
 
+def kept(value: Callable[[], arb]) -> Callable[[], arb]:
+    """Return what gives the same ball at the precision in force, computed once for each precision."""
+    balls: dict[int, arb] = {}
+
+    def at() -> arb:
+        precision = flint.ctx.prec
+        if precision not in balls:
+            balls[precision] = value()
+        return balls[precision]
+
+    return at
+
+
 def pi() -> arb:
     """Return π at the precision in force."""
     return flint.arb.pi()

@@ -12,7 +12,7 @@ import flint
 from flint import arb, fmpz_poly
 
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import ball, pi
+from kurbel.exact.certify import ball, kept, pi
 from kurbel.exact.surd import Surd, squarefree
 
 PRECISIONS = tuple(128 << step for step in range(6))
@@ -50,6 +50,10 @@ class Place:
     centre: Centre = SQUARE
     polynomial: fmpz_poly | None = None
     exact: Fraction | None = None
+
+    def __post_init__(self) -> None:
+        # Of a page every value asks for it again, and a root takes some dozen evaluations.
+        object.__setattr__(self, "half_turns", kept(self.half_turns))
 
     @property
     def degrees(self) -> Fraction | None:
