@@ -28,7 +28,6 @@ from readers import model_cells
 from kurbel.documents.document import Chapter, Document, Item
 from kurbel.documents.markdown import parse_prose
 from kurbel.formats.documents import document_files
-from kurbel.formats.head import head_rows
 from kurbel.formats.printer import set_prose
 from kurbel.formats.render import render
 from kurbel.formats.rst.grid import GridCell, grid_lines
@@ -36,6 +35,7 @@ from kurbel.formats.rst.writer import escape, finish, role
 from kurbel.page.formula import FUNCTIONS, GREEK, SIGNS, SYMBOLS, parse_formula
 from kurbel.page.labels import plain
 from kurbel.page.layouts import LANGUAGES, layout_names
+from kurbel.page.table import head_rows
 
 
 def _reference(name: str, raw: str, text: str, *others: Any, **more: Any) -> Any:

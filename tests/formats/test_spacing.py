@@ -8,9 +8,8 @@ from typing import TypeAlias
 import pytest
 
 from kurbel.exact.numerals import Number
-from kurbel.formats.head import shared_symbols
 from kurbel.formats.spacing import gaps, panel_pauses
-from kurbel.page.table import DITTO, Cell, Column, Group, Panel, Row
+from kurbel.page.table import DITTO, Cell, Column, Group, Panel, Row, shared_symbols
 
 Stub: TypeAlias = Sequence[Cell] | Sequence[tuple[Cell, ...]]
 

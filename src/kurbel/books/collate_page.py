@@ -79,7 +79,7 @@ class CollateRequest(Question):
         return self.label or self.table.key or self.layout.key
 
     @property
-    def source(self) -> Label:
+    def origin(self) -> Label:
         return self.table.book.citation[self.lang]
 
 

@@ -45,14 +45,14 @@ class ExampleCommand(TableCommand):
     def run(self, given: Given) -> int:
         if given.values["number"] is not None:
             return super().run(given)
-        keys = _keys(given.values["source"])
+        keys = _keys(given.values["book"])
         _refuse_options(given)
         _print_list(keys, given.values["lang"])
         return 0
 
     def made(self, given: Given) -> Any:
         if given.values["number"] is None:
-            words = " ".join(filter(None, ("example", given.values["source"])))
+            words = " ".join(filter(None, ("example", given.values["book"])))
             raise ProblemError(f'"{words[:60]}" prints a list; a document needs a table')
         return super().made(given)
 
@@ -70,7 +70,7 @@ def _keys(key: str | None) -> Sequence[str]:
 def _refuse_options(given: Given) -> None:
     """Raise ProblemError for an option that the list of the examples has no use for."""
     for name in given.values:
-        if name not in ("source", "number", "lang") and given.typed(name):
+        if name not in ("book", "number", "lang") and given.typed(name):
             raise ProblemError(
                 f"--{name} is for the page of an example, and none is named; name one, such as blau 33, or"
                 f" leave --{name} out for the list"

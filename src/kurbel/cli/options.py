@@ -158,7 +158,7 @@ def printing_options(command: str, own: Mapping[str, click.Parameter]) -> list[c
         own["lang"],
         Option(["--decimal"], type=Type(kinds.Choice("decimal mark", DECIMALS)), envvar="KURBEL_DECIMAL",
                help="comma or point; default: by the language, point in CSV and JSON."),
-        *(own[name] for name in ("digits", "rounding", "label") if name in own),
+        *(own[name] for name in ("digits", "rounding", "label", "caption", "note", "source") if name in own),
         Option(["--standalone"], is_flag=True,
                help="LaTeX, HTML and Typst: a whole document, not a fragment."),
         Option(["--longtable"], is_flag=True, help="LaTeX: a longtable, which breaks across pages."),

@@ -43,7 +43,7 @@ class ExampleNumber(Kind):
     def known(self, typed: Mapping[str, Any]) -> Iterable[str]:
         from kurbel.examples.source import numbers_of, source_keys
 
-        return numbers_of(typed["source"]) if typed.get("source") in source_keys() else ()
+        return numbers_of(typed["book"]) if typed.get("book") in source_keys() else ()
 
 
 @makes_table(machine=False)
@@ -85,6 +85,9 @@ def collation_table(
     layout: Annotated[str, option.layout_option("collation")] = "collation",
     lang: option.Lang = "de",
     label: option.Label = "",
+    caption: option.Caption = None,
+    note: option.Notes = (),
+    source: option.SourceLine = None,
 ) -> "CollateRequest | FormulaRequest":
     """Print a table of a book, or your own transcription, with the values that it should have.
 
@@ -119,6 +122,9 @@ def collation_table(
         "columns": as_names(columns, "place,printed,recomputed"),
         "lang": lang,
         "label": label,
+        "caption": caption,
+        "note": note,
+        "source": source,
     }
     if not isinstance(found, FormulaTable):
         return CollateRequest(layout=layout_of(layout, ("collation",), layouts), **asked)
@@ -130,7 +136,7 @@ def collation_table(
 
 @makes_table(machine=False, build="kurbel.examples.page:build_example")
 def example_table(
-    source: Annotated[
+    book: Annotated[
         str | None, Option("The book, as `kurbel example` lists it.", kind=Source(), positional=True)
     ] = None,
     number: Annotated[
@@ -158,6 +164,9 @@ def example_table(
     force: Annotated[Exact | None, option.FORCE._replace(help="Piston force, for newtons: 10kN.")] = None,
     lang: option.Lang = "de",
     label: option.Label = "",
+    caption: option.Caption = None,
+    note: option.Notes = (),
+    source: option.SourceLine = None,
 ) -> "ExampleRequest":
     """Print a worked example of a book in its steps: each figure as printed, and what it should be.
 
@@ -174,7 +183,7 @@ def example_table(
     """
     from kurbel.examples.page import ExampleRequest
 
-    if source is None or number is None:
+    if book is None or number is None:
         raise ProblemError("name an example by its book and its number, as kurbel example lists them")
     own: dict[str, Sequence[Fraction]] = {}
     if ratio is not None:
@@ -189,4 +198,12 @@ def example_table(
         own["back"] = (as_share(back, "back pressure"),)
     if force is not None:
         own["force"] = (as_force(force),)
-    return ExampleRequest(source=source, number=str(number), own=own, lang=lang, label=label)
+    words: Mapping[str, Any] = {"caption": caption, "note": note, "source": source}
+    return ExampleRequest(
+        book=book,
+        number=str(number),
+        own=own,
+        lang=lang,
+        label=label,
+        **words,
+    )

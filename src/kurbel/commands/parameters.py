@@ -143,6 +143,23 @@ Decimal = Annotated[
 ]  # fmt: skip
 
 
+Caption = Annotated[
+    str | None,
+    Option("Caption of your own, formulas between dollar signs: 'Weg $x/R$'.", "TEXT", last=True),
+]
+Notes = Annotated[
+    Names,
+    Option(
+        "A note of your own below those of the page; [^a] before it is its mark, also in captions.", "TEXT",
+        many=True, default=(), last=True,
+    ),
+]  # fmt: skip
+SourceLine = Annotated[
+    str | None,
+    Option("Line of your own on the source, in place of the page's; '' leaves it out.", "TEXT", last=True),
+]
+
+
 class Plain(TypedDict, total=False):
     """How a page is printed."""
 
@@ -158,6 +175,9 @@ class Plain(TypedDict, total=False):
     ]
     lang: Lang
     label: Label
+    caption: Caption
+    note: Notes
+    source: SourceLine
 
 
 class Sheet(Plain, total=False):

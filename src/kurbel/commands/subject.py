@@ -28,6 +28,8 @@ Refusals = Callable[[Mapping[str, Any]], Mapping[str, str]]
 _MARK = r"(?<=[\d. *·/])(?:%s)(?![A-Za-z])"
 _IMPERIAL = re.compile(_MARK % "in|inch|inches|ft|foot|feet|lb|lbs|lbf|psi|hp")
 _METRIC = re.compile(_MARK % "[cdkmµ]?m|[km]?g|t|[kM]?N|[hkM]?Pa|m?bar|atm?|[kM]?W|PS|[kM]?J|kp|kgf")
+# Options with words of one's own.
+OWN_WORDS = ("caption", "note", "source")
 # Options that stand for another, the stroke.
 SPELLED = ("crank", "true_stroke", "time_ratio")
 
@@ -67,6 +69,10 @@ class Command(NamedTuple):
     def settled(self, values: Mapping[str, Any]) -> Mapping[str, Any]:
         """Return the values with those that are given in another way under the name of their option, and
         the units of the page as it takes them."""
+        if any(is_given(values.get(name)) for name in OWN_WORDS):
+            from kurbel.page.wording import own_words
+
+            values = own_words(values)
         if "units" in values:
             values = {**values, "units": self._units(values)}
         if not any(is_given(values.get(name)) for name in SPELLED):

@@ -22,6 +22,7 @@ from kurbel.page.axes import angle_text
 from kurbel.page.layouts import LANGUAGES
 from kurbel.page.subject import check_label
 from kurbel.page.table import DITTO, Cell, Column, Field, Group, Note, Panel, Records, Row, Table, Value
+from kurbel.page.wording import Worded
 from kurbel.reading.given import choose
 from kurbel.reading.notation import about, plain, ratio_text
 
@@ -48,11 +49,11 @@ COLUMNS: Mapping[str, tuple[tuple[str, str], ...]] = {
 }
 
 
-@dataclass(frozen=True, kw_only=True)
-class ExampleRequest:
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ExampleRequest(Worded):
     """What is asked for: an example, with numbers of one's own by option where they are given."""
 
-    source: str
+    book: str
     number: str
     own: Mapping[str, Sequence[Fraction]]
     lang: str = "de"
@@ -65,7 +66,7 @@ class ExampleRequest:
             if name not in self.example.page.takes:
                 takes = ", ".join(self.example.page.takes)
                 raise ProblemError(
-                    f"example {self.source} {self.number} takes no {name} of your own; it takes {takes}"
+                    f"example {self.book} {self.number} takes no {name} of your own; it takes {takes}"
                 )
         count = prod(max(len(values), 1) for values in self.own.values())
         if count > MOST:
@@ -75,7 +76,7 @@ class ExampleRequest:
 
     @cached_property
     def example(self) -> Example:
-        return example(self.source, self.number)
+        return example(self.book, self.number)
 
     @cached_property
     def parts(self) -> tuple[Part, ...]:
@@ -146,8 +147,8 @@ def build_example(request: ExampleRequest) -> Table:
         Group(tuple(_row(entry, columns, marks) for entry in entries), _part_label(request, part))
         for part, entries in zip(request.parts, worked, strict=True)
     )
-    return Table(
-        key=request.label or f"{request.source}-{request.number}",
+    page = Table(
+        key=request.label or f"{request.book}-{request.number}",
         lang=lang,
         caption=_caption(request),
         panels=(Panel((Column("line", (WORDS["line"][lang],)),), columns, groups),),
@@ -155,6 +156,7 @@ def build_example(request: ExampleRequest) -> Table:
         notes=tuple(_notes(request, marks, kind)),
         source=_source(request, kind),
     )
+    return request.worded(page)
 
 
 def _kind(request: ExampleRequest, worked: Sequence[Sequence[Entry]]) -> str:

@@ -12,11 +12,10 @@ from itertools import accumulate, chain, islice, pairwise, zip_longest
 from typing import Literal, NamedTuple
 
 from kurbel.exact.numerals import Label, Number, number_text
-from kurbel.formats.head import HeadCell, head_rows
 from kurbel.formats.spacing import gaps, panel_pauses
 from kurbel.formats.writer import PageWriter
 from kurbel.page.labels import plain, set_label
-from kurbel.page.table import DITTO, Cell, Panel, Table
+from kurbel.page.table import DITTO, Cell, HeadCell, Panel, Table, head_rows
 
 # What no layout says.
 WORDS = {

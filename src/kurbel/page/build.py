@@ -34,7 +34,7 @@ def build(question: Question, pages: bool = True) -> Table:
 def _built(question: Question, pages: bool) -> Table:
     about, layout = question.subject, question.layout
     further = (*_zero(question), *(about.page_notes(question) if pages else ()))
-    return Table(
+    page = Table(
         key=question.key,
         layout=layout.key,
         lang=question.lang,
@@ -44,10 +44,12 @@ def _built(question: Question, pages: bool) -> Table:
         notes=tuple(
             one if isinstance(one, Note) else Note(one) for one in (*about.notes(question), *further)
         ),
-        source=question.source,
+        source=question.origin,
         templates=layout.folder,
         pause=layout.pause,
     )
+    spoken = question.note or question.caption is not None or question.source is not None
+    return question.worded(page) if spoken else page
 
 
 def _zero(question: Question) -> Iterator[Label]:

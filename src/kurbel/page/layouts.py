@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import tomllib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
@@ -256,8 +257,9 @@ def layout(name: str, folder: Folder | None = None) -> Layout:
 
 @cache
 def _own(name: str) -> Layout:
-    file = TomlFile(layout_file(template_folder(), choose(name, layout_names(), "layout")), KIND)
-    return Layout(key=name, **_values(file.given))
+    file = layout_file(template_folder(), choose(name, layout_names(), "layout"))
+    with open(file, "rb") as stream:
+        return Layout(key=name, **_values(tomllib.load(stream)))
 
 
 def _values(given: Mapping[str, Any]) -> dict[str, Any]:

@@ -18,6 +18,7 @@ from kurbel.page.layouts import Layout, LayoutColumn
 from kurbel.page.quantity import Column, Quantity
 from kurbel.page.subjects import SUBJECTS
 from kurbel.page.table import Field, Note, Records, Value
+from kurbel.page.wording import Worded
 from kurbel.reading.given import choose
 from kurbel.reading.notation import MOST_ROWS
 
@@ -109,7 +110,7 @@ def subject(key: str) -> Subject:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Question:
+class Question(Worded):
     """A layout that is asked for, with the digits, the language and the columns of its page.
 
     `digits` None leaves the decimals to the layout and the quantities, no `columns` the columns to the
@@ -182,7 +183,7 @@ class Question:
         return self.label or self.layout.key
 
     @property
-    def source(self) -> Label:
+    def origin(self) -> Label:
         """The line that says where the page comes from."""
         return self.layout.source[self.lang]
 

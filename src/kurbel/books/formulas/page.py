@@ -146,7 +146,7 @@ class FormulaRequest(Question):
         return self.label or self.table.key
 
     @property
-    def source(self) -> Label:
+    def origin(self) -> Label:
         return self.table.book.citation[self.lang]
 
 

@@ -4,6 +4,7 @@ from typing import Annotated, Unpack
 
 from kurbel.commands import parameters as option
 from kurbel.commands.balance import Banks, CylinderCranks, Engine
+from kurbel.commands.motion import sheet_of
 from kurbel.commands.options import Count, Option
 from kurbel.commands.subject import makes_table
 from kurbel.page.layouts import layout_of
@@ -74,5 +75,5 @@ def firing_table(
         order=sought,
         engine=name,
         columns=as_names(columns, "firing_order" if order is None else "crank,fires_at"),
-        **sheet,
+        **sheet_of(sheet),
     )

@@ -13,11 +13,10 @@ from itertools import groupby
 from typing import Any, NamedTuple
 
 from kurbel.formats.formula import TEX_OBEYED, TexMath, has_bar
-from kurbel.formats.head import HeadCell
 from kurbel.formats.page import Page, PageCell, page
 from kurbel.formats.writer import PERCENT_DELIMITERS, PLAIN, PageWriter, column_widths, spare_widths
 from kurbel.page.formula import GREEK, SIGNS, SYMBOLS, Formula
-from kurbel.page.table import Table
+from kurbel.page.table import HeadCell, Table
 
 
 class Writer(PageWriter):

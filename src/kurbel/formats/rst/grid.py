@@ -7,9 +7,9 @@ from itertools import accumulate
 from typing import NamedTuple
 from unicodedata import combining, east_asian_width
 
-from kurbel.formats.head import HeadCell
 from kurbel.formats.page import PagePanel
 from kurbel.formats.rst.writer import finish
+from kurbel.page.table import HeadCell
 
 
 class GridCell(NamedTuple):

@@ -10,10 +10,9 @@ from itertools import accumulate, islice, zip_longest
 from textwrap import fill
 from typing import NamedTuple
 
-from kurbel.formats.head import HeadCell
 from kurbel.formats.page import Page, PageCell, PagePanel, page
 from kurbel.formats.writer import PageWriter
-from kurbel.page.table import Table
+from kurbel.page.table import HeadCell, Table
 
 GAP = 2
 SPANNER_GAP = 3
