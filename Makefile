@@ -7,7 +7,7 @@ READY := $(VENV)/ready
 IN_PARALLEL := -n 2 --dist loadfile
 
 .DEFAULT_GOAL := help
-.PHONY: help demo handbook test test-all check bench docs golden tools clean
+.PHONY: help demo handbook test test-all check bench peers docs golden tools clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -47,6 +47,10 @@ bench: $(READY) ## measure start-up, kernels, δ and CSV against their rivals
 	$(BIN)/python benchmarks/bench_delta.py
 	$(BIN)/python benchmarks/bench_handbook.py
 	$(BIN)/python benchmarks/walk.py
+
+peers: $(READY) ## set one table with kurbel and its peers side by side, docs/gallery/peers-*.png; needs make tools
+	$(BIN)/python -m pip install --quiet --group peers
+	$(BIN)/python docs/peers
 
 docs: $(READY) ## write docs/reference.md and the JSON Schemas anew
 	$(BIN)/python docs/reference.py

@@ -2,7 +2,7 @@
 # Install the programs that check printed pages and completion: TeX, Chromium, pdftotext, ps, fish, patch, npm.
 set -eu
 
-packages="texlive-latex-base texlive-latex-recommended texlive-luatex texlive-latex-extra texlive-lang-german latexmk lmodern chromium poppler-utils procps fish patch"
+packages="texlive-latex-base texlive-latex-recommended texlive-luatex texlive-latex-extra texlive-science texlive-lang-german latexmk lmodern chromium poppler-utils procps fish patch"
 # A Node.js that is not from Debian brings its own npm, and Debian's would replace it.
 command -v npm >/dev/null || packages="$packages nodejs npm"
 

@@ -1,0 +1,165 @@
+"""Set one table with kurbel and each of its peers, in every medium, and lay the pictures side by side.
+
+python docs/peers writes docs/gallery/peers-*.png; it needs the dependency group `peers`, Chromium, TeX and
+poppler. docs/peers.md says what is seen in them.
+"""
+
+from __future__ import annotations
+
+import base64
+import html
+import io
+import subprocess
+import tempfile
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from importlib import import_module, metadata
+from pathlib import Path
+from typing import Any, Literal
+
+import makers
+from playwright.sync_api import Browser, sync_playwright
+
+GALLERY = Path(__file__).parents[1] / "gallery"
+Makers = Mapping[str, Callable[[], str]]
+TEXT: Makers = {
+    "kurbel": makers.kurbel_text, "rich": makers.rich_text, "tabulate": makers.tabulate_text,
+}  # fmt: skip
+HTML: Makers = {
+    "kurbel": makers.kurbel_html, "great_tables": makers.great_tables_html, "pandas": makers.pandas_html,
+}  # fmt: skip
+LATEX: Makers = {
+    "kurbel": makers.kurbel_latex, "by hand": makers.hand_latex, "great_tables": makers.great_tables_latex,
+    "pandas": makers.pandas_latex,
+}  # fmt: skip
+TYPST: Makers = {"kurbel": makers.kurbel_typst, "by hand": makers.hand_typst}
+PAGE = (
+    "<!doctype html><meta charset='utf-8'><style>body{margin:0;padding:12px;background:%s;color:%s}</style>%s"
+)
+# The width of a picture, and that of the screens.
+SHOWN, DESKTOP, TELEPHONE, HIGH = 640, 900, 390, 844
+
+
+def main() -> None:
+    GALLERY.mkdir(exist_ok=True)
+    with browser() as tab:
+        terminal = {name: shot(tab, console(made()), width=SHOWN + 80) for name, made in TEXT.items()}
+        montage(tab, "terminal", terminal)
+        for scheme in ("light", "dark"):
+            montage(
+                tab, f"html-{scheme}", {name: shot(tab, made(), scheme=scheme) for name, made in HTML.items()}
+            )
+        phones = {name: phone(tab, made()) for name, made in HTML.items()}
+        montage(tab, "phone", phones, width=300)
+        montage(tab, "print", {name: printed(tab, made()) for name, made in HTML.items()})
+        montage(tab, "latex", {name: by_tex(made()) for name, made in LATEX.items()})
+        montage(tab, "typst", {name: by_typst(made()) for name, made in TYPST.items()})
+
+
+@contextmanager
+def browser() -> Iterator[Browser]:
+    flags = [
+        "--headless",
+        "--no-sandbox",
+        "--disable-gpu",
+        "--no-first-run",
+        "--disable-background-networking",
+    ]
+    with sync_playwright() as playwright:
+        opened = playwright.chromium.launch(executable_path="/usr/bin/chromium", args=flags)
+        yield opened
+        opened.close()
+
+
+def console(text: str) -> str:
+    """Return a terminal that shows a text, as a page."""
+    ansi = import_module("rich.text").Text.from_ansi(text)
+    stream = import_module("rich.console").Console(
+        file=io.StringIO(), record=True, width=makers.COLUMNS + 2, force_terminal=True
+    )
+    stream.print(ansi)
+    code = "<pre style=\"margin:0;font:14px/1.25 'DejaVu Sans Mono'\">{code}</pre>"
+    return PAGE % ("#fff", "#000", stream.export_html(inline_styles=True, code_format=code))
+
+
+def shot(tab: Browser, page: str, width: int = DESKTOP, scheme: Literal["light", "dark"] = "light") -> bytes:
+    view = tab.new_page(viewport={"width": width, "height": 600}, color_scheme=scheme)
+    view.set_content(page)
+    picture = view.screenshot(full_page=True)
+    view.close()
+    return picture
+
+
+def phone(tab: Browser, page: str) -> bytes:
+    """Return the screen of a telephone after one swipe, which is where a table is read."""
+    size: Any = {"width": TELEPHONE, "height": HIGH}
+    view = tab.new_page(viewport=size, device_scale_factor=2, is_mobile=True, has_touch=True)
+    view.set_content(page)
+    view.mouse.move(TELEPHONE / 2, HIGH / 2)
+    view.mouse.wheel(0, 420)
+    view.wait_for_function("() => true")
+    picture = view.screenshot()
+    view.close()
+    return picture
+
+
+def printed(tab: Browser, page: str) -> bytes:
+    view = tab.new_page()
+    view.set_content(page)
+    content = view.pdf(format="A4", margin={"top": "2cm", "bottom": "2cm", "left": "2cm", "right": "2cm"})
+    view.close()
+    return rendered(content)
+
+
+def by_tex(document: str) -> bytes:
+    with tempfile.TemporaryDirectory() as folder:
+        Path(folder, "page.tex").write_text(document, encoding="utf-8")
+        run = ["pdflatex", "-interaction=nonstopmode", "page.tex"]
+        for _ in range(2):
+            ended = subprocess.run(run, cwd=folder, capture_output=True, check=False)
+        if not (made := Path(folder, "page.pdf")).exists():
+            raise SystemExit(ended.stdout.decode("latin-1")[-2000:])
+        return rendered(made.read_bytes())
+
+
+def by_typst(document: str) -> bytes:
+    return rendered(import_module("typst").compile(document.encode()))
+
+
+def rendered(document: bytes) -> bytes:
+    """Return the first page of a PDF, without the empty margins."""
+    run = ["pdftoppm", "-png", "-r", "150", "-singlefile", "-"]
+    content = subprocess.run(run, input=document, capture_output=True, check=True).stdout
+    images, chops = import_module("PIL.Image"), import_module("PIL.ImageChops")
+    picture = images.open(io.BytesIO(content)).convert("RGB")
+    left, top, right, bottom = chops.invert(picture).getbbox()
+    stream = io.BytesIO()
+    picture.crop((left - 40, top - 40, right + 40, bottom + 40)).save(stream, "PNG")
+    return stream.getvalue()
+
+
+def montage(tab: Browser, name: str, pictures: Mapping[str, bytes], width: int = SHOWN) -> None:
+    """Write the pictures side by side, each under its name and version."""
+    figures = "".join(
+        f"<figure><figcaption>{html.escape(versioned(one))}</figcaption>"
+        f"<img width={width} src='data:image/png;base64,{base64.b64encode(picture).decode()}'></figure>"
+        for one, picture in pictures.items()
+    )
+    style = (
+        "<style>body{display:flex;gap:16px;align-items:flex-start;width:max-content}figure{margin:0}"
+        "figcaption{font:15px sans-serif;margin-bottom:8px}img{border:1px solid #ccc}</style>"
+    )
+    content = shot(tab, PAGE % ("#fff", "#000", style + figures), width=len(pictures) * (width + 18) + 16)
+    images = import_module("PIL.Image")
+    picture = images.open(io.BytesIO(content)).convert("RGB").quantize(64)
+    picture.save(GALLERY / f"peers-{name}.png", optimize=True)
+
+
+def versioned(name: str) -> str:
+    if name in ("kurbel", "by hand"):
+        return name
+    return f"{name} {metadata.version(name.replace('_', '-'))}"
+
+
+if __name__ == "__main__":
+    main()
