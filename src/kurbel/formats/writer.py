@@ -1,17 +1,18 @@
 """What writes a format: the bases of the `Writer` in each format's folder, and estimated widths of columns.
 
-Widths are in units of the type's size, as of Computer Modern; they are a little too wide by design.
+Widths are in em, as of Computer Modern, where they are nearly the same in all sizes.
 """
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar
+from itertools import chain
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 from kurbel.page.formula import Formula
 from kurbel.page.labels import formula_plain, mark_text
-from kurbel.page.table import Table
+from kurbel.page.table import HeadCell, Table
 
 if TYPE_CHECKING:
     from kurbel.formats.columns import Field
@@ -138,16 +139,22 @@ def _widest(panels: Iterable[Sequence[float]], count: int) -> list[float]:
 
 
 _CHARACTERS = (
-    ("ijlIt.,:;'|!()[] ⁰¹²³⁴⁵⁶⁷⁸⁹⁾", 0.33),
-    ("mwMW−±+=<>", 0.8),
-    ("ABCDEFGHKLNOPQRSTUVXYZÄÖÜΔ", 0.72),
+    ("ilI,.:;[]'’!|", 0.28),
+    ("fj- ", 0.33),
+    ("rst()₀₁₂₃₄₅₆₇₈₉", 0.39),
+    ("cez?°⁻⁰¹²³⁴⁵⁶⁷⁸⁹⁾ₘ", 0.46),
+    ("kqvxySbdhnpuüµJ", 0.55),
+    ("LFEPBCTRAHNUVXYDwφψαωZ", 0.72),
+    ("KOQG+−±=ÄÖÜΔΠΣΦΨΩ", 0.78),
+    ("mM%½", 0.85),
+    ("—∞W", 1.0),
 )
 _EM = {character: width for characters, width in _CHARACTERS for character in characters}
 
 
 def em(text: str) -> float:
-    """Return the width of a text in units of the type size."""
-    return sum([_EM.get(character, 0.52) for character in text])
+    """Return the width of a text; a character that is not listed is as wide as a digit."""
+    return sum([_EM.get(character, 0.5) for character in text])
 
 
 def _cell_widths(panel: PagePanel) -> list[float]:
@@ -172,3 +179,58 @@ def _widths(panel: PagePanel) -> list[float]:
             for place in range(cell.first, cell.last + 1):
                 widths[place] += lacking / cell.across
     return widths
+
+
+# A spanner has room as if the gaps below it were half of what they can be.
+TIGHT = 0.5
+
+
+class Widths(NamedTuple):
+    """The columns of all panels: their widths, those of their cells alone, the gaps before them, and by how
+    much spanners that are wider than what is below them hang over on the left and on the right."""
+
+    columns: Sequence[float]
+    cells: Sequence[float]
+    gaps: Sequence[float]
+    left: Sequence[float]
+    right: Sequence[float]
+
+    @property
+    def all(self) -> float:
+        """The width of all columns without the gaps."""
+        return sum(self.columns) + sum(self.left) + sum(self.right)
+
+    @property
+    def natural(self) -> float:
+        """The width with whole gaps."""
+        return self.all + sum(self.gaps)
+
+
+def widths(page: Page, stacked: bool) -> Widths:
+    """Return the widths of a page that is set as plain text.
+
+    `stacked` tells that the symbols of spanners stand below their names.
+    """
+    panels = [_room(panel, stacked) for panel in page.panels]
+    return Widths(*(_widest(part, _count(page)) for part in zip(*panels, strict=True)))
+
+
+def spanner_width(cell: HeadCell, stacked: bool) -> float:
+    """Return the width of a spanner."""
+    return max(map(em, cell.lines)) if stacked else em(cell.text)
+
+
+def _room(panel: PagePanel, stacked: bool) -> Widths:
+    cells = _cell_widths(panel)
+    columns = [
+        max(own, *map(em, column.heading), 0.0) for column, own in zip(panel.columns, cells, strict=True)
+    ]
+    gaps = [column.gap for column in panel.columns]
+    left, right = [0.0] * len(cells), [0.0] * len(cells)
+    for cell in chain.from_iterable(reversed(panel.spanners)):
+        inner = range(cell.first + 1, cell.last + 1)
+        extent = sum(columns[cell.first : cell.last + 1])
+        extent += sum(TIGHT * gaps[place] + right[place - 1] + left[place] for place in inner)
+        over = max((spanner_width(cell, stacked) - extent) / 2, 0.0)
+        left[cell.first], right[cell.last] = max(left[cell.first], over), max(right[cell.last], over)
+    return Widths(columns, cells, gaps, left, right)

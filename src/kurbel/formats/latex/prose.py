@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from kurbel.documents import prose
-from kurbel.formats.latex.writer import escape, string
+from kurbel.formats.latex.writer import DEGREE, escape, string
 from kurbel.formats.printer import ProsePrinter, Reference, is_own
 
 _SECTIONS = ("chapter", "section", "subsection", "subsubsection", "paragraph")
@@ -131,6 +131,8 @@ def _escaped(text: str) -> str:
     There an empty group does not part --, and any straight quotation mark but that of \\textquotedbl is bent.
     """
     escaped = escape(text).replace(r"\char34{}", r"\textquotedbl{}")
+    # Who searches a text for a degree sign finds this one only.
+    escaped = escaped.replace(DEGREE, r"\textdegree{}")
     return _PARTED.sub(r"\1{\\kern0pt}", escaped)
 
 
