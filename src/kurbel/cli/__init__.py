@@ -80,6 +80,7 @@ Usage: kurbel [OPTIONS] COMMAND [ARGS]...
   Compute and typeset tables of the crank drive; every printed digit is right.
 
 Options:
+  --no-pager  Print long pages on a terminal without a pager.
   --version   Show the version and exit.
   -h, --help  Show this message and exit.
 
@@ -89,7 +90,9 @@ Commands:
   Each command has its own help: kurbel table --help.
 
   Environment: KURBEL_LANG, KURBEL_FORMAT and KURBEL_DECIMAL set defaults for
-  all commands, KURBEL_TABLE_RATIO and the like one option of a command.
+  all commands, KURBEL_TABLE_RATIO and the like one option of a command. Long
+  pages go through KURBEL_PAGER, else PAGER, else less; NO_COLOR takes colours
+  away, FORCE_COLOR has them in pipes.
 """
 
 

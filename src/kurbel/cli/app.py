@@ -6,6 +6,7 @@ import importlib
 import os
 import signal
 import sys
+from collections.abc import Iterable
 from functools import cache
 
 import click
@@ -62,10 +63,26 @@ class LazyGroup(Group):
         return help_text().rstrip()
 
 
+# Where a context keeps that long pages go through no pager.
+UNPAGED = "kurbel.cli.screen"
+
+
+def _without_pager(context: click.Context, parameter: click.Parameter, asked: bool) -> None:
+    context.meta[UNPAGED] = asked
+
+
+def show(pieces: Iterable[bytes]) -> None:
+    """Write what a command prints to standard output, on a terminal through a pager what is long."""
+    from kurbel.cli import screen
+
+    screen.show(pieces, paging=not click.get_current_context().meta.get(UNPAGED, False))
+
+
 @click.group(
     cls=LazyGroup,
     context_settings={"help_option_names": HELP_OPTIONS, "auto_envvar_prefix": "KURBEL"},
 )
+@click.option("--no-pager", is_flag=True, expose_value=False, callback=_without_pager)
 @click.version_option(__version__, "--version", message="kurbel %(version)s")
 def cli() -> None:
     """Compute and typeset tables of the crank drive; every printed digit is right."""

@@ -2,41 +2,57 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 import click
 
+from kurbel.cli.listing import Entry, Heading, Listing, list_format, list_formats, plain_lines, show_list
 from kurbel.cli.options import Given, Option, click_option, lang_option
 from kurbel.cli.tables import CollateCommand, Printing, TableCommand
 from kurbel.commands import motion
 from kurbel.commands.books import collation_table, example_table
 from kurbel.errors import ProblemError
+from kurbel.formats.registry import DEFAULT
 from kurbel.reading.given import File
 
-# Of what a source says about itself.
+# Of what a source says about itself, and the heads of the lists.
 WORDS = {
     "stated": {"de": "Belegt", "en": "Stated"},
     "inferred": {"de": "Erschlossen", "en": "Inferred"},
 }
-
-
+HEADS: Mapping[str, Mapping[str, Sequence[str]]] = {
+    "sources": {
+        "de": ("Tafel", "Inhalt; kurbel collate vergleicht sie"),
+        "en": ("table", "contents; kurbel collate compares them"),
+    },
+    "example": {
+        "de": ("Quelle", "Nr.", "Beispiel", "nimmt"),
+        "en": ("source", "no.", "example", "takes"),
+    },
+}
 _OF_COLLATION = {one.name: one for one in collation_table.command.parameters.values()}
 
 
-@click.command(params=[click_option(_OF_COLLATION["sources"]), lang_option("list")])
-def sources(sources: File | None, lang: str) -> None:
+@click.command(params=[click_option(_OF_COLLATION["sources"]), list_format(), lang_option("list")])
+def sources(sources: File | None, form: str, lang: str) -> None:
     """List the books that kurbel knows, with their tables."""
     from kurbel.books.source import books
 
     # All are read before any is listed.
-    for book in tuple(books(sources)):
-        click.echo(f"{book.key}: {book.citation[lang]}")
-        for name, text in (("stated", book.stated), ("inferred", book.inferred)):
-            if text[lang]:
-                click.echo(f"    {WORDS[name][lang]}: {text[lang]}")
-        for table in book.all_tables:
-            click.echo(f"    {table.key}  {table.title[lang]}")
+    known = tuple(books(sources))
+    entries: list[Entry | Heading] = []
+    plain, rows = [], []
+    for book in known:
+        own = {name: getattr(book, name)[lang] for name in WORDS}
+        about = [f"{WORDS[name][lang]}: {text}" for name, text in own.items() if text]
+        title = f"{book.key}: {book.citation[lang]}"
+        tables = [(table.key, table.title[lang]) for table in book.all_tables]
+        entries += [Heading(title, about), *tables]
+        plain += [title, *(f"    {line}" for line in (*about, *map("  ".join, tables)))]
+        rows += [(book.key, book.citation[lang], *own.values(), *table) for table in tables or [("", "")]]
+    keys = ("source", "citation", *WORDS, "table", "title")
+    show_list(Listing("sources", lang, keys, rows, HEADS["sources"][lang], entries), form, plain)
 
 
 class ExampleCommand(TableCommand):
@@ -47,7 +63,8 @@ class ExampleCommand(TableCommand):
             return super().run(given)
         keys = _keys(given.values["book"])
         _refuse_options(given)
-        _print_list(keys, given.values["lang"])
+        form = given.values["format"] if given.typed("format") else DEFAULT
+        _print_list(keys, given.values["lang"], form)
         return 0
 
     def made(self, given: Given) -> Any:
@@ -69,20 +86,22 @@ def _keys(key: str | None) -> Sequence[str]:
 
 def _refuse_options(given: Given) -> None:
     """Raise ProblemError for an option that the list of the examples has no use for."""
+    listed = ["book", "number", "lang"]
+    if given.values["format"] in list_formats():
+        listed.append("format")
     for name in given.values:
-        if name not in ("book", "number", "lang") and given.typed(name):
+        if name not in listed and given.typed(name):
             raise ProblemError(
                 f"--{name} is for the page of an example, and none is named; name one, such as blau 33, or"
                 f" leave --{name} out for the list"
             )
 
 
-def _print_list(keys: Sequence[str], lang: str) -> None:
-    """Print the examples of sources, a line each."""
-    from tabulate import tabulate
-
+def _print_list(keys: Sequence[str], lang: str, form: str) -> None:
+    """Print the examples of sources."""
     rows = [row for one in keys for row in _rows(one, lang)]
-    click.echo(tabulate(rows, tablefmt="plain", disable_numparse=True))
+    own = ("source", "number", "title", "options")
+    show_list(Listing("examples", lang, own, rows, HEADS["example"][lang], rows), form, plain_lines(rows))
 
 
 def _rows(key: str, lang: str) -> Iterator[tuple[str, ...]]:

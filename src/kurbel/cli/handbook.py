@@ -5,17 +5,19 @@ from __future__ import annotations
 import os
 import sys
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from kurbel.cli import say
+from kurbel.cli import say, screen
 from kurbel.cli.app import Group
+from kurbel.cli.listing import Entry, Heading, Shell, plain_lines, set_list, show_lines
 from kurbel.cli.options import Type, lang_option
 from kurbel.commands.options import Choice, Count
 from kurbel.formats.registry import compiled_format
+from kurbel.formats.text.wrap import lines_of
 from kurbel.handbook.pool import MOST_PROCESSES, cores
 
 if TYPE_CHECKING:
@@ -113,9 +115,11 @@ def check(**options: Any) -> int:
 
     manifest, folder = _opened(options["folder"], options["pdf_engine"])
     done, stale = checked(manifest, folder, make_part, options["jobs"] or cores(), _bar)
-    for one in stale:
-        lines = (f"{folder.path}/{one.path}: {one.why}", *(f"    {line}" for line in one.difference))
-        click.echo("\n".join(lines))
+    show_lines(
+        line
+        for one in stale
+        for line in (f"{folder.path}/{one.path}: {one.why}", *(f"    {line}" for line in one.difference))
+    )
     failed = _report(manifest, done)
     if stale:
         mend = _build_words(options["folder"], options["pdf_engine"])
@@ -131,26 +135,35 @@ def check(**options: Any) -> int:
 @FOLDER
 def listed(folder: str) -> None:
     """List the chapters and parts of the handbook in FOLDER, and what a build would make anew."""
-    from tabulate import tabulate
-
     from kurbel.handbook.build import Build
 
     manifest, output = _opened(folder)
     one = Build(manifest, output)
-    click.echo(f"{output.path}: {', '.join(manifest.formats)}")
-    for number, chapter in enumerate(manifest.chapters, 1):
-        click.echo(f"\n{number} {chapter.title} ({chapter.name})")
-        rows = [_row(one, part) for part in chapter.parts]
-        lines = tabulate(rows, tablefmt="plain", disable_numparse=True).splitlines() if rows else []
-        for line in lines:
-            click.echo(f"    {line.rstrip()}")
+    chapters = {
+        f"{number} {chapter.title} ({chapter.name})": [_row(one, part) for part in chapter.parts]
+        for number, chapter in enumerate(manifest.chapters, 1)
+    }
+    first, width = f"{output.path}: {', '.join(manifest.formats)}", screen.width()
+    if width is None:
+        show_lines(_plain_list(first, chapters))
+        return
+    entries: list[Entry | Heading] = []
+    for title, rows in chapters.items():
+        entries += [Heading(title), *rows]
+    show_lines([*lines_of(first, width), "", *set_list(("part", "made by", "state"), entries, width)])
+
+
+def _plain_list(first: str, chapters: Mapping[str, Sequence[Sequence[str]]]) -> Iterator[str]:
+    yield first
+    for title, rows in chapters.items():
+        yield from ("", title, *(f"    {line}" for line in plain_lines(rows)))
 
 
 def _row(one: Build, part: Part) -> tuple[str, ...]:
     """Return what the list says of a part: its name, what it is made of, whether it would be made anew."""
     if not part.words:
         return "text", part.file or " ".join(part.text.split())[:MOST_SHOWN], ""
-    return part.name, part.shown, one.novelty(part)
+    return part.name, Shell(part.shown), one.novelty(part)
 
 
 @handbook.command(short_help="Build again each time a file is saved.")

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import os
 import shlex
-import sys
 from collections.abc import Sequence
 from typing import NamedTuple
 
 import click
 
 from kurbel.cli import say
+from kurbel.cli.app import show
 from kurbel.cli.asking import Asked, asked
 from kurbel.documents.inject import Kind, Place, content, filled, places
 from kurbel.errors import KurbelError, MarkerError
@@ -81,9 +81,7 @@ def _show(stale: Sequence[Document]) -> None:
     """Show what would change, and say how to change it."""
     from kurbel.documents.inject_difference import difference
 
-    for one in stale:
-        sys.stdout.buffer.writelines(difference(one.name, one.old, one.found, one.contents))
-    sys.stdout.flush()
+    show(line for one in stale for line in difference(one.name, one.old, one.found, one.contents))
     *others, last = (one.name for one in stale)
     subject = f"{', '.join(others)} and {last} are" if others else f"{last} is"
     dashes = ["--"] if any(one.name.startswith("-") for one in stale) else []

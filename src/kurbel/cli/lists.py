@@ -1,12 +1,13 @@
-"""`kurbel layouts` and `kurbel quantities`: what there is, a line each."""
+"""`kurbel layouts` and `kurbel quantities`: what there is."""
 
 from __future__ import annotations
 
 import shlex
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import click
 
+from kurbel.cli.listing import Listing, Shell, list_format, plain_lines, show_list
 from kurbel.cli.options import click_option, lang_option
 from kurbel.commands.options import Parameter
 from kurbel.commands.parameters import LAYOUTS
@@ -16,13 +17,27 @@ from kurbel.page.subjects import SUBJECTS
 from kurbel.reading.given import File
 
 LANG = lang_option("list")
+HEADS: Mapping[str, Mapping[str, Sequence[str]]] = {
+    "layouts": {
+        "de": ("Layout", "Seite, und der Befehl, der sie druckt"),
+        "en": ("layout", "page, and the command that prints it"),
+    },
+    "quantities": {
+        "de": ("Spalte", "Größe", "Einheit", "Befehl"),
+        "en": ("column", "quantity", "unit", "command"),
+    },
+}
 
 
-@click.command(params=[click_option(Parameter("layouts", LAYOUTS, None, False)), LANG])
-def layouts(layouts: File | None, lang: str) -> None:
+@click.command(params=[click_option(Parameter("layouts", LAYOUTS, None, False)), list_format(), LANG])
+def layouts(layouts: File | None, form: str, lang: str) -> None:
     """List the page layouts, each with a command that prints it."""
     found = [layout(name, layouts) for name in layout_names(layouts)]
-    _print([(one.key, one.title[lang], _printing(one, layouts)) for one in found])
+    rows = [(one.key, one.title[lang], Shell(_printing(one, layouts))) for one in found]
+    entries = [(key, (title, command)) for key, title, command in rows]
+    keys = ("layout", "title", "command")
+    listing = Listing("layouts", lang, keys, rows, HEADS["layouts"][lang], entries)
+    show_list(listing, form, plain_lines(rows))
 
 
 def _printing(layout: Layout, folder: File | None) -> str:
@@ -32,8 +47,8 @@ def _printing(layout: Layout, folder: File | None) -> str:
     return shlex.join(("kurbel", *sample.split(), *own, "--layout", layout.key))
 
 
-@click.command(params=[LANG])
-def quantities(lang: str) -> None:
+@click.command(params=[list_format(), LANG])
+def quantities(form: str, lang: str) -> None:
     """List the quantities that columns can show, with their units and the commands that print them."""
     from kurbel.page.subject import subject
 
@@ -41,10 +56,7 @@ def quantities(lang: str) -> None:
     for about in map(subject, SUBJECTS):
         for one, command in about.entries():
             rows.append((one.key, about.name_of(one, lang), one.plain_unit(lang), command))
-    _print(rows)
-
-
-def _print(rows: Sequence[Sequence[str]]) -> None:
-    from tabulate import tabulate
-
-    click.echo(tabulate(rows, tablefmt="plain", disable_numparse=True))
+    keys = ("key", "name", "unit", "command")
+    show_list(
+        Listing("quantities", lang, keys, rows, HEADS["quantities"][lang], rows), form, plain_lines(rows)
+    )

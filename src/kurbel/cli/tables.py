@@ -7,12 +7,14 @@ import sys
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
+from itertools import chain
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 from click.core import augment_usage_errors
 
 from kurbel.cli import say
+from kurbel.cli.app import show
 from kurbel.cli.options import (
     RIVALS,
     Document,
@@ -163,9 +165,9 @@ class Printing(NamedTuple):
 
         width = None
         if output == "-" and sys.stdout.isatty():
-            from shutil import get_terminal_size
+            from kurbel.cli import screen
 
-            width = get_terminal_size().columns
+            width = screen.width()
         text = render(
             table, form.name, decimal=decimal, standalone=standalone, longtable=longtable, width=width
         )
@@ -199,6 +201,9 @@ def _write(pieces: Iterator[bytes], output: str, rows: int) -> None:
 
     # The first piece is made before the file is opened, so that bad input leaves no trace.
     first = next(pieces)
+    if output == "-" and sys.stdout.isatty():
+        show(chain([first], pieces))
+        return
     with whole_file(output) as stream, _bar(rows) as bar:
         stream.write(first)
         for piece in pieces:
