@@ -19,8 +19,8 @@ VARIABLES = ("KURBEL_PAGER", "PAGER")
 LESS = "FRX"
 # What asks for no pager.
 NONE = ("", "cat")
-# A program's name, and nothing that only the shell understands.
-_NAME = re.compile(r"[\w./+-]+")
+# A program and its options, and nothing that only the shell understands.
+_SIMPLE = re.compile(r"([\w./+-]+)( +[\w./+,:=-]+)*")
 
 
 class Pager(NamedTuple):
@@ -61,10 +61,10 @@ def pager(environment: Mapping[str, str]) -> Pager | None:
     command = environment[named].strip() if named else f"less -{LESS}"
     if command in NONE:
         return None
-    program = command.split()[0]
-    if _NAME.fullmatch(program) and not which(program):
+    simple = _SIMPLE.fullmatch(command)
+    if simple and not which(simple[1]):
         if named:
-            say(f'{named} is "{command}", and there is no program "{program}"; name another, or cat for none')
+            say(f'{named} is "{command}", and there is no program {simple[1]}; name another, or cat for none')
         return None
     # The page is UTF-8 wherever it is printed.
     return Pager(command, {"LESS": LESS, "LV": "-c", "LESSCHARSET": "utf-8", **environment})
