@@ -1,0 +1,148 @@
+"""Fragments in documents of authors: four classes, two engines, and what the page then looks like."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from functools import cache
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+from everything import everything
+from numpy.typing import NDArray
+from tex import compiled, complaints
+from tools import require
+
+import kurbel
+from kurbel.formats.render import render
+from kurbel.page.table import Table
+
+# Widths in points of what is measured, in pixels of the picture.
+DPI = 144
+PIXEL = 72.27 / DPI
+CAPTION = r"\usepackage[font=small,labelfont=bf]{caption}"
+# Two whole engines and four classes; one of each is in every run.
+DOCUMENTS = (
+    pytest.param("article", "pdflatex", ""),
+    pytest.param("article", "lualatex", CAPTION, marks=pytest.mark.slow),
+    pytest.param("scrbook", "pdflatex", CAPTION, marks=pytest.mark.slow),
+    pytest.param("scrbook", "lualatex", "", marks=pytest.mark.slow),
+    pytest.param("memoir", "pdflatex", "", marks=pytest.mark.slow),
+    pytest.param("memoir", "lualatex", CAPTION, marks=pytest.mark.slow),
+    pytest.param("beamer", "pdflatex", "", marks=pytest.mark.slow),
+    pytest.param("beamer", "lualatex", CAPTION, marks=pytest.mark.slow),
+)
+LENGTHS = [
+    r"\abovecaptionskip",
+    r"\belowcaptionskip",
+    r"\tabcolsep",
+    r"\cmidrulekern",
+    r"\leftskip",
+    r"\linewidth",
+    r"\hsize",
+]
+
+
+@cache
+def pages(small: bool) -> tuple[Table, ...]:
+    """Return a page with a head of two lines, one with all parts, a narrow one, and one that is turned."""
+    if small:
+        angles = "0..180:60"
+        return (
+            kurbel.table(angle=angles),
+            kurbel.delta_table(lang="en"),
+            kurbel.table(angle=angles, layout="blau-kolbenwege"),
+        )
+    return (
+        kurbel.table(),
+        everything(),
+        kurbel.table(layout="lueger-kolbenbewegung"),
+        kurbel.table(layout="kolbenwege"),
+    )
+
+
+def document(name: str, more: str) -> str:
+    inputs = [f"\\input{{{page.key}}}" for page in pages(name == "beamer")]
+    if name == "beamer":
+        body = "".join(f"\\begin{{frame}}\n{one}\n\\end{{frame}}\n" for one in inputs)
+    else:
+        body = "Text\n\\clearpage\n" + "\\clearpage\n".join(f"{one}\n" for one in inputs)
+    lengths = " ".join(rf"\the{length}" for length in LENGTHS)
+    hyperref = "" if name == "beamer" else r"\usepackage{hyperref}"
+    return rf"""\documentclass{{{name}}}
+\usepackage{{iftex}}
+\iftutex\usepackage{{fontspec}}\else\usepackage[T1]{{fontenc}}\usepackage[utf8]{{inputenc}}\fi
+\usepackage{{lmodern}}
+\usepackage[english,ngerman]{{babel}}
+\usepackage{{amsmath,array,booktabs,graphicx}}
+{more}
+{hyperref}
+\pagestyle{{empty}}
+\begin{{document}}
+\typeout{{before {lengths}}}
+{body}\typeout{{behind {lengths}}}
+\end{{document}}
+"""
+
+
+@pytest.mark.parametrize(("name", "engine", "more"), DOCUMENTS)
+def test_fragments_are_set_in_every_class_without_a_warning(
+    name: str, engine: str, more: str, tmp_path: Path
+) -> None:
+    for page in pages(name == "beamer"):
+        (tmp_path / f"{page.key}.tex").write_text(render(page, "latex"), encoding="utf-8")
+    log = compiled(engine, document(name, more), tmp_path, runs=2)
+    assert complaints(log) == []
+    before, behind = re.search(r"^before (.*)", log, re.M), re.search(r"^behind (.*)", log, re.M)
+    assert before and behind and before[1] == behind[1]
+    if name != "beamer":
+        assert_caption_stands_free(ink(tmp_path, 1), ink(tmp_path, 2))
+
+
+def assert_caption_stands_free(text: NDArray[np.bool_], page: NDArray[np.bool_]) -> None:
+    """Check that a float begins where text does, and that its caption stays clear of the table's rule."""
+    top, lines = rows(text)[0], rows(page)
+    # Of text the first baseline, of a float the upper edge of its first line stands at the top.
+    assert -5 <= (lines[0][0] - top[0]) * PIXEL <= 2
+    rule = next(place for place, (start, end) in enumerate(lines) if page[start:end].any(axis=0).mean() > 0.4)
+    assert 1 <= rule <= 3
+    assert 4 <= (lines[rule][0] - lines[rule - 1][1]) * PIXEL <= 14
+    # The caption is no wider than the rule is long, and its lines are of nearly one length.
+    extents = [np.flatnonzero(page[start:end].any(axis=0)) for start, end in lines[: rule + 1]]
+    widths = [columns[-1] - columns[0] for columns in extents]
+    assert max(widths[:-1]) <= widths[-1]
+    assert min(widths[:-1]) >= 0.75 * max(widths[:-1])
+
+
+def rows(page: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """Return the first and the last row of pixels of every line that has ink."""
+    inked = np.flatnonzero(np.diff(np.concatenate(([0], page.any(axis=1), [0]))))
+    return [(int(start), int(end)) for start, end in inked.reshape(-1, 2)]
+
+
+def ink(folder: Path, number: int) -> NDArray[np.bool_]:
+    """Return where a page of the document has ink."""
+    command = [require("pdftoppm"), "-gray", "-r", str(DPI), "-f", str(number), "-singlefile", "page.pdf"]
+    subprocess.run([*command, str(number)], cwd=folder, check=True)
+    content = (folder / f"{number}.pgm").read_bytes()
+    head = re.match(rb"P5\s+(\d+)\s+(\d+)\s+255\s", content)
+    assert head
+    picture = np.frombuffer(content[head.end() :], np.uint8).reshape(int(head[2]), int(head[1]))
+    return picture < 128
+
+
+def test_columns_of_a_pair_stand_closer_than_pairs(tmp_path: Path) -> None:
+    compiled("pdflatex", render(kurbel.table(lang="en"), "latex", standalone=True), tmp_path, runs=1)
+    subprocess.run([require("pdftotext"), "-bbox", "page.pdf"], cwd=tmp_path, check=True)
+    page = (tmp_path / "page.html").read_text(encoding="utf-8")
+    words = re.findall(r'xMin="([\d.]+)" \S+ xMax="([\d.]+)" \S+>(\w+)<', page)
+    heads = [(float(left), float(right)) for left, right, text in words if text in ("Outstroke", "Return")]
+    assert len(heads) == 6
+    gaps = [right[0] - left[1] for left, right in pairwise(heads)]
+    # In the last pair the figures have signs, and are wider than one of the headings.
+    within, between = gaps[:4:2], gaps[1::2]
+    # 1.3 and 2.6 em of 9.25 pt, the unit of small type; PDF counts points of 1/72 inch.
+    assert np.allclose(within, 1.3 * 9.25 * 72 / 72.27, atol=1)
+    assert min(between) >= 2 * 1.3 * 9.25 * 72 / 72.27 - 1
