@@ -38,10 +38,10 @@ from kurbel.motion.mechanism import STRAIGHT
 from kurbel.motion.page import Request
 from kurbel.motion.quantities import registry
 from kurbel.page.layouts import layout
+from kurbel.plot.chart.model import Curve, Panel
 from kurbel.plot.curves import motion_keys, motion_panels, pin_force, pin_force_keys
 from kurbel.plot.engine import PIN_FORCE, TURNING, engine_pin_force, force_panels, turning_panels
 from kurbel.plot.panels import MOST_POINTS, axis_name
-from kurbel.plot.plotting import Curve, Panel
 from kurbel.plot.speed import speed_panel
 from kurbel.plot.style import FORMATS
 from kurbel.reading.units import Speed
@@ -173,7 +173,10 @@ def test_every_quantity_has_an_axis_that_names_it_with_its_unit_once(lang: str) 
 
 def test_the_pin_force_is_the_rod_force_turned_by_the_crank() -> None:
     ratio = 0.25
-    vector, (across, up), unit = pin_force(asked(pin_force_keys(STRAIGHT, Crank(QUARTER)), Crank(QUARTER)))
+    request, crank = asked(pin_force_keys(STRAIGHT, Crank(QUARTER)), Crank(QUARTER)), Crank(QUARTER)
+    vector, (across, up), unit, strokes = pin_force(request, STRAIGHT.solved([crank], None)[0])
+    assert strokes is not None
+    assert (strokes.ends, strokes.names) == ([0, 180, 360], ["Hingang", "Rückgang"])
     assert (across, up, unit) == ("Tangentialkraft $T/F$", "Radialkraft $Z/F$", "")
     phi = np.radians(FLOATS)
     psi = np.arcsin(ratio * np.sin(phi))
@@ -189,7 +192,8 @@ def test_the_turning_effort_is_that_of_the_turn() -> None:
     assert (effort.label, energy.label) == (
         "Tangentialkraft $T/Q$, mittlere Umfangskraft $P/Q$", "Überschussarbeit $W/(Q r)$",
     )  # fmt: skip
-    assert labels(effort) == ["$T/Q$", "$P/Q$"]
+    # Weisbach-Herrmann prints 0,22063 for ε = 4.
+    assert labels(effort) == ["$T/Q$", "$P/Q = 0.2206$"]
     for curve, value in ((effort.curves[0], turn.tangential_force), (energy.curves[0], turn.energy_at)):
         at = dict(zip(curve.angles, curve.values, strict=True))
         for angle in ANGLES:
@@ -401,7 +405,9 @@ def test_the_forces_with_the_masses_are_those_of_newton(rod: int) -> None:
 
 
 def test_the_polar_diagram_leaps_at_the_dead_centres_along_the_crank() -> None:
-    vector, names, unit = engine_pin_force(engine_request(*PIN_FORCE))
+    vector, names, unit, strokes = engine_pin_force(engine_request(*PIN_FORCE))
+    assert strokes is not None
+    assert (strokes.ends, strokes.names) == ([0, 180, 360], ["Hingang", "Rückgang"])
     assert (names, unit) == (("Tangentialkraft $T/Q$", "Radialkraft $Z/Q$"), "")
     points = list(zip(vector.angles, vector.across, vector.up, strict=True))
     end = 1 / EPS - BACK
@@ -652,7 +658,11 @@ def test_the_lines_on_paper_are_the_curves_of_compute() -> None:
 
 @drawn
 def test_the_polar_curve_on_paper_is_the_pin_force_in_one_scale() -> None:
-    path = path_of(svg("--polar", "--ratio", "1:3", "--step", "1"), "curve")
+    root = svg("--polar", "--ratio", "1:3", "--step", "1")
+    out, back = (path_of(root, f"curve-{number}") for number in (1, 2))
+    # Both strokes have the dead centre between them.
+    assert len(out) == len(back) == 181
+    path = np.concatenate([out, back[1:]])
     force = kurbel.compute(np.arange(361.0), "1:3", ["tangential_force", "radial_force"])
     across, up = (np.polyfit(force[key], drawn_at, 1)[0] for key, drawn_at in zip(force, path.T, strict=True))
     assert across == pytest.approx(-up, rel=1e-6)

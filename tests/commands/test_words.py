@@ -63,7 +63,9 @@ def test_a_function_has_the_options_of_its_command(name: str) -> None:
 def test_every_option_of_plot_belongs_to_a_function() -> None:
     options = {param.name for param in command_of("plot").params}
     known = {name.rstrip("_") for plot in PLOTS for name in inspect.signature(plot).parameters}
-    assert known | {"machine", "format", "output", "forces", "polar", "pressures", "turning"} == options
+    assert (
+        known | {"machine", "format", "output", "text", "forces", "polar", "pressures", "turning"} == options
+    )
 
 
 @pytest.mark.parametrize("function", [*TABLES.values(), *PLOTS], ids=lambda function: function.__name__)

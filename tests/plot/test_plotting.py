@@ -28,14 +28,16 @@ from kurbel.linkage.parallel import SHAFTS, ParallelCrank
 from kurbel.page.formula import FUNCTIONS, GREEK, SIGNS, SYMBOLS
 from kurbel.plot import style as plot_style
 from kurbel.plot.arc import arc_mechanism, arc_position
+from kurbel.plot.chart.model import Curve, Panel
+from kurbel.plot.chart.vector import PinForce, Vector
 from kurbel.plot.links import outlined
 from kurbel.plot.mechanism import LONGEST_ROD, mechanism, position
 from kurbel.plot.place import BESIDE, around, beside, densely, freest
-from kurbel.plot.plotting import Curve, Panel, curves
-from kurbel.plot.polar import Vector, polar
+from kurbel.plot.plotting import curves
+from kurbel.plot.polar import polar
 from kurbel.plot.sketch import Point
 from kurbel.plot.style import LINES, image, text_of
-from kurbel.plot.ticks import angle_ticks, axis_label, power_of_thousand, round_step, value_ticks
+from kurbel.plot.ticks import angle_ticks, axis_label, measure, power_of_thousand, round_step, value_ticks
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -71,8 +73,14 @@ def two_panels(mark: str = ",") -> Figure:
     return curves([PANEL, Panel([Curve("", ANGLES, SINES)], "$M$", "N m")], "de", mark)
 
 
+def polar_of(
+    vector: Vector, across: str, up: str, unit: str, mark: str, ways: tuple[str, str] = ("", "")
+) -> Figure:
+    return polar(PinForce(vector, (across, up), unit), mark, ways)
+
+
 def diagram() -> Figure:
-    return polar(Vector(ANGLES, SINES, COSINES), "$X$", "$Y$", "kN", ",")
+    return polar_of(Vector(ANGLES, SINES, COSINES), "$X$", "$Y$", "kN", ",")
 
 
 def sketch() -> Figure:
@@ -456,15 +464,27 @@ def test_angles_have_signs_and_marks_of_print() -> None:
     ("values", "power", "label"),
     [
         ((3.0, -900.0), 0, "$M$ in N m"),
-        ((12_000.0,), 3, "$M$ in $10^3$ N m"),
-        ((2.5e6,), 6, "$M$ in $10^6$ N m"),
-        ((4e-4,), -6, "$M$ in $10^(-6)$ N m"),
+        ((12_000.0,), 3, "$M$ in kN m"),
+        ((2.5e6,), 6, "$M$ in MN m"),
+        ((4e-4,), -6, "$M$ in µN m"),
         ((0.0,), 0, "$M$ in N m"),
     ],
 )
 def test_a_power_of_ten_goes_to_the_unit(values: tuple[float, ...], power: int, label: str) -> None:
     assert power_of_thousand(values) == power
     assert axis_label("$M$", "N m", power) == label
+
+
+@pytest.mark.parametrize(
+    ("unit", "power", "shown"),
+    [
+        ("kPa", 3, "MPa"), ("mm", 3, "m"), ("mm", -3, "µm"), ("kW", -3, "W"), ("N m", 15, "$10^15$ N m"),
+        ("m/s²", 3, "$10^3$ m/s²"), ("min⁻¹", 3, "$10^3$ min⁻¹"), ("bar", -3, "$10^(-3)$ bar"),
+        ("", 3, "$10^3$"),
+    ],
+)  # fmt: skip
+def test_the_power_is_a_prefix_of_the_unit_where_it_takes_one(unit: str, power: int, shown: str) -> None:
+    assert measure(unit, power) == shown
 
 
 def test_a_label_without_unit_or_name_has_no_in() -> None:
@@ -558,7 +578,7 @@ def test_the_polar_curve_goes_through_the_given_vectors() -> None:
 @pytest.mark.parametrize("sign", [1, -1])
 def test_curve_and_origin_lie_within_the_polar_diagram(sign: int) -> None:
     across, up = ([sign * (value + 3) for value in component] for component in (SINES, COSINES))
-    figure = polar(Vector(ANGLES, across, up), "$X$", "$Y$", "kN", ",")
+    figure = polar_of(Vector(ANGLES, across, up), "$X$", "$Y$", "kN", ",")
     for values, (low, high) in ((across, figure.axes[0].get_xlim()), (up, figure.axes[0].get_ylim())):
         assert low < min(*values, 0) and max(*values, 0) < high
     width, height = figure.get_size_inches() * 25.4
@@ -569,7 +589,7 @@ def test_curve_and_origin_lie_within_the_polar_diagram(sign: int) -> None:
 @drawn
 def test_both_axes_of_the_polar_diagram_have_one_scale() -> None:
     for across, up in ((SINES, COSINES), (SINES, [0.1 * one for one in COSINES]), ([0.0] * 73, SINES)):
-        axes = polar(Vector(ANGLES, across, up), "$X$", "$Y$", "kN", ",").axes[0]
+        axes = polar_of(Vector(ANGLES, across, up), "$X$", "$Y$", "kN", ",").axes[0]
         (x0, y0), (x1, y1) = axes.transData.transform([(0, 0), (1, 1)])
         assert x1 - x0 == pytest.approx(y1 - y0, rel=1e-9)
         steps = np.concatenate((np.diff(axes.get_xticks()), np.diff(axes.get_yticks())))
@@ -591,7 +611,7 @@ def test_every_thirty_degrees_there_is_a_mark_on_the_curve() -> None:
 @drawn
 def test_gaps_in_the_force_stay_gaps() -> None:
     across = [*SINES[:6], math.inf, *SINES[7:]]
-    figure = polar(Vector(ANGLES, across, COSINES), "$X$", "$Y$", "kN", ",")
+    figure = polar_of(Vector(ANGLES, across, COSINES), "$X$", "$Y$", "kN", ",")
     line = artist(figure, "curve")
     assert list(np.flatnonzero(np.isnan(np.asarray(line.get_ydata(), float)))) == [6]
     assert "30°" not in texts(figure)
@@ -606,7 +626,7 @@ LEAPS = Vector(
 
 @drawn
 def test_where_the_force_jumps_a_chord_leads_from_end_to_end() -> None:
-    figure = polar(LEAPS, "$X$", "$Y$", "kN", ",")
+    figure = polar_of(LEAPS, "$X$", "$Y$", "kN", ",")
     line = artist(figure, "curve")
     assert list(np.flatnonzero(np.isnan(np.asarray(line.get_ydata(), float)))) == [4]
     ends = {"chord-1": [-1, 4], "chord-2": [-2, 3]}
@@ -622,13 +642,13 @@ def test_where_the_force_jumps_a_chord_leads_from_end_to_end() -> None:
 @drawn
 def test_part_of_a_turn_has_no_chord_back_to_its_beginning() -> None:
     part = Vector(*(component[:4] for component in LEAPS))
-    assert not polar(part, "$X$", "$Y$", "kN", ",").findobj(lambda one: "chord" in str(one.get_gid()))
+    assert not polar_of(part, "$X$", "$Y$", "kN", ",").findobj(lambda one: "chord" in str(one.get_gid()))
 
 
 @drawn
 def test_a_force_that_rests_has_no_marks() -> None:
     idle = Vector([0.0, 90.0, 180.0, 180.0, 360.0], [0, 2, 0, 0, 0], [3, 1, -1, 0, 0])
-    words = texts(polar(idle, "$X$", "$Y$", "kN", ","))
+    words = texts(polar_of(idle, "$X$", "$Y$", "kN", ","))
     assert {"0°", "90°", "180°"} <= set(words)
     assert not {"210°", "270°", "360°"} & set(words)
     assert words.count("180°") == 1
@@ -637,7 +657,9 @@ def test_a_force_that_rests_has_no_marks() -> None:
 @drawn
 @pytest.mark.parametrize("name", ["$Z$", "Radial force $Z$ in some very long words"])
 def test_the_scale_of_forces_leaves_the_name_of_the_axis_free(name: str) -> None:
-    figure = polar(Vector(ANGLES, [0.1 * one for one in SINES], COSINES), "$T$", name, "kN", ",", ("", "up"))
+    figure = polar_of(
+        Vector(ANGLES, [0.1 * one for one in SINES], COSINES), "$T$", name, "kN", ",", ("", "up")
+    )
     figure.canvas.draw()
     (heading,) = (one for one in texts_of(figure) if "Z" in one.get_text())
     assert heading.get_text().endswith("kN, up")
@@ -650,7 +672,7 @@ def test_the_scale_of_forces_leaves_the_name_of_the_axis_free(name: str) -> None
 @pytest.mark.parametrize("value", [0.0, math.nan])
 def test_a_force_that_is_nowhere_is_refused(value: float) -> None:
     with pytest.raises(ProblemError, match="nothing can be drawn"):
-        polar(Vector([0.0, 90.0], [value] * 2, [value] * 2), "$X$", "$Y$", "kN", ",")
+        polar_of(Vector([0.0, 90.0], [value] * 2, [value] * 2), "$X$", "$Y$", "kN", ",")
 
 
 # Mechanism --------------------------------------------------------------------------------------------

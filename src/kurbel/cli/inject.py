@@ -165,9 +165,7 @@ def _text(one: Asked, form: PageFormat, kind: Kind, identifier: str, where: str)
             f"{where}: a drawing can stand in HTML only; write it into a file with kurbel plot -o, and"
             f" include that in {kind.name}"
         )
-    from kurbel.plot.style import image
-
-    return form.writer.drawing(image(one.made.figure, "svg").decode(), identifier, one.made.plain_title)
+    return form.writer.drawing(one.made.image().decode(), identifier, one.made.plain_title)
 
 
 def _check_encoding(old: bytes, contents: Sequence[bytes], name: str) -> None:

@@ -49,7 +49,7 @@ FLAGS = {
     " with a flywheel the speed as well; with --torque a diagram without an engine.",
 }
 # The options that all drawings have, or that say which one it is, or where it goes.
-SHARED = frozenset(("positions", *FLAGS, "ratio", "format", "output", "lang", "decimal"))
+SHARED = frozenset(("positions", *FLAGS, "ratio", "format", "output", "text", "lang", "decimal"))
 OF_ENGINES = frozenset(
     (
         *(*STEAM, *Wheeled.__annotations__, "cranks", "cylinder", "of", "bore", "pressure"),
@@ -104,7 +104,7 @@ class PlotCommand(MakingCommand):
 
         name = _format(given)
         drawing, code = self.made(given)
-        drawn = drawing.image(name)
+        drawn = drawing.image(name, text=given.values["text"])
         with whole_file(given.values["output"]) as stream:
             stream.write(drawn)
         return code
@@ -165,19 +165,22 @@ def _params() -> list[click.Parameter]:
     }
     own = {name: click_option(one._replace(required=False)) for name, one in known.items()}
     flags = [Option([f"--{name}"], is_flag=True, help=text) for name, text in FLAGS.items()]
-    last = ("lang", "decimal")
+    last = ("width", "height", "lang", "decimal")
     output = [
         Option(["format", "-f", "--format"], metavar="FORMAT",
                type=Type(Choice("drawing format", "kurbel.plot.style:FORMATS")),
                help="svg, png or pdf; default: by the suffix of -o."),
         Option(["output", "-o", "--output"], type=click.Path(allow_dash=True), metavar="FILE", default="-",
                help="File to write, whole or not at all; - is standard output, unless a terminal."),
+        Option(["--text"], is_flag=True,
+               help="SVG: letters stay text, to be searched and edited, in the reader's fonts; without it"
+               " they are outlines, alike everywhere."),
     ]  # fmt: skip
     order = (
-        "ratio", "columns", "over", *Diagram.__annotations__, *Wheeled.__annotations__, "method", "from",
-        "to", "step", "offset", "stroke", "crank", "true_stroke", "time_ratio", "rod", "speed", "force",
-        "mechanism", "rocker", "pivot", "circuit", "beam", *STEAM, "cranks", "cylinder", "of", "bore",
-        "pressure", *MASSES, *LYING, *RODS, *RUBBING,
+        "ratio", "columns", "over", "infinite", *Diagram.__annotations__, *Wheeled.__annotations__, "method",
+        "from", "to", "step", "offset", "stroke", "crank", "true_stroke", "time_ratio", "rod", "speed",
+        "force", "mechanism", "rocker", "pivot", "circuit", "beam", *STEAM, "cranks", "cylinder", "of",
+        "bore", "pressure", *MASSES, *LYING, *RODS, *RUBBING,
     )  # fmt: skip
     return [
         machine_option(), own["positions"], *flags, *(own[name] for name in order), *output,

@@ -8,6 +8,7 @@ from kurbel.commands.cylinder.effort import Rods, Rubbing
 from kurbel.commands.cylinder.given import Cylinders, Of
 from kurbel.commands.cylinder.slope import Lying
 from kurbel.commands.diagram.given import Diagram, foreign, is_diagram, needless
+from kurbel.commands.drawn.size import Sized, page_size
 from kurbel.commands.engine import Wheeled, beside_wheel
 from kurbel.commands.engine_pages.layouts import has_wheel
 from kurbel.commands.machines import engine_of, is_heavy, load_of, over_cycle, weightless
@@ -27,7 +28,7 @@ AXES = ("angle", "path")
 ENGINE_LAYOUT, MACHINE_LAYOUT = "engine-forces", "machine-forces"
 
 
-class Drawn(option.Cylinder, option.MovingRod, Lying, Rods, Rubbing, option.AnyDrive, total=False):
+class Drawn(option.Cylinder, option.MovingRod, Lying, Rods, Rubbing, option.AnyDrive, Sized, total=False):
     """An engine, as it is drawn."""
 
     cylinder: Cylinders
@@ -59,11 +60,14 @@ def plot_engine_forces(
 ) -> Drawing:
     """Draw the forces in the crank drive of a steam engine, those of the first crank."""
     from kurbel.plot.drawings import curves_drawing
-    from kurbel.plot.engine import FORCES, force_panels
+    from kurbel.plot.engine import FORCES, around, force_panels
 
     mark = mark_of(given["lang"], given["decimal"])
     question = _force_question({**given, "eps": eps, "of": of}, FORCES, columns)
-    return Drawing.of(curves_drawing(question, force_panels(question), mark), given["lang"], mark)
+    drawn = curves_drawing(
+        question, force_panels(question), mark, around(question, strokes=True), page_size(given)
+    )
+    return Drawing.of(drawn, given["lang"], mark)
 
 
 @draws(foreign=_foreign, needless=weightless)
@@ -76,7 +80,8 @@ def plot_engine_polar(eps: option.Eps = None, *, of: Of = None, **given: Unpack[
     question = _force_question({**given, "eps": eps, "of": of}, PIN_FORCE)
     only(question.steams, "polar", question.words.several)
     only(question.drives, "polar", "ratios")
-    return Drawing.of(polar_drawing(question, engine_pin_force(question), mark), given["lang"], mark)
+    drawn = polar_drawing(question, engine_pin_force(question), mark, page_size(given))
+    return Drawing.of(drawn, given["lang"], mark)
 
 
 @draws(foreign=foreign(_foreign, "from", "to", "over", "decimal"), needless=needless(beside_wheel))
@@ -96,8 +101,9 @@ def plot_turning(
     """Draw the turning effort of a steam engine: tangential force, its mean and the excess energy, with a
     flywheel the speed as well. Without an engine, draw a turning-moment diagram and its load.
     """
+    from kurbel.plot.chart.model import NOTHING_AROUND
     from kurbel.plot.drawings import curves_drawing
-    from kurbel.plot.engine import TURNING, across_path, over_path, turning_panels
+    from kurbel.plot.engine import TURNING, across_path, around, over_path, turning_panels
 
     mark, lang = mark_of(given["lang"], given["decimal"]), given["lang"]
     about, wheel = {**given, "eps": eps, "cranks": cranks}, None
@@ -106,16 +112,16 @@ def plot_turning(
         from kurbel.plot.diagrams.torques import diagram_panels
 
         asked = diagram_drawn(about)
-        panels, across = diagram_panels(asked), None
+        panels, beside = diagram_panels(asked), NOTHING_AROUND
         if over == "path":
-            panels, across = over_path(panels), across_path(lang)
-        return Drawing.of(curves_drawing(asked, panels, mark, across), lang, mark)
+            panels, beside = over_path(panels), beside._replace(across=across_path(lang))
+        return Drawing.of(curves_drawing(asked, panels, mark, beside, page_size(given)), lang, mark)
     if has_wheel(given):
         from kurbel.drive.wheel import given_wheel
 
         wheel = given_wheel(given, is_heavy(given))
     question = _question("turning", about, TURNING, wheel=wheel)
-    panels, across = turning_panels(question), None
+    panels, beside = turning_panels(question), around(question)
     if wheel is not None:
         from kurbel.plot.speed import speed_panel
 
@@ -123,8 +129,8 @@ def plot_turning(
         question = _question("speed", about, (*TURNING, shown), wheel=wheel)
         panels.append(speed_panel(question))
     if over == "path":
-        panels, across = over_path(panels), across_path(lang)
-    return Drawing.of(curves_drawing(question, panels, mark, across), lang, mark)
+        panels, beside = over_path(panels), beside._replace(across=across_path(lang))
+    return Drawing.of(curves_drawing(question, panels, mark, beside, page_size(given)), lang, mark)
 
 
 def _force_question(

@@ -3,11 +3,12 @@
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from importlib import import_module
-from typing import TYPE_CHECKING, Annotated, Any, TypeAlias, Unpack
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple, TypeAlias, Unpack
 
 from kurbel.commands import parameters as option
+from kurbel.commands.drawn.size import Sized, page_size
 from kurbel.commands.motion import described, ends_of, meant, of_other_mechanisms, some
-from kurbel.commands.options import Columns, Option
+from kurbel.commands.options import FLAG, Columns, Option
 from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import draws
 from kurbel.drive.crank import Crank
@@ -18,12 +19,15 @@ from kurbel.reading import notation
 from kurbel.reading.given import Exact, as_angle, as_angles, as_names
 
 if TYPE_CHECKING:
+    from kurbel.motion.drives import Drive
     from kurbel.motion.page import AngleQuestion
 
 # The columns that a drive has by itself.
 Keys: TypeAlias = Callable[[Mechanism, Crank], tuple[str, ...]]
 # The page whose quantities can be drawn.
 LAYOUT = "kinematics"
+# The method that is drawn beside another.
+INFINITE = "infinite"
 # So many steps of the range make a curve smooth, half degrees over the turn; over many turns a wider step
 # than this shows.
 STEPS, WIDEST = 720, Fraction(5)
@@ -84,7 +88,7 @@ class Positions(option.AnyDrive, total=False):
     decimal: option.Decimal
 
 
-class Curves(option.AnyDrive, total=False):
+class Curves(option.AnyDrive, Sized, total=False):
     """A crank drive over its crank angle, under a piston force."""
 
     method: option.Method
@@ -102,12 +106,16 @@ def plot_motion(
     *,
     columns: DrawnColumns = (),
     speed: DrawnSpeed = None,
+    infinite: Annotated[
+        bool, Option("Draw the motion with a rod of infinite length as well, dotted.", kind=FLAG)
+    ] = False,
     **given: Unpack[Curves],
 ) -> Drawing:
     """Draw path, velocity and acceleration over the crank angle, or what the columns name."""
     from kurbel.plot.curves import motion_keys
 
-    return _drawn({**given, "ratio": ratio, "speed": speed}, columns, motion_keys, "plot")
+    about = {**given, "ratio": ratio, "speed": speed}
+    return _drawn(about, columns, motion_keys, "plot", beside=INFINITE if infinite else "")
 
 
 @draws(foreign=of_other_mechanisms)
@@ -148,19 +156,34 @@ def plot_polar(ratio: option.Ratios = None, **given: Unpack[Curves]) -> Drawing:
     from kurbel.plot.drawings import polar_drawing
 
     mark = mark_of(given["lang"], given["decimal"])
-    question = _asked({**given, "ratio": ratio}, (), pin_force_keys, "polar")
-    return Drawing.of(polar_drawing(question, pin_force(question), mark), given["lang"], mark)
+    asked = _asked({**given, "ratio": ratio}, (), pin_force_keys, "polar")
+    force = pin_force(asked.question, asked.solved[0])
+    return Drawing.of(polar_drawing(asked.question, force, mark, page_size(given)), given["lang"], mark)
 
 
-def _drawn(given: Mapping[str, Any], columns: option.Names, keys: Keys, command: str) -> Drawing:
-    from kurbel.plot.curves import motion_panels
+def _drawn(
+    given: Mapping[str, Any], columns: option.Names, keys: Keys, command: str, beside: str = ""
+) -> Drawing:
+    from kurbel.plot.curves import around, motion_panels
     from kurbel.plot.drawings import curves_drawing
 
-    mark, question = mark_of(given["lang"], given["decimal"]), _asked(given, columns, keys, command)
-    return Drawing.of(curves_drawing(question, motion_panels(question), mark), given["lang"], mark)
+    mark, asked = mark_of(given["lang"], given["decimal"]), _asked(given, columns, keys, command)
+    dotted = _asked({**given, "method": beside}, columns, keys, command).question if beside else None
+    panels = motion_panels(asked.question, dotted, asked.solved)
+    drawn = curves_drawing(
+        asked.question, panels, mark, around(asked.question, asked.solved, dotted), page_size(given)
+    )
+    return Drawing.of(drawn, given["lang"], mark)
 
 
-def _asked(given: Mapping[str, Any], columns: option.Names, keys: Keys, command: str) -> "AngleQuestion":
+class Asked(NamedTuple):
+    """What is asked for of drives, and these as conditions see them."""
+
+    question: "AngleQuestion"
+    solved: "tuple[Drive, ...]"
+
+
+def _asked(given: Mapping[str, Any], columns: option.Names, keys: Keys, command: str) -> Asked:
     """Return what is asked for of the columns named, or of those that a drive has by itself."""
     angles, (chosen, said) = curve_angles(given), described(given)
     forces = command == "plot forces" and not chosen.crosshead
@@ -169,9 +192,11 @@ def _asked(given: Mapping[str, Any], columns: option.Names, keys: Keys, command:
     if command == "polar":
         only(drives, "polar", "ratios")
     names = as_names(columns, chosen.examples.get(command, "")) or keys(chosen, chosen.crank(drives[0]))
-    return chosen.question(
+    question = chosen.question(
         drives, given["method"], layout=page, angles=angles, lang=given["lang"], columns=names
     )
+    # What rests on no conditions has no drives for them.
+    return Asked(question, chosen.solved(drives, given["method"]) if chosen.conditions() else ())
 
 
 def page_of(name: str) -> Layout:

@@ -108,10 +108,11 @@ class Drawing:
     title: Label
     lang: str
     mark: str
+    about: Label = ""
 
     @classmethod
     def of(cls, drawn: Drawn, lang: str, mark: str) -> Drawing:
-        return cls(drawn.figure, drawn.title, lang, mark)
+        return cls(drawn.figure, drawn.title, lang, mark, drawn.about)
 
     def __repr__(self) -> str:
         return f"<kurbel.Drawing: {self.plain_title}>"
@@ -121,21 +122,24 @@ class Drawing:
         """The title without formulas' marks, for readers that do not see the drawing."""
         return plain(self.title, self.mark)
 
-    def image(self, format: str = "svg") -> bytes:
-        """Return the drawing as a file of the format svg, png or pdf. Raises KurbelError."""
-        from kurbel.plot.style import image
-
-        return image(self.figure, format, self.plain_title)
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the drawing into a file, whole or not at all, in the format of its suffix.
+    def image(self, format: str = "svg", *, text: bool = False) -> bytes:
+        """Return the drawing as a file of the format svg, png or pdf; of SVG with `text` letters stay text.
 
         Raises KurbelError.
+        """
+        from kurbel.plot.style import image
+
+        return image(self.figure, format, self.plain_title, plain(self.about, self.mark), text)
+
+    def save(self, path: str | os.PathLike[str], *, text: bool = False) -> None:
+        """Write the drawing into a file, whole or not at all, in the format of its suffix.
+
+        With `text` the letters of SVG stay text, which can be searched and edited. Raises KurbelError.
         """
         from kurbel.formats.render import whole_file
         from kurbel.plot.style import format_of
 
-        content = self.image(format_of(os.fspath(path)))
+        content = self.image(format_of(os.fspath(path)), text=text)
         with whole_file(os.fspath(path)) as stream:
             stream.write(content)
 

@@ -95,7 +95,7 @@ def about_engines(request: EngineRequest, methods: Iterable[str]) -> Mapping[str
     lang = request.lang
     return {
         "{machine}": (DRIVEN if request.carded and request.driven else request.words.machine)[lang],
-        "{for_engine}": _joined(list(_common(request)), lang),
+        "{for_engine}": _joined(list(common(request)), lang),
         "{method}": AND[lang].join(_method(request, one) for one in methods),
     }
 
@@ -124,7 +124,7 @@ def _joined(parts: list[str], lang: str) -> str:
     return FOR[lang] + ", ".join(parts) if parts else ""
 
 
-def _common(request: EngineRequest) -> Iterator[Label]:
+def common(request: EngineRequest) -> Iterator[Label]:
     shown = (*request.layout.across, *request.layout.stub)
     if len(request.steams) == 1 and "expansion" not in shown and request.words.captioned:
         yield named_load(request, 0)

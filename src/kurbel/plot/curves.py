@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from functools import partial
 
 import numpy as np
 
 from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Label
+from kurbel.motion.drives import Drive
 from kurbel.motion.evaluation import STROKES, is_known
 from kurbel.motion.mechanism import Mechanism
 from kurbel.motion.page import AngleQuestion
 from kurbel.page.subject import subject
+from kurbel.plot.chart.extremes import spots, strokes_of
+from kurbel.plot.chart.model import Around, Panel, Spot
+from kurbel.plot.chart.vector import PinForce
 from kurbel.plot.panels import Trace, check_drawn, degrees, panels_of, vector
-from kurbel.plot.plotting import Panel
-from kurbel.plot.polar import Vector
-from kurbel.reading.notation import ratio_text
+from kurbel.reading.notation import plain, ratio_text
 
 # Across and up in the polar diagram.
 PIN_FORCE = ("tangential_force", "radial_force")
@@ -42,24 +46,67 @@ def _known_keys(chosen: Mechanism, pairs: Sequence[tuple[str, str]], crank: Cran
     return tuple(known if is_known(own[known], crank) else share for share, known in pairs if share in own)
 
 
-def motion_panels(question: AngleQuestion) -> list[Panel]:
+def motion_panels(
+    question: AngleQuestion, beside: AngleQuestion | None = None, drives: Sequence[Drive] = ()
+) -> list[Panel]:
     """Return a panel for each quantity, with all ratios in it; of one drive, a panel for each unit.
 
-    The values are those of `kurbel.compute`. Raises ProblemError for one angle, or more than can be drawn.
+    The values are those of `kurbel.compute`. A question beside it, of the infinite rod, has dotted curves. Of
+    a single drive as conditions see it the extremes are named. Raises ProblemError for one angle, or more
+    than can be drawn.
     """
+    check_drawn(question.angles, max(len(question.ratios), 1) + (beside is not None))
+    drive = drives[0] if len(drives) == 1 else None
+    traces = [*_traces(question, drive), *(_traces(beside, dotted=True) if beside else ())]
+    apart = len(question.ratios) > 1 or beside is not None
+    return panels_of(traces, question.lang, apart=apart)
+
+
+def _traces(question: AngleQuestion, drive: Drive | None = None, dotted: bool = False) -> Iterator[Trace]:
     lang, angles, ratios = question.lang, degrees(question.angles), question.ratios
-    check_drawn(question.angles, max(len(ratios), 1))
-    traces = []
-    for column, of_drives in zip(question.page_columns, question.curves(np.asarray(angles)), strict=True):
+    drawn = question.curves(np.asarray(angles))
+    for place, (column, of_drives) in enumerate(zip(question.page_columns, drawn, strict=True)):
         one = column.quantity
-        for drive, drawn in enumerate(of_drives):
+        named = None if drive is None else partial(_spots, question, place, drive)
+        for ratio, values in enumerate(of_drives):
             stroke = STROKES[one.stroke][lang] if one.stroke in STROKES else ""
-            told = (f"$R:L = {ratio_text(ratios[drive])}$", stroke) if ratios else ()
-            traces.append(Trace(one, told, angles, drawn.tolist()))
-    return panels_of(traces, lang, apart=len(ratios) > 1)
+            told = (said_ratio(ratios[ratio]), stroke) if ratios else ()
+            yield Trace(one, told, angles, values.tolist(), dotted, named)
 
 
-def pin_force(request: AngleQuestion) -> tuple[Vector, tuple[Label, Label], Label]:
+def around(question: AngleQuestion, drives: Sequence[Drive], beside: AngleQuestion | None = None) -> Around:
+    """Return what a drawing says of its drives, and their strokes where all have the same."""
+    span = float(question.angles[0]), float(question.angles[-1])
+    strokes = [strokes_of(drive, span, question.lang) for drive in drives]
+    said = said_drive(drives[0], question) if len(drives) == 1 and beside is None else ""
+    alike = strokes and all(one == strokes[0] for one in strokes)
+    return Around(said, strokes[0] if alike else None)
+
+
+def said_drive(drive: Drive, question: AngleQuestion) -> Label:
+    """Return what a drawing says of a drive: its crank ratio and its offset."""
+    crank, parts = drive.crank, [said_ratio(drive.ratio)] if question.ratios else []
+    if crank.offset:
+        parts.append(f"$e = {plain(crank.offset)} R$")
+    return ", ".join(parts)
+
+
+def _spots(question: AngleQuestion, place: int, drive: Drive, power: int) -> Sequence[Spot]:
+    """Return where the column at a place is greatest and least."""
+
+    def value(angle: float) -> float:
+        return float(question.curves(np.asarray([angle]))[place][0][0])
+
+    span = float(question.angles[0]), float(question.angles[-1])
+    return spots(drive, question.page_columns[place].quantity, value, span, power, question.lang)
+
+
+def said_ratio(ratio: Fraction) -> Label:
+    """Return what a drawing says of a crank ratio."""
+    return f"$R:L = {ratio_text(ratio)}$"
+
+
+def pin_force(request: AngleQuestion, drive: Drive) -> PinForce:
     """Return the force on the crank pin in the crank's frame, the names of its components, and their unit.
 
     The request has the columns `pin_force_keys`. The piston force is one and the same over the whole turn.
@@ -67,4 +114,6 @@ def pin_force(request: AngleQuestion) -> tuple[Vector, tuple[Label, Label], Labe
     check_drawn(request.angles, 1)
     angles = degrees(request.angles)
     values = [of_crank.tolist() for (of_crank,) in request.curves(np.asarray(angles))]
-    return vector([column.quantity for column in request.page_columns], request.lang, angles, values)
+    strokes = strokes_of(drive, (angles[0], angles[-1]), request.lang)
+    quantities = [column.quantity for column in request.page_columns]
+    return vector(quantities, request.lang, angles, values, strokes)

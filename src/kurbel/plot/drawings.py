@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -13,10 +13,13 @@ from kurbel.motion import captions
 from kurbel.motion.page import Request
 from kurbel.page.quantity import for_ratio, words
 from kurbel.page.subject import Question
+from kurbel.plot.chart.model import NOTHING_AROUND, Around, Panel
+from kurbel.plot.chart.vector import PinForce
 from kurbel.plot.mechanism import mechanism
-from kurbel.plot.plotting import Panel, curves
-from kurbel.plot.polar import Vector, polar
-from kurbel.plot.ticks import Across
+from kurbel.plot.plotting import curves
+from kurbel.plot.polar import polar
+from kurbel.plot.style import USUAL, Size
+from kurbel.plot.ticks import axis_label
 from kurbel.reading.notation import plain
 
 if TYPE_CHECKING:
@@ -39,22 +42,41 @@ POLAR_WAYS = {"de": ("im Drehsinn", "zur Welle"), "en": ("as the crank turns", "
 
 
 class Drawing(NamedTuple):
+    """A figure, its title, and what it shows in words."""
+
     figure: Figure
     title: Label
+    about: Label = ""
 
 
 def curves_drawing(
-    question: Question, panels: Sequence[Panel], mark: str, across: Across | None = None
+    question: Question,
+    panels: Sequence[Panel],
+    mark: str,
+    around: Around = NOTHING_AROUND,
+    size: Size = USUAL,
 ) -> Drawing:
     """Return the curves of what was asked for over the crank angle, or over another axis."""
-    return Drawing(curves(panels, question.lang, mark, across), _title(question))
+    figure = curves(panels, question.lang, mark, around, size)
+    return Drawing(figure, _title(question), "; ".join(_about(panels)))
 
 
-def polar_drawing(question: Question, force: tuple[Vector, tuple[Label, Label], Label], mark: str) -> Drawing:
+def _about(panels: Sequence[Panel]) -> Iterator[Label]:
+    """Yield what each panel shows: its axis, what its curves are called, and what is named in it."""
+    for panel in panels:
+        labels = [curve.label for curve in panel.curves if curve.label]
+        named = [spot.text for spot in panel.spots if spot.text]
+        swing = [panel.swing.text] if panel.swing else []
+        told = ", ".join((*labels, *swing, *named))
+        yield ": ".join(filter(None, (axis_label(panel.label, panel.unit), told)))
+
+
+def polar_drawing(question: Question, force: PinForce, mark: str, size: Size = USUAL) -> Drawing:
     """Return the polar diagram of the force on the crank pin, of which names and unit are given."""
-    vector, (across, up), unit = force
-    figure = polar(vector, across, up, unit, mark, POLAR_WAYS[question.lang])
-    return Drawing(figure, f"{POLAR_TITLE[question.lang]}: {_title(question)}")
+    across, up = (axis_label(name, force.unit) for name in force.names)
+    figure = polar(force, mark, POLAR_WAYS[question.lang], size)
+    about = "; ".join((across, up, *(force.strokes.names if force.strokes else ())))
+    return Drawing(figure, f"{POLAR_TITLE[question.lang]}: {_title(question)}", about)
 
 
 def _title(question: Question) -> Label:

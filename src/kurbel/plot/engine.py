@@ -9,15 +9,18 @@ from math import ceil, floor, radians
 from typing import TYPE_CHECKING, NamedTuple
 
 from kurbel.engine.axes import named_load
-from kurbel.engine.captions import inner
+from kurbel.engine.captions import common, inner
+from kurbel.engine.pressures.page import stroke_names
 from kurbel.engine.quantities import Where, engine_registry, value
 from kurbel.engine.request import EngineRequest
 from kurbel.engine.turn import Turn, turn_of
-from kurbel.exact.numerals import Label
+from kurbel.exact.numerals import Label, Number, number_text
 from kurbel.page.quantity import Column, Quantity
+from kurbel.plot.chart.model import Around, Curve, Panel, Strokes
+from kurbel.plot.chart.vector import PinForce
+from kurbel.plot.diagrams.swing import engine_swing
 from kurbel.plot.panels import Trace, check_drawn, degrees, panels_of, vector
-from kurbel.plot.plotting import Curve, Panel
-from kurbel.plot.polar import Vector
+from kurbel.plot.sketch import DEAD_CENTRES
 from kurbel.plot.ticks import Across, plain_ticks
 from kurbel.reading.notation import ratio_text
 
@@ -65,7 +68,8 @@ def force_panels(request: EngineRequest) -> list[Panel]:
 
 
 def turning_panels(request: EngineRequest) -> list[Panel]:
-    """Return a panel of the tangential force, of a single engine with its mean, and one of the excess energy.
+    """Return a panel of the tangential force, of a single engine with its mean, and one of the excess energy,
+    of a single one with its swing.
 
     The request has the columns `TURNING`. The curves have the dead centres and the points of cut-off besides
     those at its angles. Raises ProblemError for one angle, or more than can be drawn.
@@ -77,22 +81,40 @@ def turning_panels(request: EngineRequest) -> list[Panel]:
         for column in (effort, energy)
     )
     force, level, excess = (f"{one.quantity.name[lang]} {one.heading[0]}" for one in request.page_columns)
-    if len(turns) == 1:
-        ends = degrees([request.angles[0], request.angles[-1]])
-        line = Curve(mean.heading[0], ends, [float(turns[0][1].mean_force())] * 2)
-        forces = [forces[0]._replace(label=effort.heading[0]), line]
-        force += f", {inner(level, lang)}"
-    return [Panel(forces, force), Panel(energies, excess)]
+    if len(turns) > 1:
+        return [Panel(forces, force), Panel(energies, excess)]
+    ends = degrees([request.angles[0], request.angles[-1]])
+    number = request.number(mean, {"expansion": 0, "ratio": 0, "angle": 0})
+    said = (
+        f"{mean.heading[0][:-1]} = {number_text(number)}$" if isinstance(number, Number) else mean.heading[0]
+    )
+    line = Curve(said, ends, [float(turns[0][1].mean_force())] * 2)
+    forces = [forces[0]._replace(label=effort.heading[0]), line]
+    swinging = engine_swing(turns[0][1], energy, request)
+    return [
+        Panel(forces, f"{force}, {inner(level, lang)}", areas=True),
+        Panel(energies, excess, spots=swinging.spots, swing=swinging.swing),
+    ]
 
 
 def over_path(panels: Sequence[Panel]) -> list[Panel]:
     """Return panels over the path s/r of the crank pin, the developed crank circle, in place of the angle."""
     return [
         one._replace(
-            curves=[curve._replace(angles=[radians(angle) for angle in curve.angles]) for curve in one.curves]
+            curves=[
+                curve._replace(angles=[radians(angle) for angle in curve.angles]) for curve in one.curves
+            ],
+            spots=[spot._replace(angle=radians(spot.angle)) for spot in one.spots],
         )
         for one in panels
     ]
+
+
+def around(request: EngineRequest, strokes: bool = False) -> Around:
+    """Return what the engines have in common: expansion or the like, and the crank ratio; of a single one
+    also the strokes of its first cylinder."""
+    turns = turns_of(request) if strokes else []
+    return Around(", ".join(common(request)), _strokes(turns[0][1], request) if len(turns) == 1 else None)
 
 
 def across_path(lang: str) -> Across:
@@ -101,14 +123,27 @@ def across_path(lang: str) -> Across:
     return Across(f"{path.name[lang]} {path.heading[lang]}", plain_ticks)
 
 
-def engine_pin_force(request: EngineRequest) -> tuple[Vector, tuple[Label, Label], Label]:
+def engine_pin_force(request: EngineRequest) -> PinForce:
     """Return the force on the crank pin in the crank's frame, the names of its components, and their unit.
 
     The request has one engine and the columns of `PIN_FORCE`.
     """
     ((_, turn),) = turns_of(request)
     quantities = [column.quantity for column in request.page_columns]
-    return vector(quantities, request.lang, *course_of(quantities, turn, request.angles))
+    course, strokes = course_of(quantities, turn, request.angles), _strokes(turn, request)
+    return vector(quantities, request.lang, *course, strokes)
+
+
+def _strokes(turn: AnyTurn, request: EngineRequest) -> Strokes:
+    """Return the strokes of the first cylinder, from the one in which the angles begin to that in which they
+    end."""
+    first, last = (float(one) for one in (request.angles[0], request.angles[-1]))
+    begun = [180 * float(turn.cylinder.drive.dead_centre(way)) for way in (0, 1)]
+    names = stroke_names(turn.cycle, request.lang)
+    numbers = range(floor((first - max(begun)) / 180), ceil((last - min(begun)) / 180) + 1)
+    ends = [180 * number + begun[number % 2] for number in numbers]
+    dead = [DEAD_CENTRES["outer" if number % 2 else "inner"][request.lang] for number in numbers]
+    return Strokes(ends, dead, [names[number % turn.cycle] for number in numbers[:-1]])
 
 
 def turns_of(request: EngineRequest) -> list[tuple[Label, AnyTurn]]:

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
 from kurbel.page.quantity import Quantity, enumerated
-from kurbel.plot.plotting import Curve, Panel, check_count
-from kurbel.plot.polar import Vector
+from kurbel.plot.chart.model import Curve, Panel, Spot, Strokes, check_count, power_of_curves
+from kurbel.plot.chart.vector import PinForce, Vector
 from kurbel.reading.notation import about
 
 # Four points to each dot of a printer with 1200 dpi, over the width of a panel.
@@ -19,12 +19,15 @@ MOST_POINTS = 20_000
 
 class Trace(NamedTuple):
     """A curve before it has a panel and a label; `telling` are the drive and the like, which tell it from the
-    other curves of its quantity."""
+    other curves of its quantity. A dotted one is a comparison. `named` returns its extremes, over a power of
+    ten."""
 
     quantity: Quantity
     telling: tuple[Label, ...]
     angles: Sequence[float]
     values: Sequence[float]
+    dotted: bool = False
+    named: Callable[[int], Sequence[Spot]] | None = None
 
 
 def axis_name(quantity: Quantity, lang: str) -> tuple[str, Label, Label]:
@@ -43,11 +46,16 @@ def axis_name(quantity: Quantity, lang: str) -> tuple[str, Label, Label]:
 
 
 def vector(
-    quantities: Sequence[Quantity], lang: str, angles: Sequence[float], values: Sequence[Sequence[float]]
-) -> tuple[Vector, tuple[Label, Label], Label]:
+    quantities: Sequence[Quantity],
+    lang: str,
+    angles: Sequence[float],
+    values: Sequence[Sequence[float]],
+    strokes: Strokes,
+) -> PinForce:
     """Return a force of two components, across and up, with their names and their unit."""
     across, up = (axis_name(quantity, lang) for quantity in quantities)
-    return Vector(angles, *values), (f"{across[0]} {across[1]}", f"{up[0]} {up[1]}"), across[2]
+    names = f"{across[0]} {across[1]}", f"{up[0]} {up[1]}"
+    return PinForce(Vector(angles, *values), names, across[2], strokes)
 
 
 def panels_of(traces: Iterable[Trace], lang: str, apart: bool) -> list[Panel]:
@@ -67,8 +75,12 @@ def _panel(traces: Sequence[Trace], lang: str) -> Panel:
     # Only what is not the same of all tells one from the others.
     differing = [len(set(column)) > 1 for column in zip(*parts, strict=True)]
     labels = (", ".join(part for part, tells in zip(one, differing, strict=True) if tells) for one in parts)
-    curves = [Curve(text, one.angles, one.values) for text, one in zip(labels, traces, strict=True)]
-    return Panel(curves, label, units[0])
+    curves = [
+        Curve(text, one.angles, one.values, one.dotted) for text, one in zip(labels, traces, strict=True)
+    ]
+    solid = [one for one in traces if not one.dotted]
+    spots = solid[0].named(power_of_curves(curves)) if len(solid) == 1 and solid[0].named else ()
+    return Panel(curves, label, units[0], spots=spots)
 
 
 def check_drawn(angles: Sequence[Fraction], count: int) -> None:

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
@@ -12,6 +11,9 @@ import numpy as np
 
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
+from kurbel.plot.chart.legend import LEGEND_ROW, draw_legend
+from kurbel.plot.chart.stroke_lines import draw_strokes, looks_of
+from kurbel.plot.chart.vector import MARK_STEP, Piece, PinForce, with_gaps
 from kurbel.plot.place import AROUND, Box, Points, around, box_points, densely, freest
 from kurbel.plot.style import (
     BLACK,
@@ -20,67 +22,38 @@ from kurbel.plot.style import (
     MM,
     PALE,
     SMALL_TEXT,
-    STRONG,
     TEXT_SIZE,
     THIN,
-    WHITE,
-    WIDTH,
+    USUAL,
+    Size,
     arrowhead,
     page,
     size_of,
     style,
     text_of,
 )
-from kurbel.plot.ticks import axis_label, power_of_thousand, round_step, value_ticks
+from kurbel.plot.ticks import axis_label, measure, power_of_thousand, round_step, value_ticks
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 LEFT, RIGHT, ABOVE, BELOW = 13.0, 4.0, 7.5, 10.5
-MOST_WIDTH, MOST_HEIGHT, LEAST_WIDTH = WIDTH - LEFT - RIGHT, 110.0, 60.0
+MOST_HEIGHT, LEAST_WIDTH, LEAST = 110.0, 60.0, 25.0
 # The scale stands in a row of its own where it has no room beside the name of the axis.
 SCALE_ROW, SCALE_GAP = 4.5, 8.0
 # Room around the curve for the labels of the angles.
 EDGE = 8.0
 GRID = 9.0
-MARK_STEP = 30
 # The radius of a mark in mm.
 MARK = 0.55
 # A vector, or a difference of two, of so small a share is none.
 NOTHING = 1e-6
-CHORD = (6, 4)
+CHORD = (1.5, 3)
 
 
 # A chord shorter than this, in mm, has no room for an arrow.
 LEAST_CHORD = 8.0
-
-
-class Vector(NamedTuple):
-    """The components of a force at rising angles in degrees; a value that is no finite number is a gap.
-
-    Where an angle comes twice the force jumps, from the first of its values to the second.
-    """
-
-    angles: Sequence[float]
-    across: Sequence[float]
-    up: Sequence[float]
-
-
-class _Piece(NamedTuple):
-    """The heads of the vectors at rising angles, without a jump between them."""
-
-    angles: Points
-    path: Points
-
-    def at(self, angle: float) -> Points:
-        """Return the head at an angle; between two given ones, on the line between their heads."""
-        return np.asarray([np.interp(angle, self.angles, component) for component in self.path.T])
-
-    def marked(self) -> range:
-        """Return the angles every 30° within it."""
-        first, last = math.ceil(self.angles[0] / MARK_STEP), math.floor(self.angles[-1] / MARK_STEP)
-        return range(MARK_STEP * first, MARK_STEP * last + 1, MARK_STEP)
 
 
 class _Plan(NamedTuple):
@@ -101,49 +74,63 @@ class _Plan(NamedTuple):
         return (right - left) * self.scale, (top - bottom) * self.scale
 
 
-def polar(
-    vector: Vector, across: Label, up: Label, unit: Label, mark: str, ways: tuple[Label, Label] = ("", "")
-) -> Figure:
+def polar(force: PinForce, mark: str, ways: tuple[Label, Label] = ("", ""), size: Size = USUAL) -> Figure:
     """Return the polar diagram of a force, with a mark every 30° of the crank and one scale both ways.
 
-    The diagram is at most 120 mm wide; across and up name its axes, ways their directions. The arrow on
-    the curve points where the angle rises. Where the force jumps the curve ends and begins anew; a dashed
-    chord leads from the one end to the other. Raises ProblemError if no vector is finite.
+    The diagram is as wide as the size says, or less; ways are the directions of its axes. The arrow on the
+    curve points where the angle rises. The strokes differ in pattern and colour and have a legend. Where the
+    force jumps the curve ends and begins anew; a dotted chord leads from the one end to the other. Raises
+    ProblemError if no vector is finite, and for a size that is too small.
     """
     with style():
+        vector, (across, up), unit = force.vector, force.names, force.unit
         path = np.stack((np.asarray(vector.across, float), np.asarray(vector.up, float)), axis=1)
         path[~np.isfinite(path).all(axis=1)] = np.nan
-        plan = _plan(path)
+        plan = _plan(path, size)
         labels = (axis_label(one, unit, plan.power) for one in (across, up))
         names = [text_of(", ".join(filter(None, one)), mark) for one in zip(labels, ways, strict=True)]
         scale = _scale_text(plan, unit, mark)
         bar = float(plan.grid) * plan.scale + SCALE_GAP + size_of(scale, SMALL_TEXT)[0]
-        if size_of(names[1])[0] + bar > plan.size()[0]:
-            plan = plan._replace(above=ABOVE + SCALE_ROW)
+        scaled = size_of(names[1])[0] + bar > plan.size()[0]
+        looks = looks_of(force.strokes, plan.size()[0], mark)
+        above = ABOVE + scaled * SCALE_ROW + looks.rows * LEGEND_ROW
+        # A page of a given height has its rows above within it.
+        plan = (_plan(path, size, above) if size.height else plan)._replace(above=above)
         figure, axes = _laid_out(plan)
-        _axes(axes, plan, names, mark)
-        _scale_bar(axes, plan, scale)
+        _scale_bar(axes, plan, scale, ABOVE + scaled * SCALE_ROW)
         angles = np.asarray(vector.angles, float)
         jumps = np.flatnonzero(np.diff(angles) == 0) + 1
-        pieces = [_Piece(*one) for one in zip(np.split(angles, jumps), np.split(path, jumps), strict=True)]
-        curve = axes.plot(*_with_gaps(pieces).T, color=BLACK, linewidth=STRONG, zorder=4)
-        curve[0].set_gid("curve")
+        pieces = [Piece(*one) for one in zip(np.split(angles, jumps), np.split(path, jumps), strict=True)]
+        draw_strokes(axes, pieces, force.strokes, looks)
+        if looks.rows:
+            over = (above - looks.rows * LEGEND_ROW - 1) / plan.size()[1]
+            draw_legend(axes, *axes.get_legend_handles_labels(), looks.columns, over, "left")
         chords = _chords(axes, plan, pieces)
+        _axes(axes, plan, names, mark, chords)
         _marks(axes, plan, pieces, chords)
         _arrow(axes, plan, pieces)
     return figure
 
 
-def _plan(path: Points) -> _Plan:
+def _plan(path: Points, size: Size, above: float = ABOVE) -> _Plan:
     finite = path[np.isfinite(path[:, 0])]
     if not finite.any():
         raise ProblemError("the force is nowhere finite and other than 0, so nothing can be drawn")
     # The origin belongs to the diagram.
     low, high = np.minimum(finite.min(axis=0), 0), np.maximum(finite.max(axis=0), 0)
     width, height = (float(side) for side in high - low)
-    most = (MOST_WIDTH - 2 * EDGE, MOST_HEIGHT - 2 * EDGE)
+    across = size.width - LEFT - RIGHT
+    along = size.height - BELOW - above if size.height else MOST_HEIGHT
+    if min(across, along) < LEAST:
+        raise ProblemError(
+            f"the drawing is {size.width:.6g} mm wide"
+            f"{f' and {size.height:.6g} mm high' if size.height else ''}; this one needs"
+            f" {LEAST + LEFT + RIGHT:.6g} mm and {LEAST + BELOW + above:.6g} mm"
+        )
+    most = (across - 2 * EDGE, along - 2 * EDGE)
     scale = min(room / side for room, side in zip(most, (width, height), strict=True) if side)
-    spare = (np.asarray((LEAST_WIDTH, 2 * EDGE)) / scale - (width, height)) / 2
+    least = (across if size.exact else min(LEAST_WIDTH, across), along if size.height else 2 * EDGE)
+    spare = (np.asarray(least) / scale - (width, height)) / 2
     room = np.maximum(EDGE / scale, spare)
     (left, bottom), (right, top) = (low - room).tolist(), (high + room).tolist()
     power = power_of_thousand((left, bottom, right, top))
@@ -161,7 +148,7 @@ def _laid_out(plan: _Plan) -> tuple[Figure, Axes]:
     return figure, axes
 
 
-def _axes(axes: Axes, plan: _Plan, names: Sequence[str], mark: str) -> None:
+def _axes(axes: Axes, plan: _Plan, names: Sequence[str], mark: str, chords: Sequence[Points]) -> None:
     left, bottom, right, top = plan.frame
     for low, high, ticks in ((left, right, axes.set_xticks), (bottom, top, axes.set_yticks)):
         found = value_ticks(low, high, plan.grid, plan.power, mark)
@@ -170,7 +157,8 @@ def _axes(axes: Axes, plan: _Plan, names: Sequence[str], mark: str) -> None:
     axes.set_axisbelow(True)
     axes.tick_params(width=THIN, length=2, pad=2, labelsize=SMALL_TEXT)
     axes.axhline(0, color=BLACK, linewidth=MEDIUM, zorder=2)
-    axes.axvline(0, color=BLACK, linewidth=MEDIUM, zorder=2)
+    for low, high in _free(bottom, top, chords):
+        axes.plot((0, 0), (low, high), color=BLACK, linewidth=MEDIUM, zorder=2)
     axes.set_xlabel(names[0], labelpad=3)
     axes.set_title(names[1], loc="left", pad=4, fontsize=TEXT_SIZE)
 
@@ -178,25 +166,31 @@ def _axes(axes: Axes, plan: _Plan, names: Sequence[str], mark: str) -> None:
 def _scale_text(plan: _Plan, unit: Label, mark: str) -> str:
     step = float(plan.grid)
     number = value_ticks(step * 0.9, step * 1.1, plan.grid, plan.power, ".").texts[0]
-    factor = f" · 10^{plan.power}" if plan.power > 0 else f" · 10^({plan.power})" if plan.power else ""
-    return text_of(f"${number}{factor}$ {unit}", mark)
+    return text_of(f"${number}$ {measure(unit, plan.power)}", mark)
 
 
-def _scale_bar(axes: Axes, plan: _Plan, text: str) -> None:
+def _free(low: float, high: float, chords: Sequence[Points]) -> Iterator[tuple[float, float]]:
+    """Yield what chords leave of the upright axis: at a dead centre the force has no part across the crank,
+    and they lie on it."""
+    near = NOTHING * (high - low)
+    taken = [sorted(chord[:, 1]) for chord in chords if np.abs(chord[:, 0]).max() <= near]
+    for begin, end in sorted(taken):
+        if begin > low:
+            yield low, begin
+        low = max(low, end)
+    yield low, high
+
+
+def _scale_bar(axes: Axes, plan: _Plan, text: str, above: float) -> None:
     """Draw the scale of forces above the frame: it stays true when the drawing is made smaller."""
     _, _, right, top = plan.frame
-    step, y = float(plan.grid), top + (plan.above - ABOVE + 2.7) / plan.scale
+    step, y = float(plan.grid), top + (above - ABOVE + 2.7) / plan.scale
     ends = (right - step, right)
     axes.plot(ends, (y, y), color=BLACK, linewidth=MEDIUM, clip_on=False, marker="|", markersize=2 * MM)
     axes.text(ends[0] - 1.5 / plan.scale, y, text, ha="right", va="center", fontsize=SMALL_TEXT)
 
 
-def _with_gaps(pieces: Sequence[_Piece]) -> Points:
-    gap = np.full((1, 2), np.nan)
-    return np.concatenate([row for piece in pieces for row in (gap, piece.path)][1:])
-
-
-def _chords(axes: Axes, plan: _Plan, pieces: Sequence[_Piece]) -> list[Points]:
+def _chords(axes: Axes, plan: _Plan, pieces: Sequence[Piece]) -> list[Points]:
     """Draw what the force leaps over: between two pieces, and after a whole turn back to its beginning."""
     ends = list(pairwise(pieces))
     if (pieces[-1].angles[-1] - pieces[0].angles[0]) % 360 == 0:
@@ -205,8 +199,6 @@ def _chords(axes: Axes, plan: _Plan, pieces: Sequence[_Piece]) -> list[Points]:
     chords = [chord for chord in chords if np.isfinite(chord).all() and not _same(*chord)]
     for number, (start, end) in enumerate(chords, 1):
         across_up = np.stack((start, end)).T
-        # At a dead centre the force has no part across the crank: chords lie on the axis and on each other.
-        axes.plot(*across_up, color=WHITE, linewidth=3 * MEDIUM, zorder=3.2, solid_capstyle="butt")
         axes.plot(*across_up, color=BLACK, linewidth=MEDIUM, dashes=CHORD, zorder=3.2)[0].set_gid(
             f"chord-{number}"
         )
@@ -216,7 +208,7 @@ def _chords(axes: Axes, plan: _Plan, pieces: Sequence[_Piece]) -> list[Points]:
     return chords
 
 
-def _marks(axes: Axes, plan: _Plan, pieces: Sequence[_Piece], chords: Sequence[Points]) -> None:
+def _marks(axes: Axes, plan: _Plan, pieces: Sequence[Piece], chords: Sequence[Points]) -> None:
     """Draw the vectors at every 30° and write their angles where there is room."""
     heads = _heads(pieces)
     for _, head in heads:
@@ -226,7 +218,7 @@ def _marks(axes: Axes, plan: _Plan, pieces: Sequence[_Piece], chords: Sequence[P
     lines = [((left, 0), (right, 0)), ((0, bottom), (0, top)), *chords]
     shafts = [np.asarray(((0, 0), head)) for _, head in heads]
     taken = [densely(plan.on_paper(np.asarray(line))) for line in (*lines, *shafts)]
-    line = densely(plan.on_paper(_with_gaps(pieces)))
+    line = densely(plan.on_paper(with_gaps([piece.path for piece in pieces])))
     for angle, head in heads:
         taken.append(_mark(axes, plan, f"{angle}°", head, line, taken))
 
@@ -245,7 +237,7 @@ def _mark(axes: Axes, plan: _Plan, text: str, head: Points, line: Points, taken:
     return box_points(place, size)
 
 
-def _heads(pieces: Sequence[_Piece]) -> list[tuple[int, Points]]:
+def _heads(pieces: Sequence[Piece]) -> list[tuple[int, Points]]:
     """Return the vectors at every 30°, two where the force jumps, none of no length."""
     heads = [(angle, piece.at(angle)) for piece in pieces for angle in piece.marked()]
     if len(heads) > 1 and _same(heads[0][1], heads[-1][1]):
@@ -258,7 +250,7 @@ def _same(one: Points, other: Points) -> bool:
     return float(np.hypot(*(one - other))) <= NOTHING * float(np.hypot(*one))
 
 
-def _arrow(axes: Axes, plan: _Plan, pieces: Sequence[_Piece]) -> None:
+def _arrow(axes: Axes, plan: _Plan, pieces: Sequence[Piece]) -> None:
     """Draw an arrow on the longest piece between two marks, pointing where the angle rises."""
     half = MARK_STEP / 2
     stretches = [

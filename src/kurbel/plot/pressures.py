@@ -10,7 +10,7 @@ from kurbel.engine.captions import inner
 from kurbel.engine.pressures.page import WORDS, PressuresRequest, stroke_names
 from kurbel.engine.pressures.pressed import Pressed, Where, is_carded
 from kurbel.exact.kind import Kind, balls, floats
-from kurbel.plot.plotting import Curve, Panel
+from kurbel.plot.chart.model import Curve, Panel
 from kurbel.plot.ticks import Across, plain_ticks
 
 # So many steps of a stroke make its curves smooth; they are closer near the dead centres.

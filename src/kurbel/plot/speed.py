@@ -8,9 +8,9 @@ from kurbel.engine.request import EngineRequest
 from kurbel.engine.speed.quantities import speed_registry
 from kurbel.engine.speed.run import AnyRun, run_of
 from kurbel.page.quantity import words
+from kurbel.plot.chart.model import Curve, Panel
 from kurbel.plot.engine import turns_of
 from kurbel.plot.panels import axis_name, degrees
-from kurbel.plot.plotting import Curve, Panel
 
 # By the column that is drawn the letter of its mean, half the sum of the extremes.
 MEANS = {"rpm": "$n_m$", "speed": "$v_m/v_1$"}

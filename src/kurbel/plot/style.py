@@ -11,6 +11,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from io import BytesIO
 from threading import RLock
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.errors import ChoiceError, MissingExtraError
@@ -44,6 +45,18 @@ LONG_DASH_DOT = (24.0, 3.0, 0.5, 3.0)
 LONG_DASH_DOUBLE_DOT = (24.0, 3.0, 0.5, 3.0, 0.5, 3.0)
 DOTTED = (0.5, 3.0)
 
+
+class Size(NamedTuple):
+    """Width and height of a drawing in mm; without a height it has the one that it needs. A drawing to scale
+    may be narrower unless its width is `exact`."""
+
+    width: float = WIDTH
+    height: float | None = None
+    exact: bool = False
+
+
+USUAL = Size()
+
 STYLE: Mapping[Any, Any] = {
     # matplotlib brings these fonts along: text and formulas match, and look the same on every machine.
     "font.family": ["STIXGeneral"],
@@ -52,6 +65,8 @@ STYLE: Mapping[Any, Any] = {
     "figure.dpi": DOTS_PER_INCH,
     "savefig.dpi": DOTS_PER_INCH,
     "axes.linewidth": THIN,
+    # The ground is that of the page.
+    "axes.facecolor": "none",
     # Every given point is drawn, in every format.
     "path.simplify": False,
     # Ids in SVG are hashes with a salt, by default a random one.
@@ -62,6 +77,7 @@ STYLE: Mapping[Any, Any] = {
     # TrueType, which printers' checks accept and readers can search; by default it is Type 3.
     "pdf.fonttype": 42,
 }
+OWN_FONTS: Mapping[Any, Any] = {"svg.fonttype": "none"}
 # Settings of the process, not of a drawing: a change would have effects outside.
 _PROCESS = frozenset(("backend", "backend_fallback", "interactive", "toolbar", "timezone", "date.epoch"))
 
@@ -101,7 +117,7 @@ LINES = tuple(
 
 
 @contextmanager
-def style() -> Iterator[None]:
+def style(more: Mapping[Any, Any] = MappingProxyType({})) -> Iterator[None]:
     """Draw in kurbel's style, whatever a matplotlibrc says; raise MissingExtraError without matplotlib.
 
     matplotlib's settings belong to the whole process: they are set for the time of the block, in one thread
@@ -116,7 +132,7 @@ def style() -> Iterator[None]:
     with _LOCK, matplotlib.rc_context():
         defaults = matplotlib.rcParamsDefault
         matplotlib.rcParams.update({name: defaults[name] for name in defaults if name not in _PROCESS})
-        matplotlib.rcParams.update(STYLE)
+        matplotlib.rcParams.update({**STYLE, **more})
         yield
 
 
@@ -141,20 +157,31 @@ def arrowhead(axes: Axes, tip: Any, direction: Any, mm: float, size: float = 1.9
     axes.fill(*corners.T, color=BLACK, linewidth=0, zorder=6, clip_on=False)
 
 
-def image(figure: Figure, name: str, title: str = "") -> bytes:
+def image(figure: Figure, name: str, title: str = "", about: str = "", text: bool = False) -> bytes:
     """Return a figure as a file of the format svg, png or pdf.
+
+    The ground of SVG and PDF is transparent, and SVG black is the colour of the text around it. With `text`
+    SVG has letters in the reader's fonts in place of their outlines; raises ChoiceError for other formats.
 
     The same figure is the same bytes in every process, time zone, locale and folder, given one version of
     matplotlib and its libraries: the file has no date, hence none that SOURCE_DATE_EPOCH would have to fix.
-    The title, plain text, is for readers that do not see the drawing.
+    The title and what is told about the drawing, plain text, are for readers that do not see it.
     """
+    if text and name != "svg":
+        raise ChoiceError(
+            f"--text is for SVG, whose letters are outlines without it; leave it out for {name}"
+        )
     metadata = dict(FORMATS[choose(name, FORMATS, "drawing format")])
     if title:
         metadata["Title"] = title
     stream = BytesIO()
-    with style():
-        figure.savefig(stream, format=name, metadata=metadata)
-    return stream.getvalue()
+    with style(OWN_FONTS if text else {}):
+        figure.savefig(stream, format=name, metadata=metadata, facecolor=WHITE if name == "png" else "none")
+    if name != "svg":
+        return stream.getvalue()
+    from kurbel.plot.paper.svg import finished
+
+    return finished(stream.getvalue().decode(), about).encode()
 
 
 def format_of(path: str) -> str:
@@ -170,6 +197,9 @@ def format_of(path: str) -> str:
 _OBEYED = str.maketrans({character: f"\\{character}" for character in "#$%&_{}"})
 # mathtext sets a colon as a relation, with wide spaces, even in braces.
 _COLON = r"\text{:}"
+# An index is upright where it stands for a word or a body, by ISO 80000-1, 7.1.3; running numbers and
+# coordinates are not.
+_NAMED = re.compile(r"_\{?([A-Za-hlmo-wA-Z])(?![A-Za-z])\}?")
 _SHORT = re.compile(r"\\(le|ge)(?![A-Za-z])")
 
 
@@ -186,6 +216,7 @@ def _prose(text: str) -> str:
 def _mathtext(formula: Formula, mark: str) -> str:
     """Return a formula in mathtext, which is TeX's but for a few commands."""
     tex = TexMath(mark, lambda text: text.translate(_OBEYED)).set(formula.content)
+    tex = _NAMED.sub(r"_\\mathrm{\1}", tex)
     return "$" + _SHORT.sub(r"\g<0>q", tex.replace("{:}", _COLON)) + "$"
 
 

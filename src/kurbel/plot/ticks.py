@@ -13,11 +13,14 @@ from kurbel.page.axes import PHI
 MINUS = "−"
 _ROUND = (Fraction(1), Fraction(2), Fraction(5, 2), Fraction(5), Fraction(10))
 _ANGLE_STEPS = (1, 2, 5, 10, 15, 30, 45, 60, 90, 180, 360)
-_MOST_ANGLES = 12
+MOST_STEPS = 12
 # The float 0.3 is below 3/10, and still has the tick 0,3.
 _SLACK = 1e-9
 # Powers of ten that numbers at an axis may have before a power is taken out of them.
 _LARGEST, _SMALLEST = 4, -2
+# The prefixes of the SI in steps of a thousand, and the units that have them at axes.
+PREFIXES = {-9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
+PREFIXED = ("N", "J", "W", "Pa", "m", "s")
 
 
 class Ticks(NamedTuple):
@@ -28,10 +31,11 @@ class Ticks(NamedTuple):
 
 
 class Across(NamedTuple):
-    """An axis from left to right: its name, and its ticks between two values with a decimal mark."""
+    """An axis from left to right: its name, and its ticks between two values with a decimal mark, at most so
+    many steps of them."""
 
     label: Label
-    ticks: Callable[[float, float, str], Ticks]
+    ticks: Callable[[float, float, str, int], Ticks]
 
 
 def value_ticks(low: float, high: float, step: Fraction, power: int, mark: str) -> Ticks:
@@ -51,9 +55,9 @@ def round_step(least: float) -> Fraction:
     return next(number * power for number in _ROUND if number * power >= least * (1 - _SLACK))
 
 
-def angle_ticks(low: float, high: float, mark: str) -> Ticks:
-    """Return ticks at angles that divide the turn, at most 12 steps: every 30° from 0° to 360°."""
-    least = (high - low) / _MOST_ANGLES
+def angle_ticks(low: float, high: float, mark: str, most: int = MOST_STEPS) -> Ticks:
+    """Return ticks at angles that divide the turn, in so many steps at most: every 30° from 0° to 360°."""
+    least = (high - low) / most
     if least > _ANGLE_STEPS[-1]:
         step = Fraction(_ANGLE_STEPS[-1] * math.ceil(least / _ANGLE_STEPS[-1]))
     elif least > _ANGLE_STEPS[0]:
@@ -69,9 +73,9 @@ def over_angle(lang: str) -> Across:
     return Across(f"{PHI[lang]} $φ$", angle_ticks)
 
 
-def plain_ticks(low: float, high: float, mark: str) -> Ticks:
-    """Return ticks at round numbers, at most 12 steps."""
-    return value_ticks(low, high, round_step((high - low) / _MOST_ANGLES), 0, mark)
+def plain_ticks(low: float, high: float, mark: str, most: int = MOST_STEPS) -> Ticks:
+    """Return ticks at round numbers, in so many steps at most."""
+    return value_ticks(low, high, round_step((high - low) / most), 0, mark)
 
 
 def degrees(angle: float | Fraction, mark: str) -> str:
@@ -89,7 +93,19 @@ def power_of_thousand(values: Iterable[float]) -> int:
 
 
 def axis_label(label: Label, unit: Label, power: int = 0) -> Label:
-    """Return what is written at an axis: "Kolbenkraft $P$ in kN", "$M$ in $10^3$ N m"."""
+    """Return what is written at an axis: "Kolbenkraft $P$ in kN", "$p$ in $10^3$ m/s²"."""
+    return " in ".join(filter(None, (label, measure(unit, power))))
+
+
+def measure(unit: Label, power: int) -> Label:
+    """Return a unit times a power of ten: of 10³ N kN, of 10³ mm m, else with the power, 10³ m/s².
+
+    Units that take a prefix, or have one, are those of `PREFIXED`, alone or before others: N m.
+    """
+    first, *others = unit.split(" ")
+    base = first if first in PREFIXED else first[1:]
+    powers = {f"{prefix}{base}": known for known, prefix in PREFIXES.items()}
+    if base in PREFIXED and first in powers and powers[first] + power in PREFIXES:
+        return " ".join((PREFIXES[powers[first] + power] + base, *others))
     factor = f"$10^{power if power > 0 else f'({power})'}$" if power else ""
-    measure = " ".join(filter(None, (factor, unit)))
-    return " in ".join(filter(None, (label, measure)))
+    return " ".join(filter(None, (factor, unit)))

@@ -5,6 +5,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
+from kurbel.commands.drawn.size import Sized, page_size
 from kurbel.commands.loads import OWN
 from kurbel.commands.machines import engine_of, for_masses, weighed
 from kurbel.commands.motion import described, of_other_mechanisms, sheet_of
@@ -113,7 +114,7 @@ def pressures_table(
     )
 
 
-class DrawnPiston(option.Cylinder, option.MovingRod, option.AnyDrive, total=False):
+class DrawnPiston(option.Cylinder, option.MovingRod, option.AnyDrive, Sized, total=False):
     """The pressures on a piston, as they are drawn."""
 
     ratio: option.Ratios
@@ -128,6 +129,7 @@ def plot_pressures(eps: option.Eps = None, **given: Unpack[DrawnPiston]) -> Draw
     """Draw the acceleration pressure under the indicator diagram, over the stroke: what the masses take of
     the pressure on the piston, and what is left."""
     from kurbel.engine.pressures.page import PressuresRequest, registry
+    from kurbel.plot.chart.model import Around
     from kurbel.plot.drawings import curves_drawing
     from kurbel.plot.pressures import across_stroke, pressure_panels
 
@@ -136,8 +138,9 @@ def plot_pressures(eps: option.Eps = None, **given: Unpack[DrawnPiston]) -> Draw
     asked = PressuresRequest(layout=page, pressed=pressed, shares=(Fraction(0),), lang=lang)
     drawn = tuple(key for key, one in registry().items() if one.needs and not asked.missing(one))
     question = PressuresRequest(layout=page, pressed=pressed, shares=(Fraction(0),), lang=lang, columns=drawn)
-    across = across_stroke(lang)
-    return Drawing.of(curves_drawing(question, pressure_panels(question), mark, across), lang, mark)
+    around = Around(across=across_stroke(lang))
+    drawing = curves_drawing(question, pressure_panels(question), mark, around, page_size(given))
+    return Drawing.of(drawing, lang, mark)
 
 
 def pressed_of(page: Layout, given: Mapping[str, Any]) -> "Pressed":

@@ -112,11 +112,11 @@ def outcome(
 
 def places(extremes: Sequence[Extreme]) -> Label:
     """Return places in a row: $30°$; $150°$."""
-    named = "; ".join(f"${_place(one)}$" for one in extremes[:MOST_PLACES])
+    named = "; ".join(f"${place_text(one)}$" for one in extremes[:MOST_PLACES])
     return f"{named}; …" if len(extremes) > MOST_PLACES else named
 
 
-def _place(extreme: Extreme) -> str:
+def place_text(extreme: Extreme) -> str:
     if extreme.letter:
         return extreme.letter
     if extreme.exact is not None:

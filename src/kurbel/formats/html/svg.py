@@ -21,7 +21,9 @@ COLOURS: Mapping[str, str] = {
     "#a8508c": "purple",
     "#7a5c00": "brown",
 }
-_COLOUR = re.compile("|".join(COLOURS))
+# What is black by itself has the colour of the text around it.
+_NAMES = {**COLOURS, "currentColor": "ink"}
+_COLOUR = re.compile("|".join(_NAMES))
 _TARGET = re.compile(r"(url\(#)([^)]+)")
 _NAMESPACE = re.compile(r"^\{[^}]*\}")
 # What a style sheet within a drawing says of all of its elements, and would say of the whole page.
@@ -33,9 +35,9 @@ def inline(svg: str, name: str, title: str, own_page: bool) -> str:
     """Return the drawing for the middle of a page, an element a line.
 
     Ids begin with `name`, those that nothing refers to are gone, and so are metadata; `title`, plain text, is
-    what a screen reader says. On a page of our own colours are those of its style sheet; on another's the
-    drawing keeps its colours and says itself that it is no wider than the page. Raises
-    xml.etree.ElementTree.ParseError for what is no SVG.
+    what a screen reader says before the drawing's description. On a page of our own colours are those of its
+    style sheet; on another's the drawing keeps its colours and says itself that it is no wider than the page.
+    Raises xml.etree.ElementTree.ParseError for what is no SVG.
     """
     from xml.etree import ElementTree
 
@@ -45,7 +47,8 @@ def inline(svg: str, name: str, title: str, own_page: bool) -> str:
     heading = ElementTree.Element("title", {"id": f"{name}-title"})
     heading.text = title
     root.insert(0, heading)
-    size = {key: root.get(key, "") for key in ("viewBox", "width", "height")}
+    kept = ("viewBox", "width", "height", "fill")
+    size = {key: root.attrib[key] for key in kept if key in root.attrib}
     said = [root.get("style", ""), "" if own_page else "max-width: 100%; height: auto"]
     style = {"style": "; ".join(filter(None, said))} if any(said) else {}
     root.attrib.clear()
@@ -64,7 +67,9 @@ def _prune(root: Element) -> None:
                 root.set("style", said[1])
             if tag in ("title", "metadata", "style"):
                 parent.remove(child)
-        parent.text = parent.tail = None
+        parent.tail = None
+        if parent.tag != "desc":
+            parent.text = None
         attributes = {_NAMESPACE.sub("", key): value for key, value in parent.attrib.items()}
         parent.attrib.clear()
         parent.attrib.update(attributes)
@@ -81,7 +86,7 @@ def _name(root: Element, name: str, own_page: bool) -> None:
         for key, value in one.attrib.items():
             renamed = _SPACE.sub(" ", _renamed(key, value, name)).strip()
             if own_page:
-                renamed = _COLOUR.sub(lambda colour: f"var(--{COLOURS[colour[0]]})", renamed)
+                renamed = _COLOUR.sub(lambda colour: f"var(--{_NAMES[colour[0]]})", renamed)
             one.attrib[key] = renamed
 
 

@@ -4,17 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
+from typing import Any
 
+from kurbel.engine.diagram.captions import shown
 from kurbel.engine.diagram.page import TorquesRequest
 from kurbel.engine.diagram.torque import Torque
-from kurbel.exact.kind import floats
+from kurbel.exact.kind import Kind, floats
 from kurbel.page.quantity import words
+from kurbel.plot.chart.model import Curve, Panel, power_of_curves
+from kurbel.plot.diagrams.swing import diagram_swing
 from kurbel.plot.panels import axis_name, check_drawn, degrees
-from kurbel.plot.plotting import Curve, Panel
+from kurbel.plot.ticks import measure
 
 # What is drawn; the speed of a flywheel where that and its mean are known.
 DRAWN, SPEED = ("torque", "load_torque", "excess_energy"), "rpm"
-MEAN = "$T_m$"
+MEAN, ENERGY = "$T_m$", "excess_energy"
 TORQUES = words("Drehmomente|Torques")
 
 
@@ -32,17 +36,33 @@ def diagram_panels(request: TorquesRequest) -> list[Panel]:
         Curve(one.symbol, *_course(torque, request))
         for one, torque in ((drive, excess.drive), (load, excess.load))
     ]
+    mean = f" = {_mean(request, power_of_curves(both))}$"
     if not request.constant:
         ends = degrees([request.angles[0], request.angles[-1]])
-        both.append(Curve(MEAN, ends, [float(excess.mean_torque(floats()))] * 2))
-    panels = [Panel(both, TORQUES[lang], drive.plain_unit(lang))]
+        both.append(Curve(f"{MEAN[:-1]}{mean}", ends, [float(excess.mean_torque(floats()))] * 2))
+    else:
+        level = 1 if request.constant == "load" else 0
+        both[level] = both[level]._replace(label=f"{both[level].label[:-1]}{mean}")
+    panels = [Panel(both, TORQUES[lang], drive.plain_unit(lang), areas=True)]
     places = _places(excess.excess, request)
     for one in others:
         name, heading, unit = axis_name(one, lang)
         kernel = one.formulas["exact"].kernel
         values = [float(kernel(request, place, floats())) for place in places]
-        panels.append(Panel([Curve(heading, degrees(places), values)], f"{name} {heading}", unit))
+        panels.append(Panel([Curve("", degrees(places), values)], f"{name} {heading}", unit))
+        if one.key == ENERGY:
+            panels[-1] = diagram_swing(request, panels[-1])
     return panels
+
+
+def _mean(request: TorquesRequest, power: int) -> str:
+    """Return the mean of the torques with its unit, as it stands in a formula."""
+    excess = request.excess
+
+    def torque(kind: Kind) -> Any:
+        return excess.mean_torque(kind) / kind.of(Fraction(10) ** power)
+
+    return f'{shown(torque, excess.torque_is_algebraic)} "{measure("N m", power)}"'
 
 
 def _places(torque: Torque, request: TorquesRequest) -> list[Fraction]:
