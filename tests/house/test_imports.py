@@ -108,7 +108,10 @@ def test_only_its_start_knows_the_command_line() -> None:
 
 
 def test_only_drawings_know_matplotlib() -> None:
-    names = ("plotting", "style", "polar", "mechanism", "arc", "links", "sketch")
+    names = (
+        *("plotting", "style", "polar", "mechanism", "arc", "links", "sketch"),
+        *("chart.legend", "chart.marks", "chart.stroke_lines"),
+    )
     drawing = {f"kurbel.plot.{name}" for name in names}
     assert importers("matplotlib") == drawing | {"kurbel.plot.drawings"}
     knowing = {name for name in MODULES if drawing & {name, *reached(name)}}
