@@ -220,13 +220,33 @@ def test_html_stub_cell_reaches_over_its_rows() -> None:
 def test_html_links_and_references_have_their_targets() -> None:
     tree = fragment(everything())
     targets = [element.get("id") for element in tree.iter() if element.get("id")]
+    heads = [element.get("id") for element in tree.iter("th") if element.get("id")]
     # The figure, a caption for each of two panels, three notes.
-    assert len(targets) == len(set(targets)) == 6
+    assert len(set(targets) - set(heads)) == 6
+    assert len(targets) == len(set(targets)) == 6 + len(heads)
     links = [str(link.get("href")).removeprefix("#") for link in tree.iter("a")]
     labelled = [name for element in tree.iter() for name in element.get("aria-labelledby", "").split()]
     # The second panel is called by the table's caption and its own.
     assert (len(links), len(labelled)) == (4, 3)
     assert set(links) | set(labelled) <= set(targets)
+
+
+def test_html_cells_name_all_heads_above_and_before_them() -> None:
+    """By where the cells stand: heads in the column, the label of the group, names in the row."""
+    table = next(fragment(everything()).iter("table"))
+    grid, named = laid_out(table), 0
+    labels = {row: group[0][0] for group in table.findall("tbody") for row in group}
+    for row, cells in zip(table.iter("tr"), grid, strict=True):
+        for place, cell in enumerate(cells):
+            if cell is None or cell.tag != "td" or row not in labels:
+                continue
+            heads = [above[place] for above in grid[: len(table.findall("thead/tr"))]]
+            around = [one for one in (*heads, labels[row], *cells) if one is not None and one.tag == "th"]
+            wanted = {one.get("id") for one in around if one.get("id")}
+            assert set(cell.get("headers", "").split()) == wanted
+            assert len(wanted) >= 4
+            named += 1
+    assert named == 25
 
 
 def test_html_missing_cell_says_so() -> None:

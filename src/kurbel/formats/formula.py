@@ -1,7 +1,8 @@
-"""Formulas: what engines that set them must be told of their shape, and the notation of TeX."""
+"""Formulas: what engines that set them must be told of their shape, and how TeX and MathML note them."""
 
 from __future__ import annotations
 
+import html
 import re
 from collections.abc import Callable
 from typing import NamedTuple
@@ -112,3 +113,71 @@ class TexMath(NamedTuple):
                 below = f"_{{{self.set(index)}}}" if index else ""
                 above = f"^{{{self.set(power)}}}" if power else ""
                 return (f"{{{inner}}}" if isinstance(base, tree.Symbol) else inner) + below + above
+
+
+def mathml(nodes: tree.Nodes, mark: str) -> str:
+    """Return the elements of MathML within <math>, numbers with a decimal mark."""
+    return "".join(_mathml_node(nodes, place, mark) for place in range(len(nodes)))
+
+
+def _mathml_node(nodes: tree.Nodes, place: int, mark: str) -> str:
+    node = nodes[place]
+    match node:
+        case tree.Word(text):
+            return f'{_apart(nodes, place)}<mi class="name">{text}</mi>{_apply(nodes, place)}'
+        case tree.Variable(text):
+            return f'<mi mathvariant="normal">{text}</mi>' if text in tree.CAPITALS else f"<mi>{text}</mi>"
+        case tree.Numeral(text):
+            return f"<mn>{text.replace('.', mark)}</mn>"
+        case tree.Sign(text):
+            tight = ' lspace="0" rspace="0"' if text == ":" else ""
+            return f"<mo{tight}>{html.escape(tree.SIGNS[text][0], quote=False)}</mo>"
+        case tree.Symbol(text):
+            return f'<mi mathvariant="normal">{tree.SYMBOLS[text][0]}</mi>'
+        case tree.Upright(text):
+            return f"<mtext>{html.escape(text, quote=False)}</mtext>"
+        case tree.Space():
+            return _THIN * is_seen(nodes, place)
+        case tree.Group(content, fences):
+            # Fences that may stretch are set with side bearings, even around a single line.
+            fixed = "" if has_bar(content) else ' stretchy="false"'
+            opening, closing = (f"<mo{fixed}>{fence}</mo>" for fence in fences)
+            return f"<mrow>{opening}{mathml(content, mark)}{closing}</mrow>"
+        case tree.Root(content):
+            return f"<msqrt>{mathml(content, mark)}</msqrt>"
+        case tree.Fraction(top, bottom) if has_stroke(nodes, place):
+            below = mathml(bottom if len(bottom) == 1 else (tree.Group(bottom),), mark)
+            return f'{mathml(top, mark)}<mo lspace="0" rspace="0">/</mo>{below}'
+        case tree.Fraction(top, bottom):
+            return f"<mfrac>{_row(top, mark)}{_row(bottom, mark)}</mfrac>"
+        case tree.Script(base, index, power):
+            tag = "m" + "sub" * bool(index) + "sup" * bool(power)
+            inner = "".join(_row(nodes, mark) for nodes in ((base,), index, power) if nodes)
+            function = tree.is_function(base)
+            before, after = (_apart(nodes, place), _apply(nodes, place)) if function else ("", "")
+            return f"{before}<{tag}>{inner}</{tag}>{after}"
+
+
+def _row(nodes: tree.Nodes, mark: str) -> str:
+    content = mathml(nodes, mark)
+    # A fraction with a stroke is one node but three elements.
+    single = len(nodes) == 1 and not (isinstance(nodes[0], tree.Fraction) and has_stroke(nodes, 0))
+    return content if single else f"<mrow>{content}</mrow>"
+
+
+_THIN = '<mspace width="0.167em"/>'
+
+
+def _apart(nodes: tree.Nodes, place: int) -> str:
+    """Return the thin space between a factor and a function, which browsers do not set by themselves."""
+    return "" if place == 0 or isinstance(beside(nodes, place, -1), tree.Sign) else _THIN
+
+
+def _apply(nodes: tree.Nodes, place: int) -> str:
+    """Return the invisible sign that binds a function to what follows it, and the space after it."""
+    if place == len(nodes) - 1 or isinstance(beside(nodes, place, 1), tree.Sign):
+        return ""
+    argument = beside(nodes, place, 1)
+    return "<mo>&#x2061;</mo>" + _THIN * (
+        not isinstance(argument, tree.Group | tree.Word) and not tree.is_function(argument)
+    )

@@ -1,14 +1,21 @@
-"""Labels in HTML, with formulas in MathML."""
+"""Labels in HTML, and what its tables need: where heads break, the ids of heads, and the widths
+from which the style sheet reckons gaps and sizes.
+"""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import cache
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from kurbel.formats.formula import has_bar, has_stroke, is_seen
+from kurbel.formats.formula import has_bar, mathml
 from kurbel.formats.writer import PageWriter
-from kurbel.page import formula as tree
 from kurbel.page.formula import Formula
-from kurbel.page.labels import beside
+from kurbel.page.table import HeadCell
+
+if TYPE_CHECKING:
+    from kurbel.formats.page import PageCell, PageGroup, PagePanel
 
 
 class Writer(PageWriter):
@@ -21,11 +28,14 @@ class Writer(PageWriter):
 
     def formula(self, formula: Formula, mark: str = ".", display: bool = False) -> str:
         style = ' displaystyle="true"' if display and has_bar(formula.content) else ""
-        return f"<math{style}>{_mathml(formula.content, mark)}</math>"
+        return f"<math{style}>{mathml(formula.content, mark)}</math>"
 
     def finish(self, label: str) -> str:
         """Return a label that was set, with every formula on one line with the signs that touch it."""
         return _BESIDE_FORMULA.sub(_kept, label)
+
+    def filters(self) -> Mapping[str, Callable[..., Any]]:
+        return {"heads": Heads, "hyphenated": hyphenated, "measures": measures}
 
     def drawing(self, svg: str, name: str, title: str) -> str:
         from kurbel.formats.html.svg import inline
@@ -51,68 +61,202 @@ def _kept(match: re.Match[str]) -> str:
     return text if alone else f'<span class="kept">{text}</span>'
 
 
-def _mathml(nodes: tree.Nodes, mark: str) -> str:
-    return "".join(_mathml_node(nodes, place, mark) for place in range(len(nodes)))
+# Its hyphen is of the style sheet: copied and searched, a word is whole.
+BREAK = '<span class="shy"></span>'
+_WORDS: Mapping[str, str] = {
+    "de": """
+        Ab-stand Ab-stände Aus-geglichener Balancier-kraft Balancier-winkel Be-lastung Beschleu-nigung
+        Beschleunigungs-druck Dreh-moment Dreh-zahl Druck-verhältnis Expansions-verhältnis Führungs-druck
+        Geschwin-digkeit Haupt-lager Hin-gang Kolben-beschleunigung Kolben-druck Kolben-geschwindigkeit
+        Kolben-kraft Kolben-weg Kolben-wege Kreuz-kopf Kreuzkopf-zapfen Kurbel-verhältnis Kurbel-winkel
+        Kurbel-zapfen Kurbel-zapfens Liefe-rung Massen-kraft Massen-kräfte Mechanis-mus Nach-lauf
+        Radial-kraft Rück-gang Schubstangen-winkel Schwer-punkt Schwingen-kraft Schwingen-winkel
+        Stangen-kraft Stangen-verhältnis Tangen-tial-kraft Um-drehung Umfangs-kraft
+        Ungleich-förmigkeits-grad Unter-schied ver-bleibender Verdichtungs-verhältnis Wellen-linie
+        Winkel-beschleunigung Wirkungs-grad Zapfen-kraft Zünd-folge Zünd-winkel Über-schuss
+        Überschuss-arbeit
+    """,
+    "en": """
+        Accelera-tion accelera-tion Ampli-tude Compres-sion Cross-head cross-head Cylin-der Deliv-ery
+        Differ-ence direc-tion Effi-ciency Expan-sion Inter-val Inter-vals irregu-larity Magni-tude
+        magni-tude Out-stroke Pres-sure pres-sure Remain-ing Tangen-tial tangen-tial Veloc-ity veloc-ity
+    """,
+}
 
 
-def _mathml_node(nodes: tree.Nodes, place: int, mark: str) -> str:
-    node = nodes[place]
-    match node:
-        case tree.Word(text):
-            return f"{_apart(nodes, place)}<mi>{text}</mi>{_apply(nodes, place)}"
-        case tree.Variable(text):
-            return f'<mi mathvariant="normal">{text}</mi>' if text in tree.CAPITALS else f"<mi>{text}</mi>"
-        case tree.Numeral(text):
-            return f"<mn>{text.replace('.', mark)}</mn>"
-        case tree.Sign(text):
-            tight = ' lspace="0" rspace="0"' if text == ":" else ""
-            return f"<mo{tight}>{escape(tree.SIGNS[text][0])}</mo>"
-        case tree.Symbol(text):
-            return f'<mi mathvariant="normal">{tree.SYMBOLS[text][0]}</mi>'
-        case tree.Upright(text):
-            return f"<mtext>{escape(text)}</mtext>"
-        case tree.Space():
-            return _THIN * is_seen(nodes, place)
-        case tree.Group(content, fences):
-            # Fences that may stretch are set with side bearings, even around a single line.
-            fixed = "" if has_bar(content) else ' stretchy="false"'
-            opening, closing = (f"<mo{fixed}>{fence}</mo>" for fence in fences)
-            return f"<mrow>{opening}{_mathml(content, mark)}{closing}</mrow>"
-        case tree.Root(content):
-            return f"<msqrt>{_mathml(content, mark)}</msqrt>"
-        case tree.Fraction(top, bottom) if has_stroke(nodes, place):
-            below = _mathml(bottom if len(bottom) == 1 else (tree.Group(bottom),), mark)
-            return f'{_mathml(top, mark)}<mo lspace="0" rspace="0">/</mo>{below}'
-        case tree.Fraction(top, bottom):
-            return f"<mfrac>{_row(top, mark)}{_row(bottom, mark)}</mfrac>"
-        case tree.Script(base, index, power):
-            tag = "m" + "sub" * bool(index) + "sup" * bool(power)
-            inner = "".join(_row(nodes, mark) for nodes in ((base,), index, power) if nodes)
-            function = tree.is_function(base)
-            before, after = (_apart(nodes, place), _apply(nodes, place)) if function else ("", "")
-            return f"{before}<{tag}>{inner}</{tag}>{after}"
+@cache
+def _breaks(lang: str) -> tuple[re.Pattern[str], Mapping[str, str]]:
+    words = {word.replace("-", ""): word.replace("-", BREAK) for word in _WORDS.get(lang, "").split()}
+    return re.compile(rf"\b(?:{'|'.join(sorted(words))})\b"), words
 
 
-def _row(nodes: tree.Nodes, mark: str) -> str:
-    content = _mathml(nodes, mark)
-    # A fraction with a stroke is one node but three elements.
-    single = len(nodes) == 1 and not (isinstance(nodes[0], tree.Fraction) and has_stroke(nodes, 0))
-    return content if single else f"<mrow>{content}</mrow>"
+def hyphenated(text: str, lang: str) -> str:
+    """Return a heading with the places at which its words may break; a unit stays with its "in"."""
+    pattern, words = _breaks(lang)
+    kept = text.replace(" in ", " in\u00a0")
+    return pattern.sub(lambda found: words[found[0]], kept) if words else kept
 
 
-_THIN = '<mspace width="0.167em"/>'
+# A table with fewer rows is seen at a glance: nobody needs to go from group to group.
+_FEWEST = 12
 
 
-def _apart(nodes: tree.Nodes, place: int) -> str:
-    """Return the thin space between a factor and a function, which browsers do not set by themselves."""
-    return "" if place == 0 or isinstance(beside(nodes, place, -1), tree.Sign) else _THIN
+class Row(NamedTuple):
+    """`names` are the ids of the cells of the stub, `heads` what all cells of the row have in common."""
+
+    names: tuple[str, ...]
+    heads: str
 
 
-def _apply(nodes: tree.Nodes, place: int) -> str:
-    """Return the invisible sign that binds a function to what follows it, and the space after it."""
-    if place == len(nodes) - 1 or isinstance(beside(nodes, place, 1), tree.Sign):
-        return ""
-    argument = beside(nodes, place, 1)
-    return "<mo>&#x2061;</mo>" + _THIN * (
-        not isinstance(argument, tree.Group | tree.Word) and not tree.is_function(argument)
+class Heads:
+    """The ids of the heads of a page's panel with this number: weg-h1, weg-g1, weg-r1 and so on."""
+
+    def __init__(self, panel: PagePanel, key: str, number: int) -> None:
+        self.panel = panel
+        self.key = key
+        self.end = f"-{number}" if number > 1 else ""
+        labels = [group.label for group in panel.groups if group.label]
+        # Below one row of heads scopes say it all, and ids would make the page thrice as long.
+        self.needed = len(panel.head) > 1 or bool(labels)
+        self.reached = len(labels) > 1 and len(panel.rows) >= _FEWEST
+        self.cells = [cell for row in panel.head for cell in row if cell.text]
+
+    def _id(self, kind: str, number: int) -> str:
+        return f"{self.key}-{kind}{number}{self.end}"
+
+    def name(self, cell: HeadCell) -> str:
+        """Return the id of a cell of the head, nothing where it needs none."""
+        return self._id("h", self.cells.index(cell) + 1) if self.needed else ""
+
+    def group(self, number: int) -> str:
+        """Return the id of the label of a group, counted from 1."""
+        return self._id("g", number)
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """The ids of all heads above each column, from the top."""
+        return tuple(
+            " ".join(self.name(cell) for cell in self.cells if cell.first <= place <= cell.last)
+            for place in range(len(self.panel.columns))
+        )
+
+    def rows(self) -> Iterator[tuple[Row, ...]]:
+        """Yield the ids of the rows of each group."""
+        above = 0
+        for place, group in enumerate(self.panel.groups, 1):
+            yield tuple(self._rows(group, above, f"{self.group(place)} " if group.label else ""))
+            above += len(group.rows)
+
+    def _rows(self, group: PageGroup, above: int, label: str) -> Iterator[Row]:
+        names: tuple[str, ...] = ("",) * self.panel.stubs
+        for number, row in enumerate(group.rows, above + 1):
+            names = tuple(self._row_names(row, names, number))
+            yield Row(names, label + " ".join(names))
+
+    def _row_names(self, row: Sequence[PageCell], above: tuple[str, ...], number: int) -> Iterator[str]:
+        for place, (cell, name) in enumerate(zip(row, above, strict=False)):
+            # The last column of the stub has r, the one before it q.
+            kind = chr(ord("r") - len(above) + 1 + place)
+            yield self._id(kind, number) if cell.down else name
+
+
+# Of DejaVu Serif, by and large.
+_CHARACTERS = (
+    ("ijltfI.,:;'|!()[]/ \u00a0\u2008°′", 0.38),
+    ("mwMW−±+=<>", 0.9),
+    ("ABCDEGHKLNOPQRUVXYÄÖÜΔ", 0.77),
+)
+_EM = {character: width for characters, width in _CHARACTERS for character in characters}
+_OTHERS = 0.62
+_FORMULA = re.compile(r"<math.*?</math>", re.DOTALL)
+_FRACTION = re.compile(r"<mfrac>(.*?)</mfrac>", re.DOTALL)
+_TAG = re.compile(r"<[^>]*>")
+# No no-break space.
+_PIECES = re.compile(r" |\n|<br>")
+
+
+# A table that needs no more fits beside the contents of a handbook on every desktop.
+_SLIM = 44
+
+
+class Widths(NamedTuple):
+    """`wide` is that of the columns side by side without their gaps, `least` where heads break and long texts
+    wrap. `shifts` move the figures of each column to the middle below its heading."""
+
+    wide: float
+    least: float
+    gaps: tuple[float, ...]
+    shifts: tuple[float, ...]
+
+    @property
+    def slim(self) -> bool:
+        return self.wide + sum(self.gaps) <= _SLIM
+
+    @property
+    def style(self) -> str:
+        """Return them as the style sheet reads them, columns counted from the last one."""
+        said = {"wide": self.wide, "least": self.least, "gaps": max(sum(self.gaps), 0.1)}
+        for place, (gap, shift) in enumerate(zip(reversed(self.gaps), reversed(self.shifts), strict=True), 1):
+            said |= {f"g{place}": gap, f"s{place}": shift}
+        return "; ".join(f"--{name}: {round(value, 2):g}" for name, value in said.items())
+
+
+def measures(panel: PagePanel, lang: str) -> Widths:
+    """Return about how wide a panel in a language is, in units of the size of its type.
+
+    Rather too wide than too narrow: letters and figures are those of the widest face of the style sheet.
+    """
+    cells = [_cells(panel, place) for place in range(len(panel.columns))]
+    wide = _columns(panel, cells, _whole)
+    figures = [max(map(_whole, texts), default=0.0) for texts in cells]
+    shifts = tuple(
+        (room - own) / 2 if column.align == "right" else 0.0
+        for room, own, column in zip(wide, figures, panel.columns, strict=True)
     )
+    wrapping = [
+        texts if column.align == "right" else list(map(_longest, texts))
+        for texts, column in zip(cells, panel.columns, strict=True)
+    ]
+    least = _columns(panel, wrapping, lambda head: _whole(_longest(hyphenated(head, lang))))
+    return Widths(sum(wide), sum(least), tuple(column.gap for column in panel.columns), shifts)
+
+
+def _cells(panel: PagePanel, place: int) -> list[str]:
+    return [row[place].text + row[place].tail for row in panel.rows if row[place].down]
+
+
+def _columns(panel: PagePanel, cells: Sequence[Iterable[str]], width: Callable[[str], float]) -> list[float]:
+    """Return the width of each column: its cells, its heading, and its share of the spanners above it."""
+    columns = [
+        max([*map(_whole, texts), *map(width, column.heading)], default=0.0)
+        for texts, column in zip(cells, panel.columns, strict=True)
+    ]
+    for spanner in (cell for row in reversed(panel.spanners) for cell in row):
+        below = range(spanner.first, spanner.last + 1)
+        inner = sum(panel.columns[place].gap for place in below[1:])
+        lacking = width(spanner.text) - inner - sum(columns[place] for place in below)
+        for place in below:
+            columns[place] += max(lacking, 0.0) / spanner.across
+    return columns
+
+
+def _whole(text: str) -> float:
+    """Return the width of a text on one line."""
+    return max(_ems(line) for line in _plain(text).split("\n"))
+
+
+def _ems(text: str) -> float:
+    return sum(_EM.get(character, _OTHERS) for character in text)
+
+
+def _longest(text: str) -> str:
+    """Return the longest part of a text that does not break."""
+    # A formula does not break at its spaces.
+    kept = _FORMULA.sub(lambda formula: _plain(formula[0]).replace(" ", "\u00a0"), text)
+    return max(_PIECES.split(kept.replace(BREAK, "- ")), key=_whole)
+
+
+def _plain(text: str) -> str:
+    """Return the letters of a text; those of a fraction stand above each other."""
+    flat = _FRACTION.sub(lambda both: _TAG.sub("", both[1])[::2], text.replace("<br>", "\n"))
+    return _TAG.sub("", flat)
