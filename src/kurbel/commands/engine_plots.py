@@ -84,7 +84,10 @@ def plot_engine_polar(eps: option.Eps = None, *, of: Of = None, **given: Unpack[
     return Drawing.of(drawn, given["lang"], mark)
 
 
-@draws(foreign=foreign(_foreign, "from", "to", "over", "decimal"), needless=needless(beside_wheel))
+@draws(
+    foreign=foreign(_foreign, "from", "to", "over", "decimal", *Sized.__annotations__),
+    needless=needless(beside_wheel),
+)
 def plot_turning(
     eps: option.Eps = None,
     *,

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, NamedTuple, TypeAlias, Unpack
 from kurbel.commands import parameters as option
 from kurbel.commands.drawn.size import Sized, page_size
 from kurbel.commands.motion import described, ends_of, meant, of_other_mechanisms, some
-from kurbel.commands.options import FLAG, Columns, Option
+from kurbel.commands.options import FLAG, Columns, Option, is_given
 from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import draws
 from kurbel.drive.crank import Crank
@@ -61,6 +61,10 @@ def _of_motion(values: Mapping[str, Any]) -> dict[str, str]:
     refused = of_other_mechanisms(values, chosen)
     if not chosen.crosshead:
         refused["force"] = f"--force says nothing about {chosen.title}; leave it out"
+    if not chosen.crosshead or is_given(values.get("offset")):
+        refused["infinite"] = (
+            "--infinite is for the straight crank alone; leave it out, or the offset or mechanism"
+        )
     return refused
 
 

@@ -29,12 +29,12 @@ from kurbel.plot.chart.plan import (
 )
 from kurbel.plot.style import (
     BLACK,
-    DOTTED,
     LINES,
     MEDIUM,
     MM,
     PALE,
     SMALL_TEXT,
+    STRONG,
     TEXT_SIZE,
     THIN,
     USUAL,
@@ -57,6 +57,8 @@ LOWEST = 38.0
 TICK_HEIGHT = 7.5
 # A number below the panel needs so much.
 TICK_WIDTH = 7.8
+# A comparison's line: dots as long as it is wide.
+DOTS = (1.0, 2.5)
 # Of a drawing whose height is given: no panel is lower.
 LEAST_HEIGHT, LEAST_WIDTH = 15.0, 30.0
 
@@ -152,7 +154,7 @@ def _laid_out(plans: Sequence[Plan], size: Size) -> tuple[Figure, list[Axes]]:
 
 def _look(plan: Plan, number: int) -> Line:
     """Return how a curve is drawn."""
-    return Line(BLACK, DOTTED, MEDIUM * 1.4) if plan.panel.curves[number].dotted else LINES[number]
+    return Line(BLACK, DOTS, STRONG * 0.7) if plan.panel.curves[number].dotted else LINES[number]
 
 
 def _draw(axes: Axes, plan: Plan, number: int) -> None:

@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 
 
 class Looks(NamedTuple):
-    """The names of strokes in the order of the first turn, each of which has its line, and the rows and
-    columns of their legend."""
+    """The names of strokes from the one that begins nearest to 0° on, each of which has its line, and the
+    rows and columns of their legend."""
 
     names: tuple[str, ...] = ()
     rows: int = 0
@@ -26,9 +26,12 @@ class Looks(NamedTuple):
 
 
 def looks_of(strokes: Strokes | None, width: float, mark: str) -> Looks:
-    names = tuple(dict.fromkeys(text_of(name, mark) for name in strokes.names)) if strokes else ()
-    if not names:
+    if strokes is None or not strokes.names:
         return Looks()
+    count = len(strokes.names)
+    first = min(range(count), key=lambda number: abs(strokes.ends[number]))
+    order = (*strokes.names[first:], *strokes.names[:first])
+    names = tuple(dict.fromkeys(text_of(name, mark) for name in order))
     each = max(size_of(name)[0] for name in names) + SAMPLE + SAMPLE_GAP + LEGEND_GAP
     most = max(1, min(len(names), int((width + LEGEND_GAP) / each)))
     rows = ceil(len(names) / most)
