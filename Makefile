@@ -23,8 +23,7 @@ demo: $(READY) ## print the table for R:L = 1:5
 	@$(BIN)/kurbel table --ratio 1:5
 
 handbook: $(READY) ## build the example handbooks, pages/handbook.pdf and .html in examples/appendix and appendix-en
-	$(BIN)/kurbel handbook build examples/appendix
-	$(BIN)/kurbel handbook build examples/appendix-en
+	$(BIN)/kurbel handbook build examples/appendix examples/appendix-en
 
 test: $(READY) check ## run linters, type checks and the tests, in CI all of them
 	$(BIN)/python -m pytest $(IN_PARALLEL) $(if $(filter true,$(CI)),,-m 'not slow')

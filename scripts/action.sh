@@ -53,9 +53,11 @@ if [ -z "$folders$patterns" ]; then
     exit 2
 fi
 
+handbooks=()
 while IFS= read -r folder; do
-    [ -z "$folder" ] || checked handbook check -- "$folder" </dev/null
+    [ -z "$folder" ] || handbooks+=("$folder")
 done <<<"$folders"
+[ "${#handbooks[@]}" -eq 0 ] || checked handbook check -- "${handbooks[@]}" </dev/null
 
 documents=()
 while IFS= read -r pattern; do

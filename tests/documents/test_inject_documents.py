@@ -92,7 +92,10 @@ def test_check_shows_what_inject_writes_and_how_to_mend_it(suffix: str, tmp_path
     before = path.read_bytes()
     result = kurbel("inject", "--check", str(path))
     assert result.code == 1
-    assert result.err == f"kurbel: {path} is stale; mend with: kurbel inject '{path}'\n"
+    assert result.err.splitlines() == [
+        f"kurbel: {path}:2: what stands between the markers is stale",
+        f"kurbel: {path} is stale; mend with: kurbel inject '{path}'",
+    ]
     assert path.read_bytes() == before
     after = refreshed(path).decode().splitlines()
     assert result.out.splitlines()[:2] == [f"--- {path}", f"+++ {path}"]
@@ -102,10 +105,15 @@ def test_check_shows_what_inject_writes_and_how_to_mend_it(suffix: str, tmp_path
 
 
 def test_check_names_all_stale_documents(tmp_path: Path) -> None:
-    paths = [written(tmp_path, place(".md"), f"{name}.md") for name in "ab"]
-    result = kurbel("inject", "--check", *map(str, paths))
-    a, b = paths
-    assert result.err == f"kurbel: {a} and {b} are stale; mend with: kurbel inject {a} {b}\n"
+    a, b = (
+        written(tmp_path, lines + place(".md"), f"{name}.md") for name, lines in (("a", ""), ("b", "\n\n"))
+    )
+    result = kurbel("inject", "--check", str(a), str(b))
+    assert result.err.splitlines() == [
+        f"kurbel: {a}:1: what stands between the markers is stale",
+        f"kurbel: {b}:3: what stands between the markers is stale",
+        f"kurbel: {a} and {b} are stale; mend with: kurbel inject {a} {b}",
+    ]
 
 
 AROUND = st.binary(max_size=20).filter(lambda text: b"kurbel" not in text)

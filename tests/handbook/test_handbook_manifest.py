@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 import kurbel
 from kurbel.errors import HandbookError, KurbelError
-from kurbel.handbook.manifest import LONGEST_NAME, Manifest, read_manifest, slug
-from kurbel.handbook.model import SCHEMA, SECTIONS
+from kurbel.handbook.manifest import Manifest, read_manifest
+from kurbel.handbook.model import LONGEST_NAME, SCHEMA, SECTIONS, slug
 from kurbel.reading.toml_file import key_lines
 
 GOOD = """\
@@ -115,7 +115,7 @@ WRONG = [
     ('[[chapter]]\ntitle = "Engine"', '[[chaptr]]\ntitle = "Engine"', 23, "(did you mean chapter?)"),
     ('title = "Engine"', "", 23, "a chapter has no title"),
     ('title = "Tafeln $x/R$"', 'title = " "', 1, "the handbook has no title"),
-    ("[defaults]", "defaults = 3\n[x]", 6, "defaults is 3; write [defaults]"),
+    ('[defaults]\nratio = "1:5"\ndigits = 4', "defaults = 3", 6, "defaults is 3; write [defaults]"),
 ]
 
 

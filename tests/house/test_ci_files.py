@@ -107,11 +107,22 @@ def test_the_action_fails_for_a_stale_page_and_says_which(job: Path) -> None:
     done = act(job, folder="appendix", files="the notes.md")
     assert done.returncode == 1
     assert "appendix/pages/tables/motion.csv: differs\n" in done.stdout
-    annotation = next(line for line in done.stdout.splitlines() if line.startswith("::error"))
-    assert annotation.endswith("kurbel handbook build appendix")
+    annotations = [line for line in done.stdout.splitlines() if line.startswith("::error")]
+    # A header and the row of the one angle: somebody changed that by hand.
+    assert annotations[0].startswith("::error file=appendix/pages/tables/motion.csv,line=2::")
+    assert annotations[-1].endswith("kurbel handbook build appendix")
     assert "    appendix/pages/tables/motion.csv: differs\n" in (job / "summary.md").read_text(
         encoding="utf-8"
     )
+
+
+def test_the_action_marks_the_line_of_the_manifest_of_which_a_page_is_no_longer_made(job: Path) -> None:
+    (job / "appendix" / "handbook.toml").write_text(MANIFEST.replace("--angle 30", "--angle 60"))
+    done = act(job, folder="appendix", files="the notes.md")
+    assert done.returncode == 1
+    first, *others = [line for line in done.stdout.splitlines() if line.startswith("::error")]
+    assert first.startswith("::error file=appendix/handbook.toml,line=7::")
+    assert not any("file=" in one for one in others)
 
 
 def test_the_action_fails_for_a_stale_document(job: Path) -> None:
@@ -120,6 +131,7 @@ def test_the_action_fails_for_a_stale_document(job: Path) -> None:
     assert done.returncode == 1
     assert re.search(r"^-\|.*1591", done.stdout, re.MULTILINE)
     assert re.search(r"^::error title=kurbel::the notes\.md is stale", done.stdout, re.MULTILINE)
+    assert re.search(r"^::error file=the notes\.md,line=3::", done.stdout, re.MULTILINE)
 
 
 def test_mistakes_are_marked_at_their_lines(job: Path) -> None:

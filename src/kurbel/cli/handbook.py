@@ -5,30 +5,31 @@ from __future__ import annotations
 import os
 import sys
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
+from itertools import islice
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from kurbel.cli import say, screen
+from kurbel.cli import say
 from kurbel.cli.app import Group
-from kurbel.cli.listing import Entry, Heading, Shell, plain_lines, set_list, show_lines
+from kurbel.cli.listing import show_lines
 from kurbel.cli.options import Type, lang_option
 from kurbel.commands.options import Choice, Count
 from kurbel.formats.registry import compiled_format
-from kurbel.formats.text.wrap import lines_of
 from kurbel.handbook.pool import MOST_PROCESSES, cores
 
 if TYPE_CHECKING:
-    from kurbel.handbook.build import Build
+    from kurbel.handbook.build import Build, Handbook
+    from kurbel.handbook.check import Checked
     from kurbel.handbook.folder import Folder
-    from kurbel.handbook.manifest import Manifest, Part
+    from kurbel.handbook.manifest import Manifest
 
-# So many characters of a text tell which it is.
-MOST_SHOWN = 50
 # How often the files are looked at, in seconds.
 GLANCE = 0.4
+# GitHub shows no more annotations of a step.
+MOST_PLACES = 10
 WAITING = "another build of this handbook is under way; waiting for its end"
 
 
@@ -43,11 +44,16 @@ def handbook() -> None:
     \b
     kurbel handbook init appendix/
     kurbel handbook build appendix/
-    kurbel handbook check appendix/
+    kurbel handbook build appendix/ --only motion
+    kurbel handbook check appendix/ lectures/
     """  # fmt: skip
 
 
 FOLDER = click.argument("folder", type=click.Path(), default=".")
+FOLDERS = click.argument("folders", nargs=-1, type=click.Path(), metavar="[FOLDER]...")
+ONLY = click.option("--only", multiple=True, metavar="NAME",
+                    help="Table, figure or chapter to make, and nothing else; repeatable.")  # fmt: skip
+QUIET = click.option("-q", "--quiet", is_flag=True, help="Say only what is wrong.")
 JOBS = click.option("-j", "--jobs", type=Type(Count("jobs", 1, MOST_PROCESSES)), metavar="N",
                     help="Processes at once; default: one for each core.")  # fmt: skip
 ENGINES = Choice("PDF engine", compiled_format().engines)
@@ -57,7 +63,7 @@ ENGINE = click.option("--pdf-engine", type=Type(ENGINES), metavar="ENGINE",
 
 def building(command: Callable[..., Any]) -> Callable[..., Any]:
     """Add what the commands have that build."""
-    return FOLDER(JOBS(ENGINE(command)))
+    return FOLDERS(ONLY(JOBS(ENGINE(QUIET(command)))))
 
 
 @handbook.command(
@@ -66,27 +72,19 @@ def building(command: Callable[..., Any]) -> Callable[..., Any]:
 @FOLDER
 def init(folder: str, lang: str) -> None:
     """Write a manifest with comments, which builds at once, into FOLDER."""
-    from kurbel.errors import HandbookError, OutputError
-    from kurbel.formats.render import whole_file
-    from kurbel.handbook.init import first_manifest
-    from kurbel.handbook.manifest import NAME
+    from kurbel.handbook.init import write_first_manifest
 
-    path = os.path.join(folder, NAME)
-    if os.path.lexists(path):
-        raise HandbookError(f"{path} is there already; kurbel handbook build builds it")
-    try:
-        os.makedirs(folder, exist_ok=True)
-    except OSError as error:
-        raise OutputError(f"cannot make the folder {folder}: {error.strerror}") from error
-    with whole_file(path) as stream:
-        stream.write(first_manifest(lang).encode())
+    path = write_first_manifest(folder, lang)
     say(f"{path} is written; build it with: {_build_words(folder)}")
 
 
 @handbook.command(short_help="Build what changed.")
 @building
 def build(**options: Any) -> int:
-    """Build what changed of the handbook in FOLDER: its tables, figures and documents."""
+    """Build what changed of the handbook in FOLDER, or in several: tables, figures and documents.
+
+    With --only documents stay as they are.
+    """
     return _build(options)
 
 
@@ -94,13 +92,25 @@ def _build(options: dict[str, Any]) -> int:
     from kurbel.cli.asking import make_part
     from kurbel.handbook.build import build as built
 
-    manifest, folder = _opened(options["folder"], options["pdf_engine"])
-    done = built(manifest, folder, make_part, options["jobs"] or cores(), _bar, partial(say, WAITING))
-    failed = _report(manifest, done)
-    counts = f"{len(done.written)} written, {len(done.unchanged)} unchanged"
-    removed = f", {len(done.removed)} removed" if done.removed else ""
-    say(f"{folder.path}: {counts}{removed}{failed}")
-    return int(bool(failed))
+    handbooks, wrong = _opened_all(options)
+    waiting = partial(_tell, options, WAITING)
+    builds = built(handbooks, make_part, options["jobs"] or cores(), _bar_of(options), waiting)
+    for one in builds:
+        failed = _report(one)
+        if not one.ended:
+            _tell(options, f"{one.folder.path}: {_counts([one])}{failed}")
+        wrong |= bool(failed or one.ended)
+    if len(builds) > 1:
+        _tell(options, f"{len(builds)} handbooks: {_counts(builds)}")
+    return int(wrong)
+
+
+def _counts(builds: Sequence[Build]) -> str:
+    """Return how many files were written, left as they are, and removed."""
+    written, unchanged, removed = (
+        sum(len(getattr(one, name)) for one in builds) for name in ("written", "unchanged", "removed")
+    )
+    return f"{written} written, {unchanged} unchanged" + (f", {removed} removed" if removed else "")
 
 
 @handbook.command(short_help="Tell whether what was built is up to date.")
@@ -108,84 +118,120 @@ def _build(options: dict[str, Any]) -> int:
 def check(**options: Any) -> int:
     """Tell whether what was built in FOLDER is what a build would write now; exit with 1 if not.
 
-    All is built anew, elsewhere. The differences go to standard output.
+    All is built anew, elsewhere. The stale files and their differences go to standard output; with --quiet
+    the files alone.
     """
     from kurbel.cli.asking import make_part
     from kurbel.handbook.check import check as checked
 
-    manifest, folder = _opened(options["folder"], options["pdf_engine"])
-    done, stale = checked(manifest, folder, make_part, options["jobs"] or cores(), _bar)
+    handbooks, wrong = _opened_all(options)
+    found = checked(handbooks, make_part, options["jobs"] or cores(), _bar_of(options))
     show_lines(
         line
-        for one in stale
-        for line in (f"{folder.path}/{one.path}: {one.why}", *(f"    {line}" for line in one.difference))
+        for one in found
+        for file in one.stale
+        for line in (
+            f"{one.handbook.folder.path}/{file.path}: {file.why}",
+            *(() if options["quiet"] else (f"    {line}" for line in file.difference)),
+        )
     )
-    failed = _report(manifest, done)
-    if stale:
-        mend = _build_words(options["folder"], options["pdf_engine"])
+    for one in found:
+        wrong |= _checked(one, options)
+    if len(found) > 1 and not wrong:
+        count = sum(len(one.anew.written) for one in found)
+        _tell(options, f"{len(found)} handbooks: all {count} files are what the manifests say")
+    return int(wrong)
+
+
+def _checked(one: Checked, options: dict[str, Any]) -> bool:
+    """Say where what is stale is made, and what failed, of a handbook; tell whether there is any."""
+    from kurbel.handbook.check import places
+
+    folder = one.handbook.folder
+    failed = _report(one.anew)
+    for sentence in islice(places(one), MOST_PLACES):
+        say(sentence)
+    if one.stale:
+        mend = _build_words(one.handbook.given, options["pdf_engine"], one.handbook.names)
         first = "mend what failed, and then" if failed else "this mends it:"
-        count = "1 file is" if len(stale) == 1 else f"{len(stale)} files are"
+        count = "1 file is" if len(one.stale) == 1 else f"{len(one.stale)} files are"
         say(f"{folder.path}: {count} stale{failed}; {first} {mend}")
-    elif not failed:
-        say(f"{folder.path}: all {len(done.written)} files are what the manifest says")
-    return int(bool(stale or failed))
+    elif not (failed or one.anew.ended):
+        _tell(options, f"{folder.path}: all {len(one.anew.written)} files are what the manifest says")
+    return bool(one.stale or failed or one.anew.ended)
 
 
 @handbook.command("list", short_help="List what would be built.")
 @FOLDER
 def listed(folder: str) -> None:
     """List the chapters and parts of the handbook in FOLDER, and what a build would make anew."""
-    from kurbel.handbook.build import Build
+    from kurbel.cli.handbook_list import show_handbook
 
-    manifest, output = _opened(folder)
-    one = Build(manifest, output)
-    chapters = {
-        f"{number} {chapter.title} ({chapter.name})": [_row(one, part) for part in chapter.parts]
-        for number, chapter in enumerate(manifest.chapters, 1)
-    }
-    first, width = f"{output.path}: {', '.join(manifest.formats)}", screen.width()
-    if width is None:
-        show_lines(_plain_list(first, chapters))
-        return
-    entries: list[Entry | Heading] = []
-    for title, rows in chapters.items():
-        entries += [Heading(title), *rows]
-    show_lines([*lines_of(first, width), "", *set_list(("part", "made by", "state"), entries, width)])
-
-
-def _plain_list(first: str, chapters: Mapping[str, Sequence[Sequence[str]]]) -> Iterator[str]:
-    yield first
-    for title, rows in chapters.items():
-        yield from ("", title, *(f"    {line}" for line in plain_lines(rows)))
-
-
-def _row(one: Build, part: Part) -> tuple[str, ...]:
-    """Return what the list says of a part: its name, what it is made of, whether it would be made anew."""
-    if not part.words:
-        return "text", part.file or " ".join(part.text.split())[:MOST_SHOWN], ""
-    return part.name, Shell(part.shown), one.novelty(part)
+    show_handbook(*_opened(folder))
 
 
 @handbook.command(short_help="Build again each time a file is saved.")
 @building
-def watch(**options: Any) -> None:
-    """Build the handbook in FOLDER, and again each time a file of it is saved, until Ctrl-C."""
+def watch(**options: Any) -> int:
+    """Build the handbook in FOLDER, or several, and again each time a file is saved, until Ctrl-C."""
     from kurbel.errors import KurbelError
     from kurbel.handbook.inputs import Seen, as_built, glance_at
 
+    def look() -> Seen:
+        return {path: seen for one in _folders(options) for path, seen in glance_at(one).items()}
+
     # One that is not there, or has a mistake, ends the command; later ones are waited out.
-    _opened(options["folder"], options["pdf_engine"])
-    say("each file that is saved is built; Ctrl-C ends this")
+    if _opened_all(options)[1]:
+        return 1
+    _tell(options, "each file that is saved is built; Ctrl-C ends this")
     seen: Seen = {}
     while True:
-        before, started = glance_at(options["folder"]), time.time_ns()
+        before, started = look(), time.time_ns()
         if before != seen:
             try:
                 _build(options)
             except KurbelError as error:
                 say(str(error))
-            seen = as_built(before, glance_at(options["folder"]), started)
+            seen = as_built(before, look(), started)
         time.sleep(GLANCE)
+
+
+def _folders(options: dict[str, Any]) -> tuple[str, ...]:
+    return options["folders"] or (".",)
+
+
+def _opened_all(options: dict[str, Any]) -> tuple[list[Handbook], bool]:
+    """Return the handbooks that can be built, each once, and whether there are others; say why.
+
+    Raises ChoiceError for a name in --only that no handbook has.
+    """
+    from kurbel.errors import KurbelError
+    from kurbel.handbook.build import Handbook
+    from kurbel.handbook.manifest import manifest_path
+
+    opened: list[Handbook] = []
+    wrong = False
+    # Each once, under the first of its names.
+    names: dict[str, str] = {}
+    for given in _folders(options):
+        names.setdefault(os.path.realpath(manifest_path(given)), given)
+    for given in names.values():
+        try:
+            one = Handbook(given, *_opened(given, options["pdf_engine"]))
+            if opened:
+                from kurbel.handbook.several import part_from
+
+                part_from(one, opened)
+            opened.append(one)
+        except KurbelError as error:
+            wrong = True
+            for said in getattr(error, "mistakes", (str(error),)):
+                say(said)
+    if opened and options["only"]:
+        from kurbel.handbook.several import chosen
+
+        opened = chosen(opened, options["only"])
+    return opened, wrong
 
 
 def _opened(given: str, engine: str | None = None) -> tuple[Manifest, Folder]:
@@ -199,20 +245,34 @@ def _opened(given: str, engine: str | None = None) -> tuple[Manifest, Folder]:
     return manifest, Folder(manifest.folder, manifest.output)
 
 
-def _build_words(folder: str, engine: str | None = None) -> str:
+def _build_words(folder: str, engine: str | None = None, only: Iterable[str] = ()) -> str:
     """Return what one would type to build the handbook in a folder."""
     from shlex import join
 
     where = [] if folder == "." else [folder]
-    return join(["kurbel", "handbook", "build", *where, *(["--pdf-engine", engine] if engine else [])])
+    names = [word for name in only for word in ("--only", name)]
+    by = ["--pdf-engine", engine] if engine else []
+    return join(["kurbel", "handbook", "build", *where, *names, *by])
 
 
-def _report(manifest: Manifest, done: Build) -> str:
+def _report(done: Build) -> str:
     """Say what failed; return how many did, as the end of a sentence, or nothing."""
+    if done.ended:
+        say(str(done.ended))
     for failure in done.failures:
         line = f", line {failure.line}" if failure.line else ""
-        say(f"{manifest.path}{line}, {failure.name}: {failure.said}")
+        say(f"{done.manifest.path}{line}, {failure.name}: {failure.said}")
     return f", {len(done.failures)} failed" if done.failures else ""
+
+
+def _tell(options: dict[str, Any], message: str) -> None:
+    """Say what is well, unless --quiet is asked for."""
+    if not options["quiet"]:
+        say(message)
+
+
+def _bar_of(options: dict[str, Any]) -> Callable[[Iterable[Any], int], Iterable[Any]]:
+    return (lambda steps, _: steps) if options["quiet"] else _bar
 
 
 def _bar(steps: Iterable[Any], count: int) -> Iterator[Any]:

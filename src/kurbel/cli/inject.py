@@ -82,6 +82,9 @@ def _show(stale: Sequence[Document]) -> None:
     from kurbel.documents.inject_difference import difference
 
     show(line for one in stale for line in difference(one.name, one.old, one.found, one.contents))
+    for one in stale:
+        for place in one.stale:
+            say(f"{one.name}:{place.line}: what stands between the markers is stale")
     *others, last = (one.name for one in stale)
     subject = f"{', '.join(others)} and {last} are" if others else f"{last} is"
     dashes = ["--"] if any(one.name.startswith("-") for one in stale) else []

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Callable, Collection, Iterable, Mapping
-from functools import partial
-from typing import Any
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from contextlib import ExitStack, contextmanager
+from functools import cached_property, partial
+from typing import Any, NamedTuple
 
 from kurbel.errors import HandbookError, KurbelError
 from kurbel.formats.registry import FORMATS
@@ -14,7 +15,7 @@ from kurbel.handbook.folder import Done, Folder, digest, key_of
 from kurbel.handbook.inputs import UNKNOWN, digest_of, fingerprint, glance
 from kurbel.handbook.manifest import Manifest, Part
 from kurbel.handbook.model import COMPILED, ENGINES
-from kurbel.handbook.pages import Failure, document_of, fragment_paths, make_document, make_pdf
+from kurbel.handbook.pages import Failure, document_of, fragment_paths, make_document, make_pdf, program_of
 from kurbel.handbook.pool import KILLED, PATIENCE, PDF_STOPPED, STOPPED, Made, Piece, Task, worked
 
 PDF = COMPILED.name
@@ -24,52 +25,120 @@ Maker = Callable[[Task], Made]
 Bar = Callable[[Iterable[Any], int], Iterable[Any]]
 
 
+class Handbook(NamedTuple):
+    """A manifest, its folder as it was named, and the folder that it is built into.
+
+    `names` are what is asked for, and `only` the parts that have them; None is all.
+    """
+
+    given: str
+    manifest: Manifest
+    folder: Folder
+    names: tuple[str, ...] = ()
+    only: frozenset[str] | None = None
+
+
 def build(
-    manifest: Manifest,
-    folder: Folder,
+    handbooks: Sequence[Handbook],
     make: Maker,
     jobs: int,
     bar: Bar,
     waiting: Callable[[], None] = lambda: None,
-) -> Build:
-    """Build what changed and return the build, which knows what was done.
+) -> list[Build]:
+    """Build what changed and return the builds, which know what was done.
 
     `make` makes a part, perhaps in another process; `bar` sees the parts pass as they are made; `waiting` is
-    called if another build of the same folder is under way. Parts that fail are in the report, and the others
-    are built. Raises KurbelError where the folder cannot be used.
+    called if another build of the same folder is under way. Parts that fail are in the report of their build,
+    and the others are built; a folder that cannot be used ends its own build alone.
     """
-    with folder.locked(waiting):
-        one = Build(manifest, folder)
-        one.make_parts(make, jobs, bar)
-        one.make_documents()
-        one.finish()
-        return one
+    builds = [Build(one.manifest, one.folder, one.only) for one in handbooks]
+    with ExitStack() as held:
+        # In the same order always, or two builds would wait for one another.
+        for one in sorted(builds, key=lambda one: os.path.realpath(one.folder.path)):
+            with one.ending():
+                held.enter_context(one.folder.locked(waiting))
+        _work(builds, lambda one: one.parts(make), jobs, bar)
+        for one in builds:
+            _work([one], Build.documents)
+        # Typst takes much memory to set many pages, in a process of its own. A TeX is one by itself, and is
+        # ended by whoever started it: the end of this build must reach it.
+        grown = [one for one in builds if ENGINES[one.manifest.pdf.engine].grows]
+        _work(grown, Build.pdf, jobs)
+        for one in builds:
+            if one not in grown:
+                _work([one], Build.pdf)
+        for one in builds:
+            if not one.ended:
+                with one.ending():
+                    one.finish()
+    return builds
+
+
+def _work(
+    builds: Iterable[Build],
+    pieces: Callable[[Build], list[Piece]],
+    jobs: int = 1,
+    bar: Bar = lambda steps, _: steps,
+) -> None:
+    """Have the pieces of the builds worked, and give each build its own."""
+    work: list[Piece] = []
+    for one in builds:
+        if not one.ended:
+            with one.ending():
+                work += pieces(one)
+    for piece, made in bar(worked(work, jobs), len(work)):
+        piece.owner.take(piece, made)
 
 
 class Build:
-    """One build of a manifest into a folder: what it did, file by file, and what failed."""
+    """One build of a manifest into a folder: what it did, file by file, what failed, and what ended it.
 
-    def __init__(self, manifest: Manifest, folder: Folder) -> None:
+    With names of parts in `only` nothing but these is made, no document, and all else stays as it is.
+    """
+
+    def __init__(self, manifest: Manifest, folder: Folder, only: Collection[str] | None = None) -> None:
         self.written: list[str] = []
         self.unchanged: list[str] = []
         self.removed: list[str] = []
         self.failures: list[Failure] = []
+        self.ended: KurbelError | None = None
         self.manifest = manifest
         self.folder = folder
-        self.old = folder.state()
+        self.only = only
         self.new: dict[str, Done] = {}
         self.started = time.time_ns()
         self.templates = manifest.templates and os.path.join(manifest.folder, manifest.templates)
-        if self.templates and not os.path.isdir(self.templates):
-            raise HandbookError(f"{manifest.path}: there is no folder {self.templates} with templates")
         # Beside a layout there may be templates of its own.
         self.apart = manifest.templates is not None or manifest.layouts is not None
-        self.print = key_of(fingerprint(), self.templates and digest_of(self.templates))
         # A PDF brings along what it is set from.
         source = {ENGINES[manifest.pdf.engine].source} if PDF in manifest.formats else set()
         self.formats = tuple(name for name in FORMATS if name in {*manifest.formats, *source} - {PDF})
         # What documents are made of beside their own format.
         self.figures = tuple(sorted({FORMATS[name].figures for name in self.formats} - {""}))
+
+    @cached_property
+    def old(self) -> dict[str, Done]:
+        """What the last build made; it is read once the folder is locked."""
+        return self.folder.state()
+
+    @cached_property
+    def print(self) -> str:
+        """What tells the programs and templates by which all is made from others."""
+        if self.templates and not os.path.isdir(self.templates):
+            raise HandbookError(f"{self.manifest.path}: there is no folder {self.templates} with templates")
+        return key_of(fingerprint(), self.templates and digest_of(self.templates))
+
+    @contextmanager
+    def ending(self) -> Iterator[None]:
+        """Note what ends this build in the block, which ends no other one."""
+        try:
+            yield
+        except KurbelError as error:
+            self.ended = error
+
+    def end(self, stopped: str) -> tuple[bool, str]:
+        """Return whether pieces are made in other processes, and what is said where one of these ends."""
+        return self.apart, stopped if self.apart else KILLED
 
     def part_key(self, part: Part) -> str:
         machine = self.manifest.machine
@@ -97,31 +166,32 @@ class Build:
     def input(self, path: str) -> str:
         return os.path.join(self.manifest.folder, path)
 
-    def make_parts(self, make: Maker, jobs: int, bar: Bar) -> None:
+    def parts(self, make: Maker) -> list[Piece]:
+        """Return the parts that `make` must make."""
         given = self.manifest.folder, self.manifest.machine, self.templates, self.formats, self.figures
-        pieces = [
-            Piece(part.name, key, partial(make, Task(part, *given, PATIENCE)), part.line)
+        end = self.end(STOPPED)
+        return [
+            Piece(part.name, key, partial(make, Task(part, *given, PATIENCE)), self, part.line, *end)
             for part in self.manifest.parts()
-            if part.words and not self.is_made(part.name, key := self.part_key(part))
+            if part.words
+            and (self.only is None or part.name in self.only)
+            and not self.is_made(part.name, key := self.part_key(part))
         ]
-        made = worked(pieces, jobs, self.apart, STOPPED if self.apart else KILLED)
-        self.take(bar(made, len(pieces)))
 
-    def take(self, made: Iterable[tuple[Piece, Made | str]]) -> None:
-        """Write what was made of parts or documents, or note what kept them from being made."""
-        for piece, one in made:
-            try:
-                if isinstance(one, str):
-                    raise HandbookError(one)
-                for path, content in one.files.items():
-                    if self.folder.write(path, content):
-                        self.written.append(path)
-            except KurbelError as error:
-                self.fail(piece.name, str(error), piece.line)
-                continue
-            files = {path: digest(content) for path, content in one.files.items()}
-            inputs = {path: self.hash_of_input(path) for path in one.inputs}
-            self.new[piece.name] = Done(piece.key, inputs, files, one.about)
+    def take(self, piece: Piece, one: Made | str) -> None:
+        """Write what was made of a part or a document, or note what kept it from being made."""
+        try:
+            if isinstance(one, str):
+                raise HandbookError(one)
+            for path, content in one.files.items():
+                if self.folder.write(path, content):
+                    self.written.append(path)
+        except KurbelError as error:
+            self.fail(piece.name, str(error), piece.line)
+            return
+        files = {path: digest(content) for path, content in one.files.items()}
+        inputs = {path: self.hash_of_input(path) for path in one.inputs}
+        self.new[piece.name] = Done(piece.key, inputs, files, one.about)
 
     def hash_of_input(self, path: str) -> str:
         """Return the hash of a file that a part was made of, or nothing if it was saved since.
@@ -143,19 +213,23 @@ class Build:
 
     def finish(self) -> None:
         """Remove what is no longer built, and keep what this build knows for the next."""
-        files = _hashes(self.new)
         # Of earlier builds, also of those on another machine.
-        for path, hashed in (self.folder.contents() | _hashes(self.old)).items():
+        earlier, files = self.folder.contents() | _hashes(self.old), _hashes(self.new)
+        self.unchanged += files.keys() - {*self.written}
+        if self.only is not None:
+            self.new, files = self.old | self.new, earlier | files
+        for path, hashed in earlier.items():
             # What somebody changed by hand is not ours to remove.
             if path not in files and self.folder.has(path, hashed):
                 self.folder.remove(path)
                 self.removed.append(path)
         self.folder.list_contents(files)
         self.folder.keep_state(self.new)
-        self.unchanged += files.keys() - {*self.written}
 
-    def make_documents(self) -> None:
-        """Make the documents whose contents changed, from the parts as they are now."""
+    def documents(self) -> list[Piece]:
+        """Return the documents whose contents changed, of the parts as they are now."""
+        if self.only is not None:
+            return []
         made = {name: done.about for name, done in self.new.items() if done.about}
         document = document_of(self.manifest, made, self.failures)
         content, hashes = key_of(document), _hashes(self.new)
@@ -170,10 +244,8 @@ class Build:
                 # Drawings in PDF are files beside the document and no text.
                 texts = {stem: read[path].decode("utf-8", "replace") for stem, path in paths.items()}
                 work = partial(make_document, document, name, texts, self.templates)
-                pieces.append(Piece(_named(name), key, work))
-        self.take(worked(pieces, 1, self.apart, STOPPED))
-        if PDF in self.manifest.formats:
-            self.make_pdf()
+                pieces.append(Piece(_named(name), key, work, self, 0, *self.end(STOPPED)))
+        return pieces
 
     def read(self, name: str, paths: Collection[str]) -> dict[str, bytes] | None:
         """Return what a document is made of; it fails where a file is no longer what was made."""
@@ -194,25 +266,26 @@ class Build:
             return None
         return read
 
-    def make_pdf(self) -> None:
-        """Set the PDF if anything that it is made of changed."""
+    def pdf(self) -> list[Piece]:
+        """Return the PDF if anything that it is made of changed."""
+        if PDF not in self.manifest.formats or self.only is not None:
+            return []
         engine, standards = self.manifest.pdf.engine, self.manifest.pdf.standards
         source, name = _named(ENGINES[engine].source), _named(PDF)
         if source not in self.new or any(failure.name == source for failure in self.failures):
             self.keep(name)
-            return
+            return []
         hashes = _hashes(self.new)
-        used = {path: hashes[path] for path in hashes if path.endswith(ENGINES[engine].suffixes)}
+        # In order: they were made in any.
+        used = {path: hashes[path] for path in sorted(hashes) if path.endswith(ENGINES[engine].suffixes)}
         key = key_of(
-            self.print, engine, standards, os.environ.get("SOURCE_DATE_EPOCH"), _program(engine), used
+            self.print, engine, standards, os.environ.get("SOURCE_DATE_EPOCH"), program_of(engine), used
         )
         if self.is_made(name, key) or self.read(name, used) is None:
-            return
+            return []
         work = partial(make_pdf, self.folder.path, engine, standards, self.apart)
-        # Typst takes much memory to set many pages, in a process of its own. A TeX is one by itself, and is
-        # ended by whoever started it: the end of this build must reach it.
-        stopped = PDF_STOPPED if self.apart else KILLED
-        self.take(worked([Piece(name, key, work)], 1, ENGINES[engine].grows, stopped))
+        _, killed = self.end(PDF_STOPPED)
+        return [Piece(name, key, work, self, 0, ENGINES[engine].grows, killed)]
 
 
 def _hashes(state: Mapping[str, Done]) -> dict[str, str]:
@@ -222,11 +295,3 @@ def _hashes(state: Mapping[str, Done]) -> dict[str, str]:
 def _named(name: str) -> str:
     """Return under which name the state has a document: no part can be called so."""
     return f"document in {name}"
-
-
-def _program(engine: str) -> list[Any]:
-    """Return what tells a TeX from another: its program, not its packages. The fingerprint tells a Typst."""
-    import shutil
-
-    path = shutil.which(engine)
-    return [] if path is None else [path, os.stat(path).st_mtime_ns]

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from contextlib import ExitStack
 from difflib import unified_diff
-from itertools import islice
+from itertools import islice, takewhile
 from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
 from kurbel.formats.registry import FORMATS
-from kurbel.handbook.build import Bar, Build, Maker, build
-from kurbel.handbook.folder import CONTENTS, Folder
-from kurbel.handbook.manifest import Manifest
+from kurbel.handbook.build import Bar, Build, Handbook, Maker, build
+from kurbel.handbook.folder import CONTENTS, Folder, digest
 
 # A reader wants to see what changed, not all that did: of each table one difference, in the first of these
 # formats, of documents none beside those of tables.
@@ -28,36 +28,61 @@ OF_PARTS = ("tables/", "figures/")
 
 
 class Stale(NamedTuple):
-    """A file that a build would write or remove, in a word why, and perhaps the difference."""
+    """A file that a build would write or remove, in a word why, and perhaps the difference.
+
+    `line` is the first of the file that differs, 0 where there is none to be read; `own` tells that it is not
+    as it was built.
+    """
 
     path: str
     why: str
     difference: tuple[str, ...] = ()
+    line: int = 0
+    own: bool = False
 
 
-def check(manifest: Manifest, folder: Folder, make: Maker, jobs: int, bar: Bar) -> tuple[Build, list[Stale]]:
-    """Build all anew in a folder of its own, and return what failed and which files are stale.
+class Checked(NamedTuple):
+    """A handbook, what was built of it elsewhere, and its stale files."""
 
-    Nothing that an earlier build knew is believed, and nothing of the folder is changed. Where a part fails,
+    handbook: Handbook
+    anew: Build
+    stale: list[Stale]
+
+
+def check(handbooks: Sequence[Handbook], make: Maker, jobs: int, bar: Bar) -> list[Checked]:
+    """Build all anew in folders of their own, and return what failed and which files are stale.
+
+    Nothing that an earlier build knew is believed, and nothing of the folders is changed. Where a part fails,
     only the files of the others count: documents without it are others anyway.
     """
-    with TemporaryDirectory(prefix="kurbel-") as temporary:
-        anew = Folder(temporary, "build")
-        built = build(manifest, anew, make, jobs, bar)
-        if built.failures:
-            return built, [one for one in _changed(folder, anew) if one.path.startswith(OF_PARTS)]
-        left_over = sorted(set(folder.contents()) - set(anew.contents()))
-        stale = [
-            *_changed(folder, anew),
-            *(Stale(path, LEFT_OVER) for path in left_over if folder.read(path) is not None),
+    with ExitStack() as held:
+        places = [held.enter_context(TemporaryDirectory(prefix="kurbel-")) for _ in handbooks]
+        elsewhere = [
+            one._replace(folder=Folder(place, "build")) for one, place in zip(handbooks, places, strict=True)
         ]
-        if not stale and folder.read(CONTENTS) != anew.read(CONTENTS):
-            stale.append(Stale(CONTENTS, "differs"))
-        return built, stale
+        builds = build(elsewhere, make, jobs, bar)
+        return [
+            Checked(one, anew, [] if anew.ended else _stale(one, anew))
+            for one, anew in zip(handbooks, builds, strict=True)
+        ]
+
+
+def _stale(one: Handbook, anew: Build) -> list[Stale]:
+    folder = one.folder
+    changed = [*_changed(folder, anew.folder)]
+    if one.names:
+        return changed
+    if anew.failures:
+        return [file for file in changed if file.path.startswith(OF_PARTS)]
+    left_over = sorted(set(folder.contents()) - set(anew.folder.contents()))
+    changed += [Stale(path, LEFT_OVER, line=1) for path in left_over if folder.read(path) is not None]
+    if not changed and folder.read(CONTENTS) != anew.folder.read(CONTENTS):
+        changed.append(Stale(CONTENTS, "differs", line=1))
+    return changed
 
 
 def _changed(folder: Folder, anew: Folder) -> Iterator[Stale]:
-    differing = []
+    differing, listed = [], folder.contents()
     for path in anew.contents():
         old = folder.read(path)
         if old is None:
@@ -66,8 +91,59 @@ def _changed(folder: Folder, anew: Folder) -> Iterator[Stale]:
             differing.append(path)
     shown = _worth_showing(differing)
     for path in differing:
-        difference = _difference(path, folder, anew) if path in shown else ()
-        yield Stale(path, "differs", tuple(difference))
+        old, new = folder.read(path) or b"", anew.read(path) or b""
+        difference = _difference(path, old, new) if path in shown else ()
+        own = path in listed and digest(old) != listed[path]
+        yield Stale(path, "differs", tuple(difference), _first_line(old, new), own)
+
+
+def _first_line(old: bytes, new: bytes) -> int:
+    """Return the first line, from 1, in which a text is another one than it was; 0 of what is no text."""
+    try:
+        before, after = (content.decode().split("\n") for content in (old, new))
+    except UnicodeDecodeError:
+        return 0
+    same = takewhile(lambda pair: pair[0] == pair[1], zip(before, after, strict=False))
+    # Of what ends too early it is the last one.
+    return max(1, min(1 + sum(1 for _ in same), old.count(b"\n")))
+
+
+def places(one: Checked) -> Iterator[str]:
+    """Yield sentences of what is stale, each with the file and the line where one would look.
+
+    That is the line of the manifest of which a table or a drawing is made. A file that is no longer as it was
+    built, or a document of which all tables and drawings are as they should be, is itself looked at.
+    """
+    manifest = one.handbook.manifest
+    makers = {path: name for name, done in one.anew.new.items() for path in done.files}
+    lines = {part.name: part.line for part in manifest.parts() if part.words}
+    by_part: dict[str, list[Stale]] = {}
+    alone: list[Stale] = []
+    for file in one.stale:
+        name = makers.get(file.path, "")
+        if name in lines and not (file.own and file.line):
+            by_part.setdefault(name, []).append(file)
+        else:
+            alone.append(file)
+    for name in sorted(by_part, key=lambda name: lines[name]):
+        yield f"{manifest.path}, line {lines[name]}, {name}: {_counted(by_part[name])}"
+    for file in alone:
+        if file.line and (file.own or file.why == LEFT_OVER or not by_part):
+            where = f"{one.handbook.folder.path}/{file.path}"
+            yield f"{where}, line {file.line}: {_SAID.get(file.why, file.why)}"
+    rest = [file for file in alone if not file.line]
+    if rest and not by_part:
+        yield f"{manifest.path}, line 1: {_counted(rest)}"
+
+
+_SAID = {"differs": "it is not what a build would write"}
+
+
+def _counted(files: Sequence[Stale]) -> str:
+    first, *others = files
+    said = "is missing" if first.why == "missing" else "is stale"
+    more = f", and so {'is one' if len(others) == 1 else f'are {len(others)}'} more" if others else ""
+    return f"{first.path} {said}{more}"
 
 
 def _worth_showing(paths: list[str]) -> set[str]:
@@ -79,8 +155,7 @@ def _worth_showing(paths: list[str]) -> set[str]:
     return {*best.values()}
 
 
-def _difference(path: str, folder: Folder, anew: Folder) -> Iterator[str]:
-    old, new = folder.read(path) or b"", anew.read(path) or b""
+def _difference(path: str, old: bytes, new: bytes) -> Iterator[str]:
     before, after = (content.decode("utf-8", "replace").splitlines() for content in (old, new))
     lines = unified_diff(before, after, f"{path} (here)", f"{path} (anew)", n=1, lineterm="")
     shown = [line if len(line) <= WIDEST else f"{line[:WIDEST]}…" for line in islice(lines, MOST_LINES)]

@@ -5,6 +5,10 @@ from __future__ import annotations
 import os
 from importlib.util import find_spec
 
+from kurbel.errors import HandbookError, OutputError
+from kurbel.formats.render import whole_file
+from kurbel.handbook.manifest import NAME
+
 _TEXTS = {
     "de": {
         "title": "Tafeln des Kurbeltriebs",
@@ -27,6 +31,20 @@ _TEXTS = {
         "books": "Books",
     },
 }
+
+
+def write_first_manifest(folder: str, lang: str) -> str:
+    """Write a manifest in the language into a folder, which is made, and return its path."""
+    path = os.path.join(folder, NAME)
+    if os.path.lexists(path):
+        raise HandbookError(f"{path} is there already; kurbel handbook build builds it")
+    try:
+        os.makedirs(folder, exist_ok=True)
+    except OSError as error:
+        raise OutputError(f"cannot make the folder {folder}: {error.strerror}") from error
+    with whole_file(path) as stream:
+        stream.write(first_manifest(lang).encode())
+    return path
 
 
 def first_manifest(lang: str) -> str:

@@ -22,11 +22,8 @@ its keys.
 
 from __future__ import annotations
 
-import hashlib
 import os
-import re
 import shlex
-import unicodedata
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -34,12 +31,15 @@ from msgspec.structs import asdict, replace
 
 from kurbel.errors import HandbookError
 from kurbel.handbook.model import (
+    LONGEST_NAME,
     ChapterKeys,
     EngineName,
     HandbookKeys,
     PartKeys,
     check_engine,
     default_options,
+    is_file_name,
+    slug,
 )
 from kurbel.handbook.problems import problems_of
 from kurbel.reading.given import did_you_mean
@@ -48,7 +48,6 @@ from kurbel.reading.toml_file import Place, TomlFile, TomlKind, shown
 NAME = "handbook.toml"
 KIND = TomlKind("handbook", HandbookError, 2_000_000, "a handbook has chapters with parts", "appendix/")
 MOST_PARTS = 10_000
-LONGEST_NAME = 60
 _OF_A_TEXT = dict.fromkeys(("name", "caption"), "for tables and figures, and this part is a text")
 _OF_PROBLEMS = dict.fromkeys(("shows", "variant"), "for problems, and this part has none")
 # What is said of keys that do not go with what a part has.
@@ -113,31 +112,57 @@ def manifest_path(given: str) -> str:
     return os.path.normpath(os.path.join(given, NAME) if os.path.isdir(given) else given)
 
 
+class ManifestError(HandbookError):
+    """All mistakes of a manifest, each a sentence."""
+
+    def __init__(self, mistakes: Sequence[str]) -> None:
+        super().__init__("\n".join(mistakes))
+        self.mistakes = mistakes
+
+
 def read_manifest(path: str) -> Manifest:
     """Return what the file says.
 
-    Raises HandbookError with file, line, what is allowed and the nearest name.
+    Raises ManifestError with file, line, what is allowed and the nearest name of each mistake.
     """
     if not os.path.lexists(path):
         raise HandbookError(f"there is no {path}; kurbel handbook init writes a first one")
-    return _Reader(TomlFile(path, KIND)).manifest()
+    reader = _Reader(TomlFile(path, KIND))
+    manifest = reader.manifest()
+    if reader.mistakes:
+        raise ManifestError([said for _, said in sorted(reader.mistakes, key=lambda one: one[0])])
+    return manifest
 
 
 class _Reader:
-    """Reads one file and knows where its keys stand."""
+    """Reads one file, knows where its keys stand, and notes all mistakes."""
 
     def __init__(self, file: TomlFile) -> None:
         self.file = file
         self.line = file.line
-        self.error = file.error
+        self.mistakes: list[tuple[int, str]] = []
+        # Sections of which a key is left out: what they lack may be that.
+        self.torn: set[Place] = set()
         # A chapter may be called as its table is: their labels begin otherwise.
         self.chapter_names: dict[str, int] = {}
         self.part_names: dict[str, int] = {}
 
+    def wrong(self, place: Place, said: object) -> None:
+        """Note a mistake."""
+        self.mistakes.append((self.line(place), str(self.file.error(place, said))))
+
+    def lacking(self, section: Place, said: str, key: str = "") -> None:
+        """Note what a section lacks, unless that is among its mistakes."""
+        if section not in self.torn:
+            self.wrong((*section, key), said)
+
     def manifest(self) -> Manifest:
-        given = self.file.read(HandbookKeys)
+        given, faults = self.file.read_rest(HandbookKeys)
+        for place, said in faults:
+            self.wrong(place, said)
+            self.torn.add(place[:-1])
         if not given.title.strip():
-            raise self.error(("title",), 'the handbook has no title; write title = "..." at the top')
+            self.lacking((), 'the handbook has no title; write title = "..." at the top', "title")
         defaults: dict[str, Any] = {"lang": given.lang, "decimal": given.decimal, "layouts": given.layouts}
         defaults = {name: value for name, value in defaults.items() if value is not None}
         defaults |= self.options(("defaults",), given.defaults)
@@ -145,28 +170,30 @@ class _Reader:
         self.check_apart("templates", given.templates, given.output)
         chapters = tuple(self.chapters(given.chapter, defaults))
         if not chapters:
-            raise self.error((), "the handbook has no chapter; write [[chapter]] and below it its title")
+            self.lacking((), "the handbook has no chapter; write [[chapter]] and below it its title")
         if sum(len(chapter.parts) for chapter in chapters) > MOST_PARTS:
-            raise self.error((), f"the handbook has more than {MOST_PARTS} parts; make two of it")
+            self.wrong((), f"the handbook has more than {MOST_PARTS} parts; make two of it")
         once = {"formats": tuple(dict.fromkeys(given.formats))}
         manifest = Manifest(path=os.fspath(self.file.path), chapters=chapters, **asdict(given) | once)
         try:
             return manifest.set_by(given.pdf.engine)
         except HandbookError as error:
-            raise self.error(("pdf", "engine"), error) from None
+            self.wrong(("pdf", "engine"), error)
+            return manifest
 
     def check_apart(self, key: str, own: str | None, output: str) -> None:
-        """Raise HandbookError for a folder that lies in that of the output, or that in it."""
+        """Note a folder that lies in that of the output, or that in it."""
         if own and (f"{output}/".startswith(f"{own}/") or f"{own}/".startswith(f"{output}/")):
-            raise self.error((key,), f"{key} {own} and output {output} lie in one another; part them")
+            self.wrong((key,), f"{key} {own} and output {output} lie in one another; part them")
 
     def chapters(self, given: Sequence[ChapterKeys], defaults: Mapping[str, Any]) -> Iterator[ChapterPlan]:
         for number, one in enumerate(given):
             place: Place = ("chapter", number)
-            if not one.title.strip():
-                raise self.error(place, 'a chapter has no title; write title = "..."')
             name = one.name or slug(one.title)
-            self.check_name((*place, "name"), name, self.chapter_names)
+            if one.title.strip():
+                self.check_name((*place, "name"), name, self.chapter_names)
+            else:
+                self.lacking(place, 'a chapter has no title; write title = "..."')
             own = {**defaults, "lang": one.lang or defaults["lang"]}
             own |= self.options((*place, "defaults"), one.defaults)
             yield ChapterPlan(one.title, name, own["lang"], tuple(self.parts(place, one.part, own)))
@@ -177,14 +204,15 @@ class _Reader:
             contents = [key for key in ("run", "text", "file", "problems") if getattr(one, key) is not None]
             if len(contents) != 1:
                 found = " and ".join(contents) or "none of them"
-                raise self.error(
+                self.lacking(
                     place, f"a part has one of run, text, file and problems, and this one has {found}"
                 )
+                continue
             options = {**defaults, "lang": one.lang or defaults["lang"]}
             for key in (key for key in FOREIGN[contents[0]] if getattr(one, key) is not None):
-                raise self.error((*place, key), f"{key} is {FOREIGN[contents[0]][key]}")
+                self.wrong((*place, key), f"{key} is {FOREIGN[contents[0]][key]}")
             if one.run is not None:
-                yield self.table(place, one.run, one, options)
+                yield from self.table(place, one.run, one, options)
             elif one.problems is not None:
                 yield from self.problems(place, one.problems, one, options)
             else:
@@ -198,7 +226,12 @@ class _Reader:
         line = self.line((*place, "problems"))
         path = os.path.join(os.path.dirname(self.file.path), inside)
         mark = {"comma": ",", "point": "."}.get(str(options.get("decimal")), "")
-        for one in problems_of(path, options["lang"], given.variant or 1, mark):
+        try:
+            problems = [*problems_of(path, options["lang"], given.variant or 1, mark)]
+        except HandbookError as error:
+            self.mistakes.append((line, str(error)))
+            return
+        for one in problems:
             if given.shows != "solutions":
                 yield Part(line, text=one.posed, problems=inside, options=options)
             if given.shows != "problems":
@@ -207,34 +240,37 @@ class _Reader:
                 self.check_name((*place, "problems"), name, self.part_names)
                 yield Part(line, name, one.words, problems=inside, options=options)
 
-    def table(self, place: Place, run: str, given: PartKeys, options: Mapping[str, Any]) -> Part:
+    def table(self, place: Place, run: str, given: PartKeys, options: Mapping[str, Any]) -> Iterator[Part]:
         place_of_run = (*place, "run")
         try:
             words = tuple(shlex.split(run))
         except ValueError:
-            raise self.error(place_of_run, "run has a quotation mark without its partner") from None
+            self.wrong(place_of_run, "run has a quotation mark without its partner")
+            return
         words = words[1:] if words[:1] == ("kurbel",) else words
         if not words:
-            raise self.error(place_of_run, 'run is empty; write a command, such as run = "table --ratio 1:5"')
+            self.wrong(place_of_run, 'run is empty; write a command, such as run = "table --ratio 1:5"')
+            return
         name = given.name or slug(" ".join(words))
         self.check_name((*place, "name"), name, self.part_names)
-        return Part(self.line(place_of_run), name, words, caption=given.caption or "", options=options)
+        yield Part(self.line(place_of_run), name, words, caption=given.caption or "", options=options)
 
     def check_name(self, place: Place, name: str, taken: dict[str, int]) -> None:
-        """Raise HandbookError unless files may be called so and nothing else has the name."""
-        if not _NAME.fullmatch(name) or len(name) > LONGEST_NAME or name.lower() in _DEVICES:
-            raise self.error(
+        """Note a name by which no files may be called, or which something else has."""
+        if not is_file_name(name):
+            self.wrong(
                 place,
                 f'the name "{name[:40]}" cannot be that of a file; it may have letters from a to z, digits'
                 f" and hyphens, {LONGEST_NAME} at the most",
             )
-        if name.lower() in taken:
-            raise self.error(
+        elif name.lower() in taken:
+            self.wrong(
                 place,
                 f'the name "{name}" is taken in line {taken[name.lower()]};'
                 ' give one of the two another with name = "..."',
             )
-        taken[name.lower()] = self.line(place)
+        else:
+            taken[name.lower()] = self.line(place)
 
     def options(self, place: Place, given: Mapping[str, Any]) -> dict[str, Any]:
         """Return defaults of options by their names, with underscores."""
@@ -242,41 +278,15 @@ class _Reader:
         for key, value in given.items():
             here = (*place, key)
             name, known = key.replace("_", "-"), default_options()
+            values = value if isinstance(value, list) else [value]
             if name not in known:
-                raise self.error(
+                self.wrong(
                     here,
                     f'there is no option for which there are defaults "{name[:60]}"'
                     f"{did_you_mean(name, known)}; the help of each command lists its options",
                 )
-            values = value if isinstance(value, list) else [value]
-            if not values or not all(isinstance(one, str | int | float) for one in values):
-                raise self.error(
-                    here, f"{key} is {shown(value)}; it must be a text, a number or a list of them"
-                )
-            options[name.replace("-", "_")] = value
+            elif not values or not all(isinstance(one, str | int | float) for one in values):
+                self.wrong(here, f"{key} is {shown(value)}; it must be a text, a number or a list of them")
+            else:
+                options[name.replace("-", "_")] = value
         return options
-
-
-_NAME = re.compile(r"[A-Za-z0-9]+(?:-+[A-Za-z0-9]+)*")
-# Names that are devices where Windows reads the files.
-_DEVICES = frozenset(
-    ("con", "prn", "aux", "nul", *(f"{one}{n}" for one in ("com", "lpt") for n in range(1, 10)))
-)
-_LETTERS = str.maketrans(
-    {"ä": "ae", "ö": "oe", "ü": "ue", "ß": "ss", "λ": "lambda", "φ": "phi", "δ": "delta"}
-)
-
-
-def slug(text: str) -> str:
-    """Return a name for files and labels: "delta --eps 2..6" -> "delta-eps-2-6".
-
-    A long one is cut and ends with a few digits that tell it from others.
-    """
-    plain = unicodedata.normalize("NFKD", text.lower().translate(_LETTERS))
-    name = re.sub(r"[^a-z0-9]+", "-", "".join(one for one in plain if not unicodedata.combining(one))).strip(
-        "-"
-    )
-    if 0 < len(name) <= LONGEST_NAME - 20:
-        return name
-    tail = hashlib.sha256(text.encode()).hexdigest()[:6]
-    return f"{name[: LONGEST_NAME - 20].rstrip('-')}-{tail}".lstrip("-")

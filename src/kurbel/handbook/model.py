@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from typing import Annotated, Any, ClassVar, Self
-from unicodedata import category
+from unicodedata import category, combining, normalize
 
 from msgspec import Meta, Struct
 
@@ -21,6 +23,7 @@ from kurbel.reading.toml_file import A_TEXT, Choice, Fault, about, within
 SCHEMA = "handbook.schema.json"
 COMPILED = compiled_format()
 ENGINES = COMPILED.engines
+LONGEST_NAME = 60
 STANDARDS = tuple(dict.fromkeys(one for engine in ENGINES.values() for one in engine.standards))
 
 
@@ -222,3 +225,31 @@ SECTIONS: Mapping[str, type[Struct]] = {
     "chapter": ChapterKeys,
     "part": PartKeys,
 }
+
+
+_NAME = re.compile(r"[A-Za-z0-9]+(?:-+[A-Za-z0-9]+)*")
+# Names that are devices where Windows reads the files.
+_DEVICES = frozenset(
+    ("con", "prn", "aux", "nul", *(f"{one}{n}" for one in ("com", "lpt") for n in range(1, 10)))
+)
+_LETTERS = str.maketrans(
+    {"ä": "ae", "ö": "oe", "ü": "ue", "ß": "ss", "λ": "lambda", "φ": "phi", "δ": "delta"}
+)
+
+
+def is_file_name(name: str) -> bool:
+    """Tell whether files may be called so."""
+    return bool(_NAME.fullmatch(name)) and len(name) <= LONGEST_NAME and name.lower() not in _DEVICES
+
+
+def slug(text: str) -> str:
+    """Return a name for files and labels: "delta --eps 2..6" -> "delta-eps-2-6".
+
+    A long one is cut and ends with a few digits that tell it from others.
+    """
+    plain = normalize("NFKD", text.lower().translate(_LETTERS))
+    name = re.sub(r"[^a-z0-9]+", "-", "".join(one for one in plain if not combining(one))).strip("-")
+    if 0 < len(name) <= LONGEST_NAME - 20:
+        return name
+    tail = hashlib.sha256(text.encode()).hexdigest()[:6]
+    return f"{name[: LONGEST_NAME - 20].rstrip('-')}-{tail}".lstrip("-")

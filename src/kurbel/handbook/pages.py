@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from functools import partial
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from kurbel.documents import prose
 from kurbel.documents.document import Chapter, Document, Item
@@ -147,3 +147,11 @@ def make_pdf(folder: str, engine: str, standards: tuple[str, ...], limited: bool
 
 def _document_in(folder: str, name: str) -> str:
     return _text_of(os.path.join(folder, name), LARGEST)
+
+
+def program_of(engine: str) -> list[Any]:
+    """Return what tells a TeX from another: its program, not its packages. The fingerprint tells a Typst."""
+    import shutil
+
+    path = shutil.which(engine)
+    return [] if path is None else [path, os.stat(path).st_mtime_ns]

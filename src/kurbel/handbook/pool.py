@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import signal
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
@@ -69,12 +70,17 @@ class Piece(NamedTuple):
     """A piece of the work: a part, in its line of the manifest, or a document.
 
     `key` tells what it is made of; `make`, which goes to other processes, raises KurbelError if it cannot.
+    With `apart` it is not made in this process. `killed` is said of one whose process ends; `owner` is the
+    build that it is of.
     """
 
     name: str
     key: str
     make: Callable[[], Made]
+    owner: Any
     line: int = 0
+    apart: bool = False
+    killed: str = KILLED
 
 
 def cores() -> int:
@@ -83,18 +89,20 @@ def cores() -> int:
     return min(count, MOST_PROCESSES)
 
 
-def worked(
-    pieces: Sequence[Piece], jobs: int, apart: bool, killed: str
-) -> Iterator[tuple[Piece, Made | str]]:
+def worked(pieces: Iterable[Piece], jobs: int) -> Iterator[tuple[Piece, Made | str]]:
     """Yield each piece with what it became, or a sentence why it became nothing, as they are done.
 
-    With `apart` none runs in this process. `killed` is said of one whose process ends.
+    All share their processes, but for those of builds with templates of one's own, which may end them.
     """
-    if not apart and (jobs == 1 or len(pieces) < WORTH_A_PROCESS):
-        for piece in pieces:
-            yield piece, _tried(piece.make)
-    elif pieces:
-        yield from _worked_apart(pieces, jobs, killed)
+    lots: dict[int, list[Piece]] = {}
+    for piece in pieces:
+        lots.setdefault(0 if piece.killed == KILLED else id(piece.owner), []).append(piece)
+    for lot in lots.values():
+        if any(piece.apart for piece in lot) or (jobs > 1 and len(lot) >= WORTH_A_PROCESS):
+            yield from _worked_apart(lot, jobs)
+        else:
+            for piece in lot:
+                yield piece, _tried(piece.make)
 
 
 def _tried(make: Callable[[], Made]) -> Made | str:
@@ -104,7 +112,7 @@ def _tried(make: Callable[[], Made]) -> Made | str:
         return str(error)
 
 
-def _worked_apart(pieces: Sequence[Piece], jobs: int, killed: str) -> Iterator[tuple[Piece, Made | str]]:
+def _worked_apart(pieces: Sequence[Piece], jobs: int) -> Iterator[tuple[Piece, Made | str]]:
     # Later than most imports: a handbook without changes needs no processes.
     from concurrent.futures import as_completed
 
@@ -124,7 +132,7 @@ def _worked_apart(pieces: Sequence[Piece], jobs: int, killed: str) -> Iterator[t
             alone = pool.submit(_tried, piece.make)
             ended = _was_killed(alone)
             count += ended
-            yield piece, killed if ended else alone.result()
+            yield piece, piece.killed if ended else alone.result()
 
 
 def _was_killed(future: Future[Any]) -> bool:
@@ -140,7 +148,8 @@ def _pool(jobs: int) -> Iterator[ProcessPoolExecutor]:
     from multiprocessing import active_children, get_context
 
     # Started anew, not copied, so that a piece finds the same process on every system.
-    pool = ProcessPoolExecutor(jobs, mp_context=get_context("spawn"), initializer=_start)
+    anew = get_context("spawn")
+    pool = ProcessPoolExecutor(jobs, anew, initializer=_start, initargs=gc.get_threshold())
     try:
         yield pool
     except BaseException:
@@ -153,11 +162,15 @@ def _pool(jobs: int) -> Iterator[ProcessPoolExecutor]:
         pool.shutdown(cancel_futures=True)
 
 
-def _start() -> None:
-    """Make a process of the pool ready: it ends with the one that started it, and by no other's Ctrl-C."""
+def _start(*allocated: int) -> None:
+    """Make a process of the pool ready: it ends with the one that started it, and by no other's Ctrl-C.
+
+    It looks for garbage as seldom as that, after so many objects: a tenth of its time, if often.
+    """
     from multiprocessing import parent_process
     from threading import Thread
 
+    gc.set_threshold(*allocated)
     # The terminal sends it to all; who waits for the pieces ends them.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     parent = parent_process()

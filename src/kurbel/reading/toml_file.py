@@ -108,6 +108,12 @@ class TomlFile:
 
         return read_model(self, model)
 
+    def read_rest(self, model: type[Model]) -> tuple[Model, list[tuple[Place, str]]]:
+        """Return the model of all that is right, and of what is amiss the places and the sentences."""
+        from kurbel.reading.toml_model import read_rest
+
+        return read_rest(self, model)
+
 
 def _parsed(path: str | os.PathLike[str], kind: TomlKind, text: str) -> dict[str, Any]:
     """Return what the text of the file says."""

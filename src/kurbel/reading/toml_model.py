@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from typing import Any, TypeVar
 
 import msgspec
@@ -25,12 +26,41 @@ KEYED = inspect.StructType | inspect.DataclassType
 
 def read_model(file: TomlFile, model: type[Model]) -> Model:
     """Return what the file says as its model; raise its kind's error for the first thing amiss."""
-    for place, said in _Reader(file.kind.lines).faults(file.given, inspect.type_info(model), ()):
+    for place, said in _faults(file, model):
         raise file.error(place, said)
+    return _converted(file, model)
+
+
+def read_rest(file: TomlFile, model: type[Model]) -> tuple[Model, list[tuple[Place, str]]]:
+    """Return the model of all that is right, and what is amiss: the place of each key and the sentence.
+
+    What is amiss is left out of what the file says.
+    """
+    faults = [*_faults(file, model)]
+    for place, _ in faults:
+        _leave_out(file.given, place)
+    return _converted(file, model), faults
+
+
+def _faults(file: TomlFile, model: type[Model]) -> Iterator[tuple[Place, str]]:
+    return _Reader(file.kind.lines).faults(file.given, inspect.type_info(model), ())
+
+
+def _converted(file: TomlFile, model: type[Model]) -> Model:
     try:
         return msgspec.convert(file.given, model, dec_hook=_made)
     except (msgspec.ValidationError, KurbelError) as error:
         raise file.kind.error(f"{file.path}: {error}") from None
+
+
+def _leave_out(given: Any, place: Place) -> None:
+    """Remove a key or, of an entry of a list, the whole list: the others keep their numbers and lines."""
+    last = max(index for index, key in enumerate(place) if isinstance(key, str))
+    # What it lies in may be left out already.
+    with suppress(KeyError):
+        for key in place[:last]:
+            given = given[key]
+        del given[place[last]]
 
 
 class _Reader:
