@@ -15,8 +15,21 @@ from kurbel.linkage.arc.rocker import RockerCrank
 from kurbel.linkage.linkage import value
 from kurbel.motion.evaluation import OUT, RETURN
 from kurbel.plot.mechanism import LARGEST_RADIUS, LEFT, LONGEST_ROD
-from kurbel.plot.sketch import CHAIN, DEAD_CENTRES, Point, Position, Sketch, laid_out, pin_texts, polar_point
-from kurbel.plot.style import GREY, MEDIUM, WIDTH, arrowhead, style, text_of
+from kurbel.plot.place import CLEAR
+from kurbel.plot.sketch import (
+    DEAD_CENTRES,
+    DOWN,
+    HANGING,
+    LEFTWARD,
+    UP,
+    Point,
+    Position,
+    Sketch,
+    laid_out,
+    pin_texts,
+    polar_point,
+)
+from kurbel.plot.style import WIDTH, arrowhead, style, text_of
 from kurbel.reading.notation import about
 
 if TYPE_CHECKING:
@@ -49,6 +62,10 @@ class _Drive(NamedTuple):
         share, (x, y) = 1 + way / self.rocker, self.pivot
         return x + (point[0] - x) * share, y + (point[1] - y) * share
 
+    def pins(self, one: Position) -> tuple[Point, ...]:
+        """Return the pins between links, that at the other arm of a beam among them."""
+        return (one.pin, one.head, self.end(one.head)) if self.is_beam else (one.pin, one.head)
+
     def end(self, head: Point) -> Point:
         """Return where the rocker ends: at its pivot, or with another arm as far beyond it."""
         x, y = self.pivot
@@ -72,14 +89,17 @@ def arc_mechanism(crank: RockerCrank, angles: Sequence[float | Fraction], lang: 
         sketch = _laid_out(drive)
         _fixed_lines(sketch, drive)
         for one in positions[1:]:
-            sketch.light_links((0, 0), one.pin, one.head, drive.end(one.head))
+            links = (0, 0), one.pin, one.head, drive.end(one.head)
+            sketch.light_links(links, drive.pins(one), ((0, 0), drive.pivot))
         _pivot_dimensions(sketch, drive)
         _position_dimensions(sketch, drive, positions[0])
         _strong(sketch, drive, positions[0])
         dead = [(drive.inner, DEAD_CENTRES["inner"][lang]), (drive.outer, DEAD_CENTRES["outer"][lang])]
         leader = LEADER * sketch.mm
         names = [(drive.beyond(one.head, leader), drive.away(one.head), name) for one, name in dead]
-        sketch.beside_points([*names, *pin_texts([one.pin for one in positions], angles, mark)])
+        sketch.beside_points(names, CLEAR)
+        sketch.beside_points(pin_texts([one.pin for one in positions], angles, mark))
+        sketch.write()
     return sketch.figure
 
 
@@ -140,21 +160,20 @@ def _fixed_lines(sketch: Sketch, drive: _Drive) -> None:
     """Draw centre lines, the crank circle, the arc and the dead centres on both."""
     mm = sketch.mm
     beyond, (x, y) = 1 + 3.5 * mm, drive.pivot
-    sketch.line((0, -beyond), (0, beyond), linestyle=CHAIN)
-    sketch.line((-beyond, 0), (drive.high[0] + 4 * mm, 0), linestyle=CHAIN)
-    sketch.line((x, y + sketch.side * 4 * mm), (x, _lowest(sketch, drive)), linestyle=CHAIN)
+    sketch.centre_line((0, -beyond), (0, 0), (0, beyond))
+    sketch.centre_line((-beyond, 0), (0, 0), (drive.high[0] + 4 * mm, 0))
+    sketch.centre_line((x, y + sketch.side * 4 * mm), (x, y), (x, _lowest(sketch, drive)))
     sketch.crank_circle()
     turns = _swept(drive.pivot, drive.inner.head, drive.outer.head)
     more = math.degrees(OVERRUN * mm / drive.rocker)
     path = [
         polar_point(drive.pivot, drive.rocker, one) for one in (turns[0] - more, *turns, turns[-1] + more)
     ]
-    sketch.line(*path, color=GREY, linewidth=MEDIUM, zorder=2).set_gid("arc")
+    sketch.chain(*path).set_gid("arc")
     for dead in (drive.inner, drive.outer):
-        sketch.dead_tick(dead.pin)
-        near, far, end = (drive.beyond(dead.head, way * mm) for way in (-1.6, 1.6, LEADER))
-        sketch.line(near, far, linewidth=MEDIUM, zorder=3)
-        sketch.line(far, end)
+        sketch.dead_centre(dead.pin)
+        sketch.dead_centre(dead.head)
+        sketch.line(dead.head, drive.beyond(dead.head, LEADER * mm))
 
 
 def _lowest(sketch: Sketch, drive: _Drive) -> float:
@@ -180,8 +199,8 @@ def _pivot_dimensions(sketch: Sketch, drive: _Drive) -> None:
 def _position_dimensions(sketch: Sketch, drive: _Drive, one: Position) -> None:
     """Draw φ, θ, R, L, B and the path x along the arc."""
     sketch.crank_dimensions(one.pin, one.angle % 360)
-    sketch.beside_link(one.pin, one.head, "$L$", 0.45, 1 if one.pin[1] >= one.head[1] else -1)
-    sketch.beside_link(drive.pivot, one.head, f"${drive.letter}$", 0.45, -1 if one.lean < 0 else 1)
+    sketch.beside((one.pin, one.head), "$L$", 0.45, 1 if one.pin[1] >= one.head[1] else -1)
+    sketch.beside((drive.pivot, one.head), f"${drive.letter}$", 0.45, -1 if one.lean < 0 else 1)
     _rocker_angle(sketch, drive, one)
     _path(sketch, drive, one)
 
@@ -193,8 +212,7 @@ def _rocker_angle(sketch: Sketch, drive: _Drive, one: Position) -> None:
     if abs(math.radians(one.lean)) * radius < 2 * mm:
         return
     first, last = sorted((square, square + one.lean))
-    sketch.arc(drive.pivot, radius, first, last, arrow=False)
-    sketch.write(polar_point(drive.pivot, radius + 2.6 * mm, (first + last) / 2), THETA, zorder=5)
+    sketch.beside(sketch.arc(drive.pivot, radius, first, last, arrow=False), THETA, 0.5, -1, ends=True)
 
 
 def _path(sketch: Sketch, drive: _Drive, one: Position) -> None:
@@ -210,7 +228,7 @@ def _path(sketch: Sketch, drive: _Drive, one: Position) -> None:
         tip, near = points[number], points[other]
         arrowhead(sketch.axes, tip, (tip[0] - near[0], tip[1] - near[1]), mm)
     sketch.line(drive.beyond(one.head, 1.6 * mm), drive.beyond(one.head, (OUTWARD + 1) * mm), zorder=4)
-    sketch.write(points[len(points) // 2], "$x$")
+    sketch.beside(points, "$x$", 0.5, -1)
 
 
 def _strong(sketch: Sketch, drive: _Drive, one: Position) -> None:
@@ -218,4 +236,6 @@ def _strong(sketch: Sketch, drive: _Drive, one: Position) -> None:
     sketch.strong_links(
         crank=((0, 0), one.pin), rod=(one.pin, one.head), rocker=(one.head, drive.end(one.head))
     )
-    sketch.joints([(0, 0), pivot], [one.pin, one.head])
+    sketch.bearing((0, 0), UP if one.pin[1] < -HANGING else DOWN)
+    sketch.bearing(pivot, LEFTWARD if drive.is_beam else UP if sketch.side > 0 else DOWN)
+    sketch.joints(drive.pins(one))

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 from kurbel.kernel.circle import circle
 from kurbel.linkage.linkage import Outline, Point, Stand
-from kurbel.plot.sketch import CHAIN, Sketch, laid_out, pin_texts
-from kurbel.plot.style import GREY, MEDIUM, WIDTH, style
+from kurbel.plot.sketch import DOWN, HANGING, UP, Sketch, laid_out, pin_texts
+from kurbel.plot.style import WIDTH, style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -30,11 +30,15 @@ def outlined(outline: Outline, angles: Sequence[float | Fraction], mark: str) ->
         sketch = _laid_out(outline)
         _fixed_lines(sketch, outline)
         for one in others:
-            _light(sketch, one)
+            for chain in one.chains:
+                sketch.light_links(chain, one.pins, outline.shafts)
         _dimensions(sketch, first, pins[0], float(angles[0]) % 360)
         sketch.strong_links(**first.links)
-        sketch.joints(outline.shafts, first.pins)
+        for shaft in outline.shafts:
+            sketch.bearing(shaft, UP if pins[0][1] < -HANGING else DOWN)
+        sketch.joints(first.pins)
         sketch.beside_points(pin_texts(pins, angles, mark))
+        sketch.write()
     return sketch.figure
 
 
@@ -51,17 +55,10 @@ def _laid_out(outline: Outline) -> Sketch:
 
 def _fixed_lines(sketch: Sketch, outline: Outline) -> None:
     beyond = 3.5 * sketch.mm
-    sketch.line((outline.left - beyond, 0), (outline.right + beyond, 0), linestyle=CHAIN)
+    sketch.centre_line((outline.left - beyond, 0), *outline.shafts, (outline.right + beyond, 0))
     for x, y in outline.shafts:
-        sketch.line((x, y - 1 - beyond), (x, y + 1 + beyond), linestyle=CHAIN)
+        sketch.centre_line((x, y - 1 - beyond), (x, y), (x, y + 1 + beyond))
         sketch.crank_circle((x, y))
-
-
-def _light(sketch: Sketch, stand: Stand) -> None:
-    for chain in stand.chains:
-        sketch.line(*chain, color=GREY, linewidth=MEDIUM, zorder=3)
-    for pin in stand.pins:
-        sketch.joint(pin, 0.7, GREY, MEDIUM)
 
 
 def _dimensions(sketch: Sketch, stand: Stand, pin: Point, turn: float) -> None:
@@ -70,7 +67,7 @@ def _dimensions(sketch: Sketch, stand: Stand, pin: Point, turn: float) -> None:
     sketch.crank_dimensions(pin, turn)
     side = 1 if pin[1] >= 0 else -1
     for name, letter, share in stand.letters:
-        sketch.beside_link(*stand.links[name], letter, share, side)
+        sketch.beside(stand.links[name], letter, share, side)
     level = -1 - (ABOVE + 4) * mm
     for start, end, letter in stand.lengths:
         if abs(end - start) > mm:

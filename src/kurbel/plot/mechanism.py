@@ -5,22 +5,24 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from kurbel.errors import ProblemError
 from kurbel.kernel.circle import circle
 from kurbel.kernel.kinematics import dead_centre_sine, rod_sine
 from kurbel.plot.sketch import (
-    CHAIN,
     DEAD_CENTRES,
+    DOWN,
+    HANGING,
+    HATCH,
     LEAST_DIMENSION,
+    UP,
     Position,
     Sketch,
     laid_out,
     pin_texts,
-    polar_point,
 )
-from kurbel.plot.style import BLACK, GREY, MEDIUM, PALE, SMALL_TEXT, WIDTH, size_of, style, text_of
+from kurbel.plot.style import BLACK, MEDIUM, PALE, WIDTH, style, text_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -28,8 +30,9 @@ if TYPE_CHECKING:
 # In mm. A short rod leaves the crank more room than it needs.
 LARGEST_RADIUS = 24.0
 LONGEST_ROD = 12
-LEFT, OFFSET_LEFT, RIGHT, OUTSIDE, DIMENSIONS = 8.0, 3.0, 9.0, 7.0, 17.0
+LEFT, OFFSET_LEFT, RIGHT, OUTSIDE, DIMENSIONS, LETTER = 8.0, 3.0, 9.0, 7.0, 17.0, 3.5
 HEAD_LENGTH, HEAD_HEIGHT, OVERRUN = 8.0, 6.5, 3.0
+
 PSI = text_of("$ψ$", ".")
 
 
@@ -59,11 +62,12 @@ def mechanism(
         _lines_and_circle(sketch, drive)
         _guides(sketch, drive)
         for one in positions[1:]:
-            sketch.light_links((0, 0), one.pin, one.head)
+            sketch.light_links(((0, 0), one.pin, one.head), (one.pin, one.head), ((0, 0),))
         _dimensions_of_drive(sketch, drive, lang)
         _dimensions_of_position(sketch, drive, positions[0])
         _strong(sketch, positions[0])
         sketch.beside_points(pin_texts([one.pin for one in positions], angles, mark))
+        sketch.write()
     return sketch.figure
 
 
@@ -94,7 +98,7 @@ def _laid_out(drive: _Drive, first: Position) -> Sketch:
     side = -1 if first.pin[1] >= drive.offset else 1
     mm = 1 / drive.radius
     beside = LEFT + (OFFSET_LEFT if drive.offset else 0)
-    edge = drive.offset + side * (HEAD_HEIGHT / 2 + DIMENSIONS) * mm
+    edge = drive.offset + side * (HEAD_HEIGHT / 2 + DIMENSIONS + LETTER * (side > 0)) * mm
     bottom = min(-1 - OUTSIDE * mm, edge, drive.offset - HEAD_HEIGHT * mm)
     top = max(1 + OUTSIDE * mm, edge, drive.offset + HEAD_HEIGHT * mm)
     left, right = -1 - beside * mm, drive.inner.head[0] + (HEAD_LENGTH / 2 + OVERRUN + RIGHT) * mm
@@ -105,13 +109,14 @@ def _lines_and_circle(sketch: Sketch, drive: _Drive) -> None:
     mm = sketch.mm
     beyond = 1 + 3.5 * mm
     end = drive.inner.head[0] + (HEAD_LENGTH / 2 + OVERRUN + 2) * mm
-    sketch.line((0, -beyond), (0, beyond), linestyle=CHAIN)
-    sketch.line((-beyond, 0), (beyond if drive.offset else end, 0), linestyle=CHAIN)
+    sketch.centre_line((0, -beyond), (0, 0), (0, beyond))
+    sketch.centre_line((-beyond, 0), (0, 0), (beyond if drive.offset else end, 0))
     if drive.offset:
-        sketch.line((-beyond, drive.offset), (end, drive.offset), linestyle=CHAIN)
+        sketch.centre_line((-beyond, drive.offset), (end, drive.offset))
     sketch.crank_circle()
     for dead in (drive.inner, drive.outer):
-        sketch.dead_tick(dead.pin)
+        sketch.dead_centre(dead.pin)
+        sketch.dead_centre(dead.head)
 
 
 def _guides(sketch: Sketch, drive: _Drive) -> None:
@@ -119,14 +124,9 @@ def _guides(sketch: Sketch, drive: _Drive) -> None:
     mm = sketch.mm
     start = drive.outer.head[0] - (HEAD_LENGTH / 2 + OVERRUN) * mm
     end = drive.inner.head[0] + (HEAD_LENGTH / 2 + OVERRUN) * mm
-    count = int((end - start) / (1.5 * mm))
-    for side in (-1, 1):
-        y = drive.offset + side * HEAD_HEIGHT / 2 * mm
-        sketch.line((start, y), (end, y), linewidth=MEDIUM, zorder=2)
-        for number in range(count):
-            x = start + (number + 0.9) * (end - start) / count
-            across = (x - 1.1 * mm, y + 1.1 * mm) if side > 0 else (x - 1.1 * mm, y - 1.1 * mm)
-            sketch.line((x, y), across, color=GREY, zorder=1)
+    for way in (UP, DOWN):
+        y = drive.offset + way[1] * HEAD_HEIGHT / 2 * mm
+        sketch.ground((start, y), (end, y), way)
 
 
 def _strong(sketch: Sketch, one: Position) -> None:
@@ -138,7 +138,9 @@ def _strong(sketch: Sketch, one: Position) -> None:
     box.set(facecolor=PALE, edgecolor=BLACK, linewidth=MEDIUM)
     sketch.axes.add_patch(box)
     sketch.strong_links(crank=((0, 0), one.pin), rod=(one.pin, one.head))
-    sketch.joints([(0, 0)], [one.pin, one.head])
+    # A crank that hangs down would hide the bearing.
+    sketch.bearing((0, 0), UP if one.pin[1] < -HANGING else DOWN)
+    sketch.joints([one.pin, one.head])
 
 
 def _dimensions_of_drive(sketch: Sketch, drive: _Drive, lang: str) -> None:
@@ -147,17 +149,12 @@ def _dimensions_of_drive(sketch: Sketch, drive: _Drive, lang: str) -> None:
     level = _level(sketch, drive, 2)
     inner, outer = drive.inner.head[0], drive.outer.head[0]
     sketch.dimension((outer, level), (inner, level), "$S$")
-    names = [
-        (inner, DEAD_CENTRES["inner"][lang], "left", 1),
-        (outer, DEAD_CENTRES["outer"][lang], "right", -1),
-    ]
-    widest = max(size_of(name, SMALL_TEXT)[0] for _, name, _, _ in names) + 2
-    for x, name, towards, way in names:
-        sketch.line((x, drive.offset - side * 1.2 * mm), (x, level + side * 1 * mm), zorder=4)
-        look: dict[str, Any] = {}
-        if inner - outer < widest * mm:
-            x, look = (inner + outer) / 2 + way * mm, {"ha": towards}
-        sketch.write((x, level + side * 3.2 * mm), name, fontsize=SMALL_TEXT, **look)
+    for x, name in ((inner, "inner"), (outer, "outer")):
+        # Above the dimension line the names leave room for its letter.
+        end = (x, level + (1 if side < 0 else LETTER) * side * mm)
+        sketch.line((x, drive.offset), end, zorder=4)
+        opposite = (x, drive.offset - side * (HEAD_HEIGHT / 2 + HATCH + 1) * mm)
+        sketch.at_end(end, opposite, DEAD_CENTRES[name][lang])
     if drive.offset:
         x = -1 - 6 * mm
         for y in (0.0, drive.offset):
@@ -170,7 +167,7 @@ def _dimensions_of_position(sketch: Sketch, drive: _Drive, one: Position) -> Non
     mm = sketch.mm
     # The rod is at the right of the crank, its label at the left.
     sketch.crank_dimensions(one.pin, one.angle % 360)
-    sketch.beside_link(one.pin, one.head, "$L$", 0.4, 1 if sketch.side < 0 else -1)
+    sketch.beside((one.pin, one.head), "$L$", 0.4, 1 if sketch.side < 0 else -1)
     _rod_angle(sketch, drive, one)
     level, start = _level(sketch, drive, 1), drive.inner.head[0]
     if (start - one.head[0]) / mm > LEAST_DIMENSION:
@@ -190,9 +187,6 @@ def _rod_angle(sketch: Sketch, drive: _Drive, one: Position) -> None:
     radius = min(max(one.head[0] - start, 16 * mm), 0.7 / drive.ratio)
     if abs(math.radians(turn)) * radius < 1.2 * mm:
         return
-    sketch.arc(one.head, radius, 180 - max(turn, 0), 180 - min(turn, 0), arrow=False)
-    place = polar_point(one.head, radius + 2.3 * mm, 180 - turn / 2)
-    if abs(math.radians(turn)) * (radius + 2.3 * mm) < 3.6 * mm:
-        place = (one.head[0] - radius, one.head[1] + sketch.side * 2.6 * mm)
-    # The rod passes over the background of the letter, which would cut it.
-    sketch.write(place, PSI, zorder=5)
+    arc = sketch.arc(one.head, radius, 180 - max(turn, 0), 180 - min(turn, 0), arrow=False)
+    # Where there is no room in the angle the letter stands at the slide, not at the rod.
+    sketch.beside(arc[::-1] if turn > 0 else arc, PSI, 0.5, 1 if turn > 0 else -1, ends=True)

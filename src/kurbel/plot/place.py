@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from itertools import pairwise
 from typing import NamedTuple, TypeAlias
 
@@ -9,6 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 Points: TypeAlias = NDArray[np.float64]
+
+Chosen: TypeAlias = NDArray[np.bool_]
 
 # Left, bottom, right, top.
 Box: TypeAlias = tuple[float, float, float, float]
@@ -28,6 +31,47 @@ class Wish(NamedTuple):
 BESIDE, AROUND = Wish(GAP + CLEAR, 5.0), Wish(CLEAR, 1.2)
 # Where a label may be around a point: in so many directions, and so much farther than touching it.
 DIRECTIONS, DISTANCES = 32, (0.0, 0.8, 1.6, 3.0)
+# Degrees of free room around a label, and so much that it covers nothing but that from a line.
+ROOMY, TIGHT = (1.4, 0.9, 0.5), 0.35
+# Where a label that has no room may be moved to, the nearest first.
+_SHIFTS = np.arange(-2.5, 2.6, 0.25)
+_AROUND = np.stack(np.meshgrid(_SHIFTS, _SHIFTS), axis=-1).reshape(-1, 2)
+_AROUND = _AROUND[np.hypot(*_AROUND.T).argsort(kind="stable")]
+
+
+class Ink(NamedTuple):
+    """Points on all that is drawn, and how much it counts that a label covers each."""
+
+    points: Points
+    weights: Points
+
+    def more(self, points: Points, weight: float) -> Ink:
+        weights = np.full(len(points), weight)
+        return Ink(np.concatenate((self.points, points)), np.concatenate((self.weights, weights)))
+
+
+class Own(NamedTuple):
+    """Points on what a label belongs to, and how far it stands from them at least."""
+
+    points: Points
+    clear: float
+
+    def without(self, ink: Ink) -> Ink:
+        """Return the other ink: all that the label could touch only if it came too near to its own."""
+        low, high = self.points.min(axis=0) - self.clear, self.points.max(axis=0) + self.clear
+        rows = np.flatnonzero(((ink.points > low) & (ink.points < high)).all(axis=1))
+        away = _distances(ink.points[rows], np.zeros(2), self.points)
+        kept = np.ones(len(ink.points), bool)
+        kept[rows[away < self.clear - 0.05]] = False
+        return Ink(ink.points[kept], ink.weights[kept])
+
+
+class Spot(NamedTuple):
+    """The centre of a label, the group of places it is from, and whether its box covers a line there."""
+
+    centre: Points
+    group: int
+    covers: bool
 
 
 def densely(points: Points, spacing: float = 0.5) -> Points:
@@ -45,7 +89,10 @@ def densely(points: Points, spacing: float = 0.5) -> Points:
 
 
 def beside(line: Points, size: tuple[float, float]) -> Points:
-    """Return the centres of a box of this size that touches a line, at both sides of every point."""
+    """Return the centres of a box of this size that touches a line, at both sides of every point.
+
+    At first those on the left as the line goes.
+    """
     slope = np.gradient(line, axis=0)
     length = np.hypot(*slope.T)[:, None]
     normal = np.stack((-slope[:, 1], slope[:, 0]), axis=1) / np.where(length, length, 1)
@@ -57,11 +104,27 @@ def around(point: Points, size: tuple[float, float], outward: Points) -> Points:
 
     They begin in the direction outward and go on to both sides of it.
     """
+    direction = _directions(outward)
+    return np.concatenate([point + direction * (_reach(direction, size) + more) for more in DISTANCES])
+
+
+def touching(point: Points, size: tuple[float, float], outward: Points, distances: Sequence[float]) -> Points:
+    """Return the centres of a box of this size that comes so near to a point, likewise.
+
+    Other than in `around` the box slides along the point: a long text may have its end there as well.
+    """
+    direction = _directions(outward)
+    square = direction / np.abs(direction).max(axis=1)[:, None]
+    half = np.asarray(size) / 2
+    return np.concatenate([point + square * (half + GAP + more) for more in distances])
+
+
+def _directions(outward: Points) -> Points:
+    """Return directions of length 1, at first outward and on to both sides of it."""
     step = 2 * np.pi / DIRECTIONS
     turns = np.arange(DIRECTIONS) * step * np.resize((1, -1), DIRECTIONS)
     angles = np.arctan2(outward[1], outward[0]) + np.cumsum(turns)
-    direction = np.stack((np.cos(angles), np.sin(angles)), axis=1)
-    return np.concatenate([point + direction * (_reach(direction, size) + more) for more in DISTANCES])
+    return np.stack((np.cos(angles), np.sin(angles)), axis=1)
 
 
 def _reach(direction: Points, size: tuple[float, float]) -> Points:
@@ -77,13 +140,82 @@ def freest(
     own is the line to which the label belongs: it may be near, but not within the box.
     """
     half = np.asarray(size) / 2
-    edges = np.minimum(centres - half - np.asarray(frame[:2]), np.asarray(frame[2:]) - centres - half)
-    clear = np.minimum(edges.min(axis=1), _distances(centres, half, others))
+    clear = np.minimum(_inside(centres, half, frame), _distances(centres, half, others))
     clear[_distances(centres, half, own) < CLEAR] = 0
     # Differences below a tenth of a millimetre are none: then the first is taken, on every machine.
     clear = np.round(np.minimum(clear, wish.ample), 1)
     best = int(clear.argmax())
     return np.asarray(centres[best]) if clear[best] >= wish.least else None
+
+
+def spot(
+    groups: Sequence[Points],
+    size: tuple[float, float],
+    own: Own,
+    ink: Ink,
+    frame: Box,
+    allowed: Callable[[Points], Chosen],
+) -> Spot | None:
+    """Return where a label stands: at the first free place of the first group that has one.
+
+    Of the allowed places of a group those with more room are better, by the degrees of ROOMY. Where no group
+    has a free place the label covers as little ink as it can. None is for a label too large for the frame.
+    """
+    search = _Search(np.asarray(size) / 2, own, own.without(ink), frame, allowed)
+    crowded = []
+    for number, centres in enumerate(map(search.possible, groups)):
+        place = search.free(centres)
+        if place is not None:
+            return Spot(place, number, False)
+        if len(centres):
+            weight, place = search.least(centres)
+            crowded.append((weight, number, place))
+    if not crowded:
+        return None
+    weight, number, centre = min(crowded, key=lambda one: one[:2])
+    place = search.free(search.possible(centre + _AROUND))
+    return Spot(centre, number, weight > 0) if place is None else Spot(place, number, False)
+
+
+class _Search(NamedTuple):
+    """Half the size of a box, what it belongs to, the ink of all else, and where it may be."""
+
+    half: Points
+    own: Own
+    ink: Ink
+    frame: Box
+    allowed: Callable[[Points], Chosen]
+
+    def possible(self, centres: Points) -> Points:
+        inside = (_inside(centres, self.half, self.frame) >= 0) & self.allowed(centres)
+        apart = _distances(centres, self.half, self.own.points) >= self.own.clear
+        return np.asarray(centres[inside & apart])
+
+    def free(self, centres: Points) -> Points | None:
+        """Return the first centre of those with most room, if any has enough."""
+        room = _distances(centres, self.half, self._near(centres).points)
+        found = [centres[int((room >= least).argmax())] for least in ROOMY if (room >= least).any()]
+        return np.asarray(found[0]) if found else None
+
+    def least(self, centres: Points) -> tuple[float, Points]:
+        """Return the least weight of ink in a box, and its centre."""
+        near = self._near(centres)
+        within = (np.abs(centres[:, None] - near.points[None]) - self.half < TIGHT).all(axis=2)
+        covered = np.round(within @ near.weights, 2)
+        return float(covered.min()), np.asarray(centres[int(covered.argmin())])
+
+    def _near(self, centres: Points) -> Ink:
+        """Return the ink that any of the boxes is near to: the rest costs time and alters nothing."""
+        low = (centres - self.half).min(axis=0, initial=np.inf) - ROOMY[0]
+        high = (centres + self.half).max(axis=0, initial=-np.inf) + ROOMY[0]
+        kept = ((self.ink.points >= low) & (self.ink.points <= high)).all(axis=1)
+        return Ink(self.ink.points[kept], self.ink.weights[kept])
+
+
+def _inside(centres: Points, half: Points, frame: Box) -> Points:
+    """Return how far each box is inside of the frame."""
+    edges = np.minimum(centres - half - np.asarray(frame[:2]), np.asarray(frame[2:]) - centres - half)
+    return np.asarray(edges.min(axis=1))
 
 
 def _distances(centres: Points, half: Points, points: Points) -> Points:

@@ -1,20 +1,35 @@
-"""What drawings of mechanisms are made of: links, joints, dimensions, and texts where there is room.
+"""What drawings of mechanisms are made of: links, joints, bearings, dimensions, texts where there is room.
 
-Lengths are in units of the crank radius R.
+Lengths are in units of the crank radius R. Lines are those of ISO 128-2: links are extra-wide, outlines
+wide, all others narrow. Dimensions are those of ISO 129-1: filled arrows of 15°, each text above its line, to
+be read from below or from the right.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-import numpy as np
-
 from kurbel.page.quantity import words
-from kurbel.plot.place import AROUND, Points, around, box_points, densely, freest
-from kurbel.plot.style import BLACK, GREY, MEDIUM, SMALL_TEXT, THIN, WHITE, arrowhead, page, size_of, text_of
+from kurbel.plot.lettering import Lettering
+from kurbel.plot.style import (
+    BLACK,
+    HEAVY,
+    LONG_DASH_DOT,
+    LONG_DASH_DOUBLE_DOT,
+    MEDIUM,
+    MM,
+    STRONG,
+    THIN,
+    WHITE,
+    arrowhead,
+    fitted,
+    page,
+    text_of,
+)
 from kurbel.plot.ticks import degrees
 
 if TYPE_CHECKING:
@@ -31,12 +46,16 @@ DEAD_CENTRES = {
     "inner": words("innerer Totpunkt|inner dead centre"),
     "outer": words("äußerer Totpunkt|outer dead centre"),
 }
-# In mm.
+# In mm: dimensions, discs, and bearings with their ground.
 LEAST_DIMENSION, SMALL_CRANK = 5.0, 9.5
+SHAFT, PIN, LIGHT_PIN, CENTRE, DEAD = 1.7, 1.1, 0.7, 0.35, 0.5
+BEARING, GROUND, HATCH = 4.2, 3.0, 1.1
+# The sine of the crank angle, with a minus, beyond which the crank would hide a bearing under the shaft.
+HANGING = 0.3
+# The radius of an arc that leaves room for its letter within the crank circle.
+LARGEST_ARC = 0.65
 PHI = text_of("$φ$", ".")
-# Chains of long and short strokes, for centre lines.
-CHAIN = (0, (14, 3, 2, 3))
-BACKGROUND = {"facecolor": WHITE, "edgecolor": "none", "pad": 0.6}
+UP, DOWN, LEFTWARD = (0.0, 1.0), (0.0, -1.0), (-1.0, 0.0)
 
 
 class Position(NamedTuple):
@@ -49,131 +68,158 @@ class Position(NamedTuple):
 
 
 class Sketch(NamedTuple):
-    """A drawing in units of R: what a millimetre is in them, and one of its sides, 1 above, -1 below."""
+    """A drawing in units of R: what a millimetre is in them; one of its sides, 1 above, -1 below; texts."""
 
     figure: Figure
     axes: Axes
     mm: float
     side: int
+    texts: Lettering
 
     def line(self, *points: Point, **look: Any) -> Line2D:
         own: dict[str, Any] = {"color": BLACK, "linewidth": THIN, "solid_capstyle": "butt"}
         return self.axes.plot(*zip(*points, strict=True), **(own | look))[0]
 
-    def joint(self, centre: Point, radius: float, colour: str, width: float, filling: str = WHITE) -> None:
+    def chain(
+        self, *points: Point, pattern: Sequence[float] = LONG_DASH_DOT, begun: float = 0, open: float = 0
+    ) -> Line2D:
+        """Draw a narrow chain line; it leaves out a share of its first dash and one of its last."""
+        widths = sum(math.dist(*pair) for pair in pairwise(points)) / self.mm * MM / THIN
+        return self.line(*points, linestyle=fitted(pattern, widths, begun, open), dash_capstyle="butt")
+
+    def centre_line(self, *points: Point) -> None:
+        """Draw a centre line through points; at all but the ends it has the middle of a dash."""
+        last = len(points) - 2
+        for number, pair in enumerate(pairwise(points)):
+            self.chain(*pair, begun=0.5 * (number > 0), open=0.5 * (number < last))
+
+    def disc(self, centre: Point, radius: float, width: float, filling: str = WHITE, above: int = 7) -> None:
         from matplotlib.patches import Circle
 
-        disc = Circle(centre, radius * self.mm, zorder=7 if colour == BLACK else 4)
-        disc.set(facecolor=filling, edgecolor=colour, linewidth=width)
+        disc = Circle(centre, radius * self.mm, zorder=above)
+        disc.set(facecolor=filling, edgecolor=BLACK, linewidth=width)
         self.axes.add_patch(disc)
 
     def strong_links(self, **links: tuple[Point, Point]) -> None:
         """Draw links by their names as of the first position, the cranks among them thicker."""
         for name, ends in links.items():
-            strong = self.line(*ends, linewidth=2.4 if "crank" in name else 1.6, zorder=6)
+            strong = self.line(*ends, linewidth=HEAVY if "crank" in name else STRONG, zorder=6)
             strong.set_gid(name.replace("_", "-"))
 
-    def joints(self, shafts: Sequence[Point], pins: Sequence[Point]) -> None:
-        """Draw the ends of shafts, which are fixed in the frame, and the pins between links."""
-        for centre in shafts:
-            self.joint(centre, 1.7, BLACK, MEDIUM)
-            self.joint(centre, 0.35, BLACK, MEDIUM, BLACK)
+    def joints(self, pins: Iterable[Point]) -> None:
+        """Draw the pins between links."""
         for centre in pins:
-            self.joint(centre, 1.1, BLACK, MEDIUM)
+            self.disc(centre, PIN, MEDIUM)
 
-    def light_links(self, *joints: Point) -> None:
-        """Draw links from joint to joint as of a further position; pin and head come after the shaft."""
-        self.line(*joints, color=GREY, linewidth=MEDIUM, zorder=3)
-        for centre in joints[1:3]:
-            self.joint(centre, 0.7, GREY, MEDIUM)
+    def light_links(self, joints: Sequence[Point], pins: Sequence[Point], shafts: Sequence[Point]) -> None:
+        """Draw links from joint to joint as of a further position, with line 05.1 of ISO 128-2."""
+        radii = dict.fromkeys(shafts, SHAFT) | dict.fromkeys(pins, LIGHT_PIN)
+        for start, end in pairwise(joints):
+            way = towards(start, end)
+            if math.dist(start, end) > (radii.get(start, 0) + radii.get(end, 0)) * self.mm:
+                near = moved(start, way, radii.get(start, 0) * self.mm)
+                far = moved(end, way, -radii.get(end, 0) * self.mm)
+                self.chain(near, far, pattern=LONG_DASH_DOUBLE_DOT).set(zorder=3, gid="further")
+        for centre in pins:
+            self.disc(centre, LIGHT_PIN, THIN, above=4)
 
-    def write(self, place: Point, text: str, **look: Any) -> None:
-        own: dict[str, Any] = {"ha": "center", "va": "center", "zorder": 8, "bbox": BACKGROUND}
-        self.axes.text(*place, text, **(own | look))
+    def bearing(self, centre: Point, way: Point = DOWN) -> None:
+        """Draw the end of a shaft, and its bearing on the ground that lies in a direction."""
+        mm, across = self.mm, (-way[1], way[0])
+        middle = moved(centre, way, BEARING * mm)
+        for side in (-1, 1):
+            foot = moved(middle, across, side * 0.7 * GROUND * mm)
+            self.line(moved(centre, towards(centre, foot), SHAFT * mm), foot, linewidth=MEDIUM, zorder=3)
+        self.ground(moved(middle, across, -GROUND * mm), moved(middle, across, GROUND * mm), way)
+        self.disc(centre, SHAFT, MEDIUM)
+        self.disc(centre, CENTRE, MEDIUM, BLACK)
 
-    def arc(self, centre: Point, radius: float, start: float, end: float, arrow: bool) -> None:
+    def ground(self, start: Point, end: Point, way: Point) -> None:
+        """Draw an edge of the frame, hatched in a direction; every hatch rises to the right by 45°."""
+        self.line(start, end, linewidth=MEDIUM, zorder=2)
+        reach = HATCH * self.mm * (1 if sum(way) > 0 else -1)
+        count = int(math.dist(start, end) / (1.5 * self.mm))
+        along = towards(start, end)
+        for number in range(count):
+            # A hatch leans over its place to both sides.
+            distance = math.dist(start, end) * (number + 0.5) / count - sum(along) * reach / 2
+            x, y = moved(start, along, distance)
+            self.line((x, y), (x + reach, y + reach), zorder=1).set_gid("hatch")
+
+    def arc(self, centre: Point, radius: float, start: float, end: float, arrow: bool) -> list[Point]:
+        """Draw an arc and return its points."""
         steps = max(2, int((end - start) / 2) + 1)
         turns = [start + (end - start) * step / steps for step in range(steps + 1)]
         points = [polar_point(centre, radius, turn) for turn in turns]
-        self.line(*points, linewidth=MEDIUM, zorder=4)
+        self.line(*points, zorder=4)
         if arrow:
             # The head is straight: turned by half its own length it follows the arc.
             lean = math.radians(end) - 0.95 * self.mm / radius
             arrowhead(self.axes, points[-1], (-math.sin(lean), math.cos(lean)), self.mm)
+        return points
 
     def crank_dimensions(self, pin: Point, turn: float) -> None:
         """Draw R, and φ within the crank circle or, of a crank too small in mm for that, around it."""
-        self.beside_link((0, 0), pin, "$R$", 0.68, 1 if pin[1] >= 0 else -1)
+        self.beside(((0, 0), pin), "$R$", 0.68, 1 if pin[1] >= 0 else -1)
         if not turn:
             return
-        mm, at, share = self.mm, 0.42, 0.5
-        if mm * SMALL_CRANK > 1:
+        mm, share = self.mm, 0.5
+        # Within the circle the arc goes round the bearing, if this stands above the shaft.
+        at = max(0.42, (BEARING + HATCH + 1.2) * mm * (pin[1] < -HANGING))
+        if mm * SMALL_CRANK > 1 or at > LARGEST_ARC:
             # Outside, the rod passes above the middle of the arc.
             at, share, end = 1 + 2.4 * mm, 0.3, 1 + 4 * mm
             self.line(pin, (pin[0] * end, pin[1] * end), zorder=4)
-        self.arc((0, 0), at, 0, turn, arrow=True)
-        self.write(polar_point((0, 0), at + 2.5 * mm, turn * share), PHI, zorder=5)
+        self.beside(self.arc((0, 0), at, 0, turn, arrow=True), PHI, share, -1, ends=True)
 
     def dimension(self, start: Point, end: Point, text: str) -> None:
         """Draw a dimension line; where it is too short for two arrows they point at it from outside."""
-        mm, length = self.mm, math.dist(start, end)
-        way = ((end[0] - start[0]) / length, (end[1] - start[1]) / length)
-        inside = length > LEAST_DIMENSION * mm
+        mm, (start, end) = self.mm, sorted((start, end))
+        way = towards(start, end)
+        inside = math.dist(start, end) > LEAST_DIMENSION * mm
         reach = 0 if inside else 4 * mm
-        self.line(moved(start, way, -reach), moved(end, way, reach), zorder=4)
+        ends = moved(start, way, -reach), moved(end, way, reach)
+        self.line(*ends, zorder=4)
         outward = 1 if inside else -1
         arrowhead(self.axes, start, (-outward * way[0], -outward * way[1]), mm)
         arrowhead(self.axes, end, (outward * way[0], outward * way[1]), mm)
-        beside = 0 if inside else 2.2 * mm
-        middle = moved(start, way, length / 2)
-        self.write((middle[0] - beside * abs(way[1]), middle[1] + beside * abs(way[0])), text)
+        self.beside(ends, text, 0.5, 1, turned=abs(way[1]) > abs(way[0]), ends=True)
 
-    def beside_link(self, start: Point, end: Point, text: str, share: float, side: int) -> None:
-        """Write a text beside a link, on its left (1) or right (-1), at a share of its length."""
-        x, y = (begin + share * (stop - begin) for begin, stop in zip(start, end, strict=True))
-        length = math.dist(start, end)
-        distance = side * 2.6 * self.mm / length
-        self.write((x - (end[1] - start[1]) * distance, y + (end[0] - start[0]) * distance), text)
+    def beside(self, line: Sequence[Point], text: str, share: float, side: int, **look: bool) -> None:
+        """Ask for a text beside a line, on its left (1) or right (-1), at best at a share of its length."""
+        self.texts.beside_line(self.texts.on_page(*line), text, share, side, **look)
+
+    def at_end(self, end: Point, opposite: Point, text: str) -> None:
+        """Ask for a text at an end of an upright line, that on the sketch's own side or the opposite one."""
+        near, far = self.texts.on_page(end, opposite)
+        self.texts.at_end(near, self.side, text, far)
+
+    def beside_points(self, places: Sequence[Text], clear: float = PIN + 0.4) -> None:
+        """Ask for texts beside points, each at best in a direction of its own, so many mm away."""
+        for point, outward, text in places:
+            at, ahead = self.texts.on_page(point, moved(point, outward, 1))
+            self.texts.beside_point(at, ahead - at, text, clear)
 
     def crank_circle(self, centre: Point = (0, 0)) -> None:
-        from matplotlib.patches import Circle
+        """Draw the path of the crank pin, of which line 04.1 of ISO 128-2 is.
 
-        self.axes.add_patch(Circle(centre, 1, fill=False, edgecolor=GREY, linewidth=MEDIUM, zorder=2))
+        There are as many dashes in each quarter, and one on each of the four axes.
+        """
+        points = [polar_point(centre, 1, turn) for turn in range(0, 361, 3)]
+        widths = 2 * math.pi / self.mm * MM / THIN
+        stretch = widths / (max(1, round(widths / sum(LONG_DASH_DOT) / 4)) * 4 * sum(LONG_DASH_DOT))
+        pattern = tuple(part * stretch for part in LONG_DASH_DOT)
+        look: dict[str, Any] = {"linestyle": (pattern[0] / 2, pattern), "dash_capstyle": "butt"}
+        self.line(*points, zorder=2, **look)
 
-    def dead_tick(self, pin: Point) -> None:
-        """Mark a dead centre on the crank circle about the origin."""
-        inside, outside = 1 - 1.6 * self.mm, 1 + 1.6 * self.mm
-        ends = [(pin[0] * share, pin[1] * share) for share in (inside, outside)]
-        self.line(*ends, linewidth=MEDIUM, zorder=3)
-
-    def beside_points(self, places: Sequence[Text]) -> None:
-        """Write texts beside points, each at best in a direction of its own, as far as there is room."""
+    def write(self) -> None:
+        """Write the texts, once all else is drawn."""
         (left, right), (bottom, top) = self.axes.get_xlim(), self.axes.get_ylim()
-        corner, mm = np.asarray((left, bottom)), self.mm
-        frame = (0, 0, (right - left) / mm, (top - bottom) / mm)
-        taken = (self._taken() - corner) / mm
-        for point, outward, text in places:
-            size = size_of(text, SMALL_TEXT)
-            near = around((np.asarray(point) - corner) / mm, size, np.asarray(outward))
-            place = freest(near, size, np.empty((0, 2)), taken, frame, AROUND)
-            if place is not None:
-                taken = np.concatenate((taken, box_points(place, size)))
-                x, y = corner + place * mm
-                self.write((float(x), float(y)), text, fontsize=SMALL_TEXT, bbox=None)
+        self.texts.write((right - left) / self.mm, (top - bottom) / self.mm)
 
-    def _taken(self) -> Points:
-        """Return points of all crank circles, lines and texts so far."""
-        from matplotlib.patches import Circle
-
-        apart = 0.5 * self.mm
-        centres = [one.center for one in self.axes.patches if isinstance(one, Circle) and one.radius == 1]
-        circles = [[polar_point(one, 1, turn) for turn in range(0, 361, 5)] for one in centres]
-        lines = [*map(np.asarray, circles), *(np.asarray(line.get_xydata()) for line in self.axes.lines)]
-        boxes = [text.get_window_extent() for text in self.axes.texts]
-        to_radii = self.axes.transData.inverted()
-        corners = [to_radii.transform(((box.x0, box.y0), (box.x1, box.y1))) for box in boxes]
-        written = [box_points(low / 2 + high / 2, tuple(high - low), apart) for low, high in corners]
-        return np.concatenate([*(densely(line, apart) for line in lines), *written])
+    def dead_centre(self, place: Point) -> None:
+        """Mark a dead centre on the path of a pin: by a dot, which no dash of the path is taken for."""
+        self.disc(place, DEAD, THIN, BLACK, above=3)
 
 
 def laid_out(low: Point, high: Point, mm: float, side: int = 1) -> Sketch:
@@ -181,7 +227,7 @@ def laid_out(low: Point, high: Point, mm: float, side: int = 1) -> Sketch:
     figure = page((high[1] - low[1]) / mm, (high[0] - low[0]) / mm)
     axes = figure.add_axes((0, 0, 1, 1), label="mechanism", xlim=(low[0], high[0]), ylim=(low[1], high[1]))
     axes.set_axis_off()
-    return Sketch(figure, axes, mm, side)
+    return Sketch(figure, axes, mm, side, Lettering(axes))
 
 
 def pin_texts(pins: Sequence[Point], angles: Sequence[float | Fraction], mark: str) -> list[Text]:
@@ -198,3 +244,9 @@ def polar_point(centre: Point, radius: float, turn: float) -> Point:
 
 def moved(point: Point, way: Point, distance: float) -> Point:
     return point[0] + distance * way[0], point[1] + distance * way[1]
+
+
+def towards(start: Point, end: Point) -> Point:
+    """Return the direction from one point to another, of length 1."""
+    length = math.dist(start, end) or 1
+    return (end[0] - start[0]) / length, (end[1] - start[1]) / length

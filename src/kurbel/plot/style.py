@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from io import BytesIO
 from threading import RLock
@@ -146,8 +146,25 @@ def page(height: float, width: float = WIDTH) -> Figure:
     return figure
 
 
-def arrowhead(axes: Axes, tip: Any, direction: Any, mm: float, size: float = 1.9, slim: float = 0.17) -> None:
-    """Draw a filled arrowhead of a length in mm; mm is a millimetre in units of the axes."""
+def fitted(pattern: Sequence[float], widths: float, begun: float = 0, open: float = 0) -> Any:
+    """Return a chain for a line of so many widths that begins and ends with a dash, as ISO 128-2 has it.
+
+    Of the first and of the last dash a share may be left out. The pattern is stretched; a line too short for
+    two dashes is solid.
+    """
+    dash, period = pattern[0], sum(pattern)
+    ends = dash * (1 - begun - open)
+    count = round((widths - ends) / period)
+    if count < 1:
+        return "solid"
+    stretch = widths / (count * period + ends)
+    return begun * dash * stretch, tuple(part * stretch for part in pattern)
+
+
+def arrowhead(
+    axes: Axes, tip: Any, direction: Any, mm: float, size: float = 1.9, slim: float = 0.132
+) -> None:
+    """Draw a filled arrowhead of a length in mm, of 15° as in ISO 129-1; mm is a millimetre of the axes."""
     import numpy as np
 
     along = np.asarray(direction) / np.hypot(*direction) * size * mm
