@@ -1,7 +1,7 @@
 """PDF by Typst, a compiler that comes as a Python package. Needs the extra `pdf`.
 
 The same source is the same bytes on every day, in every time zone, locale and folder, given one version of
-the package: only the fonts that it brings along are used, and no clock is read.
+the package: only the fonts that it and kurbel bring along are used, and no clock is read.
 """
 
 from __future__ import annotations
@@ -11,11 +11,15 @@ import re
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, nullcontext
 
+import kurbel.formats.typst
 from kurbel.errors import LayoutError, MissingExtraError, NotationError, OutputError, ProblemError
 from kurbel.formats.pdf import STANDARDS, Standard
 from kurbel.page.table import Table
 
 EPOCH = "SOURCE_DATE_EPOCH"
+# Beside those that the package brings along: the letters of formulas, of the family of the text.
+FONTS = os.path.join(os.path.dirname(kurbel.formats.typst.__file__), "fonts")
+LETTERS = "Libertinus Math"
 # The last second of the year 9999, with which dates in a PDF end.
 LAST = 253402300799
 # Fetched from the network, another time perhaps another one.
@@ -60,10 +64,11 @@ def compile_typst(source: str, *, root: str | None = None, standards: Sequence[S
         TemporaryDirectory() if root is None else nullcontext(root) as folder,
         _mistakes_as_sentences(folder, undated),
     ):
-        from typst import Compiler
+        from typst import Compiler, Fonts
 
         document = (_UNDATED * undated + source).encode()
-        compiler = Compiler(document, root=folder, ignore_system_fonts=True)
+        fonts = Fonts(include_system_fonts=False, font_paths=[FONTS])
+        compiler = Compiler(document, root=folder, font_paths=fonts, sys_inputs={"letters": LETTERS})
         made = compiler.compile(format="pdf", pdf_standards=list(standards), timestamp=epoch or 0)
     assert isinstance(made, bytes)
     return made

@@ -2,25 +2,26 @@
 
 from __future__ import annotations
 
-import math
 import re
 from typing import NamedTuple
 
 from kurbel.documents.document import WORDS, Chapter, Item
 from kurbel.exact.numerals import Label
 from kurbel.formats.documents import DocumentChapter, DocumentMaker, DocumentTitle
-from kurbel.formats.typst.writer import string
+from kurbel.formats.typst.layout import paper
+from kurbel.formats.typst.strings import string
 
-# The text is 42 em wide.
-NARROW = 42.0
-_WIDE = re.compile(r"let \(wide, high\) = \(([0-9.]+)em")
+# The width of the text in millimetres.
+MEASURE = 140
+# What a fragment says of its width.
+_NARROW = re.compile(r"with narrow gaps ([0-9.]+)em")
 
 
 class TypstPart(NamedTuple):
     """A table or a figure; `path`, `alt` and `label` are strings of code.
 
     `lang` is the language where it is not the document's; `alt` is the caption for readers that do not see
-    the figure; `narrow` is a table that surely is no wider than the text.
+    the figure; `paper` is that of a table too wide for the pages of the text.
     """
 
     kind: str
@@ -29,7 +30,7 @@ class TypstPart(NamedTuple):
     text: str
     alt: str
     lang: str
-    narrow: bool = False
+    paper: str = ""
 
 
 class Maker(DocumentMaker):
@@ -60,11 +61,11 @@ class Maker(DocumentMaker):
             self.titled(item.caption, item.lang),
             string(self.plain(item.caption, item.lang)),
             self.other(item.lang),
-            table and _width(self.fragments[item.name]) < NARROW,
+            _paper(self.fragments[item.name]) if table else "",
         )
 
 
-def _width(fragment: str) -> float:
-    """Return how wide a table is at the most, in em, as its fragment says."""
-    found = _WIDE.search(fragment)
-    return float(found[1]) if found else math.inf
+def _paper(fragment: str) -> str:
+    """Return the paper of a table's own page, if it needs one."""
+    found = _NARROW.search(fragment)
+    return paper(float(found[1]), MEASURE) if found else ""

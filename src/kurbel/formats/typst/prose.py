@@ -6,7 +6,7 @@ import re
 
 from kurbel.documents import prose
 from kurbel.formats.printer import ProsePrinter, Reference
-from kurbel.formats.typst.writer import string
+from kurbel.formats.typst.strings import string
 
 _ALIGNS = {None: "left", "left": "left", "center": "center", "right": "right"}
 _LONG_WORD = re.compile(r"\S{30}")
