@@ -47,7 +47,7 @@ LENGTHS = [
 
 @cache
 def pages(small: bool) -> tuple[Table, ...]:
-    """Return a page with a head of two lines, one with all parts, a narrow one, and one that is turned."""
+    """Return two pages of one layout, one with all parts, a narrow one, and one that is turned."""
     if small:
         angles = "0..180:60"
         return (
@@ -57,6 +57,7 @@ def pages(small: bool) -> tuple[Table, ...]:
         )
     return (
         kurbel.table(),
+        kurbel.table(ratio="1:4"),
         everything(),
         kurbel.table(layout="lueger-kolbenbewegung"),
         kurbel.table(layout="kolbenwege"),
@@ -64,7 +65,7 @@ def pages(small: bool) -> tuple[Table, ...]:
 
 
 def document(name: str, more: str) -> str:
-    inputs = [f"\\input{{{page.key}}}" for page in pages(name == "beamer")]
+    inputs = [f"\\input{{{page.anchor}}}" for page in pages(name == "beamer")]
     if name == "beamer":
         body = "".join(f"\\begin{{frame}}\n{one}\n\\end{{frame}}\n" for one in inputs)
     else:
@@ -92,7 +93,7 @@ def test_fragments_are_set_in_every_class_without_a_warning(
     name: str, engine: str, more: str, tmp_path: Path
 ) -> None:
     for page in pages(name == "beamer"):
-        (tmp_path / f"{page.key}.tex").write_text(render(page, "latex"), encoding="utf-8")
+        (tmp_path / f"{page.anchor}.tex").write_text(render(page, "latex"), encoding="utf-8")
     log = compiled(engine, document(name, more), tmp_path, runs=2)
     assert complaints(log) == []
     before, behind = re.search(r"^before (.*)", log, re.M), re.search(r"^behind (.*)", log, re.M)

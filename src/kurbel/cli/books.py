@@ -73,8 +73,8 @@ class ExampleCommand(TableCommand):
             raise ProblemError(f'"{words[:60]}" prints a list; a document needs a table')
         return super().made(given)
 
-    def print(self, question: Any, printing: Printing) -> None:
-        printing.print(self.made_by.built(question))
+    def print(self, question: Any, printing: Printing, given: Given) -> None:
+        printing.print(self.made_by.built(question, given.values))
 
 
 def _keys(key: str | None) -> Sequence[str]:

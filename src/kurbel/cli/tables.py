@@ -86,15 +86,15 @@ class TableCommand(MakingCommand):
         # What cannot be printed so is refused, too.
         Printing.chosen(given)
         question = self.question(given)
-        return self.made_by.built(question), self.exit_code(given, question)
+        return self.made_by.built(question, given.values), self.exit_code(given, question)
 
     def run(self, given: Given) -> int:
         printing = Printing.chosen(given)
         question = self.question(given)
-        self.print(question, printing)
+        self.print(question, printing, given)
         return self.exit_code(given, question)
 
-    def print(self, question: Any, printing: Printing) -> None:
+    def print(self, question: Any, printing: Printing, given: Given) -> None:
         """Write the table to the file, whole or not at all."""
         if isinstance(printing.format, RecordsFormat):
             from kurbel.formats.streams import record_chunks
@@ -102,7 +102,7 @@ class TableCommand(MakingCommand):
             decimal = printing.format.decimal_name(question.lang, printing.decimal)
             _write(record_chunks(question, printing.format, decimal), printing.output, len(question))
         else:
-            printing.print(self.made_by.built(question))
+            printing.print(self.made_by.built(question, given.values))
 
 
 class CollateCommand(TableCommand):

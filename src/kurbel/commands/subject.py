@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import inspect
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import replace
 from functools import wraps
+from hashlib import sha256
 from pkgutil import resolve_name
 from typing import TYPE_CHECKING, Any, NamedTuple, ParamSpec, Protocol, TypeVar, cast
 
@@ -30,6 +32,13 @@ _IMPERIAL = re.compile(_MARK % "in|inch|inches|ft|foot|feet|lb|lbs|lbf|psi|hp")
 _METRIC = re.compile(_MARK % "[cdkmµ]?m|[km]?g|t|[kM]?N|[hkM]?Pa|m?bar|atm?|[kM]?W|PS|[kM]?J|kp|kgf")
 # Options with words of one's own.
 OWN_WORDS = ("caption", "note", "source")
+# What a page is called or where its layout lies, and its language, which its document has, too.
+UNTOLD = frozenset(("label", "caption", "note", "source", "layouts", "layout", "lang"))
+# A longer name nobody would type.
+LONGEST = 40
+_FIGURES = re.compile(r"[A-Za-z0-9.,:;/% -]*")
+_MINUS = re.compile(r"(?<![\w.])-(?=[0-9.])")
+_PARTS = re.compile(r"[^A-Za-z0-9.]+")
 # Options that stand for another, the stroke.
 SPELLED = ("crank", "true_stroke", "time_ratio")
 
@@ -92,9 +101,10 @@ class Command(NamedTuple):
 
         return read_units(asked) if is_given(asked) else read_units(IMPERIAL)._replace(data=False)
 
-    def built(self, question: Any) -> Page:
-        """Return the table that was asked for."""
-        return cast("Page", resolve_name(self.builder)(question))
+    def built(self, question: Any, values: Mapping[str, Any]) -> Page:
+        """Return the table that was asked for, which these values of the options name."""
+        page = cast("Page", resolve_name(self.builder)(question))
+        return replace(page, variant=variant(page.key, self.parameters, values))
 
     def refuse(
         self, values: Mapping[str, Any], given: Callable[[str], bool], spelled: str = "stroke"
@@ -146,7 +156,8 @@ def makes_table(
         def make(*args: Any, **kwargs: Any) -> Table:
             from kurbel.commands.shown import Table
 
-            return Table.of(command.built(question(*args, **kwargs)))
+            values = _given(command, args, kwargs)
+            return Table.of(command.built(command.ask(**command.arguments(values)), values))
 
         return cast("Asking[Words, Question]", _documented(make, command, question=question))
 
@@ -170,23 +181,61 @@ def _checked(command: Command) -> Callable[..., Any]:
 
     @wraps(command.ask)
     def asked(*args: Any, **kwargs: Any) -> Any:
-        bound = command.signature.bind(*args, **kwargs)
-        # None says nothing, also of an option with another default.
-        for name in [name for name, value in bound.arguments.items() if value is None]:
-            if not command.parameters[name].required:
-                del bound.arguments[name]
-        for name, value in bound.arguments.items():
-            bound.arguments[name] = command.parameters[name].taken(value)
-        bound.apply_defaults()
-        values = {command.parameters[name].name: value for name, value in bound.arguments.items()}
-        settled = command.settled(values)
-        command.refuse(settled, lambda name: is_given(settled.get(name)), spelling(values))
-        return command.ask(**command.arguments(settled))
+        return command.ask(**command.arguments(_given(command, args, kwargs)))
 
     return asked
+
+
+def _given(command: Command, args: tuple[Any, ...], kwargs: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Return the values of all options, settled and checked, by their names."""
+    bound = command.signature.bind(*args, **kwargs)
+    # None says nothing, also of an option with another default.
+    for name in [name for name, value in bound.arguments.items() if value is None]:
+        if not command.parameters[name].required:
+            del bound.arguments[name]
+    for name, value in bound.arguments.items():
+        bound.arguments[name] = command.parameters[name].taken(value)
+    bound.apply_defaults()
+    values = {command.parameters[name].name: value for name, value in bound.arguments.items()}
+    settled = command.settled(values)
+    command.refuse(settled, lambda name: is_given(settled.get(name)), spelling(values))
+    return settled
 
 
 def _documented(function: Callable[..., Any], command: Command, **more: Any) -> Callable[..., Any]:
     function.__doc__ = described(command.ask.__doc__ or "", command.parameters)
     vars(function).update(command=command, __signature__=command.signature, **more)
     return function
+
+
+def variant(key: str, parameters: Mapping[str, Parameter], values: Mapping[str, Any]) -> str:
+    """Return the name, such as "ratio-1-4" or "method-series"; nothing for a page with its defaults, or with
+    a label of the author's own.
+
+    One that is long, or cannot say all of a value, ends with figures that depend on all of them.
+    """
+    if values.get("label"):
+        return ""
+    told = [one for one in parameters.values() if one.name not in UNTOLD and _is_other(one, values)]
+    words = [("" if one.option.positional else f"{one.name} ") + _text(values[one.name]) for one in told]
+    said = " ".join(words)
+    signed = _MINUS.sub("minus ", said.replace(",", ".").replace("%", " percent"))
+    name = _PARTS.sub("-", signed).strip("-.")
+    if name in ("", key):
+        return ""
+    if len(name) <= LONGEST and _FIGURES.fullmatch(said):
+        return name
+    return f"{name[:LONGEST].rstrip('-.')}-{sha256(said.encode()).hexdigest()[:6]}"
+
+
+def _is_other(one: Parameter, values: Mapping[str, Any]) -> bool:
+    value = values.get(one.name)
+    return is_given(value) and (not is_given(one.default) or _text(value) != _text(one.default))
+
+
+def _text(value: Any) -> str:
+    if value is True:
+        return ""
+    if isinstance(value, str) or not isinstance(value, Collection):
+        return str(value)
+    return ";".join(map(_text, value))

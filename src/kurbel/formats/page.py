@@ -106,6 +106,7 @@ class Page(NamedTuple):
     several panels can stand in line; 0 for a column of words."""
 
     key: str
+    anchor: str
     lang: str
     caption: str
     panels: tuple[PagePanel, ...]
@@ -121,6 +122,7 @@ def page(table: Table, writer: PageWriter, mark: str) -> Page:
     panels = tuple(setter.panel(panel) for panel in table.panels)
     return Page(
         key=writer.escape(table.key),
+        anchor=writer.escape(table.anchor),
         lang=writer.escape(table.lang),
         caption=setter.label(table.caption),
         panels=panels,
@@ -147,7 +149,9 @@ class Setter:
         self.writer = writer
         self.mark = mark
         # Notes are numbered, since a mark such as * cannot be part of every kind of link.
-        self.targets = {note.mark: f"{table.key}-note-{place}" for place, note in enumerate(table.notes, 1)}
+        self.targets = {
+            note.mark: f"{table.anchor}-note-{place}" for place, note in enumerate(table.notes, 1)
+        }
 
     def label(self, label: Label, display: bool = False) -> str:
         writer = self.writer
@@ -167,7 +171,7 @@ class Setter:
             mark = self.writer.note_mark(note.mark, "") if note.mark else ""
             # Readers calculate with the formulas below a table: small fractions are no help.
             text = self.label(note.text, display=True)
-            yield PageNote(text, mark, self.writer.escape(f"{self.table.key}-note-{place}"))
+            yield PageNote(text, mark, self.writer.escape(f"{self.table.anchor}-note-{place}"))
 
     def panel(self, panel: Panel) -> PagePanel:
         model = panel.stub + panel.columns

@@ -114,21 +114,6 @@ PERCENT_DELIMITERS: Mapping[str, str] = {
 }
 
 
-def column_widths(page: Page) -> list[float]:
-    """Return the width of each column in em, the same in all panels."""
-    return _widest((_widths(panel) for panel in page.panels), _count(page))
-
-
-def spare_widths(page: Page, widths: Sequence[float]) -> Iterator[float | None]:
-    """Yield the width that its figures leave free in each column of that width, None for words."""
-    words = {
-        place for panel in page.panels for place, column in enumerate(panel.columns) if column.align == "left"
-    }
-    cells = _widest((_cell_widths(panel) for panel in page.panels), _count(page))
-    for place, (room, own) in enumerate(zip(widths, cells, strict=True)):
-        yield None if place in words else room - own
-
-
 def _count(page: Page) -> int:
     return max(len(panel.columns) for panel in page.panels)
 
@@ -163,22 +148,6 @@ def _cell_widths(panel: PagePanel) -> list[float]:
         max((em(row[place].text + row[place].tail) for row in rows), default=0.0)
         for place in range(len(panel.columns))
     ]
-
-
-def _widths(panel: PagePanel) -> list[float]:
-    """Return the width of each column: its cells, its heading, and its share of the spanners above it."""
-    widths = [
-        max(cells, *map(em, column.heading), 0.0)
-        for column, cells in zip(panel.columns, _cell_widths(panel), strict=True)
-    ]
-    for spanners in reversed(panel.spanners):
-        for cell in spanners:
-            # Between two columns stand twice 6 points, 1.2 em at normal size.
-            extent = sum(widths[cell.first : cell.last + 1]) + 1.2 * (cell.across - 1)
-            lacking = max(em(cell.text) - extent, 0.0)
-            for place in range(cell.first, cell.last + 1):
-                widths[place] += lacking / cell.across
-    return widths
 
 
 # A spanner has room as if the gaps below it were half of what they can be.

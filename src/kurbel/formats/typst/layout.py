@@ -102,7 +102,7 @@ def typst_layout(table: Table, mark: str, ready: Page) -> TypstLayout:
     narrow = width - (1 - LEAST) * sum(gaps)
     above, below = _spaces(page)
     return TypstLayout(
-        label=string(f"tab-{page.key}"),
+        label=string(f"tab-{page.anchor}"),
         table=WORDS.get(page.lang, WORDS["en"])["table"],
         paper=paper(narrow, MEASURE) or 'paper: "a4"',
         width=round(width, 1),
