@@ -9,6 +9,7 @@ import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from functools import lru_cache
 from io import BytesIO
 from threading import RLock
 from types import MappingProxyType
@@ -237,6 +238,7 @@ def _mathtext(formula: Formula, mark: str) -> str:
     return "$" + _SHORT.sub(r"\g<0>q", tex.replace("{:}", _COLON)) + "$"
 
 
+@lru_cache(maxsize=512)
 def size_of(text: str, points: float = TEXT_SIZE) -> tuple[float, float]:
     """Return width and height in mm of a text in matplotlib's notation. Only inside `style`."""
     figure = page(1)
