@@ -93,6 +93,14 @@ def test_the_article_has_every_digit_and_every_reference(tmp_path: Path) -> None
     listed = re.search(r"6 Dead centres of the beam engine; approximations of § 149[ .]+([0-9]+) 7 ", text)
     page = next(number for number, page in enumerate(pages, 1) if "Table 6: Dead centres" in page)
     assert listed and int(listed[1]) == page
+    # Each page once in the index.
+    words_at = next(number for number, page in enumerate(pages, 1) if "hängt von der Füllung ab" in page)
+    captions = ("Tabelle 1: ", "Tabelle 2: ", "Abbildung 1: ")
+    at = [next(number for number, page in enumerate(pages, 1) if one in page) for one in captions]
+    index = pages[-2] + pages[-1]
+    assert f"Füllung, {words_at}" in index
+    assert f"Kolbenweg, {', '.join(map(str, dict.fromkeys(at)))} u. ö." in index
+    assert sum(page.count("Zeichen Größe Einheit zuerst") for page in pages) > 1
 
 
 def _captions() -> list[tuple[int, str]]:

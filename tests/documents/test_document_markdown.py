@@ -63,6 +63,8 @@ def test_there_is_an_index_and_a_page_for_each_chapter() -> None:
         "markdown/01-bewegung.md",
         "markdown/02-gleichgang.md",
         "markdown/03-beispiele.md",
+        "markdown/04-zeichen.md",
+        "markdown/04-register.md",
     ]
 
 
@@ -138,7 +140,9 @@ def test_a_page_leads_to_its_neighbours() -> None:
     assert last_lines == [
         ["Inhalt", "Gleichgang →"],
         ["← Bewegung des Kolbens, x/R", "Inhalt", "Beispiele und Reihen →"],
-        ["← Gleichgang", "Inhalt"],
+        ["← Gleichgang", "Inhalt", "Formelzeichen →"],
+        ["← Beispiele und Reihen", "Inhalt", "Register →"],
+        ["← Formelzeichen", "Inhalt"],
     ]
 
 

@@ -71,6 +71,13 @@ def read(pdf: bytes, *options: str) -> str:
     return " ".join(text.split())
 
 
+def read_pages(pdf: Path) -> list[str]:
+    """Return the text of each page."""
+    command = [require("pdftotext"), "-layout", str(pdf), "-"]
+    text = subprocess.run(command, capture_output=True, check=True).stdout.decode()
+    return [" ".join(page.split()) for page in text.rstrip("\f").split("\f")]
+
+
 @pytest.fixture(scope="module")
 def page_text(folder: Path) -> Callable[[int], str]:
     """The text of a page, line by line as it is printed."""
@@ -114,6 +121,8 @@ def test_bookmarks_are_the_chapters_and_their_sections(folder: Path) -> None:
         "1.1 Zum Gebrauch",
         "2 Gleichgang",
         "3 Beispiele und Reihen",
+        "Formelzeichen",
+        "Register",
     ]
 
 
@@ -132,6 +141,20 @@ def test_lists_give_numbers_captions_and_pages(page_text: Callable[[int], str]) 
     text = re.sub(r"( \.)+", " ...", page_text(1))
     assert "Tabellenverzeichnis 1 Kolbenweg" in text
     assert "Abbildungsverzeichnis 1 Weg, Geschwindigkeit und Beschleunigung, 𝑅:𝐿 = 1:5 ... 4" in text
+
+
+def test_the_index_gives_the_pages_and_a_long_table_has_its_head_on_each(folder: Path) -> None:
+    pages = read_pages(folder / "handbook.pdf")
+    words = next(number for number, page in enumerate(pages, 1) if "hängt von der Füllung ab" in page)
+    captions = [f"{one}. " for one in ("Tabelle 1", "Tabelle 2", "Abbildung 1")]
+    at = [next(n for n, page in enumerate(pages, 1) if one.casefold() in page.casefold()) for one in captions]
+    assert f"Füllung, {words}" in pages[-1]
+    assert f"Kolbenweg, {at[0]}–{at[2]} u. ö." in pages[-1]
+    assert at == [at[0], at[0] + 1, at[0] + 2]
+    rows = [page for page in pages if "mm Tabelle 1" in page]
+    assert len(rows) > 1
+    assert all("Zeichen Größe Einheit zuerst" in page for page in rows)
+    assert sum(page.count("mm Tabelle 1") for page in rows) == 90
 
 
 def test_the_file_tells_title_author_keywords_and_language(folder: Path) -> None:

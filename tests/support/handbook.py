@@ -10,10 +10,12 @@ from typing import Any
 
 from kurbel.cli.asking import asked
 from kurbel.commands.shown import Drawing
+from kurbel.documents import prose
 from kurbel.documents.document import Chapter, Document, Item
 from kurbel.documents.markdown import parse_prose
 from kurbel.formats.registry import by_name
 from kurbel.formats.render import render
+from kurbel.page.formula import parse_formula
 from kurbel.page.table import Table
 from kurbel.plot.style import image
 
@@ -45,7 +47,36 @@ gilt [](#zusammenstellung). Den Verlauf zeigt [](#kurven), und was daraus folgt,
 | Weg $x$ | $R$ |
 | Geschwindigkeit $c$ | $v$ |
 """
-_SECOND = "Der Ungleichförmigkeitsgrad $δ$ hängt von der Füllung ab; siehe [](#delta) und [](#path)."
+_SECOND = """
+Der Ungleichförmigkeitsgrad $δ$ hängt von der [Füllung](index:) ab; siehe [](#delta) und [](#path).
+Wörter hat das [](#register).
+"""
+_TO_THE_FIRST = (prose.Refer("weg", ()),)
+# So many that they go on over pages.
+_SYMBOLS = (
+    prose.Grid(
+        ("left", "left", "left", "left"),
+        tuple((prose.Text(head),) for head in ("Zeichen", "Größe", "Einheit", "zuerst")),
+        tuple(
+            (
+                (parse_formula(f"x_{number}"),),
+                (prose.Text(f"Weg {number}"),),
+                (prose.Text("mm"),),
+                _TO_THE_FIRST,
+            )
+            for number in range(90)
+        ),
+        long=True,
+    ),
+)
+_INDEX = (
+    prose.Index(
+        (
+            ("F", (prose.Term("Füllung", ("@1",)),)),
+            ("K", (prose.Term("Kolbenweg", ("weg", "zusammenstellung", "kurven"), "u. ö."),)),
+        )
+    ),
+)
 
 
 @cache
@@ -91,13 +122,15 @@ def document(**changes: Any) -> Document:
             "gleichgang",
             2,
             (
-                Item("text", blocks=parse_prose(_SECOND)),
+                Item("text", blocks=prose.with_places(parse_prose(_SECOND), iter(("@1",)))),
                 tables["delta"],
                 tables["dead-centres"],
                 figures["stellung"],
             ),
         ),
         Chapter("Beispiele und Reihen", "beispiele", 3, (tables["harmonische"], tables["blau"])),
+        Chapter("Formelzeichen", "zeichen", 0, (Item("text", lang="de", blocks=_SYMBOLS),)),
+        Chapter("Register", "register", 0, (Item("text", lang="de", blocks=_INDEX),)),
     )
     whole = Document(
         "Tafeln des Kurbeltriebs", "de", "comma", chapters, "für Handbücher und Vorlesungen", "A. Setzer"

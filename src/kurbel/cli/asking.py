@@ -26,6 +26,8 @@ from kurbel.reading.given import File, choose
 
 if TYPE_CHECKING:
     from kurbel.commands.shown import Drawing
+    from kurbel.exact.numerals import Label
+    from kurbel.handbook.manifest import Part
 
 # Those that print lists, or work on whole files.
 NO_TABLES = frozenset(("sources", "layouts", "quantities", "handbook", "inject"))
@@ -153,17 +155,29 @@ def make_part(task: Task) -> Made:
 
 def _table(task: Task, answer: Asked, table: Table) -> Made:
     part = task.part
-    named = replace(
+    data = replace(
         table, key=part.name, layout=table.layout or table.key, caption=part.caption or table.caption
     )
+    named = replace(data, caption=_caption(part, table.caption, table.lang))
     with deadline(task.patience, GIGABYTES, bool(task.templates or named.templates)):
         files = {
             f"tables/{part.name}{FORMATS[name].suffixes[0]}": _text(
-                named, name, answer.decimal, task.templates
+                data if FORMATS[name].kind == "records" else named, name, answer.decimal, task.templates
             )
             for name in task.formats
         }
-    return Made(files, answer.files, About("table", named.caption, named.lang))
+    from kurbel.handbook.matter.letters import letters_of
+    from kurbel.page.labels import plain
+
+    about = About("table", named.caption, named.lang, letters_of(named), plain(named.source))
+    return Made(files, answer.files, about)
+
+
+def _caption(part: Part, own: Label, lang: str) -> Label:
+    """Return the caption in a handbook: its own words, or what the command says."""
+    from kurbel.handbook.matter.notation import terse
+
+    return part.caption or (terse(own, lang) if part.terse else own)
 
 
 def _text(table: Any, name: str, decimal: str | None, templates: str | None) -> bytes:
@@ -178,7 +192,7 @@ def _text(table: Any, name: str, decimal: str | None, templates: str | None) -> 
 
 def _figure(task: Task, answer: Asked, drawing: Drawing) -> Made:
     part = task.part
-    caption = part.caption or drawing.title
+    caption = _caption(part, drawing.title, answer.lang)
     titled = replace(drawing, title=caption)
     files = {f"figures/{part.name}.{name}": titled.image(name) for name in task.figures}
     return Made(files, answer.files, About("figure", caption, answer.lang))

@@ -8,8 +8,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Literal, NamedTuple
 
+from kurbel.documents.prose import terms
 from kurbel.exact.numerals import DECIMAL_OF_LANGUAGE, DECIMALS, Label
+from kurbel.page.labels import plain
 
+# Before the number of a place to which the index leads: no name begins so.
+PLACE = "@"
 # By the language of the document; TeX and Typst have the same words.
 WORDS: Mapping[str, Mapping[str, str]] = {
     "de": {
@@ -48,7 +52,10 @@ class Item(NamedTuple):
 
 
 class Chapter(NamedTuple):
-    """`name` is a slug, unique among the chapters; `number` counts from 1. No language is the document's."""
+    """`name` is a slug, unique among the chapters; `number` counts from 1. No language is the document's.
+
+    What stands before the chapters or behind them, such as an index, has the number 0.
+    """
 
     title: Label
     name: str
@@ -84,9 +91,17 @@ class Document(NamedTuple):
     def homes(self) -> dict[str, tuple[Chapter, Item | None]]:
         """Return by its name each chapter, and each table and figure with its chapter.
 
-        What should be a table or a figure and could not be made is its chapter alone.
+        What should be a table or a figure and could not be made is its chapter alone, and so is a place to
+        which the index leads.
         """
         homes: dict[str, tuple[Chapter, Item | None]] = {one.name: (one, None) for one in self.chapters}
+        homes |= {
+            term.place: (chapter, None)
+            for chapter in self.chapters
+            for item in chapter.items
+            for term in terms(tuple(item.blocks))
+            if term.place
+        }
         return homes | {
             item.name: (chapter, None if item.kind == "text" else item)
             for chapter in self.chapters
@@ -97,5 +112,5 @@ class Document(NamedTuple):
     def title_of(self, one: Chapter | Item, lang: str = "") -> str:
         """Return what a reference in a language calls it: "Tabelle 3", "§ 2"."""
         if isinstance(one, Chapter):
-            return f"§ {one.number}"
+            return f"§ {one.number}" if one.number else plain(one.title, self.mark(lang))
         return f"{WORDS[lang or self.lang][one.kind]} {one.number}"

@@ -3,6 +3,7 @@ r"""Markdown (CommonMark and the tables of GitHub), in which texts are written, 
 The crank turns *evenly* at $v = R ω$      a formula in the grammar of `formula.py`
 [](#delta), [the table](#delta)            a reference to a table, a figure or a chapter
 5 \$                                       a dollar sign
+[dead centres](index:), [them](<index:dead centre>)  words that the index lists, as they are or by a term
 
 Raw HTML is text like any other. What cannot be set, such as an image, is a ProseError.
 """
@@ -32,6 +33,7 @@ LONGEST = 200_000
 DEEPEST = 4
 _DEEPEST_INLINE = 10
 _TAB = 4
+_INDEX, _LONGEST_TERM = "index:", 80
 _CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\ud800-\udfff]")
 _SCHEME = re.compile(r"(?:https?:|mailto:)", re.IGNORECASE)
 
@@ -186,6 +188,8 @@ def _inline(node: SyntaxTreeNode, depth: int) -> prose.Inline:
 
 
 def _link(node: SyntaxTreeNode, address: str, content: prose.Inlines) -> prose.Inline:
+    if address.startswith(_INDEX):
+        return _indexed(node, " ".join(unquote(address.removeprefix(_INDEX)).split()), content)
     if address.startswith("#") and address != "#":
         return prose.Refer(unquote(address[1:]), content)
     if _SCHEME.match(address):
@@ -195,6 +199,18 @@ def _link(node: SyntaxTreeNode, address: str, content: prose.Inlines) -> prose.I
         f'the link to "{address[:60]}" cannot be set; it must begin with http:, https: or mailto:,'
         " or be # and the name of a table, figure or chapter",
     )
+
+
+def _indexed(node: SyntaxTreeNode, term: str, content: prose.Inlines) -> prose.Inline:
+    """Return words for the index; the term is the words themselves where the text names no other."""
+    if not content or not (term or all(isinstance(one, prose.Text) for one in content)):
+        raise _refused(
+            node, "words for the index are [words](index:) or, with another term, [words](<index:the term>)"
+        )
+    said = term or "".join(one.text for one in content if isinstance(one, prose.Text))
+    if not said.isprintable() or len(said) > _LONGEST_TERM:
+        raise _refused(node, f"a term of the index may have {_LONGEST_TERM} characters, all of them printed")
+    return prose.Indexed(said, content)
 
 
 def _formula(node: SyntaxTreeNode) -> Formula:

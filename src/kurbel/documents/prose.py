@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Literal
+from typing import Any, Literal
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -49,7 +49,15 @@ class Refer(Struct, frozen=True):
     content: Inlines
 
 
-Inline = Text | Formula | Code | Break | Emphasis | Strong | Link | Refer
+class Indexed(Struct, frozen=True):
+    """Words that the index lists as `term`; `place` names where they stand, empty without an index."""
+
+    term: str
+    content: Inlines
+    place: str = ""
+
+
+Inline = Text | Formula | Code | Break | Emphasis | Strong | Link | Refer | Indexed
 Inlines = tuple[Inline, ...]
 
 
@@ -85,25 +93,65 @@ class Rule(Struct, frozen=True):
 
 
 class Grid(Struct, frozen=True):
-    """A table written in the text."""
+    """A table written in the text; a `long` one goes on over pages."""
 
     aligns: tuple[Align | None, ...]
     head: tuple[Inlines, ...]
     rows: tuple[tuple[Inlines, ...], ...]
+    long: bool = False
 
 
-Block = Paragraph | Heading | CodeBlock | Quote | Listing | Rule | Grid
+class Term(Struct, frozen=True):
+    """What an index lists, with the names of the tables, figures and places where it stands.
+
+    `more` is said behind them where these are only the first.
+    """
+
+    words: str
+    places: tuple[str, ...]
+    more: str = ""
+
+
+class Index(Struct, frozen=True):
+    """An index: letters, each with its terms."""
+
+    groups: tuple[tuple[str, tuple[Term, ...]], ...]
+
+
+Block = Paragraph | Heading | CodeBlock | Quote | Listing | Rule | Grid | Index
 Blocks = tuple[Block, ...]
 
 
 def references(content: object) -> Iterator[str]:
     """Yield the names that a text, or any part of one, refers to."""
-    if isinstance(content, Refer):
-        yield content.name
+    return (one.name for one in _parts(content) if isinstance(one, Refer))
+
+
+def terms(content: object) -> Iterator[Indexed]:
+    """Yield the words of a text, or of any part of one, that an index lists."""
+    return (one for one in _parts(content) if isinstance(one, Indexed))
+
+
+def _parts(content: object) -> Iterator[object]:
+    """Yield a text, or a part of one, and all that is in it."""
+    yield content
     if isinstance(content, Struct):
         content = tuple(getattr(content, field) for field in content.__struct_fields__)
     for one in content if isinstance(content, tuple) else ():
-        yield from references(one)
+        yield from _parts(one)
+
+
+def with_places(content: Any, names: Iterator[str]) -> Any:
+    """Return a text, or a part of one, whose words for the index have places by these names, in order."""
+    # A formula is a tuple of another type.
+    if type(content) is tuple:
+        return tuple(with_places(one, names) for one in content)
+    if isinstance(content, Indexed):
+        content = replace(content, place=next(names))
+    if isinstance(content, Struct):
+        fields = {field: getattr(content, field) for field in content.__struct_fields__}
+        return replace(content, **{name: with_places(one, names) for name, one in fields.items()})
+    return content
 
 
 def stepwise(blocks: Blocks, above: list[int]) -> Blocks:

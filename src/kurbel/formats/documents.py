@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any, ClassVar, Literal, NamedTuple
 
-from kurbel.documents.document import WORDS, Chapter, Document, Item
+from kurbel.documents.document import PLACE, WORDS, Chapter, Document, Item
 from kurbel.exact.numerals import Label
 from kurbel.formats.printer import Reference, set_prose
 from kurbel.formats.registry import FORMATS, PageFormat
@@ -15,7 +15,7 @@ from kurbel.formats.render import render_document
 from kurbel.page.labels import plain, set_label
 from kurbel.reading.given import choose
 
-PREFIXES = {"table": "tab", "figure": "fig", "chapter": "sec"}
+PREFIXES = {"table": "tab", "figure": "fig", "chapter": "sec", "place": "idx"}
 # What fits one side of a running head.
 HEAD = 44
 
@@ -62,7 +62,7 @@ class DocumentPart(NamedTuple):
 class DocumentChapter(NamedTuple):
     """A chapter: `heading` is the title as it stands over it, `file` the name of a page of its own.
 
-    `lang` is the language where it is not the document's.
+    `lang` is the language where it is not the document's; `number` is 0 for what is no chapter of its own.
     """
 
     title: Any
@@ -71,17 +71,19 @@ class DocumentChapter(NamedTuple):
     file: str
     lang: str
     parts: tuple[Any, ...]
+    number: int
 
 
 class DocumentMaker(ABC):
     """Makes the whole documents in a format.
 
     The labels of chapters, tables and figures are joined by `joint`: tab:delta, tab-delta. `level` is how
-    many levels of headings stand above those of the texts.
+    many levels of headings stand above those of the texts, and with `places` an index leads to the words.
     """
 
     joint: ClassVar[str] = "-"
     level: ClassVar[int] = 1
+    places: ClassVar[bool] = False
 
     def __init__(
         self, form: PageFormat, document: Document, fragments: Mapping[str, str], templates: str | None
@@ -117,9 +119,8 @@ class DocumentMaker(ABC):
         """Return a chapter as the templates read it."""
         title = self.title(chapter.title, chapter.lang)
         lang, parts = self.other(chapter.lang), self.parts(chapter)
-        return DocumentChapter(
-            title, self.heading(title), self.label(chapter), self.file(chapter), lang, parts
-        )
+        heading, label = self.heading(title), self.label(chapter)
+        return DocumentChapter(title, heading, label, self.file(chapter), lang, parts, chapter.number)
 
     def title(self, label: Label, lang: str = "") -> Any:
         """Return a title as the templates read it."""
@@ -168,8 +169,11 @@ class DocumentMaker(ABC):
 
     def file(self, chapter: Chapter) -> str:
         """Return the name of a chapter's own page without its suffix: "02-paths"."""
-        digits = max(2, len(str(len(self.document.chapters))))
-        return f"{chapter.number:0{digits}}-{chapter.name}"
+        chapters = self.document.chapters
+        digits = max(2, len(str(len(chapters))))
+        before = max(one.number for one in chapters[: chapters.index(chapter) + 1])
+        number = chapter.number or before + (before > 0)
+        return f"{number:0{digits}}-{chapter.name}"
 
     def text(self, item: Item) -> str:
         """Return a text in the format.
@@ -183,8 +187,10 @@ class DocumentMaker(ABC):
     def _find(self, lang: str, name: str) -> Reference:
         chapter, item = self.homes[choose(name, self.homes, "table, figure or chapter")]
         part = item or chapter
-        target = self.page(chapter) + self.label(part)
-        return Reference(_kind(part), target, self.document.title_of(part, lang))
+        place = name.removeprefix(PLACE) if self.places and name.startswith(PLACE) else ""
+        label = f"{PREFIXES['place']}{self.joint}{place}" if place else self.label(part)
+        kind = _kind(part) if item or chapter.number else "matter"
+        return Reference(kind, self.page(chapter) + label, self.document.title_of(part, lang))
 
     def parts(self, chapter: Chapter) -> tuple[Any, ...]:
         """Return the parts of a chapter as the templates read them."""

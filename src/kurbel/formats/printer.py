@@ -16,13 +16,13 @@ from kurbel.page.labels import formula_plain
 
 
 class Reference(NamedTuple):
-    """A part of the handbook that a text names.
+    """A part of the handbook that a text names; `matter` is what has a title and no number.
 
     `target` is what the format jumps to: tab:delta in LaTeX, tab-delta in Typst, #tab-delta in HTML.
     `text` is its name and number, "Tabelle 3", not escaped, for formats that count nothing by themselves.
     """
 
-    kind: Literal["table", "figure", "chapter"]
+    kind: Literal["table", "figure", "chapter", "matter"]
     target: str
     text: str
 
@@ -90,6 +90,8 @@ class ProsePrinter(ABC):
                 return self.rule
             case prose.Grid():
                 return self.grid(block)
+            case prose.Index():
+                return self.index(block)
 
     def inlines(self, content: prose.Inlines) -> str:
         """Return inlines beside each other."""
@@ -113,7 +115,12 @@ class ProsePrinter(ABC):
             case prose.Link(address, content):
                 return self.link(address, content)
             case prose.Refer(name, content):
-                return self.reference(self.refer(name), content)
+                found = self.refer(name)
+                title = (prose.Text(found.text),) if found.kind == "matter" else ()
+                return self.reference(found, content or title)
+            case prose.Indexed(_, content, place):
+                words = self.inlines(content)
+                return self.marked(self.refer(place), words) if place else words
 
     def plain(self, content: prose.Inlines) -> str:
         """Return the letters of inlines, where nothing else can stand."""
@@ -125,6 +132,8 @@ class ProsePrinter(ABC):
                 case Formula():
                     pieces.append(formula_plain(inline, self.mark))
                 case prose.Emphasis(inner) | prose.Strong(inner) | prose.Link(_, inner):
+                    pieces.append(self.plain(inner))
+                case prose.Indexed(_, inner):
                     pieces.append(self.plain(inner))
                 case prose.Refer(name, inner):
                     pieces.append(self.plain(inner) or self.refer(name).text)
@@ -159,6 +168,25 @@ class ProsePrinter(ABC):
     @abstractmethod
     def grid(self, grid: prose.Grid) -> str:
         """Return a table."""
+
+    def index(self, index: prose.Index) -> str:
+        """Return an index, whose terms lead to tables, figures and chapters where there are no pages."""
+        blocks: list[prose.Block] = []
+        for letter, terms in index.groups:
+            head = prose.Paragraph((prose.Strong((prose.Text(letter),)),))
+            entries = ((prose.Paragraph(self._entry(term)),) for term in terms)
+            blocks += [head, prose.Listing(None, True, tuple(entries))]
+        return self.blocks(tuple(blocks))
+
+    def _entry(self, term: prose.Term) -> prose.Inlines:
+        # Several places of one chapter without pages of its own are called alike.
+        found = {self.refer(name).text: prose.Refer(name, ()) for name in term.places}
+        parted = (inline for refer in found.values() for inline in (prose.Text(", "), refer))
+        return (prose.Text(term.words), *parted, *([prose.Text(f" {term.more}")] if term.more else []))
+
+    def marked(self, place: Reference, words: str) -> str:
+        """Return words to which an index leads."""
+        return words
 
     @abstractmethod
     def code(self, text: str) -> str:

@@ -7,6 +7,7 @@ import json
 import os
 import re
 from collections.abc import Iterable, Mapping, Sequence
+from datetime import date, datetime
 from functools import cache
 from typing import Annotated, Any, ClassVar, Self
 from unicodedata import category, combining, normalize
@@ -97,6 +98,26 @@ class Standards(Choices, what="standard", allowed=STANDARDS):
 
 class Shows(Choice, what="part of problems", allowed=("both", "problems", "solutions")):
     """What is printed of problems."""
+
+
+class Matter(Choices, what="matter of a book", allowed=("notation", "symbols", "index", "colophon")):
+    """What a book has before and behind its chapters."""
+
+
+class Day(date):
+    """A day, as 2026-11-22."""
+
+    SCHEMA: ClassVar[Mapping[str, Any]] = {"type": "string", "format": "date"}
+
+    @classmethod
+    def read(cls, given: Any, name: str) -> Day:
+        try:
+            day = date.fromisoformat(given) if isinstance(given, str) else given
+        except ValueError:
+            day = None
+        if not isinstance(day, date) or isinstance(day, datetime):
+            raise Fault("a day, such as 2026-11-22")
+        return cls(day.year, day.month, day.day)
 
 
 class Heading(str):
@@ -207,6 +228,14 @@ class HandbookKeys(Struct, frozen=True, forbid_unknown_fields=True):
     author: Annotated[Heading, about("author, below the title")] = Heading()
     lang: Annotated[Lang, LANGUAGE] = Lang(LANGUAGES[0])
     decimal: Annotated[Decimal | None, about("decimal mark: comma or point; default: by the language")] = None
+    version: Annotated[Heading, about("version of the handbook, for the colophon")] = Heading()
+    date: Annotated[Day | None, about("its day, for the colophon; default: that of SOURCE_DATE_EPOCH")] = None
+    matter: Annotated[
+        Matter,
+        about(
+            "what stands before and behind the chapters: notation and signs, symbols, an index, a colophon"
+        ),
+    ] = Matter()
     formats: Annotated[Formats, about("what is built")] = Formats(FORMATS_OF_A_HANDBOOK)
     output: Annotated[Inside, about("folder for what is built, inside of the manifest's folder")] = Inside(
         "pages"

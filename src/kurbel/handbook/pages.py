@@ -5,10 +5,11 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from functools import partial
+from itertools import count, repeat
 from typing import Any, NamedTuple
 
 from kurbel.documents import prose
-from kurbel.documents.document import Chapter, Document, Item
+from kurbel.documents.document import PLACE, Chapter, Document, Item
 from kurbel.errors import HandbookError, KurbelError
 from kurbel.formats.registry import FORMATS
 from kurbel.handbook.folder import LARGEST
@@ -36,9 +37,14 @@ def document_of(manifest: Manifest, made: Mapping[str, About], failures: list[Fa
     overlooks.
     """
     made_of = _Items(manifest, made, failures)
-    chapters = (made_of.chapter(number, plan) for number, plan in enumerate(manifest.chapters, 1))
+    chapters = tuple(made_of.chapter(number, plan) for number, plan in enumerate(manifest.chapters, 1))
     mark = manifest.decimal or ""
-    return Document(manifest.title, manifest.lang, mark, tuple(chapters), manifest.subtitle, manifest.author)
+    whole = Document(manifest.title, manifest.lang, mark, chapters, manifest.subtitle, manifest.author)
+    if not manifest.matter:
+        return whole
+    from kurbel.handbook.matter.matter import with_matter
+
+    return with_matter(whole, manifest, made)
 
 
 class _Items:
@@ -46,10 +52,12 @@ class _Items:
 
     def __init__(self, manifest: Manifest, made: Mapping[str, About], failures: list[Failure]) -> None:
         self.folder = manifest.folder
+        self.matter = manifest.matter
         self.made = made
         self.failures = failures
         self.counts = {"table": 0, "figure": 0}
-        self.names = [plan.name for plan in manifest.chapters]
+        self.places = map("{}{}".format, repeat(PLACE), count(1))
+        self.names = [plan.name for plan in manifest.chapters] + list(manifest.matter)
         self.names += [part.name for part in manifest.parts() if part.words]
 
     def chapter(self, number: int, plan: ChapterPlan) -> Chapter:
@@ -86,6 +94,8 @@ class _Items:
         except KurbelError as error:
             self.failures.append(Failure(part.line, part.file or part.problems or "text", str(error)))
             return _missing(str(error), part, lang)
+        if "index" in self.matter:
+            blocks = prose.with_places(blocks, self.places)
         return prose.stepwise(blocks, above)
 
 

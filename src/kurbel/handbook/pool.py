@@ -10,6 +10,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 from kurbel.errors import KurbelError
+from kurbel.handbook.matter.letters import Letter
 
 if TYPE_CHECKING:
     from concurrent.futures import Future, ProcessPoolExecutor
@@ -48,11 +49,13 @@ class Task(NamedTuple):
 
 
 class About(NamedTuple):
-    """What documents say of a table or a figure."""
+    """What documents say of a table or a figure; `letters` and `source` are for their lists."""
 
     kind: Literal["table", "figure"]
     caption: str
     lang: str
+    letters: tuple[Letter, ...] = ()
+    source: str = ""
 
 
 class Made(NamedTuple):

@@ -47,6 +47,7 @@ def _built(question: Question, pages: bool) -> Table:
         source=question.origin,
         templates=layout.folder,
         pause=layout.pause,
+        quantities=tuple(column.quantity for column in question.page_columns),
     )
     spoken = question.note or question.caption is not None or question.source is not None
     return question.worded(page) if spoken else page

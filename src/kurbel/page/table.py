@@ -15,6 +15,7 @@ from itertools import groupby
 from typing import Literal, NamedTuple, TypeAlias
 
 from kurbel.exact.numerals import Label, Number
+from kurbel.page.quantity import Quantity
 
 _MARK = re.compile(r"\[\^([^\]]+)\]")
 
@@ -122,7 +123,7 @@ class Table:
     `layout` names the templates' folder, where it is not the key; `templates` is the folder of the user's in
     which that lies, nothing where it is kurbel's. `pause` is the number of rows between small spaces, 0 for
     none; None leaves it to the step of the rows. `variant` is what was asked for beside the defaults of the
-    layout: "ratio-1-4".
+    layout: "ratio-1-4". `quantities` are those of its columns.
     """
 
     key: str
@@ -136,6 +137,7 @@ class Table:
     templates: str = ""
     pause: int | None = None
     variant: str = ""
+    quantities: tuple[Quantity, ...] = ()
 
     @property
     def anchor(self) -> str:

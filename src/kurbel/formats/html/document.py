@@ -52,6 +52,7 @@ class Section(NamedTuple):
 class Maker(DocumentMaker):
     # The page has one heading above the chapters.
     level = 2
+    places = True
 
     def files(self) -> dict[str, str]:
         """Return the page by the name of its file."""

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from kurbel.documents import prose
 from kurbel.formats.html.writer import escape
-from kurbel.formats.printer import ProsePrinter
+from kurbel.formats.printer import ProsePrinter, Reference
 
 
 class Printer(ProsePrinter):
@@ -59,6 +59,12 @@ class Printer(ProsePrinter):
             for cell, style in zip(cells, styles, strict=True)
         )
         return f"<tr>{''.join(tags)}</tr>"
+
+    def index(self, index: prose.Index) -> str:
+        return super().index(index).join(('<div class="index">\n', "\n</div>"))
+
+    def marked(self, place: Reference, words: str) -> str:
+        return f'<span id="{escape(place.target.removeprefix("#"))}">{words}</span>'
 
     def code(self, text: str) -> str:
         return f"<code>{escape(text)}</code>"

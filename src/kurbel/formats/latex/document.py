@@ -10,6 +10,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from kurbel.documents.document import WORDS, Item
+from kurbel.documents.prose import Grid, Index
 from kurbel.exact.numerals import Label
 from kurbel.formats.documents import DocumentMaker, DocumentTitle
 from kurbel.formats.latex.writer import string
@@ -33,15 +34,20 @@ class Maker(DocumentMaker):
     joint = ":"
     # A chapter is a section, and what stands below it a subsection.
     level = 2
+    places = True
 
     def files(self) -> dict[str, str]:
         """Return appendix.tex and handbook.tex, which input the fragments."""
         values = self.values()
+        blocks = [block for item in self.document.items("text") for block in item.blocks]
+        uncounted = any(isinstance(block, Grid) and block.long for block in blocks)
         values |= {
             "author": self.title(self.document.author),
             "languages": self.languages(),
-            "long": any(part.long for chapter in values["chapters"] for part in chapter.parts),
+            "long": uncounted or any(part.long for chapter in values["chapters"] for part in chapter.parts),
             "linked": any(self.document.items("text")),
+            "indexed": any(isinstance(block, Index) for block in blocks),
+            "uncounted": uncounted,
         }
         return {f"{name}.tex": self.filled(name, values) for name in ("appendix", "handbook")}
 

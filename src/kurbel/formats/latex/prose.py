@@ -70,6 +70,13 @@ class Printer(ProsePrinter):
     def grid(self, grid: prose.Grid) -> str:
         columns = "".join(self._columns(grid))
         rows = "".join(f"{self._row(row)}\n" for row in grid.rows)
+        if grid.long:
+            # A longtable counts as one, also without a caption: this one by a counter of its own.
+            return (
+                f"{{\\def\\LTcaptype{{kurbeluncounted}}\\begin{{longtable}}{{{columns}}}\n\\toprule\n"
+                f"{self._row(grid.head)}\n\\midrule\n\\endhead\n\\bottomrule\n\\endfoot\n"
+                f"{rows}\\end{{longtable}}}}"
+            )
         return (
             f"\\begin{{center}}\n\\begin{{tabular}}{{{columns}}}\n\\toprule\n"
             f"{self._row(grid.head)}\n\\midrule\n{rows}\\bottomrule\n\\end{{tabular}}\n\\end{{center}}"
@@ -91,6 +98,21 @@ class Printer(ProsePrinter):
 
     def _row(self, cells: tuple[prose.Inlines, ...]) -> str:
         return " & ".join(self.inlines(cell) for cell in cells) + r" \\"
+
+    def index(self, index: prose.Index) -> str:
+        groups = "\n".join(
+            f"\\kurbelletter{{{_escaped(letter)}}}\n" + "\n".join(map(self._term, terms))
+            for letter, terms in index.groups
+        )
+        return f"\\begin{{multicols}}{{2}}\\kurbelindex\n{groups}\n\\end{{multicols}}"
+
+    def _term(self, term: prose.Term) -> str:
+        targets = ",".join(self.refer(name).target for name in term.places)
+        more = f" {_escaped(term.more)}" if term.more else ""
+        return rf"\kurbelterm{{{_escaped(term.words)}}}{{{targets}}}{{{more}}}"
+
+    def marked(self, place: Reference, words: str) -> str:
+        return rf"\label{{{place.target}}}{words}"
 
     def paragraph(self, content: prose.Inlines) -> str:
         # Above the first line there is none to end.
@@ -121,6 +143,8 @@ def _breaks_first(content: prose.Inlines) -> bool:
         case (prose.Break(), *_):
             return True
         case (prose.Emphasis(inner) | prose.Strong(inner) | prose.Link(_, inner) | prose.Refer(_, inner), *_):
+            return _breaks_first(inner)
+        case (prose.Indexed(_, inner), *_):
             return _breaks_first(inner)
     return False
 

@@ -90,6 +90,8 @@ class Printer(ProsePrinter):
                     yield from self.pieces(inner, mark or "*")
                 case prose.Strong(inner):
                     yield from self.pieces(inner, "**")
+                case prose.Indexed(_, inner):
+                    yield from self.pieces(inner, mark)
                 case prose.Text(text) if mark:
                     yield _between(mark, text)
                 case _:

@@ -41,7 +41,9 @@ class Maker(DocumentMaker):
         return {"handbook.txt": self.filled("handbook", values)}
 
     def chapter(self, chapter: Chapter) -> TextChapter:
-        title = f"{chapter.number}  {self.titled(chapter.title, chapter.lang)}"
+        title = self.titled(chapter.title, chapter.lang)
+        if chapter.number:
+            title = f"{chapter.number}  {title}"
         return TextChapter(_underlined(title, CHAPTER), wrapped(title, WIDTH, 3), self.parts(chapter))
 
     def part(self, item: Item) -> TextPart:

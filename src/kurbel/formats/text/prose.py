@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from textwrap import fill
+from textwrap import fill, wrap
 
 from kurbel.documents import prose
 from kurbel.formats.printer import ProsePrinter, Reference, indented, is_own
@@ -64,13 +64,24 @@ class Printer(ProsePrinter):
         def texts(cells: tuple[prose.Inlines, ...]) -> list[str]:
             return [self.inlines(cell) for cell in cells]
 
+        rows = [texts(row) for row in (grid.head, *grid.rows)]
+        if grid.long:
+            self._fold(rows)
         return tabulate(
-            [texts(row) for row in grid.rows],
-            texts(grid.head),
+            rows[1:],
+            rows[0],
             tablefmt="simple",
             disable_numparse=True,
             colalign=[align or "left" for align in grid.aligns] if grid.rows else None,
         )
+
+    def _fold(self, rows: list[list[str]]) -> None:
+        """Break the lines of the widest column where the rows are wider than the text."""
+        widths = [max(map(len, cells)) for cells in zip(*rows, strict=True)]
+        widest = widths.index(max(widths))
+        left = self.room - sum(widths) + widths[widest] - 2 * (len(widths) - 1)
+        for row in rows:
+            row[widest] = "\n".join(wrap(row[widest], max(left, 1))) or ""
 
     def code(self, text: str) -> str:
         return text.replace(" ", "\u00a0")
@@ -82,4 +93,4 @@ class Printer(ProsePrinter):
     def reference(self, reference: Reference, content: prose.Inlines) -> str:
         text = self.inlines(content)
         name = reference.text.replace(" ", "\u00a0")
-        return f"{text} ({name})" if text else name
+        return f"{text} ({name})" if text and reference.kind != "matter" else text or name

@@ -6,6 +6,7 @@ import re
 from typing import NamedTuple
 
 from kurbel.documents.document import WORDS, Chapter, Item
+from kurbel.documents.prose import Index
 from kurbel.exact.numerals import Label
 from kurbel.formats.documents import DocumentChapter, DocumentMaker, DocumentTitle
 from kurbel.formats.typst.layout import paper
@@ -34,6 +35,8 @@ class TypstPart(NamedTuple):
 
 
 class Maker(DocumentMaker):
+    places = True
+
     def files(self) -> dict[str, str]:
         """Return handbook.typ, which includes the fragments as files of the folder tables."""
         document = self.document
@@ -41,6 +44,9 @@ class Maker(DocumentMaker):
             "subtitle": self.title(document.subtitle),
             "author": self.title(document.author),
             "languages": WORDS,
+            "indexed": any(
+                isinstance(block, Index) for one in document.items("text") for block in one.blocks
+            ),
             "kinds": {item.kind for item in document.items("table", "figure")},
         }
         return {"handbook.typ": self.filled("handbook", self.values() | more)}

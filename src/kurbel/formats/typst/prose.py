@@ -34,14 +34,35 @@ class Printer(ProsePrinter):
     def grid(self, grid: prose.Grid) -> str:
         aligns = "".join(f"{_ALIGNS[align]}, " for align in grid.aligns)
         rows = "".join(f"{self._row(row)},\n" for row in grid.rows)
-        return (
-            f"#align(center, table(columns: {len(grid.aligns)}, align: ({aligns}), stroke: none,\n"
+        columns = f"({self._widths(grid)})" if grid.long else len(grid.aligns)
+        table = (
+            f"#align(center, table(columns: {columns}, align: ({aligns}), stroke: none,\n"
             f"table.hline(stroke: .08em), table.header({self._row(grid.head)}), table.hline(stroke: .05em),\n"
             f"{rows}table.hline(stroke: .08em)));"
         )
+        return f"#[#set text(size: .9em);\n{table}];" if grid.long else table
+
+    def _widths(self, grid: prose.Grid) -> str:
+        """Return the widths of the columns of a long table, of which the widest has what the others leave."""
+        rows = (grid.head, *grid.rows)
+        letters = [sum(len(self.plain(cell)) for cell in cells) for cells in zip(*rows, strict=True)]
+        return "".join("1fr, " if one == max(letters) else "auto, " for one in letters)
 
     def _row(self, cells: tuple[prose.Inlines, ...]) -> str:
         return ", ".join(f"[{self.inlines(cell)}]" for cell in cells)
+
+    def index(self, index: prose.Index) -> str:
+        groups = "".join(
+            f"({string(letter)}, ({''.join(map(self._term, terms))})),\n" for letter, terms in index.groups
+        )
+        return f"#index((\n{groups}));"
+
+    def _term(self, term: prose.Term) -> str:
+        targets = "".join(f"{string(self.refer(name).target)}, " for name in term.places)
+        return f"([{self.text(term.words)}], ({targets}), [{self.text(term.more)}]),\n"
+
+    def marked(self, place: Reference, words: str) -> str:
+        return f"#[#metadata(none)#label({string(place.target)})];{words}"
 
     def code(self, text: str) -> str:
         return _raw(text)

@@ -1,0 +1,1 @@
+"""What a book has before and behind its chapters: notation, symbols, index, colophon."""

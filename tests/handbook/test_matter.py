@@ -1,0 +1,141 @@
+"""What a handbook has before and behind its chapters, made of its tables, its texts and its manifest."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+from cli import kurbel, refusal
+
+MANIFEST = """\
+title = "Tafeln"
+lang = "{lang}"
+formats = ["markdown", "json"]
+{keys}
+[[chapter]]
+title = "Wege"
+
+[[chapter.part]]
+text = "Die [geschränkte Kurbel](<index:Kurbel, geschränkte>), der [Balancier](index:); siehe [](#{page})."
+
+[[chapter.part]]
+run = "table --ratio 1:5 --step 90"
+name = "wege"
+
+[[chapter.part]]
+run = "table --ratio 1:5 --step 90 --method series"
+name = "reihe"
+
+[[chapter.part]]
+run = "forces --ratio 1:5 --step 90"
+name = "kraefte"
+
+[[chapter.part]]
+run = "table --layout lueger-kolbenbewegung"
+name = "lueger"
+
+[[chapter.part]]
+run = "collate weisbach-149"
+name = "balancier"
+"""
+ALL = 'matter = ["notation", "symbols", "index", "colophon"]\n'
+
+
+def built(folder: Path, keys: str = "", lang: str = "de", page: str = "wege", **environment: str) -> Path:
+    folder.mkdir(exist_ok=True)
+    text = MANIFEST.format(keys=keys, lang=lang, page=page)
+    (folder / "handbook.toml").write_text(text, encoding="utf-8")
+    done = kurbel("handbook", "build", str(folder), "--jobs", "1", **environment)
+    assert done.code == 0, done.err
+    return folder / "pages"
+
+
+@pytest.fixture(scope="module")
+def pages(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return built(tmp_path_factory.mktemp("matter") / "book", ALL, page="symbols")
+
+
+def text_of(pages: Path, name: str) -> str:
+    return (pages / "markdown" / f"{name}.md").read_text(encoding="utf-8")
+
+
+def records(pages: Path, name: str) -> list[dict[str, str]]:
+    columns: list[dict[str, str]] = json.loads((pages / "tables" / f"{name}.json").read_text())["columns"]
+    return columns
+
+
+def test_symbols_are_those_of_the_tables_each_with_the_first(pages: Path) -> None:
+    rows = [
+        [cell.strip() for cell in line.strip("|").split(" | ")]
+        for line in text_of(pages, "00-symbols").splitlines()
+        if line.startswith("| ") and "#tab-" in line
+    ]
+    listed = {(symbol, name): (unit, at.split("#tab-")[1].rstrip(">)")) for symbol, name, unit, at in rows}
+    assert len(listed) == len(rows)
+    # The names of columns have what sets them apart from others of the quantity behind a comma.
+    first: dict[tuple[str, str], str] = {}
+    for table in ("wege", "reihe", "kraefte", "lueger"):
+        for one in records(pages, table):
+            if one["symbol"]:
+                first.setdefault((one["symbol"], one["name"].split(", ")[0]), table)
+    assert {key: at for key, (_, at) in listed.items()} == first
+    assert listed["x", "Kolbenweg"][0].split(", ") == ["R", "% des Hubes"]
+
+
+def test_the_index_has_quantities_authors_and_marked_words(pages: Path) -> None:
+    text = text_of(pages, "02-index")
+    entries = dict(re.findall(r"^- (.+?), (\[.*)$", text, re.MULTILINE))
+    assert "#tab-kraefte>" in entries["Stangenkraft"]
+    assert "#tab-wege>" in entries["Kolbenweg"]
+    assert "#tab-balancier>" in entries["Weisbach-Herrmann"]
+    assert "[§ 1](<01-wege.md#sec-wege>)" in entries["Balancier"]
+    assert "Kurbel, geschränkte, [§ 1]" in text
+    assert "Die geschränkte Kurbel, der" in text_of(pages, "01-wege")
+    assert "index:" not in text_of(pages, "01-wege")
+    letters = re.findall(r"^\*\*(.)\*\*$", text, re.MULTILINE)
+    assert letters == sorted(letters)
+
+
+def test_captions_name_the_exceptions_alone_and_records_stay(pages: Path, tmp_path: Path) -> None:
+    captions = re.findall(r"^\*\*([^*]{12,})\*\*$", text_of(pages, "01-wege"), re.MULTILINE)
+    ends = [caption.partition("; ")[2] for caption in captions]
+    assert ends == ["", "Näherung erster Ordnung", "", "genaue Formeln und Näherung erster Ordnung", ""]
+    assert "gelten die genauen Formeln" in " ".join(text_of(pages, "00-notation").split())
+    plain = built(tmp_path / "plain")
+    assert text_of(plain, "01-wege").count("; genaue Formeln**") == 2
+    for table in ("wege", "reihe", "kraefte", "lueger"):
+        name = f"tables/{table}.json"
+        assert (plain / name).read_bytes() == (pages / name).read_bytes()
+    assert not [*(plain / "markdown").glob("*index*-*")]
+    assert sorted(path.name for path in (plain / "markdown").iterdir()) == ["01-wege.md", "index.md"]
+
+
+def test_a_page_of_the_matter_is_referred_to_by_its_title(pages: Path) -> None:
+    assert "siehe [Formelzeichen](<00-symbols.md#sec-symbols>)." in text_of(pages, "01-wege")
+
+
+def test_the_day_is_that_of_the_manifest_else_of_the_environment_and_never_the_clock(tmp_path: Path) -> None:
+    keys = 'matter = ["colophon"]\nversion = "2, with $x/R$"\n'
+    # 22 November 2026, a second before midnight in UTC.
+    epoch = {"SOURCE_DATE_EPOCH": "1795391999"}
+    assert "Version 2, with x/R\n" in text_of(built(tmp_path / "a", keys, "en"), "02-colophon")
+    assert "x/R, 22 November 2026\n" in text_of(built(tmp_path / "b", keys, "en", **epoch), "02-colophon")
+    dated = f"{keys}date = 1905-03-01\n"
+    assert "x/R vom 1. März 1905\n" in text_of(built(tmp_path / "c", dated, "de", **epoch), "02-colophon")
+
+
+@pytest.mark.parametrize(
+    ("keys", "said"),
+    [
+        ('matter = ["indeks"]', 'matter of a book "indeks" (did you mean index?)'),
+        ('date = "1905-3"', "a day, such as 2026-11-22"),
+        ("date = 1905-03-01T12:00:00", "a day, such as 2026-11-22"),
+        ('matter = ["index"]\n[[chapter]]\ntitle = "Index"', 'the name "index" is taken in line 4'),
+    ],
+)
+def test_what_is_amiss_is_said(keys: str, said: str, tmp_path: Path) -> None:
+    text = MANIFEST.format(keys=keys, lang="de", page="wege")
+    (tmp_path / "handbook.toml").write_text(text, encoding="utf-8")
+    assert said in refusal("handbook", "build", str(tmp_path), code=1)
