@@ -166,18 +166,19 @@ def _table(task: Task, answer: Asked, table: Table) -> Made:
             )
             for name in task.formats
         }
-    from kurbel.handbook.matter.letters import letters_of
     from kurbel.page.labels import plain
 
-    about = About("table", named.caption, named.lang, letters_of(named), plain(named.source))
+    about = About("table", named.caption, named.lang, named.letters(), plain(named.source))
     return Made(files, answer.files, about)
 
 
 def _caption(part: Part, own: Label, lang: str) -> Label:
     """Return the caption in a handbook: its own words, or what the command says."""
+    if part.caption or not part.terse:
+        return part.caption or own
     from kurbel.handbook.matter.notation import terse
 
-    return part.caption or (terse(own, lang) if part.terse else own)
+    return terse(own, lang)
 
 
 def _text(table: Any, name: str, decimal: str | None, templates: str | None) -> bytes:

@@ -99,7 +99,7 @@ class Document(NamedTuple):
             term.place: (chapter, None)
             for chapter in self.chapters
             for item in chapter.items
-            for term in terms(tuple(item.blocks))
+            for term in (terms(tuple(item.blocks)) if item.blocks else ())
             if term.place
         }
         return homes | {

@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 from kurbel.errors import KurbelError
-from kurbel.handbook.matter.letters import Letter
+from kurbel.page.quantity import Letter
 
 if TYPE_CHECKING:
     from concurrent.futures import Future, ProcessPoolExecutor

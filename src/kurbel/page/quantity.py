@@ -82,6 +82,26 @@ class Quantity(NamedTuple):
         return f"{self.name[lang]}, {self.part[lang]}" if self.part else self.name[lang]
 
 
+class Letter(NamedTuple):
+    """What lists say of a quantity: `symbol`, `unit` and how it counts are labels and may be empty."""
+
+    name: str
+    symbol: Label
+    unit: Label
+    direction: Label = ""
+
+
+# What a quantity of a head such as "greatest speed at" or "thrust over" is.
+_AT: Mapping[str, tuple[str, ...]] = {"de": (" bei", " über"), "en": (" at", " over")}
+_ANGLE = words("Winkel: {}|angle: {}")
+
+
+def named(name: str, lang: str) -> str:
+    """Return the name of a quantity outside of its head."""
+    end = next((one for one in _AT[lang] if name.endswith(one)), "")
+    return _ANGLE[lang].format(name.removesuffix(end)) if end else name
+
+
 def entry(
     key: str,
     name: str,

@@ -15,8 +15,9 @@ from itertools import groupby
 from typing import Literal, NamedTuple, TypeAlias
 
 from kurbel.exact.numerals import Label, Number
-from kurbel.page.quantity import Quantity
+from kurbel.page.quantity import Letter, Quantity, named, words
 
+_NONE = words("")
 _MARK = re.compile(r"\[\^([^\]]+)\]")
 
 
@@ -149,6 +150,22 @@ class Table:
         missing = sorted(set(self._marks()) - defined)
         if missing:
             raise ValueError(f"no note explains the mark {', '.join(missing)}")
+
+    def letters(self) -> tuple[Letter, ...]:
+        """Return its quantities, the axes first; what has neither a letter nor a unit is none."""
+        lang = self.lang
+        # Columns are computed by a method, and axes are not.
+        axes = [
+            Letter(field.name, field.symbol, field.unit)
+            for field in self.records.fields
+            if field.symbol and not field.method
+        ]
+        columns = [
+            Letter(named(one.name[lang], lang), one.symbol, one.unit[lang], (one.direction or _NONE)[lang])
+            for one in self.quantities
+            if one.symbol or one.unit[lang]
+        ]
+        return tuple(dict.fromkeys((*axes, *columns)))
 
     def _marks(self) -> Iterator[str]:
         yield from _MARK.findall(self.caption)

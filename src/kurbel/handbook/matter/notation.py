@@ -9,8 +9,9 @@ from collections.abc import Iterable, Iterator
 from kurbel.documents import prose
 from kurbel.documents.markdown import parse_prose
 from kurbel.exact.numerals import DECIMALS, Label
-from kurbel.handbook.matter.letters import Letter, inlines
+from kurbel.handbook.matter.inlines import inlines
 from kurbel.handbook.matter.symbols import LETTERS
+from kurbel.page.quantity import Letter
 
 ROUNDINGS = {
     "half-away": {"de": "die vom Nullpunkt entferntere", "en": "the one further from zero is printed"},

@@ -8,9 +8,9 @@ from unicodedata import name
 
 from kurbel.documents import prose
 from kurbel.exact.numerals import Label
-from kurbel.handbook.matter.letters import Letter, inlines, parted
+from kurbel.handbook.matter.inlines import inlines, parted
 from kurbel.page.labels import plain
-from kurbel.page.quantity import words
+from kurbel.page.quantity import Letter, words
 
 HEADS = {"de": ("Zeichen", "Größe", "Einheit", "zuerst"), "en": ("symbol", "quantity", "unit", "first in")}
 NOTATION = words("Schreibweise|notation")
