@@ -27,7 +27,6 @@ from kurbel.reading.given import File, choose
 if TYPE_CHECKING:
     from kurbel.commands.shown import Drawing
     from kurbel.exact.numerals import Label
-    from kurbel.handbook.manifest import Part
 
 # Those that print lists, or work on whole files.
 NO_TABLES = frozenset(("sources", "layouts", "quantities", "handbook", "inject"))
@@ -158,7 +157,7 @@ def _table(task: Task, answer: Asked, table: Table) -> Made:
     data = replace(
         table, key=part.name, layout=table.layout or table.key, caption=part.caption or table.caption
     )
-    named = replace(data, caption=_caption(part, table.caption, table.lang))
+    named = replace(data, caption=_caption(task, table.caption, table.lang))
     with deadline(task.patience, GIGABYTES, bool(task.templates or named.templates)):
         files = {
             f"tables/{part.name}{FORMATS[name].suffixes[0]}": _text(
@@ -172,10 +171,10 @@ def _table(task: Task, answer: Asked, table: Table) -> Made:
     return Made(files, answer.files, about)
 
 
-def _caption(part: Part, own: Label, lang: str) -> Label:
+def _caption(task: Task, own: Label, lang: str) -> Label:
     """Return the caption in a handbook: its own words, or what the command says."""
-    if part.caption or not part.terse:
-        return part.caption or own
+    if task.part.caption or not task.terse:
+        return task.part.caption or own
     from kurbel.handbook.matter.notation import terse
 
     return terse(own, lang)
@@ -193,7 +192,7 @@ def _text(table: Any, name: str, decimal: str | None, templates: str | None) -> 
 
 def _figure(task: Task, answer: Asked, drawing: Drawing) -> Made:
     part = task.part
-    caption = _caption(part, drawing.title, answer.lang)
+    caption = _caption(task, drawing.title, answer.lang)
     titled = replace(drawing, title=caption)
     files = {f"figures/{part.name}.{name}": titled.image(name) for name in task.figures}
     return Made(files, answer.files, About("figure", caption, answer.lang))

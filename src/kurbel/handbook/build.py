@@ -114,7 +114,8 @@ class Build:
         source = {ENGINES[manifest.pdf.engine].source} if PDF in manifest.formats else set()
         self.formats = tuple(name for name in FORMATS if name in {*manifest.formats, *source} - {PDF})
         # What documents are made of beside their own format.
-        self.figures = tuple(sorted({FORMATS[name].figures for name in self.formats} - {""}))
+        figures = tuple(sorted({FORMATS[name].figures for name in self.formats} - {""}))
+        self.given = manifest.machine, self.formats, figures, "notation" in manifest.matter
 
     @cached_property
     def old(self) -> dict[str, Done]:
@@ -141,8 +142,7 @@ class Build:
         return self.apart, stopped if self.apart else KILLED
 
     def part_key(self, part: Part) -> str:
-        machine = self.manifest.machine
-        return key_of(self.print, part._replace(line=0), machine, self.formats, self.figures)
+        return key_of(self.print, part._replace(line=0), *self.given)
 
     def novelty(self, part: Part) -> str:
         """Return in a word why a part must be made, or that it need not be."""
@@ -168,10 +168,10 @@ class Build:
 
     def parts(self, make: Maker) -> list[Piece]:
         """Return the parts that `make` must make."""
-        given = self.manifest.folder, self.manifest.machine, self.templates, self.formats, self.figures
+        given = self.manifest.folder, self.templates, PATIENCE, *self.given
         end = self.end(STOPPED)
         return [
-            Piece(part.name, key, partial(make, Task(part, *given, PATIENCE)), self, part.line, *end)
+            Piece(part.name, key, partial(make, Task(part, *given)), self, part.line, *end)
             for part in self.manifest.parts()
             if part.words
             and (self.only is None or part.name in self.only)

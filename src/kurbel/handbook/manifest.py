@@ -62,8 +62,7 @@ FOREIGN = {
 class Part(NamedTuple):
     """A text (of the manifest, or of a file) or a command's words; `options` are its defaults.
 
-    `problems` is the file of problems that it is of. A `terse` caption does not say that formulas are
-    exact, for the page on notation does.
+    `problems` is the file of problems that it is of.
     """
 
     line: int
@@ -74,7 +73,6 @@ class Part(NamedTuple):
     caption: str = ""
     problems: str = ""
     options: Mapping[str, Any] = {}
-    terse: bool = False
 
     @property
     def shown(self) -> str:
@@ -173,8 +171,6 @@ class _Reader:
         # They are names of pages, as those of chapters are.
         self.chapter_names |= dict.fromkeys(given.matter, self.line(("matter",)))
         chapters = tuple(self.chapters(given.chapter, defaults))
-        if "notation" in given.matter:
-            chapters = tuple(map(_terse, chapters))
         if not chapters:
             self.lacking((), "the handbook has no chapter; write [[chapter]] and below it its title")
         if sum(len(chapter.parts) for chapter in chapters) > MOST_PARTS:
@@ -296,7 +292,3 @@ class _Reader:
             else:
                 options[name.replace("-", "_")] = value
         return options
-
-
-def _terse(chapter: ChapterPlan) -> ChapterPlan:
-    return chapter._replace(parts=tuple(part._replace(terse=bool(part.words)) for part in chapter.parts))

@@ -36,16 +36,18 @@ PDF_STOPPED = f"Typst was stopped after {PDF_PATIENCE:.0f} s"
 class Task(NamedTuple):
     """A part that is to be made, with all that a process of its own needs to make it.
 
-    `templates` is a folder of one's own; they have `patience` in seconds.
+    `templates` is a folder of one's own; they have `patience` in seconds. A `terse` caption does not say that
+    formulas are exact, for the page on notation does.
     """
 
     part: Part
     folder: str
-    machine: str | None
     templates: str | None
+    patience: float
+    machine: str | None
     formats: tuple[str, ...]
     figures: tuple[str, ...]
-    patience: float
+    terse: bool
 
 
 class About(NamedTuple):
