@@ -770,7 +770,12 @@ def test_crank_rod_and_rocker_are_drawn_true_to_scale(crank: ArcCrank, angle: fl
     (x0, y0), (x1, y1) = figure.axes[0].transData.transform([(0, 0), (1, 1)])
     assert x1 - x0 == pytest.approx(y1 - y0, rel=1e-9)
     path = np.stack((artist(figure, "arc").get_xdata(), artist(figure, "arc").get_ydata()), axis=1)
-    assert np.hypot(*(path - pivot).T) == pytest.approx(float(crank.rocker), rel=1e-12)
+    # It has a gap behind each pin, the ends of which lie on chords.
+    seen = np.isfinite(path).all(axis=1)
+    within = seen & np.roll(seen, 1) & np.roll(seen, -1)
+    assert np.hypot(*(path[within] - pivot).T) == pytest.approx(float(crank.rocker), rel=1e-12)
+    assert np.hypot(*(path[seen] - pivot).T) == pytest.approx(float(crank.rocker), rel=1e-3)
+    path = path[seen]
     assert np.hypot(*(path - head).T).min() < 0.05 * float(crank.rocker)
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from kurbel.plot.paper.holes import Hole
 from kurbel.plot.place import (
     CLEAR,
     GAP,
@@ -22,7 +23,7 @@ from kurbel.plot.place import (
     spot,
     touching,
 )
-from kurbel.plot.style import BLACK, DOTS_PER_MM, MM, SMALL_TEXT, TEXT_SIZE, THIN, WHITE
+from kurbel.plot.style import BLACK, DOTS_PER_MM, MM, SMALL_TEXT, TEXT_SIZE, THIN
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -31,6 +32,8 @@ Size = tuple[float, float]
 
 # How far the ground of a text reaches beyond it, and what other texts leave free about it, across and up.
 GROUND, SPACE = 0.2, (1.6, 0.4)
+# The level of the grounds, before all but the strong links.
+IN_FRONT = 5.5
 # Nearer than that no line leads to a text.
 LEAST_LEADER = 4.2
 # The width of lines of which both edges count.
@@ -84,11 +87,13 @@ class Text(NamedTuple):
 
 
 class Lettering:
-    """The texts that a drawing is to have, and their places once all else is drawn."""
+    """The texts that a drawing is to have, and their places once all else is drawn; the grounds of those that
+    cover a line."""
 
     def __init__(self, axes: Axes) -> None:
         self.axes = axes
         self.texts: list[Text] = []
+        self.grounds: list[Hole] = []
 
     def on_page(self, *points: tuple[float, float]) -> Points:
         """Return points of the axes in mm from the lower left corner of the page."""
@@ -155,18 +160,15 @@ class Lettering:
                 leader = np.stack((one.leader, one.leader + _leaders(one.leader, place.centre, size)))
                 if _length(leader) > LEAST_LEADER:
                     ink = ink.more(densely(leader), WEIGHTS["line"])
-                    self.axes.plot(*self._on_axes(leader).T, color=BLACK, linewidth=THIN, zorder=3)
+                    self.axes.plot(*self.on_axes(leader).T, color=BLACK, linewidth=THIN, zorder=3)
 
     def _set(self, letters: Letters, place: Spot) -> None:
-        """Set letters; those that cover a line have a ground that hides it, unless it is a strong one."""
-        x, y = map(float, self._on_axes((place.centre - letters.middle)[None])[0])
+        """Set letters; those that cover a line have a ground before it, unless it is a strong one."""
+        x, y = map(float, self.on_axes((place.centre - letters.middle)[None])[0])
         look: dict[str, Any] = {"ha": "left", "va": "baseline", "rotation_mode": "anchor", "zorder": 8}
         self.axes.text(x, y, letters.text, **(look | letters.look))
         if place.covers:
-            half = np.asarray(letters.size) / 2 + GROUND
-            corners = place.centre + half * np.asarray(((-1, -1), (1, -1), (1, 1), (-1, 1)))
-            (ground,) = self.axes.fill(*self._on_axes(corners).T, color=WHITE, linewidth=0, zorder=5.5)
-            ground.set_gid("ground")
+            self.grounds.append(Hole(place.centre, np.asarray(letters.size) / 2 + GROUND, False, IN_FRONT))
 
     def _ink(self) -> Ink:
         """Return the lines of the drawing and the areas of its solid parts."""
@@ -181,7 +183,8 @@ class Lettering:
             ink = ink.more(box_points((low + high) / 2, tuple(high - low), 0.5), WEIGHTS["part"])
         return ink
 
-    def _on_axes(self, points: Points) -> Points:
+    def on_axes(self, points: Points) -> Points:
+        """Return points of the axes from those on the page."""
         return np.asarray(self.axes.transData.inverted().transform(points * DOTS_PER_MM))
 
 

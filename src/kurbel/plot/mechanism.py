@@ -134,9 +134,11 @@ def _strong(sketch: Sketch, one: Position) -> None:
     corner = (one.head[0] - HEAD_LENGTH / 2 * mm, one.head[1] - HEAD_HEIGHT / 2 * mm)
     from matplotlib.patches import Rectangle
 
-    box = Rectangle(corner, HEAD_LENGTH * mm, HEAD_HEIGHT * mm, zorder=5)
-    box.set(facecolor=PALE, edgecolor=BLACK, linewidth=MEDIUM)
-    sketch.axes.add_patch(box)
+    for level, look in ((0, {"facecolor": PALE, "linewidth": 0}), (5, {"fill": False, "linewidth": MEDIUM})):
+        box = Rectangle(corner, HEAD_LENGTH * mm, HEAD_HEIGHT * mm, zorder=level, edgecolor=BLACK)
+        box.set(**look)
+        sketch.axes.add_patch(box)
+    sketch.hide(one.head, (HEAD_LENGTH / 2, HEAD_HEIGHT / 2), False, 5)
     sketch.strong_links(crank=((0, 0), one.pin), rod=(one.pin, one.head))
     # A crank that hangs down would hide the bearing.
     sketch.bearing((0, 0), UP if one.pin[1] < -HANGING else DOWN)

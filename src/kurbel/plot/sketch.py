@@ -13,8 +13,11 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+import numpy as np
+
 from kurbel.page.quantity import words
 from kurbel.plot.lettering import Lettering
+from kurbel.plot.paper.holes import Hole, cut
 from kurbel.plot.style import (
     BLACK,
     HEAVY,
@@ -24,7 +27,6 @@ from kurbel.plot.style import (
     MM,
     STRONG,
     THIN,
-    WHITE,
     arrowhead,
     fitted,
     page,
@@ -36,6 +38,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from matplotlib.lines import Line2D
+    from matplotlib.path import Path
 
 Point = tuple[float, float]
 # A text for a point, with the direction from it that is best.
@@ -54,6 +57,8 @@ BEARING, GROUND, HATCH = 4.2, 3.0, 1.1
 HANGING = 0.3
 # The radius of an arc that leaves room for its letter within the crank circle.
 LARGEST_ARC = 0.65
+# The level of the strong links: only pins and shafts are before them.
+STRONG_LEVEL = 6
 PHI = text_of("$φ$", ".")
 UP, DOWN, LEFTWARD = (0.0, 1.0), (0.0, -1.0), (-1.0, 0.0)
 
@@ -68,13 +73,15 @@ class Position(NamedTuple):
 
 
 class Sketch(NamedTuple):
-    """A drawing in units of R: what a millimetre is in them; one of its sides, 1 above, -1 below; texts."""
+    """A drawing in units of R: what a millimetre is in them; one of its sides, 1 above, -1 below; texts;
+    what hides lines behind it."""
 
     figure: Figure
     axes: Axes
     mm: float
     side: int
     texts: Lettering
+    holes: list[Hole]
 
     def line(self, *points: Point, **look: Any) -> Line2D:
         own: dict[str, Any] = {"color": BLACK, "linewidth": THIN, "solid_capstyle": "butt"}
@@ -93,17 +100,23 @@ class Sketch(NamedTuple):
         for number, pair in enumerate(pairwise(points)):
             self.chain(*pair, begun=0.5 * (number > 0), open=0.5 * (number < last))
 
-    def disc(self, centre: Point, radius: float, width: float, filling: str = WHITE, above: int = 7) -> None:
+    def disc(self, centre: Point, radius: float, width: float, filling: str = "none", above: int = 7) -> None:
         from matplotlib.patches import Circle
 
         disc = Circle(centre, radius * self.mm, zorder=above)
         disc.set(facecolor=filling, edgecolor=BLACK, linewidth=width)
         self.axes.add_patch(disc)
+        if filling == "none":
+            self.hide(centre, (radius, radius), True, above)
+
+    def hide(self, centre: Point, half: Point, is_round: bool, level: float) -> None:
+        """Hide what is drawn below a level in a disc or a box, of which half the sides are in mm."""
+        self.holes.append(Hole(self.texts.on_page(centre)[0], np.asarray(half), is_round, level))
 
     def strong_links(self, **links: tuple[Point, Point]) -> None:
         """Draw links by their names as of the first position, the cranks among them thicker."""
         for name, ends in links.items():
-            strong = self.line(*ends, linewidth=HEAVY if "crank" in name else STRONG, zorder=6)
+            strong = self.line(*ends, linewidth=HEAVY if "crank" in name else STRONG, zorder=STRONG_LEVEL)
             strong.set_gid(name.replace("_", "-"))
 
     def joints(self, pins: Iterable[Point]) -> None:
@@ -121,7 +134,9 @@ class Sketch(NamedTuple):
                 far = moved(end, way, -radii.get(end, 0) * self.mm)
                 self.chain(near, far, pattern=LONG_DASH_DOUBLE_DOT).set(zorder=3, gid="further")
         for centre in pins:
-            self.disc(centre, LIGHT_PIN, THIN, above=4)
+            around = [polar_point(centre, LIGHT_PIN * self.mm, turn) for turn in range(0, 361, 10)]
+            self.line(*around, zorder=4)
+            self.hide(centre, (LIGHT_PIN, LIGHT_PIN), True, 4)
 
     def bearing(self, centre: Point, way: Point = DOWN) -> None:
         """Draw the end of a shaft, and its bearing on the ground that lies in a direction."""
@@ -213,9 +228,29 @@ class Sketch(NamedTuple):
         self.line(*points, zorder=2, **look)
 
     def write(self) -> None:
-        """Write the texts, once all else is drawn."""
+        """Write the texts, once all else is drawn, and cut off what stands behind something."""
         (left, right), (bottom, top) = self.axes.get_xlim(), self.axes.get_ylim()
         self.texts.write((right - left) / self.mm, (top - bottom) / self.mm)
+        for line in self.axes.lines:
+            level = line.get_zorder()
+            before = [one for one in (*self.holes, *self.texts.grounds) if one.level > level]
+            if level == STRONG_LEVEL:
+                line.set_clip_path(self._outside(before), self.axes.transData)
+                continue
+            seen = cut(self.texts.on_page(*np.asarray(line.get_xydata())), before)
+            if seen is not None:
+                line.set_data(*self.texts.on_axes(seen).T)
+
+    def _outside(self, holes: Sequence[Hole]) -> Path:
+        """Return the page without discs: strong links keep their true length, and are not seen in there."""
+        from matplotlib.path import Path
+
+        (left, right), (bottom, top) = self.axes.get_xlim(), self.axes.get_ylim()
+        # The page is clockwise, the discs are not.
+        page = Path([(left, bottom), (left, top), (right, top), (right, bottom), (left, bottom)], closed=True)
+        middles = [tuple(self.texts.on_axes(one.centre[None])[0]) for one in holes]
+        discs = [Path.circle(at, one.half[0] * self.mm) for at, one in zip(middles, holes, strict=True)]
+        return Path.make_compound_path(page, *discs)
 
     def dead_centre(self, place: Point) -> None:
         """Mark a dead centre on the path of a pin: by a dot, which no dash of the path is taken for."""
@@ -227,7 +262,7 @@ def laid_out(low: Point, high: Point, mm: float, side: int = 1) -> Sketch:
     figure = page((high[1] - low[1]) / mm, (high[0] - low[0]) / mm)
     axes = figure.add_axes((0, 0, 1, 1), label="mechanism", xlim=(low[0], high[0]), ylim=(low[1], high[1]))
     axes.set_axis_off()
-    return Sketch(figure, axes, mm, side, Lettering(axes))
+    return Sketch(figure, axes, mm, side, Lettering(axes), [])
 
 
 def pin_texts(pins: Sequence[Point], angles: Sequence[float | Fraction], mark: str) -> list[Text]:

@@ -8,8 +8,8 @@ from html import escape
 from kurbel.plot.style import BLACK, PALE
 
 _ROOT = re.compile(r"<svg\b[^>]*>")
-# Light lines are black ones that hardly cover, so that they are faint on dark pages too.
-_FAINT = "stroke: currentColor; stroke-opacity: 0.16"
+# Light lines and areas are black ones that hardly cover, so that they are faint on dark pages too.
+_FAINT = "{0}: currentColor; {0}-opacity: 0.16"
 # Fonts like those of the drawing, for text that is set anew where these are not to be had.
 _FACE, _LIKE = "'STIXGeneral'", "'STIXGeneral', 'STIX Two Text', 'Times New Roman', serif"
 
@@ -20,7 +20,9 @@ def finished(svg: str, about: str) -> str:
     Lines and letters that were black have the colour of the text of a page that the file is part of; by
     itself they are black.
     """
-    svg = svg.replace(f"stroke: {PALE}", _FAINT).replace(BLACK, "currentColor").replace(_FACE, _LIKE)
+    for part in ("stroke", "fill"):
+        svg = svg.replace(f"{part}: {PALE}", _FAINT.format(part))
+    svg = svg.replace(BLACK, "currentColor").replace(_FACE, _LIKE)
     svg = _ROOT.sub(lambda root: f'{root[0][:-1]} role="img" fill="currentColor">', svg, count=1)
     told = f" <desc>{escape(about, quote=False)}</desc>\n" if about else ""
     return svg.replace(" <metadata>", f"{told} <metadata>", 1)
