@@ -154,9 +154,9 @@ def make_part(task: Task) -> Made:
 
 def _table(task: Task, answer: Asked, table: Table) -> Made:
     part = task.part
-    data = replace(
-        table, key=part.name, layout=table.layout or table.key, caption=part.caption or table.caption
-    )
+    caption, layout = part.caption or table.caption, table.layout or table.key
+    # The manifest's names are all different.
+    data = replace(table, key=part.name, layout=layout, caption=caption, variant="")
     named = replace(data, caption=_caption(task, table.caption, table.lang))
     with deadline(task.patience, GIGABYTES, bool(task.templates or named.templates)):
         files = {
