@@ -252,3 +252,15 @@ def test_all_mistakes_of_a_manifest_are_reported_at_once(tmp_path: Path) -> None
     for (_, sentence), part in zip(shown, reasons + more, strict=True):
         assert part in sentence
     assert not (folder / "pages").exists()
+
+
+def test_a_table_bears_the_name_of_its_part_whatever_its_options(tmp_path: Path) -> None:
+    run_of = "rotor --masses '12;9kg' --radii 50mm --angles '0;70' --planes '0;300mm'"
+    folder = book(tmp_path / "a", manifest=MANIFEST.replace("delta --eps 2 --ratio RATIO", run_of))
+    book(
+        folder,
+        manifest=(folder / "handbook.toml").read_text().replace('"csv", "markdown"', '"latex", "html"'),
+    )
+    assert run("build", folder).code == 0
+    assert b"\\label{tab:delta}" in files(folder)["tables/delta.tex"]
+    assert b'id="tab-delta"' in files(folder)["tables/delta.html"]

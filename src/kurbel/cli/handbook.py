@@ -101,7 +101,9 @@ def _build(options: dict[str, Any]) -> int:
             _tell(options, f"{one.folder.path}: {_counts([one])}{failed}")
         wrong |= bool(failed or one.ended)
     if len(builds) > 1:
-        _tell(options, f"{len(builds)} handbooks: {_counts(builds)}")
+        count = sum(len(one.failures) for one in builds)
+        failed = f", {count} failed" if count else ""
+        _tell(options, f"{len(builds)} handbooks: {_counts(builds)}{failed}")
     return int(wrong)
 
 
