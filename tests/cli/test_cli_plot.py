@@ -192,7 +192,7 @@ def test_the_turning_effort_is_that_of_the_turn() -> None:
     assert (effort.label, energy.label) == (
         "Tangentialkraft $T/Q$, mittlere Umfangskraft $P/Q$", "Überschussarbeit $W/(Q r)$",
     )  # fmt: skip
-    # Weisbach-Herrmann prints 0,22063 for ε = 4.
+    # The work ln ε/ε of both strokes over the circle: 2 ln 4/(4 π) = 0,22064.
     assert labels(effort) == ["$T/Q$", "$P/Q = 0.2206$"]
     for curve, value in ((effort.curves[0], turn.tangential_force), (energy.curves[0], turn.energy_at)):
         at = dict(zip(curve.angles, curve.values, strict=True))

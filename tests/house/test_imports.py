@@ -110,7 +110,7 @@ def test_only_its_start_knows_the_command_line() -> None:
 def test_only_drawings_know_matplotlib() -> None:
     names = (
         *("plotting", "style", "polar", "mechanism", "arc", "links", "sketch", "lettering"),
-        *("chart.legend", "chart.marks", "chart.stroke_lines"),
+        *("chart.legend", "chart.marks", "chart.stroke_lines", "paper.letters"),
     )
     drawing = {f"kurbel.plot.{name}" for name in names}
     assert importers("matplotlib") == drawing | {"kurbel.plot.drawings"}

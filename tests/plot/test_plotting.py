@@ -502,6 +502,8 @@ def test_a_label_without_unit_or_name_has_no_in() -> None:
         ('$5 "kΩ"$', r"$5\,\text{kΩ}$"),
         (r"5 \$, 4 %, a_b", r"5 \$, 4 %, a_b"),
         ("$p$ in m/s²", "$p$ in m/s$^2$"),
+        ("$T_L + n_m - H_x$", r"$T_\mathrm{L}+n_\mathrm{m}-H_{x}$"),
+        ('$v_1 n_"max"$', r"$v_{1}n_{\text{max}}$"),
         ("Hingang[^a]", "Hingangᵃ⁾"),
     ],
 )

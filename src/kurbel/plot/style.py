@@ -195,11 +195,11 @@ def image(figure: Figure, name: str, title: str = "", about: str = "", text: boo
     stream = BytesIO()
     with style(OWN_FONTS if text else {}):
         figure.savefig(stream, format=name, metadata=metadata, facecolor=WHITE if name == "png" else "none")
-    if name != "svg":
-        return stream.getvalue()
-    from kurbel.plot.paper.svg import finished
+        if name != "svg":
+            return stream.getvalue()
+        from kurbel.plot.paper.svg import finished
 
-    return finished(stream.getvalue().decode(), about).encode()
+        return finished(stream.getvalue().decode(), about, text).encode()
 
 
 def format_of(path: str) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from html import escape
 
+from kurbel.plot.paper.letters import joined
 from kurbel.plot.style import BLACK, PALE
 
 _ROOT = re.compile(r"<svg\b[^>]*>")
@@ -14,12 +15,14 @@ _FAINT = "{0}: currentColor; {0}-opacity: 0.16"
 _FACE, _LIKE = "'STIXGeneral'", "'STIXGeneral', 'STIX Two Text', 'Times New Roman', serif"
 
 
-def finished(svg: str, about: str) -> str:
-    """Return the file with a description for readers that do not see it, beside the title that it has.
+def finished(svg: str, about: str, text: bool) -> str:
+    """Return the file with a description for readers that do not see it, beside the title that it has, and,
+    where it has `text`, with that in words. Only inside `style`.
 
     Lines and letters that were black have the colour of the text of a page that the file is part of; by
     itself they are black.
     """
+    svg = joined(svg) if text else svg
     for part in ("stroke", "fill"):
         svg = svg.replace(f"{part}: {PALE}", _FAINT.format(part))
     svg = svg.replace(BLACK, "currentColor").replace(_FACE, _LIKE)

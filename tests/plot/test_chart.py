@@ -1,0 +1,300 @@
+"""What is named in drawings of curves: areas, swings, strokes, extremes; where it stands, in which size."""
+
+from __future__ import annotations
+
+import math
+import re
+from functools import cache
+from itertools import combinations, pairwise
+from typing import TYPE_CHECKING, Any
+from xml.etree import ElementTree as ET
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from tools import require_library
+
+import kurbel
+from kurbel.errors import ChoiceError, ProblemError
+from kurbel.plot.chart.hatch import SPACING
+from kurbel.plot.chart.model import Curve, Panel
+from kurbel.plot.plotting import curves
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.lines import Line2D
+    from matplotlib.text import Text
+
+    from kurbel.commands.shown import Drawing
+
+DEGREES = np.arange(0, 360.5, 0.5)
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+@pytest.fixture(autouse=True)
+def library() -> None:
+    require_library("matplotlib")
+
+
+@cache
+def motion(**given: Any) -> Drawing:
+    return kurbel.plot_motion("1:5", **given)
+
+
+@cache
+def waves() -> Drawing:
+    """T = 1000 + 500 sin 2φ against its mean: W = 250 (1 - cos 2φ), in N m and J."""
+    return kurbel.plot_turning(torque="1000 + 500 sin(2φ)", lang="en")
+
+
+@cache
+def pins() -> Drawing:
+    return kurbel.plot_engine_polar(4, ratio="1:5", lang="en")
+
+
+def words(drawing: Drawing) -> list[str]:
+    return [one.get_text() for one in texts(drawing)]
+
+
+def texts(drawing: Drawing) -> list[Text]:
+    from matplotlib.text import Text
+
+    return [one for one in drawing.figure.findobj(Text) if one.get_text()]
+
+
+def lines(drawing: Drawing, name: str) -> list[Line2D]:
+    from matplotlib.lines import Line2D
+
+    found = drawing.figure.findobj(Line2D)
+    return [one for one in found if re.fullmatch(name, str(one.get_gid()))]
+
+
+def points(line: Line2D) -> NDArray[np.float64]:
+    return np.stack([np.asarray(side, float) for side in line.get_data()], axis=1)
+
+
+def in_mm(axes: Axes, values: NDArray[np.float64]) -> NDArray[np.float64]:
+    return np.asarray(axes.transData.transform(values)) / axes.figure.dpi * 25.4
+
+
+# Areas and the swing --------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("name", "above"), [("above", True), ("below", False)])
+def test_areas_are_hatched_where_the_torque_is_above_its_mean_and_the_other_way_below(
+    name: str, above: bool
+) -> None:
+    (hatch,) = lines(waves(), f"area-1-{name}")
+    axes = waves().figure.axes[0]
+    drawn = points(hatch)
+    angles, torque = drawn[~np.isnan(drawn).any(axis=1)].T
+    within = 1000 + 500 * np.sin(np.radians(2 * angles))
+    low, high = (np.full_like(within, 1000), within) if above else (within, np.full_like(within, 1000))
+    assert (torque >= low - 5).all() and (torque <= high + 5).all()
+    starts, ends = in_mm(axes, drawn[::3]), in_mm(axes, drawn[1::3])
+    along, up = (ends - starts).T
+    np.testing.assert_allclose(up, along if above else -along, rtol=1e-6, atol=1e-6)
+    # Lines a distance apart cover the area but for what labels take: 500 N m over two half waves of 90°.
+    one = in_mm(axes, np.asarray([(0.0, 0.0), (np.degrees(1), 1000.0)]))
+    area = math.prod(one[1] - one[0])
+    assert np.hypot(along, up).sum() * SPACING == pytest.approx(area, rel=0.1)
+    assert np.hypot(along, up).sum() * SPACING < 1.03 * area
+
+
+def test_mean_swing_and_places_are_those_of_the_waves() -> None:
+    said = words(waves())
+    assert any("T_" in one and r"=1000.0\,\text{N m}$" in one for one in said)
+    assert [one for one in said if r"\Delta" in one] == [r"$\Delta W=500.00\,\text{J}$"]
+    assert {"$90$°", "$270$°", "$0$°", "$180$°"} <= set(said)
+    assert "ΔW = 500.00 J" in waves().image().decode().split("<desc>")[1]
+
+
+def test_the_arrow_of_the_swing_stands_beside_the_frame_and_reaches_from_least_to_greatest() -> None:
+    axes = waves().figure.axes[1]
+    right = in_mm(axes, np.asarray([(360.0, 0.0)]))[0, 0]
+    upright = [in_mm(axes, points(one)) for one in axes.lines if one.get_gid() is None]
+    arrows = [one for one in upright if len(one) == 2 and one[:, 0].min() > right + 1]
+    (arrow,) = (one for one in arrows if one[0, 0] == pytest.approx(one[1, 0]))
+    ends = in_mm(axes, np.asarray([(0.0, 0.0), (0.0, 500.0)]))[:, 1]
+    assert sorted(arrow[:, 1]) == pytest.approx(ends, abs=0.01)
+    (text,) = (one for one in texts(waves()) if r"\Delta" in one.get_text())
+    box = text.get_window_extent()
+    assert axes.bbox.x1 < box.x0 and box.x1 <= waves().figure.bbox.x1
+
+
+def test_part_of_a_cycle_without_the_least_has_no_swing() -> None:
+    part = kurbel.plot_turning(torque="1000 + 500 sin(2φ)", from_=20, to=160)
+    assert not [one for one in words(part) if r"\Delta" in one]
+
+
+# Motion ---------------------------------------------------------------------------------------------------
+
+
+def test_extremes_stand_beside_their_places_with_their_values() -> None:
+    # c/v = sin φ + λ sin φ cos φ/cos ψ, greatest where the piston is not accelerated.
+    fine = np.radians(np.linspace(78, 80, 2_000_001))
+    slant = np.sqrt(1 - (np.sin(fine) / 5) ** 2)
+    velocity = np.sin(fine) + np.sin(fine) * np.cos(fine) / 5 / slant
+    degrees, minutes = divmod(round(60 * math.degrees(fine[velocity.argmax()])), 60)
+    value = f"{velocity.max():.4f}".replace(".", "{,}")
+    assert f"${value}$ bei {degrees}°{minutes}′" in words(motion())
+    assert f"$-{value}$ bei {359 - degrees}°{60 - minutes}′" in words(motion())
+    # p R/v² is 1 + λ and -(1 - λ) at the dead centres, x twice R.
+    assert {"$2{,}0000$ bei 180°", "$1{,}2000$ bei 0°", "$-0{,}8000$ bei 180°"} <= set(words(motion()))
+
+
+def test_motion_names_its_ratio_strokes_and_dead_centres() -> None:
+    said = words(motion())
+    assert [said.count(one) for one in ("Hingang", "Rückgang", "innerer Totpunkt", "äußerer Totpunkt")] == [
+        1, 1, 2, 1,
+    ]  # fmt: skip
+    assert said.count(r"$R\text{:}L=1\text{:}5$") == 1
+
+
+def test_the_dead_centres_of_an_offset_crank_are_where_crank_and_rod_are_in_line() -> None:
+    drawing = kurbel.plot_motion("1:4", offset=0.4)
+    inner, outer = (math.degrees(math.asin(0.4 / (4 + way))) + 90 * (1 - way) for way in (1, -1))
+    for axes in drawing.figure.axes:
+        upright = [points(one)[:, 0] for one in axes.lines if len(one.get_xdata()) == 2 and one.is_dashed()]
+        assert sorted({one[0] for one in upright if one[0] == one[1]}) == pytest.approx([inner, outer])
+
+
+def test_the_infinite_rod_is_dotted_beside_the_other() -> None:
+    drawing = motion(infinite=True)
+    (dotted,) = lines(drawing, "curve-1-2")
+    phi, x = points(dotted).T
+    np.testing.assert_allclose(x, 1 - np.cos(np.radians(phi)), rtol=0, atol=1e-14)
+    assert {one.is_dashed() for one in lines(drawing, "curve-[123]-2")} == {True}
+    assert {one.is_dashed() for one in lines(drawing, "curve-[123]-1")} == {False}
+    assert r"$R\text{:}L=1\text{:}\infty$" in words(drawing)
+    assert "$2{,}0000$ bei 180°" in words(drawing)
+
+
+def test_the_infinite_rod_is_none_of_an_offset_crank_or_another_drive() -> None:
+    for given in ({"offset": 0.3}, {"mechanism": "arc", "rocker": 6}):
+        with pytest.raises(ProblemError, match="--infinite is for the straight crank alone"):
+            kurbel.plot_motion("1:5", infinite=True, **given)
+
+
+# The frame, the labels, the lines -------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("shift", "low", "high"), [(1, True, False), (-1, False, True), (0, False, False)])
+def test_the_frame_is_the_zero_line_where_all_is_on_one_side_of_it(
+    shift: float, low: bool, high: bool
+) -> None:
+    values = (shift + np.cos(np.radians(DEGREES))).tolist()
+    axes = curves([Panel([Curve("", DEGREES.tolist(), values)], "$x$")], "de", ",").axes[0]
+    least, greatest = axes.get_ylim()
+    assert ((least == 0), (greatest == 0)) == (low, high)
+    assert least <= min(values) and max(values) <= greatest
+
+
+@pytest.mark.parametrize("lang", ["de", "en"])
+@pytest.mark.parametrize(
+    "draw",
+    [
+        lambda lang: kurbel.plot_motion("1:4", infinite=True, lang=lang),
+        lambda lang: kurbel.plot_turning(4, ratio="1:5", lang=lang, width=90),
+        lambda lang: kurbel.plot_turning(compression=6, heat=10, cranks="0;180;360;540", lang=lang),
+        lambda lang: kurbel.plot_turning(load_torque="0:10kNm; 36:10kNm; 36:0; 360:0", lang=lang),
+    ],
+    ids=["motion", "steam", "gas", "press"],
+)
+def test_no_word_covers_a_curve_a_mark_or_another_word(draw: Any, lang: str) -> None:
+    drawing = draw(lang)
+    drawing.figure.canvas.draw()
+    for axes in drawing.figure.axes:
+        boxes = [one.get_window_extent() for one in axes.texts]
+        assert not [pair for pair in combinations(boxes, 2) if pair[0].overlaps(pair[1])]
+        for line in axes.lines:
+            if not re.match("curve|jumps", str(line.get_gid())) and line.get_marker() != "o":
+                continue
+            path = axes.transData.transform(points(line))
+            dense = np.concatenate([path[:1], *(np.linspace(*ends, 40) for ends in pairwise(path))])
+            for box in boxes:
+                inside = (dense[:, 0] > box.x0) & (dense[:, 0] < box.x1)
+                assert not (inside & (dense[:, 1] > box.y0) & (dense[:, 1] < box.y1)).any()
+
+
+def test_the_strokes_of_a_polar_diagram_differ_without_colour_and_have_names() -> None:
+    first, second = lines(pins(), "curve-[12]")
+    assert (first.is_dashed(), second.is_dashed()) == (False, True)
+    legend = pins().figure.axes[0].get_legend()
+    assert legend is not None
+    assert [one.get_text() for one in legend.get_texts()] == ["Outstroke", "Return"]
+    # The steam presses on either stroke so that the crank turns on.
+    for line in (first, second):
+        across = points(line)[:, 0]
+        assert (across[np.isfinite(across)] > -1e-9).all()
+    four = kurbel.plot_engine_polar(compression=6, heat=10, ratio="1:4")
+    # matplotlib has no getter of patterns.
+    looks = {str(vars(one)["_unscaled_dash_pattern"]) for one in lines(four, "curve-.*")}
+    assert len(looks) == len(lines(four, "curve-.*")) > 2
+
+
+# Files ----------------------------------------------------------------------------------------------------
+
+
+def test_svg_says_what_it_is_and_has_neither_ground_nor_black() -> None:
+    for drawing in (waves(), pins()):
+        text = drawing.image().decode()
+        root = ET.fromstring(text)
+        assert (root.get("role"), root.get("fill")) == ("img", "currentColor")
+        assert [one.text for one in root.findall(f"{SVG}title")] == [drawing.plain_title]
+        assert len(root.findall(f"{SVG}desc")) == 1
+        assert not {"#ffffff", "#000000"} & set(re.findall("#[0-9a-f]{6}", text))
+        assert "opacity: 0;" not in text
+
+
+def test_svg_has_words_for_its_text_on_request_alone() -> None:
+    def written(text: bool) -> list[str]:
+        root = ET.fromstring(waves().image(text=text))
+        return ["".join(one.itertext()) for one in root.iter(f"{SVG}text")]
+
+    said = written(text=True)
+    assert {"Excess energy W in J", "TL = 1000.0 N m", "ΔW = 500.00 J", "Crank angle φ", "270°"} <= set(said)
+    assert not written(text=False)
+    with pytest.raises(ChoiceError, match="--text is for SVG, whose letters are outlines without it"):
+        waves().image("png", text=True)
+
+
+SIZES: list[dict[str, Any]] = [{"width": 80, "height": 90}, {"width": "3.5in"}, {"height": "11cm"}]
+
+
+@pytest.mark.parametrize("given", SIZES)
+@pytest.mark.parametrize("draw", [kurbel.plot_turning, kurbel.plot_engine_polar])
+def test_a_drawing_is_as_large_as_was_asked_in_every_format(draw: Any, given: dict[str, Any]) -> None:
+    drawing = draw(4, ratio="1:5", step=5, **given)
+    mm = {80: 80, 90: 90, "3.5in": 88.9, "11cm": 110}
+    pdf, svg, png = (drawing.image(form) for form in ("pdf", "svg", "png"))
+    box = [float(one) for one in re.findall(rb"/MediaBox \[ 0 0 ([\d.]+) ([\d.]+) \]", pdf)[0]]
+    root = ET.fromstring(svg)
+    pixels = [int.from_bytes(png[at : at + 4], "big") for at in (16, 20)]
+    for number, name in enumerate(("width", "height")):
+        if name in given:
+            meant = mm[given[name]]
+            assert box[number] / 72 * 25.4 == pytest.approx(meant, abs=0.01)
+            assert float((root.get(name) or "").removesuffix("pt")) / 72 * 25.4 == pytest.approx(
+                meant, abs=0.01
+            )
+            assert pixels[number] / 300 * 25.4 == pytest.approx(meant, abs=0.1)
+    assert {one.get_fontsize() for one in texts(drawing)} <= {8.0, 9.0}
+    drawing.figure.canvas.draw()
+    for one in texts(drawing):
+        extent = one.get_window_extent()
+        assert extent.x0 >= -1 and extent.x1 <= drawing.figure.bbox.x1 + 1
+
+
+@pytest.mark.parametrize(
+    ("given", "sentence"),
+    [
+        ({"width": 5}, "the width of the drawing is 5 mm; it must be from 20 to 1000 mm"),
+        ({"height": "2m"}, "the height of the drawing is 2000 mm; it must be from 20 to 1000 mm"),
+        ({"width": 40}, "the width is 40 mm; these curves need 47 mm"),
+        ({"height": 60}, "the height is 60 mm; these curves need"),
+    ],
+)
+def test_a_size_that_will_not_do_is_refused_with_one_that_does(given: dict[str, Any], sentence: str) -> None:
+    with pytest.raises(ProblemError, match=sentence):
+        kurbel.plot_motion("1:5", step=30, **given)
