@@ -21,6 +21,8 @@ from kurbel.plot.chart.model import Curve, Panel
 from kurbel.plot.plotting import curves
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from matplotlib.axes import Axes
     from matplotlib.lines import Line2D
     from matplotlib.text import Text
@@ -44,12 +46,12 @@ def motion(**given: Any) -> Drawing:
 @cache
 def waves() -> Drawing:
     """T = 1000 + 500 sin 2φ against its mean: W = 250 (1 - cos 2φ), in N m and J."""
-    return kurbel.plot_turning(torque="1000 + 500 sin(2φ)", lang="en")
+    return kurbel.plot_turning(torque="1000 + 500 sin(2φ)", step=1, lang="en")
 
 
 @cache
 def pins() -> Drawing:
-    return kurbel.plot_engine_polar(4, ratio="1:5", lang="en")
+    return kurbel.plot_engine_polar(4, ratio="1:5", step=2, lang="en")
 
 
 def words(drawing: Drawing) -> list[str]:
@@ -123,7 +125,7 @@ def test_the_arrow_of_the_swing_stands_beside_the_frame_and_reaches_from_least_t
 
 
 def test_part_of_a_cycle_without_the_least_has_no_swing() -> None:
-    part = kurbel.plot_turning(torque="1000 + 500 sin(2φ)", from_=20, to=160)
+    part = kurbel.plot_turning(torque="1000 + 500 sin(2φ)", from_=20, to=160, step=5)
     assert not [one for one in words(part) if r"\Delta" in one]
 
 
@@ -152,7 +154,7 @@ def test_motion_names_its_ratio_strokes_and_dead_centres() -> None:
 
 
 def test_the_dead_centres_of_an_offset_crank_are_where_crank_and_rod_are_in_line() -> None:
-    drawing = kurbel.plot_motion("1:4", offset=0.4)
+    drawing = kurbel.plot_motion("1:4", offset=0.4, step=10)
     inner, outer = (math.degrees(math.asin(0.4 / (4 + way))) + 90 * (1 - way) for way in (1, -1))
     for axes in drawing.figure.axes:
         upright = [points(one)[:, 0] for one in axes.lines if len(one.get_xdata()) == 2 and one.is_dashed()]
@@ -190,19 +192,21 @@ def test_the_frame_is_the_zero_line_where_all_is_on_one_side_of_it(
     assert least <= min(values) and max(values) <= greatest
 
 
-@pytest.mark.parametrize("lang", ["de", "en"])
+CROWDED: dict[str, Callable[[], Drawing]] = {
+    "motion": lambda: motion(infinite=True),
+    "steam": lambda: kurbel.plot_turning(4, ratio="1:5", width=90, step=2),
+    "gas": lambda: kurbel.plot_turning(compression=6, heat=10, cranks="0;180;360;540"),
+    "press": lambda: kurbel.plot_turning(load_torque="0:10kNm; 36:10kNm; 36:0; 360:0"),
+    "english": lambda: kurbel.plot_motion("1:4", infinite=True, lang="en"),
+}
+
+
 @pytest.mark.parametrize(
-    "draw",
-    [
-        lambda lang: kurbel.plot_motion("1:4", infinite=True, lang=lang),
-        lambda lang: kurbel.plot_turning(4, ratio="1:5", lang=lang, width=90),
-        lambda lang: kurbel.plot_turning(compression=6, heat=10, cranks="0;180;360;540", lang=lang),
-        lambda lang: kurbel.plot_turning(load_torque="0:10kNm; 36:10kNm; 36:0; 360:0", lang=lang),
-    ],
-    ids=["motion", "steam", "gas", "press"],
+    "name",
+    [pytest.param(one, marks=[] if one in ("motion", "steam") else pytest.mark.slow) for one in CROWDED],
 )
-def test_no_word_covers_a_curve_a_mark_or_another_word(draw: Any, lang: str) -> None:
-    drawing = draw(lang)
+def test_no_word_covers_a_curve_a_mark_or_another_word(name: str) -> None:
+    drawing = CROWDED[name]()
     drawing.figure.canvas.draw()
     for axes in drawing.figure.axes:
         boxes = [one.get_window_extent() for one in axes.texts]
@@ -227,7 +231,7 @@ def test_the_strokes_of_a_polar_diagram_differ_without_colour_and_have_names() -
     for line in (first, second):
         across = points(line)[:, 0]
         assert (across[np.isfinite(across)] > -1e-9).all()
-    four = kurbel.plot_engine_polar(compression=6, heat=10, ratio="1:4")
+    four = kurbel.plot_engine_polar(compression=6, heat=10, ratio="1:4", step=10)
     # matplotlib has no getter of patterns.
     looks = {str(vars(one)["_unscaled_dash_pattern"]) for one in lines(four, "curve-.*")}
     assert len(looks) == len(lines(four, "curve-.*")) > 2
@@ -259,26 +263,26 @@ def test_svg_has_words_for_its_text_on_request_alone() -> None:
         waves().image("png", text=True)
 
 
-SIZES: list[dict[str, Any]] = [{"width": 80, "height": 90}, {"width": "3.5in"}, {"height": "11cm"}]
+SIZES: dict[str, tuple[Callable[..., Drawing], dict[str, Any]]] = {
+    "curves": (kurbel.plot_turning, {"width": 80, "height": 90}),
+    "polar": (kurbel.plot_engine_polar, {"width": "3.5in", "height": "11cm"}),
+}
 
 
-@pytest.mark.parametrize("given", SIZES)
-@pytest.mark.parametrize("draw", [kurbel.plot_turning, kurbel.plot_engine_polar])
-def test_a_drawing_is_as_large_as_was_asked_in_every_format(draw: Any, given: dict[str, Any]) -> None:
-    drawing = draw(4, ratio="1:5", step=5, **given)
+@pytest.mark.parametrize("name", SIZES)
+def test_a_drawing_is_as_large_as_was_asked_in_every_format(name: str) -> None:
+    draw, given = SIZES[name]
+    drawing = draw(4, ratio="1:5", step=10, **given)
     mm = {80: 80, 90: 90, "3.5in": 88.9, "11cm": 110}
     pdf, svg, png = (drawing.image(form) for form in ("pdf", "svg", "png"))
     box = [float(one) for one in re.findall(rb"/MediaBox \[ 0 0 ([\d.]+) ([\d.]+) \]", pdf)[0]]
     root = ET.fromstring(svg)
     pixels = [int.from_bytes(png[at : at + 4], "big") for at in (16, 20)]
-    for number, name in enumerate(("width", "height")):
-        if name in given:
-            meant = mm[given[name]]
-            assert box[number] / 72 * 25.4 == pytest.approx(meant, abs=0.01)
-            assert float((root.get(name) or "").removesuffix("pt")) / 72 * 25.4 == pytest.approx(
-                meant, abs=0.01
-            )
-            assert pixels[number] / 300 * 25.4 == pytest.approx(meant, abs=0.1)
+    for number, side in enumerate(("width", "height")):
+        meant, points_wide = mm[given[side]], float((root.get(side) or "").removesuffix("pt"))
+        assert box[number] / 72 * 25.4 == pytest.approx(meant, abs=0.01)
+        assert points_wide / 72 * 25.4 == pytest.approx(meant, abs=0.01)
+        assert pixels[number] / 300 * 25.4 == pytest.approx(meant, abs=0.1)
     assert {one.get_fontsize() for one in texts(drawing)} <= {8.0, 9.0}
     drawing.figure.canvas.draw()
     for one in texts(drawing):
