@@ -40,7 +40,7 @@ def library() -> None:
 
 @cache
 def motion(**given: Any) -> Drawing:
-    return kurbel.plot_motion("1:5", **given)
+    return kurbel.plot_motion("1:5", step=3, **given)
 
 
 @cache
@@ -263,16 +263,35 @@ def test_svg_has_words_for_its_text_on_request_alone() -> None:
         waves().image("png", text=True)
 
 
-SIZES: dict[str, tuple[Callable[..., Drawing], dict[str, Any]]] = {
-    "curves": (kurbel.plot_turning, {"width": 80, "height": 90}),
-    "polar": (kurbel.plot_engine_polar, {"width": "3.5in", "height": "11cm"}),
-}
+def turning(**size: Any) -> Drawing:
+    return kurbel.plot_turning(4, ratio="1:5", step=10, **size)
 
 
-@pytest.mark.parametrize("name", SIZES)
-def test_a_drawing_is_as_large_as_was_asked_in_every_format(name: str) -> None:
-    draw, given = SIZES[name]
-    drawing = draw(4, ratio="1:5", step=10, **given)
+def pin_force(**size: Any) -> Drawing:
+    return kurbel.plot_engine_polar(4, ratio="1:5", step=10, **size)
+
+
+def to_scale(**size: Any) -> Drawing:
+    return kurbel.plot_mechanism([30, 150], ratio="1:4", **size)
+
+
+def arc_to_scale(**size: Any) -> Drawing:
+    return kurbel.plot_mechanism(60, ratio="1:4", mechanism="arc", rocker=5, **size)
+
+
+SIZED = [
+    (turning, {"width": 80, "height": 90}),
+    (to_scale, {"width": "3.5in", "height": "11cm"}),
+    pytest.param(pin_force, {"width": "3.5in", "height": "11cm"}, marks=pytest.mark.slow),
+    pytest.param(arc_to_scale, {"width": 80, "height": 90}, marks=pytest.mark.slow),
+]
+
+
+@pytest.mark.parametrize(("draw", "given"), SIZED)
+def test_a_drawing_is_as_large_as_was_asked_in_every_format(
+    draw: Callable[..., Drawing], given: dict[str, Any]
+) -> None:
+    drawing = draw(**given)
     mm = {80: 80, 90: 90, "3.5in": 88.9, "11cm": 110}
     pdf, svg, png = (drawing.image(form) for form in ("pdf", "svg", "png"))
     box = [float(one) for one in re.findall(rb"/MediaBox \[ 0 0 ([\d.]+) ([\d.]+) \]", pdf)[0]]
@@ -302,3 +321,10 @@ def test_a_drawing_is_as_large_as_was_asked_in_every_format(name: str) -> None:
 def test_a_size_that_will_not_do_is_refused_with_one_that_does(given: dict[str, Any], sentence: str) -> None:
     with pytest.raises(ProblemError, match=sentence):
         kurbel.plot_motion("1:5", step=30, **given)
+
+
+def test_a_mechanism_too_small_to_be_seen_is_refused_with_a_size_that_will_do() -> None:
+    with pytest.raises(ProblemError, match="the drawing is 20 mm wide; to scale this one needs") as error:
+        to_scale(width=20)
+    least = [int(one) for one in re.findall(r"(\d+) mm", str(error.value))[-2:]]
+    assert to_scale(width=least[0], height=least[1]).figure.get_figwidth() * 25.4 == pytest.approx(least[0])

@@ -84,7 +84,7 @@ def _of_sliding(values: Mapping[str, Any]) -> dict[str, str]:
     }
 
 
-class Positions(option.AnyDrive, total=False):
+class Positions(option.AnyDrive, Sized, total=False):
     """A crank drive to scale."""
 
     ratio: option.Ratios
@@ -140,7 +140,8 @@ def plot_mechanism(
     chosen, said = described(given)
     drive = only(chosen.drives(said, page_of(chosen.layout).ratios), "positions", "ratios")
     module, _, name = chosen.drawing.partition(":")
-    return Drawing.of(getattr(import_module(module), name)(drive, angles, lang, mark), lang, mark)
+    draw = getattr(import_module(module), name)
+    return Drawing.of(draw(drive, angles, lang, mark, page_size(given)), lang, mark)
 
 
 @draws(foreign=_of_forces)

@@ -30,8 +30,8 @@ class Mechanism(ABC):
     describe it on its pages of motion; those of forces also take the stroke. `motion` and `forces` are what
     is drawn unless columns are named: each quantity, and what stands for it where its unit is known.
     `examples` are columns for messages, by command. `drawing` makes the drawing to scale, of a drive, angles,
-    language and decimal mark. A drive with a `crosshead` has its pages of forces in common with engines, and
-    a polar diagram.
+    language, decimal mark and size. A drive with a `crosshead` has its pages of forces in common with
+    engines, and a polar diagram.
     """
 
     name: ClassVar[str]

@@ -15,6 +15,7 @@ from kurbel.linkage.arc.rocker import RockerCrank
 from kurbel.linkage.linkage import value
 from kurbel.motion.evaluation import OUT, RETURN
 from kurbel.plot.mechanism import LARGEST_RADIUS, LEFT, LONGEST_ROD
+from kurbel.plot.paper.fit import fitted
 from kurbel.plot.place import CLEAR
 from kurbel.plot.sketch import (
     DEAD_CENTRES,
@@ -29,7 +30,7 @@ from kurbel.plot.sketch import (
     pin_texts,
     polar_point,
 )
-from kurbel.plot.style import WIDTH, arrowhead, style, text_of
+from kurbel.plot.style import USUAL, WIDTH, Size, arrowhead, style, text_of
 from kurbel.reading.notation import about
 
 if TYPE_CHECKING:
@@ -76,17 +77,19 @@ class _Drive(NamedTuple):
         return point[0] - self.pivot[0], point[1] - self.pivot[1]
 
 
-def arc_mechanism(crank: RockerCrank, angles: Sequence[float | Fraction], lang: str, mark: str) -> Figure:
-    """Return a drawing of the arc crank, true to scale and 120 mm wide at most.
+def arc_mechanism(
+    crank: RockerCrank, angles: Sequence[float | Fraction], lang: str, mark: str, size: Size = USUAL
+) -> Figure:
+    """Return a drawing of the arc crank, true to scale, by itself 120 mm wide at most.
 
     The shaft is at the left, φ counts counter-clockwise from the slide direction, θ likewise from the rocker
     square to it. The first angle is drawn strong, with its dimensions, the others light. Raises ProblemError
-    for links too long to be drawn.
+    for links too long or a page too small to be drawn.
     """
     drive = _drive(crank)
     positions = [arc_position(crank, float(angle)) for angle in angles]
     with style():
-        sketch = _laid_out(drive)
+        sketch = _laid_out(drive, size)
         _fixed_lines(sketch, drive)
         for one in positions[1:]:
             links = (0, 0), one.pin, one.head, drive.end(one.head)
@@ -144,16 +147,21 @@ def _swept(pivot: Point, start: Point, end: Point) -> list[float]:
     return sorted(first + turn * step / 40 for step in range(41))
 
 
-def _laid_out(drive: _Drive) -> Sketch:
+def _laid_out(drive: _Drive, size: Size) -> Sketch:
     side = 1 if drive.pivot[1] >= 0 else -1
     width, height = drive.high[0] - drive.low[0], drive.high[1] - drive.low[1]
     beside, around = LEFT + RIGHT, 2 * OUTSIDE + DIMENSIONS
     radius = min(LARGEST_RADIUS, (WIDTH - beside) / width, (MOST_HEIGHT - around) / height)
-    mm = 1 / radius
+    low, high, mm = fitted(lambda mm: _corners(drive, side, mm), radius, size)
+    return laid_out(low, high, mm, side)
+
+
+def _corners(drive: _Drive, side: int, mm: float) -> tuple[Point, Point]:
+    """Return the corners of the page, of which a millimetre is so much of R."""
     left, right = drive.low[0] - LEFT * mm, drive.high[0] + RIGHT * mm
     bottom = drive.low[1] - (OUTSIDE + DIMENSIONS * (side > 0)) * mm
     top = drive.high[1] + (OUTSIDE + DIMENSIONS * (side < 0)) * mm
-    return laid_out((left, bottom), (right, top), mm, side)
+    return (left, bottom), (right, top)
 
 
 def _fixed_lines(sketch: Sketch, drive: _Drive) -> None:

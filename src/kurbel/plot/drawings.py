@@ -85,24 +85,30 @@ def _title(question: Question) -> Label:
     return question.subject.caption(question)
 
 
-def mechanism_drawing(crank: Crank, angles: Sequence[Fraction], lang: str, mark: str) -> Drawing:
+def mechanism_drawing(
+    crank: Crank, angles: Sequence[Fraction], lang: str, mark: str, size: Size = USUAL
+) -> Drawing:
     """Return the crank drive to scale at crank angles, the first one strong."""
     _check_positions(angles)
-    figure = mechanism(float(crank.ratio), float(crank.offset), angles, lang, mark)
+    figure = mechanism(float(crank.ratio), float(crank.offset), angles, lang, mark, size)
     return Drawing(figure, WORDS["drive"][lang] + for_ratio(crank.ratio, lang))
 
 
-def arc_drawing(crank: RockerCrank, angles: Sequence[Fraction], lang: str, mark: str) -> Drawing:
+def arc_drawing(
+    crank: RockerCrank, angles: Sequence[Fraction], lang: str, mark: str, size: Size = USUAL
+) -> Drawing:
     """Return the arc crank to scale, likewise."""
     from kurbel.plot.arc import arc_mechanism
 
     _check_positions(angles)
     rocker = f"${crank.letter} = {plain(crank.rocker)} R$"
     title = f"{crank.noun[lang]}{for_ratio(crank.crank.ratio, lang)}, {rocker}"
-    return Drawing(arc_mechanism(crank, angles, lang, mark), title)
+    return Drawing(arc_mechanism(crank, angles, lang, mark, size), title)
 
 
-def links_drawing(drive: Linkage, angles: Sequence[Fraction], lang: str, mark: str) -> Drawing:
+def links_drawing(
+    drive: Linkage, angles: Sequence[Fraction], lang: str, mark: str, size: Size = USUAL
+) -> Drawing:
     """Return a drive to scale by its outline, likewise."""
     from kurbel.plot.links import outlined
 
@@ -110,7 +116,7 @@ def links_drawing(drive: Linkage, angles: Sequence[Fraction], lang: str, mark: s
     outline = drive.outline()
     assert outline is not None
     ratio = for_ratio(drive.crank.ratio, lang) if drive.crank.ratio else ""
-    return Drawing(outlined(outline, angles, mark), outline.title[lang] + ratio)
+    return Drawing(outlined(outline, angles, mark, size), outline.title[lang] + ratio)
 
 
 def _check_positions(angles: Sequence[Fraction]) -> None:

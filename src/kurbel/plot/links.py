@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 
 from kurbel.kernel.circle import circle
 from kurbel.linkage.linkage import Outline, Point, Stand
+from kurbel.plot.paper.fit import fitted
 from kurbel.plot.sketch import DOWN, HANGING, UP, Sketch, laid_out, pin_texts
-from kurbel.plot.style import WIDTH, style
+from kurbel.plot.style import USUAL, WIDTH, Size, style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -18,16 +19,16 @@ if TYPE_CHECKING:
 BESIDE, ABOVE, DIMENSIONS = 9.0, 7.0, 9.0
 
 
-def outlined(outline: Outline, angles: Sequence[float | Fraction], mark: str) -> Figure:
-    """Return a drawing of the drive, true to scale and 120 mm wide.
+def outlined(outline: Outline, angles: Sequence[float | Fraction], mark: str, size: Size = USUAL) -> Figure:
+    """Return a drawing of the drive, true to scale, by itself 120 mm wide.
 
     Cranks turn counter-clockwise from the line of shafts. The first angle is drawn strong, with its
-    dimensions, the others light.
+    dimensions, the others light. Raises ProblemError for a page that is too small.
     """
     pins = [_pin(float(angle)) for angle in angles]
     first, *others = map(outline.stand, pins)
     with style():
-        sketch = _laid_out(outline)
+        sketch = _laid_out(outline, size)
         _fixed_lines(sketch, outline)
         for one in others:
             for chain in one.chains:
@@ -47,10 +48,15 @@ def _pin(angle: float) -> Point:
     return point.cosine, point.sine
 
 
-def _laid_out(outline: Outline) -> Sketch:
-    mm = (outline.right - outline.left) / (WIDTH - 2 * BESIDE)
+def _laid_out(outline: Outline, size: Size) -> Sketch:
+    usual = (WIDTH - 2 * BESIDE) / (outline.right - outline.left)
+    return laid_out(*fitted(lambda mm: _corners(outline, mm), usual, size))
+
+
+def _corners(outline: Outline, mm: float) -> tuple[Point, Point]:
+    """Return the corners of the page, of which a millimetre is so much of R."""
     left, right = outline.left - BESIDE * mm, outline.right + BESIDE * mm
-    return laid_out((left, -1 - (ABOVE + DIMENSIONS) * mm), (right, 1 + ABOVE * mm), mm)
+    return (left, -1 - (ABOVE + DIMENSIONS) * mm), (right, 1 + ABOVE * mm)
 
 
 def _fixed_lines(sketch: Sketch, outline: Outline) -> None:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from kurbel.errors import ProblemError
 from kurbel.kernel.circle import circle
 from kurbel.kernel.kinematics import dead_centre_sine, rod_sine
+from kurbel.plot.paper.fit import fitted
 from kurbel.plot.sketch import (
     DEAD_CENTRES,
     DOWN,
@@ -17,12 +18,13 @@ from kurbel.plot.sketch import (
     HATCH,
     LEAST_DIMENSION,
     UP,
+    Point,
     Position,
     Sketch,
     laid_out,
     pin_texts,
 )
-from kurbel.plot.style import BLACK, MEDIUM, PALE, WIDTH, style, text_of
+from kurbel.plot.style import BLACK, MEDIUM, PALE, USUAL, WIDTH, Size, style, text_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -47,18 +49,23 @@ class _Drive(NamedTuple):
 
 
 def mechanism(
-    ratio: float, offset: float, angles: Sequence[float | Fraction], lang: str, mark: str
+    ratio: float,
+    offset: float,
+    angles: Sequence[float | Fraction],
+    lang: str,
+    mark: str,
+    size: Size = USUAL,
 ) -> Figure:
-    """Return a drawing of the crank drive, true to scale and 120 mm wide: λ = R/L, the offset e/R, angles.
+    """Return a drawing of the crank drive, true to scale, by λ = R/L, the offset e/R, angles.
 
     The shaft is at the left, the slide to the right of it and, by the offset, above; the crank turns
     counter-clockwise from φ = 0, where it points along the slide. The first angle is drawn strong, with its
-    dimensions, the others light. Raises ProblemError for a rod too long to be drawn.
+    dimensions, the others light. Raises ProblemError for a rod too long or a page too small to be drawn.
     """
     drive = _drive(ratio, offset)
     positions = [position(ratio, offset, float(angle)) for angle in angles]
     with style():
-        sketch = _laid_out(drive, positions[0])
+        sketch = _laid_out(drive, positions[0], size)
         _lines_and_circle(sketch, drive)
         _guides(sketch, drive)
         for one in positions[1:]:
@@ -93,16 +100,21 @@ def _drive(ratio: float, offset: float) -> _Drive:
     return _Drive(ratio, offset, inner, outer, min(LARGEST_RADIUS, room / (1 + inner.head[0])))
 
 
-def _laid_out(drive: _Drive, first: Position) -> Sketch:
+def _laid_out(drive: _Drive, first: Position, size: Size) -> Sketch:
     # The dimensions stand on that side of the slide where the rod is not.
     side = -1 if first.pin[1] >= drive.offset else 1
-    mm = 1 / drive.radius
+    low, high, mm = fitted(lambda mm: _corners(drive, side, mm), drive.radius, size)
+    return laid_out(low, high, mm, side)
+
+
+def _corners(drive: _Drive, side: int, mm: float) -> tuple[Point, Point]:
+    """Return the corners of the page, of which a millimetre is so much of R."""
     beside = LEFT + (OFFSET_LEFT if drive.offset else 0)
     edge = drive.offset + side * (HEAD_HEIGHT / 2 + DIMENSIONS + LETTER * (side > 0)) * mm
     bottom = min(-1 - OUTSIDE * mm, edge, drive.offset - HEAD_HEIGHT * mm)
     top = max(1 + OUTSIDE * mm, edge, drive.offset + HEAD_HEIGHT * mm)
     left, right = -1 - beside * mm, drive.inner.head[0] + (HEAD_LENGTH / 2 + OVERRUN + RIGHT) * mm
-    return laid_out((left, bottom), (right, top), mm, side)
+    return (left, bottom), (right, top)
 
 
 def _lines_and_circle(sketch: Sketch, drive: _Drive) -> None:
