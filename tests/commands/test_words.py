@@ -49,7 +49,7 @@ PLOTS: Sequence[Callable[..., Any]] = (
     kurbel.plot_pressures,
     kurbel.plot_turning,
 )
-ONLY_TYPED = {"machine", "format", "output", "decimal", "standalone", "longtable", "strict"}
+ONLY_TYPED = {"machine", "format", "output", "decimal", "standalone", "longtable", "siunitx", "strict"}
 
 
 @pytest.mark.parametrize("name", TABLES)

@@ -70,7 +70,8 @@ def refreshed(path: Path) -> bytes:
 @each_suffix
 def test_a_table_is_that_of_the_command_in_the_format_of_the_document(suffix: str, tmp_path: Path) -> None:
     path = written(tmp_path, f"before\n\n{place(suffix, old=OLD)}\nafter", f"notes{suffix}")
-    table = printed(*TABLE.split(), "-f", FORMATS[suffix]).out
+    # The only table of its layout has the layout's label.
+    table = printed(*TABLE.split(), "--label=kinematics", "-f", FORMATS[suffix]).out
     blank = "\n" if suffix == ".md" else ""
     expected = place(suffix, old=f"{blank}{table}{blank}")
     assert refreshed(path).decode() == f"before\n\n{expected}\nafter"
@@ -307,13 +308,21 @@ def test_a_command_that_fails_is_named_with_its_line(words: str, sentence: str, 
 
 @pytest.mark.parametrize("suffix", [".html", ".tex", ".typ"])
 def test_a_label_that_comes_twice_is_named_with_both_lines(suffix: str, tmp_path: Path) -> None:
-    path = written(tmp_path, place(suffix) + place(suffix, "table --ratio 1:5"), f"notes{suffix}")
+    path = written(tmp_path, place(suffix, "table") * 2, f"notes{suffix}")
     assert refused(path) == (
         f'notes{suffix}:3: the label "kinematics" is that of the table of line 1 too; write --label NAME into'
         " one of the two markers"
     )
     path = written(tmp_path, place(suffix) + place(suffix, f"{TABLE} --label other"), f"notes{suffix}")
     refreshed(path)
+
+
+def test_of_several_tables_of_a_layout_that_with_its_defaults_keeps_the_label(tmp_path: Path) -> None:
+    labels = re.compile(rb"\\label\{tab:(.*?)\}")
+    path = written(tmp_path, place(".tex") + place(".tex", "table --ratio 1:5"), "notes.tex")
+    assert labels.findall(refreshed(path)) == [b"kinematics", b"kinematics-ratio-1-5"]
+    path = written(tmp_path, place(".tex") + place(".tex", "table --lang en"), "notes.tex")
+    assert labels.findall(refreshed(path)) == [b"kinematics-ratio-1-4-step-60", b"kinematics"]
 
 
 def test_markdown_has_no_labels_to_come_twice(tmp_path: Path) -> None:

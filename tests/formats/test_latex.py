@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from everything import everything, tall, wide
 from tex import compiled, complaints, each_engine
-from tools import require
+from tools import missing, require
 
 from kurbel.formats.render import render
 
@@ -54,3 +54,22 @@ def test_awkward_prose_is_printed_as_it_was_written(tmp_path: Path) -> None:
     subprocess.run([program, "-layout", "page.pdf"], cwd=tmp_path, check=True)
     text = " ".join((tmp_path / "page.txt").read_text(encoding="utf-8").split())
     assert r"50 % & $, a|b, #_{}~^\, <script>alert(1)</script>, [x] *y* `z` -" in text
+
+
+def test_columns_of_siunitx_have_the_numbers_as_they_are_typed() -> None:
+    text = render(everything(), "latex", siunitx=True)
+    assert text.startswith("% Packages: amsmath, array, booktabs, graphicx, siunitx\n")
+    # Figures with a sign, two digits before the mark and three behind it; angles and words are left alone.
+    assert text.count("S[table-format=-2.3]") == 1
+    assert r"60 & 0,576 & 0,424 & -0,954{\rlap{\textsuperscript{b)}}} & 9$^\circ$58" in text
+    assert r"\sisetup{output-decimal-marker={,}}" in text
+    assert "siunitx" not in render(everything(), "latex")
+
+
+@pytest.mark.slow
+@each_engine
+def test_siunitx_sets_its_columns_without_warnings(engine: str, tmp_path: Path) -> None:
+    if not subprocess.run([require("kpsewhich"), "siunitx.sty"], capture_output=True, check=False).stdout:
+        missing("siunitx")
+    text = render(everything(), "latex", standalone=True, siunitx=True)
+    assert complaints(compiled(engine, text, tmp_path, runs=2)) == []

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 NO_TABLES = frozenset(("sources", "layouts", "quantities", "handbook", "inject"))
 # A document decides these for all of its tables; those of a single format, for which files it has.
 ONLY_PRINTING = ("output", "format", "standalone")
-SET_ELSEWHERE = (*ONLY_PRINTING, "longtable", "label", "layouts")
+SET_ELSEWHERE = (*ONLY_PRINTING, "longtable", "siunitx", "label", "layouts")
 # Keys of a handbook. The numbers of a book's page are the book's: its commands take no others by default.
 OF_THE_PAGE = frozenset(("lang", "decimal", "layouts"))
 
@@ -41,7 +41,7 @@ class Asked(NamedTuple):
     """What the words ask for: a table or a drawing, its language and decimal mark, the files read for it.
 
     `longtable` tells that LaTeX may break the table over pages; `code` is 1 where the command, such as
-    collate --strict, would end with it.
+    collate --strict, would end with it. With `siunitx` LaTeX leaves the numbers to that package.
     """
 
     made: Table | Drawing
@@ -50,6 +50,7 @@ class Asked(NamedTuple):
     files: tuple[str, ...]
     code: int
     longtable: bool = False
+    siunitx: bool = False
 
 
 def printing_commands() -> tuple[str, ...]:
@@ -101,8 +102,8 @@ def asked(
     except click.ClickException as error:
         raise ProblemError(one_line(error)) from None
     values = context.params
-    longtable = values.get("longtable", False)
-    return Asked(made, values["lang"], values["decimal"], _files(context, own), code, longtable)
+    wishes = (values.get("longtable", False), values.get("siunitx", False))
+    return Asked(made, values["lang"], values["decimal"], _files(context, own), code, *wishes)
 
 
 def _defaults(command: click.Command, defaults: Mapping[str, Any], machine: File | None) -> dict[str, Any]:
@@ -157,8 +158,7 @@ def _table(task: Task, answer: Asked, table: Table) -> Made:
     caption, layout = part.caption or table.caption, table.layout or table.key
     # Records are computed as they are run through: once for all formats.
     records = table.records._replace(rows=[*table.records.rows])
-    # The manifest's names are all different.
-    data = replace(table, key=part.name, layout=layout, caption=caption, variant="", records=records)
+    data = replace(table, key=part.name, layout=layout, caption=caption, records=records)
     named = replace(data, caption=_caption(task, table.caption, table.lang))
     with deadline(task.patience, GIGABYTES, bool(task.templates or named.templates)):
         files = {

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 import shlex
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 import click
@@ -102,7 +103,7 @@ def _document(name: str) -> Document:
         say(f"{name} has no markers; they are {kind.opening} and {kind.closing}, each on a line of its own")
     made = [_asked(place, form, name) for place in found]
     if kind.labelled:
-        _check_labels(found, made, name)
+        made = list(_labelled(found, made, name))
     contents = tuple(
         content(_text(one, form, kind, f"kurbel-{number}", f"{name}:{place.line}"), place, kind)
         for number, (place, one) in enumerate(zip(found, made, strict=True), 1)
@@ -142,17 +143,27 @@ def _asked(place: Place, form: PageFormat, name: str) -> Asked:
     return one
 
 
-def _check_labels(found: Sequence[Place], made: Sequence[Asked], name: str) -> None:
+def _labelled(found: Sequence[Place], made: Sequence[Asked], name: str) -> Iterator[Asked]:
+    """Yield what the places ask for, each table with a label of its own.
+
+    Of several tables of one layout the one with its defaults, else the first, keeps the label of the layout.
+    """
+    tables = [one.made for one in made if isinstance(one.made, Table)]
+    # The last one of a dictionary wins.
+    owners = {table.key: table for table in [*reversed(tables), *(one for one in tables if not one.variant)]}
     lines: dict[str, int] = {}
     for place, one in zip(found, made, strict=True):
         if not isinstance(one.made, Table):
+            yield one
             continue
-        if one.made.key in lines:
+        table = replace(one.made, variant="") if owners[one.made.key] is one.made else one.made
+        if table.anchor in lines:
             raise MarkerError(
-                f'{name}:{place.line}: the label "{one.made.key}" is that of the table of line'
-                f" {lines[one.made.key]} too; write --label NAME into one of the two markers"
+                f'{name}:{place.line}: the label "{table.anchor}" is that of the table of line'
+                f" {lines[table.anchor]} too; write --label NAME into one of the two markers"
             )
-        lines[one.made.key] = place.line
+        lines[table.anchor] = place.line
+        yield one._replace(made=table)
 
 
 def _text(one: Asked, form: PageFormat, kind: Kind, identifier: str, where: str) -> str:
@@ -160,9 +171,9 @@ def _text(one: Asked, form: PageFormat, kind: Kind, identifier: str, where: str)
     if isinstance(one.made, Table):
         from kurbel.formats.render import render
 
-        if not one.longtable and form.is_tall(one.made):
-            say(f"{where}: the table is longer than a page; --longtable lets it break")
-        return render(one.made, form.name, decimal=one.decimal, longtable=one.longtable)
+        for remark in form.remarks(one.made, one.longtable):
+            say(f"{where}: {remark}")
+        return render(one.made, form.name, decimal=one.decimal, longtable=one.longtable, siunitx=one.siunitx)
     if not form.draws:
         raise MarkerError(
             f"{where}: a drawing can stand in HTML only; write it into a file with kurbel plot -o, and"

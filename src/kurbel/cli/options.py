@@ -162,6 +162,7 @@ def printing_options(command: str, own: Mapping[str, click.Parameter]) -> list[c
         Option(["--standalone"], is_flag=True,
                help="LaTeX, HTML and Typst: a whole document, not a fragment."),
         Option(["--longtable"], is_flag=True, help="LaTeX: a longtable, which breaks across pages."),
+        Option(["--siunitx"], is_flag=True, help="LaTeX: S columns, whose numbers the package siunitx sets."),
     ]  # fmt: skip
 
 

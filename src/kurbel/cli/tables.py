@@ -145,11 +145,12 @@ class Printing(NamedTuple):
     decimal: str | None
     standalone: bool
     longtable: bool
+    siunitx: bool
 
     @classmethod
     def chosen(cls, given: Given) -> Printing:
         """Return what the options say, checked."""
-        names = ("output", "decimal", "standalone", "longtable")
+        names = ("output", "decimal", "standalone", "longtable", "siunitx")
         return cls(_format(given), *(given.values[name] for name in names))
 
     def print(self, table: Table) -> None:
@@ -157,7 +158,7 @@ class Printing(NamedTuple):
         _write(self._rendered(table), self.output, 0)
 
     def _rendered(self, table: Table) -> Iterator[bytes]:
-        form, output, decimal, standalone, longtable = self
+        form, output, decimal, standalone, longtable, siunitx = self
         if isinstance(form, CompiledFormat):
             yield form.writer.compiled(table, decimal)
             return
@@ -169,11 +170,17 @@ class Printing(NamedTuple):
 
             width = screen.width()
         text = render(
-            table, form.name, decimal=decimal, standalone=standalone, longtable=longtable, width=width
+            table,
+            form.name,
+            decimal=decimal,
+            standalone=standalone,
+            longtable=longtable,
+            siunitx=siunitx,
+            width=width,
         )
         yield text.encode()
-        if not (standalone or longtable) and form.is_tall(table):
-            say("the table is longer than a page; --longtable lets it break")
+        for remark in form.remarks(table, standalone or longtable):
+            say(remark)
 
 
 def _format(given: Given) -> Format:
@@ -190,10 +197,16 @@ def _format(given: Given) -> Format:
         raise click.UsageError(
             f"--standalone is for {', '.join(documents)} and {last}; {chosen.name} has no documents."
         )
-    if given.typed("longtable") and not chosen.breaks:
-        breaking = ", ".join(name for name, entry in FORMATS.items() if entry.breaks)
-        raise click.UsageError(f"--longtable is for {breaking}; the format is {chosen.name}.")
+    _check_able(given, chosen, "longtable", "breaks")
+    _check_able(given, chosen, "siunitx", "siunitx")
     return chosen
+
+
+def _check_able(given: Given, chosen: Format, option: str, fact: str) -> None:
+    """Raise UsageError for an option that was typed and is not for the format."""
+    if given.typed(option) and not getattr(chosen, fact):
+        able = ", ".join(name for name, entry in FORMATS.items() if getattr(entry, fact))
+        raise click.UsageError(f"--{option} is for {able}; the format is {chosen.name}.")
 
 
 def _write(pieces: Iterator[bytes], output: str, rows: int) -> None:

@@ -111,12 +111,13 @@ def typeset(
     decimal: str | None = None,
     standalone: bool = False,
     longtable: bool = False,
+    siunitx: bool = False,
 ) -> str:
-    """Return the page in a format: text, markdown, latex, html, typst, csv or json; PDF is typeset_pdf's.
+    """Return the page in a format: text, markdown, latex, html, typst, csv, dat or json; no PDF.
 
     `decimal` is "comma" or "point", by default the mark of the page's language (point in CSV and JSON);
-    `standalone` gives a whole document (LaTeX, HTML, Typst), `longtable` a LaTeX longtable. Raises
-    KurbelError.
+    `standalone` gives a whole document (LaTeX, HTML, Typst), `longtable` a LaTeX longtable, `siunitx` leaves
+    the numbers to that package, in LaTeX. Raises KurbelError.
 
     >>> from kurbel import table
     >>> print(typeset(table("1:4", layout="blau-kolbenwege", angle=90), "markdown").splitlines()[-3])
@@ -126,7 +127,9 @@ def typeset(
 
     if not isinstance(page, Table):
         raise ProblemError(f"a {type(page).__name__} cannot be set; make a page, such as kurbel.table()")
-    return rendered(page, format, decimal=decimal, standalone=standalone, longtable=longtable)
+    return rendered(
+        page, format, decimal=decimal, standalone=standalone, longtable=longtable, siunitx=siunitx
+    )
 
 
 def _quantity(key: str) -> Quantity:

@@ -44,11 +44,14 @@ class Table(Page):
         decimal: str | None = None,
         standalone: bool = False,
         longtable: bool = False,
+        siunitx: bool = False,
     ) -> str:
         """Return the page in a format, as `kurbel.typeset`."""
         from kurbel.formats.render import render
 
-        return render(self, format, decimal=decimal, standalone=standalone, longtable=longtable)
+        return render(
+            self, format, decimal=decimal, standalone=standalone, longtable=longtable, siunitx=siunitx
+        )
 
     def save(
         self,
@@ -57,6 +60,7 @@ class Table(Page):
         decimal: str | None = None,
         standalone: bool = False,
         longtable: bool = False,
+        siunitx: bool = False,
     ) -> None:
         """Write the page into a file, whole or not at all, in the format of its suffix.
 
@@ -69,7 +73,7 @@ class Table(Page):
             content = form.writer.compiled(self, decimal)
         else:
             content = self.typeset(
-                form.name, decimal=decimal, standalone=standalone, longtable=longtable
+                form.name, decimal=decimal, standalone=standalone, longtable=longtable, siunitx=siunitx
             ).encode()
         with whole_file(os.fspath(path)) as stream:
             stream.write(content)

@@ -104,7 +104,8 @@ class Command(NamedTuple):
     def built(self, question: Any, values: Mapping[str, Any]) -> Page:
         """Return the table that was asked for, which these values of the options name."""
         page = cast("Page", resolve_name(self.builder)(question))
-        return replace(page, variant=variant(page.key, self.parameters, values))
+        name = variant(page.key, self.parameters, values)
+        return replace(page, variant=name and f"{page.key}-{name}")
 
     def refuse(
         self, values: Mapping[str, Any], given: Callable[[str], bool], spelled: str = "stroke"

@@ -47,6 +47,7 @@ class Format:
     legible: int = 0
     standalone: bool = False
     breaks: bool = False
+    siunitx: bool = False
     figures: str = ""
     folder: str = ""
     marked: bool = False
@@ -68,6 +69,10 @@ class Format:
     def is_tall(self, table: Table) -> bool:
         """Tell whether a table is longer than a page and must be told to break."""
         return False
+
+    def remarks(self, table: Table, breaks: bool) -> Iterator[str]:
+        """Yield what its author should know of a table in the format, which may break over pages or not."""
+        yield from ()
 
     def module(self, name: str = "") -> Any:
         """Return a module of the format's folder.
@@ -122,9 +127,9 @@ class PageFormat(Format):
     """A format of pages.
 
     `standalone` tells that a whole page differs from a fragment, `breaks` that a table longer than a page can
-    be told to break. A format of whole documents has their `figures` as files of that suffix, and a `folder`
-    if a document is many files. An author's own documents can be `marked` with places for tables, and have
-    drawings there if the format `draws`.
+    be told to break, `siunitx` that its numbers can be left to that package. A format of whole documents has
+    their `figures` as files of that suffix, and a `folder` if a document is many files. An author's own
+    documents can be `marked` with places for tables, and have drawings there if the format `draws`.
     """
 
     kind = "page"
@@ -141,6 +146,12 @@ class PageFormat(Format):
 
     def is_tall(self, table: Table) -> bool:
         return self.breaks and self.writer.is_tall(table)
+
+    def remarks(self, table: Table, breaks: bool) -> Iterator[str]:
+        if not breaks and self.is_tall(table):
+            yield "the table is longer than a page; --longtable lets it break"
+        if self.breaks:
+            yield from self.writer.remarks(table)
 
 
 class _Formats(Mapping[str, Format]):

@@ -35,6 +35,7 @@ def render(
     decimal: str | None = None,
     standalone: bool = False,
     longtable: bool = False,
+    siunitx: bool = False,
     width: int | None = None,
     templates: str | None = None,
 ) -> str:
@@ -42,8 +43,9 @@ def render(
 
     `decimal` is "comma" or "point"; by default it follows the language of the table, and is a point in CSV
     and JSON. `standalone` makes a document of what is otherwise a fragment, in the formats that have
-    documents; `longtable` lets a table break over pages, in the formats where it would not. JSON has only
-    points. Plain text goes on in further panels where it would be wider than `width` characters.
+    documents; `longtable` lets a table break over pages, in the formats where it would not, and `siunitx`
+    leaves its numbers to that package, in LaTeX. JSON has only points. Plain text goes on in further panels
+    where it would be wider than `width` characters.
 
     `templates` is a folder whose templates outdo ours of the same names; by default it is the one that the
     table's layout lies in, if that is the user's. They run in a sandbox; one that cannot be used is a
@@ -55,6 +57,7 @@ def render(
     if not isinstance(form, PageFormat):
         raise ChoiceError(f"a {form.name} is bytes and no text; make it with kurbel.typeset_{form.name}")
     from kurbel.formats.page import page
+    from kurbel.formats.writer import Wishes
 
     mark, writer = form.decimal_mark(table.lang, decimal), form.writer
     if not _own_template(table, form.name, templates):
@@ -62,7 +65,7 @@ def render(
         if written is not None:
             return written
     ready = page(table, writer, mark)
-    values = {"page": ready, **writer.values(table, ready, mark, longtable, standalone)}
+    values = {"page": ready, **writer.values(table, ready, mark, Wishes(longtable, siunitx, standalone))}
 
     def filled(name: str, more: dict[str, str]) -> str:
         template = _own_template(table, name, templates) or f"base/{name}.jinja"

@@ -46,6 +46,15 @@ class CompiledWriter(ABC):
         """Return the handbook whose documents lie in the folder; `read` returns one of them as text."""
 
 
+class Wishes(NamedTuple):
+    """How a page is to be written beside its decimal mark: whether it may break over pages, has numbers as
+    they are typed, for siunitx, and stands `alone` in its document."""
+
+    longtable: bool = False
+    siunitx: bool = False
+    alone: bool = False
+
+
 class PageWriter:
     """Sets the labels and the pages of a format; what it does not say anew is as in plain text.
 
@@ -85,13 +94,17 @@ class PageWriter:
         """Return the filters of its templates."""
         return {}
 
-    def values(self, table: Table, ready: Page, mark: str, longtable: bool, alone: bool) -> dict[str, Any]:
-        """Return what its templates read beside the page, which is `alone` in its document or not."""
+    def values(self, table: Table, ready: Page, mark: str, wishes: Wishes) -> dict[str, Any]:
+        """Return what its templates read beside the page, or in its place."""
         return {}
 
     def is_tall(self, table: Table) -> bool:
         """Tell whether a table is longer than a page, in a format that breaks."""
         return False
+
+    def remarks(self, table: Table) -> Iterator[str]:
+        """Yield what else its author should know of a table."""
+        yield from ()
 
     def drawing(self, svg: str, name: str, title: str) -> str:
         """Return an SVG file as it stands in an author's own document, where the format draws.

@@ -123,8 +123,8 @@ class Table:
 
     `layout` names the templates' folder, where it is not the key; `templates` is the folder of the user's in
     which that lies, nothing where it is kurbel's. `pause` is the number of rows between small spaces, 0 for
-    none; None leaves it to the step of the rows. `variant` is what was asked for beside the defaults of the
-    layout: "ratio-1-4". `quantities` are those of its columns.
+    none; None leaves it to the step of the rows. `variant` is the key with what was asked for beside
+    the defaults of the layout: "kinematics-ratio-1-4". `quantities` are those of its columns.
     """
 
     key: str
@@ -143,7 +143,8 @@ class Table:
     @property
     def anchor(self) -> str:
         """A name for cross references that another page of the layout has not: "kinematics-ratio-1-4"."""
-        return f"{self.key}-{self.variant}" if self.variant else self.key
+        # Whoever gives the table another key has named it.
+        return self.variant if self.variant.startswith(f"{self.key}-") else self.key
 
     def __post_init__(self) -> None:
         defined = {note.mark for note in self.notes}

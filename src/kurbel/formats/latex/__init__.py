@@ -10,6 +10,7 @@ FORMAT = PageFormat(
     legible=4,
     standalone=True,
     breaks=True,
+    siunitx=True,
     figures="pdf",
     usual=True,
     marked=True,

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 from kurbel.formats.formula import TEX_OBEYED, TexMath, has_bar
 from kurbel.formats.page import Page, PageCell, page
 from kurbel.formats.spacing import WITHIN
-from kurbel.formats.writer import PERCENT_DELIMITERS, PLAIN, PageWriter, Widths, widths
+from kurbel.formats.writer import PERCENT_DELIMITERS, PLAIN, PageWriter, Widths, Wishes, widths
 from kurbel.page.formula import GREEK, SIGNS, SYMBOLS, Formula
 from kurbel.page.table import HeadCell, Table
 
@@ -46,13 +46,26 @@ class Writer(PageWriter):
     def filters(self) -> Mapping[str, Callable[..., Any]]:
         return {"spanner_lines": spanner_lines}
 
-    def values(self, table: Table, ready: Page, mark: str, longtable: bool, alone: bool) -> dict[str, Any]:
+    def values(self, table: Table, ready: Page, mark: str, wishes: Wishes) -> dict[str, Any]:
         tex = tex_layout(page(table, PLAIN, mark), ready)
         # A float longer than a page would run out of a document that has nothing else on it.
-        return {"tex": tex, "longtable": longtable or (alone and tex.tall)}
+        longtable = wishes.longtable or (wishes.alone and tex.tall)
+        values = {"tex": tex, "longtable": longtable, "marker": ""}
+        if not wishes.siunitx:
+            return values
+        from kurbel.formats.latex.siunitx import left_to_siunitx
+
+        return values | left_to_siunitx(table, mark, tex)
 
     def is_tall(self, table: Table) -> bool:
         return tex_layout(page(table, PLAIN, "."), page(table, self, ".")).tall
+
+    def remarks(self, table: Table) -> Iterator[str]:
+        if tex_layout(plain := page(table, PLAIN, "."), plain).wide:
+            yield (
+                "the table is wider than a line of 16 cm in type of 7 pt; LaTeX turns it, and sets smaller"
+                " type where it is higher than a page then"
+            )
 
 
 # \textdegree calls for a font that has bitmaps only where cm-super is not installed.
@@ -157,6 +170,10 @@ class TexLayout(NamedTuple):
     def wide(self) -> bool:
         """Whether it is wider than a page."""
         return self._least * SMALLEST > TYPE_WIDTH
+
+    def is_raw(self, place: int) -> bool:
+        """Whether the numbers of a column are left to siunitx."""
+        return self.columns[place].startswith("S")
 
     def spec(self, count: int) -> str:
         """Return the specification of the first columns, equal neighbours written once."""

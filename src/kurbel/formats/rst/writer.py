@@ -12,7 +12,7 @@ from typing import Any
 
 from kurbel.formats.formula import TEX_OBEYED, TexMath, has_bar
 from kurbel.formats.page import Page
-from kurbel.formats.writer import PageWriter
+from kurbel.formats.writer import PageWriter, Wishes
 from kurbel.page.formula import Formula
 from kurbel.page.table import Table
 
@@ -43,7 +43,7 @@ class Writer(PageWriter):
 
         return {"finish": finish, "grid_table": grid_table, "left_columns": left_columns}
 
-    def values(self, table: Table, ready: Page, mark: str, longtable: bool, alone: bool) -> dict[str, Any]:
+    def values(self, table: Table, ready: Page, mark: str, wishes: Wishes) -> dict[str, Any]:
         # The value of an option is no prose.
         return {"name": table.key}
 

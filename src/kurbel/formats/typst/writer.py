@@ -10,7 +10,7 @@ from kurbel.formats.formula import has_bar, has_stroke, is_seen
 from kurbel.formats.page import Page
 from kurbel.formats.typst.layout import typst_layout
 from kurbel.formats.typst.strings import string
-from kurbel.formats.writer import PERCENT_DELIMITERS, PageWriter
+from kurbel.formats.writer import PERCENT_DELIMITERS, PageWriter, Wishes
 from kurbel.page import formula as tree
 from kurbel.page.formula import Formula
 from kurbel.page.labels import formula_plain
@@ -40,7 +40,7 @@ class Writer(PageWriter):
             content = f"display({content})#box(height: 2.9em, baseline: 1.12em)"
         return f"#math.equation(alt: {alternative}, ${content}$);"
 
-    def values(self, table: Table, ready: Page, mark: str, longtable: bool, alone: bool) -> dict[str, Any]:
+    def values(self, table: Table, ready: Page, mark: str, wishes: Wishes) -> dict[str, Any]:
         return {"typst": typst_layout(table, mark, ready)}
 
 
