@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 import pty
 import re
@@ -14,7 +15,8 @@ import pytest
 from cli import printed, refusal
 from everything import everything
 from programs import into_the_next_second
-from tools import require_library
+from tools import require, require_library
+from typeset import broken_formulas, words_of_pdf
 
 import kurbel
 from kurbel.formats.pdf import STANDARDS, Standard
@@ -175,3 +177,56 @@ def test_a_document_reads_the_files_of_its_folder_and_no_others(tmp_path: Path) 
         with pytest.raises(kurbel.KurbelError) as caught:
             compile_typst(source, root=kind)
         assert str(caught.value).startswith(start)
+
+
+def structure(made: bytes, folder: Path) -> list[str]:
+    """Return the lines of the tagged structure, without how deep they lie."""
+    (folder / "page.pdf").write_bytes(made)
+    command = [require("pdfinfo"), "-struct", "page.pdf"]
+    done = subprocess.run(command, cwd=folder, capture_output=True, check=True, encoding="utf-8")
+    return [line.strip() for line in done.stdout.splitlines()]
+
+
+def test_labels_of_rows_are_headers_to_which_the_cells_of_their_row_refer(tmp_path: Path) -> None:
+    page = kurbel.table(["1:5", "1:4"], angle="0..90:30", layout="roetscher-112")
+    lines = structure(kurbel.typeset_pdf(page), tmp_path)
+    lines = lines[lines.index("TBody") :]
+    starts = [place for place, line in enumerate(lines) if line == "TR"]
+    rows = [lines[start:end] for start, end in itertools.pairwise([*starts, len(lines)])]
+    body = [row for row in rows if "/Scope /Row" in row]
+    # Two ratios, each with a row of cosines and one of sines.
+    assert len(body) == 4
+    for row, labels in zip(body, (2, 1, 2, 1), strict=True):
+        names = [found[1] for line in row if (found := re.fullmatch(r"TH <(\w+)>:", line))]
+        assert len(names) == labels == row.count("/Scope /Row")
+        cells = "\n".join(row).split("\nTD")[1:]
+        assert len(cells) == len(page.panels[0].columns) + (2 - labels)
+        assert all(f"({name})" in cell for name in names for cell in cells)
+
+
+def test_poppler_finds_nothing_wrong(tmp_path: Path) -> None:
+    (tmp_path / "page.pdf").write_bytes(kurbel.typeset_pdf(everything(), standards=["a-2a", "ua-1"]))
+    for command in (["pdfinfo", "page.pdf"], ["pdftotext", "page.pdf", "-"], ["pdffonts", "page.pdf"]):
+        done = subprocess.run(
+            [require(command[0]), *command[1:]], cwd=tmp_path, capture_output=True, check=True
+        )
+        assert done.stderr == b""
+
+
+@pytest.mark.parametrize("lang", ["de", "en"])
+def test_no_formula_breaks_that_a_line_end_meets(lang: str, tmp_path: Path) -> None:
+    page = kurbel.table("1:5", lang=lang, angle="0..90:30", columns="phi,x,c,p")
+    (tmp_path / "page.pdf").write_bytes(kurbel.typeset_pdf(page))
+    words = words_of_pdf(tmp_path / "page.pdf")
+    assert any("cos" in word.text for word in words)
+    assert list(broken_formulas(words)) == []
+
+
+def test_formulas_are_of_the_family_of_the_text(tmp_path: Path) -> None:
+    (tmp_path / "page.pdf").write_bytes(kurbel.typeset_pdf(kurbel.table("1:5", angle="0..90:30")))
+    listed = subprocess.run(
+        [require("pdffonts"), "page.pdf"], cwd=tmp_path, capture_output=True, check=True, encoding="utf-8"
+    ).stdout
+    names = {line.split()[0].partition("+")[2].split("-")[0] for line in listed.splitlines()[2:]}
+    # The third has only signs such as ± and =.
+    assert names == {"LibertinusSerif", "LibertinusMath", "NewCMMath"}

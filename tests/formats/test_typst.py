@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 from pages import all_pages
 from rows import assert_rows_stand_in, text_of_pdf
 from tools import require_library
+from typeset import broken_formulas, least_type, page_width, words_of_pdf
 
 from kurbel.errors import LayoutError
 from kurbel.formats.render import render
@@ -180,12 +181,14 @@ def test_all_shipped_layouts_compile_in_one_archivable_and_accessible_handbook(t
     pages = all_pages()
     assert len(pages) >= 32
     document = '#set document(title: "Handbuch")\n#set text(lang: "de")\n' + HEAD
+    document += "#show outline.entry: it => { show math.equation: box; it }\n"
     document += "#outline(target: figure.where(kind: table))\n"
     (tmp_path / "tables").mkdir()
     for page in pages:
         (tmp_path / "tables" / f"{page.key}.typ").write_text(render(page, "typst"), encoding="utf-8")
         document += f'#pagebreak()\n= {page.key}\n#include "tables/{page.key}.typ"\nSiehe @tab-{page.key}.\n'
     texts = "\f".join(compiled(document, tmp_path, "a-2b", "ua-1")).split("Siehe Tabelle ")
+    assert list(broken_formulas(words_of_pdf(tmp_path / "page.pdf"))) == []
     assert len(texts) == len(pages) + 1
     for number, (page, text) in enumerate(zip(pages, texts, strict=False), 1):
         assert f"Tabelle {number}: " in text
@@ -201,11 +204,18 @@ def test_page_with_every_part_is_archivable_and_accessible(lang: str, tmp_path: 
     assert "".join(signs.split()) in "".join(text.split())
 
 
-@pytest.mark.parametrize("decimals", [4, 6, 8])
-def test_twelve_columns_fit_the_line(decimals: int, tmp_path: Path) -> None:
+@pytest.mark.parametrize(("decimals", "width"), [(3, 210), (8, 297), (30, 500)])
+def test_twelve_columns_fit_their_page_in_type_that_can_be_read(
+    decimals: int, width: int, tmp_path: Path
+) -> None:
     page = wide(decimals)
     (text,) = compiled(render(page, "typst", standalone=True), tmp_path)
     assert_rows_stand_in(text.splitlines(), page)
+    words = words_of_pdf(tmp_path / "page.pdf")
+    assert 7 <= least_type(words) <= 9.6
+    # 12 columns of 30 decimals, each 15 em wide, in type of 7 points take 45 cm.
+    assert page_width(tmp_path / "page.pdf") >= width
+    assert max(word.right for word in words) <= (page_width(tmp_path / "page.pdf") - 29) * 72 / 25.4
 
 
 def test_table_longer_than_a_page_breaks_and_repeats_its_heads(tmp_path: Path) -> None:

@@ -14,6 +14,7 @@ from contextlib import contextmanager, nullcontext
 import kurbel.formats.typst
 from kurbel.errors import LayoutError, MissingExtraError, NotationError, OutputError, ProblemError
 from kurbel.formats.pdf import STANDARDS, Standard
+from kurbel.formats.pdf.tagged import with_row_headers
 from kurbel.page.table import Table
 
 EPOCH = "SOURCE_DATE_EPOCH"
@@ -71,7 +72,7 @@ def compile_typst(source: str, *, root: str | None = None, standards: Sequence[S
         compiler = Compiler(document, root=folder, font_paths=fonts, sys_inputs={"letters": LETTERS})
         made = compiler.compile(format="pdf", pdf_standards=list(standards), timestamp=epoch or 0)
     assert isinstance(made, bytes)
-    return made
+    return with_row_headers(made)
 
 
 def _check(source: str, standards: Sequence[Standard]) -> None:

@@ -48,7 +48,8 @@ class TypstLayout(NamedTuple):
     `above` and `below` have the em above and below the cells of rows that are
     not as the others, counted from 0 over the heads and bodies of all panels. `stacked` are the spanners,
     by panel, level and first column, whose symbol stands below their name; `long` the notes, from 0, with a
-    formula that may be wider than they are. `paper` is that of a page of its own.
+    formula that may be wider than they are, as one of a `long_caption` may be. `paper` is that of a page of
+    its own.
     """
 
     label: str
@@ -68,6 +69,7 @@ class TypstLayout(NamedTuple):
     below: Mapping[int, float]
     stacked: frozenset[tuple[int, int, int]]
     long: tuple[int, ...]
+    long_caption: bool
 
 
 # A table no wider fits most lines with gaps a little smaller than usual: 140 mm take 42 em of 9.5 points.
@@ -123,6 +125,7 @@ def typst_layout(table: Table, mark: str, ready: Page) -> TypstLayout:
         long=tuple(
             place for place, note in enumerate(table.notes) if _longest_formula(note.text) > SHORT_FORMULA
         ),
+        long_caption=_longest_formula(table.caption) > SHORT_FORMULA,
     )
 
 
