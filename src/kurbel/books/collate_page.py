@@ -19,7 +19,7 @@ from kurbel.books.apparatus import (
 )
 from kurbel.books.collation import Collated
 from kurbel.books.source import AXIS_KEYS, SourceCell, SourceTable
-from kurbel.books.verdict import ALL, DEVIATIONS, RIGHT, VERDICTS
+from kurbel.books.verdict import ALL, DEVIATIONS, RIGHT, VERDICTS, tone_of
 from kurbel.drive.crank import Crank
 from kurbel.errors import ChoiceError, SourceError
 from kurbel.exact.numerals import Label, Number
@@ -28,7 +28,7 @@ from kurbel.page.build import own_grid
 from kurbel.page.layouts import Layout, layout_of
 from kurbel.page.quantity import Column, Formula, Quantity, words
 from kurbel.page.subject import Question, Subject
-from kurbel.page.table import Cell, Field, Note, Records, Value
+from kurbel.page.table import Cell, Field, Note, Records, Tone, Value
 from kurbel.reading.given import choose
 from kurbel.reading.notation import angle, ratio
 
@@ -119,7 +119,8 @@ def _printed_page(request: CollateRequest) -> tuple[Layout, Grid]:
         if found is None:
             return Cell(None)
         mark = request.marks.get(found.cell.place)
-        return Cell(printed_cell(found), (mark,) if mark else ())
+        tone = tone_of(found.verdict.kind) if mark else ""
+        return Cell(printed_cell(found), (mark,) if mark else (), tone)
 
     return page, Grid(asked.axes, asked.lang, cell)
 
@@ -148,6 +149,11 @@ def _shown(request: CollateRequest, column: Column, place: Place, times: int) ->
     one = request.shown[place["place"]]
     shown: Value = column.quantity.formulas[""].kernel(one, request)
     return shown
+
+
+def _tone(request: CollateRequest, column: Column, place: Place) -> Tone:
+    kind = request.shown[place["place"]].verdict.kind
+    return tone_of(kind) if column.quantity.key == "verdict" else ""
 
 
 @cache
@@ -236,6 +242,7 @@ SUBJECT = Subject(
     quantities=quantities,
     listed=tuple,
     number=_shown,
+    tone=_tone,
     caption=_caption,
     notes=_notes,
     grid=_grid,

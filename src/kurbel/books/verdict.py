@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 from kurbel.books.printed_value import NEXT_PLACE, Printed, Units
 from kurbel.page.quantity import Words, words
+from kurbel.page.table import Tone
 
 RIGHT, LAST_PLACE, ON_THE_WAY, OTHER_FORMULA = "right", "last_place", "rounded_on_the_way", "other_formula"
 COARSER = "coarser_place"
@@ -35,6 +36,15 @@ VERDICTS: Mapping[str, Words] = {
     CARRIED: words("Fehler übernommen|slip carried over"),
     UNEXPLAINED: words("ungeklärt|unexplained"),
 }
+
+
+def tone_of(kind: str) -> Tone:
+    """Return how a verdict is to be taken."""
+    if kind == RIGHT:
+        return "right"
+    if kind == OTHER_FORMULA:
+        return "other"
+    return "near" if kind in ROUNDINGS else "wrong"
 
 
 class Verdict(NamedTuple):

@@ -3,6 +3,7 @@ function that makes the table in Python. Pages are written whole, the records of
 
 from __future__ import annotations
 
+import os
 import sys
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
@@ -34,6 +35,8 @@ from kurbel.page.table import Table
 if TYPE_CHECKING:
     from kurbel.commands.shown import Drawing
 
+# What asks for colours where there is no terminal.
+FORCED = frozenset(("FORCE_COLOR", "CLICOLOR_FORCE"))
 # Shorter tables are done before a bar could be read.
 BAR_ROWS = 200_000
 
@@ -164,11 +167,11 @@ class Printing(NamedTuple):
             return
         from kurbel.formats.render import render
 
-        width = None
-        if output == "-" and sys.stdout.isatty():
+        width, colours = None, False
+        if output == "-" and (sys.stdout.isatty() or not FORCED.isdisjoint(os.environ)):
             from kurbel.cli import screen
 
-            width = screen.width()
+            width, colours = screen.width(), screen.has_colours()
         text = render(
             table,
             form.name,
@@ -177,6 +180,7 @@ class Printing(NamedTuple):
             longtable=longtable,
             siunitx=siunitx,
             width=width,
+            colours=colours,
         )
         yield text.encode()
         for remark in form.remarks(table, standalone or longtable):

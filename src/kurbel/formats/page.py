@@ -15,7 +15,7 @@ from kurbel.exact.numerals import Label, Number, number_text
 from kurbel.formats.spacing import gaps, panel_pauses
 from kurbel.formats.writer import PageWriter
 from kurbel.page.labels import plain, set_label
-from kurbel.page.table import DITTO, Cell, HeadCell, Panel, Table, head_rows
+from kurbel.page.table import DITTO, Cell, HeadCell, Panel, Table, Tone, head_rows
 
 # What no layout says.
 WORDS = {
@@ -37,6 +37,7 @@ class PageCell(NamedTuple):
     kind: Literal["number", "label", "missing"]
     tail: str = ""
     down: int = 1
+    tone: Tone = ""
 
 
 class PageColumn(NamedTuple):
@@ -221,9 +222,9 @@ class Setter:
         match cell.value:
             case Number() as number:
                 text = number_text(number, self.mark, self.writer.minus)
-                return PageCell(text, marks, "number", self.tail(number, decimals))
+                return PageCell(text, marks, "number", self.tail(number, decimals), tone=cell.tone)
             case str() as label:
-                return PageCell(self.label(label, display=True), marks, "label")
+                return PageCell(self.label(label, display=True), marks, "label", tone=cell.tone)
             case None:
                 return PageCell(self.writer.missing, marks, "missing")
             case _:

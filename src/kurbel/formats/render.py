@@ -38,14 +38,15 @@ def render(
     siunitx: bool = False,
     width: int | None = None,
     templates: str | None = None,
+    colours: bool = False,
 ) -> str:
     """Return the table as text in the named format.
 
     `decimal` is "comma" or "point"; by default it follows the language of the table, and is a point in CSV
     and JSON. `standalone` makes a document of what is otherwise a fragment, in the formats that have
     documents; `longtable` lets a table break over pages, in the formats where it would not, and `siunitx`
-    leaves its numbers to that package, in LaTeX. JSON has only points. Plain text goes on in further panels
-    where it would be wider than `width` characters.
+    leaves its numbers to that package, in LaTeX. JSON has only points. Plain text is fitted into `width`
+    characters; with `colours` it has verdicts in the colours of terminals.
 
     `templates` is a folder whose templates outdo ours of the same names; by default it is the one that the
     table's layout lies in, if that is the user's. They run in a sandbox; one that cannot be used is a
@@ -61,7 +62,7 @@ def render(
 
     mark, writer = form.decimal_mark(table.lang, decimal), form.writer
     if not _own_template(table, form.name, templates):
-        written = writer.written(table, mark, width)
+        written = (writer.coloured if colours else writer.written)(table, mark, width)
         if written is not None:
             return written
     ready = page(table, writer, mark)

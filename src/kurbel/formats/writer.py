@@ -90,6 +90,10 @@ class PageWriter:
         """Return the page if it needs no template, no wider than `width` characters where that is given."""
         return None
 
+    def coloured(self, table: Table, mark: str, width: int | None) -> str | None:
+        """Return the same with colours, where the format has them."""
+        return self.written(table, mark, width)
+
     def filters(self) -> Mapping[str, Callable[..., Any]]:
         """Return the filters of its templates."""
         return {}

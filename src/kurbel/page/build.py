@@ -85,7 +85,8 @@ def own_grid(question: Question) -> tuple[Layout, Grid]:
 
     def cell(place: Place) -> Cell:
         column = columns[place.get("column", 0)]
-        return Cell(_shown(question, column, place), about.marks(question, column, place))
+        shown, marks = _shown(question, column, place), about.marks(question, column, place)
+        return Cell(shown, marks, about.tone(question, column, place))
 
     def unit(place: Place) -> Label:
         quantity = columns[place["column"]].quantity

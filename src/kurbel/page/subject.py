@@ -17,7 +17,7 @@ from kurbel.page.axes import Grid, PageAxis, Place
 from kurbel.page.layouts import Layout, LayoutColumn
 from kurbel.page.quantity import Column, Quantity
 from kurbel.page.subjects import SUBJECTS
-from kurbel.page.table import Field, Note, Records, Value
+from kurbel.page.table import Field, Note, Records, Tone, Value
 from kurbel.page.wording import Worded
 from kurbel.reading.given import choose
 from kurbel.reading.notation import MOST_ROWS
@@ -40,8 +40,9 @@ class Subject(NamedTuple):
     is the default layout, `command` what prints its pages. `of` is what the quantities are numbers of that
     a layout can show beside its own, all if it is empty; its own stand first in lists unless all come in
     the order of the quantities. `exists` leaves out places that a grid has too many, `marks` are those of
-    notes at a place, `beside` the columns that follow one in records, `rows` the records where they are
-    long or others than the page's, and `grid` the page where it is that of another layout.
+    notes at a place, `tone` is how that is to be taken which stands there, `beside` the columns that follow
+    one in records, `rows` the records where they are long or others than the page's, and `grid` the page
+    where it is that of another layout.
 
     Lists of quantities name those that are `listed`, each with the command that prints it, by default all
     that any of its layouts can show; with `letters` the symbol stands beside the name. `options` tell what
@@ -63,6 +64,7 @@ class Subject(NamedTuple):
     of: tuple[str, ...] = ()
     exists: Callable[[Any, Place], bool] = _everywhere
     marks: Callable[[Any, Column, Place], tuple[str, ...]] = lambda question, column, place: ()
+    tone: Callable[[Any, Column, Place], Tone] = lambda question, column, place: ""
     beside: Callable[[Any, Column], tuple[Column, ...]] = lambda question, column: ()
     rows: Callable[[Any], Records] | None = None
     grid: Callable[[Any], tuple[Layout, Grid]] | None = None

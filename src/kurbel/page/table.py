@@ -34,11 +34,16 @@ DITTO = Ditto.DITTO
 UNIT = "unit"
 
 
+# How what a cell says is to be taken, for those who see colours; its words say it, too.
+Tone: TypeAlias = Literal["", "right", "near", "other", "wrong"]
+
+
 class Cell(NamedTuple):
     """A number, a label, the continuation of the cell above (stub only), or None for a missing value."""
 
     value: Number | Label | Ditto | None
     notes: tuple[str, ...] = ()
+    tone: Tone = ""
 
 
 class Column(NamedTuple):

@@ -34,7 +34,7 @@ from kurbel.exact.numerals import Label, nearest, number_text
 from kurbel.page.axes import ColumnAxis, PageAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, Words, words
 from kurbel.page.subject import Question, Subject
-from kurbel.page.table import DITTO, Ditto, Field, Note, Records, Value
+from kurbel.page.table import DITTO, Ditto, Field, Note, Records, Tone, Value
 from kurbel.reading.given import choose
 
 KEYS = ("table", "place", "printed", "follows", "relation", "letter", "verdict", "detail")
@@ -85,6 +85,10 @@ VERDICTS: Mapping[str, tuple[Words, Words]] = {
         words("falsch: keine Wurzel, die linke Seite ist {left}|wrong: no root, the left side is {left}"),
     ),
 }
+# What is as it should be, or nearly so; all else is wrong.
+TONES: Mapping[str, Tone] = {
+    HOLDS: "right", AGREES: "right", ORDER: "near", ONLY_NEARLY: "other", UNSETTLED: "other", STARTS: "",
+}  # fmt: skip
 
 
 class Line(NamedTuple):
@@ -94,6 +98,7 @@ class Line(NamedTuple):
     first: bool
     printed: Label
     verdict: Label | None
+    tone: Tone
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -174,7 +179,8 @@ def _lines(one: Collated, printed: Sequence[Label], room: int, request: FormulaR
     first, *further = (None,) if verdict is None else word_lines(verdict, room)
     parts = [*((line, "") for line in lines), (last, first), *(("", line) for line in further)]
     place = request.labels[one.row.place]
-    yield from (Line(place, not number, *part) for number, part in enumerate(parts))
+    tone = TONES.get(one.finding.kind, "wrong")
+    yield from (Line(place, not number, *part, tone) for number, part in enumerate(parts))
 
 
 def verdict_text(one: Collated, table: FormulaTable, lang: str) -> Label | None:
@@ -221,6 +227,10 @@ def quantities() -> Mapping[str, Quantity]:
 def _shown(request: FormulaRequest, column: Column, place: Place, times: int) -> Value:
     shown: Value = column.quantity.formulas[""].kernel(request.lines[place["place"]])
     return shown
+
+
+def _tone(request: FormulaRequest, column: Column, place: Place) -> Tone:
+    return request.lines[place["place"]].tone if column.quantity.key == "verdict" else ""
 
 
 def _notes(request: FormulaRequest) -> Iterator[Note]:
@@ -271,6 +281,7 @@ SUBJECT = Subject(
     quantities=quantities,
     listed=tuple,
     number=_shown,
+    tone=_tone,
     caption=_caption,
     notes=_notes,
     rows=_records,

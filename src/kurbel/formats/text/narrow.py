@@ -1,4 +1,4 @@
-"""Pages for a narrow terminal: a panel that is too wide goes on in further panels below, as books do it."""
+"""Pages for a narrow terminal: texts go on in further lines, or become notes, or a panel goes on below."""
 
 from __future__ import annotations
 
@@ -6,16 +6,26 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from itertools import groupby, pairwise
 
+from kurbel.formats.page import Page
+from kurbel.formats.text.reflow import reflowed
+from kurbel.formats.text.writer import grids_of
 from kurbel.page.table import UNIT, Column, Group, Panel, Row, Table
 
 
-def narrowed(table: Table, fits: Callable[[Table], bool]) -> Table:
-    """Return the table in as few panels as fit, parted between spanners if that is enough.
+def narrowed(table: Table, page: Page, annotated: Callable[[Table], Page], width: int) -> Page:
+    """Return the page in as few panels as fit, parted between spanners if that is enough.
 
-    A table of which not even single columns fit is returned as it is.
+    What stands side by side stays so if lines of its texts can be shorter, or if long ones become notes. A
+    table of which not even single columns fit is returned as it is.
     """
-    if fits(table):
-        return table
+    for ready in (page, *map(annotated, _parted_tables(table))):
+        for attempt in reflowed(ready, width):
+            if all(grid.total <= width for grid in grids_of(attempt, width)):
+                return attempt
+    return page
+
+
+def _parted_tables(table: Table) -> Iterator[Table]:
     # Units stand in a panel of their own only where no column has room beside them.
     for blocks_of, repeated in ((_under_spanners, 1), (_single, 1), (_single, 0)):
         most = max(len(blocks_of(panel.columns)) for panel in table.panels)
@@ -23,10 +33,7 @@ def narrowed(table: Table, fits: Callable[[Table], bool]) -> Table:
             panels = tuple(
                 part for panel in table.panels for part in _parted(panel, blocks_of, pieces, repeated)
             )
-            parted = replace(table, panels=panels)
-            if fits(parted):
-                return parted
-    return table
+            yield replace(table, panels=panels)
 
 
 def _under_spanners(columns: Sequence[Column]) -> list[int]:

@@ -5,54 +5,84 @@ Widths count characters; labels have no combining or double-width ones.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import partial
 from itertools import accumulate, islice, zip_longest
 from textwrap import fill
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 from kurbel.formats.page import Page, PageCell, PagePanel, page
 from kurbel.formats.writer import PageWriter
 from kurbel.page.table import HeadCell, Table
 
-GAP = 2
-SPANNER_GAP = 3
+# A table is no wider than that if closer columns are a help.
 WIDEST = 100
-# A caption above a small table is not squeezed into its width.
-NARROWEST = 60
+# Notes below a small table are not squeezed into its width, nor its caption into that of a word or two.
+NARROWEST, NARROWEST_CAPTION = 60, 30
+# The share of the line that the caption of a wide table may have.
+OF_LINE = 0.85
+# So many times the width may a table have for symbols that stand beside the names above columns.
+LITTLE = 1.1
+# By how many characters gaps may be narrower.
+TIGHTEST = 2
+# Characters for an em, which is the height of a line.
+PER_EM = 1.5
 HEAVY, LIGHT = "━", "─"
 
 
 class Writer(PageWriter):
     def written(self, table: Table, mark: str, width: int | None) -> str:
-        if width is not None:
+        return text_page(self._fitted(table, mark, width), width)
+
+    def coloured(self, table: Table, mark: str, width: int | None) -> str:
+        from kurbel.formats.text.colour import painted
+
+        return text_page(self._fitted(table, mark, width), width, painted)
+
+    def _fitted(self, table: Table, mark: str, width: int | None) -> Page:
+        ready = page(table, self, mark)
+        if width is not None and grid_of(ready, width).total > width:
             from kurbel.formats.text.narrow import narrowed
 
-            table = narrowed(table, lambda parted: grid_of(page(parted, self, mark)).total <= width)
-        return text_page(page(table, self, mark), width)
+            ready = narrowed(table, ready, lambda parted: page(parted, self, mark), width)
+        return ready
 
 
 class Grid(NamedTuple):
-    """Where the columns stand. All panels share one grid, so that they stand in line below each other."""
+    """Where the columns stand. All panels share one, so that they stand in line below each other."""
 
     lefts: tuple[int, ...]
     widths: tuple[int, ...]
     figures: tuple[int, ...]
     """The longest figure of each column, which stands in the middle of it."""
+    is_flat: bool
+    """Whether symbols above columns stand beside the names and not below them."""
 
     @property
     def total(self) -> int:
         return self.lefts[-1] + self.widths[-1] + 1
 
+    def lines(self, cell: HeadCell) -> tuple[str, ...]:
+        """Return the lines of a spanner."""
+        return (cell.text,) if self.is_flat else cell.lines
+
     def extent(self, cell: HeadCell) -> int:
         return self.lefts[cell.last] + self.widths[cell.last] - self.lefts[cell.first]
 
 
-def text_page(page: Page, width: int | None = None) -> str:
+# Gives the line of a row its colours.
+Paint: TypeAlias = Callable[[str, Sequence[PageCell], Grid], str]
+
+
+def text_page(page: Page, width: int | None = None, paint: Paint | None = None) -> str:
     """Return the whole page: caption, panels, notes and source; prose no wider than `width`."""
-    grid = grid_of(page)
-    room = min(max(NARROWEST, grid.total), width or WIDEST + grid.total)
-    parts = [wrapped(page.caption, room) + "\n"] if page.caption else []
-    parts.append("\n\n".join("\n".join(panel_lines(panel, grid)) for panel in page.panels))
+    grids = grids_of(page, width)
+    total = max(grid.total for grid in grids)
+    room = min(max(NARROWEST, total), width or WIDEST + total)
+    over = min(total, round(OF_LINE * min(width or WIDEST, WIDEST)))
+    parts = [balanced(page.caption, max(over, NARROWEST_CAPTION)) + "\n"] if page.caption else []
+    panels = (panel_lines(panel, grid, paint) for panel, grid in zip(page.panels, grids, strict=True))
+    parts.append("\n\n".join("\n".join(lines) for lines in panels))
     for note in page.notes:
         hang = len(note.mark) + 1 if note.mark else 0
         parts.append(wrapped(f"{note.mark} {note.text}" if note.mark else note.text, room, hang))
@@ -61,29 +91,45 @@ def text_page(page: Page, width: int | None = None) -> str:
     return "\n".join(parts) + "\n"
 
 
-def panel_lines(panel: PagePanel, grid: Grid) -> list[str]:
+def panel_lines(panel: PagePanel, grid: Grid, paint: Paint | None) -> list[str]:
     """Return the lines of one panel, from the heavy rule above its head to the one below its body."""
     lines = [HEAVY * grid.total]
     for spanners in panel.spanners:
-        lines += _spanner_lines(spanners, grid)
+        lines += _over_columns(spanners, grid)
     lines += [_line(texts, panel, grid) for texts in panel.heading_lines]
     lines.append(LIGHT * grid.total)
-    lines += _body(panel, grid)
+    lines += _body(panel, grid, paint)
     lines.append(HEAVY * grid.total)
     return [_plain_spaces(line).rstrip() for line in lines]
 
 
 def wrapped(text: str, room: int, indent: int = 0) -> str:
     """Return prose in lines no longer than the room, the second and later ones indented."""
-    hang = " " * (indent + 1)
+    return _filled(_with_ends(text, room - indent), room, indent)
+
+
+def balanced(text: str, room: int) -> str:
+    """Return prose in as few lines as the room allows, none much longer than the others."""
+    text = _with_ends(text, room)
+    lines = _filled(text, room)
+    for narrower in range(room - 1, 0, -1):
+        closer = _filled(text, narrower)
+        if closer.count("\n") > lines.count("\n"):
+            break
+        lines = closer
+    return lines
+
+
+def _with_ends(text: str, room: int) -> str:
+    """Return prose in which a formula that is longer than a line may go on in the next."""
     # The spaces of a formula are no-break spaces until its line is found.
+    return " ".join(_plain_spaces(word) if len(word) >= room else word for word in text.split(" "))
+
+
+def _filled(text: str, room: int, indent: int = 0) -> str:
+    hang = " " * (indent + 1)
     lines = fill(
-        text,
-        room,
-        initial_indent=" ",
-        subsequent_indent=hang,
-        break_on_hyphens=False,
-        break_long_words=False,
+        text, room, initial_indent=" ", subsequent_indent=hang, break_on_hyphens=False, break_long_words=False
     )
     return _plain_spaces(lines)
 
@@ -93,31 +139,90 @@ def _plain_spaces(text: str) -> str:
     return text.replace("\u00a0", " ")
 
 
-def grid_of(page: Page) -> Grid:
-    """Return the grid of a page, with narrower gaps if it then fits the width of a page."""
-    grid = _grid_with(page, 0)
-    narrower = _grid_with(page, 1) if grid.total > WIDEST else grid
-    return narrower if narrower.total <= WIDEST else grid
+def grids_of(page: Page, width: int | None = None) -> list[Grid]:
+    """Return the grid of each panel: one for all, unless the terminal has only room for each by itself."""
+    shared = grid_of(page, width)
+    if width is not None and shared.total > width:
+        own = [grid_of(page._replace(panels=(panel,)), width) for panel in page.panels]
+        if all(grid.total <= width for grid in own):
+            return own
+    return [shared] * len(page.panels)
 
 
-def _grid_with(page: Page, narrower: int) -> Grid:
-    """Return the grid with all gaps narrower by so many characters."""
-    gaps = _longest(_gaps(panel, narrower) for panel in page.panels)
-    widths = _longest(_widths(panel, gaps) for panel in page.panels)
+def grid_of(page: Page, width: int | None = None) -> Grid:
+    """Return the grid of a page, no wider than `width`, or than a page, if narrower gaps are enough for it.
+
+    Symbols stand beside the names above columns where the page becomes little wider by it.
+    """
+    room = min(width or WIDEST, WIDEST)
+    measures = [measured(panel) for panel in page.panels]
+    loose, flat = grid_with(page, measures), grid_with(page, measures, is_flat=True)
+    if flat.total <= min(room, LITTLE * loose.total):
+        return flat
+    closer = (grid_with(page, measures, narrower) for narrower in range(TIGHTEST + 1))
+    return next((grid for grid in closer if grid.total <= room), loose)
+
+
+def grid_with(
+    page: Page, measures: Sequence[Sequence[Measure]], narrower: int = 0, is_flat: bool = False
+) -> Grid:
+    """Return the grid with all gaps narrower by so many characters, as far as they can be."""
+    gaps = longest(map(partial(_gaps, narrower), page.panels, measures))
+    widths = longest(
+        _widths(panel, own, gaps, is_flat) for panel, own in zip(page.panels, measures, strict=True)
+    )
     rights = accumulate(gap + width for gap, width in zip(gaps, widths, strict=True))
     lefts = tuple(right - width for right, width in zip(rights, widths, strict=True))
-    return Grid(lefts, tuple(widths), tuple(_longest(_figures(panel) for panel in page.panels)))
+    figures = longest(
+        [one.body if column.align == "right" else 0 for one, column in zip(own, panel.columns, strict=True)]
+        for panel, own in zip(page.panels, measures, strict=True)
+    )
+    return Grid(lefts, tuple(widths), tuple(figures), is_flat)
 
 
-def _figures(panel: PagePanel) -> list[int]:
+class Measure(NamedTuple):
+    """The widths of a column: of its heading and of its cells."""
+
+    heading: int
+    body: int
+
+
+def measured(panel: PagePanel) -> list[Measure]:
+    """Return the widths of each column by itself."""
     return [
-        max(map(len, _block(panel, place)), default=0) if column.align == "right" else 0
+        Measure(max(map(len, column.heading), default=0), max(map(len, _block(panel, place)), default=0))
         for place, column in enumerate(panel.columns)
     ]
 
 
-def _longest(panels: Iterable[Sequence[int]]) -> list[int]:
+def longest(panels: Iterable[Sequence[int]]) -> list[int]:
+    """Return for each column the largest of what the panels have."""
     return [max(column) for column in zip_longest(*panels, fillvalue=0)]
+
+
+def _gaps(narrower: int, panel: PagePanel, measures: Sequence[Measure]) -> list[int]:
+    """Return the space before each column, one character at the edge."""
+    full = [one.heading >= one.body for one in measures]
+    gaps = [1]
+    for place, column in enumerate(panel.columns[1:], 1):
+        # Only figures may stand closer; words need the room to be told apart.
+        words = "left" in (column.align, panel.columns[place - 1].align) or (full[place - 1] and full[place])
+        words = words or place <= panel.stubs
+        gaps.append(max(round(column.gap * PER_EM) - narrower, 2 if words else 1))
+    return gaps
+
+
+def _widths(panel: PagePanel, measures: Sequence[Measure], gaps: Sequence[int], is_flat: bool) -> list[int]:
+    """Return the width of each column: its cells, its heading, and its share of the spanners above it."""
+    widths = [max(one) for one in measures]
+    for spanners in reversed(panel.spanners):
+        for cell in spanners:
+            members = range(cell.first, cell.last + 1)
+            extent = sum(widths[place] for place in members) + sum(gaps[place] for place in members[1:])
+            own = len(cell.text) if is_flat else max(map(len, cell.lines))
+            for step in range(max(own - extent, 0)):
+                widths[members[step % cell.across]] += 1
+    return widths
 
 
 def _block(panel: PagePanel, place: int) -> list[str]:
@@ -146,39 +251,6 @@ def _seen(cell: PageCell) -> str:
     return cell.text if cell.down else ""
 
 
-def _gaps(panel: PagePanel, narrower: int) -> list[int]:
-    """Return the space before each column: one at the edge, more where the outermost spanner changes."""
-    outermost = panel.spanners[0] if panel.spanners else ()
-    edges = {edge for cell in outermost for edge in (cell.first, cell.last + 1)}
-    gaps = [1] + [SPANNER_GAP if place in edges else GAP for place in range(1, len(panel.columns))]
-    full = [_is_filled_by_heading(panel, place) for place in range(len(panel.columns))]
-    # Only figures may stand closer; words need the room to be told apart.
-    return [
-        gap - narrower if place > panel.stubs and not (full[place - 1] and full[place]) else gap
-        for place, gap in enumerate(gaps)
-    ]
-
-
-def _is_filled_by_heading(panel: PagePanel, place: int) -> bool:
-    heading = max(map(len, panel.columns[place].heading), default=0)
-    return heading >= max(map(len, _block(panel, place)), default=0)
-
-
-def _widths(panel: PagePanel, gaps: Sequence[int]) -> list[int]:
-    """Return the width of each column: its cells, its heading, and its share of the spanners above it."""
-    widths = [
-        max(len(text) for text in (*column.heading, *_block(panel, place), ""))
-        for place, column in enumerate(panel.columns)
-    ]
-    for spanners in reversed(panel.spanners):
-        for cell in spanners:
-            members = range(cell.first, cell.last + 1)
-            extent = sum(widths[place] for place in members) + sum(gaps[place] for place in members[1:])
-            for step in range(max(len(cell.text) - extent, 0)):
-                widths[members[step % cell.across]] += 1
-    return widths
-
-
 def _placed(pieces: Iterable[tuple[int, str]]) -> str:
     """Return a line with each text at its place, counted from the left edge."""
     line = ""
@@ -187,14 +259,14 @@ def _placed(pieces: Iterable[tuple[int, str]]) -> str:
     return line
 
 
-def _spanner_lines(spanners: Sequence[HeadCell], grid: Grid) -> tuple[str, str]:
-    texts, rules = [], []
-    for cell in spanners:
-        text, left = cell.text, grid.lefts[cell.first]
-        texts.append((left, text.center(grid.extent(cell))))
-        if text:
-            rules.append((left, LIGHT * grid.extent(cell)))
-    return _placed(texts), _placed(rules)
+def _over_columns(spanners: Sequence[HeadCell], grid: Grid) -> Iterator[str]:
+    """Yield the lines of spanners, a short one at the bottom, and the rules below them."""
+    texts = [grid.lines(cell) for cell in spanners]
+    deepest = max(map(len, texts), default=0)
+    for line in zip(*(("",) * (deepest - len(own)) + own for own in texts), strict=True):
+        named = zip(spanners, line, strict=True)
+        yield _placed((grid.lefts[cell.first], text.center(grid.extent(cell))) for cell, text in named)
+    yield _placed((grid.lefts[cell.first], LIGHT * grid.extent(cell)) for cell in spanners if cell.text)
 
 
 def _line(texts: Sequence[str], panel: PagePanel, grid: Grid) -> str:
@@ -212,14 +284,16 @@ def _centred(text: str, width: int) -> str:
     return " " * ((width - len(text) + 1) // 2) + text
 
 
-def _body(panel: PagePanel, grid: Grid) -> Iterator[str]:
+def _body(panel: PagePanel, grid: Grid, paint: Paint | None) -> Iterator[str]:
     lines = zip(*(_block(panel, place) for place in range(len(panel.columns))), strict=True)
     for place, group in enumerate(panel.groups):
         if place:
             yield ""
         if group.label:
-            yield group.label.center(grid.total)
-            yield ""
-        for texts in islice(lines, len(group.rows)):
+            yield f" {group.label}"
+        for row, texts in enumerate(islice(lines, len(group.rows))):
+            if row in group.pauses:
+                yield ""
             in_line = [text.rjust(room) for text, room in zip(texts, grid.figures, strict=False)]
-            yield _line(in_line, panel, grid)
+            line = _line(in_line, panel, grid)
+            yield paint(line, group.rows[row], grid) if paint else line

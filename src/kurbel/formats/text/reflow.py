@@ -1,0 +1,163 @@
+"""A page whose words take less room: in further lines of their cells, or in notes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import chain, zip_longest
+from string import ascii_lowercase
+from typing import NamedTuple
+
+from kurbel.formats.page import Page, PageCell, PageGroup, PageNote, PagePanel
+from kurbel.formats.text.wrap import fitted, lines_of, longest_word
+from kurbel.formats.text.writer import TIGHTEST, Measure, grid_with, longest, measured
+from kurbel.page.labels import mark_text
+
+# A column of words is not squeezed below that.
+NARROWEST = 14
+# How far the further lines of a row's name are indented.
+INDENT = " "
+
+
+def reflowed(page: Page, width: int) -> Iterator[Page]:
+    """Yield the page, then with words in further lines, with long ones in notes, with panels apart."""
+    yield page
+    if narrow := _in_lines(page, width):
+        yield narrow
+    if noted := _noted(page, width):
+        yield noted
+        if narrow := _in_lines(noted, width):
+            yield narrow
+    if len(page.panels) > 1:
+        alone = [_in_lines(page._replace(panels=(panel,)), width) for panel in page.panels]
+        if all(alone):
+            yield page._replace(panels=tuple(one.panels[0] for one in alone if one))
+
+
+class _Rooms(NamedTuple):
+    """What is known of the widths of columns: those of the page, the least of heads and of bodies, and how
+    much room there is for all."""
+
+    own: Sequence[int]
+    heads: Sequence[int]
+    bodies: Sequence[int]
+    room: int
+
+    def fitted(self, bodies: Sequence[int]) -> list[int] | None:
+        """Return the widths with which the page has room, the least of bodies being these; None if none."""
+        least = map(min, map(max, self.heads, bodies), self.own)
+        return fitted(self.own, [*least], self.room)
+
+
+def _rooms(page: Page, width: int) -> _Rooms:
+    measures = [measured(panel) for panel in page.panels]
+    grid = grid_with(page, measures, TIGHTEST)
+    return _Rooms(
+        grid.widths,
+        longest([_words(column.heading) for column in panel.columns] for panel in page.panels),
+        longest(map(_least, page.panels, measures)),
+        width - (grid.total - sum(grid.widths)),
+    )
+
+
+def _least(panel: PagePanel, measures: Sequence[Measure]) -> list[int]:
+    """Return the least room of the cells of each column: that of figures, or of the longest word."""
+    rooms = []
+    for place, (column, own) in enumerate(zip(panel.columns, measures, strict=True)):
+        if column.align == "left" and own.body > NARROWEST:
+            indent = len(INDENT) if place < panel.stubs else 0
+            words = _words(row[place].text + row[place].marks for row in panel.rows)
+            rooms.append(max(words + indent, NARROWEST))
+        else:
+            rooms.append(own.body)
+    return rooms
+
+
+def _words(texts: Iterable[str]) -> int:
+    return max(map(longest_word, texts), default=0)
+
+
+def _in_lines(page: Page, width: int) -> Page | None:
+    """Return the page with words, and the heads of columns, in as many lines as they need."""
+    rooms = _rooms(page, width)
+    fitting = rooms.fitted(rooms.bodies)
+    if fitting is None:
+        return None
+    return page._replace(panels=tuple(_panel_in_lines(panel, fitting) for panel in page.panels))
+
+
+def _panel_in_lines(panel: PagePanel, rooms: Sequence[int]) -> PagePanel:
+    columns = tuple(
+        column._replace(heading=tuple(chain.from_iterable(lines_of(line, room) for line in column.heading)))
+        for column, room in zip(panel.columns, rooms, strict=False)
+    )
+    groups = tuple(_group_in_lines(group, panel, rooms) for group in panel.groups)
+    return panel._replace(columns=columns, groups=groups)
+
+
+def _group_in_lines(group: PageGroup, panel: PagePanel, rooms: Sequence[int]) -> PageGroup:
+    rows: list[tuple[PageCell, ...]] = []
+    pauses = set()
+    for place, row in enumerate(group.rows):
+        if place in group.pauses:
+            pauses.add(len(rows))
+        cells = [
+            _cell_in_lines(cell, room, INDENT if number < panel.stubs else "")
+            if column.align == "left"
+            else [cell]
+            for number, (cell, column, room) in enumerate(zip(row, panel.columns, rooms, strict=False))
+        ]
+        rows += zip_longest(*cells, fillvalue=PageCell("", "", "label"))
+    return group._replace(rows=tuple(rows), pauses=frozenset(pauses))
+
+
+def _cell_in_lines(cell: PageCell, room: int, indent: str) -> list[PageCell]:
+    text = cell.text + cell.marks
+    if cell.kind != "label" or not cell.down or len(text) <= room:
+        return [cell]
+    return [cell._replace(text=line, marks="") for line in lines_of(text, room, indent)]
+
+
+def _noted(page: Page, width: int) -> Page | None:
+    """Return the page with long texts in notes; None without them, or where letters are too few for them."""
+    rooms = _rooms(page, width)
+    shortest = {place: min(map(len, texts)) for place, texts in _prose(page).items()}
+    fitting = rooms.fitted([shortest.get(place, body) for place, body in enumerate(rooms.bodies)])
+    if fitting is None:
+        return None
+    long = {
+        place: [text for text in texts if len(text) > fitting[place]] for place, texts in _prose(page).items()
+    }
+    used = {note.mark for note in page.notes}
+    free = [mark for mark in map(mark_text, ascii_lowercase) if mark not in used]
+    found = dict.fromkeys(chain.from_iterable(long.values()))
+    if not found or len(found) > len(free):
+        return None
+    marks = dict(zip(found, free, strict=False))
+    notes = tuple(PageNote(text, mark, "") for text, mark in marks.items())
+    panels = tuple(_panel_noted(panel, {place: marks for place in long}) for panel in page.panels)
+    return page._replace(panels=panels, notes=(*notes, *page.notes))
+
+
+def _prose(page: Page) -> Mapping[int, Sequence[str]]:
+    """Return the texts of each column of prose beside the stub; formulas have no-break spaces only."""
+    found: dict[int, list[str]] = {}
+    for panel in page.panels:
+        for place, column in enumerate(panel.columns):
+            texts = [row[place].text for row in panel.rows if row[place].text]
+            if place >= panel.stubs and column.align == "left" and any(" " in text for text in texts):
+                found.setdefault(place, []).extend(texts)
+    return found
+
+
+def _panel_noted(panel: PagePanel, marks: Mapping[int, Mapping[str, str]]) -> PagePanel:
+    def noted(place: int, cell: PageCell) -> PageCell:
+        mark = marks.get(place, {}).get(cell.text)
+        return cell if mark is None else cell._replace(text="", marks=cell.marks + mark)
+
+    groups = (
+        group._replace(
+            rows=tuple(tuple(noted(place, cell) for place, cell in enumerate(row)) for row in group.rows)
+        )
+        for group in panel.groups
+    )
+    return panel._replace(groups=tuple(groups))
