@@ -540,7 +540,7 @@ def test_a_book_that_cannot_be_used_is_answered_with_a_sentence(
 
 def test_a_formula_without_a_label_is_headed_by_its_place(tmp_path: Path) -> None:
     folder = own(tmp_path, values="place;formula;printed\nroot_2;sqrt(2);1,4\n")
-    assert " root 2     1,4" in printed("collate", "author-1", "--sources", folder).out
+    assert " root 2      1,4" in printed("collate", "author-1", "--sources", folder).out
 
 
 @pytest.mark.parametrize(

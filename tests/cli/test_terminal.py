@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import shlex
+import sys
 from pathlib import Path
 
 import pytest
@@ -13,7 +14,11 @@ from places import ROOT
 from programs import Programs, wait_until
 from terminals import own_terminal, shown
 
+from kurbel import collation_table
 from kurbel.cli import screen
+from kurbel.cli.tables import Printing
+from kurbel.formats.registry import FORMATS
+from kurbel.formats.render import render
 from kurbel.page.layouts import layout_names
 
 LINES = 24
@@ -159,3 +164,44 @@ def test_lists_are_data_for_programs() -> None:
     assert (one["source"], one["options"]) == ("blau", "'--ratio")
     assert 'no format "latex"' in refusal("layouts", "-f", "latex")
     assert "--format is for the page of an example" in refusal("example", "-f", "latex")
+
+
+@pytest.mark.parametrize(
+    ("settings", "terminal", "coloured"),
+    [
+        ({}, True, True),
+        ({}, False, False),
+        ({"NO_COLOR": "1"}, True, False),
+        ({"NO_COLOR": ""}, True, True),
+        ({"NO_COLOR": "1", "FORCE_COLOR": "1"}, True, False),
+        ({"CLICOLOR": "0"}, True, False),
+        ({"TERM": "dumb"}, True, False),
+        ({"FORCE_COLOR": "1"}, False, True),
+        ({"CLICOLOR_FORCE": "1"}, False, True),
+        ({"CLICOLOR_FORCE": "0"}, False, False),
+    ],
+)
+def test_colours_are_for_terminals_and_for_those_who_ask(
+    settings: dict[str, str], terminal: bool, coloured: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    reading, writing = os.pipe()
+    with own_terminal(80, LINES, **settings), os.fdopen(writing, "w") as pipe:
+        if not terminal:
+            monkeypatch.setattr(sys, "stdout", pipe)
+        assert screen.has_colours() is coloured
+    os.close(reading)
+
+
+def test_no_file_has_colours(tmp_path: Path) -> None:
+    words = ("collate", "blau-33", "--columns", "verdict")
+    assert "\x1b" not in printed(*words, FORCE_COLOR="1").out
+    printed(*words, "-o", str(tmp_path / "page.txt"), FORCE_COLOR="1")
+    assert b"\x1b" not in (tmp_path / "page.txt").read_bytes()
+
+
+def test_a_collation_on_a_terminal_fits_it_and_is_coloured() -> None:
+    with own_terminal(60, 500) as end:
+        assert screen.width() == 60
+        Printing(FORMATS["text"], "-", None, False, False).print(collation_table("blau-33"))
+        there = end()
+    assert there == render(collation_table("blau-33"), "text", width=60, colours=True)

@@ -462,7 +462,7 @@ ERRORS = [
     (("blau", "33", "--ratio=1:4", "--ratio=x"), 'crank ratio "x" is not a ratio R:L; write it as 1:5,'),
     (("weisbach", "149", "--beam=1"), "beam arm a is 1 r; it must be longer than the crank radius r,"),
     (
-        ("-f", "json", "-o", "list.json"),
+        ("-f", "html", "-o", "list.html"),
         "--format is for the page of an example, and none is named; name one",
     ),
     (("blau", "--ratio=1:4"), "--ratio is for the page of an example, and none is named; name one, such as"),

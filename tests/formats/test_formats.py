@@ -72,7 +72,7 @@ def test_registry_is_cheap_to_import() -> None:
 OTHERS = {
     "__init__": {"pdf"},
     "books.source": {".csv"},
-    "cli.handbook": {"text"},
+    "cli.handbook_list": {"text"},
     "commands.diagram.given": {".csv"},
     # A kind of option.
     "commands.options": {"text"},

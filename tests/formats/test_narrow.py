@@ -54,14 +54,14 @@ def test_panels_are_parted_between_spanners() -> None:
 
 
 def test_units_are_repeated_in_every_panel_that_has_room_for_them() -> None:
-    for width, panels in ((80, 2), (66, 3)):
+    for width, panels in ((66, 2), (54, 3)):
         narrow = render(page("delta-detail"), "text", width=width)
         # Two rules about each panel.
         assert narrow.count("━\n") == 2 * panels
         assert narrow.count("Q r/(m₁ v₁²)\n") == 2 * panels
         assert narrow.count("P r/(m₁ v₁²)\n") == panels
     # Without room they follow in a panel of their own.
-    narrow = render(page("delta-detail"), "text", width=60)
+    narrow = render(page("delta-detail"), "text", width=44)
     assert narrow.count("━\n") == 2 * 4
     assert narrow.count("Q r/(m₁ v₁²)\n") == 2
 

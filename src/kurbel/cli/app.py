@@ -75,7 +75,8 @@ def show(pieces: Iterable[bytes]) -> None:
     """Write what a command prints to standard output, on a terminal through a pager what is long."""
     from kurbel.cli import screen
 
-    screen.show(pieces, paging=not click.get_current_context().meta.get(UNPAGED, False))
+    context = click.get_current_context(silent=True)
+    screen.show(pieces, paging=not (context and context.meta.get(UNPAGED)))
 
 
 @click.group(

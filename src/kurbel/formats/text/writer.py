@@ -15,8 +15,8 @@ from kurbel.formats.page import Page, PageCell, PagePanel, page
 from kurbel.formats.writer import PageWriter
 from kurbel.page.table import HeadCell, Table
 
-# A table is no wider than that if closer columns are a help.
-WIDEST = 100
+# A table is no wider than the first, or else the second of these if closer columns are a help.
+USUAL, WIDEST = 80, 100
 # Notes below a small table are not squeezed into its width, nor its caption into that of a word or two.
 NARROWEST, NARROWEST_CAPTION = 60, 30
 # The share of the line that the caption of a wide table may have.
@@ -154,13 +154,13 @@ def grid_of(page: Page, width: int | None = None) -> Grid:
 
     Symbols stand beside the names above columns where the page becomes little wider by it.
     """
-    room = min(width or WIDEST, WIDEST)
     measures = [measured(panel) for panel in page.panels]
-    loose, flat = grid_with(page, measures), grid_with(page, measures, is_flat=True)
-    if flat.total <= min(room, LITTLE * loose.total):
-        return flat
-    closer = (grid_with(page, measures, narrower) for narrower in range(TIGHTEST + 1))
-    return next((grid for grid in closer if grid.total <= room), loose)
+    grids = [grid_with(page, measures, narrower) for narrower in range(TIGHTEST + 1)]
+    flat, loose = grid_with(page, measures, is_flat=True), grids[0]
+    if flat.total <= LITTLE * loose.total:
+        grids.insert(0, flat)
+    rooms = (min(width or room, room) for room in (USUAL, WIDEST))
+    return next((grid for room in rooms for grid in grids if grid.total <= room), loose)
 
 
 def grid_with(
