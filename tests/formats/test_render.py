@@ -123,7 +123,7 @@ def test_wide_page_of_text_closes_its_gaps_before_it_leaves_the_terminal() -> No
 
 def test_no_line_end_cuts_a_formula_in_text() -> None:
     label = "Ein Satz, dessen Formel am Ende der Zeile stünde, nämlich $R:L = 1:5$"
-    table = replace(table_of((Column("x", ("x",)),), Row((), (n(1),))), caption=label)
+    table = replace(table_of((Column("x", ("x",)),), Row((), (n(1),))), notes=(Note(label),))
     text = render(table, "text")
     assert "\n R:L = 1:5\n" in text
     assert "\u00a0" not in text

@@ -23,8 +23,11 @@ NARROWEST, NARROWEST_CAPTION = 60, 30
 OF_LINE = 0.85
 # So many times the width may a table have for symbols that stand beside the names above columns.
 LITTLE = 1.1
-# By how many characters gaps may be narrower.
-TIGHTEST = 2
+# By how many characters gaps become narrower, and how wide they then are at the least; only figures may stand
+# closer than words, which need the room to be told apart.
+NEXT = 2
+CLOSER = ((0, NEXT), (1, NEXT), (1, 1), (2, 1))
+TIGHTEST = len(CLOSER) - 1
 # Characters for an em, which is the height of a line.
 PER_EM = 1.5
 HEAVY, LIGHT = "━", "─"
@@ -55,6 +58,7 @@ class Grid(NamedTuple):
     widths: tuple[int, ...]
     figures: tuple[int, ...]
     """The longest figure of each column, which stands in the middle of it."""
+    closer: int
     is_flat: bool
     """Whether symbols above columns stand beside the names and not below them."""
 
@@ -155,19 +159,29 @@ def grid_of(page: Page, width: int | None = None) -> Grid:
     Symbols stand beside the names above columns where the page becomes little wider by it.
     """
     measures = [measured(panel) for panel in page.panels]
-    grids = [grid_with(page, measures, narrower) for narrower in range(TIGHTEST + 1)]
-    flat, loose = grid_with(page, measures, is_flat=True), grids[0]
-    if flat.total <= LITTLE * loose.total:
-        grids.insert(0, flat)
-    rooms = (min(width or room, room) for room in (USUAL, WIDEST))
-    return next((grid for room in rooms for grid in grids if grid.total <= room), loose)
+    grids = [grid for closer in range(TIGHTEST + 1) for grid in _grids_with(page, measures, closer)]
+    rooms = ((USUAL, [grid for grid in grids if grid.closer < 2]), (WIDEST, grids))
+    # What has no room on a terminal is as elsewhere.
+    for most in (width or WIDEST, WIDEST):
+        for room, candidates in rooms:
+            for grid in candidates:
+                if grid.total <= min(most, room):
+                    return grid
+    return next(grid for grid in grids if grid.closer)
 
 
-def grid_with(
-    page: Page, measures: Sequence[Sequence[Measure]], narrower: int = 0, is_flat: bool = False
-) -> Grid:
-    """Return the grid with all gaps narrower by so many characters, as far as they can be."""
-    gaps = longest(map(partial(_gaps, narrower), page.panels, measures))
+def _grids_with(page: Page, measures: Sequence[Sequence[Measure]], closer: int) -> Iterator[Grid]:
+    """Yield the grids with such gaps, that with symbols beside the names first."""
+    stacked = grid_with(page, measures, closer)
+    flat = grid_with(page, measures, closer, is_flat=True)
+    if flat.total <= LITTLE * stacked.total:
+        yield flat
+    yield stacked
+
+
+def grid_with(page: Page, measures: Sequence[Sequence[Measure]], closer: int, is_flat: bool = False) -> Grid:
+    """Return the grid with gaps in one of the steps by which they become closer."""
+    gaps = longest(map(partial(_gaps, closer), page.panels, measures))
     widths = longest(
         _widths(panel, own, gaps, is_flat) for panel, own in zip(page.panels, measures, strict=True)
     )
@@ -177,7 +191,7 @@ def grid_with(
         [one.body if column.align == "right" else 0 for one, column in zip(own, panel.columns, strict=True)]
         for panel, own in zip(page.panels, measures, strict=True)
     )
-    return Grid(lefts, tuple(widths), tuple(figures), is_flat)
+    return Grid(lefts, tuple(widths), tuple(figures), closer, is_flat)
 
 
 class Measure(NamedTuple):
@@ -200,15 +214,15 @@ def longest(panels: Iterable[Sequence[int]]) -> list[int]:
     return [max(column) for column in zip_longest(*panels, fillvalue=0)]
 
 
-def _gaps(narrower: int, panel: PagePanel, measures: Sequence[Measure]) -> list[int]:
+def _gaps(closer: int, panel: PagePanel, measures: Sequence[Measure]) -> list[int]:
     """Return the space before each column, one character at the edge."""
     full = [one.heading >= one.body for one in measures]
+    less, least = CLOSER[closer]
     gaps = [1]
     for place, column in enumerate(panel.columns[1:], 1):
-        # Only figures may stand closer; words need the room to be told apart.
         words = "left" in (column.align, panel.columns[place - 1].align) or (full[place - 1] and full[place])
-        words = words or place <= panel.stubs
-        gaps.append(max(round(column.gap * PER_EM) - narrower, 2 if words else 1))
+        close = least if not words and place > panel.stubs else NEXT
+        gaps.append(max(round(column.gap * PER_EM) - less, close))
     return gaps
 
 
