@@ -414,12 +414,19 @@ def test_more_curves_than_can_be_told_apart_are_refused() -> None:
         curves([Panel(crowd, "")], "de", ",")
 
 
-def test_lines_are_told_apart_without_colour_and_seen_on_white() -> None:
+# The paper of dark pages, as browsers and editors have it.
+DARK = "#1b1b1b"
+
+
+def test_lines_are_told_apart_without_colour_and_seen_on_white_and_on_dark_paper() -> None:
     assert len({(line.dashes, line.width) for line in LINES}) == len(LINES) == 12
     assert len({line.dashes for line in LINES[:6]}) == 6
     for line in LINES:
         # A contrast of 3 is what WCAG 2.1, 1.4.11, asks of lines.
         assert 1.05 / (luminance(line.colour) + 0.05) >= 3
+        # SVG's black is there the colour of the text.
+        dark = (luminance(line.colour) + 0.05) / (luminance(DARK) + 0.05)
+        assert dark >= 3 or line.colour == plot_style.BLACK
 
 
 def luminance(colour: str) -> float:

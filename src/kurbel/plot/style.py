@@ -101,7 +101,7 @@ class Line(NamedTuple):
 
 # Okabe and Ito's colours, which colour-blind eyes tell apart, without those too pale for thin lines. The
 # pattern alone tells the first six lines apart, pattern and width twelve.
-_COLOURS = (BLACK, "#0072b2", "#d55e00", "#009e73", "#a8508c", "#7a5c00")
+_COLOURS = (BLACK, "#0072b2", "#d55e00", "#009e73", "#a8508c", "#8f6b00")
 _PATTERNS: tuple[tuple[float, ...], ...] = (
     (),
     (6, 2),

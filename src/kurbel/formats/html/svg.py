@@ -19,7 +19,7 @@ COLOURS: Mapping[str, str] = {
     "#d55e00": "orange",
     "#009e73": "green",
     "#a8508c": "purple",
-    "#7a5c00": "brown",
+    "#8f6b00": "brown",
 }
 # What is black by itself has the colour of the text around it.
 _NAMES = {**COLOURS, "currentColor": "ink"}
