@@ -59,9 +59,10 @@ golden: $(READY) ## write the golden files anew; then read the difference
 	KURBEL_PROMOTE=1 $(BIN)/python -m pytest -q $(IN_PARALLEL) tests
 	git diff --stat -- tests/golden
 
-tools: ## install TeX, Chromium, poppler, fish and axe, which some tests need (Debian, as root)
+tools: $(READY) ## install TeX, Chromium, poppler, fish, axe and veraPDF, which some tests need (Debian, as root)
 	sh scripts/debian-tools.sh
 	npm ci --prefix tests --ignore-scripts --no-audit --no-fund
+	$(BIN)/python -m pip install --quiet --group tools
 
 clean: ## remove what was built
 	rm -rf $(VENV) build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis

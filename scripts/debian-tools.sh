@@ -1,10 +1,11 @@
 #!/bin/sh
-# Install the programs that check printed pages and completion: TeX, Chromium, pdftotext, ps, fish, patch, npm.
+# Install the programs that check printed pages and completion: TeX, Chromium, pdftotext, ps, fish, patch, npm, Java.
 set -eu
 
-packages="texlive-latex-base texlive-latex-recommended texlive-luatex texlive-latex-extra texlive-science texlive-lang-german latexmk lmodern chromium poppler-utils procps fish patch"
+packages="texlive-latex-base texlive-latex-recommended texlive-luatex texlive-latex-extra texlive-science texlive-lang-german latexmk lmodern chromium poppler-utils procps fish patch libjaxb-java"
 # A Node.js that is not from Debian brings its own npm, and Debian's would replace it.
 command -v npm >/dev/null || packages="$packages nodejs npm"
+command -v java >/dev/null || packages="$packages default-jdk-headless"
 
 missing=""
 for package in $packages; do

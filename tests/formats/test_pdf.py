@@ -13,10 +13,11 @@ from pathlib import Path
 
 import pytest
 from cli import printed, refusal
-from everything import everything
+from everything import everything, tall
 from programs import into_the_next_second
 from tools import require, require_library
 from typeset import broken_formulas, words_of_pdf
+from verapdf import validate
 
 import kurbel
 from kurbel.formats.pdf import STANDARDS, Standard
@@ -230,3 +231,15 @@ def test_formulas_are_of_the_family_of_the_text(tmp_path: Path) -> None:
     names = {line.split()[0].partition("+")[2].split("-")[0] for line in listed.splitlines()[2:]}
     # The third has only signs such as ± and =.
     assert names == {"LibertinusSerif", "LibertinusMath", "NewCMMath"}
+
+
+@pytest.mark.slow
+def test_an_independent_validator_finds_archivable_and_accessible_what_claims_to_be(tmp_path: Path) -> None:
+    pages = {"everything": everything(), "tall": tall(60), "halves": kurbel.table(layout="roetscher-112")}
+    for name, page in pages.items():
+        path = tmp_path / f"{name}.pdf"
+        path.write_bytes(kurbel.typeset_pdf(page, standards=["a-2a", "ua-1"]))
+        assert validate(path, "ua1", "2a") == {"ua1": [], "2a": []}
+    plain = tmp_path / "plain.pdf"
+    plain.write_bytes(kurbel.typeset_pdf(everything()))
+    assert [rule for rule in validate(plain, "ua1")["ua1"] if "PDF/UA version" in rule]
