@@ -69,15 +69,15 @@ def records(pages: Path, name: str) -> list[dict[str, str]]:
 def test_every_reference_finds_its_label_also_where_a_part_is_called_as_its_layout(tmp_path: Path) -> None:
     (tmp_path / "handbook.toml").write_text(
         'title = "T"\nformats = ["typst", "latex", "html"]\n[[chapter]]\ntitle = "C"\n[[chapter.part]]\n'
-        'text = "[](#kolbenwege)"\n[[chapter.part]]\nrun = "table --layout kolbenwege --ratio 1:4"\n'
-        'name = "kolbenwege"\n',
+        'text = "[](#rotor)"\n[[chapter.part]]\nrun = "rotor --masses 12kg --radii 50mm --angles 20"\n'
+        'name = "rotor"\n',
         encoding="utf-8",
     )
     assert kurbel("handbook", "build", str(tmp_path), "--jobs", "1").code == 0
     pages = tmp_path / "pages"
-    assert '#label("tab-kolbenwege")' in (pages / "tables/kolbenwege.typ").read_text(encoding="utf-8")
-    assert "\\label{tab:kolbenwege}" in (pages / "tables/kolbenwege.tex").read_text(encoding="utf-8")
-    assert 'id="tab-kolbenwege"' in (pages / "handbook.html").read_text(encoding="utf-8")
+    assert '#label("tab-rotor")' in (pages / "tables/rotor.typ").read_text(encoding="utf-8")
+    assert "\\label{tab:rotor}" in (pages / "tables/rotor.tex").read_text(encoding="utf-8")
+    assert 'id="tab-rotor"' in (pages / "handbook.html").read_text(encoding="utf-8")
 
 
 def test_symbols_are_those_of_the_tables_each_with_the_first(pages: Path) -> None:
