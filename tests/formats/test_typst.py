@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -18,12 +19,14 @@ from tools import require_library
 from typeset import broken_formulas, least_type, page_width, words_of_pdf
 
 from kurbel.errors import LayoutError
+from kurbel.exact.numerals import Number
 from kurbel.formats.render import render
 from kurbel.formats.typst.strings import string as string_typst
 from kurbel.formats.typst.writer import Writer
 from kurbel.formats.typst.writer import escape as escape_typst
 from kurbel.page.formula import Formula
 from kurbel.page.labels import formula_plain, parse
+from kurbel.page.table import DITTO, Cell, Column, Group, Panel, Row
 
 require_library("typst")
 
@@ -226,6 +229,25 @@ def test_table_longer_than_a_page_breaks_and_repeats_its_heads(tmp_path: Path) -
     assert all(re.search("Gruppe|Source", page) for page in pages)
     numbers = [int(found) for page in pages for found in re.findall(r"^ *(\d+) +0[.]", page, re.MULTILINE)]
     assert numbers == [*range(200), *range(200)]
+
+
+@pytest.mark.parametrize("height", [110, 117, 124])
+def test_no_page_ends_within_an_equation(height: int, tmp_path: Path) -> None:
+    # A line of the working, what goes on with it, and a second figure of it.
+    lines = [
+        one
+        for number in range(12)
+        for one in (f"$a_{number} = 1$", "\N{NO-BREAK SPACE}$= 2$", DITTO, f"$c_{number} = 4$")
+    ]
+    rows = tuple(Row((Cell(line),), (Cell(Number(500 + place, 0)),)) for place, line in enumerate(lines))
+    panel = Panel((Column("line", ("Rechnung",)),), (Column("x", ("x",)),), (Group(rows),))
+    page = replace(everything(), panels=(panel,), notes=(), caption="", source="")
+    source = f"{HEAD}#set page(width: 150mm, height: {height}mm)\n{render(page, 'typst')}"
+    pages = compiled(source, tmp_path)
+    assert len(pages) > 1
+    figures = [[int(one) - 500 for one in re.findall(r" (5\d\d)$", text, re.MULTILINE)] for text in pages]
+    assert [one for page in figures for one in page] == [*range(48)]
+    assert {page[0] % 4 for page in figures} <= {0, 3}
 
 
 def test_table_shorter_than_a_page_moves_to_the_next_with_its_caption(tmp_path: Path) -> None:

@@ -12,7 +12,7 @@ from itertools import accumulate, chain, islice, pairwise, zip_longest
 from typing import Literal, NamedTuple
 
 from kurbel.exact.numerals import Label, Number, number_text
-from kurbel.formats.spacing import gaps, panel_pauses
+from kurbel.formats.spacing import gaps, held, panel_pauses
 from kurbel.formats.writer import PageWriter
 from kurbel.page.labels import plain, set_label
 from kurbel.page.table import DITTO, Cell, HeadCell, Panel, Table, Tone, head_rows
@@ -49,11 +49,20 @@ class PageColumn(NamedTuple):
 
 
 class PageGroup(NamedTuple):
-    """Rows; `pauses` are those, counted from 0, before which a small space stands."""
+    """Rows; `pauses` are those, counted from 0, before which a small space stands, and before those that are
+    `held` no page ends."""
 
     label: str
     rows: tuple[tuple[PageCell, ...], ...]
     pauses: frozenset[int]
+    held: frozenset[int] = frozenset()
+
+    @property
+    def spans(self) -> tuple[int, ...]:
+        """How many rows from each one on no page ends between, 0 for those that are held."""
+        free = [row for row in range(len(self.rows)) if row not in self.held]
+        ends = dict(pairwise((*free, len(self.rows))))
+        return tuple(ends[row] - row if row in ends else 0 for row in range(len(self.rows)))
 
 
 class PagePanel(NamedTuple):
@@ -194,7 +203,7 @@ class Setter:
             names=len(panel.stub) - 1 if panel.stub and _are_short(row.stub[-1] for row in rows) else None,
             head=head,
             groups=tuple(
-                PageGroup(self.label(group.label), tuple(islice(lines, len(group.rows))), pauses)
+                PageGroup(self.label(group.label), tuple(islice(lines, len(group.rows))), pauses, held(group))
                 for group, pauses in zip(panel.groups, panel_pauses(panel, self.table.pause), strict=True)
             ),
         )

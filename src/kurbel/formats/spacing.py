@@ -22,6 +22,9 @@ FEWEST = 12
 # Steps after which a pause falls on what readers look for, by preference.
 _ROUND_ANGLES = (30, 90, 15, 45, 60)
 _COUNTS = (3, 5)
+# Rows of one line that stay together.
+MOST_HELD = 8
+_RELATION = re.compile(r"\s*\$\s*[=≈<>≤≥]")
 
 
 def gaps(panel: Panel) -> Iterator[float]:
@@ -54,6 +57,26 @@ def panel_pauses(panel: Panel, every: int | None) -> Iterator[frozenset[int]]:
     """
     for group in panel.groups:
         yield frozenset(_every(group, every) if every is not None else _by_step(panel, group))
+
+
+def held(group: Group) -> frozenset[int]:
+    """Return the rows of a group before which no page may end: what goes on with the line above it.
+
+    That is a further part of an equation or a further figure of a line, whose stub says nothing or begins
+    with a sign of relation. A line of very many rows ends where it must.
+    """
+    found, run = [], 0
+    for place, row in enumerate(group.rows):
+        run = run + 1 if place and row.stub and _continues(row.stub) else 0
+        if 0 < run < MOST_HELD:
+            found.append(place)
+    return frozenset(found)
+
+
+def _continues(stub: Sequence[Cell]) -> bool:
+    return all(cell.value is DITTO or cell.value == "" for cell in stub) or (
+        isinstance(stub[-1].value, str) and _RELATION.match(stub[-1].value) is not None
+    )
 
 
 def _every(group: Group, count: int) -> Iterator[int]:

@@ -103,6 +103,10 @@ def typst_layout(table: Table, mark: str, ready: Page) -> TypstLayout:
     width = _width(columns, gaps)
     narrow = width - (1 - LEAST) * sum(gaps)
     above, below = _spaces(page)
+    if any(group.held for panel in page.panels for group in panel.groups):
+        # Cells of a column without width hold the rows of a line together.
+        columns.append(TypstColumn(0.0, 0.0, False))
+        gaps.append(0.0)
     return TypstLayout(
         label=string(f"tab-{page.anchor}"),
         table=WORDS.get(page.lang, WORDS["en"])["table"],
