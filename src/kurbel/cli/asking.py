@@ -158,7 +158,8 @@ def _table(task: Task, answer: Asked, table: Table) -> Made:
     caption, layout = part.caption or table.caption, table.layout or table.key
     # Records are computed as they are run through: once for all formats.
     records = table.records._replace(rows=[*table.records.rows])
-    data = replace(table, key=part.name, layout=layout, caption=caption, records=records)
+    # The manifest's names are all different, also where one is that of a layout.
+    data = replace(table, key=part.name, layout=layout, caption=caption, variant="", records=records)
     named = replace(data, caption=_caption(task, table.caption, table.lang))
     with deadline(task.patience, GIGABYTES, bool(task.templates or named.templates)):
         files = {
