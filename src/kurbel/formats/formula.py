@@ -140,8 +140,8 @@ def _mathml_node(nodes: tree.Nodes, place: int, mark: str) -> str:
             return _THIN * is_seen(nodes, place)
         case tree.Group(content, fences):
             # Fences that may stretch are set with side bearings, even around a single line.
-            fixed = "" if has_bar(content) else ' stretchy="false"'
-            opening, closing = (f"<mo{fixed}>{fence}</mo>" for fence in fences)
+            grows = str(has_bar(content)).lower()
+            opening, closing = (f'<mo stretchy="{grows}">{fence}</mo>' for fence in fences)
             return f"<mrow>{opening}{mathml(content, mark)}{closing}</mrow>"
         case tree.Root(content):
             return f"<msqrt>{mathml(content, mark)}</msqrt>"

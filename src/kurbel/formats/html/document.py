@@ -9,6 +9,7 @@ from typing import NamedTuple
 from kurbel.documents.document import Chapter, Item
 from kurbel.formats.documents import DocumentMaker
 from kurbel.formats.html.svg import inline
+from kurbel.formats.html.writer import panelled
 
 NAME = "handbook.html"
 WORDS: Mapping[str, Mapping[str, str]] = {
@@ -86,7 +87,7 @@ class Maker(DocumentMaker):
     def part(self, item: Item) -> Part:
         target, number, fragment = self.label(item), self.number(item), self.fragments[item.name]
         if item.kind == "table":
-            content = _numbered(_REMARK.sub("", fragment), target)
+            content = panelled(_numbered(_REMARK.sub("", fragment), target))
         else:
             title = f"{number}: {self.plain(item.caption, item.lang)}"
             content = inline(fragment, target, title, own_page=True)

@@ -35,7 +35,7 @@ class Writer(PageWriter):
         return _BESIDE_FORMULA.sub(_kept, label)
 
     def filters(self) -> Mapping[str, Callable[..., Any]]:
-        return {"heads": Heads, "hyphenated": hyphenated, "measures": measures}
+        return {"heads": Heads, "hyphenated": hyphenated, "measures": measures, "panelled": panelled}
 
     def drawing(self, svg: str, name: str, title: str) -> str:
         from kurbel.formats.html.svg import inline
@@ -175,16 +175,29 @@ _TAG = re.compile(r"<[^>]*>")
 _PIECES = re.compile(r" |\n|<br>")
 
 
-# A table that needs no more fits beside the contents of a handbook on every desktop.
-_SLIM = 44
+# A table that needs no more fits beside the contents of a handbook on every desktop; one that needs no more
+# where heads break and gaps are of the least unit, as the style sheet has them, fits 344 px in type of 12 px.
+_SLIM, _TELEPHONE = 44, 344 / 12
+_LEAST_UNIT, _RESERVE = 0.3, 1.03
+# The mark of a note hangs in the gap, which is twice as wide then, and beside the last column.
+_MARK = 1.0
+
+
+def panelled(page: str) -> str:
+    """Return a page with panels for telephones after each table that needs them."""
+    if '"scroll broad"' not in page:
+        return page
+    from kurbel.formats.html.narrow import with_panels
+
+    return with_panels(page)
 
 
 class Widths(NamedTuple):
-    """`wide` is that of the columns side by side without their gaps, `least` where heads break and long texts
-    wrap. `shifts` move the figures of each column to the middle below its heading."""
+    """`wide` is that of the columns side by side without their gaps, `leasts` those of each where heads break
+    and long texts wrap. `shifts` move the figures of each column to the middle below its heading."""
 
     wide: float
-    least: float
+    leasts: tuple[float, ...]
     gaps: tuple[float, ...]
     shifts: tuple[float, ...]
 
@@ -193,11 +206,16 @@ class Widths(NamedTuple):
         return self.wide + sum(self.gaps) <= _SLIM
 
     @property
+    def broad(self) -> bool:
+        return _RESERVE * sum(self.leasts) + _LEAST_UNIT * sum(self.gaps) > _TELEPHONE
+
+    @property
     def style(self) -> str:
         """Return them as the style sheet reads them, columns counted from the last one."""
-        said = {"wide": self.wide, "least": self.least, "gaps": max(sum(self.gaps), 0.1)}
-        for place, (gap, shift) in enumerate(zip(reversed(self.gaps), reversed(self.shifts), strict=True), 1):
-            said |= {f"g{place}": gap, f"s{place}": shift}
+        said = {"wide": self.wide, "least": sum(self.leasts), "gaps": max(sum(self.gaps), 0.1)}
+        columns = zip(self.gaps, self.shifts, self.leasts, strict=True)
+        for place, measures in enumerate(reversed(list(columns)), 1):
+            said |= dict(zip((f"g{place}", f"s{place}", f"l{place}"), measures, strict=True))
         return "; ".join(f"--{name}: {round(value, 2):g}" for name, value in said.items())
 
 
@@ -218,7 +236,12 @@ def measures(panel: PagePanel, lang: str) -> Widths:
         for texts, column in zip(cells, panel.columns, strict=True)
     ]
     least = _columns(panel, wrapping, lambda head: _whole(_longest(hyphenated(head, lang))))
-    return Widths(sum(wide), sum(least), tuple(column.gap for column in panel.columns), shifts)
+    if any(row[-1].marks for row in panel.rows):
+        wide[-1], least[-1] = wide[-1] + _MARK, least[-1] + _MARK
+    gaps = tuple(column.gap for column in panel.columns)
+    if any(cell.marks for row in panel.rows for cell in row[panel.stubs :]):
+        least = [room + _LEAST_UNIT * gap for room, gap in zip(least, gaps, strict=True)]
+    return Widths(sum(wide), tuple(least), gaps, shifts)
 
 
 def _cells(panel: PagePanel, place: int) -> list[str]:
