@@ -133,7 +133,7 @@ _MISFITS = """() => {
     }
     return found;
 }"""
-_LOST = """() => [...document.querySelectorAll('.scroll')].flatMap(region => {
+_LOST = """() => [...document.querySelectorAll('.scroll')].filter(one => one.offsetHeight).flatMap(region => {
     region.scrollLeft = 1e6;
     const view = region.getBoundingClientRect();
     const is_lost = element => {

@@ -33,7 +33,9 @@ def with_panels(page: str) -> str:
     """Return a page with panels for telephones after each table that needs them."""
     lang = next((found[1] for found in _FIGURE.finditer(page)), "")
     word = WORDS.get(lang, WORDS["en"])["continued"]
-    return _REGION.sub(lambda region: region[0] + "".join(_panels(region, word)), page)
+    # Regions have names of their own.
+    several = page.count('<div class="scroll') > 1
+    return _REGION.sub(lambda region: region[0] + "".join(_panels(region, word, several)), page)
 
 
 class _Cell(NamedTuple):
@@ -44,7 +46,7 @@ class _Cell(NamedTuple):
     down: int
 
 
-def _panels(region: re.Match[str], word: str) -> Iterator[str]:
+def _panels(region: re.Match[str], word: str, several: bool) -> Iterator[str]:
     attributes, style, inner = region.groups()
     sizes = [len(_COLUMN.findall(group[1])) for group in _COLUMNS.finditer(inner)]
     widths = _measured(style, sum(sizes))
@@ -54,7 +56,7 @@ def _panels(region: re.Match[str], word: str) -> Iterator[str]:
         return
     for number, kept in enumerate(shares, 1):
         own = f"{caption[1]}-s{number}"
-        count = f" {number - 1}" if len(shares) > 2 else ""
+        count = f" {number - 1}" if several or len(shares) > 2 else ""
         said = f"<span>({word}{count})</span>" if number > 1 else caption[2]
         called = attributes if number == 1 else attributes.replace(caption[1], f"{caption[1]} {own}", 1)
         yield f'<div class="scroll narrow"{called}>\n<table style="{_of(widths, kept).style}">\n'

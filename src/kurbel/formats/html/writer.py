@@ -8,6 +8,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any, NamedTuple
+from zlib import crc32
 
 from kurbel.formats.formula import has_bar, mathml
 from kurbel.formats.writer import PageWriter
@@ -99,6 +100,7 @@ def hyphenated(text: str, lang: str) -> str:
 
 # A table with fewer rows is seen at a glance: nobody needs to go from group to group.
 _FEWEST = 12
+_LONGEST = 12
 
 
 class Row(NamedTuple):
@@ -113,7 +115,8 @@ class Heads:
 
     def __init__(self, panel: PagePanel, key: str, number: int) -> None:
         self.panel = panel
-        self.key = key
+        # Each cell has several ids: the long name of a table would make most of the page.
+        self.key = key if len(key) <= _LONGEST else f"t{crc32(key.encode()):08x}"
         self.end = f"-{number}" if number > 1 else ""
         labels = [group.label for group in panel.groups if group.label]
         # Below one row of heads scopes say it all, and ids would make the page thrice as long.
@@ -178,7 +181,7 @@ _PIECES = re.compile(r" |\n|<br>")
 # A table that needs no more fits beside the contents of a handbook on every desktop; one that needs no more
 # where heads break and gaps are of the least unit, as the style sheet has them, fits 344 px in type of 12 px.
 _SLIM, _TELEPHONE = 44, 344 / 12
-_LEAST_UNIT, _RESERVE = 0.3, 1.03
+_LEAST_UNIT = 0.3
 # The mark of a note hangs in the gap, which is twice as wide then, and beside the last column.
 _MARK = 1.0
 
@@ -207,7 +210,7 @@ class Widths(NamedTuple):
 
     @property
     def broad(self) -> bool:
-        return _RESERVE * sum(self.leasts) + _LEAST_UNIT * sum(self.gaps) > _TELEPHONE
+        return sum(self.leasts) + _LEAST_UNIT * sum(self.gaps) > _TELEPHONE
 
     @property
     def style(self) -> str:

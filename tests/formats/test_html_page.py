@@ -1,0 +1,207 @@
+"""What a reader sees of an HTML page: what belongs together, six columns on a telephone, one face for all."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import pytest
+from browser import TELEPHONE, Viewer
+from pages import default_page
+
+import kurbel
+from kurbel.formats.render import render
+
+SMALL = (TELEPHONE, 390)
+
+
+def motion() -> str:
+    """Return the page of six columns in three pairs, in two groups of 19 rows."""
+    page = kurbel.table(ratio="1:5;1:4", step=10, to=180)
+    return render(page, "html", standalone=True)
+
+
+# What belongs together ------------------------------------------------------------------------------------
+
+# The space between each column and the next, from the widest contents of both, in em.
+GAPS = """() => {
+    const extent = cell => {
+        const range = document.createRange();
+        range.selectNodeContents(cell);
+        return range.getBoundingClientRect();
+    };
+    const columns = [], size = parseFloat(getComputedStyle(document.querySelector('td')).fontSize);
+    for (const row of document.querySelectorAll('thead tr:last-child, tr:not(.group):has(td)')) {
+        const cells = [...row.children];
+        cells.slice(-6).forEach((cell, place) => (columns[place] ||= []).push(extent(cell)));
+    }
+    const side = (boxes, name, most) => most(...boxes.map(box => box[name]));
+    return columns.slice(1).map((boxes, place) =>
+        (side(boxes, 'left', Math.min) - side(columns[place], 'right', Math.max)) / size);
+}"""
+
+
+def test_a_pair_stands_closer_than_its_neighbours(viewer: Viewer) -> None:
+    within, between, *others = viewer.open(motion()).evaluate(GAPS)
+    # The heads of the first pair are wider than its figures, and its spanner is not wider than both.
+    assert within == pytest.approx(1.3, abs=0.15)
+    assert between >= 2.6 - 0.15
+    assert others[1] >= 2.6 - 0.15
+
+
+def test_a_small_pause_parts_rows_that_stand_in_line(viewer: Viewer) -> None:
+    rows = "[...document.querySelector('tbody').querySelectorAll('.row')].map(one => one.offsetHeight)"
+    _first, *heights = viewer.open(motion()).evaluate(rows)
+    usual, paused = heights[0], heights[2]
+    assert paused - usual == pytest.approx(0.4 * 16, abs=1.1)
+    assert heights[:-1] == [usual, usual, paused] * 5 + [usual, usual]
+    assert viewer.page.locator("tr:not(:has(td, th))").count() == 0
+
+
+def test_labels_of_groups_begin_where_the_table_does(viewer: Viewer) -> None:
+    page = viewer.open(motion())
+    label, table, caption = (
+        page.locator(one).first.bounding_box() for one in (".group math", "table", "caption > span")
+    )
+    assert label
+    assert table
+    assert caption
+    assert label["x"] == pytest.approx(table["x"], abs=1)
+    assert caption["width"] <= table["width"]
+
+
+# On a telephone -------------------------------------------------------------------------------------------
+
+# Figures that are not wholly in view when the table has been scrolled to its end, and whether the head is.
+END = """() => {
+    const region = document.querySelector('.scroll'), box = one => one.getBoundingClientRect();
+    region.scrollIntoView(); region.scrollTop = 1e6;
+    const head = document.querySelector('thead tr:last-child th:last-child');
+    const place = box(head), view = box(region);
+    const seen = document.elementFromPoint((place.left + place.right) / 2, (place.top + place.bottom) / 2);
+    const cut = [...document.querySelectorAll('td')].filter(cell => {
+        const range = document.createRange(); range.selectNodeContents(cell);
+        return box(range).left < view.left || box(range).right > view.right + 0.5;
+    });
+    const last = box(document.querySelector('tbody:last-of-type tr:last-child td'));
+    return {cut: cut.length, scrolled: region.scrollTop, head: head.contains(seen),
+        last: last.bottom <= view.bottom + 1 && last.bottom <= innerHeight && last.top > place.bottom};
+}"""
+
+
+@pytest.mark.parametrize("width", SMALL)
+def test_six_columns_and_their_head_are_seen_together(viewer: Viewer, width: int) -> None:
+    found = viewer.open(motion(), width).evaluate(END)
+    assert viewer.page.locator("tbody:first-of-type tr:nth-child(2) td:visible").count() == 6
+    assert found.pop("scrolled") > 100
+    assert found == {"cut": 0, "head": True, "last": True}
+    assert viewer.smallest_font() >= 12
+
+
+PANELS = """() => [...document.querySelectorAll('.scroll')].map(region => ({
+    seen: region.offsetHeight > 0, cut: region.scrollWidth > region.clientWidth + 1,
+    rows: [...region.querySelectorAll('tbody tr')].map(row => [...row.children].map(one => one.textContent)),
+}))"""
+
+
+@pytest.mark.parametrize("width", SMALL)
+def test_a_wide_table_goes_on_in_panels_with_the_same_figures(viewer: Viewer, width: int) -> None:
+    viewer.open(render(default_page("forces"), "html", standalone=True), width)
+    whole, *panels = viewer.page.evaluate(PANELS)
+    assert len(panels) > 1
+    assert [panel["seen"] and not panel["cut"] for panel in panels] == [True] * len(panels)
+    assert not whole["seen"]
+    joined = [
+        [row[0][0], *(cell for one in row for cell in one[1:])]
+        for row in zip(*[one["rows"] for one in panels], strict=True)
+    ]
+    assert joined == whole["rows"]
+    assert viewer.page.get_by_role("table").count() == len(panels)
+    ids = viewer.page.evaluate("[...document.querySelectorAll('[id]')].map(one => one.id)")
+    named = viewer.page.evaluate(
+        "[...document.querySelectorAll('td')].flatMap(one => one.headers.split(' '))"
+    )
+    assert len(ids) == len(set(ids))
+    assert set(named) <= set(ids)
+    assert viewer.violations() == []
+    viewer.page.set_viewport_size({"width": 1280, "height": 800})
+    assert [one["seen"] for one in viewer.page.evaluate(PANELS)] == [True] + [False] * len(panels)
+
+
+def test_a_fragment_has_each_figure_once() -> None:
+    assert render(default_page("forces"), "html").count("<table") == 1
+
+
+def test_tab_goes_from_the_table_to_each_of_its_groups(viewer: Viewer) -> None:
+    page = viewer.open(motion(), TELEPHONE)
+    stops = []
+    for _ in range(3):
+        page.keyboard.press("Tab")
+        stops.append(page.evaluate("document.activeElement.textContent.trim().slice(0, 9)"))
+    assert stops[1:] == ["R:L=1:5", "R:L=1:4"]
+    label, head = page.locator(":focus").bounding_box(), page.locator("thead").bounding_box()
+    assert label
+    assert head
+    assert head["y"] + head["height"] <= label["y"] + 1 < 800
+
+
+# Words that break -----------------------------------------------------------------------------------------
+
+
+def test_a_broken_word_is_whole_when_copied(viewer: Viewer) -> None:
+    page = viewer.open(motion(), TELEPHONE)
+    spanner = page.locator(".spanner", has_text="Kolbengeschwindigkeit")
+    box = spanner.bounding_box()
+    assert box
+    assert box["height"] > 2 * 14
+    copied = "one => { getSelection().selectAllChildren(one); return getSelection().toString(); }"
+    assert "Kolbengeschwindigkeit" in spanner.evaluate(copied)
+    assert "Kolbengeschwindigkeit" in spanner.inner_text()
+
+
+# Faces ----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("scheme", "media"), [("light", "screen"), ("dark", "screen"), ("light", "print")])
+def test_formulas_have_the_face_and_the_colour_of_the_text(
+    viewer: Viewer, scheme: Literal["light", "dark"], media: Literal["screen", "print"]
+) -> None:
+    page = viewer.open(motion(), scheme=scheme, media=media)
+    session = page.context.new_cdp_session(page)
+    session.send("DOM.enable")
+    session.send("CSS.enable")
+    root = session.send("DOM.getDocument")["root"]["nodeId"]
+
+    def faces(selector: str) -> set[str]:
+        found = session.send("DOM.querySelectorAll", {"nodeId": root, "selector": selector})["nodeIds"]
+        fonts = [
+            session.send("CSS.getPlatformFontsForNode", {"nodeId": node})["fonts"] for node in found[:12]
+        ]
+        return {font["familyName"] for one in fonts for font in one}
+
+    used = {name: faces(selector) for name, selector in FORMULAS.items()}
+    expected = dict.fromkeys(FORMULAS, faces("td"))
+    session.detach()
+    assert used == expected
+    assert len(used["letters"]) == 1
+    colours = (
+        "['.notes li', '.notes math', 'td'].map(one => getComputedStyle(document.querySelector(one)).color)"
+    )
+    assert len(set(page.evaluate(colours))) == 1
+
+
+FORMULAS = {
+    "letters": ".notes mi",
+    "figures": ".notes mn",
+    "signs": ".notes mo:not([stretchy])",
+    "text": ".notes li",
+}
+
+
+def test_no_formula_is_broken_or_cut(viewer: Viewer) -> None:
+    page = viewer.open(motion(), TELEPHONE)
+    shapes = page.evaluate(
+        "[...document.querySelectorAll('.notes math')].map(one => [one.getClientRects().length,"
+        " one.getBoundingClientRect().right])"
+    )
+    assert len(shapes) >= 5
+    assert all(pieces == 1 and right <= TELEPHONE for pieces, right in shapes)
