@@ -15,7 +15,7 @@ from kurbel.page.layouts import layout_names
 
 # What each table is reckoned to need, and what it takes, in units of its type. The widest
 # face of the style sheet is DejaVu Serif.
-RECKONED = """[...document.querySelectorAll('table')].map(table => {
+RECKONED = """[...document.querySelectorAll(':not(.narrow) > table')].map(table => {
     const style = getComputedStyle(table), said = name => parseFloat(style.getPropertyValue(name));
     table.style.minWidth = 0;
     return [said('--wide') + said('--gaps'), table.offsetWidth / parseFloat(style.fontSize)];
