@@ -100,6 +100,8 @@ def test_fragments_are_set_in_every_class_without_a_warning(
     assert before and behind and before[1] == behind[1]
     if name != "beamer":
         assert_caption_stands_free(ink(tmp_path, 1), ink(tmp_path, 2))
+    if name == "article":
+        assert_it_is_turned(ink(tmp_path, 1 + len(pages(False))))
 
 
 def assert_caption_stands_free(text: NDArray[np.bool_], page: NDArray[np.bool_]) -> None:
@@ -115,6 +117,14 @@ def assert_caption_stands_free(text: NDArray[np.bool_], page: NDArray[np.bool_])
     widths = [columns[-1] - columns[0] for columns in extents]
     assert max(widths[:-1]) <= widths[-1]
     assert min(widths[:-1]) >= 0.75 * max(widths[:-1])
+
+
+def assert_it_is_turned(page: NDArray[np.bool_]) -> None:
+    """Check that a table stands in the middle of the page, higher than it is wide, within the paper."""
+    height, width = (np.flatnonzero(page.any(axis=axis)) for axis in (1, 0))
+    assert height[-1] - height[0] > 1.5 * (width[-1] - width[0])
+    assert abs(width[0] + width[-1] - page.shape[1]) * PIXEL <= 20
+    assert (page.shape[0] - height[-1]) * PIXEL > 72
 
 
 def rows(page: NDArray[np.bool_]) -> list[tuple[int, int]]:
@@ -147,3 +157,17 @@ def test_columns_of_a_pair_stand_closer_than_pairs(tmp_path: Path) -> None:
     # 1.3 and 2.6 em of 9.25 pt, the unit of small type; PDF counts points of 1/72 inch.
     assert np.allclose(within, 1.3 * 9.25 * 72 / 72.27, atol=1)
     assert min(between) >= 2 * 1.3 * 9.25 * 72 / 72.27 - 1
+
+
+@pytest.mark.slow
+def test_fragments_are_set_in_a_tagged_document(tmp_path: Path) -> None:
+    for page in pages(False):
+        (tmp_path / f"{page.anchor}.tex").write_text(render(page, "latex"), encoding="utf-8")
+    text = "\\DocumentMetadata{lang=de,testphase=phase-II}\n" + document("article", "")
+    log = compiled("lualatex", text, tmp_path, runs=2)
+    # This kernel does not know yet that a paragraph may stand in another one, as in any minipage.
+    assert [
+        one for one in complaints(log) if "Package tagpdf Warning: The rule between parent" not in one
+    ] == []
+    told = subprocess.run([require("pdfinfo"), "page.pdf"], cwd=tmp_path, capture_output=True, check=True)
+    assert re.search(rb"^Tagged: +yes$", told.stdout, re.MULTILINE)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import re
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -12,7 +13,7 @@ from pages import all_pages
 from readers import fragment
 from rows import assert_rows_stand_in, text_of_pdf
 from tex import PREAMBLE, compiled, complaints, each_engine, each_kind_of_table
-from tools import require_library
+from tools import require, require_library
 
 from kurbel import table, typeset_pdf
 from kurbel.formats.registry import FORMATS
@@ -22,6 +23,23 @@ from kurbel.page.table import Table
 
 # The pages that kurbel says to be longer than one of paper.
 TALL = ("formulas-de", "formulas-en")
+
+
+# In \scriptsize of the article class (\fontcharwd\font`0), in points of 1/72 inch.
+FIGURE_OF_7_POINTS = 3.985 * 72 / 72.27
+
+
+def narrowest_figure(folder: Path) -> float:
+    """Return the width of the smallest figures of any number on the pages that has four of them."""
+    subprocess.run([require("pdftotext"), "-bbox", "page.pdf"], cwd=folder, check=True)
+    words = re.findall(
+        r'xMin="([\d.]+)" \S+ xMax="([\d.]+)" \S+>(\d+[.,]\d+)<',
+        (folder / "page.html").read_text(encoding="utf-8"),
+    )
+    numbers = [(float(right) - float(left), len(text) - 1) for left, right, text in words if len(text) > 4]
+    assert len(numbers) > 1000
+    # The mark is 5/9 as wide as a figure.
+    return min(width / (figures + 5 / 9) for width, figures in numbers)
 
 
 @pytest.mark.slow
@@ -40,6 +58,7 @@ def test_all_shipped_layouts_compile_in_one_document(engine: str, longtable: boo
     log = compiled(engine, f"{PREAMBLE}{inputs}\\end{{document}}\n", tmp_path, runs=3 if longtable else 2)
     assert complaints(log) == []
     assert f"Output written on page.pdf ({len(pages)} pages" in log
+    assert narrowest_figure(tmp_path) > 0.98 * FIGURE_OF_7_POINTS
     for page, text in zip(pages, text_of_pdf(tmp_path).split("\f"), strict=False):
         # The prime of an angle is a zero in the text of a PDF.
         assert_rows_stand_in(text.splitlines(), page, angles=False)

@@ -45,6 +45,7 @@ class Maker(DocumentMaker):
             "author": self.title(self.document.author),
             "languages": self.languages(),
             "long": uncounted or any(part.long for chapter in values["chapters"] for part in chapter.parts),
+            "wide": any(r"\begin{landscape}" in text for text in self.fragments.values()),
             "linked": any(self.document.items("text")),
             "indexed": any(isinstance(block, Index) for block in blocks),
             "uncounted": uncounted,
