@@ -190,7 +190,7 @@ def test_the_turning_effort_is_that_of_the_turn() -> None:
     effort, energy = turning(4)
     turn = Turn(Engine(Crank(FIFTH), Steam(Fraction(4))), "exact")
     assert (effort.label, energy.label) == (
-        "Tangentialkraft $T/Q$, mittlere Umfangskraft $P/Q$", "Überschussarbeit $W/(Q r)$",
+        "Tangentialkraft $T/Q$, mittlere Umfangskraft $P/Q$", "Überschussarbeit $W/(Q R)$",
     )  # fmt: skip
     # The work ln ε/ε of both strokes over the circle: 2 ln 4/(4 π) = 0,22064.
     assert labels(effort) == ["$T/Q$", "$P/Q = 0.2206$"]
@@ -345,7 +345,7 @@ def test_quantities_of_an_engine_have_their_unit_once() -> None:
     headings = [(panel.label, labels(panel), panel.unit) for panel in panels]
     assert headings == [
         ("Kraft am Kurbelzapfen und Überschuss über die mittlere", ["$K/Q$", "$(T - P)/Q$"], ""),
-        ("Überschussarbeit $W/(Q r)$", [""], ""),
+        ("Überschussarbeit $W/(Q R)$", [""], ""),
         ("Drehmoment $M_d$", [""], "N m"),
         ("Kolbenkraft $F$", [""], "N"),
     ]
@@ -732,7 +732,7 @@ def test_a_drawing_says_what_it_shows() -> None:
     assert title(svg("--mechanism", "parallel", "--positions", "30", "--lang", "en")) == "Parallel crank"
     assert title(svg("--polar", "--eps", "4", "--step", "10")) == (
         "Polardiagramm der Kraft am Kurbelzapfen im Achsenkreuz der Kurbel: Tangentialkraft T, Radialkraft Z"
-        " der Dampfmaschine für ε = 4, r:l = 1:5; genaue Formeln"
+        " der Dampfmaschine für ε = 4, R:L = 1:5; genaue Formeln"
     )
 
 

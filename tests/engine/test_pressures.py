@@ -239,7 +239,7 @@ def test_the_turning_effort_is_drawn_over_the_path_of_the_pin() -> None:
         api.plot_turning(4, ratio="1:5", over=axis).figure.axes for axis in ("angle", "path")
     )
     assert [one.get_xlim() for one in by_path] == [(0, pytest.approx(2 * np.pi))] * 2
-    assert by_path[-1].get_xlabel() == "Weg des Kurbelzapfens $s$ in $r$"
+    assert by_path[-1].get_xlabel() == "Weg des Kurbelzapfens $s/R$"
     for one, other in zip(by_angle, by_path, strict=True):
         angles, path = (axes.lines[0].get_xydata() for axes in (one, other))
         np.testing.assert_allclose(np.radians(angles[:, 0]), path[:, 0], rtol=1e-12, atol=0)

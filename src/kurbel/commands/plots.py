@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 Keys: TypeAlias = Callable[[Mechanism, Crank], tuple[str, ...]]
 # The page whose quantities can be drawn.
 LAYOUT = "kinematics"
+# The crank ratio in all drawings.
+RATIO = "R:L"
 # The method that is drawn beside another.
 INFINITE = "infinite"
 # So many steps of the range make a curve smooth, half degrees over the turn; over many turns a wider step
@@ -205,7 +207,9 @@ def _asked(given: Mapping[str, Any], columns: option.Names, keys: Keys, command:
 
 
 def page_of(name: str) -> Layout:
-    return layout(name)
+    """Return the layout of what is drawn, with the crank ratio as in all drawings, whatever its book has."""
+    own: dict[str, Any] = vars(layout(name)) | {"ratio_symbol": RATIO}
+    return Layout(**own)
 
 
 def only(given: Sequence[Any], flag: str, what: str) -> Any:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import product
@@ -34,6 +35,8 @@ FORCES = ("piston_force", "guide_force", "tangential_force", "radial_force")
 PIN_FORCE = ("tangential_force", "radial_force")
 # The columns of a request for the turning effort.
 TURNING = ("tangential", "mean_force", "energy")
+# The crank radius where a formula has it as r.
+_RADIUS = re.compile(r"(?<![A-Za-z_])r(?![A-Za-z])")
 # Half turns before a dead centre at which a force still has the value from which it jumps there.
 BEFORE = Fraction(1, 10**12)
 # A jump of so small a share of the greatest value is none.
@@ -52,6 +55,21 @@ def known_forces(keys: Sequence[str], newtons: bool) -> tuple[str, ...]:
     return tuple(f"{key}_n" if newtons else key for key in keys)
 
 
+def lettered(request: EngineRequest) -> list[Column]:
+    """Return the columns of a request in the letters of all drawings: the crank radius is R."""
+    columns = []
+    for one in request.page_columns:
+        quantity = one.quantity
+        heading, unit = (
+            {lang: _RADIUS.sub("R", label) for lang, label in words.items()}
+            for words in (quantity.heading, quantity.unit)
+        )
+        own = quantity._replace(heading=heading, unit=unit)
+        above = tuple(_RADIUS.sub("R", label) for label in one.heading)
+        columns.append(one._replace(quantity=own, heading=above))
+    return columns
+
+
 def force_panels(request: EngineRequest) -> list[Panel]:
     """Return a panel for each force, with all engines in it; of one engine, a panel for each unit.
 
@@ -61,7 +79,7 @@ def force_panels(request: EngineRequest) -> list[Panel]:
     turns = turns_of(request)
     traces = (
         Trace(column.quantity, (label,), *_course(column, turn, request))
-        for column in request.page_columns
+        for column in lettered(request)
         for label, turn in turns
     )
     return panels_of(traces, request.lang, apart=len(turns) > 1)
@@ -75,12 +93,12 @@ def turning_panels(request: EngineRequest) -> list[Panel]:
     those at its angles. Raises ProblemError for one angle, or more than can be drawn.
     """
     turns, lang = turns_of(request), request.lang
-    effort, mean, energy = request.page_columns
+    effort, mean, energy = columns = lettered(request)
     forces, energies = (
         [Curve(label, *_course(column, turn, request)) for label, turn in turns]
         for column in (effort, energy)
     )
-    force, level, excess = (f"{one.quantity.name[lang]} {one.heading[0]}" for one in request.page_columns)
+    force, level, excess = (f"{one.quantity.name[lang]} {one.heading[0]}" for one in columns)
     if len(turns) > 1:
         return [Panel(forces, force), Panel(energies, excess)]
     ends = degrees([request.angles[0], request.angles[-1]])
@@ -98,7 +116,7 @@ def turning_panels(request: EngineRequest) -> list[Panel]:
 
 
 def over_path(panels: Sequence[Panel]) -> list[Panel]:
-    """Return panels over the path s/r of the crank pin, the developed crank circle, in place of the angle."""
+    """Return panels over the path s/R of the crank pin, the developed crank circle, in place of the angle."""
     return [
         one._replace(
             curves=[
@@ -118,9 +136,8 @@ def around(request: EngineRequest, strokes: bool = False) -> Around:
 
 
 def across_path(lang: str) -> Across:
-    """Return the axis of that path."""
-    path = engine_registry()["pin_path"]
-    return Across(f"{path.name[lang]} {path.heading[lang]}", plain_ticks)
+    """Return the axis of that path, in the letters of all drawings."""
+    return Across(f"{engine_registry()['pin_path'].name[lang]} $s/R$", plain_ticks)
 
 
 def engine_pin_force(request: EngineRequest) -> PinForce:

@@ -128,12 +128,13 @@ class DrawnPiston(option.Cylinder, option.MovingRod, option.AnyDrive, Sized, tot
 def plot_pressures(eps: option.Eps = None, **given: Unpack[DrawnPiston]) -> Drawing:
     """Draw the acceleration pressure under the indicator diagram, over the stroke: what the masses take of
     the pressure on the piston, and what is left."""
+    from kurbel.commands.plots import page_of
     from kurbel.engine.pressures.page import PressuresRequest, registry
     from kurbel.plot.chart.model import Around
     from kurbel.plot.drawings import curves_drawing
     from kurbel.plot.pressures import across_stroke, pressure_panels
 
-    mark, lang, page = mark_of(given["lang"], given["decimal"]), given["lang"], layout_named("pressures")
+    mark, lang, page = mark_of(given["lang"], given["decimal"]), given["lang"], page_of("pressures")
     pressed = pressed_of(page, {**given, "eps": eps})
     asked = PressuresRequest(layout=page, pressed=pressed, shares=(Fraction(0),), lang=lang)
     drawn = tuple(key for key, one in registry().items() if one.needs and not asked.missing(one))
