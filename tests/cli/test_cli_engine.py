@@ -522,7 +522,8 @@ def test_language_and_decimal_mark_are_the_users(name: str) -> None:
     words = (name, *(TASK if name == "flywheel" else ()), "--eps", "4")
     german, english = printed(*words).out, printed(*words, "--lang", "en").out
     assert "Dampfmaschine" in german
-    assert "steam engine" in english
+    # The caption may end a line between the words.
+    assert "steam engine" in " ".join(english.split())
     assert not set("äöüß") & set(english)
     number = {"delta": "1,423", "turning": "0,5902", "flywheel": "3584,3"}[name]
     point = number.replace(",", ".")
