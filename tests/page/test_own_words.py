@@ -69,6 +69,7 @@ def test_python_takes_words_by_the_same_names() -> None:
         (("--caption", "$x"), r'the caption "$x" cannot be set: a formula needs a second $'),
         (("--caption", " "), "the caption is empty; give its words, or leave --caption out"),
         (("--caption", "x [^b]"), "the mark [^b] has no note; give it one, as --note '[^b] ...'"),
+        (("--note", "[^a b] x"), "the mark [^a b] has a space; a mark is a word or a number"),
         (("--note", "[^b]"), "a note is empty; give its words, or leave --note out"),
         (("--note", "[^b] x", "--note", "[^b] y"), "two notes have the mark b; give yours another"),
         (("--source", "x" * 2001), "the source has 2001 characters; at most 2000 are set"),

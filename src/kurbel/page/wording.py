@@ -40,6 +40,10 @@ class Worded:
             )
         for said in (self.caption or "", self.source or "", *(note.text for note in self.note)):
             for part in parse(said):
+                if isinstance(part, Mark) and " " in part.text:
+                    raise ProblemError(
+                        f"the mark [^{part.text}] has a space; a mark is a word or a number, such as [^1]"
+                    )
                 if isinstance(part, Mark) and part.text not in marks:
                     raise ProblemError(
                         f"the mark [^{part.text}] has no note; give it one, as --note '[^{part.text}] ...'"

@@ -10,7 +10,6 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
-from functools import cache
 from typing import Any, TypeVar
 
 import msgspec
@@ -43,13 +42,14 @@ def read_rest(file: TomlFile, model: type[Model]) -> tuple[Model, list[tuple[Pla
     return _converted(file, model), faults
 
 
-@cache
-def _shape(model: type[Any]) -> inspect.Type:
-    return inspect.type_info(model)
+def _faults(file: TomlFile, model: type[Any]) -> Iterator[tuple[Place, str]]:
+    if model not in _SHAPES:
+        _SHAPES[model] = inspect.type_info(model)
+    return _Reader(file.kind.lines).faults(file.given, _SHAPES[model], ())
 
 
-def _faults(file: TomlFile, model: type[Model]) -> Iterator[tuple[Place, str]]:
-    return _Reader(file.kind.lines).faults(file.given, _shape(model), ())
+# Of some of them a command reads many files.
+_SHAPES: dict[type[Any], inspect.Type] = {}
 
 
 def _converted(file: TomlFile, model: type[Model]) -> Model:
