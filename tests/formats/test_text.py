@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import pytest
 
-from kurbel import collation_table, solve_table, table
+from kurbel import collation_table, example_table, solve_table, table
 from kurbel.formats.render import render
 from kurbel.page.layouts import LANGUAGES
 from kurbel.page.table import Table
@@ -121,3 +121,10 @@ def test_colours_name_verdicts_and_move_nothing() -> None:
     told = dict(re.findall("\x1b\\[([0-9;]+)m(richtig|letzte|eine)\\b", verdicts))
     assert len(told) == 3
     assert "\x1b" not in render(solve_table("p=0"), "text", colours=True)
+
+
+def test_names_of_rows_stand_above_them_where_they_have_no_room_beside() -> None:
+    text = lines(example_table("blau", "33"), 60)
+    assert max(map(len, text)) <= 60
+    place = text.index(" cos² α + 5/4 cos α − 1/2 = 0")
+    assert text[place + 1].split() == ["L/(2R)", "5/4", "5/2ᵃ⁾"]

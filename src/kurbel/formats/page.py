@@ -27,6 +27,7 @@ WORDS = {
 class PageCell(NamedTuple):
     """A cell as text, its note marks apart so that they can hang beside an aligned number.
 
+    What reaches `across` the empty cells beside it is a label, too, where there is no room for it otherwise.
     `tail` is what a number lacks to the longest fraction of its column, such as "00" or ",000".
     `down` counts the rows a stub cell covers: 0 for one that belongs to the cell above, whose text it
     repeats.
@@ -34,7 +35,7 @@ class PageCell(NamedTuple):
 
     text: str
     marks: str
-    kind: Literal["number", "label", "missing"]
+    kind: Literal["number", "label", "missing", "across"]
     tail: str = ""
     down: int = 1
     tone: Tone = ""

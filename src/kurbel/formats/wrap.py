@@ -23,6 +23,7 @@ def fitted(widths: Sequence[int], least: Sequence[int], room: int) -> list[int] 
 
 def lines_of(text: str, room: int, further: str = "") -> list[str]:
     """Return the lines of a text, of which no word is broken; the second and later ones begin anew."""
+    room = max(room, 1)
     return wrap(text, room, subsequent_indent=further, break_on_hyphens=False, break_long_words=False) or [""]
 
 

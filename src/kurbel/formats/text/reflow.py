@@ -16,10 +16,12 @@ from kurbel.page.labels import mark_text
 NARROWEST = 14
 # How far the further lines of a row's name are indented.
 INDENT = " "
+NOTHING = PageCell("", "", "label")
 
 
 def reflowed(page: Page, width: int) -> Iterator[Page]:
-    """Yield the page, then with words in further lines, with long ones in notes, with panels apart."""
+    """Yield the page, then with words in further lines, with long ones in notes, with the names of rows above
+    these, with panels apart."""
     yield page
     if narrow := _in_lines(page, width):
         yield narrow
@@ -27,10 +29,39 @@ def reflowed(page: Page, width: int) -> Iterator[Page]:
         yield noted
         if narrow := _in_lines(noted, width):
             yield narrow
+    if all(_has_names(panel, width) for panel in page.panels):
+        above = page._replace(panels=tuple(_names_above(panel, width) for panel in page.panels))
+        yield above
+        if narrow := _in_lines(above, width):
+            yield narrow
     if len(page.panels) > 1:
         alone = [_in_lines(page._replace(panels=(panel,)), width) for panel in page.panels]
         if all(alone):
             yield page._replace(panels=tuple(one.panels[0] for one in alone if one))
+
+
+def _has_names(panel: PagePanel, width: int) -> bool:
+    """Tell whether rows have names of words, each of which has room in a line."""
+    words = _words(row[0].text + row[0].marks for row in panel.rows)
+    return panel.stubs == 1 and panel.columns[0].align == "left" and words + len(INDENT) < width
+
+
+def _names_above(panel: PagePanel, width: int) -> PagePanel:
+    """Return a panel in which the name of a row stands on a line of its own, and its cells below."""
+    groups = []
+    for group in panel.groups:
+        rows: list[tuple[PageCell, ...]] = []
+        pauses = set()
+        for place, (name, *cells) in enumerate(group.rows):
+            if place in group.pauses:
+                pauses.add(len(rows))
+            if name.down:
+                for line in lines_of(name.text + name.marks, width - 1, INDENT):
+                    rows.append((name._replace(text=line, marks="", kind="across"), *[NOTHING] * len(cells)))
+            if any(cell.text or cell.marks for cell in cells):
+                rows.append((NOTHING, *cells))
+        groups.append(group._replace(rows=tuple(rows), pauses=frozenset(pauses)))
+    return panel._replace(groups=tuple(groups))
 
 
 class _Rooms(NamedTuple):
@@ -106,7 +137,7 @@ def _group_in_lines(group: PageGroup, panel: PagePanel, rooms: Sequence[int]) ->
             else [cell]
             for number, (cell, column, room) in enumerate(zip(row, panel.columns, rooms, strict=False))
         ]
-        rows += zip_longest(*cells, fillvalue=PageCell("", "", "label"))
+        rows += zip_longest(*cells, fillvalue=NOTHING)
     return group._replace(rows=tuple(rows), pauses=frozenset(pauses))
 
 

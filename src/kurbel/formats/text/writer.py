@@ -84,7 +84,8 @@ def text_page(page: Page, width: int | None = None, paint: Paint | None = None) 
     total = max(grid.total for grid in grids)
     room = min(max(NARROWEST, total), width or WIDEST + total)
     over = min(total, round(OF_LINE * min(width or WIDEST, WIDEST)))
-    parts = [balanced(page.caption, max(over, NARROWEST_CAPTION)) + "\n"] if page.caption else []
+    over = max(over, min(NARROWEST_CAPTION, room))
+    parts = [balanced(page.caption, over) + "\n"] if page.caption else []
     panels = (panel_lines(panel, grid, paint) for panel, grid in zip(page.panels, grids, strict=True))
     parts.append("\n\n".join("\n".join(lines) for lines in panels))
     for note in page.notes:
@@ -204,7 +205,7 @@ class Measure(NamedTuple):
 def measured(panel: PagePanel) -> list[Measure]:
     """Return the widths of each column by itself."""
     return [
-        Measure(max(map(len, column.heading), default=0), max(map(len, _block(panel, place)), default=0))
+        Measure(max(map(len, column.heading), default=0), min(map(len, _block(panel, place)), default=0))
         for place, column in enumerate(panel.columns)
     ]
 
@@ -248,7 +249,8 @@ def _block(panel: PagePanel, place: int) -> list[str]:
     hang = max((len(cell.marks) for cell in cells), default=0)
     if panel.columns[place].align == "left":
         texts = [_seen(cell) + cell.marks for cell in cells]
-        room = max(map(len, texts), default=0)
+        own = (text for text, cell in zip(texts, cells, strict=True) if cell.kind != "across")
+        room = max(map(len, own), default=0)
         return [text.ljust(room) for text in texts]
     figures = [_seen(cell) + " " * len(cell.tail) for cell in cells]
     room = max((len(text) for text in figures), default=0)
