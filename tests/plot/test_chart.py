@@ -241,7 +241,7 @@ def test_the_strokes_of_a_polar_diagram_differ_without_colour_and_have_names() -
 
 
 def test_svg_says_what_it_is_and_has_neither_ground_nor_black() -> None:
-    for drawing in (waves(), pins()):
+    for drawing in (waves(), pins(), to_scale()):
         text = drawing.image().decode()
         root = ET.fromstring(text)
         assert (root.get("role"), root.get("fill")) == ("img", "currentColor")

@@ -11,6 +11,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
 from kurbel.motion import captions
 from kurbel.motion.page import Request
+from kurbel.page.axes import PHI
 from kurbel.page.quantity import for_ratio, words
 from kurbel.page.subject import Question
 from kurbel.plot.chart.model import NOTHING_AROUND, Around, Panel
@@ -19,7 +20,7 @@ from kurbel.plot.mechanism import mechanism
 from kurbel.plot.plotting import curves
 from kurbel.plot.polar import polar
 from kurbel.plot.style import USUAL, Size
-from kurbel.plot.ticks import axis_label
+from kurbel.plot.ticks import axis_label, degrees
 from kurbel.reading.notation import plain
 
 if TYPE_CHECKING:
@@ -91,7 +92,7 @@ def mechanism_drawing(
     """Return the crank drive to scale at crank angles, the first one strong."""
     _check_positions(angles)
     figure = mechanism(float(crank.ratio), float(crank.offset), angles, lang, mark, size)
-    return Drawing(figure, WORDS["drive"][lang] + for_ratio(crank.ratio, lang))
+    return Drawing(figure, WORDS["drive"][lang] + for_ratio(crank.ratio, lang), _at(angles, lang, mark))
 
 
 def arc_drawing(
@@ -103,7 +104,7 @@ def arc_drawing(
     _check_positions(angles)
     rocker = f"${crank.letter} = {plain(crank.rocker)} R$"
     title = f"{crank.noun[lang]}{for_ratio(crank.crank.ratio, lang)}, {rocker}"
-    return Drawing(arc_mechanism(crank, angles, lang, mark, size), title)
+    return Drawing(arc_mechanism(crank, angles, lang, mark, size), title, _at(angles, lang, mark))
 
 
 def links_drawing(
@@ -116,7 +117,13 @@ def links_drawing(
     outline = drive.outline()
     assert outline is not None
     ratio = for_ratio(drive.crank.ratio, lang) if drive.crank.ratio else ""
-    return Drawing(outlined(outline, angles, mark, size), outline.title[lang] + ratio)
+    figure = outlined(outline, angles, mark, size)
+    return Drawing(figure, outline.title[lang] + ratio, _at(angles, lang, mark))
+
+
+def _at(angles: Sequence[Fraction], lang: str, mark: str) -> str:
+    """Return the crank angles of a drawing, the strong one first."""
+    return f"{PHI[lang]} {'; '.join(degrees(angle, mark) for angle in angles)}"
 
 
 def _check_positions(angles: Sequence[Fraction]) -> None:

@@ -42,7 +42,8 @@ def engine_swing(turn: AnyTurn, energy: Column, request: EngineRequest) -> Swing
         column = bare(asked, turn.method, decimals)
         settle = estimated if request.carded else settled
         found = settle(Asked(column, (turn,), Where(), unit), request.rounding)
-        return "" if found is None else _text(found, unit)
+        # A card may leave no figure, and a swing is never 0.
+        return _text(found, unit) if found is not None and (found.scaled or of in ENDS) else ""
 
     spots: list[Spot] = []
     cycle = 180 * turn.cycle
