@@ -71,11 +71,13 @@ def document(name: str, more: str) -> str:
     else:
         body = "Text\n\\clearpage\n" + "\\clearpage\n".join(f"{one}\n" for one in inputs)
     lengths = " ".join(rf"\the{length}" for length in LENGTHS)
+    # What nobody asks for other fonts has, where some signs exist as bitmaps only.
+    fonts = "" if name == "article" else r"\usepackage[T1]{fontenc}\usepackage{lmodern}"
     hyperref = "" if name == "beamer" else r"\usepackage{hyperref}"
     return rf"""\documentclass{{{name}}}
 \usepackage{{iftex}}
-\iftutex\usepackage{{fontspec}}\else\usepackage[T1]{{fontenc}}\usepackage[utf8]{{inputenc}}\fi
-\usepackage{{lmodern}}
+\iftutex\usepackage{{fontspec}}\fi
+{fonts}
 \usepackage[english,ngerman]{{babel}}
 \usepackage{{amsmath,array,booktabs,graphicx}}
 {more}
@@ -101,6 +103,11 @@ def test_fragments_are_set_in_every_class_without_a_warning(
     if name != "beamer":
         assert_caption_stands_free(ink(tmp_path, 1), ink(tmp_path, 2))
     if name == "article":
+        # A grave accent as a sign, on the page with every part, is there in no other way.
+        command = [require("pdffonts"), "-l", "3", "page.pdf"]
+        fonts = subprocess.run(command, cwd=tmp_path, capture_output=True, check=True)
+        assert b"Type 1" in fonts.stdout or b"CID Type 0C" in fonts.stdout
+        assert b"Type 3" not in fonts.stdout
         assert_it_is_turned(ink(tmp_path, 1 + len(pages(False))))
 
 
