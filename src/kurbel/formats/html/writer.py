@@ -180,7 +180,7 @@ _PIECES = re.compile(r" |\n|<br>")
 
 # A table that needs no more fits beside the contents of a handbook on every desktop; one that needs no more
 # where heads break and gaps are of the least unit, as the style sheet has them, fits 344 px in type of 12 px.
-_SLIM, _TELEPHONE = 44, 344 / 12
+_SLIM, _TELEPHONE = 51, 344 / 12
 _LEAST_UNIT = 0.3
 # The mark of a note hangs in the gap, which is twice as wide then, and beside the last column.
 _MARK = 1.0
