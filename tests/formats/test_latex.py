@@ -7,9 +7,10 @@ from pathlib import Path
 
 import pytest
 from everything import everything, tall, wide
-from tex import compiled, complaints, each_engine
+from tex import PREAMBLE, compiled, complaints, each_engine
 from tools import missing, require
 
+from kurbel.formats.registry import FORMATS
 from kurbel.formats.render import render
 
 
@@ -73,3 +74,25 @@ def test_siunitx_sets_its_columns_without_warnings(engine: str, tmp_path: Path) 
         missing("siunitx")
     text = render(everything(), "latex", standalone=True, siunitx=True)
     assert complaints(compiled(engine, text, tmp_path, runs=2)) == []
+
+
+def test_table_wider_than_paper_is_pointed_out() -> None:
+    said = (
+        "the table is wider than a line of 16 cm in type of 7 pt; LaTeX turns it, and sets smaller type where"
+        " it is higher than a page then"
+    )
+    assert list(FORMATS["latex"].remarks(wide(8), False)) == [said]
+    assert list(FORMATS["latex"].remarks(wide(4), False)) == []
+    assert list(FORMATS["html"].remarks(wide(8), False)) == []
+
+
+@pytest.mark.slow
+def test_type_below_7_points_is_pointed_out_in_the_log(tmp_path: Path) -> None:
+    (tmp_path / "table.tex").write_text(render(wide(2), "latex"), encoding="utf-8")
+    text = (
+        PREAMBLE.replace("textwidth=16cm", "textwidth=7cm,textheight=6cm") + "\\input{table}\\end{document}\n"
+    )
+    log = compiled("pdflatex", text, tmp_path)
+    # The log breaks its lines.
+    said = "Package kurbel Warning: The line is too short for tab:wide: its type is"
+    assert complaints(log)[0].startswith(said)
