@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import json
 import os
 import pty
 import re
@@ -21,7 +22,7 @@ from verapdf import validate
 
 import kurbel
 from kurbel.formats.pdf import STANDARDS, Standard
-from kurbel.formats.pdf.by_typst import compile_typst
+from kurbel.formats.pdf.by_typst import FONTS, LETTERS, compile_typst
 
 require_library("typst")
 HELP = "see kurbel table --help"
@@ -243,3 +244,16 @@ def test_an_independent_validator_finds_archivable_and_accessible_what_claims_to
     plain = tmp_path / "plain.pdf"
     plain.write_bytes(kurbel.typeset_pdf(everything()))
     assert [rule for rule in validate(plain, "ua1")["ua1"] if "PDF/UA version" in rule]
+
+
+def test_indices_of_the_letters_of_formulas_stand_below_the_line() -> None:
+    import typst
+
+    document = f"""
+#show math.equation: set text(font: ("{LETTERS}", "New Computer Modern Math"), bottom-edge: "bounds")
+#context for it in ($x$, $x_m$) [#metadata(measure(it).height / 1em.to-absolute()) <found>]
+"""
+    fonts = typst.Fonts(include_system_fonts=False, font_paths=[FONTS])
+    found = typst.query(document.encode(), "<found>", field="value", font_paths=fonts)
+    letter, with_index = json.loads(found)
+    assert with_index > letter + 0.1
