@@ -7,8 +7,11 @@ from typing import TypeAlias
 
 import pytest
 
+import kurbel
 from kurbel.exact.numerals import Number
+from kurbel.formats.page import page
 from kurbel.formats.spacing import gaps, panel_pauses
+from kurbel.formats.writer import PLAIN, TIGHT, whole_pairs, widths
 from kurbel.page.table import DITTO, Cell, Column, Group, Panel, Row, shared_symbols
 
 Stub: TypeAlias = Sequence[Cell] | Sequence[tuple[Cell, ...]]
@@ -115,3 +118,15 @@ def test_symbols_stay_where_a_line_of_the_head_would_remain(odd: str) -> None:
     assert not heads((X, ("Hingang", "$x/R$")), (X, ("Hingang", odd)), (C, ("H", "$c$")), (C, ("R", "$c$")))
     # Nothing else would be left of the heading.
     assert not heads((X, ("$x/R$",)), (X, ("$x/R$",)))
+
+
+def test_a_gap_below_a_wide_spanner_is_whole_and_costs_no_width() -> None:
+    ready = page(kurbel.table("1:5"), PLAIN, ",")
+    before = widths(ready, stacked=False)
+    after = whole_pairs(ready, before)
+    # φ; x, x; c, c; p, p: "Kolbenweg x/R" is hardly wider than its pair.
+    assert [*after.gaps] == [0, 2.6, 1.3, 2.6, 0, 2.6, 0]
+    assert (after.left[4], after.left[6]) == (1.3, 1.3)
+    # On the line on which gaps are half as wide, the page has the width that it had.
+    assert after.all + TIGHT * sum(after.gaps) == pytest.approx(before.all + TIGHT * sum(before.gaps))
+    assert min(*after.left, *after.right) >= 0

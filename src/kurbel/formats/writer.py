@@ -201,6 +201,24 @@ def widths(page: Page, stacked: bool) -> Widths:
     return Widths(*(_widest(part, _count(page)) for part in zip(*panels, strict=True)))
 
 
+def whole_pairs(page: Page, room: Widths) -> Widths:
+    """Return the widths with the gaps below wide spanners as they shall be on any line: they cost no width.
+
+    What hangs over serves these gaps first; they then belong to the columns. Several panels leave it.
+    """
+    gaps, left, right = ([*part] for part in (room.gaps, room.left, room.right))
+    innermost = page.panels[0].spanners[-1] if len(page.panels) == 1 and page.panels[0].spanners else ()
+    for cell in innermost:
+        inner = range(cell.first + 1, cell.last + 1)
+        needed = (1 - TIGHT) * sum(gaps[place] for place in inner) / 2
+        if needed and min(left[cell.first], right[cell.last]) >= needed:
+            left[cell.first] -= needed
+            right[cell.last] -= needed
+            for place in inner:
+                gaps[place], left[place] = 0.0, left[place] + gaps[place]
+    return room._replace(gaps=gaps, left=left, right=right)
+
+
 def spanner_width(cell: HeadCell, stacked: bool) -> float:
     """Return the width of a spanner."""
     return max(map(em, cell.lines)) if stacked else em(cell.text)

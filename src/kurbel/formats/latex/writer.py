@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 from kurbel.formats.formula import TEX_OBEYED, TexMath, has_bar
 from kurbel.formats.page import Page, PageCell, page
 from kurbel.formats.spacing import WITHIN
-from kurbel.formats.writer import PERCENT_DELIMITERS, PLAIN, PageWriter, Widths, Wishes, widths
+from kurbel.formats.writer import PERCENT_DELIMITERS, PLAIN, PageWriter, Widths, Wishes, whole_pairs, widths
 from kurbel.page.formula import GREEK, SIGNS, SYMBOLS, Formula
 from kurbel.page.table import HeadCell, Table
 
@@ -231,7 +231,7 @@ def tex_layout(page: Page, ready: Page) -> TexLayout:
         place for panel in page.panels for place, column in enumerate(panel.columns) if column.align == "left"
     }
     return TexLayout(
-        widths=room,
+        widths=whole_pairs(page, room),
         columns=tuple(
             "l" if place in words else _figures(whole - own)
             for place, (whole, own) in enumerate(zip(room.columns, room.cells, strict=True))
