@@ -73,6 +73,8 @@ OTHERS = {
     "__init__": {"pdf"},
     "books.source": {".csv"},
     "cli.handbook_list": {"text"},
+    # What stands in a drawing.
+    "cli.plot": {"text"},
     "commands.diagram.given": {".csv"},
     # A kind of option.
     "commands.options": {"text"},
@@ -84,9 +86,14 @@ OTHERS = {
     "formats.registry": {"text"},
     "handbook.init": {"typst"},
     "handbook.manifest": {"text", "pdf"},
+    "handbook.matter.colophon": {"pdf"},
+    "handbook.matter.matter": {"text"},
+    # The pages of notation are prose, which is written so.
+    "handbook.matter.notation": {".md"},
     "handbook.model": {"text", "pdf"},
     "handbook.pages": {"text"},
     "handbook.problems": {"text"},
+    "plot.lettering": {"text"},
     "plot.style": {"pdf"},
 }
 

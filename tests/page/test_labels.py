@@ -99,7 +99,7 @@ def test_only_a_formula_with_a_bar_needs_height_of_its_own() -> None:
         ("Δx", '<mi mathvariant="normal">Δ</mi><mi>x</mi>'),
         (
             "sin(φ)",
-            "<mi>sin</mi><mo>&#x2061;</mo>"
+            '<mi class="name">sin</mi><mo>&#x2061;</mo>'
             '<mrow><mo stretchy="false">(</mo><mi>φ</mi><mo stretchy="false">)</mo></mrow>',
         ),
         (
