@@ -174,10 +174,12 @@ def test_any_label_is_set_in_every_notation_or_refused(label: str) -> None:
     assert "\n" not in plain(label)
 
 
-@given(st.text(alphabet="-,'<>` a"))
+@given(st.text(alphabet="-,'<>|` a"))
 def test_latex_prose_has_no_ligatures(prose: str) -> None:
     escaped = page_format("latex").writer.escape(prose)
     assert not any(pair in escaped for pair in ("--", ",,", "''", "<<", ">>", "`"))
+    # In OT1, the encoding where nothing is said, these are ¡, ¿ and a dash.
+    assert not set("<>|") & set(escaped)
 
 
 @pytest.mark.parametrize(

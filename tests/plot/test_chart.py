@@ -309,6 +309,36 @@ def test_a_drawing_is_as_large_as_was_asked_in_every_format(
         assert extent.x0 >= -1 and extent.x1 <= drawing.figure.bbox.x1 + 1
 
 
+@pytest.mark.parametrize("given", [{"width": 45}, {"width": 60, "height": 80}])
+def test_a_narrow_polar_diagram_has_all_of_its_words_on_the_page_and_none_on_another(
+    given: dict[str, Any],
+) -> None:
+    drawing = kurbel.plot_engine_polar(4, ratio="1:5", step=10, lang="en", **given)
+    drawing.figure.canvas.draw()
+    page = drawing.figure.bbox
+    boxes = [one.get_window_extent() for one in texts(drawing) if one.get_visible()]
+    assert all(page.x0 <= one.x0 and one.x1 <= page.x1 for one in boxes)
+    assert all(page.y0 <= one.y0 and one.y1 <= page.y1 for one in boxes)
+    assert not [pair for pair in combinations(boxes, 2) if pair[0].overlaps(pair[1])]
+
+
+def test_each_angle_of_a_small_polar_diagram_stands_nearest_to_its_own_vector() -> None:
+    drawing = kurbel.plot_polar("1:5", step=10, width=45)
+    drawing.figure.canvas.draw()
+    (axes,) = drawing.figure.axes
+    named = [(one, re.fullmatch(r"(\d+)°", one.get_text())) for one in axes.texts]
+    angles = np.radians(np.arange(0, 360, 30))
+    rod = np.arcsin(np.sin(angles) / 5)
+    # The force in a rod under a constant force on the piston, by its components at the crank.
+    heads = np.stack((np.sin(angles + rod), np.cos(angles + rod)), axis=1) / np.cos(rod)[:, None]
+    places = axes.transData.transform(heads)
+    found = [(one.get_window_extent(), int(angle[1])) for one, angle in named if angle]
+    assert len(found) > 8
+    for box, angle in found:
+        away = places - np.clip(places, (box.x0, box.y0), (box.x1, box.y1))
+        assert 30 * np.hypot(*away.T).argmin() == angle % 360
+
+
 @pytest.mark.parametrize(
     ("given", "sentence"),
     [

@@ -148,6 +148,13 @@ def freest(
     return np.asarray(centres[best]) if clear[best] >= wish.least else None
 
 
+def nearest_to(point: Points, rivals: Points, centres: Points, size: tuple[float, float]) -> Points:
+    """Return the centres whose boxes are nearer to a point than to each of its rivals."""
+    half = np.asarray(size) / 2
+    away = _distances(centres, half, rivals) if len(rivals) else np.full(len(centres), np.inf)
+    return np.asarray(centres[_distances(centres, half, point[None]) < away])
+
+
 def spot(
     groups: Sequence[Points],
     size: tuple[float, float],

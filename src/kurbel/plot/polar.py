@@ -14,7 +14,7 @@ from kurbel.exact.numerals import Label
 from kurbel.plot.chart.legend import LEGEND_ROW, draw_legend
 from kurbel.plot.chart.stroke_lines import draw_strokes, looks_of
 from kurbel.plot.chart.vector import MARK_STEP, Piece, PinForce, with_gaps
-from kurbel.plot.place import AROUND, Box, Points, around, box_points, densely, freest
+from kurbel.plot.place import AROUND, Box, Points, around, box_points, densely, freest, nearest_to
 from kurbel.plot.style import (
     BLACK,
     GREY,
@@ -27,6 +27,7 @@ from kurbel.plot.style import (
     USUAL,
     Size,
     arrowhead,
+    in_rows,
     page,
     size_of,
     style,
@@ -63,8 +64,9 @@ class _Plan(NamedTuple):
     frame: Box
     grid: Fraction
     power: int
-    # In mm: the room above the frame.
+    # In mm: the room above and below the frame.
     above: float = ABOVE
+    below: float = BELOW
 
     def on_paper(self, points: Points) -> Points:
         return np.asarray((points - np.asarray(self.frame[:2])) * self.scale)
@@ -89,22 +91,26 @@ def polar(force: PinForce, mark: str, ways: tuple[Label, Label] = ("", ""), size
         plan = _plan(path, size)
         labels = (axis_label(one, unit, plan.power) for one in (across, up))
         names = [text_of(", ".join(filter(None, one)), mark) for one in zip(labels, ways, strict=True)]
+        names = [in_rows(name, plan.size()[0] + RIGHT) for name in names]
+        more = [LEGEND_ROW * name.count("\n") for name in names]
         scale = _scale_text(plan, unit, mark)
         bar = float(plan.grid) * plan.scale + SCALE_GAP + size_of(scale, SMALL_TEXT)[0]
-        scaled = size_of(names[1])[0] + bar > plan.size()[0]
+        scaled = bool(more[1]) or size_of(names[1])[0] + bar > plan.size()[0]
         looks = looks_of(force.strokes, plan.size()[0], mark)
-        above = ABOVE + scaled * SCALE_ROW + looks.rows * LEGEND_ROW
-        # A page of a given height has its rows above within it.
-        plan = (_plan(path, size, above) if size.height else plan)._replace(above=above)
+        over = ABOVE + more[1] + scaled * SCALE_ROW
+        above, below = over + looks.rows * LEGEND_ROW, BELOW + more[0]
+        # A page of a given height has its rows within it.
+        plan = _plan(path, size, above, below) if size.height else plan
+        plan = plan._replace(above=above, below=below)
         figure, axes = _laid_out(plan)
-        _scale_bar(axes, plan, scale, ABOVE + scaled * SCALE_ROW)
+        _scale_bar(axes, plan, scale, over)
         angles = np.asarray(vector.angles, float)
         jumps = np.flatnonzero(np.diff(angles) == 0) + 1
         pieces = [Piece(*one) for one in zip(np.split(angles, jumps), np.split(path, jumps), strict=True)]
         draw_strokes(axes, pieces, force.strokes, looks)
         if looks.rows:
-            over = (above - looks.rows * LEGEND_ROW - 1) / plan.size()[1]
-            draw_legend(axes, *axes.get_legend_handles_labels(), looks.columns, over, "left")
+            share = (over - 1) / plan.size()[1]
+            draw_legend(axes, *axes.get_legend_handles_labels(), looks.columns, share, "left")
         chords = _chords(axes, plan, pieces)
         _axes(axes, plan, names, mark, chords)
         _marks(axes, plan, pieces, chords)
@@ -112,7 +118,7 @@ def polar(force: PinForce, mark: str, ways: tuple[Label, Label] = ("", ""), size
     return figure
 
 
-def _plan(path: Points, size: Size, above: float = ABOVE) -> _Plan:
+def _plan(path: Points, size: Size, above: float = ABOVE, below: float = BELOW) -> _Plan:
     finite = path[np.isfinite(path[:, 0])]
     if not finite.any():
         raise ProblemError("the force is nowhere finite and other than 0, so nothing can be drawn")
@@ -120,12 +126,12 @@ def _plan(path: Points, size: Size, above: float = ABOVE) -> _Plan:
     low, high = np.minimum(finite.min(axis=0), 0), np.maximum(finite.max(axis=0), 0)
     width, height = (float(side) for side in high - low)
     across = size.width - LEFT - RIGHT
-    along = size.height - BELOW - above if size.height else MOST_HEIGHT
+    along = size.height - below - above if size.height else MOST_HEIGHT
     if min(across, along) < LEAST:
         raise ProblemError(
             f"the drawing is {size.width:.6g} mm wide"
             f"{f' and {size.height:.6g} mm high' if size.height else ''}; this one needs"
-            f" {LEAST + LEFT + RIGHT:.6g} mm and {LEAST + BELOW + above:.6g} mm"
+            f" {LEAST + LEFT + RIGHT:.6g} mm and {LEAST + below + above:.6g} mm"
         )
     most = (across - 2 * EDGE, along - 2 * EDGE)
     scale = min(room / side for room, side in zip(most, (width, height), strict=True) if side)
@@ -139,9 +145,9 @@ def _plan(path: Points, size: Size, above: float = ABOVE) -> _Plan:
 
 def _laid_out(plan: _Plan) -> tuple[Figure, Axes]:
     width, height = plan.size()
-    total = (LEFT + width + RIGHT, BELOW + height + plan.above)
+    total = (LEFT + width + RIGHT, plan.below + height + plan.above)
     figure = page(total[1], total[0])
-    box = (LEFT / total[0], BELOW / total[1], width / total[0], height / total[1])
+    box = (LEFT / total[0], plan.below / total[1], width / total[0], height / total[1])
     left, bottom, right, top = plan.frame
     axes = figure.add_axes(box, label="diagram")
     axes.set(xlim=(left, right), ylim=(bottom, top))
@@ -159,8 +165,8 @@ def _axes(axes: Axes, plan: _Plan, names: Sequence[str], mark: str, chords: Sequ
     axes.axhline(0, color=BLACK, linewidth=MEDIUM, zorder=2)
     for low, high in _free(bottom, top, chords):
         axes.plot((0, 0), (low, high), color=BLACK, linewidth=MEDIUM, zorder=2)
-    axes.set_xlabel(names[0], labelpad=3)
-    axes.set_title(names[1], loc="left", pad=4, fontsize=TEXT_SIZE)
+    axes.set_xlabel(names[0], labelpad=3, linespacing=1.0)
+    axes.set_title(names[1], loc="left", pad=4, fontsize=TEXT_SIZE, linespacing=1.0)
 
 
 def _scale_text(plan: _Plan, unit: Label, mark: str) -> str:
@@ -219,17 +225,24 @@ def _marks(axes: Axes, plan: _Plan, pieces: Sequence[Piece], chords: Sequence[Po
     shafts = [np.asarray(((0, 0), head)) for _, head in heads]
     taken = [densely(plan.on_paper(np.asarray(line))) for line in (*lines, *shafts)]
     line = densely(plan.on_paper(with_gaps([piece.path for piece in pieces])))
-    for angle, head in heads:
-        taken.append(_mark(axes, plan, f"{angle}°", head, line, taken))
+    marks = plan.on_paper(np.asarray([head for _, head in heads]))
+    for (angle, head), at in zip(heads, marks, strict=True):
+        rivals = marks[np.hypot(*(marks - at).T) > MARK]
+        taken.append(_mark(axes, plan, f"{angle}°", head, rivals, line, taken))
 
 
-def _mark(axes: Axes, plan: _Plan, text: str, head: Points, line: Points, taken: Sequence[Points]) -> Points:
-    """Write the angle beside its mark, at best outward, and return the points that it takes."""
+def _mark(
+    axes: Axes, plan: _Plan, text: str, head: Points, rivals: Points, line: Points, taken: Sequence[Points]
+) -> Points:
+    """Write the angle beside its mark, at best outward and nowhere nearer to a rival of it; return the points
+    that it takes."""
     size, at = size_of(text, SMALL_TEXT), plan.on_paper(head)
     others = np.concatenate(taken)
     # Its own vector ends at the mark and may touch the label.
     others = others[np.hypot(*(others - at).T) > 1]
-    place = freest(around(at, size, head), size, line, others, (0, 0, *plan.size()), AROUND)
+    centres = nearest_to(at, rivals, around(at, size, head), size)
+    frame = (0, 0, *plan.size())
+    place = freest(centres, size, line, others, frame, AROUND) if len(centres) else None
     if place is None:
         return np.empty((0, 2))
     x, y = place / plan.size()

@@ -244,3 +244,16 @@ def size_of(text: str, points: float = TEXT_SIZE) -> tuple[float, float]:
     figure = page(1)
     box = figure.text(0, 0, text, fontsize=points).get_window_extent()
     return box.width / DOTS_PER_MM, box.height / DOTS_PER_MM
+
+
+def in_rows(text: str, width: float) -> str:
+    """Return a text in rows not wider than so many mm, broken at spaces outside of formulas. Only inside
+    `style`."""
+    rows = [""]
+    for word in re.split(r" (?=(?:[^$]*\$[^$]*\$)*[^$]*$)", text):
+        longer = f"{rows[-1]} {word}".lstrip()
+        if rows[-1] and size_of(longer)[0] > width:
+            rows.append(word)
+        else:
+            rows[-1] = longer
+    return "\n".join(rows)

@@ -81,12 +81,16 @@ _PROSE = str.maketrans(
         "[": "{[}",
         "]": "{]}",
         "*": "{*}",
+        # They are other signs in the old default encoding.
+        "<": r"\textless{}",
+        ">": r"\textgreater{}",
+        "|": r"\textbar{}",
         "°": DEGREE,
         "√": r"$\surd$",
     }
 )
 # Two of these in a row are one sign in TeX fonts: --, ,, '' << >>. Between braces LuaTeX still joins them.
-_LIGATURE = re.compile(r"([-,'<>])(?=\1)")
+_LIGATURE = re.compile(r"([-,']|\\text(?:less|greater)\{\})(?=\1)")
 
 
 def escape(prose: str) -> str:

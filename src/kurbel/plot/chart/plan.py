@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
@@ -13,7 +12,7 @@ from kurbel.plot.chart.course import Course
 from kurbel.plot.chart.legend import LEGEND_GAP, LEGEND_ROW, SAMPLE, SAMPLE_GAP
 from kurbel.plot.chart.model import Panel
 from kurbel.plot.place import AROUND, BESIDE, Box, Points, around, beside, box_points, densely, freest
-from kurbel.plot.style import SMALL_TEXT, TEXT_SIZE, WIDTH, size_of, text_of
+from kurbel.plot.style import SMALL_TEXT, TEXT_SIZE, WIDTH, in_rows, size_of, text_of
 from kurbel.plot.ticks import axis_label
 
 # In mm: the numbers stand left of the panels, the quantity and the legend above each.
@@ -107,7 +106,7 @@ class Plan(NamedTuple):
 
 def plan_of(panel: Panel, span: tuple[float, float], room: Room, mark: str) -> Plan:
     courses = [Course.of(curve) for curve in panel.curves]
-    heading = _in_rows(text_of(axis_label(panel.label, panel.unit, panel.power), mark), room.width)
+    heading = in_rows(text_of(axis_label(panel.label, panel.unit, panel.power), mark), room.width)
     texts = tuple(text_of(curve.label, mark) for curve in panel.curves)
     limits = _limits(courses, SPOT_ROW / room.height if panel.spots else EDGE)
     plan = Plan(panel, courses, span, limits, room, heading, texts, None, (), 0)
@@ -133,18 +132,6 @@ def _limits(courses: Sequence[Course], edge: float) -> tuple[float, float]:
     elif low < -near and abs(high) <= near:
         greatest = 0.0
     return least, greatest
-
-
-def _in_rows(text: str, width: float) -> str:
-    """Return a heading in rows not wider than the panel, broken at spaces outside of formulas."""
-    rows = [""]
-    for word in re.split(r" (?=(?:[^$]*\$[^$]*\$)*[^$]*$)", text):
-        longer = f"{rows[-1]} {word}".lstrip()
-        if rows[-1] and size_of(longer)[0] > width:
-            rows.append(word)
-        else:
-            rows[-1] = longer
-    return "\n".join(rows)
 
 
 def with_one_legend(plans: list[Plan]) -> list[Plan]:
