@@ -276,14 +276,16 @@ def is_wanted(old: Came, new: Came, changes: Sequence[Mapping[str, str]]) -> boo
 
 
 # What is no figure of a table: a style sheet, a drawing, and a measure of typography.
-_LOOK = re.compile(r"(?s:<style.*?</style>|<svg.*?</svg>)|[0-9.]+(?:em|rem|pt|px|mm|cm|ch|%|fr)\b")
+_LOOK = re.compile(
+    r"(?s:<style.*?</style>|<svg.*?</svg>)|</?[a-z][^<>]*>|[0-9.]+(?:(?:em|rem|pt|px|mm|cm|ch|%|fr)\b|\\[a-z])"
+)
 _DECIMAL = re.compile(r"(?<![\w.,:])[0-9]+[.,][0-9]+(?![\w.,])")
 
 
 def has_figures_of(old: Sequence[str], new: Sequence[str]) -> bool:
-    """Tell whether two outcomes have the same decimals and are otherwise the same but for their pages."""
+    """Tell whether no decimal of the old is lost, and all but the pages is the same."""
     return len(old) == len(new) and all(
-        one == other or (_place(one) == _place(other) != "err" and decimals(one) == decimals(other))
+        one == other or (_place(one) == _place(other) != "err" and decimals(one) <= decimals(other))
         for one, other in zip(old, new, strict=True)
     )
 
