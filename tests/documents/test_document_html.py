@@ -52,6 +52,14 @@ def small_page() -> str:
     return set_page(handbook.document()._replace(chapters=chapters))
 
 
+# How far below the top of a formula its next sign begins, in pixels.
+BEHIND = """[...document.querySelectorAll('.prose math, figcaption math')].map(math => {
+  const sign = document.createRange()
+  sign.setStart(math.nextSibling, 0)
+  sign.setEnd(math.nextSibling, 1)
+  return sign.getBoundingClientRect().top - math.getBoundingClientRect().top
+})"""
+
 # On a screen ----------------------------------------------------------------------------------------------
 
 
@@ -186,7 +194,8 @@ def test_the_contents_stand_open_beside_the_text(viewer: Viewer) -> None:
         "Tabelle 1 Kolbenwe",
         "Tabelle 2 Werte fü",
     ]
-    assert len(links) == 13
+    chapters = len(handbook.document().chapters)
+    assert len(links) == chapters + len(handbook.TABLES) + len(handbook.FIGURES)
 
 
 # In print -------------------------------------------------------------------------------------------------
@@ -259,6 +268,20 @@ HOSTILE = (
     "</style></title><script>alert(1)</script><img src=x onerror='alert(2)'> "
     '"quoted" & javascript:alert(3) {{ 7 * 7 }} {% 0 %} \\0'
 )
+
+
+def test_no_line_begins_with_the_sign_behind_a_formula(viewer: Viewer) -> None:
+    words = "Weg $x$, Zeit $t$; Kraft $F$: Druck ($p$), " * 12
+    drawing = handbook.document().homes()["kurven"][1]
+    assert drawing
+    items = (Item("text", blocks=parse_prose(words)), drawing._replace(caption=words))
+    chapters = (Chapter("Zeichen", "zeichen", 1, items),)
+    opened = viewer.open(set_page(handbook.document()._replace(chapters=chapters)))
+    for width in range(320, 420, 10):
+        opened.set_viewport_size({"width": width, "height": 800})
+        drops = opened.evaluate(BEHIND)
+        assert len(drops) == 96
+        assert max(drops) < 10
 
 
 def test_what_a_manifest_says_is_text(viewer: Viewer) -> None:

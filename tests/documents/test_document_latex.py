@@ -36,9 +36,10 @@ def tables() -> dict[str, str]:
     return fragments("latex")
 
 
-def written(pages: Document, folder: Path) -> Path:
+def written(pages: Document, folder: Path, **more: str) -> Path:
     folder.mkdir(exist_ok=True)
-    write_folder(folder, document_files(pages, "latex", tables()), tables(), ".tex")
+    texts = tables() | more
+    write_folder(folder, document_files(pages, "latex", texts), texts, ".tex")
     return folder
 
 
@@ -113,8 +114,11 @@ def test_what_the_manifest_says_is_printed_and_not_obeyed(tmp_path: Path) -> Non
     chapters = tuple(Chapter(words, f"c{place}", place, ()) for place, words in enumerate(NASTY, 1))
     figure = Item("figure", "kurven", 1, "de", NASTY[0] + NASTY[2])
     heading = Item("text", blocks=parse_prose("# Kopf -- ,, <<"))
-    chapters = (chapters[0]._replace(items=(heading, figure)), *chapters[1:])
-    folder = written(Document(NASTY[3], "de", "comma", chapters, NASTY[2], NASTY[1]), tmp_path)
+    # Longer than the page, which is scaled to it and not printed over its foot.
+    tall = Item("table", "lang", 1, "de", "Lang")
+    long = "\\begin{table}\n\\caption{Lang}\\label{tab:lang}\n\\rule{1cm}{240mm}\n\\end{table}\n"
+    chapters = (chapters[0]._replace(items=(heading, figure, tall)), *chapters[1:])
+    folder = written(Document(NASTY[3], "de", "comma", chapters, NASTY[2], NASTY[1]), tmp_path, lang=long)
     log = log_of("pdflatex", folder, runs=3)
     # TeX says of a line of sixty equal words that it is not full.
     assert [line for line in complaints(log) if "Underfull" not in line] == []

@@ -143,6 +143,17 @@ def test_lists_give_numbers_captions_and_pages(page_text: Callable[[int], str]) 
     assert "Abbildungsverzeichnis 1 Weg, Geschwindigkeit und Beschleunigung, 𝑅:𝐿 = 1:5 ... 4" in text
 
 
+def test_a_list_stands_clear_of_the_one_before(folder: Path) -> None:
+    pdf = (folder / "handbook.pdf").read_bytes()
+    command = [require("pdftotext"), "-bbox", "-l", "1", "-", "-"]
+    boxes = subprocess.run(command, input=pdf, capture_output=True, check=True).stdout.decode()
+    words = re.findall(r'yMin="([\d.]+)" xMax="[\d.]+" yMax="([\d.]+)">([^<]*)<', boxes)
+    top = next(float(top) for top, _, word in words if word == "Abbildungsverzeichnis")
+    above = max(float(bottom) for other, bottom, _ in words if float(other) < top)
+    # A line of the heading's own size.
+    assert top - above > 18
+
+
 def test_the_index_gives_the_pages_and_a_long_table_has_its_head_on_each(folder: Path) -> None:
     pages = read_pages(folder / "handbook.pdf")
     words = next(number for number, page in enumerate(pages, 1) if "hängt von der Füllung ab" in page)

@@ -30,6 +30,9 @@ WORDS = {
     ),
 }
 
+# What stands for an unknown in a German sentence, where it is not "die".
+_WHICH = {"pressure": "den", "stroke": "den", "ratio": "das"}
+
 
 @cache
 def registry() -> Mapping[str, Quantity]:
@@ -112,6 +115,7 @@ def _caption(question: UnknownRequest) -> Label:
     text = question.layout.caption[question.lang]
     for place, said in (
         ("{unknown}", name),
+        ("{which}", _WHICH.get(question.unknown, "die")),
         ("{condition}", question.condition),
         ("{angle}", question.angle),
     ):

@@ -91,7 +91,7 @@ class Maker(DocumentMaker):
         else:
             title = f"{number}: {self.plain(item.caption, item.lang)}"
             content = inline(fragment, target, title, own_page=True)
-        caption = self.titled(item.caption, item.lang)
+        caption = self.writer.finish(self.titled(item.caption, item.lang))
         return Part(item.kind, target, number, caption, self.other(item.lang), content)
 
 

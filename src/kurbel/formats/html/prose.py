@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from kurbel.documents import prose
-from kurbel.formats.html.writer import escape
+from kurbel.formats.html.writer import beside, escape
 from kurbel.formats.printer import ProsePrinter, Reference
 
 
@@ -15,7 +15,7 @@ class Printer(ProsePrinter):
     rule, line_end = "<hr>", "<br>\n"
 
     def paragraph(self, content: prose.Inlines) -> str:
-        return f"<p>{self.inlines(content)}</p>"
+        return f"<p>{beside(self.inlines(content))}</p>"
 
     def blocks(self, blocks: prose.Blocks, between: str = "\n") -> str:
         return super().blocks(blocks, between)

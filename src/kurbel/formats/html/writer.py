@@ -33,7 +33,7 @@ class Writer(PageWriter):
 
     def finish(self, label: str) -> str:
         """Return a label that was set, with every formula on one line with the signs that touch it."""
-        return _BESIDE_FORMULA.sub(_kept, label)
+        return beside(label)
 
     def filters(self) -> Mapping[str, Callable[..., Any]]:
         return {"heads": Heads, "hyphenated": hyphenated, "measures": measures, "panelled": panelled}
@@ -54,6 +54,11 @@ def escape(prose: str) -> str:
 
 # Browsers break a line between a formula and a sign beside it, whatever the sign.
 _BESIDE_FORMULA = re.compile(r"(?<![^\s<>])(?:[^\s<>]*<math.*?</math>)+[^\s<>]*")
+
+
+def beside(text: str) -> str:
+    """Return a text that was set, in which signs that touch a formula stay on its line."""
+    return _BESIDE_FORMULA.sub(_kept, text)
 
 
 def _kept(match: re.Match[str]) -> str:
