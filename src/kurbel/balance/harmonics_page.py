@@ -43,7 +43,7 @@ def quantities() -> Mapping[str, Quantity]:
         ("c", "Harmonische der Kolbengeschwindigkeit|Harmonics of the piston velocity", "$v$", "c/v"),
         (
             "p", "Harmonische der Kolbenbeschleunigung|Harmonics of the piston acceleration",
-            "v²/R", "(p R)/v^2",
+            "$v^2/R$", "(p R)/v^2",
         ),
     )  # fmt: skip
     found = {}

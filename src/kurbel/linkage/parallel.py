@@ -63,12 +63,12 @@ _ACROSS = "quer zur Wellenlinie|square to the line of shafts"
 _PATH, _SPEED, _GAIN = "Weg|Path", "Geschwindigkeit|Velocity", "Beschleunigung|Acceleration"
 # Field of Coupler, direction, name, symbol, heading, value, unit.
 _COUPLER = (
-    ("path", _ALONG, _PATH, "x", "x/R", "1 - cos φ", "R"),
-    ("velocity", _ALONG, _SPEED, "c_x", "c_x/v", "sin φ", "v"),
-    ("acceleration", _ALONG, _GAIN, "p_x", "(p_x R)/v^2", "cos φ", "v²/R"),
-    ("rise", _ACROSS, _PATH, "y", "y/R", "sin φ", "R"),
-    ("rise_velocity", _ACROSS, _SPEED, "c_y", "c_y/v", "cos φ", "v"),
-    ("rise_acceleration", _ACROSS, _GAIN, "p_y", "(p_y R)/v^2", "-sin φ", "v²/R"),
+    ("path", _ALONG, _PATH, "x", "x/R", "1 - cos φ", "$R$"),
+    ("velocity", _ALONG, _SPEED, "c_x", "c_x/v", "sin φ", "$v$"),
+    ("acceleration", _ALONG, _GAIN, "p_x", "(p_x R)/v^2", "cos φ", "$v^2/R$"),
+    ("rise", _ACROSS, _PATH, "y", "y/R", "sin φ", "$R$"),
+    ("rise_velocity", _ACROSS, _SPEED, "c_y", "c_y/v", "cos φ", "$v$"),
+    ("rise_acceleration", _ACROSS, _GAIN, "p_y", "(p_y R)/v^2", "-sin φ", "$v^2/R$"),
 )
 
 

@@ -145,7 +145,7 @@ def _piston_entries() -> Iterator[Quantity]:
     yield spanned(
         "c_mps", velocity, "$c$", "$c$ in m/s", "m/s", 3, VELOCITY, scale=Crank.pin_velocity, needs="speed"
     )
-    yield spanned("p", acceleration, "$p$", "$(p R)/v^2$", "v²/R", 4, ACCELERATION, names=("p",))
+    yield spanned("p", acceleration, "$p$", "$(p R)/v^2$", "$v^2/R$", 4, ACCELERATION, names=("p",))
     yield spanned(
         "p_mps2", acceleration, "$p$", "$p$ in m/s²", "m/s²", 2, ACCELERATION, scale=Crank.pin_acceleration,
         needs="speed",

@@ -146,8 +146,13 @@ def _entry(
 ) -> Quantity:
     """An entry, an arc if it is in degrees, headed by letter and unit unless another head is given."""
     symbol, said = f"${letter}$", {"is_arc": unit == "°", **rest}
-    heading = heading or (f"{symbol} in °" if unit == "°" else f"${letter}/{unit.replace('²', '^2')}$")
     decimals = ANGLE_DECIMALS if unit == "°" else DECIMALS
+    if unit == "°":
+        heading = heading or f"{symbol} in °"
+    else:
+        # The unit is a quantity of the drive.
+        own = unit.replace("²", "^2")
+        heading, unit = heading or f"${letter}/{own}$", f"${own}$"
     return spanned(key, name, symbol, heading, unit, decimals, {"exact": formula}, **said)
 
 
