@@ -41,11 +41,36 @@ GAPS = """() => {
 
 
 def test_a_pair_stands_closer_than_its_neighbours(viewer: Viewer) -> None:
-    within, between, *others = viewer.open(motion()).evaluate(GAPS)
-    # The heads of the first pair are wider than its figures, and its spanner is not wider than both.
-    assert within == pytest.approx(1.3, abs=0.15)
-    assert between >= 2.6 - 0.15
-    assert others[1] >= 2.6 - 0.15
+    within, between, second, further, third = viewer.open(motion()).evaluate(GAPS)
+    # The spanners of the second and the third pair are wider than what is below them.
+    assert [within, second, third] == pytest.approx([1.3] * 3, abs=2 / 16)
+    assert min(between, further) >= 2.6 - 0.15
+
+
+@pytest.mark.parametrize("width", [700, 1000])
+def test_every_pair_has_the_same_gap_on_smaller_screens(viewer: Viewer, width: int) -> None:
+    viewer.open(motion(), width)
+    gaps = viewer.page.evaluate(GAPS)
+    assert gaps[::2] == pytest.approx(gaps[:1] * 3, abs=2 / 16)
+    assert max(gaps[::2]) < min(gaps[1::2])
+    region = "(one => one.scrollWidth <= one.clientWidth)(document.querySelector('.scroll'))"
+    assert viewer.page.evaluate(region)
+
+
+SHADOWS = """document.querySelector('.scroll').scrollLeft = %d;
+new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(
+    [...document.querySelectorAll('.row')].filter(one => one.offsetHeight)
+        .map(one => getComputedStyle(one).boxShadow.replace(/^rgba\\(0, 0, 0, 0\\).*/, 'none'))))))"""
+
+
+def test_a_rule_beside_the_stub_is_seen_only_where_figures_are_behind_it(viewer: Viewer) -> None:
+    page = viewer.open(render(default_page("forces"), "html", standalone=True), 700)
+    assert set(page.evaluate(SHADOWS % 0)) == {"none"}
+    shadows = set(page.evaluate(SHADOWS % 60))
+    assert len(shadows) == 1
+    assert "none" not in shadows
+    viewer.open(motion())
+    assert set(page.evaluate(SHADOWS % 60)) == {"none"}
 
 
 def test_a_small_pause_parts_rows_that_stand_in_line(viewer: Viewer) -> None:
@@ -142,6 +167,23 @@ def test_tab_goes_from_the_table_to_each_of_its_groups(viewer: Viewer) -> None:
     assert label
     assert head
     assert head["y"] + head["height"] <= label["y"] + 1 < 800
+
+
+# The heights of all headings that are in view, in lines.
+LINES = """[...document.querySelectorAll('.alike')].filter(one => one.offsetHeight).map(one =>
+    Math.round(one.offsetHeight / parseFloat(getComputedStyle(one).lineHeight)))"""
+
+
+@pytest.mark.parametrize("width", [*SMALL, 430, 480, 640])
+def test_heads_of_one_row_break_alike(viewer: Viewer, width: int) -> None:
+    wide = render(default_page("forces"), "html", standalone=True)
+    for page in (motion(), wide):
+        lines = viewer.open(page, width).evaluate(LINES)
+        assert len(lines) >= 6
+        assert len(set(lines)) == 1
+        assert viewer.misfits() == []
+    # Panels of two pairs have room for whole words there.
+    assert (lines[0] == 2) == (width < 500)
 
 
 # Words that break -----------------------------------------------------------------------------------------

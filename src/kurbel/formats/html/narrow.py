@@ -68,16 +68,17 @@ def _panels(region: re.Match[str], word: str, several: bool) -> Iterator[str]:
 
 def _measured(style: str, count: int) -> Widths:
     said = {name: float(value) for name, value in _MEASURE.findall(style)}
-    leasts, gaps, shifts = (
-        tuple(said.get(f"{kind}{place}", 0.0) for place in range(count, 0, -1)) for kind in "lgs"
+    leasts, gaps, shifts, mores = (
+        tuple(said.get(f"{kind}{place}", 0.0) for place in range(count, 0, -1)) for kind in "lgsm"
     )
-    return Widths(said.get("wide", 0.0), leasts, gaps, shifts)
+    return Widths(said.get("wide", 0.0), leasts, gaps, shifts, mores)
 
 
 def _of(widths: Widths, kept: Sequence[int]) -> Widths:
     """Return the widths of some of the columns, of which no whole heads are known."""
-    leasts, gaps, shifts = (tuple(one[place] for place in kept) for one in widths[1:])
-    return Widths(sum(leasts), leasts, gaps, shifts)
+    columns = (widths.leasts, widths.gaps, widths.shifts, widths.mores)
+    leasts, gaps, shifts, mores = (tuple(one[place] for place in kept) for one in columns)
+    return Widths(sum(leasts), leasts, gaps, shifts, mores)
 
 
 def _shares(widths: Widths, sizes: Sequence[int]) -> list[list[int]]:

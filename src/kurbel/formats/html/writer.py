@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from zlib import crc32
 
 from kurbel.formats.formula import has_bar, mathml
+from kurbel.formats.html.words import OTHERS, WIDTHS, WORDS
+from kurbel.formats.spacing import Room, overhangs
 from kurbel.formats.writer import PageWriter
 from kurbel.page.formula import Formula
 from kurbel.page.table import HeadCell
@@ -69,30 +71,11 @@ def _kept(match: re.Match[str]) -> str:
 
 # Its hyphen is of the style sheet: copied and searched, a word is whole.
 BREAK = '<span class="shy"></span>'
-_WORDS: Mapping[str, str] = {
-    "de": """
-        Ab-stand Ab-stände Aus-geglichener Balancier-kraft Balancier-winkel Be-lastung Beschleu-nigung
-        Beschleunigungs-druck Dreh-moment Dreh-zahl Druck-verhältnis Expansions-verhältnis Führungs-druck
-        Geschwin-digkeit Haupt-lager Hin-gang Kolben-beschleunigung Kolben-druck Kolben-geschwindigkeit
-        Kolben-kraft Kolben-weg Kolben-wege Kreuz-kopf Kreuzkopf-zapfen Kurbel-verhältnis Kurbel-winkel
-        Kurbel-zapfen Kurbel-zapfens Liefe-rung Massen-kraft Massen-kräfte Mechanis-mus Nach-lauf
-        Radial-kraft Rück-gang Schubstangen-winkel Schwer-punkt Schwingen-kraft Schwingen-winkel
-        Stangen-kraft Stangen-verhältnis Tangen-tial-kraft Um-drehung Umfangs-kraft
-        Ungleich-förmigkeits-grad Unter-schied ver-bleibender Verdichtungs-verhältnis Wellen-linie
-        Winkel-beschleunigung Wirkungs-grad Zapfen-kraft Zünd-folge Zünd-winkel Über-schuss
-        Überschuss-arbeit
-    """,
-    "en": """
-        Accelera-tion accelera-tion Ampli-tude Compres-sion Cross-head cross-head Cylin-der Deliv-ery
-        Differ-ence direc-tion Effi-ciency Expan-sion Inter-val Inter-vals irregu-larity Magni-tude
-        magni-tude Out-stroke Pres-sure pres-sure Remain-ing Tangen-tial tangen-tial Veloc-ity veloc-ity
-    """,
-}
 
 
 @cache
 def _breaks(lang: str) -> tuple[re.Pattern[str], Mapping[str, str]]:
-    words = {word.replace("-", ""): word.replace("-", BREAK) for word in _WORDS.get(lang, "").split()}
+    words = {word.replace("-", ""): word.replace("-", BREAK) for word in WORDS.get(lang, "").split()}
     return re.compile(rf"\b(?:{'|'.join(sorted(words))})\b"), words
 
 
@@ -168,14 +151,6 @@ class Heads:
             yield self._id(kind, number) if cell.down else name
 
 
-# Of DejaVu Serif, by and large.
-_CHARACTERS = (
-    ("ijltfI.,:;'|!()[]/ \u00a0\u2008°′", 0.38),
-    ("mwMW−±+=<>", 0.9),
-    ("ABCDEGHKLNOPQRUVXYÄÖÜΔ", 0.77),
-)
-_EM = {character: width for characters, width in _CHARACTERS for character in characters}
-_OTHERS = 0.62
 _FORMULA = re.compile(r"<math.*?</math>", re.DOTALL)
 _FRACTION = re.compile(r"<mfrac>(.*?)</mfrac>", re.DOTALL)
 _TAG = re.compile(r"<[^>]*>")
@@ -202,16 +177,21 @@ def panelled(page: str) -> str:
 
 class Widths(NamedTuple):
     """`wide` is that of the columns side by side without their gaps, `leasts` those of each where heads break
-    and long texts wrap. `shifts` move the figures of each column to the middle below its heading."""
+    and long texts wrap. `shifts` move the figures of each column to the middle below its heading. `left` and
+    `right` are what spanners need beside their columns, `mores` what headings that break alike lack."""
 
     wide: float
     leasts: tuple[float, ...]
     gaps: tuple[float, ...]
     shifts: tuple[float, ...]
+    mores: tuple[float, ...]
+    left: Sequence[Room] = ()
+    right: Sequence[Room] = ()
 
     @property
     def slim(self) -> bool:
-        return self.wide + sum(self.gaps) <= _SLIM
+        beside = sum(room.whole for room in (*self.left, *self.right))
+        return self.wide + sum(self.gaps) + beside <= _SLIM
 
     @property
     def broad(self) -> bool:
@@ -220,11 +200,32 @@ class Widths(NamedTuple):
     @property
     def style(self) -> str:
         """Return them as the style sheet reads them, columns counted from the last one."""
-        said = {"wide": self.wide, "least": sum(self.leasts), "gaps": max(sum(self.gaps), 0.1)}
-        columns = zip(self.gaps, self.shifts, self.leasts, strict=True)
-        for place, measures in enumerate(reversed(list(columns)), 1):
-            said |= dict(zip((f"g{place}", f"s{place}", f"l{place}"), measures, strict=True))
-        return "; ".join(f"--{name}: {round(value, 2):g}" for name, value in said.items())
+        beside = (*self.left, *self.right)
+        said = {"wide": self.wide + sum(room.em for room in beside), "least": sum(self.leasts)}
+        said |= {"gaps": max(sum(self.gaps), 0.1), "taken": sum(-room.gaps for room in beside)}
+        said["more"] = sum(self.mores)
+        for kind, rooms in {"g": self.gaps, "s": self.shifts, "l": self.leasts, "m": self.mores}.items():
+            said |= {f"{kind}{place}": room for place, room in enumerate(reversed(rooms), 1) if any(rooms)}
+        lengths = [
+            f"--{side}{place}: max(0em, {room.em:.2f}em - {-room.gaps:.2f} * var(--unit))"
+            for side, rooms in (("a", self.left), ("z", self.right))
+            for place, room in enumerate(reversed(rooms), 1)
+            if room
+        ]
+        return "; ".join([*(f"--{name}: {round(value, 2):g}" for name, value in said.items()), *lengths])
+
+    @property
+    def alike(self) -> bool:
+        """Whether headings break that can be wholly or not at all."""
+        return any(self.mores)
+
+    def head(self, cell: HeadCell) -> str:
+        """Return the measures of a cell of the head; a spanner has the room beside its columns for itself."""
+        said, place = f"--gap: {self.gaps[cell.first]:g}", len(self.gaps) - cell.first
+        if cell.kind == "spanner":
+            return said
+        left = f"; --left: var(--a{place})" if self.left[cell.first] else ""
+        return said + left + (f"; --right: var(--z{place})" if self.right[cell.first] else "")
 
 
 def measures(panel: PagePanel, lang: str) -> Widths:
@@ -232,8 +233,13 @@ def measures(panel: PagePanel, lang: str) -> Widths:
 
     Rather too wide than too narrow: letters and figures are those of the widest face of the style sheet.
     """
+
+    def broken(head: str) -> float:
+        return _whole(_longest(hyphenated(head, lang)))
+
     cells = [_cells(panel, place) for place in range(len(panel.columns))]
     wide = _columns(panel, cells, _whole)
+    left, right = overhangs(panel, wide, lambda spanner: _whole(spanner.text))
     figures = [max(map(_whole, texts), default=0.0) for texts in cells]
     shifts = tuple(
         (room - own) / 2 if column.align == "right" else 0.0
@@ -243,13 +249,15 @@ def measures(panel: PagePanel, lang: str) -> Widths:
         texts if column.align == "right" else list(map(_longest, texts))
         for texts, column in zip(cells, panel.columns, strict=True)
     ]
-    least = _columns(panel, wrapping, lambda head: _whole(_longest(hyphenated(head, lang))))
+    least = _spanned(panel, _columns(panel, wrapping, broken), broken)
     if any(row[-1].marks for row in panel.rows):
         wide[-1], least[-1] = wide[-1] + _MARK, least[-1] + _MARK
     gaps = tuple(column.gap for column in panel.columns)
     if any(cell.marks for row in panel.rows for cell in row[panel.stubs :]):
         least = [room + _LEAST_UNIT * gap for room, gap in zip(least, gaps, strict=True)]
-    return Widths(sum(wide), tuple(least), gaps, shifts)
+    one_word = not any(" " in line for column in panel.columns[panel.stubs :] for line in column.heading)
+    mores = tuple(max(whole - room, 0.0) * one_word for whole, room in zip(wide, least, strict=True))
+    return Widths(sum(wide), tuple(least), gaps, shifts, mores, left, right)
 
 
 def _cells(panel: PagePanel, place: int) -> list[str]:
@@ -257,11 +265,15 @@ def _cells(panel: PagePanel, place: int) -> list[str]:
 
 
 def _columns(panel: PagePanel, cells: Sequence[Iterable[str]], width: Callable[[str], float]) -> list[float]:
-    """Return the width of each column: its cells, its heading, and its share of the spanners above it."""
-    columns = [
+    """Return the width of each column from its cells and its heading."""
+    return [
         max([*map(_whole, texts), *map(width, column.heading)], default=0.0)
         for texts, column in zip(cells, panel.columns, strict=True)
     ]
+
+
+def _spanned(panel: PagePanel, columns: list[float], width: Callable[[str], float]) -> list[float]:
+    """Return the width of each column with its share of the spanners above it."""
     for spanner in (cell for row in reversed(panel.spanners) for cell in row):
         below = range(spanner.first, spanner.last + 1)
         inner = sum(panel.columns[place].gap for place in below[1:])
@@ -277,7 +289,7 @@ def _whole(text: str) -> float:
 
 
 def _ems(text: str) -> float:
-    return sum(_EM.get(character, _OTHERS) for character in text)
+    return sum(WIDTHS.get(character, OTHERS) for character in text)
 
 
 def _longest(text: str) -> str:
