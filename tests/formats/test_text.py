@@ -102,6 +102,28 @@ def test_printed_recomputed_and_difference_stand_side_by_side(width: int, lang: 
     assert ("eine Ziffer: 4 für 2" if lang == "de" else "one digit: 4 for 2") in said
 
 
+@pytest.mark.parametrize("lang", LANGUAGES)
+def test_a_collation_is_one_table_on_a_narrow_terminal(lang: str) -> None:
+    text = lines(collation_table("weisbach-150", lang=lang), 60)
+    assert max(map(len, text)) <= 60
+    assert len([line for line in text if set(line) == {"━"}]) == 2
+
+
+def test_long_formulas_go_on_in_further_lines_of_their_column() -> None:
+    page = collation_table("blau-equations")
+
+    def printed(width: int | None) -> str:
+        text = lines(page, width)
+        assert len([line for line in text if line and set(line) == {"━"}]) == 2
+        (head,) = (line for line in text if "gedruckt" in line)
+        column = slice(head.index("gedruckt"), head.index("Befund"))
+        return re.sub(r"\s", "", "".join(line[column] for line in body(text)))
+
+    # In 52 characters some go on within brackets.
+    assert printed(None) == printed(60) == printed(52)
+    assert "⁾" not in printed(60)
+
+
 def test_long_texts_become_notes_where_they_have_no_room() -> None:
     text = lines(collation_table("blau-33"), 60)
     (row,) = (line for line in text if "79°20′" in line)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain, zip_longest
 from string import ascii_lowercase
@@ -17,23 +18,28 @@ NARROWEST = 14
 # How far the further lines of a row's name are indented.
 INDENT = " "
 NOTHING = PageCell("", "", "label")
+_SIGN = "[=·±∓+−]\u00a0"
+# A formula goes on in a further line before a sign, at best before one that is in no innermost brackets.
+BEFORE_SIGN = re.compile(f"\u00a0(?={_SIGN})")
+BETWEEN_BRACKETS = re.compile(BEFORE_SIGN.pattern + r"(?![^()]*\))")
+# A formula has a sign, and no space elsewhere.
+FORMULA = re.compile(f"(?!.* (?!{_SIGN})).*{_SIGN}")
 
 
 def reflowed(page: Page, width: int) -> Iterator[Page]:
-    """Yield the page, then with words in further lines, with long ones in notes, with the names of rows above
-    these, with panels apart."""
+    """Yield the page, then with words in further lines, with formulas in further lines, with long words in
+    notes, with the names of rows above these, with panels apart."""
     yield page
-    if narrow := _in_lines(page, width):
-        yield narrow
-    if noted := _noted(page, width):
-        yield noted
-        if narrow := _in_lines(noted, width):
+    pages = (page, _loosened(page, BETWEEN_BRACKETS), _loosened(page, BEFORE_SIGN))
+    for one in (*pages, *(_noted(one, width) for one in pages)):
+        if narrow := one and _in_lines(one, width):
             yield narrow
     if all(_has_names(panel, width) for panel in page.panels):
         above = page._replace(panels=tuple(_names_above(panel, width) for panel in page.panels))
         yield above
-        if narrow := _in_lines(above, width):
-            yield narrow
+        for one in (above, _noted(above, width)):
+            if narrow := one and _in_lines(one, width):
+                yield narrow
     if len(page.panels) > 1:
         alone = [_in_lines(page._replace(panels=(panel,)), width) for panel in page.panels]
         if all(alone):
@@ -148,6 +154,25 @@ def _cell_in_lines(cell: PageCell, room: int, indent: str) -> list[PageCell]:
     return [cell._replace(text=line, marks="") for line in lines_of(text, room, indent)]
 
 
+def _loosened(page: Page, places: re.Pattern[str]) -> Page:
+    """Return the page with formulas beside the stub that can go on in further lines at some places."""
+
+    def loosened(cell: PageCell) -> PageCell:
+        return cell._replace(text=places.sub(" ", cell.text)) if cell.kind == "label" else cell
+
+    def row_of(row: Sequence[PageCell], stubs: int) -> tuple[PageCell, ...]:
+        return (*row[:stubs], *map(loosened, row[stubs:]))
+
+    panels = []
+    for panel in page.panels:
+        groups = (
+            group._replace(rows=tuple(row_of(row, panel.stubs) for row in group.rows))
+            for group in panel.groups
+        )
+        panels.append(panel._replace(groups=tuple(groups)))
+    return page._replace(panels=tuple(panels))
+
+
 def _noted(page: Page, width: int) -> Page | None:
     """Return the page with long texts in notes; None without them, or where letters are too few for them."""
     rooms = _rooms(page, width)
@@ -170,14 +195,14 @@ def _noted(page: Page, width: int) -> Page | None:
 
 
 def _prose(page: Page) -> Mapping[int, Sequence[str]]:
-    """Return the texts of each column of prose beside the stub; formulas have no-break spaces only."""
+    """Return the texts of each column of prose beside the stub, which has no formulas."""
     found: dict[int, list[str]] = {}
     for panel in page.panels:
         for place, column in enumerate(panel.columns):
             texts = [row[place].text for row in panel.rows if row[place].text]
             if place >= panel.stubs and column.align == "left" and any(" " in text for text in texts):
                 found.setdefault(place, []).extend(texts)
-    return found
+    return {place: texts for place, texts in found.items() if not any(map(FORMULA.match, texts))}
 
 
 def _panel_noted(panel: PagePanel, marks: Mapping[int, Mapping[str, str]]) -> PagePanel:
