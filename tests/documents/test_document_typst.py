@@ -8,6 +8,7 @@ import re
 import subprocess
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -20,7 +21,7 @@ from tools import require, require_library
 import kurbel
 from kurbel.documents.document import Chapter, Document, Item
 from kurbel.documents.markdown import parse_prose
-from kurbel.documents.prose import Heading, Listing, Paragraph, Quote, Text, stepwise
+from kurbel.documents.prose import Heading, Index, Listing, Paragraph, Quote, Term, Text, stepwise
 from kurbel.formats.documents import document_files
 from kurbel.formats.pdf import Standard
 from kurbel.formats.pdf.by_typst import compile_typst
@@ -169,6 +170,22 @@ def test_the_index_gives_the_pages_and_a_long_table_has_its_head_on_each(folder:
     assert len(rows) > 1
     assert all("Zeichen Größe Einheit zuerst" in page for page in rows)
     assert sum(page.count("mm Tabelle 1") for page in rows) == 90
+
+
+def test_the_columns_of_an_index_end_alike_on_its_last_page(tmp_path: Path) -> None:
+    words = {letter: [f"{letter}wort{number}" for number in range(50)] for letter in "ABCD"}
+    groups = tuple((one, tuple(Term(word, ("kapitel",)) for word in each)) for one, each in words.items())
+    pdf = small(tmp_path, Item("text", lang="de", blocks=(Index(groups),)))
+    assert re.findall(r"\wwort\d+(?=, 2)", read(pdf, "-raw")) == [*chain(*words.values())]
+    # The contents stand on the first page and the index on the two after it.
+    command = [require("pdftotext"), "-bbox", "-f", "3", "-", "-"]
+    boxes = subprocess.run(command, input=pdf, capture_output=True, check=True).stdout.decode()
+    places = re.findall(r'xMin="([\d.]+)".* yMax="([\d.]+)">\wwort', boxes)
+    left, right = (
+        max(float(bottom) for at, bottom in places if (float(at) > 210 / 25.4 * 36) == side)
+        for side in (False, True)
+    )
+    assert abs(left - right) < 30
 
 
 def test_the_file_tells_title_author_keywords_and_language(folder: Path) -> None:
