@@ -66,9 +66,11 @@ new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done
 def test_a_rule_beside_the_stub_is_seen_only_where_figures_are_behind_it(viewer: Viewer) -> None:
     page = viewer.open(render(default_page("forces"), "html", standalone=True), 700)
     assert set(page.evaluate(SHADOWS % 0)) == {"none"}
+    left = page.locator("thead .corner").first.bounding_box()
     shadows = set(page.evaluate(SHADOWS % 60))
     assert len(shadows) == 1
     assert "none" not in shadows
+    assert page.locator("thead .corner").first.bounding_box() == left
     viewer.open(motion())
     assert set(page.evaluate(SHADOWS % 60)) == {"none"}
 
