@@ -259,6 +259,18 @@ def test_svg_has_words_for_its_text_on_request_alone() -> None:
     said = written(text=True)
     assert {"Excess energy W in J", "TL = 1000.0 N m", "ΔW = 500.00 J", "Crank angle φ", "270°"} <= set(said)
     assert not written(text=False)
+    # In wider fonts no piece runs into the next.
+    root = ET.fromstring(waves().image(text=True))
+    formulas = [one.findall(f"{SVG}tspan") for one in root.iter(f"{SVG}text")]
+    pairs = [
+        (one, after) for row in formulas for one, after in pairwise(row) if one.get("y") == after.get("y")
+    ]
+    assert len(pairs) > 5
+    for one, after in pairs:
+        start, length, following = (
+            float(part.get(name, "nan")) for part, name in ((one, "x"), (one, "textLength"), (after, "x"))
+        )
+        assert 0 < length < following - start + 0.5
     with pytest.raises(ChoiceError, match="--text is for SVG, whose letters are outlines without it"):
         waves().image("png", text=True)
 

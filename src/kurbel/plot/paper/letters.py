@@ -35,7 +35,8 @@ class _Letter(NamedTuple):
 def joined(svg: str) -> str:
     """Return the file with texts in reading order, letter beside letter of one kind in one piece.
 
-    Each piece stands where its first letter stood. Only inside `style`.
+    Each piece stands where its first letter stood and is as long as it was, in the reader's fonts, too: a
+    wider one would run into the next. Only inside `style`.
     """
     return _TEXT.sub(lambda text: f"{text[1]}{''.join(_pieces(_letters(text[2])))}{text[3]}", svg)
 
@@ -51,15 +52,16 @@ def _pieces(letters: Sequence[_Letter]) -> Iterator[str]:
         gap = (letter.x - run[-1].end()) / letter.size if run else 0.0
         alike = not run or (letter.y, letter.style) == (run[-1].y, run[-1].style)
         if not alike or abs(gap) > _TOGETHER:
-            yield _piece(run, gap >= _SPACE)
+            yield _piece(run, " ", letter.x) if gap >= _SPACE else _piece(run, "", run[-1].end())
             run = []
         run.append(letter)
-    yield _piece(run, spaced=False)
+    yield _piece(run, "", run[-1].end())
 
 
-def _piece(run: Sequence[_Letter], spaced: bool) -> str:
-    text = "".join(letter.text for letter in run).replace(NO_BREAK, " ") + " " * spaced
-    return f'<tspan x="{run[0].x:g}" y="{run[0].y}" style="{run[0].style}">{text}</tspan>'
+def _piece(run: Sequence[_Letter], space: str, end: float) -> str:
+    text = "".join(letter.text for letter in run).replace(NO_BREAK, " ") + space
+    length = f'textLength="{end - run[0].x:g}" lengthAdjust="spacingAndGlyphs"'
+    return f'<tspan x="{run[0].x:g}" y="{run[0].y}" {length} style="{run[0].style}">{text}</tspan>'
 
 
 def _advance(letter: str, italic: bool) -> float:
