@@ -14,6 +14,7 @@ from everything import everything
 from numpy.typing import NDArray
 from tex import compiled, complaints
 from tools import require
+from typeset import has_pauses, words_of_pdf
 
 import kurbel
 from kurbel.formats.render import render
@@ -151,12 +152,10 @@ def ink(folder: Path, number: int) -> NDArray[np.bool_]:
     return picture < 128
 
 
-def test_columns_of_a_pair_stand_closer_than_pairs(tmp_path: Path) -> None:
+def test_pairs_and_pauses_show_what_belongs_together(tmp_path: Path) -> None:
     compiled("pdflatex", render(kurbel.table(lang="en"), "latex", standalone=True), tmp_path, runs=1)
-    subprocess.run([require("pdftotext"), "-bbox", "page.pdf"], cwd=tmp_path, check=True)
-    page = (tmp_path / "page.html").read_text(encoding="utf-8")
-    words = re.findall(r'xMin="([\d.]+)" \S+ xMax="([\d.]+)" \S+>(\w+)<', page)
-    heads = [(float(left), float(right)) for left, right, text in words if text in ("Outstroke", "Return")]
+    words = words_of_pdf(tmp_path / "page.pdf")
+    heads = [(word.left, word.right) for word in words if word.text in ("Outstroke", "Return")]
     assert len(heads) == 6
     gaps = [right[0] - left[1] for left, right in pairwise(heads)]
     # In the last pair the figures have signs, and are wider than one of the headings.
@@ -164,6 +163,7 @@ def test_columns_of_a_pair_stand_closer_than_pairs(tmp_path: Path) -> None:
     # 1.3 and 2.6 em of 9.25 pt, the unit of small type; PDF counts points of 1/72 inch.
     assert np.allclose(within, 1.3 * 9.25 * 72 / 72.27, atol=1)
     assert min(between) >= 2 * 1.3 * 9.25 * 72 / 72.27 - 1
+    assert has_pauses(words, least=0.3 * 9.25)
 
 
 @pytest.mark.slow

@@ -17,7 +17,7 @@ from cli import printed, refusal
 from everything import everything, tall
 from programs import into_the_next_second
 from tools import require, require_library
-from typeset import broken_formulas, words_of_pdf
+from typeset import broken_formulas, has_pauses, words_of_pdf
 from verapdf import validate
 
 import kurbel
@@ -257,3 +257,9 @@ def test_indices_of_the_letters_of_formulas_stand_below_the_line() -> None:
     found = typst.query(document.encode(), "<found>", field="value", font_paths=fonts)
     letter, with_index = json.loads(found)
     assert with_index > letter + 0.1
+
+
+def test_rows_pause_before_every_30_degrees(tmp_path: Path) -> None:
+    page = tmp_path / "page.pdf"
+    kurbel.table(lang="en").save(page)
+    assert has_pauses(words_of_pdf(page), least=2)

@@ -6,6 +6,7 @@ import html
 import re
 import subprocess
 from collections.abc import Iterator
+from itertools import pairwise
 from pathlib import Path
 from typing import NamedTuple
 
@@ -54,6 +55,14 @@ _FIGURE = re.compile(r"[−-]?\d+[,.]\d+")
 def least_type(words: list[Word]) -> float:
     """Return the size of the smallest type of any number with decimals."""
     return min(word.size for word in words if _FIGURE.fullmatch(word.text))
+
+
+def has_pauses(words: list[Word], least: float) -> bool:
+    """Tell whether the rows of 30°, 60° to 150° stand further off than the others, by so much at least."""
+    tops = [next(word.top for word in words if word.text == str(angle)) for angle in range(10, 180, 10)]
+    steps = [below - above for above, below in pairwise(tops)]
+    pauses, others = steps[1::3], steps[::3] + steps[2::3]
+    return max(pauses) - min(pauses) < 0.1 and min(pauses) > max(others) + least
 
 
 # What cannot end a formula, and how far away, in points, the rest of it is at most.
