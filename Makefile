@@ -3,6 +3,7 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/ready
+DEV := $(VENV)/dev
 # The tests of a file share what they made: they run in one process.
 IN_PARALLEL := -n 2 --dist loadfile
 
@@ -12,33 +13,40 @@ IN_PARALLEL := -n 2 --dist loadfile
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
+# kurbel alone: what the first table needs.
 $(READY): pyproject.toml
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "kurbel needs Python 3.11 or newer")'
 	$(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --editable .
+	touch $(READY)
+
+# What the tests need.
+$(DEV): $(READY)
 	$(BIN)/python -m pip install --quiet --upgrade 'pip>=25.1'
 	$(BIN)/python -m pip install --quiet --editable '.[units,plot,pdf]' --group dev
-	touch $(READY)
+	touch $(DEV)
 
 demo: $(READY) ## print the table for R:L = 1:5
 	@$(BIN)/kurbel table --ratio 1:5
 
 handbook: $(READY) ## build the example handbooks, pages/handbook.pdf and .html in examples/appendix and appendix-en
+	$(BIN)/python -m pip install --quiet --editable '.[units,plot,pdf]'
 	$(BIN)/kurbel handbook build examples/appendix examples/appendix-en
 
-test: $(READY) check ## run linters, type checks and the tests, in CI all of them
+test: $(DEV) check ## run linters, type checks and the tests, in CI all of them
 	$(BIN)/python -m pytest $(IN_PARALLEL) $(if $(filter true,$(CI)),,-m 'not slow')
 
-test-all: $(READY) check ## run the slow tests too
+test-all: $(DEV) check ## run the slow tests too
 	$(BIN)/python -m pytest $(IN_PARALLEL)
 
-check: $(READY)
+check: $(DEV)
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports --no-cache
 	$(BIN)/python docs/reference.py --check
 
-bench: $(READY) ## measure start-up, kernels, δ and CSV against their rivals
+bench: $(DEV) ## measure start-up, kernels, δ and CSV against their rivals
 	$(BIN)/python -m pip install --quiet --group bench
 	$(BIN)/python benchmarks/bench_start.py
 	$(BIN)/python benchmarks/bench_kernel.py
@@ -47,19 +55,19 @@ bench: $(READY) ## measure start-up, kernels, δ and CSV against their rivals
 	$(BIN)/python benchmarks/bench_handbook.py
 	$(BIN)/python benchmarks/walk.py
 
-peers: $(READY) ## set one table with kurbel and its peers side by side, docs/gallery/peers-*.png; needs make tools
+peers: $(DEV) ## set one table with kurbel and its peers side by side, docs/gallery/peers-*.png; needs make tools
 	$(BIN)/python -m pip install --quiet --group peers
 	$(BIN)/python docs/peers
 
-docs: $(READY) ## write docs/reference.md and the JSON Schemas anew
+docs: $(DEV) ## write docs/reference.md and the JSON Schemas anew
 	$(BIN)/python docs/reference.py
 	$(BIN)/python docs/schemas.py
 
-golden: $(READY) ## write the golden files anew; then read the difference
+golden: $(DEV) ## write the golden files anew; then read the difference
 	KURBEL_PROMOTE=1 $(BIN)/python -m pytest -q $(IN_PARALLEL) tests
 	git diff --stat -- tests/golden
 
-tools: $(READY) ## install TeX, Chromium, poppler, fish, axe and veraPDF, which some tests need (Debian, as root)
+tools: $(DEV) ## install TeX, Chromium, poppler, fish, axe and veraPDF, which some tests need (Debian, as root)
 	sh scripts/debian-tools.sh
 	npm ci --prefix tests --ignore-scripts --no-audit --no-fund
 	$(BIN)/python -m pip install --quiet --group tools

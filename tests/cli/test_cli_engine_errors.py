@@ -15,6 +15,7 @@ from places import CARDS
 from kurbel.formats.registry import FORMATS
 from kurbel.page.layouts import layout_names
 from kurbel.reading import units
+from kurbel.reading.extras import how_to_install
 
 TOO_SHORT = "it must be below 1, or the rod is too short to pass the dead centre"
 NO_NUMBER = "is not a number; write it as 4.5 or 4,5"
@@ -396,7 +397,7 @@ def test_without_pint_a_flywheel_says_what_to_install(monkeypatch: pytest.Monkey
     units.registry.cache_clear()
     monkeypatch.setitem(sys.modules, "pint", None)
     assert refusal(*flywheel(), "--power", "68PS", code=1) == (
-        "quantities with units need pint; install it with: pip install 'kurbel[units]'"
+        f"quantities with units need pint; install it with: {how_to_install('units')}"
     )
     assert kurbel(*flywheel()).code == 0
 

@@ -44,6 +44,7 @@ from kurbel.plot.engine import PIN_FORCE, TURNING, engine_pin_force, force_panel
 from kurbel.plot.panels import MOST_POINTS, axis_name
 from kurbel.plot.speed import speed_panel
 from kurbel.plot.style import FORMATS
+from kurbel.reading.extras import how_to_install
 from kurbel.reading.units import Speed
 
 CARD = CARDS / "ideal-2.csv"
@@ -1052,7 +1053,7 @@ def test_without_matplotlib_the_extra_is_named(
     words: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setitem(sys.modules, "matplotlib", None)
-    sentence = "drawings need matplotlib; install it with: pip install 'kurbel[plot]'"
+    sentence = f"drawings need matplotlib; install it with: {how_to_install('plot')}"
     assert refusal("plot", *words, "-o", str(tmp_path / "drawing.svg"), code=1) == sentence
     assert list(tmp_path.iterdir()) == []
 

@@ -122,7 +122,7 @@ def test_missing_values_stay_missing_and_mixed_columns_are_text() -> None:
     [
         ("pandas", lambda: PAGE.to_pandas(), "pandas"),
         ("polars", lambda: PAGE.to_polars(), "polars"),
-        ("arro3.core", lambda: PAGE.__arrow_c_stream__(), r"kurbel\[arrow\]"),
+        ("arro3.core", lambda: PAGE.__arrow_c_stream__(), r"\[arrow\]'"),
     ],
 )
 def test_a_missing_library_is_one_sentence(
@@ -130,7 +130,7 @@ def test_a_missing_library_is_one_sentence(
 ) -> None:
     monkeypatch.setitem(sys.modules, module, None)
     assert callable(convert)
-    with pytest.raises(kurbel.KurbelError, match=f"; install it with: pip install '{package}'$"):
+    with pytest.raises(kurbel.KurbelError, match=rf"; install it with: \S+ -m pip install .*{package}$"):
         convert()
 
 

@@ -19,6 +19,7 @@ from kurbel.engine.card.card import Card
 from kurbel.engine.card.file import position_unit, pressure_unit
 from kurbel.errors import CardError, KurbelError, MissingExtraError, NotationError
 from kurbel.reading import csv_file, units
+from kurbel.reading.extras import how_to_install
 
 # Nine points that fall with the stroke, in bar; nothing about them repeats.
 SHARES = (0.0, 0.1, 0.22, 0.36, 0.5, 0.61, 0.74, 0.88, 1.0)
@@ -406,7 +407,7 @@ def test_without_pint_the_sentence_says_what_to_install(
     with pytest.raises(MissingExtraError) as raised:
         read_card(written(tmp_path, text_of().replace("bar", "torr")))
     assert str(raised.value) == (
-        "quantities with units need pint; install it with: pip install 'kurbel[units]'"
+        f"quantities with units need pint; install it with: {how_to_install('units')}"
     )
 
 

@@ -23,6 +23,7 @@ from verapdf import validate
 import kurbel
 from kurbel.formats.pdf import STANDARDS, Standard
 from kurbel.formats.pdf.by_typst import FONTS, LETTERS, compile_typst
+from kurbel.reading.extras import how_to_install
 
 require_library("typst")
 HELP = "see kurbel table --help"
@@ -114,7 +115,7 @@ def test_without_the_extra_a_sentence_says_what_to_install(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     monkeypatch.setitem(sys.modules, "typst", None)
-    sentence = "PDF needs typst; install it with: pip install 'kurbel[pdf]'"
+    sentence = f"PDF needs typst; install it with: {how_to_install('pdf')}"
     assert refusal("table", "-o", str(tmp_path / "tafel.pdf"), code=1) == sentence
     assert list(tmp_path.iterdir()) == []
 

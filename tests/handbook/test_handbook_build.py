@@ -388,8 +388,8 @@ def test_init_leaves_out_what_needs_an_extra_that_is_missing(
     monkeypatch.setattr("kurbel.handbook.init.find_spec", lambda name: None)
     kurbel("handbook", "init", str(tmp_path))
     text = (tmp_path / "handbook.toml").read_text(encoding="utf-8")
-    assert "pip install 'kurbel[pdf]'" in text
-    assert "pip install 'kurbel[plot]'" in text
+    assert "in kurbel's checkout: pip install '.[pdf]'" in text
+    assert "in kurbel's checkout: pip install '.[plot]'" in text
     assert build(tmp_path).code == 0
     assert not any("figures/" in path or path.endswith(".pdf") for path in files(tmp_path))
 

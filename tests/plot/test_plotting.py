@@ -38,6 +38,7 @@ from kurbel.plot.polar import polar
 from kurbel.plot.sketch import Point
 from kurbel.plot.style import LINES, image, text_of
 from kurbel.plot.ticks import angle_ticks, axis_label, measure, power_of_thousand, round_step, value_ticks
+from kurbel.reading.extras import how_to_install
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -234,7 +235,7 @@ def test_without_matplotlib_the_command_that_installs_it_is_named(monkeypatch: p
     for draw in DRAWINGS.values():
         with pytest.raises(MissingExtraError) as error:
             draw()
-        sentence = "drawings need matplotlib; install it with: pip install 'kurbel[plot]'"
+        sentence = f"drawings need matplotlib; install it with: {how_to_install('plot')}"
         assert str(error.value) == sentence
 
 

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from kurbel.errors import KurbelError, MissingExtraError, NotationError
 from kurbel.reading import units
+from kurbel.reading.extras import how_to_install
 
 SPEED_HELP = "a speed of rotation such as 120/min, 120rpm or 12.5rad/s"
 
@@ -229,5 +230,5 @@ def test_without_pint_the_sentence_says_what_to_install(monkeypatch: pytest.Monk
     with pytest.raises(MissingExtraError) as raised:
         length("6 yard")
     assert str(raised.value) == (
-        "quantities with units need pint; install it with: pip install 'kurbel[units]'"
+        f"quantities with units need pint; install it with: {how_to_install('units')}"
     )

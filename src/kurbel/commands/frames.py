@@ -8,7 +8,6 @@ from fractions import Fraction
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from kurbel.errors import MissingExtraError
 from kurbel.exact.numerals import Number, number_text
 from kurbel.page.labels import plain
 from kurbel.page.table import Field, Table, Value
@@ -84,7 +83,7 @@ def to_numpy(table: Table) -> np.ndarray[Any, Any]:
 
 def to_pandas(table: Table, exact: bool) -> Any:
     """Return a DataFrame; what its columns mean is in `attrs`."""
-    pandas = library("pandas", "pandas")
+    pandas = library("pandas")
     made = frames(table, as_decimal if exact else as_float)
     kinds = {True: object if exact else "float64", False: "str"}
     frame = pandas.DataFrame({one.key: pandas.Series(one.values, dtype=kinds[one.numeric]) for one in made})
@@ -94,7 +93,7 @@ def to_pandas(table: Table, exact: bool) -> Any:
 
 def to_polars(table: Table, exact: bool) -> Any:
     """Return a DataFrame."""
-    polars = library("polars", "polars")
+    polars = library("polars")
     made = frames(table, as_decimal if exact else as_float)
     kind = polars.Decimal if exact else polars.Float64
     return polars.DataFrame(
@@ -105,7 +104,7 @@ def to_polars(table: Table, exact: bool) -> Any:
 
 def to_arrow(table: Table) -> Any:
     """Return an Arrow table of floats and text; what columns mean is the metadata of its fields."""
-    arro3 = library("arro3.core", "kurbel[arrow]")
+    arro3 = library("arro3.core", extra="arrow")
     kinds = {True: arro3.DataType.float64(), False: arro3.DataType.utf8()}
     made = frames(table, as_float)
     fields = [arro3.Field(one.key, kinds[one.numeric], nullable=True, metadata=one.about) for one in made]
@@ -115,11 +114,13 @@ def to_arrow(table: Table) -> Any:
     )
 
 
-def library(name: str, package: str) -> Any:
+def library(name: str, extra: str = "") -> Any:
     """Import a library, or raise MissingExtraError with what installs it."""
     try:
         return import_module(name)
     except ImportError:
-        raise MissingExtraError(
-            f"this needs {name.partition('.')[0]}; install it with: pip install '{package}'"
-        ) from None
+        from kurbel.reading.extras import missing_extra, missing_library
+
+        distribution = name.partition(".")[0]
+        sentence = f"this needs {distribution}"
+        raise (missing_extra(sentence, extra) if extra else missing_library(sentence, distribution)) from None

@@ -55,8 +55,8 @@ def first_manifest(lang: str) -> str:
     return manifest.format(
         lang=lang,
         pdf='"pdf", ' if pdf else "",
-        pdf_hint="" if pdf else "# \"pdf\" needs the extra: pip install 'kurbel[pdf]'\n",
+        pdf_hint="" if pdf else "# \"pdf\" needs an extra; in kurbel's checkout: pip install '.[pdf]'\n",
         hash="" if plot else "# ",
-        figure_hint="" if plot else "\n# Drawings need the extra: pip install 'kurbel[plot]'",
+        figure_hint="" if plot else "\n# Drawings need an extra; in kurbel's checkout: pip install '.[plot]'",
         **_TEXTS[lang],
     )

@@ -15,7 +15,7 @@ from threading import RLock
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from kurbel.errors import ChoiceError, MissingExtraError
+from kurbel.errors import ChoiceError
 from kurbel.exact.numerals import Label
 from kurbel.formats.formula import TexMath
 from kurbel.page.formula import Formula
@@ -127,9 +127,9 @@ def style(more: Mapping[Any, Any] = MappingProxyType({})) -> Iterator[None]:
     try:
         import matplotlib
     except ImportError:
-        raise MissingExtraError(
-            "drawings need matplotlib; install it with: pip install 'kurbel[plot]'"
-        ) from None
+        from kurbel.reading.extras import missing_extra
+
+        raise missing_extra("drawings need matplotlib", "plot") from None
     with _LOCK, matplotlib.rc_context():
         defaults = matplotlib.rcParamsDefault
         matplotlib.rcParams.update({name: defaults[name] for name in defaults if name not in _PROCESS})

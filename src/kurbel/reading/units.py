@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import cache
 from typing import Any
 
-from kurbel.errors import MissingExtraError, NotationError, ProblemError
+from kurbel.errors import NotationError, ProblemError
 from kurbel.reading.amounts import FOOT, INCH, POUND, POUND_FORCE
 from kurbel.reading.notation import about, number
 
@@ -270,7 +270,7 @@ def registry() -> Any:
     try:
         import pint
     except ImportError:
-        raise MissingExtraError(
-            "quantities with units need pint; install it with: pip install 'kurbel[units]'"
-        ) from None
+        from kurbel.reading.extras import missing_extra
+
+        raise missing_extra("quantities with units need pint", "units") from None
     return pint.UnitRegistry(non_int_type=Fraction)

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, nullcontext
 
 import kurbel.formats.typst
-from kurbel.errors import LayoutError, MissingExtraError, NotationError, OutputError, ProblemError
+from kurbel.errors import LayoutError, NotationError, OutputError, ProblemError
 from kurbel.formats.pdf import STANDARDS, Standard
 from kurbel.formats.pdf.tagged import with_row_headers
 from kurbel.page.table import Table
@@ -106,7 +106,9 @@ def _mistakes_as_sentences(folder: str, lines_before: int) -> Iterator[None]:
     try:
         from typst import TypstError
     except ImportError:
-        raise MissingExtraError("PDF needs typst; install it with: pip install 'kurbel[pdf]'") from None
+        from kurbel.reading.extras import missing_extra
+
+        raise missing_extra("PDF needs typst", "pdf") from None
     try:
         yield
     except TypstError as error:

@@ -1,0 +1,77 @@
+"""What installs a library that is missing: the checkout kurbel came from, with its extra."""
+
+from __future__ import annotations
+
+import json
+import os
+import shlex
+import sys
+from importlib.metadata import PackageNotFoundError, distribution
+from importlib.util import find_spec
+from typing import Any
+
+from kurbel.errors import MissingExtraError
+
+
+def missing_extra(sentence: str, extra: str) -> MissingExtraError:
+    """Return the error that says what is needed and what installs it."""
+    return MissingExtraError(f"{sentence}; install it with: {how_to_install(extra)}")
+
+
+def missing_library(sentence: str, library: str) -> MissingExtraError:
+    """Return the error for a library of the reader's own choice, which belongs to no extra."""
+    return MissingExtraError(f"{sentence}; install it with: {_installer()} {library}")
+
+
+def how_to_install(extra: str) -> str:
+    """Return the command that adds the extra to this installation.
+
+    It names where kurbel was installed from, as the installer noted it (direct_url.json, PEP 610), never the
+    bare name kurbel; where nothing is noted, the libraries of the extra.
+    """
+    return f"{_installer()} {' '.join(_quoted(word) for word in _wanted(extra))}"
+
+
+def _wanted(extra: str) -> list[str]:
+    try:
+        installed = distribution("kurbel")
+    except PackageNotFoundError:
+        return [f".[{extra}]"]
+    noted = installed.read_text("direct_url.json")
+    if noted:
+        return _from_source(json.loads(noted), extra)
+    return [
+        needed.partition(";")[0].strip()
+        for needed in installed.requires or ()
+        if f"extra == '{extra}'" in needed.replace('"', "'")
+    ]
+
+
+def _from_source(noted: dict[str, Any], extra: str) -> list[str]:
+    url = noted["url"]
+    if "vcs_info" in noted:
+        vcs = noted["vcs_info"]
+        return [f"kurbel[{extra}] @ {vcs['vcs']}+{url}@{vcs['commit_id']}"]
+    if "dir_info" not in noted:
+        return [f"kurbel[{extra}] @ {url}"]
+    folder = f"{_path(url)}[{extra}]"
+    return ["--editable", folder] if noted["dir_info"].get("editable") else [folder]
+
+
+def _path(url: str) -> str:
+    from urllib.parse import urlsplit
+    from urllib.request import url2pathname
+
+    return url2pathname(urlsplit(url).path)
+
+
+def _installer() -> str:
+    python = _quoted(sys.executable)
+    return f"{python} -m pip install" if find_spec("pip") else f"uv pip install --python {python}"
+
+
+def _quoted(word: str) -> str:
+    """Return a word as a shell takes it: quotes that cmd and PowerShell know too on Windows."""
+    if os.name == "nt":
+        return f'"{word}"' if set(word) & set(" []@;<>=") else word
+    return shlex.quote(word)
