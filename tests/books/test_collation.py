@@ -251,9 +251,9 @@ def test_every_book_says_what_it_states_and_what_was_inferred() -> None:
             assert all(words[lang] for lang in ("de", "en"))
 
 
-def test_the_readme_counts_the_verdicts() -> None:
+def test_the_page_on_the_books_counts_the_verdicts() -> None:
     counted = [one.verdict.kind for table in TABLES.values() for one in Collation(table)]
-    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs" / "books" / "index.md").read_text(encoding="utf-8")
     for kind, words in VERDICTS.items():
         assert f"| {words['en']} | {counted.count(kind)} |" in text
     assert f"{len(counted)} printed values" in text

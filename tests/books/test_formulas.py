@@ -120,8 +120,8 @@ def test_velocity_and_acceleration_of_blau_are_the_slopes_of_his_path() -> None:
         assert found(Step(Form(slope), Form(printed_one), EQUAL, "", forms)).kind == HOLDS
 
 
-def test_the_readme_counts_the_steps() -> None:
-    text = " ".join((HOME / "README.md").read_text(encoding="utf-8").split())
+def test_the_page_on_the_books_counts_the_steps() -> None:
+    text = " ".join((HOME / "docs" / "books" / "index.md").read_text(encoding="utf-8").split())
     proved, nearly = len(steps_found(HOLDS)), len(steps_found(ORDER))
     steps = sum(1 for key in TABLES for one in collated(key) if one.row.relation)
     assert f"Of {steps} steps in" in text
