@@ -4,6 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/ready
 DEV := $(VENV)/dev
+DOCS := $(VENV)/docs
 # The tests of a file share what they made: they run in one process.
 IN_PARALLEL := -n 2 --dist loadfile
 
@@ -26,6 +27,12 @@ $(DEV): $(READY)
 	$(BIN)/python -m pip install --quiet --editable '.[units,plot,pdf]' --group dev
 	touch $(DEV)
 
+# What the site of the documentation needs.
+$(DOCS): $(READY)
+	$(BIN)/python -m pip install --quiet --upgrade 'pip>=25.1'
+	$(BIN)/python -m pip install --quiet --editable '.[units,plot,pdf]' --group docs
+	touch $(DOCS)
+
 demo: $(READY) ## print the table for R:L = 1:5
 	@$(BIN)/kurbel table --ratio 1:5
 
@@ -44,7 +51,6 @@ check: $(DEV)
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports --no-cache
-	$(BIN)/python docs/reference.py --check
 
 bench: $(DEV) ## measure start-up, kernels, δ and CSV against their rivals
 	$(BIN)/python -m pip install --quiet --group bench
@@ -55,13 +61,13 @@ bench: $(DEV) ## measure start-up, kernels, δ and CSV against their rivals
 	$(BIN)/python benchmarks/bench_handbook.py
 	$(BIN)/python benchmarks/walk.py
 
-peers: $(DEV) ## set one table with kurbel and its peers side by side, docs/gallery/peers-*.png; needs make tools
+peers: $(DEV) ## set one table with kurbel and its peers side by side, docs/gallery/peers/*.png; needs make tools
 	$(BIN)/python -m pip install --quiet --group peers
-	$(BIN)/python docs/peers
+	$(BIN)/python docs/gallery/peers
 
-docs: $(DEV) ## write docs/reference.md and the JSON Schemas anew
-	$(BIN)/python docs/reference.py
-	$(BIN)/python docs/schemas.py
+docs: $(DOCS) ## build the site of the documentation in build/site, and write the JSON Schemas anew
+	$(BIN)/python docs/generate/schemas.py
+	$(BIN)/python docs/generate/website.py build/site
 
 golden: $(DEV) ## write the golden files anew; then read the difference
 	KURBEL_PROMOTE=1 $(BIN)/python -m pytest -q $(IN_PARALLEL) tests

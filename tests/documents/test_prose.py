@@ -274,7 +274,7 @@ def test_sample_keeps_its_blocks_through_markdown() -> None:
 
 
 def test_every_example_of_the_documentation_is_understood() -> None:
-    page = (ROOT / "docs" / "prose.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "howto" / "prose.md").read_text(encoding="utf-8")
     examples = re.findall(r"```markdown\n(.*?)```", page, re.DOTALL)
     assert len(examples) == 3
     assert all(printed(example, form) for example in examples for form in PAGES)

@@ -400,7 +400,7 @@ def test_lists_of_cylinders_have_no_cranks_and_no_layout_of_a_load() -> None:
 
 def test_the_commands_of_the_page_on_cylinders_print(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(ROOT)
-    text = (ROOT / "docs" / "cylinders.md").read_text(encoding="utf-8").replace("\\\n", " ")
+    text = (ROOT / "docs" / "subjects" / "cylinders.md").read_text(encoding="utf-8").replace("\\\n", " ")
     commands = [line for line in text.splitlines() if line.startswith("kurbel ")]
     assert len(commands) == 6
     for command in commands:

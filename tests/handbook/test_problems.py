@@ -90,7 +90,7 @@ def test_a_watcher_sees_the_problems_and_what_is_amiss_in_them(tmp_path: Path) -
 
 
 def test_the_sheet_of_the_guide_builds(tmp_path: Path) -> None:
-    guide = (ROOT / "docs" / "teaching.md").read_text(encoding="utf-8")
+    guide = (ROOT / "docs" / "subjects" / "teaching.md").read_text(encoding="utf-8")
     for text in re.findall(r"```toml\n(.*?)```", guide, re.DOTALL):
         (tmp_path / text.split()[1]).write_text(text.replace('"pdf", "html"', '"text"'), encoding="utf-8")
     done = kurbel("handbook", "build", str(tmp_path), "--jobs", "1")

@@ -1,4 +1,4 @@
-"""The GitHub Action, the hooks for pre-commit and the snippets of docs/ci.md, run as far as that goes."""
+"""The GitHub Action, the hooks for pre-commit and what docs/howto/ci.md shows, run as far as that goes."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from tools import require
 
 from kurbel.formats.registry import kinds
 
-GUIDE = (ROOT / "docs" / "ci.md").read_text(encoding="utf-8")
+GUIDE = (ROOT / "docs" / "howto" / "ci.md").read_text(encoding="utf-8")
 ACTION = yaml.safe_load((ROOT / "action.yml").read_text(encoding="utf-8"))
 HOOKS = load_manifest(ROOT / ".pre-commit-hooks.yaml")
 MANIFEST = """

@@ -80,8 +80,7 @@ class House:
         return self.run("-m", "kurbel", *words)
 
     def reference(self) -> str:
-        self.run(str(self.folder / "docs" / "reference.py"))
-        return (self.folder / "docs" / "reference.md").read_text(encoding="utf-8")
+        return self.run(str(self.folder / "docs" / "generate" / "reference.py"))
 
     def handbook(self, run: str) -> str:
         """Build a handbook with one part and return its HTML page."""

@@ -1,7 +1,7 @@
 """Set one table with kurbel and each of its peers, in every medium, and lay the pictures side by side.
 
-python docs/peers writes docs/gallery/peers-*.png; it needs the dependency group `peers`, Chromium, TeX and
-poppler. docs/peers.md says what is seen in them.
+python docs/gallery/peers writes the pictures beside its own files; it needs the dependency group `peers`,
+Chromium, TeX and poppler. docs/gallery/peers.md says what is seen in them.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from typing import Any, Literal
 import makers
 from playwright.sync_api import Browser, sync_playwright
 
-GALLERY = Path(__file__).parents[1] / "gallery"
+PICTURES = Path(__file__).parent
 Makers = Mapping[str, Callable[[], str]]
 TEXT: Makers = {
     "kurbel": makers.kurbel_text, "rich": makers.rich_text, "tabulate": makers.tabulate_text,
@@ -41,7 +41,6 @@ SHOWN, DESKTOP, TELEPHONE, HIGH = 640, 900, 390, 844
 
 
 def main() -> None:
-    GALLERY.mkdir(exist_ok=True)
     with browser() as tab:
         terminal = {name: shot(tab, console(made()), width=SHOWN + 80) for name, made in TEXT.items()}
         montage(tab, "terminal", terminal)
@@ -152,7 +151,7 @@ def montage(tab: Browser, name: str, pictures: Mapping[str, bytes], width: int =
     content = shot(tab, PAGE % ("#fff", "#000", style + figures), width=len(pictures) * (width + 18) + 16)
     images = import_module("PIL.Image")
     picture = images.open(io.BytesIO(content)).convert("RGB").quantize(64)
-    picture.save(GALLERY / f"peers-{name}.png", optimize=True)
+    picture.save(PICTURES / f"{name}.png", optimize=True)
 
 
 def versioned(name: str) -> str:

@@ -1,10 +1,9 @@
-"""Write docs/reference.md from registries, layouts and help texts; --check fails when it is stale."""
+"""Print the reference, from registries, layouts and help texts."""
 
 from __future__ import annotations
 
 import sys
 from collections.abc import Iterator
-from pathlib import Path
 
 import click
 
@@ -26,8 +25,6 @@ from kurbel.page.subjects import SUBJECTS
 from kurbel.plot.style import FORMATS as DRAWINGS
 from kurbel.reading.notation import ratio_text, ratios
 
-PAGE = Path(__file__).with_name("reference.md")
-
 
 def reference() -> str:
     """Return the whole page."""
@@ -36,7 +33,7 @@ def reference() -> str:
 
 
 def _commands() -> Iterator[str]:
-    yield "# Reference\n\nWritten by `make docs` from the program itself.\n\n## Commands"
+    yield "# Reference\n\nWritten from the program itself.\n\n## Commands"
     for name, (_, line) in COMMANDS.items():
         command = command_of(name)
         yield f"\n### kurbel {name}\n\n{line}\n\n{_help(command, f'kurbel {name}')}"
@@ -148,16 +145,5 @@ def _methods() -> Iterator[str]:
         yield f"| `{method.key}` | {method.name['en']} |"
 
 
-def main() -> int:
-    text = reference()
-    if "--check" not in sys.argv:
-        PAGE.write_text(text, encoding="utf-8")
-        return 0
-    if PAGE.exists() and PAGE.read_text(encoding="utf-8") == text:
-        return 0
-    print("docs/reference.md is stale; write it anew with: make docs", file=sys.stderr)
-    return 1
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.stdout.write(reference())

@@ -1,0 +1,61 @@
+"""Build the site of the documentation: python docs/generate/website.py build/site.
+
+The pages that are written by hand and those made of the program itself are laid into one folder beside the
+site, and Sphinx makes the site of them.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+
+import reference
+from sphinx.cmd.build import build_main
+
+DOCS = Path(__file__).parents[1]
+WRITTEN = (".md", ".png", ".svg", ".css", ".js", ".html", ".py")
+NOT_SHOWN = ("generate", "gallery/peers/*.py")
+
+
+def main() -> int:
+    site = Path(sys.argv[1]).absolute()
+    source = site.with_name(f"{site.name}-source")
+    lay(pages(), source)
+    # No warning is let pass, and all of them are shown.
+    return build_main(["-W", "--keep-going", "-n", "-q", "-b", "html", str(source), str(site)])
+
+
+def pages() -> dict[str, bytes]:
+    """Return all pages of the site and what they need by their places."""
+    return by_hand() | {name: text.encode() for name, text in generated().items()}
+
+
+def by_hand() -> dict[str, bytes]:
+    found = {}
+    for path in sorted(DOCS.rglob("*")):
+        name = path.relative_to(DOCS)
+        hidden = any(name.is_relative_to(one) or name.match(one) for one in NOT_SHOWN)
+        if path.suffix in WRITTEN and not hidden:
+            found[name.as_posix()] = path.read_bytes()
+    return found
+
+
+def generated() -> dict[str, str]:
+    return {"reference/index.md": reference.reference()}
+
+
+def lay(pages: Mapping[str, bytes], folder: Path) -> None:
+    """Write the pages into a folder that has nothing else afterwards; what is there already is left alone."""
+    for name, content in pages.items():
+        path = folder / name
+        if not path.exists() or path.read_bytes() != content:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(content)
+    for path in folder.rglob("*"):
+        if path.is_file() and path.relative_to(folder).as_posix() not in pages:
+            path.unlink()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
