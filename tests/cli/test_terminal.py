@@ -107,7 +107,7 @@ def test_ctrl_c_is_the_pagers_and_what_is_said_meanwhile_stays_seen(
         os.write(ours, b"\x03")
 
     words = ("table", "-f", "latex", "--step", "2", "--columns", "phi,x")
-    text, code = shown(programs, *words, lines=LINES, meanwhile=interrupt, PAGER=pager)
+    text, code = shown(programs, *words, lines=LINES, meanwhile=interrupt, PAGER=pager, LANG="de_DE")
     assert code == 0
     assert text.endswith(
         "the pager ends\nkurbel: the table is longer than a page; --longtable lets it break\n"

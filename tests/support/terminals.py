@@ -15,7 +15,10 @@ import pytest
 from programs import Programs
 
 # What the tester's own terminal and settings say of pages on it.
-SETTINGS = ("COLUMNS", "LINES", "LESS", "PAGER", "NO_COLOR", "FORCE_COLOR", "CLICOLOR", "CLICOLOR_FORCE")
+SETTINGS = (
+    *("COLUMNS", "LINES", "LESS", "PAGER", "NO_COLOR", "FORCE_COLOR", "CLICOLOR", "CLICOLOR_FORCE"),
+    *("LC_ALL", "LC_MESSAGES", "LANG"),
+)
 
 
 def environment(**more: str) -> dict[str, str]:

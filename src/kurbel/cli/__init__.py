@@ -38,7 +38,7 @@ COMMANDS = {
     ),
     "flywheel": (
         "kurbel.commands.flywheels.flywheel:flywheel_table",
-        "Print the flywheel that keeps an engine even, or that of a problem.",
+        "Print the flywheel that keeps an engine or a machine even.",
     ),
     "deadcentres": (
         "kurbel.commands.motion:dead_centres_table",
@@ -46,22 +46,22 @@ COMMANDS = {
     ),
     "harmonics": (
         "kurbel.commands.orders.harmonics:harmonics_table",
-        "Print the harmonics of the piston's path, velocity or acceleration, or of the torque.",
+        "Print the harmonics of the piston's motion or of the torque.",
     ),
     "balance": ("kurbel.commands.balance:balance_table", "Print the free forces and moments of an engine."),
     "rotor": (
         "kurbel.commands.balancing.rotor:rotor_table",
-        "Print what rotating masses leave unbalanced, and what balances them.",
+        "Print the unbalance of rotating masses, and what balances it.",
     ),
     "locomotive": (
         "kurbel.commands.balancing.locomotive:locomotive_table",
-        "Print hammer blow, swaying couple and balancing masses of a locomotive.",
+        "Print hammer blow, swaying couple and balance of a locomotive.",
     ),
     "firing": (
         "kurbel.commands.orders.firing:firing_table",
         "Print firing orders, or the cranks that one needs.",
     ),
-    "collate": ("kurbel.cli.books", "Compare a book's printed values, or your own, with recomputed ones."),
+    "collate": ("kurbel.cli.books", "Compare printed values, a book's or yours, with recomputed ones."),
     "sources": ("kurbel.cli.books", "List the books that can be collated."),
     "example": ("kurbel.cli.books", "Print a worked example of a book, as printed and recomputed."),
     "plot": ("kurbel.cli.plot", "Draw the motion, the mechanism, the forces or the turning effort."),
@@ -71,23 +71,38 @@ COMMANDS = {
     "quantities": ("kurbel.cli.lists", "List the quantities that columns can show."),
 }
 
+# What stands together in the help.
+GROUPS = {
+    "Motion and forces": ("table", "forces", "inertia", "solve", "deadcentres"),
+    "Engines": ("delta", "turning", "pressures", "power", "flywheel", "harmonics"),
+    "Balance": ("balance", "rotor", "locomotive", "firing"),
+    "Books": ("collate", "sources", "example"),
+    "Drawings and documents": ("plot", "handbook", "inject"),
+    "Lists": ("layouts", "quantities"),
+}
 # So many more objects than before let Python look for garbage.
 ALLOCATED = 100_000
 
+LANGUAGES = "Pages are in German; in English with --lang en, or KURBEL_LANG=en for all."
 HELP = """\
 Usage: kurbel [OPTIONS] COMMAND [ARGS]...
 
   Compute and typeset tables of the crank drive; every printed digit is right.
 
-Options:
-  --no-pager  Print long pages on a terminal without a pager.
-  --version   Show the version and exit.
-  -h, --help  Show this message and exit.
+  kurbel table --ratio 1:5
+  kurbel table --ratio 1:5 --lang en
 
-Commands:
+  {languages}
+
 {commands}
 
-  Each command has its own help: kurbel table --help.
+Options:
+  --no-pager   Print long pages on a terminal without a pager.
+  --version    Show the version and exit.
+  -h, --help   Show this message and exit.
+
+  Each command has its own help: kurbel table --help; man kurbel-table is the
+  same as a manual page.
 
   Environment: KURBEL_LANG, KURBEL_FORMAT and KURBEL_DECIMAL set defaults for
   all commands, KURBEL_TABLE_RATIO and the like one option of a command. Long
@@ -99,8 +114,13 @@ Commands:
 def help_text() -> str:
     """Return the help of `kurbel` itself."""
     width = max(map(len, COMMANDS))
-    lines = (f"  {name:{width}}  {line}" for name, (_, line) in COMMANDS.items())
-    return HELP.format(commands="\n".join(lines))
+    return HELP.format(
+        languages=LANGUAGES,
+        commands="\n\n".join(
+            "\n".join((f"{title}:", *(f"  {name:{width}}  {COMMANDS[name][1]}" for name in names)))
+            for title, names in GROUPS.items()
+        ),
+    )
 
 
 def main() -> NoReturn:

@@ -12,7 +12,7 @@ from functools import cache
 import click
 
 from kurbel import __version__
-from kurbel.cli import COMMANDS, help_text
+from kurbel.cli import COMMANDS, help_text, say
 from kurbel.errors import KurbelError
 
 HELP_OPTIONS = ["-h", "--help"]
@@ -71,12 +71,20 @@ def _without_pager(context: click.Context, parameter: click.Parameter, asked: bo
     context.meta[UNPAGED] = asked
 
 
-def show(pieces: Iterable[bytes]) -> None:
-    """Write what a command prints to standard output, on a terminal through a pager what is long."""
+def show(pieces: Iterable[bytes], has_words: bool = True) -> None:
+    """Write what a command prints to standard output, on a terminal through a pager what is long.
+
+    One who reads no German is told how words come to be English, unless a language was chosen.
+    """
     from kurbel.cli import screen
 
     context = click.get_current_context(silent=True)
     screen.show(pieces, paging=not (context and context.meta.get(UNPAGED)))
+    if not (has_words and context and sys.stdout.isatty() and sys.stderr.isatty()):
+        return
+    unasked = context.get_parameter_source("lang") is click.core.ParameterSource.DEFAULT
+    if unasked and not screen.reads_german(os.environ):
+        say(screen.HINT)
 
 
 @click.group(

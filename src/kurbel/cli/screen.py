@@ -5,13 +5,17 @@ from __future__ import annotations
 import os
 import re
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import chain
 from shutil import get_terminal_size
 from stat import S_ISREG
 
 # A terminal that can do nothing but print.
 DUMB = "dumb"
+# What tells the language of the one who reads, the first that is set.
+LOCALE = ("LC_ALL", "LC_MESSAGES", "LANG")
+# It comes back until a language is chosen, for nothing is kept of earlier calls.
+HINT = "English: --lang en, or KURBEL_LANG=en for all; KURBEL_LANG=de ends this"
 _CODES = re.compile("\x1b\\[[0-9;]*m")
 
 
@@ -32,6 +36,11 @@ def has_colours() -> bool:
     if said("FORCE_COLOR") or said("CLICOLOR_FORCE", "0") != "0":
         return True
     return sys.stdout.isatty() and said("TERM") != DUMB and said("CLICOLOR") != "0"
+
+
+def reads_german(environment: Mapping[str, str]) -> bool:
+    """Return whether the one who reads has a German locale."""
+    return next(filter(None, map(environment.get, LOCALE)), "").startswith("de")
 
 
 def _is_file() -> bool:

@@ -56,6 +56,16 @@ class MakingCommand(click.Command, ABC):
         with augment_usage_errors(ctx):
             return self.run(Given(ctx))
 
+    def format_help_text(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        from kurbel.cli.manual.help import write_text
+
+        write_text(self.help or "", formatter)
+
+    def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        from kurbel.cli.manual.help import write_options
+
+        write_options(self, ctx, formatter)
+
     def get_help_option(self, ctx: click.Context) -> click.Option | None:
         if not ctx.find_object(Document):
             return super().get_help_option(ctx)
@@ -219,7 +229,7 @@ def _write(pieces: Iterator[bytes], output: str, rows: int) -> None:
     # The first piece is made before the file is opened, so that bad input leaves no trace.
     first = next(pieces)
     if output == "-" and sys.stdout.isatty():
-        show(chain([first], pieces))
+        show(chain([first], pieces), has_words=not rows)
         return
     with whole_file(output) as stream, _bar(rows) as bar:
         stream.write(first)

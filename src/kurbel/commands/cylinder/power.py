@@ -128,8 +128,8 @@ def power_table(
     kurbel power --eps 3 --pressure 8bar --back 1.1bar --bore 300mm --stroke 450mm --speed 200/min
     kurbel power --eps 3 --pressure 8bar --back 1.1bar --power 75kW --stroke-bore 1.5 --speed 250/min
     kurbel power --mean-pressure 5bar --working-strokes 2 --bore 300mm --stroke 450mm --speed 200/min
-    kurbel power --compression 6 --heat 10 --suction-pressure 1bar --cylinders 4 --power 30kW --stroke-bore 1
-      --speed 3000/min
+    kurbel power --compression 6 --heat 10 --suction-pressure 1bar --cylinders 4 --power 30kW \
+--stroke-bore 1 --speed 3000/min
     \f
     >>> import kurbel
     >>> page = kurbel.power_table("1", pressure=5e5, back=0.2, bore=0.2, stroke=0.3, speed=2,
