@@ -101,8 +101,7 @@ Options:
   --version    Show the version and exit.
   -h, --help   Show this message and exit.
 
-  Each command has its own help: kurbel table --help; man kurbel-table is the
-  same as a manual page.
+  Each command has its own help: kurbel table --help.
 
   Environment: KURBEL_LANG, KURBEL_FORMAT and KURBEL_DECIMAL set defaults for
   all commands, KURBEL_TABLE_RATIO and the like one option of a command. Long
