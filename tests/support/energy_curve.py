@@ -75,7 +75,7 @@ class Curve:
 
 def _grid_force(plant: Plant, degrees: NDArray[np.float64]) -> NDArray[np.float64]:
     angle = np.radians(degrees)
-    path, velocity = _path(plant, angle, np), _velocity(plant, angle, np)
+    path, velocity = _path(plant, angle), _velocity(plant, angle)
     shares = np.where(degrees < 180, path, 2 - path) / 2
     cut_off, clearance = 1 / float(plant.expansion), float(plant.clearance)
     volume = np.maximum(shares, cut_off) + clearance
@@ -85,22 +85,19 @@ def _grid_force(plant: Plant, degrees: NDArray[np.float64]) -> NDArray[np.float6
     return force if plant.double else np.where(degrees < 180, force, 0)
 
 
-def _path(plant: Plant, angle: Any, of: Any) -> Any:
-    ratio = _ratio(plant, of)
+def _path(plant: Plant, angle: NDArray[np.float64]) -> NDArray[np.float64]:
+    ratio = float(plant.ratio)
+    far: NDArray[np.float64] = 1 - np.cos(angle)
     if plant.method == "series" or not ratio:
-        return 1 - of.cos(angle) + ratio * of.sin(angle) ** 2 / 2
-    return 1 - of.cos(angle) + (1 - of.sqrt(1 - (ratio * of.sin(angle)) ** 2)) / ratio
+        return far + ratio * np.sin(angle) ** 2 / 2
+    return far + (1 - np.sqrt(1 - (ratio * np.sin(angle)) ** 2)) / ratio
 
 
-def _velocity(plant: Plant, angle: Any, of: Any) -> Any:
-    ratio = _ratio(plant, of)
+def _velocity(plant: Plant, angle: NDArray[np.float64]) -> NDArray[np.float64]:
+    ratio = float(plant.ratio)
     if plant.method == "series":
-        return of.sin(angle) + ratio * of.sin(2 * angle) / 2
-    return of.sin(angle) + ratio * of.sin(2 * angle) / (2 * of.sqrt(1 - (ratio * of.sin(angle)) ** 2))
-
-
-def _ratio(plant: Plant, of: Any) -> Any:
-    return real(plant.ratio) if of is mp else float(plant.ratio)
+        return np.sin(angle) + ratio * np.sin(2 * angle) / 2
+    return np.sin(angle) + ratio * np.sin(2 * angle) / (2 * np.sqrt(1 - (ratio * np.sin(angle)) ** 2))
 
 
 def real(number: Fraction | int) -> Real:
@@ -118,6 +115,7 @@ class Exact:
         self.exponent = real(plant.exponent)
         self.back = self._steam(mp.mpf(1)) if plant.back is None else real(plant.back)
         self.starts = [real(crank) * mp.pi / 180 for crank in plant.cranks]
+        self.ratio = real(plant.ratio)
 
     def pressure(self, share: Real) -> Real:
         """The net pressure at a share of the stroke."""
@@ -134,12 +132,21 @@ class Exact:
 
     def _force_of_one(self, angle: Real) -> Real:
         angle = angle - 2 * mp.pi * mp.floor(angle / (2 * mp.pi))
-        path = _path(self.plant, angle, mp)
         returning = angle > mp.pi
         if returning and not self.plant.double:
             return mp.mpf(0)
+        path, velocity = self._motion(angle)
         share = (2 - path if returning else path) / 2
-        return self.pressure(share) * abs(_velocity(self.plant, angle, mp))
+        return self.pressure(share) * abs(velocity)
+
+    def _motion(self, angle: Real) -> tuple[Real, Real]:
+        """Path and velocity, from one sine and one cosine."""
+        cosine, sine = mp.cos_sin(angle)
+        rise = self.ratio * sine
+        if self.plant.method == "series" or not rise:
+            return 1 - cosine + rise * sine / 2, sine + rise * cosine
+        rod = mp.sqrt(1 - rise * rise)
+        return 1 - cosine + (1 - rod) / self.ratio, sine + rise * cosine / rod
 
     @cached_property
     def mean_force(self) -> Real:
@@ -174,7 +181,7 @@ class Exact:
         """The angle at cut-off from the dead centre of the stroke, found by halving."""
 
         def short(angle: Real) -> Real:
-            path = _path(self.plant, angle + mp.pi, mp) if returning else _path(self.plant, angle, mp)
+            path, _ = self._motion(angle + mp.pi if returning else angle)
             return (2 - path if returning else path) - 2 * self.cut_off
 
         return mp.findroot(short, (mp.mpf(0), mp.pi), solver="anderson", tol=mp.eps, verify=False)
