@@ -1,4 +1,8 @@
-"""What README and docs/ show is run and compared; KURBEL_PROMOTE=1 writes what the commands print anew."""
+"""What README and docs/ show is run and compared; KURBEL_PROMOTE=1 writes what the commands print anew.
+
+A page is done from its top: what stands in ```console is typed, and a block such as ```toml file=engine.toml
+is written, in a folder that has the examples and nothing else.
+"""
 
 from __future__ import annotations
 
@@ -14,14 +18,21 @@ import pytest
 from cli import kurbel
 from places import ROOT, SOURCES
 from registers import register
+from tex import compiled, complaints
+from tools import require_library
 
 README = ROOT / "README.md"
 DOCS = ROOT / "docs"
 # The pages for developers have tests of their own, which do what these say in a copy of the house.
 PAGES = (README, *(page for page in sorted(DOCS.rglob("*.md")) if "developers" not in page.parts))
 BLOCK = re.compile(r"(?<=```console\n).*?(?=```)", re.DOTALL)
+PART = re.compile(r"^```((\S+)(?: file=(\S+))?)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 # What the Python sessions of a page write.
-SAVED = {"README.md": {"table.tex", "turning.svg"}}
+SAVED = {
+    "README.md": {"table.tex", "turning.svg"},
+    "python.md": {"table.tex", "turning.svg"},
+    "sweeps.md": {"delta.parquet"},
+}
 COMMAND = re.compile(r"^\$ (.+)\n", re.MULTILINE)
 
 
@@ -45,6 +56,15 @@ def true_block(block: str, folder: Path) -> str:
     return "\n".join(f"$ {command}\n{printed(command, folder)}" for command in COMMAND.findall(block))
 
 
+def done(part: re.Match[str], folder: Path) -> str:
+    """Do in the folder what a part of a page says, and return what it then shows."""
+    _, kind, name, text = part.groups()
+    if name:
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text, encoding="utf-8")
+    return true_block(text, folder) if kind == "console" else text
+
+
 def reader(folder: Path) -> Path:
     """Return a folder with the examples and nothing else, in which the commands are typed in turn."""
     shutil.copytree(README.parent / "examples", folder / "examples")
@@ -63,12 +83,12 @@ def test_every_command_prints_what_stands_there(page: Path, tmp_path: Path) -> N
     text = page.read_text(encoding="utf-8")
     if os.environ.get("KURBEL_PROMOTE") == "1":
         promoted = reader(tmp_path / "promoted")
-        text = BLOCK.sub(lambda block: true_block(block.group(), promoted), text)
+        text = PART.sub(lambda part: f"```{part[1]}\n{done(part, promoted)}```", text)
         page.write_text(text, encoding="utf-8")
     assert commands(text)
     folder = reader(tmp_path / "typed")
-    for block in BLOCK.findall(text):
-        assert block == true_block(block, folder)
+    for part in PART.finditer(text):
+        assert part[4] == done(part, folder)
 
 
 @pytest.mark.parametrize("name", ["engine.toml", "layouts/slant/layout.toml"])
@@ -83,6 +103,33 @@ def test_the_first_command_prints_a_table() -> None:
     assert re.search(r"^ +90 +1,1010 +0,8990 ", text.split("```")[1], re.MULTILINE)
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("page", ["tutorial.md", "anleitung.md", "howto/latex.md"])
+def test_a_document_of_a_page_compiles_without_a_complaint(page: str, tmp_path: Path) -> None:
+    folder, name = written(DOCS / page, "latex", tmp_path)
+    document = (folder / name).read_text(encoding="utf-8")
+    assert complaints(compiled("pdflatex", document, folder, runs=2)) == []
+
+
+@pytest.mark.slow
+def test_the_paper_in_typst_compiles(tmp_path: Path) -> None:
+    require_library("typst")
+    import typst
+
+    folder, name = written(DOCS / "howto" / "typst.md", "typst", tmp_path)
+    assert typst.compile(str(folder / name), ignore_system_fonts=True).startswith(b"%PDF")
+
+
+def written(page: Path, kind: str, folder: Path) -> tuple[Path, str]:
+    """Do what a page says; return where, and the name of its one document of this kind."""
+    folder = reader(folder / "typed")
+    parts = list(PART.finditer(page.read_text(encoding="utf-8")))
+    for part in parts:
+        done(part, folder)
+    (name,) = [part[3] for part in parts if part[2] == kind and part[3]]
+    return folder, name
+
+
 @with_blocks("pycon")
 def test_every_python_session_is_true(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(reader(tmp_path / "typed"))
@@ -91,6 +138,16 @@ def test_every_python_session_is_true(page: Path, tmp_path: Path, monkeypatch: p
     assert session.examples
     assert doctest.DocTestRunner().run(session).failed == 0
     assert {path.name for path in Path().iterdir()} == {"examples"} | SAVED.get(page.name, set())
+
+
+def test_every_cell_of_the_notebook_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    names: dict[str, object] = {}
+    page = (DOCS / "howto" / "notebooks.md").read_text(encoding="utf-8")
+    cells = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
+    assert len(cells) >= 3
+    for cell in cells:
+        exec(compile(cell, "notebooks.md", "exec"), names)
 
 
 def test_the_tables_of_printed_values_are_those_of_the_sources() -> None:
