@@ -90,7 +90,8 @@ def _path(plant: Plant, angle: NDArray[np.float64]) -> NDArray[np.float64]:
     far: NDArray[np.float64] = 1 - np.cos(angle)
     if plant.method == "series" or not ratio:
         return far + ratio * np.sin(angle) ** 2 / 2
-    return far + (1 - np.sqrt(1 - (ratio * np.sin(angle)) ** 2)) / ratio
+    rod: NDArray[np.float64] = np.sqrt(1 - (ratio * np.sin(angle)) ** 2)
+    return far + (1 - rod) / ratio
 
 
 def _velocity(plant: Plant, angle: NDArray[np.float64]) -> NDArray[np.float64]:
