@@ -95,10 +95,11 @@ def _path(plant: Plant, angle: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def _velocity(plant: Plant, angle: NDArray[np.float64]) -> NDArray[np.float64]:
-    ratio = float(plant.ratio)
-    if plant.method == "series":
-        return np.sin(angle) + ratio * np.sin(2 * angle) / 2
-    return np.sin(angle) + ratio * np.sin(2 * angle) / (2 * np.sqrt(1 - (ratio * np.sin(angle)) ** 2))
+    half = float(plant.ratio) * np.sin(2 * angle) / 2
+    if plant.method != "series":
+        half = half / np.sqrt(1 - (float(plant.ratio) * np.sin(angle)) ** 2)
+    velocity: NDArray[np.float64] = np.sin(angle) + half
+    return velocity
 
 
 def real(number: Fraction | int) -> Real:
