@@ -249,8 +249,8 @@ SHARE = "it must lie within 0..1, for it is a share of the reciprocating mass"
     ("words", "sentence"),
     [
         (
-            ("--engine", "inline4"),
-            f'there is no engine "inline4" (did you mean inline-4?); choose from {NAMES}',
+            ("--engine", "inlin4"),
+            f'there is no engine "inlin4" (did you mean inline-4?); choose from {NAMES}',
         ),
         (("--engine", ""), f'there is no engine ""; choose from {NAMES}'),
         (

@@ -207,7 +207,8 @@ DELTAS = [
     ),
     (
         ("--layout", "delta-verfahren", "--columns", "delta"),
-        'there is no column "delta" (did you mean delta_exact?); choose from epsilon, ratio, delta_exact,'
+        'there is no column "delta" (did you mean delta_exact, delta_series or delta_weisbach?);'
+        ' choose from epsilon, ratio, delta_exact,'
         " delta_series, delta_weisbach, difference_series, difference_weisbach",
     ),
     (
@@ -217,7 +218,7 @@ DELTAS = [
     (("--longtable", "-f", "html"), "--longtable is for latex; the format is html; see kurbel delta --help"),
     (("1:5",), "Got unexpected extra argument (1:5); see kurbel delta --help"),
     (("--epz", "2"), 'there is no option "--epz" (did you mean --eps?); see kurbel delta --help'),
-    (("--angle", "30"), 'there is no option "--angle" (did you mean --lang?); see kurbel delta --help'),
+    (("--angle", "30"), 'there is no option "--angle"; see kurbel delta --help'),
 ]
 TURNINGS = [
     (

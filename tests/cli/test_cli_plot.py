@@ -878,7 +878,7 @@ REFUSALS = [
     ),
     (
         ("--forces", "--eps", "4", "--columns", "mean_force"),
-        'there is no column "mean_force" (did you mean bearing_force?); choose from epsilon, ratio, phi, ',
+        'there is no column "mean_force"; choose from epsilon, ratio, phi, ',
     ),
     (
         ("--forces", "--eps", "4", "--columns", "rod_force_n"),
@@ -939,8 +939,8 @@ REFUSALS = [
     ),
     (("--rocker", "6"), "--rocker does not belong to the straight crank; it is for --mechanism arc"),
     (
-        ("--mechanism", "arc", "--rocker", "6", "--columns", "x"),
-        'there is no column "x"; choose from ratio, phi, path, ',
+        ("--mechanism", "arc", "--rocker", "6", "--columns", "y"),
+        'there is no column "y"; choose from ratio, phi, path, ',
     ),
     (
         ("--mechanism", "arc", "--rocker", "13", "--positions", "30"),

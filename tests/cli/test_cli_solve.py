@@ -104,7 +104,7 @@ def test_an_offset_crank_has_its_dead_centres_below_the_table() -> None:
         (("--where=x = 2 kg", "--stroke=1m"), 'x "2 kg" is in kilogram; it must be a length such as 600mm'),
         (("--where=x = 2 blah", "--stroke=1m"), 'x "2 blah" has the unknown unit blah; write a length'),
         (("--where=p=0", "--columns=x_mm"), "column x_mm is in mm and needs --stroke"),
-        (("--where=p=0", "--columns=path"), "column path belongs to another mechanism or method"),
+        (("--where=p=0", "--columns=chord"), "column chord belongs to another mechanism or method"),
         (("--where=p=0", "--columns=nothing"), 'there is no column "nothing"'),
         (("--where=p=0", "--columns=phi"), "there is no column beside the angle; add one, such as phi_turn"),
         (("--where=psi=0", "--method=infinite"), "psi is the same at every crank angle for R:L = 1:∞"),

@@ -29,7 +29,7 @@ from kurbel.motion.evaluation import METHODS, columns_in_balls, is_known
 from kurbel.motion.quantities import registry
 from kurbel.page.quantity import bare, words
 from kurbel.reading.csv_file import Head, Kind, place, read_rows, shown, whole_head
-from kurbel.reading.given import choose
+from kurbel.reading.given import choose, meant
 from kurbel.reading.notation import ratio, ratio_text
 
 _METHODS = (*METHODS, "weisbach", "approximate")
@@ -207,7 +207,7 @@ def known_quantity(key: str) -> str:
     """Return the key of a quantity that its axis and the ratio settle."""
     if key in registry() and not is_known(registry()[key], Crank(Fraction(1, 5))):
         raise ProblemError(f"the quantity {key} has a unit, and no lengths are known; choose one without")
-    return choose(key, [name for axis in FAMILIES for name in keys_by(axis)], "quantity")
+    return meant(key, [name for axis in FAMILIES for name in keys_by(axis)], "quantity")
 
 
 def _axis(head: str) -> str:

@@ -42,11 +42,11 @@ class Group(click.Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        from kurbel.reading.given import choose
+        from kurbel.reading.given import meant
 
         # The help text is the answer to an option in place of a command.
         if not args[0].startswith("-") and not ctx.resilient_parsing:
-            choose(args[0], self.list_commands(ctx), self.what)
+            args = [meant(args[0], self.list_commands(ctx), self.what), *args[1:]]
         return super().resolve_command(ctx, args)
 
 

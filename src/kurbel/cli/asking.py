@@ -22,7 +22,7 @@ from kurbel.errors import ChoiceError, FailedError, ProblemError
 from kurbel.formats.registry import FORMATS
 from kurbel.handbook.pool import GIGABYTES, About, Made, Task, deadline
 from kurbel.page.table import Table
-from kurbel.reading.given import File, choose
+from kurbel.reading.given import File, meant
 
 if TYPE_CHECKING:
     from kurbel.commands.shown import Drawing
@@ -85,7 +85,7 @@ def asked(
     words = words[1:] if words[:1] in (["kurbel"], ("kurbel",)) else words
     if not words:
         raise ChoiceError(f"there is no command; write one of {', '.join(printing_commands())}")
-    command = command_of(choose(words[0], printing_commands(), "command"))
+    command = command_of(meant(words[0], printing_commands(), "command"))
     assert isinstance(command, MakingCommand)
     own = None if machine is None else File(machine, folder)
     given = _defaults(command, defaults, own)

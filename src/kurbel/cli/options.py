@@ -85,7 +85,7 @@ class FormatName(kinds.Choice):
 
     def read(self, text: str, typed: Mapping[str, Any]) -> str:
         suffixes = {suffix[1:]: name for name, entry in FORMATS.items() for suffix in entry.suffixes}
-        return super().read(suffixes.get(text, text), typed)
+        return super().read(suffixes.get(text.lower(), text), typed)
 
 
 class FileName(click.Path):

@@ -7,7 +7,7 @@ from decimal import Context, Decimal
 from typing import TYPE_CHECKING, Any
 
 from kurbel.drive.crank import LARGEST_ANGLE, Crank, check_angles
-from kurbel.errors import NotationError, ProblemError
+from kurbel.errors import ChoiceError, NotationError, ProblemError
 from kurbel.formats.registry import DEFAULT
 from kurbel.motion.evaluation import METHODS
 from kurbel.motion.quantities import registry
@@ -15,7 +15,7 @@ from kurbel.page.quantity import Quantity, bare
 from kurbel.page.subject import check_rounding
 from kurbel.page.table import Table
 from kurbel.reading import notation
-from kurbel.reading.given import Exact, as_angle, as_fraction, as_names, as_ratio, choose
+from kurbel.reading.given import Exact, as_angle, as_fraction, as_names, as_ratio, meant
 
 if TYPE_CHECKING:
     import numpy as np
@@ -45,10 +45,11 @@ def certified(
 
     chosen = _quantity(quantity)
     check_rounding(digits, rounding)
+    method = meant(method, METHODS, "method")
     decimals = bare(chosen, method, chosen.decimals).places if digits is None else digits
     crank, at = Crank(as_ratio(ratio), as_fraction(offset)), as_angle(angle)
     check_angles((at,))
-    number = scaled(chosen, choose(method, METHODS, "method"), crank, at, decimals, rounding)
+    number = scaled(chosen, method, crank, at, decimals, rounding)
     return Decimal(number).scaleb(-decimals, context=Context(prec=max(50, len(str(number)))))
 
 
@@ -80,8 +81,8 @@ def compute(
     [0.4403, 0.5902]
     """
     degrees, keys = _degrees(angles), as_names(columns)
-    choose(method, METHODS, "method")
-    if not given and {*keys} <= {*_plain(), None}:
+    method = meant(method, METHODS, "method")
+    if not given and all(map(_is_plain, keys)):
         rows: Iterable[NDArray[np.float64]] = _of_motion(keys, degrees.ravel(), ratio, method, offset)
     else:
         from kurbel.commands.arrays.asked import arrays
@@ -133,7 +134,15 @@ def typeset(
 
 
 def _quantity(key: str) -> Quantity:
-    return registry()[choose(key, _plain(), "quantity")]
+    return registry()[meant(key, _plain(), "quantity")]
+
+
+def _is_plain(key: str) -> bool:
+    """Whether a column, by any word for it, says something of a crank of which only the ratio is known."""
+    try:
+        return key is None or bool(_quantity(key))
+    except ChoiceError:
+        return False
 
 
 def _plain() -> list[str]:

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple, cast, get_args
 
 from kurbel.errors import NotationError
 from kurbel.reading import given
-from kurbel.reading.given import choose
+from kurbel.reading.given import meant
 
 
 class Kind:
@@ -90,7 +90,7 @@ class Choice(Kind):
         return found() if callable(found) else found
 
     def read(self, text: str, typed: Mapping[str, Any]) -> str:
-        return choose(text, self.names, self.name)
+        return meant(text, self.names, self.name)
 
     def taken(self, value: Any, name: str) -> Any:
         return self.read(value, {})
@@ -164,7 +164,7 @@ class LayoutName(Kind):
     def read(self, text: str, typed: Mapping[str, Any]) -> str:
         from kurbel.page.layouts import layout_names
 
-        return text if text in layout_names(_folder(typed)) else choose(text, self.known(typed), self.name)
+        return text if text in layout_names(_folder(typed)) else meant(text, self.known(typed), self.name)
 
     def taken(self, value: Any, name: str) -> Any:
         if not isinstance(value, str):

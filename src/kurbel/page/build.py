@@ -112,7 +112,7 @@ def records_of(question: Question) -> Records:
     """Return the records: one for each place but for the columns."""
     columns = {one.key: one for column in question.page_columns for one in _followed(question, column)}
     own = {column.key: column for column in question.page_columns}
-    names = question.columns or (*question.axis_keys, *own)
+    names = question.named or (*question.axis_keys, *own)
     keys = [
         key
         for name in names

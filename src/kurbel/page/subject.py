@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache, cached_property
@@ -19,7 +19,7 @@ from kurbel.page.quantity import Column, Quantity
 from kurbel.page.subjects import SUBJECTS
 from kurbel.page.table import Field, Note, Records, Tone, Value
 from kurbel.page.wording import Worded
-from kurbel.reading.given import choose
+from kurbel.reading.given import choose, meant
 from kurbel.reading.notation import MOST_ROWS
 
 if TYPE_CHECKING:
@@ -202,15 +202,33 @@ class Question(Worded):
         """The columns asked for, else the layout's as far as they are known."""
         if not self.columns:
             return tuple(self.printed(one) for one in self.layout.columns if self.shows(one))
-        # The axes of the question may have other keys than its subject states.
-        others = self.subject.column_keys(self.layout)[len(self.subject.axis_keys) :]
-        allowed = dict.fromkeys((*self.axis_keys, *others))
-        keys = dict.fromkeys(choose(key, allowed, "column") for key in self.columns)
-        chosen = self.chosen([key for key in keys if key not in self.axis_keys])
+        chosen = self.chosen([key for key in self.named if key not in self.axis_keys])
         for column in chosen:
             if missing := self.missing(self.entry(column.quantity)):
                 raise ProblemError(missing)
         return tuple(map(self.printed, chosen))
+
+    @cached_property
+    def named(self) -> tuple[str, ...]:
+        """The keys of the columns that are asked for, by whatever words for them, and of axes among them."""
+        # The axes of the question may have other keys than its subject states.
+        others = self.subject.column_keys(self.layout)[len(self.subject.axis_keys) :]
+        allowed = dict.fromkeys((*self.axis_keys, *others))
+        return tuple(dict.fromkeys(self._meant(name, allowed) for name in self.columns))
+
+    def _meant(self, name: str, allowed: Collection[str]) -> str:
+        """Return the key that is meant; of two of one meaning, for drives of two kinds, that of this one."""
+        key = meant(name, allowed, "column")
+        if key in self.axis_keys or not self._is_missing(key):
+            return key
+        from kurbel.reading.names import others
+
+        known = (one for one in others(key, allowed) if one not in self.axis_keys)
+        return next((one for one in known if not self._is_missing(one)), key)
+
+    def _is_missing(self, key: str) -> bool:
+        (column,) = self.chosen([key])
+        return bool(self.missing(self.entry(column.quantity)))
 
     def printed(self, column: LayoutColumn) -> Column:
         """Return a column in the units of the page."""

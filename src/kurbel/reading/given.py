@@ -51,22 +51,36 @@ class File(os.PathLike[str]):
 
 def choose(name: str, allowed: Iterable[str], what: str) -> str:
     """Return the name if it is allowed, else raise ChoiceError with the nearest name and the list."""
-    names = list(allowed)
+    return _chosen(name, [*allowed], what)
+
+
+def meant(name: str, allowed: Iterable[str], what: str) -> str:
+    """Return the name that is meant, which may be written with capitals or by another word for it."""
+    names = [*allowed]
+    if isinstance(name, str) and name not in names:
+        from kurbel.reading.names import meant as found
+
+        name = found(name, names) or name
+    return _chosen(name, names, what, words=True)
+
+
+def _chosen(name: str, names: Sequence[str], what: str, words: bool = False) -> str:
     if not isinstance(name, str):
         raise ChoiceError(f"{what} is {name!r}; choose from {', '.join(names)}")
     if name in names:
         return name
-    raise ChoiceError(
-        f'there is no {what} "{name[:60]}"{did_you_mean(name, names)}; choose from {", ".join(names)}'
-    )
+    near = did_you_mean(name, names, words)
+    raise ChoiceError(f'there is no {what} "{name[:60]}"{near}; choose from {", ".join(names)}')
 
 
-def did_you_mean(name: str, names: Sequence[str]) -> str:
+def did_you_mean(name: str, names: Iterable[str], words: bool = False) -> str:
     """Return a question with the nearest of the names, or nothing if none is near."""
-    from difflib import get_close_matches
+    from kurbel.reading.names import near
 
-    near = get_close_matches(name[:60].lower(), names, n=1, cutoff=0.5)
-    return f" (did you mean {near[0]}?)" if near else ""
+    found = near(name, [*names], words)
+    *first, last = found or [""]
+    listed = f"{', '.join(first)} or {last}" if first else last
+    return f" (did you mean {listed}?)" if found else ""
 
 
 def read_values(

@@ -10,7 +10,7 @@ from fractions import Fraction
 from kurbel.errors import NotationError
 from kurbel.exact.numerals import degrees_text, exact_text, finite_decimals
 from kurbel.reading import notation
-from kurbel.reading.given import choose
+from kurbel.reading.given import meant
 from kurbel.reading.notation import LONGEST_NUMBER
 from kurbel.reading.units import BEFORE_UNIT
 
@@ -76,7 +76,7 @@ def read_condition(
     if match is None or not match.group(2):
         raise NotationError(f"{shown} cannot be read; {GRAMMAR}")
     name, right = match.groups()
-    quantity = names[choose(name, names, "quantity")]
+    quantity = names[meant(name, names, "quantity")]
     if right in (MAX, MIN):
         return Condition(quantity, right)
     if share := _OF_DEAD_CENTRE.fullmatch(right):

@@ -1,0 +1,177 @@
+"""Names as people write them: another word for the same, capitals, letters of formulas; and which is near.
+
+Loaded where a name is none of those allowed.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+# Words for the same, also before _return, _mm and the like: those that names have, then those that none has.
+# Capitals, accents and signs between words do not count, and a number is a word.
+_SAME = """
+    x path coupler_path | position piston_path piston_position displacement weg kolbenweg
+    c velocity coupler_velocity | v piston_velocity geschwindigkeit kolbengeschwindigkeit
+    p acceleration coupler_acceleration | a piston_acceleration beschleunigung kolbenbeschleunigung
+    x_stroke path_stroke s | stroke_share
+    phi crank_angle angle | kurbelwinkel winkel
+    psi rod | rod_angle stangenwinkel schubstangenwinkel
+    ratio | lambda crank_ratio kurbelverhaltnis
+    epsilon eps | expansion
+    torque | drehmoment
+    rod_force | stangenkraft
+    guide_force | fuhrungsdruck fuhrungskraft
+    tangential_force tangential | tangentialkraft
+    radial_force | radialkraft
+    speed rpm | drehzahl
+    power | leistung
+    work | arbeit
+    de | deutsch german de_de de_at de_ch
+    en | english englisch en_us en_gb
+    series | first_order
+    infinite | unendlich inf
+    inline | i l r straight reihe
+    boxer | b flat
+    v_2_90 | v_2
+    v_6_90 | v_6
+    v_8_90 | v_8
+    v_12_60 | v_12
+    latex | tex
+    markdown | md
+    text | txt
+    xlsx | excel
+    ods | libreoffice
+"""
+_GROUPS = [tuple(part.split() for part in line.split("|")) for line in _SAME.strip().splitlines()]
+_LETTERS = str.maketrans(
+    {"φ": "phi", "ϕ": "phi", "ψ": "psi", "λ": "lambda", "ε": "epsilon", "δ": "delta", "ω": "omega",
+     "μ": "mu", "ν": "nu", "α": "alpha", "η": "eta", "θ": "theta", "ä": "a", "ö": "o", "ü": "u", "∞": "inf"}
+)  # fmt: skip
+_UNIT = re.compile(r"\s*\[.*")
+_SIGNS = re.compile(r"[\W_]+|(?<=[^\W\d_])(?=\d)")
+# What stands behind a locale: en_GB.UTF-8.
+_ENCODING = re.compile(r"\.(?:utf-?8|iso-?8859.*)$")
+_LONGEST = 60
+# More are no answer.
+MOST = 3
+# What a column of the return stroke has in its name: where it is meant, it is said.
+_RETURN = "return"
+
+
+def meant(name: str, names: Sequence[str]) -> str | None:
+    """Return which of the names is meant by another word for it, None if none or more than one is."""
+    ways = _ways(names)
+    return ways.get(_spelled(name)) or None
+
+
+def others(name: str, names: Iterable[str]) -> Iterator[str]:
+    """Yield those of the names that are other words for one of them."""
+    words = {*_other_words(_spelled(name))}
+    return (one for one in names if one != name and _spelled(one) in words)
+
+
+def near(name: str, names: Sequence[str], words: bool = False) -> list[str]:
+    """Return the name that is nearest in letters or means the same, or two that this is a part of.
+
+    With `words` what may be written is one of the other words for a name, too.
+    """
+    ways, asked = _ways(names), _spelled(name[:_LONGEST])
+    if ways.get(asked):
+        return [ways[asked]]
+    begun = _with_more(asked, names)
+    if 0 < len(begun) <= MOST:
+        return begun
+    own = {_spelled(one) for one in names}
+    ranked = sorted(
+        (distance, way not in own, place)
+        for place, way in enumerate(ways)
+        if ways[way] and (distance := _distance(asked, way)) is not None
+    )
+    if ranked:
+        way = [*ways][ranked[0][2]]
+        return [way if words and way not in own and way.isalpha() else ways[way]]
+    found = [one for one in names if _is_part(asked, _spelled(one))]
+    return found if len(found) <= MOST else []
+
+
+def _with_more(asked: str, names: Sequence[str]) -> list[str]:
+    """Return the names that begin with these words, or with others for them, and have more."""
+    said = [asked]
+    for keys, others in _GROUPS:
+        for word in others:
+            if asked.startswith(f"{word}_"):
+                said += (key + asked[len(word) :] for key in keys)
+    return [
+        name
+        for name in names
+        for spelled in (_spelled(name),)
+        if any(spelled.startswith(f"{one}_") and _RETURN not in spelled.split("_") for one in said)
+    ]
+
+
+def _spelled(name: str) -> str:
+    """Return the words of a name: inline_4 of Inline-4 and of inline4."""
+    plain = _ENCODING.sub("", _UNIT.sub("", name.strip().casefold()))
+    return _SIGNS.sub("_", plain.translate(_LETTERS)).strip("_") or plain
+
+
+def _ways(names: Sequence[str]) -> Mapping[str, str]:
+    """Return the names by all ways of writing them, "" where two of them are written so."""
+    ways: dict[str, str] = {}
+    for name in names:
+        spelled = _spelled(name)
+        ways[spelled] = spelled if spelled in names else "" if spelled in ways else name
+    for name in names:
+        for other in _other_words(_spelled(name)):
+            ways.setdefault(other, name)
+    return ways
+
+
+def _other_words(spelled: str) -> Iterator[str]:
+    """Yield what the words may be called otherwise."""
+    for names, others in _GROUPS:
+        for word in names:
+            if spelled == word or spelled.startswith(f"{word}_"):
+                yield from (other + spelled[len(word) :] for other in (*names, *others) if other != word)
+
+
+def _is_part(asked: str, name: str) -> bool:
+    """Whether a name has these words and more, on the same stroke."""
+    words, more = asked.split("_"), name.split("_")
+    if len(asked) < 3 or (_RETURN in more and _RETURN not in words):
+        return False
+    return any(more[at : at + len(words)] == words for at in range(len(more)))
+
+
+def _distance(asked: str, way: str) -> int | None:
+    """Return by how many letters two names differ, None if they are not near."""
+    if len(asked) < 2:
+        return None
+    if len(asked) >= 3 and _begins(asked, way):
+        return 1
+    same_start = asked[0] == way[0]
+    most = max(1, len(asked) // 3) if same_start else int(len(asked) > 2)
+    if abs(len(asked) - len(way)) > most or (found := _edits(asked, way)) > most:
+        return None
+    return found
+
+
+def _begins(asked: str, way: str) -> bool:
+    """Whether a word was not written to its end."""
+    rest = way.removeprefix(asked)
+    return rest != way and not rest.startswith("_") and len(rest) <= 2 * len(asked)
+
+
+def _edits(one: str, other: str) -> int:
+    """Return the least number of letters left out, put in, changed, or changed about with the next."""
+    before: list[int] = []
+    row: list[int] = [*range(len(other) + 1)]
+    for place, letter in enumerate(one, 1):
+        two, before, row = before, row, [place]
+        for at, wanted in enumerate(other, 1):
+            least = min(row[at - 1] + 1, before[at] + 1, before[at - 1] + (letter != wanted))
+            if place > 1 and at > 1 and letter == other[at - 2] and one[place - 2] == wanted:
+                least = min(least, two[at - 2] + 1)
+            row.append(least)
+    return row[-1]
