@@ -6,6 +6,9 @@ colours, and the axe tests that it runs on itself; it brings its icons along. fu
 
 from __future__ import annotations
 
+from docutils import nodes
+from sphinx.application import Sphinx
+
 import kurbel
 
 project = "kurbel"
@@ -13,24 +16,40 @@ version = release = kurbel.__version__
 copyright = "the authors of kurbel"
 language = "en"
 
-extensions = ["myst_parser", "sphinx_copybutton", "sphinx_design"]
+extensions = ["myst_parser", "sphinx.ext.viewcode", "sphinx_copybutton", "sphinx_design"]
 exclude_patterns = ["developers/_*"]
-nitpicky = True
+# Types that are not ours have no page here.
+nitpick_ignore_regex = [("py:class", r"(?!kurbel\.).*")]
+# `--eps` is no dash.
+smartquotes = False
 
-myst_enable_extensions = ["attrs_block", "attrs_inline", "colon_fence", "deflist"]
+myst_enable_extensions = ["attrs_block", "attrs_inline", "colon_fence", "fieldlist"]
 myst_heading_anchors = 4
 
 html_theme = "pydata_sphinx_theme"
 html_title = "kurbel"
+html_static_path = ["_static"]
+html_css_files = ["kurbel.css"]
 html_copy_source = False
 html_show_sourcelink = False
 html_last_updated_fmt = None
 html_theme_options = {
     "navbar_align": "left",
-    "header_links_before_dropdown": 7,
+    "header_links_before_dropdown": 6,
     "show_prev_next": True,
     "footer_start": [],
     "footer_end": [],
 }
 copybutton_prompt_text = "$ "
 copybutton_only_copy_prompt_lines = True
+
+
+def setup(app: Sphinx) -> None:
+    app.connect("doctree-read", _with_dashes)
+
+
+def _with_dashes(app: Sphinx, page: nodes.document) -> None:
+    """Set the dash behind the name of a parameter, which Sphinx leaves to the quotes that are not wanted."""
+    for text in page.findall(nodes.Text):
+        if text == " -- ":
+            text.parent.replace(text, nodes.Text(" – "))

@@ -1,149 +1,19 @@
-"""Print the reference, from registries, layouts and help texts."""
+"""The reference: pages made of the program itself. `python docs/generate/reference.py` prints them all."""
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
 
-import click
-
-import kurbel
-from kurbel.cli import COMMANDS
-from kurbel.cli.app import command_of
-from kurbel.commands.subject import Command
-from kurbel.drive.load import LOADS
-from kurbel.drive.mechanisms import MECHANISMS
-from kurbel.engine.quantities import ENGINE_METHODS
-from kurbel.examples.source import example, numbers_of, source_keys
-from kurbel.formats.registry import FORMATS
-from kurbel.motion.drives import condition_names
-from kurbel.motion.evaluation import METHODS
-from kurbel.motion.mechanism import mechanism, uncomputed
-from kurbel.page.layouts import layout, layout_names
-from kurbel.page.subject import subject
-from kurbel.page.subjects import SUBJECTS
-from kurbel.plot.style import FORMATS as DRAWINGS
-from kurbel.reading.notation import ratio_text, ratios
+import commands
+import files
+import functions
+import registries
 
 
-def reference() -> str:
-    """Return the whole page."""
-    parts = (_commands, _functions, _quantities, _layouts, _examples, _formats, _methods, _loads)
-    return "\n".join(line for part in parts for line in part()) + "\n"
-
-
-def _commands() -> Iterator[str]:
-    yield "# Reference\n\nWritten from the program itself.\n\n## Commands"
-    for name, (_, line) in COMMANDS.items():
-        command = command_of(name)
-        yield f"\n### kurbel {name}\n\n{line}\n\n{_help(command, f'kurbel {name}')}"
-        if isinstance(command, click.Group):
-            for one, inner in command.commands.items():
-                yield f"\n#### kurbel {name} {one}\n\n{_help(inner, f'kurbel {name} {one}')}"
-
-
-def _help(command: click.Command, name: str) -> str:
-    context = click.Context(command, info_name=name, terminal_width=98, max_content_width=98)
-    context.help_option_names = ["-h", "--help"]
-    return f"```text\n{command.get_help(context)}\n```"
-
-
-def _functions() -> Iterator[str]:
-    yield "\n## Functions\n\nOf `import kurbel`; they return a `Table` or a `Drawing`. Parameters mean what"
-    yield "the options of the same names do, and `help` of a function describes them."
-    yield "\n| function | parameters |\n| --- | --- |"
-    units: dict[str, set[str]] = {}
-    for name in kurbel.__all__:
-        command = getattr(getattr(kurbel, name), "command", None)
-        if isinstance(command, Command):
-            yield f"| `{name}` | {', '.join(f'`{one}`' for one in command.parameters)} |"
-            for key, one in command.parameters.items():
-                if one.option.unit:
-                    units.setdefault(one.option.unit, set()).add(key)
-    yield "\nText is read as on the command line.\n\n| bare numbers of | are in |\n| --- | --- |"
-    for unit, keys in units.items():
-        yield f"| {', '.join(f'`{key}`' for key in sorted(keys))} | {unit} |"
-
-
-def _quantities() -> Iterator[str]:
-    yield "\n## Quantities\n"
-    yield "Keys of `--columns`, of CSV headers and of JSON; they stay stable. `ratio` is the crank ratio"
-    yield "R:L, `phi` the crank angle in degrees from the dead centre of its stroke. `card` stands in place"
-    yield "of `epsilon` where there is one, and the unit of a residual `moment` is that of a `force` times"
-    yield "a. Beside its own keys `kurbel solve` has those of `kurbel table` without `_return`, which stand"
-    yield "for either stroke."
-    rows: dict[str, list[str]] = {}
-    axes: dict[str, list[str]] = {}
-    for about in map(subject, SUBJECTS):
-        for one, command in about.entries():
-            name, unit = about.name_of(one, "en"), one.plain_unit("en")
-            decimals = "" if not one.formulas else "5 figures" if one.decimals is None else one.decimals
-            row = f"| `{one.key}` | {name} | {unit} | {decimals} | `{command}` |"
-            rows.setdefault(command.split()[0], []).append(row)
-        axes.setdefault(about.command.split()[0], []).extend(about.axis_keys)
-    for command, lines in rows.items():
-        keys = ", ".join(f"`{key}`" for key in dict.fromkeys(axes[command]))
-        yield f"\n### Of kurbel {command}\n\nBeside {keys}:\n"
-        yield "| key | quantity | unit | decimals | command |\n| --- | --- | --- | ---: | --- |"
-        yield from lines
-    yield "\nConditions of `kurbel solve`, by the mechanism, are about:\n"
-    asked: dict[tuple[str, ...], list[str]] = {}
-    for drive in map(mechanism, MECHANISMS):
-        if names := tuple(condition_names(drive.conditions().values())):
-            asked.setdefault(names, []).append(drive.title.removeprefix("the "))
-    for names, titles in asked.items():
-        yield f"- {' and '.join(titles)}: {', '.join(f'`{name}`' for name in names)}"
-
-
-def _layouts() -> Iterator[str]:
-    yield "\n## Layouts\n\n| name | page | about | ratios | angles, ε or a/r | columns |"
-    yield "| --- | --- | --- | --- | --- | --- |"
-    for name in layout_names():
-        page = layout(name)
-        defaults = ", ".join(ratio_text(ratio) for ratio in ratios(page.ratios))
-        others = "; ".join((*page.expansions, *page.arms, *page.angles))
-        columns = ", ".join(f"`{column.key}`" for column in page.columns)
-        yield f"| `{name}` | {page.title['en']} | {page.subject} | {defaults} | {others} | {columns} |"
-
-
-def _examples() -> Iterator[str]:
-    yield "\n## Worked examples\n\nOf `kurbel example`.\n\n| source | number | title | takes |"
-    yield "| --- | --- | --- | --- |"
-    for key in source_keys():
-        for number in numbers_of(key):
-            one = example(key, number)
-            takes = " ".join(f"`--{name}`" for name in one.page.takes)
-            yield f"| `{key}` | `{number}` | {one.page.title['en']} | {takes} |"
-
-
-def _formats() -> Iterator[str]:
-    yield "\n## Formats\n\n| name | suffix | what it is |\n| --- | --- | --- |"
-    for form in FORMATS.values():
-        yield f"| `{form.name}` | {' '.join(form.suffixes)} | {form.media} |"
-    drawings = ", ".join(f"`{name}`" for name in DRAWINGS)
-    yield (
-        "\nText in CSV that begins with =, +, - or @ and is not a mere figure such as -0,0667 or -2°30' has"
-        "\nan apostrophe before it, so that no spreadsheet runs it. Numbers are written as printed."
-    )
-    yield f"\nOf drawings: {drawings}, 120 mm wide; suffixes alike."
-
-
-def _loads() -> Iterator[str]:
-    yield "\n## Loads\n\nOf `kurbel forces` and its drawings; those that are written so, of `--force`.\n"
-    yield "| load | written | mechanisms |\n| --- | --- | --- |"
-    for load, one in LOADS.items():
-        takers = [name for name in MECHANISMS if not uncomputed(mechanism(name), load)]
-        yield f"| {one.title} | {one.example and f'`{one.example}`'} | {', '.join(takers)} |"
-
-
-def _methods() -> Iterator[str]:
-    yield "\n## Methods\n\n| name | formulas |\n| --- | --- |"
-    for method in METHODS.values():
-        yield f"| `{method.key}` | {method.name['en']} |"
-    yield "\nOf engines:\n\n| name | formulas |\n| --- | --- |"
-    for method in ENGINE_METHODS.values():
-        yield f"| `{method.key}` | {method.name['en']} |"
+def pages() -> dict[str, str]:
+    """Return the pages by their places in docs."""
+    return {name: text for part in (commands, functions, registries, files) for name, text in part.pages()}
 
 
 if __name__ == "__main__":
-    sys.stdout.write(reference())
+    sys.stdout.write("\n".join(pages().values()))

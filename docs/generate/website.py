@@ -10,6 +10,7 @@ import sys
 from collections.abc import Mapping
 from pathlib import Path
 
+import gallery
 import reference
 from sphinx.cmd.build import build_main
 
@@ -28,7 +29,8 @@ def main() -> int:
 
 def pages() -> dict[str, bytes]:
     """Return all pages of the site and what they need by their places."""
-    return by_hand() | {name: text.encode() for name, text in generated().items()}
+    made = {name: text.encode() for name, text in reference.pages().items()}
+    return by_hand() | made | dict(gallery.pages())
 
 
 def by_hand() -> dict[str, bytes]:
@@ -39,10 +41,6 @@ def by_hand() -> dict[str, bytes]:
         if path.suffix in WRITTEN and not hidden:
             found[name.as_posix()] = path.read_bytes()
     return found
-
-
-def generated() -> dict[str, str]:
-    return {"reference/index.md": reference.reference()}
 
 
 def lay(pages: Mapping[str, bytes], folder: Path) -> None:

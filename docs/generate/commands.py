@@ -1,0 +1,68 @@
+"""The pages of the command line, a page a command, made of the commands themselves."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Iterable, Iterator
+
+import click
+from markdown import described, directive, plain, table, toctree
+
+from kurbel.cli import COMMANDS, help_text
+from kurbel.cli.app import HELP_OPTIONS, cli, command_of
+from kurbel.cli.manual.sections import sections
+from kurbel.cli.tables import MakingCommand
+
+FOLDER = "reference/command-line"
+
+
+def pages() -> Iterator[tuple[str, str]]:
+    yield f"{FOLDER}/index.md", "\n\n".join(_overview()) + "\n"
+    for name in COMMANDS:
+        page = "\n\n".join(_page(command_of(name), f"kurbel {name}", "#"))
+        yield f"{FOLDER}/{name}.md", page + "\n"
+
+
+def _overview() -> Iterator[str]:
+    yield "# Command line"
+    yield plain("Every command prints its own help: `kurbel table --help`.")
+    yield table(
+        ("command", "what it does"),
+        ((f"[`kurbel {name}`]({name}.md)", line) for name, (_, line) in COMMANDS.items()),
+    )
+    yield "## Options of kurbel itself"
+    yield directive("program", "kurbel", "")
+    yield from _described(cli.get_params(_context(cli, "kurbel")), _context(cli, "kurbel"))
+    yield "## Environment"
+    yield plain(help_text().partition("Environment:")[2])
+    yield toctree(COMMANDS, ":hidden:")
+
+
+def _page(command: click.Command, name: str, level: str) -> Iterator[str]:
+    yield f"{level} {name}"
+    context = _context(command, name)
+    yield from described(inspect.cleandoc(command.help or ""))
+    yield f"```text\n{name} {' '.join(command.collect_usage_pieces(context))}\n```"
+    yield directive("program", name, "")
+    if isinstance(command, MakingCommand):
+        for title, options in sections(command):
+            yield f"{level}# {title}"
+            yield from _described(options, context)
+    else:
+        yield from _described(command.get_params(context), context)
+    if isinstance(command, click.Group):
+        for one, inner in command.commands.items():
+            yield from _page(inner, f"{name} {one}", f"{level}#")
+
+
+def _context(command: click.Command, name: str) -> click.Context:
+    context = click.Context(command, info_name=name)
+    context.help_option_names = HELP_OPTIONS
+    return context
+
+
+def _described(options: Iterable[click.Parameter], context: click.Context) -> Iterator[str]:
+    for one in options:
+        if record := one.get_help_record(context):
+            written, about = record
+            yield directive("option", written, plain(about))
