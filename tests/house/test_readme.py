@@ -12,6 +12,7 @@ import os
 import re
 import shlex
 import shutil
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -29,7 +30,6 @@ BLOCK = re.compile(r"(?<=```console\n).*?(?=```)", re.DOTALL)
 PART = re.compile(r"^```((\S+)(?: file=(\S+))?)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 # What the Python sessions of a page write.
 SAVED = {
-    "README.md": {"table.tex", "turning.svg"},
     "python.md": {"table.tex", "turning.svg"},
     "sweeps.md": {"delta.parquet"},
 }
@@ -91,16 +91,37 @@ def test_every_command_prints_what_stands_there(page: Path, tmp_path: Path) -> N
         assert part[4] == done(part, folder)
 
 
-@pytest.mark.parametrize("name", ["engine.toml", "layouts/slant/layout.toml"])
-def test_files_of_the_readme_are_the_examples(name: str) -> None:
-    example = README.parent / "examples" / name
-    assert f"```toml\n{example.read_text(encoding='utf-8')}```" in README.read_text(encoding="utf-8")
+@pytest.mark.parametrize(
+    ("page", "name"),
+    [("subjects/forces.md", "engine.toml"), ("howto/layouts.md", "layouts/slant/layout.toml")],
+)
+def test_files_of_the_pages_are_the_examples(page: str, name: str) -> None:
+    example = ROOT / "examples" / name
+    assert f"```toml\n{example.read_text(encoding='utf-8')}```" in (DOCS / page).read_text(encoding="utf-8")
 
 
-def test_the_first_command_prints_a_table() -> None:
+def test_the_readme_is_short_and_its_first_command_prints_a_table() -> None:
     text = README.read_text(encoding="utf-8")
-    assert commands(text)[0] == "kurbel table --ratio 1:5"
-    assert re.search(r"^ +90 +1,1010 +0,8990 ", text.split("```")[1], re.MULTILINE)
+    assert len(text.encode()) <= 8000
+    assert commands(text)[0] == "kurbel table --ratio 1:5 --lang en"
+    assert re.search(r"^ +90 +1\.1010 +0\.8990 ", text.split("```")[1], re.MULTILINE)
+
+
+def test_every_line_of_the_readme_runs(tmp_path: Path) -> None:
+    (lines,) = re.findall(r"```sh\n(.*?)```", README.read_text(encoding="utf-8"), re.DOTALL)
+    folder = reader(tmp_path / "typed")
+    (folder / "notes.tex").write_text("% kurbel: table\n% /kurbel\n", encoding="utf-8")
+    for line in lines.splitlines():
+        printed(line.partition(" # ")[0], folder)
+    assert {path.name for path in folder.iterdir()} >= {"page.html", "drive.svg", "appendix"}
+
+
+def test_the_readme_names_no_extra_that_there_is_not() -> None:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    named = re.findall(r"'\.\[([a-z,]+)\]'", README.read_text(encoding="utf-8"))
+    assert len(named) == 4
+    for extras in named:
+        assert project["optional-dependencies"].keys() >= set(extras.split(","))
 
 
 @pytest.mark.slow
