@@ -11,6 +11,7 @@ import subprocess
 import sys
 import threading
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -19,7 +20,7 @@ from cli import kurbel, printed, refusal
 from programs import PATIENCE, Programs, wait_until
 
 from kurbel.errors import OutputError
-from kurbel.formats.render import whole_file
+from kurbel.formats.render import remove_left_over, whole_file
 
 NOBODY = 65534
 LONG = ("table", "-f", "csv", "--step", "0.0001")
@@ -169,6 +170,67 @@ def test_the_longest_name_of_a_file_can_be_written(folder: Path) -> None:
     assert sentence_of(folder / ("n" * 252 + ".csv")).endswith(": File name too long")
 
 
+def is_writing(run: subprocess.Popen[bytes], folder: Path) -> bool:
+    """Whether the program has written something into a file of the folder, with a name or without."""
+    opened = [path.stat().st_size for path in folder.glob(".old.csv.*")]
+    for link in Path(f"/proc/{run.pid}/fd").glob("*"):
+        with suppress(OSError):
+            opened += [link.stat().st_size] if str(link.readlink()).startswith(f"{folder}/") else []
+    return any(opened)
+
+
+@pytest.fixture(params=["anonymous", "named"])
+def kind(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> str:
+    """Temporary files as on a system that knows files without names, and as on one that does not."""
+    if request.param == "named":
+        monkeypatch.delattr(os, "O_TMPFILE", raising=False)
+    elif not hasattr(os, "O_TMPFILE"):
+        pytest.skip("this system has no files without names")
+    return str(request.param)
+
+
+def test_a_file_of_either_kind_is_written_whole_or_not_at_all(kind: str, folder: Path) -> None:
+    (folder / "old.csv").chmod(0o604)
+    with pytest.raises(KeyboardInterrupt), whole_file(str(folder / "old.csv")) as stream:
+        stream.write(b"half")
+        raise KeyboardInterrupt
+    assert (names(folder), (folder / "old.csv").read_text()) == (["old.csv"], "as it was")
+    with whole_file(str(folder / "old.csv")) as stream:
+        stream.write(b"new")
+        stream.flush()
+        assert (folder / "old.csv").read_text() == "as it was"
+        assert len(names(folder)) == (1 if kind == "anonymous" else 2)
+    assert (names(folder), (folder / "old.csv").read_text()) == (["old.csv"], "new")
+    assert (folder / "old.csv").stat().st_mode & 0o777 == 0o604
+
+
+def test_a_killed_run_leaves_nothing_or_what_the_next_one_removes(programs: Programs, folder: Path) -> None:
+    run = programs.kurbel(*ENDLESS, "-o", str(folder / "old.csv"))
+    wait_until(lambda: is_writing(run, folder))
+    run.kill()
+    run.wait()
+    assert (folder / "old.csv").read_text() == "as it was"
+    write(folder / "another.csv")
+    assert names(folder) == ["another.csv", "old.csv"]
+
+
+def test_what_is_left_over_is_removed_but_never_what_is_being_written(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delattr(os, "O_TMPFILE", raising=False)
+    (folder / ".gone.csv.0123456789ab.part").write_text("half")
+    (folder / ".link.csv.0123456789ab.part").symlink_to(folder / "old.csv")
+    (folder / ".notes.part").write_text("the author's own")
+    os.mkfifo(folder / ".pipe.csv.0123456789ab.part")
+    with whole_file(str(folder / "slow.csv")) as stream:
+        stream.write(b"slow")
+        remove_left_over(str(folder))
+    assert (folder / "slow.csv").read_text() == "slow"
+    assert names(folder) == [
+        ".link.csv.0123456789ab.part", ".notes.part", ".pipe.csv.0123456789ab.part", "old.csv", "slow.csv"
+    ]  # fmt: skip
+
+
 def test_what_a_killed_run_left_behind_is_not_in_the_way(folder: Path) -> None:
     left = folder / f".old.csv.{os.getpid()}.part"
     left.write_text("half")
@@ -257,7 +319,7 @@ def test_a_signal_in_a_long_table_leaves_the_old_file(
     number: signal.Signals, programs: Programs, folder: Path
 ) -> None:
     run = programs.kurbel(*ENDLESS, "-o", str(folder / "old.csv"))
-    wait_until(lambda: any(path.stat().st_size for path in folder.glob(".old.csv.*")))
+    wait_until(lambda: is_writing(run, folder))
     run.send_signal(number)
     _, errors = run.communicate()
     assert run.returncode == 128 + number

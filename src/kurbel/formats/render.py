@@ -3,12 +3,14 @@ only arrange.
 
 A format that is written without templates saves the first table on a terminal the third of its time that
 loading Jinja takes. A file is written whole or not at all: into a temporary file beside the target, renamed
-at the end.
+at the end. That has no name where the system knows such files, and nothing is left of a killed run; elsewhere
+it is locked while it is written, and the next run removes what has no lock.
 """
 
 from __future__ import annotations
 
 import os
+import re
 import stat
 import sys
 from collections.abc import Iterator, Mapping
@@ -26,6 +28,10 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from jinja2 import Environment
+
+_LEFT_OVER = re.compile(r"\..*\.[0-9a-f]{12}\.part")
+# Where opened files are found by their numbers.
+_OPENED = "/proc/self/fd"
 
 
 def render(
@@ -163,7 +169,7 @@ def whole_file(target: str) -> Iterator[BinaryIO]:
     except BrokenPipeError:
         raise
     except OSError as error:
-        raise OutputError(f"cannot write {target}: {_reason(error)}") from error
+        raise OutputError(f"cannot write {target}: {error.strerror or error}") from error
 
 
 def _descriptor(target: str) -> int | None:
@@ -182,21 +188,96 @@ def _is_device(path: Path) -> bool:
 
 def _replaced(path: Path) -> Iterator[BinaryIO]:
     _check(path)
-    # Random, for a process killed in a container leaves its file, and the next one often has its number. The
-    # target's name is cut, for with the additions it must not be longer than file names may be.
-    name = path.with_name(f".{path.name[:40]}.{os.urandom(6).hex()}.part")
+    _swept(os.fspath(path.parent))
+    handle, name = _temporary(path)
     try:
-        handle = os.open(name, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
         with os.fdopen(handle, "wb") as stream:
             yield stream
             stream.flush()
-            os.fsync(stream.fileno())
-        os.chmod(name, _mode(path))
-        os.replace(name, path)
+            os.fsync(handle)
+            if not name:
+                name = _temporary_name(path)
+                # With the descriptor of a folder the system follows the link that the opened file is.
+                os.link(f"{_OPENED}/{handle}", name, src_dir_fd=handle)
+            os.chmod(name, _mode(path))
+            if os.name == "nt":
+                # Windows renames no open file.
+                stream.close()
+            os.replace(name, path)
     except BaseException:
-        with suppress(FileNotFoundError):
-            os.unlink(name)
+        if name:
+            with suppress(FileNotFoundError):
+                os.unlink(name)
         raise
+
+
+def _temporary(path: Path) -> tuple[int, str]:
+    """Return a new file beside the path, open and locked, and its name, if it has one."""
+    if hasattr(os, "O_TMPFILE") and os.path.isdir(_OPENED):
+        # File systems of other machines know no files without names.
+        with suppress(OSError):
+            handle = os.open(path.parent, os.O_WRONLY | os.O_TMPFILE, 0o600)
+            # For the moment in which it has a name, but not yet that of the target.
+            _is_ours(handle)
+            return handle, ""
+    while True:
+        name = _temporary_name(path)
+        handle = os.open(name, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
+        # Before it was locked, another run may have taken it for one that was left behind.
+        if _is_ours(handle) and os.path.exists(name):
+            return handle, name
+        os.close(handle)
+
+
+def _temporary_name(path: Path) -> str:
+    # Random, for the number of a process is another one's in another container. The target's name is cut, for
+    # with the additions it must not be longer than file names may be.
+    return os.fspath(path.with_name(f".{path.name[:40]}.{os.urandom(6).hex()}.part"))
+
+
+def _is_ours(handle: int) -> bool:
+    """Lock an open file against its removal by other runs; tell whether none of them has locked it.
+
+    Windows removes no open file anyway; on a file system without locks nothing is removed.
+    """
+    if sys.platform == "win32":
+        return True
+    import fcntl
+
+    try:
+        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError as error:
+        return not isinstance(error, BlockingIOError)
+    return True
+
+
+def remove_left_over(folder: str) -> None:
+    """Remove what killed runs left half written in a folder, and nothing that is being written."""
+    # Nothing is left over in a folder that cannot be read, or for whoever may not remove it.
+    with suppress(OSError):
+        for name in filter(_LEFT_OVER.fullmatch, os.listdir(folder)):
+            with suppress(OSError):
+                _remove_unless_written(os.path.join(folder, name))
+
+
+# Once for each folder.
+_swept = cache(remove_left_over)
+
+
+def _remove_unless_written(path: str) -> None:
+    if sys.platform == "win32":
+        os.unlink(path)
+        return
+    import fcntl
+
+    # A link, a pipe or a folder of that name is not ours.
+    handle = os.open(path, os.O_RDWR | os.O_NOFOLLOW | os.O_NONBLOCK)
+    try:
+        if stat.S_ISREG(os.fstat(handle).st_mode):
+            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            os.unlink(path)
+    finally:
+        os.close(handle)
 
 
 def _check(path: Path) -> None:
@@ -217,7 +298,3 @@ def _mode(path: Path) -> int:
     mask = os.umask(0)
     os.umask(mask)
     return 0o666 & ~mask
-
-
-def _reason(error: OSError) -> str:
-    return error.strerror or str(error)

@@ -9,7 +9,6 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-import re
 import stat
 import sys
 from collections.abc import Callable, Iterator, Mapping
@@ -20,7 +19,7 @@ import msgspec
 
 from kurbel.errors import HandbookError, OutputError
 from kurbel.formats.registry import FORMATS
-from kurbel.formats.render import whole_file
+from kurbel.formats.render import remove_left_over, whole_file
 from kurbel.handbook.pool import About
 
 # What is only of use on this machine: the lock and what the last build knew.
@@ -30,7 +29,6 @@ STATE = f"{OWN}/state.json"
 CONTENTS = "contents.json"
 # Bytes of a file; no page has so many.
 LARGEST = 1 << 28
-_LEFT_OVER = re.compile(r"\..*\.[0-9a-f]{12}\.part")
 
 
 class Done(msgspec.Struct, frozen=True):
@@ -149,11 +147,9 @@ class Folder:
     def _remove_left_over(self) -> None:
         for part in {"", OWN, "tables", "figures", *(form.folder for form in FORMATS.values())}:
             # A link in place of a folder leads to files of others.
-            with suppress(OSError, HandbookError):
+            with suppress(HandbookError):
                 self._check(f"{part}/" if part else "")
-                for name in filter(_LEFT_OVER.fullmatch, os.listdir(self.at(part))):
-                    with suppress(OSError):
-                        os.unlink(os.path.join(self.at(part), name))
+                remove_left_over(self.at(part))
 
     def state(self) -> dict[str, Done]:
         """Return what the last build made, by name; nothing if there is none that can be read."""
