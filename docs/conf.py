@@ -28,12 +28,19 @@ myst_heading_anchors = 4
 
 html_theme = "pydata_sphinx_theme"
 html_title = "kurbel"
+html_favicon = "_static/logo-light.svg"
 html_static_path = ["_static"]
 html_css_files = ["kurbel.css"]
 html_copy_source = False
 html_show_sourcelink = False
 html_last_updated_fmt = None
 html_theme_options = {
+    "logo": {
+        "text": "kurbel",
+        "alt_text": "kurbel, to the first page",
+        "image_light": "_static/logo-light.svg",
+        "image_dark": "_static/logo-dark.svg",
+    },
     "navbar_align": "left",
     "header_links_before_dropdown": 6,
     "show_prev_next": True,

@@ -1,4 +1,4 @@
-"""Build the site of the documentation: python docs/generate/website.py build/site.
+"""Build the site of the documentation: python docs/generate/website.py build/site [--playground].
 
 The pages that are written by hand and those made of the program itself are laid into one folder beside the
 site, and Sphinx makes the site of them.
@@ -6,6 +6,8 @@ site, and Sphinx makes the site of them.
 
 from __future__ import annotations
 
+import shutil
+import subprocess
 import sys
 from collections.abc import Mapping
 from pathlib import Path
@@ -16,15 +18,34 @@ from sphinx.cmd.build import build_main
 
 DOCS = Path(__file__).parents[1]
 WRITTEN = (".md", ".png", ".svg", ".css", ".js", ".html", ".py")
-NOT_SHOWN = ("generate", "gallery/peers/*.py")
+NOT_SHOWN = ("generate", "gallery/peers/*.py", "playground")
+PLAYGROUND = DOCS / "playground" / "build.py"
 
 
 def main() -> int:
     site = Path(sys.argv[1]).absolute()
     source = site.with_name(f"{site.name}-source")
-    lay(pages(), source)
-    # No warning is let pass, and all of them are shown.
-    return build_main(["-W", "--keep-going", "-n", "-q", "-b", "html", str(source), str(site)])
+    playable = "--playground" in sys.argv and playground(site / "playground")
+    lay(pages() | {"playground.md": playground_page(playable).encode()}, source)
+    # No warning is let pass, all of them are shown, and nothing is left of another build.
+    return build_main(["-E", "-a", "-W", "--keep-going", "-n", "-q", "-b", "html", str(source), str(site)])
+
+
+def playground(target: Path) -> bool:
+    """Build the playground, where npm can fetch what it needs."""
+    if shutil.which("npm"):
+        subprocess.run([sys.executable, str(PLAYGROUND), str(target)], check=True)
+        return True
+    print("npm is not installed, and the site is built without the playground", file=sys.stderr)
+    return False
+
+
+def playground_page(playable: bool) -> str:
+    about = "# Playground\n\nkurbel itself, in this browser: a command line is typed into a page, and what it prints appears."
+    if playable:
+        link = '<a class="sd-btn sd-btn-primary" href="playground/index.html">Open the playground</a>'
+        return f"{about} Nothing is sent anywhere.\n\n{link}\n"
+    return f"{about} This copy of the site was built without it: `make docs` builds it, where npm is installed.\n"
 
 
 def pages() -> dict[str, bytes]:
