@@ -1,0 +1,2 @@
+const VERSION_ = "VERSION";
+const FILES_ = "FILES";

@@ -1,0 +1,93 @@
+// Runs kurbel in a thread of its own, so that the page stays alive and a command can be stopped.
+import { loadPyodide } from "./pyodide/pyodide.mjs";
+
+const WORK = "/work", PACKAGES = "/packages";
+const FOLDER = new URL("pyodide/", import.meta.url).href;
+// The libraries come from this folder; of what Pyodide could load from elsewhere nothing is listed.
+const NONE = { info: { abi_version: "2026_0", arch: "wasm32", platform: "emscripten_5_0_3", python: "3.14.2" }, packages: {} };
+
+const first = archive("kurbel.tar.gz");
+const python = await loadPyodide({
+    indexURL: FOLDER, packageBaseUrl: FOLDER, lockFileContents: NONE,
+    env: { HOME: WORK, PYTHONPATH: PACKAGES, PYTHONDONTWRITEBYTECODE: "1" },
+});
+unpack(await first);
+python.FS.chdir(WORK);
+const session = python.pyimport("console");
+session.start();
+let known = new Map(listed());
+postMessage({ kind: "ready" });
+
+onmessage = async ({ data: { number, action, words } }) => {
+    try {
+        postMessage({ kind: "answer", number, answer: await ACTIONS[action](...words) });
+    } catch (error) {
+        postMessage({ kind: "failed", number, reason: String(error) });
+    }
+};
+
+const ACTIONS = {
+    async run(line, columns) {
+        let ran = asRan(session.run(line, columns));
+        if (ran.later) {
+            postMessage({ kind: "loading", what: ran.later });
+            unpack(await archive(`${ran.later}.tar.gz`));
+            ran = asRan(session.run(line, columns));
+        }
+        return { ...ran, ...changes() };
+    },
+    complete: line => session.complete(line).toJs(),
+    put(files) {
+        for (const [path, content] of files) write(`${WORK}/${path}`, content);
+        return changes();
+    },
+    remove(path) {
+        python.FS.unlink(`${WORK}/${path}`);
+        return changes();
+    },
+};
+
+function asRan(proxy) {
+    const [code, out, err, later] = proxy.toJs();
+    proxy.destroy();
+    return { code, out, err, later };
+}
+
+function listed() {
+    return session.files(WORK).toJs().map(([path, size, time]) => [path.slice(WORK.length + 1), `${size} ${time}`]);
+}
+
+// The files that were written since the last time, with what they contain, and those that are gone.
+function changes() {
+    const now = new Map(listed());
+    const written = [...now].filter(([path, stamp]) => known.get(path) !== stamp)
+        .map(([path]) => [path, python.FS.readFile(`${WORK}/${path}`)]);
+    const gone = [...known.keys()].filter(path => !now.has(path));
+    known = now;
+    return { written, gone, files: [...now.keys()] };
+}
+
+async function archive(name) {
+    const answer = await fetch(new URL(name, import.meta.url));
+    if (!answer.ok) throw new Error(`${name} cannot be loaded (${answer.status})`);
+    const plain = answer.body.pipeThrough(new DecompressionStream("gzip"));
+    return new Uint8Array(await new Response(plain).arrayBuffer());
+}
+
+// A tar of the oldest format: for each file a head of 512 bytes, and what it contains in pieces of 512.
+function unpack(bytes) {
+    const text = (from, to) => new TextDecoder().decode(bytes.subarray(from, to)).replace(/\0.*$/s, "");
+    for (let at = 0; bytes[at]; ) {
+        const size = parseInt(text(at + 124, at + 136), 8), prefix = text(at + 345, at + 500);
+        const name = (prefix && prefix + "/") + text(at, at + 100), start = at + 512;
+        write("/" + name, bytes.subarray(start, start + size));
+        at = start + 512 * Math.ceil(size / 512);
+    }
+    python.runPython("import importlib; importlib.invalidate_caches()");
+}
+
+function write(path, content) {
+    const { FS } = python;
+    FS.mkdirTree(path.slice(0, path.lastIndexOf("/")));
+    FS.writeFile(path, content, { canOwn: true });
+}
