@@ -51,7 +51,8 @@ def playground_page(playable: bool) -> str:
 def pages() -> dict[str, bytes]:
     """Return all pages of the site and what they need by their places."""
     made = {name: text.encode() for name, text in reference.pages().items()}
-    return by_hand() | made | dict(gallery.pages())
+    changes = {"changes.md": (DOCS.parent / "CHANGELOG.md").read_bytes()}
+    return by_hand() | made | changes | dict(gallery.pages())
 
 
 def by_hand() -> dict[str, bytes]:

@@ -111,7 +111,9 @@ def test_every_line_of_the_readme_runs(tmp_path: Path) -> None:
     (lines,) = re.findall(r"```sh\n(.*?)```", README.read_text(encoding="utf-8"), re.DOTALL)
     folder = reader(tmp_path / "typed")
     (folder / "notes.tex").write_text("% kurbel: table\n% /kurbel\n", encoding="utf-8")
-    for line in lines.splitlines():
+    language, *typed = lines.splitlines()
+    assert language.startswith("export KURBEL_LANG=en ")
+    for line in typed:
         printed(line.partition(" # ")[0], folder)
     assert {path.name for path in folder.iterdir()} >= {"page.html", "drive.svg", "appendix"}
 
