@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from kurbel.errors import KurbelError, MissingExtraError, NotationError
 from kurbel.reading import units
 from kurbel.reading.extras import how_to_install
+from kurbel.reading.unit_text import plain_unit
 
 SPEED_HELP = "a speed of rotation such as 120/min, 120rpm or 12.5rad/s"
 
@@ -100,7 +101,6 @@ def test_radians_are_exact_and_no_turns(text: str, value: Fraction) -> None:
         ("600 xyz", 'stroke "600 xyz" has the unknown unit xyz; write a length such as 600mm'),
         ("", 'stroke "" is not a length such as 600mm'),
         ("mm", 'stroke "mm" is not a length such as 600mm'),
-        ("3 m**2", 'stroke "3 m**2" is not a length such as 600mm'),
         ("9**9**9 m", 'stroke "9**9**9 m" is not a length such as 600mm'),
         ("m" * 200, f'stroke "{"m" * 40}" is not a length such as 600mm'),
         ("1.2.3mm", 'stroke "1.2.3" is not a number; write it as 4.5 or 4,5'),
@@ -160,7 +160,7 @@ def test_what_is_no_power_is_refused(text: str, sentence: str) -> None:
     assert sentence_of(units.power, text) == sentence
 
 
-@pytest.mark.parametrize("text", ["3m*m", "0A*A", "3rad*rad/s"])
+@pytest.mark.parametrize("text", ["3m*m", "0A*A", "3rad*rad/s", "3 m**2"])
 def test_units_with_squares_are_refused_with_a_sentence(text: str) -> None:
     # How pint names a square depends on the version of Python.
     for read, example in (
@@ -173,7 +173,42 @@ def test_units_with_squares_are_refused_with_a_sentence(text: str) -> None:
         assert sentence.endswith(f"; it must be {example}")
 
 
-letters = st.text(st.sampled_from("mMkKsSrRaAdDegGnNiIhHzZcCµ/*·1 "), max_size=8)
+@pytest.mark.parametrize(
+    ("written", "base", "by_pint"),
+    [
+        ("min^-1", "1/s", "1/min"), ("min-1", "1/s", "1/min"), ("min**(-1)", "1/s", "1/min"),
+        ("RPM", "turn/s", "rpm"), ("rev/min", "turn/s", "rpm"),
+        ("m s^-1", "m/s", "m/s"), ("m·s⁻²", "m/s**2", "m/s**2"), ("mm s-2", "m/s**2", "mm/s**2"),
+        ("kg m^2", "kg*m**2", "kg*m**2"), ("kg·m²", "kg*m**2", "kg*m**2"), ("kgm2", "kg*m**2", "kg*m**2"),
+        ("lb-ft²", "kg*m**2", "lb*ft**2"), ("N/mm^2", "Pa", "N/mm**2"), ("kN cm^-2", "Pa", "kN/cm**2"),
+        ("N mm⁻²", "Pa", "N/mm**2"), ("g/cm^3", "kg/m**3", "g/cm**3"), ("kg dm^-3", "kg/m**3", "kg/dm**3"),
+        ("kNm", "N*m", "kN*m"), ("N·m", "N*m", "N*m"), ("lbf-ft", "N*m", "lbf*ft"), ("Zoll", "m", "inch"),
+    ],
+)  # fmt: skip
+def test_powers_and_products_are_read_as_the_field_writes_them(written: str, base: str, by_pint: str) -> None:
+    plain = plain_unit(written)
+    assert plain is not None
+    registry = units.registry()
+    expected = registry.Quantity(Fraction(1), by_pint).to(base).magnitude
+    factors = plain if plain[0] != "/" else f"1{plain}"
+    assert registry.Quantity(Fraction(1), factors).to(base).magnitude == expected
+    assert units.is_measure(f"7 {written}")
+
+
+@pytest.mark.parametrize(
+    "text", ["", "m^", "m^0", "m^22", "m/", "m//s", "m+s", "(m)", "1", "2m", "m^99s", "9**9"]
+)
+def test_what_is_no_product_of_units_is_none(text: str) -> None:
+    assert plain_unit(text) is None
+
+
+def test_speeds_of_rotation_are_read_in_any_spelling() -> None:
+    for text in ("120 min^-1", "120min-1", "120 1/min", "120 rpm", "120 RPM", "120 rev/min", "2 s⁻¹", "2 Hz"):
+        assert units.speed(text) == units.Speed(Fraction(2))
+    assert units.speed("12,5 rad s^-1") == units.Speed(Fraction(25, 2), turns=False)
+
+
+letters = st.text(st.sampled_from("mMkKsSrRaAdDegGnNiIhHzZcCµ/*·1 ^-²⁻"), max_size=8)
 
 
 @given(

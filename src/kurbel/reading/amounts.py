@@ -80,8 +80,6 @@ OF_SYSTEM = {
     IMPERIAL: "in; ft/s; ft/s²; lbf; lbf ft; ft lbf; hp; psi; lb; lb ft²; in²; lb/in³; ft³/min",
     METRIC: "",
 }
-_SAME = str.maketrans({" ": "", "*": "", "·": "", "^": "", "2": "²", "3": "³"})
-_WRITTEN = {symbol.translate(_SAME): symbol for symbol in UNITS}
 
 
 class Units(NamedTuple):
@@ -113,10 +111,13 @@ class Units(NamedTuple):
 
 def read_units(text: str) -> Units:
     """Return the units of a system, metric or imperial, or those of a list: in; ft/s; lbf."""
+    from kurbel.reading.unit_text import plain_unit
+
+    written = {plain_unit(symbol): symbol for symbol in UNITS}
     listed = OF_SYSTEM.get(text.strip().lower(), text)
     chosen: dict[str, Unit] = {}
     for name in filter(None, (part.strip() for part in re.split("[;,]", listed))):
-        unit = UNITS.get(_WRITTEN.get(name.translate(_SAME), ""))
+        unit = UNITS.get(written.get(plain_unit(name), ""))
         if unit is None:
             raise NotationError(
                 f"units {quoted(text)} has the unit {quoted(name)}; write metric, imperial or a list of"

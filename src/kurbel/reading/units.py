@@ -15,6 +15,7 @@ from typing import Any
 from kurbel.errors import NotationError, ProblemError
 from kurbel.reading.amounts import FOOT, INCH, POUND, POUND_FORCE
 from kurbel.reading.notation import about, number
+from kurbel.reading.unit_text import plain_unit
 
 
 def _scaled(units: Mapping[str, int | str]) -> Mapping[str, Fraction]:
@@ -24,30 +25,11 @@ def _scaled(units: Mapping[str, int | str]) -> Mapping[str, Fraction]:
 # What stands before a unit, read as a number or refused as one: in 10 1/s the fraction belongs to the unit.
 BEFORE_UNIT = r"[+−-]?(?:\d+\s+(?=\d+/\d))?[\d.,]+(?:[eE][+-]?\d+)?(?:\s*/\s*[\d.,]+(?:[eE][+-]?\d+)?)?"
 # The number is read by kurbel, for pint would evaluate 9**9**9; the unit may not compute either.
-_MEASURE = re.compile(
-    rf"\s*({BEFORE_UNIT})\s*"
-    r"(/?\s*[A-Za-zµ_]+(?:\s*[/*·]\s*[A-Za-zµ]+)*|1\s*/\s*[A-Za-z]+)?\s*"
-)
+_MEASURE = re.compile(rf"\s*({BEFORE_UNIT})\s*((?:(?:1\s*)?/\s*)?[A-Za-zµμ].*?)?\s*")
 _LONGEST = 80
 # With which pint answers what is no unit; an unknown one with an AttributeError of its own.
 PINT_ERRORS = (AttributeError, ValueError, TypeError, AssertionError)
 _LARGEST = 10**9
-# Squares; Umdrehungen and Pferdestärken, as German data sheets write them: pint's U is the unit of enzymes,
-# and its PS are petasiemens.
-_SQUARED, _CUBED = ("²", "^2", "**2", "2"), ("³", "^3", "**3", "3")
-_METRES = ("mm", "cm", "dm", "m", "in", "ft")
-_TRANSLATED = {
-    "s²": "s/s", "s^2": "s/s", "s**2": "s/s", "s2": "s/s",
-    **{f"kg{by}m{two}": "kg*m*m" for by in ("", " ", "*", "·") for two in _SQUARED},
-    "Nm": "N*m", "N m": "N*m", "lbf ft": "lbf*ft", "ft lbf": "ft*lbf", "lbf in": "lbf*in",
-    **{f"lb{by}ft{two}": "lb*ft*ft" for by in ("", " ", "*", "·") for two in _SQUARED},
-    **{f"m{three}/kg": "m*m*m/kg" for three in _CUBED},
-    **{f"/{unit}{three}": f"/{unit}/{unit}/{unit}" for unit in _METRES for three in _CUBED},
-    **{f"/{unit}{two}": f"/{unit}/{unit}" for unit in _METRES for two in ("²", "^2", "2")},
-    **{f"{unit}{two}": f"{unit}*{unit}" for unit in _METRES for two in ("²", "^2", "2")},
-    "U/min": "rpm", "Upm": "rpm", "U/s": "turn/s", "min⁻¹": "/min", "PS": "metric_horsepower",
-}  # fmt: skip
-
 
 _FOOT_POUND, _INCH_POUND = FOOT * POUND_FORCE, INCH * POUND_FORCE
 # By what pint calls their dimension, in the unit that this is read in.
@@ -193,37 +175,46 @@ def angular_acceleration(text: str, what: str) -> Fraction:
 
 def is_measure(text: str) -> bool:
     """Whether the text has a unit."""
-    match = _MEASURE.fullmatch(text) if len(text) <= _LONGEST else None
-    return match is not None and match.group(2) is not None
+    return _parts(text)[1] is not None
 
 
 def split(text: str) -> tuple[Fraction, str]:
     """Return the number and the unit, as it is written, of what was read as a measure."""
-    match = _MEASURE.fullmatch(text)
-    assert match is not None
-    return number(match.group(1)), match.group(2) or ""
+    digits, _, written = _parts(text)
+    return number(digits), written
+
+
+def _parts(text: str) -> tuple[str, str | None, str]:
+    """Return the number, nothing of what is no measure, and the unit, as pint reads it and as written."""
+    match = _MEASURE.fullmatch(text) if len(text) <= _LONGEST else None
+    if match is None:
+        return "", None, ""
+    digits, written = match.groups()
+    if written is None:
+        return digits, None, ""
+    unit = plain_unit(written)
+    return (digits, unit, written) if unit else ("", None, "")
 
 
 def _known(text: str, what: str, units: Mapping[str, Fraction]) -> Fraction | None:
     """Return the value, None if its unit is none of these."""
-    match = _MEASURE.fullmatch(_translated(text)) if len(text) <= _LONGEST else None
-    factor = match and units.get(match.group(2))
-    return number(match.group(1), what) * factor if match and factor else None
+    digits, unit, _ = _parts(text)
+    factor = units.get(unit or "")
+    return number(digits, what) * factor if factor else None
 
 
 def _quantity(text: str, what: str, example: str, dimension: str) -> Any:
-    match = _MEASURE.fullmatch(_translated(text)) if len(text) <= _LONGEST else None
-    if match is None:
+    digits, unit, written = _parts(text)
+    if not digits:
         raise NotationError(f'{what} "{text[:40]}" is not {example}')
-    digits, unit = match.groups()
     if unit is None:
         raise NotationError(f'{what} "{text[:40]}" has no unit; write {example}')
     try:
         quantity = registry().Quantity(number(digits, what), "1" + unit if unit.startswith("/") else unit)
     except PINT_ERRORS:
-        raise NotationError(f'{what} "{text[:40]}" has the unknown unit {unit}; write {example}') from None
+        raise NotationError(f'{what} "{text[:40]}" has the unknown unit {written}; write {example}') from None
     if not quantity.check(dimension):
-        raise NotationError(f'{what} "{text[:40]}" is in {_name(quantity, unit)}; it must be {example}')
+        raise NotationError(f'{what} "{text[:40]}" is in {_name(quantity, written)}; it must be {example}')
     return quantity
 
 
@@ -233,14 +224,6 @@ def _name(quantity: Any, written: str) -> str:
         return str(quantity.units)
     except TypeError:
         return written
-
-
-def _translated(text: str) -> str:
-    stripped = text.rstrip()
-    for written, read in _TRANSLATED.items():
-        if stripped.endswith(written):
-            return stripped.removesuffix(written) + read
-    return text
 
 
 def _checked(value: Fraction, text: str, what: str, unit: str, most: int = _LARGEST) -> Fraction:
@@ -254,11 +237,11 @@ def _checked(value: Fraction, text: str, what: str, unit: str, most: int = _LARG
 
 def unit_in(unit: str, base: str, dimension: str) -> Fraction | None:
     """Return the unit in the base unit, None if pint does not know it or it is of another dimension."""
-    known = KNOWN.get(dimension, {})
-    if unit in known and base in known:
-        return known[unit] / known[base]
+    known, plain = KNOWN.get(dimension, {}), plain_unit(unit) or unit
+    if plain in known and base in known:
+        return known[plain] / known[base]
     try:
-        quantity = registry().Quantity(Fraction(1), unit)
+        quantity = registry().Quantity(Fraction(1), plain)
     except PINT_ERRORS:
         return None
     return Fraction(quantity.to(base).magnitude) if quantity.check(dimension) else None
