@@ -57,14 +57,14 @@ NO_IRREGULARITY = "cannot be read; write it as 1:100, 0.01 or 1%"
 
 # What every command about engines refuses alike.
 ENGINES = [
-    (("--eps", "0.5"), f"expansion ratio ε is 0.5; {EARLY}"),
+    (("--eps", "0.5"), f"expansion ratio ε is 0.5; {EARLY}: after 0.5 of it, ε = 2"),
     (("--eps", "-2"), f"expansion ratio ε is -2; {EARLY}"),
     (("--eps", "2;0"), f"expansion ratio ε is 0; {EARLY}"),
     (("--eps", "1"), f"expansion ratio ε = 1 {NO_WORK}"),
     (("--eps", "1..3"), f"expansion ratio ε = 1 {NO_WORK}"),
     (("--eps", "2e6"), "expansion ratio ε is 2000000; at most 1000000 is allowed"),
     (("--eps", "abc"), f'expansion ratio "abc" {NO_NUMBER}'),
-    (("--eps", "1:4"), f'expansion ratio "1:4" {NO_NUMBER}'),
+    (("--eps", "1:4"), f"expansion ratio ε is 0.25; {EARLY}: after 0.25 of it, ε = 4"),
     (("--eps", "nan"), f'expansion ratio "nan" {NO_NUMBER}'),
     (("--eps", ""), f'expansion ratio "" {NO_NUMBER}'),
     (
@@ -208,7 +208,7 @@ DELTAS = [
     (
         ("--layout", "delta-verfahren", "--columns", "delta"),
         'there is no column "delta" (did you mean delta_exact, delta_series or delta_weisbach?);'
-        ' choose from epsilon, ratio, delta_exact,'
+        " choose from epsilon, ratio, delta_exact,"
         " delta_series, delta_weisbach, difference_series, difference_weisbach",
     ),
     (
@@ -427,7 +427,7 @@ def test_nothing_is_written_on_an_error(words: tuple[str, ...], form: str, tmp_p
 @pytest.mark.parametrize(
     ("name", "value", "sentence"),
     [
-        ("KURBEL_DELTA_EPS", "0.5", f"expansion ratio ε is 0.5; {EARLY}"),
+        ("KURBEL_DELTA_EPS", "0.5", f"expansion ratio ε is 0.5; {EARLY}: after 0.5 of it, ε = 2"),
         ("KURBEL_DELTA_BACK", "x", f'back pressure "x" {NO_NUMBER}'),
         (
             "KURBEL_DELTA_METHOD",

@@ -50,13 +50,18 @@ def one_sentence(error: ProblemError) -> str:
 
 
 @pytest.mark.parametrize(
-    ("expansion", "shown"),
-    [(Fraction(1, 2), "0.5"), (NOTHING, "0"), (Fraction(-3), "-3"), (Fraction(2, 3), "0.666666666666667")],
+    ("expansion", "shown", "meant"),
+    [
+        (Fraction(1, 2), "0.5", ": after 0.5 of it, ε = 2"),
+        (NOTHING, "0", ""),
+        (Fraction(-3), "-3", ""),
+        (Fraction(2, 3), "0.666666666666667", ": after 2/3 of it, ε = 1.5"),
+    ],
 )
-def test_expansion_below_one_is_refused(expansion: Fraction, shown: str) -> None:
+def test_expansion_below_one_is_refused(expansion: Fraction, shown: str, meant: str) -> None:
     assert sentence_of_steam(expansion) == (
         f"expansion ratio ε is {shown}; it must be 1 (no expansion) or more,"
-        " for the cut-off comes after the share 1/ε of the stroke"
+        f" for the cut-off comes after the share 1/ε of the stroke{meant}"
     )
 
 

@@ -15,6 +15,7 @@ from kurbel.errors import KurbelError, NotationError
 from kurbel.exact.numerals import degrees_text
 from kurbel.reading import notation
 from kurbel.reading.notation import Progression
+from kurbel.reading.shares import share
 
 RATIO_HELP = "write it as 1:5, 1:4,5, 1/4.5 or 0.2, and 1:∞ or 1:inf for an infinite rod"
 
@@ -80,7 +81,7 @@ def test_a_fraction_is_the_quotient_of_its_numbers(
     written = f"{sign}{above}{bar}{below}".replace(".", mark)
     quotient = Fraction(above) / Fraction(below) * (-1 if sign in "-−" and sign else 1)
     assert notation.number(written) == quotient
-    assert notation.share(f"{written}%") == quotient / 100
+    assert share(f"{written}%") == quotient / 100
     assert notation.angle(f"{sign}{above}".replace(".", mark) + "°") == quotient * Fraction(below)
 
 

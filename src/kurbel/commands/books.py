@@ -14,6 +14,7 @@ from kurbel.reading import notation
 from kurbel.reading.given import (
     Exact,
     as_angles,
+    as_expansions,
     as_force,
     as_fraction,
     as_names,
@@ -193,7 +194,7 @@ def example_table(
     if beam is not None:
         own["beam"] = as_numbers(beam, "beam arm")
     if eps is not None:
-        own["eps"] = as_numbers(eps, "expansion ratio")
+        own["eps"] = as_expansions(eps)
     if back is not None:
         own["back"] = (as_share(back, "back pressure"),)
     if force is not None:

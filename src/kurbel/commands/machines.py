@@ -22,12 +22,12 @@ from kurbel.page.layouts import Layout
 from kurbel.reading.given import (
     as_crank_angles,
     as_duration,
+    as_expansions,
     as_gravity,
     as_inertia,
     as_length,
     as_mass,
     as_number,
-    as_numbers,
     as_pressure,
     as_share,
     as_share_or_length,
@@ -170,7 +170,7 @@ def steams_of(given: Mapping[str, Any], page: Layout) -> Sequence[Acting]:
         back = _read(as_share_or_pressure, given["back"], "back pressure", given["pressure"])
         exponent = as_number(1 if given["exponent"] is None else given["exponent"], "exponent")
         clearance = as_share(0 if given["clearance"] is None else given["clearance"], "clearance")
-        values = as_numbers(page.expansions if given["eps"] is None else given["eps"], "expansion ratio")
+        values = as_expansions(page.expansions if given["eps"] is None else given["eps"])
         return [Steam(expansion, back, exponent, clearance) for expansion in values]
     return cards_of(given)
 

@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 from kurbel.drive.load import PistonForce, read_force
 from kurbel.errors import NotationError, ProblemError
 from kurbel.kernel import kinematics
-from kurbel.reading import notation
-from kurbel.reading.given import Exact, as_fraction, as_length, as_number, as_ratios, as_speed
+from kurbel.reading.given import Exact, as_fraction, as_length, as_number, as_ratios, as_share, as_speed
 from kurbel.reading.notation import Progression, about, ratio_text
 
 if TYPE_CHECKING:
@@ -299,7 +298,7 @@ class Described(NamedTuple):
 
         share = value.strip().removesuffix("R")
         if not units.is_measure(share):
-            return notation.number(share, "offset")
+            return as_share(share, "offset")
         displacement = units.displacement(value, "offset")
         if radius is None:
             raise NotationError(

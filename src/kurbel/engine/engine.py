@@ -62,10 +62,9 @@ class Steam:
 
     def __post_init__(self) -> None:
         if self.expansion < 1:
-            raise ProblemError(
-                f"expansion ratio ε is {about(self.expansion)}; it must be 1 (no expansion) or more,"
-                " for the cut-off comes after the share 1/ε of the stroke"
-            )
+            from kurbel.reading.shares import too_small
+
+            raise ProblemError(too_small(self.expansion))
         if self.expansion > LARGEST_EXPANSION:
             raise ProblemError(
                 f"expansion ratio ε is {about(self.expansion)}; at most {LARGEST_EXPANSION} is allowed"

@@ -106,6 +106,24 @@ def as_numbers(given: Exact | Iterable[Exact], what: str) -> tuple[Fraction, ...
     return tuple(read_values(given, lambda texts: notation.numbers(texts, what), as_fraction))
 
 
+def as_shares(given: Exact | Iterable[Exact], what: str = "share") -> tuple[Fraction, ...]:
+    """Read shares, each once."""
+    from kurbel.reading.shares import shares
+
+    return tuple(read_values(given, lambda texts: shares(texts, what), as_fraction))
+
+
+def as_expansions(given: Exact | Iterable[Exact]) -> tuple[Fraction, ...]:
+    """Read expansion ratios; the share of the stroke before the cut-off is answered with the ratio it is."""
+    try:
+        return as_numbers(given, "expansion ratio")
+    except NotationError:
+        from kurbel.reading.shares import refuse_cut_off
+
+        refuse_cut_off(given)
+        raise
+
+
 def as_crank_angles(given: Exact | Iterable[Exact]) -> Sequence[Fraction]:
     """Read the angles of cranks, several of which may be equal."""
     return notation.angles([given], repeated=True) if isinstance(given, str) else _each(given, as_angle)
@@ -138,7 +156,7 @@ def _irregularity(text: str) -> Fraction:
     if either_way:
         return 2 * _irregularity(text[either_way.end() :])
     try:
-        return notation.share(text) if text.strip().endswith("%") else notation.ratio(text)
+        return _share(text) if text.strip().endswith("%") else notation.ratio(text)
     except NotationError:
         raise NotationError(
             f"degree of irregularity {notation.quoted(text)} cannot be read; write it as 1:100, 0.01 or 1%"
@@ -162,6 +180,12 @@ def as_names(given: str | Iterable[str] | None, example: str = "phi,x,c,p") -> t
     return tuple(dict.fromkeys(chain.from_iterable(parts.values())))
 
 
+def _share(text: str, what: str = "share") -> Fraction:
+    from kurbel.reading.shares import share
+
+    return share(text, what)
+
+
 def as_fraction(value: Exact) -> Fraction:
     return Fraction(value) if isinstance(value, (int, Fraction)) else notation.number(str(value))
 
@@ -178,7 +202,7 @@ def _exactly(read: Callable[Concatenate[str, P], Fraction]) -> Callable[Concaten
 as_ratio = _exactly(notation.ratio)
 as_angle = _exactly(notation.angle)
 as_number = _exactly(notation.number)
-as_share = _exactly(notation.share)
+as_share = _exactly(_share)
 
 
 def _measured(name: str) -> Callable[..., Fraction]:

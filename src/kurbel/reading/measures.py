@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Any
 
 from kurbel.errors import NotationError
-from kurbel.reading.given import Exact, as_angle, as_crank_angles, as_fraction, as_share
+from kurbel.reading.given import Exact, as_angle, as_crank_angles, as_fraction
 from kurbel.reading.notation import quoted
 
 UNKNOWN = "?"
@@ -49,11 +49,6 @@ def as_angles_or_unknown(given: Exact | Iterable[Exact]) -> tuple[Fraction | Non
     if isinstance(given, str) and UNKNOWN not in given:
         return tuple(as_crank_angles(given))
     return tuple(_one(part, as_angle) for part in _parts(given, "angle"))
-
-
-def as_shares(given: Exact | Iterable[Exact]) -> tuple[Fraction, ...]:
-    """Return shares, each once: 2/3, 0.5;60%."""
-    return tuple(dict.fromkeys(as_share(part) for part in _parts(given, "share")))
 
 
 def _parts(given: Exact | Iterable[Exact], what: str) -> list[Any]:

@@ -141,7 +141,7 @@ def angles(texts: Iterable[str], repeated: bool = False) -> Sequence[Fraction]:
     """
     parts = [*parts_of(texts, angle, "angle")]
     if len(parts) == 1 and ".." in parts[0]:
-        return _angle_range(parts[0])
+        return _read(parts[0], angle, _angle_range)
     values = _values(parts, angle, _angle_range, LONGEST_ANGLE_LIST, "angles in a list")
     return values if repeated else tuple(dict.fromkeys(values))
 
@@ -151,21 +151,13 @@ def numbers(texts: Iterable[str], what: str) -> tuple[Fraction, ...]:
     return tuple(dict.fromkeys(each_number(texts, what)))
 
 
-def each_number(texts: Iterable[str], what: str) -> tuple[Fraction, ...]:
-    """Return the numbers of lists and ranges, equal ones too: "0;0;1;1"."""
-    one, several = partial(number, what=what), partial(_number_range, what=what)
+def each_number(
+    texts: Iterable[str], what: str, one: Callable[[str], Fraction] | None = None
+) -> tuple[Fraction, ...]:
+    """Return the numbers of lists and ranges, equal ones too: "0;0;1;1"; `one` reads each."""
+    one = one or partial(number, what=what)
+    several = partial(_number_range, what=what, one=one)
     return _values(parts_of(texts, one, what), one, several, LONGEST_LIST, f"{what}s")
-
-
-def share(text: str, what: str = "share") -> Fraction:
-    """Return a share: "0.05", "0,05", "1/20", "5%"."""
-    stripped = text.strip()
-    if not stripped.endswith("%"):
-        return number(stripped, what)
-    try:
-        return number(stripped[:-1], what) / 100
-    except NotationError:
-        raise NotationError(f"{what} {quoted(text)} is not a share; write it as 0.05 or 5%") from None
 
 
 def progression(start: Fraction, stop: Fraction, step: Fraction, what: str = "angle") -> Progression:
@@ -199,10 +191,29 @@ def _values(
     """Return the values of all parts, of which some are ranges; raise NotationError for too many."""
     found: list[Fraction] = []
     for part in parts:
-        values = several(part) if ".." in part else [one(part)]
+        values = _read(part, one, several)
         check_length(len(found) + len(values), most, what)
         found.extend(values)
     return tuple(found)
+
+
+def _read(
+    part: str, one: Callable[[str], Fraction], several: Callable[[str], Sequence[Fraction]]
+) -> Sequence[Fraction]:
+    """Return the values of a part; raise NotationError, for a range of another spelling with ours."""
+    try:
+        return several(part) if ".." in part else [one(part)]
+    except NotationError:
+        from kurbel.reading.ranges import respelled
+
+        spelled = respelled(part, ratios=one is ratio)
+        if spelled in ("", part):
+            raise
+        for each in spelled.split(";"):
+            several(each) if ".." in each else one(each)
+        raise NotationError(
+            f"{quoted(part)} is not how lists and ranges are written; write it as {spelled}"
+        ) from None
 
 
 def parts_of(texts: Iterable[str], read: Callable[[str], Fraction], what: str) -> Iterator[str]:
@@ -265,12 +276,12 @@ def _ratio_range(text: str) -> Sequence[Fraction]:
     return [1 / value for value in values] if by_length else values
 
 
-def _number_range(text: str, what: str) -> Sequence[Fraction]:
+def _number_range(text: str, what: str, one: Callable[[str], Fraction]) -> Sequence[Fraction]:
     match = re.fullmatch(r"([^:]+?)\.\.([^:]+)(?::([^:]+))?", text)
     if match is None:
         raise NotationError(f"{what} {quoted(text)} is not a range; write it as 2..6 or 2..6:0.5")
     first, last, step = match.groups()
-    return progression(number(first, what), number(last, what), number(step or "1", "step"), what)
+    return progression(one(first), one(last), one(step) if step else Fraction(1), what)
 
 
 def _angle_range(text: str) -> Progression:

@@ -10,7 +10,7 @@ from fractions import Fraction
 from kurbel.errors import NotationError
 from kurbel.exact.numerals import degrees_text, exact_text, finite_decimals
 from kurbel.reading import notation
-from kurbel.reading.given import meant
+from kurbel.reading.given import as_share, meant
 from kurbel.reading.notation import LONGEST_NUMBER
 from kurbel.reading.units import BEFORE_UNIT
 
@@ -107,7 +107,7 @@ def _of_dead_centre(quantity: str, share: str, shown: str) -> Condition:
 def _number(text: str, shown: str) -> Fraction:
     """Return a number or a percentage: 0.25, 25%, -1/6."""
     try:
-        value = notation.share(text, "share")
+        value = as_share(text, "share")
     except NotationError:
         raise NotationError(f"{shown} cannot be read; {GRAMMAR}") from None
     if value and not SMALLEST <= abs(value) <= LARGEST:

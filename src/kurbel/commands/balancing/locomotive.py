@@ -18,10 +18,11 @@ from kurbel.reading.given import (
     as_force,
     as_length,
     as_names,
+    as_shares,
     as_speed,
     as_velocity,
 )
-from kurbel.reading.measures import as_measures, as_shares
+from kurbel.reading.measures import as_measures
 
 if TYPE_CHECKING:
     from kurbel.balance.locomotives.locomotive import Crank

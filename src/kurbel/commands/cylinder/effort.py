@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypedDict
 
 from kurbel.commands.options import Option
 from kurbel.errors import ProblemError
-from kurbel.reading.given import Exact, as_force, as_length, as_number, as_pressure
+from kurbel.reading.given import Exact, as_force, as_length, as_pressure, as_share
 
 if TYPE_CHECKING:
     from kurbel.drive.effort import Areas, Effort, Pins, Pressures
@@ -156,7 +156,7 @@ def _pins(given: Mapping[str, Any]) -> "Pins | None":
     diameters = (
         Fraction(0) if given.get(name) is None else as_length(given[name], _words(name)) for name in PINS
     )
-    return Pins(as_number(given["pin_friction"], "pin friction"), *diameters)
+    return Pins(as_share(given["pin_friction"], "pin friction"), *diameters)
 
 
 def _pressures(given: Mapping[str, Any]) -> "Pressures | None":

@@ -149,7 +149,7 @@ def power_table(
         speed=None if speed is None else as_speed(speed),
         power=None if power is None else as_power(power),
         brake_power=None if brake_power is None else as_power(brake_power),
-        stroke_bore=None if stroke_bore is None else as_number(stroke_bore, "stroke over bore"),
+        stroke_bore=None if stroke_bore is None else as_share(stroke_bore, "stroke over bore"),
         piston_speed=None if piston_speed is None else as_velocity(piston_speed, "piston speed"),
         cylinders=_count(cylinders, given["cranks"]),
         **_rods(about),

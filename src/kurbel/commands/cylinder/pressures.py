@@ -19,7 +19,7 @@ from kurbel.motion.mechanism import uncomputed
 from kurbel.page.layouts import Layout, layout_of
 from kurbel.page.layouts import layout as layout_named
 from kurbel.page.subject import Question
-from kurbel.reading.given import Exact, as_angles, as_length, as_names, as_numbers
+from kurbel.reading.given import Exact, as_angles, as_length, as_names, as_shares
 
 if TYPE_CHECKING:
     from kurbel.engine.pressures.pressed import Pressed
@@ -107,7 +107,7 @@ def pressures_table(
     return PressuresRequest(
         layout=page,
         pressed=pressed_of(page, {**given, "ratio": ratio, "speed": speed}),
-        shares=as_numbers("0..1:0.1" if shares is None else shares, "share of the stroke"),
+        shares=as_shares("0..1:0.1" if shares is None else shares, "share of the stroke"),
         angles=as_angles((page.angles or "0") if angle is None else angle),
         columns=as_names(columns, "share,inertia_pressure"),
         **sheet_of(given),

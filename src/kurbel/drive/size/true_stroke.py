@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import about
-from kurbel.reading.given import as_length, as_number, as_ratios
+from kurbel.reading.given import as_length, as_ratios, as_share
 from kurbel.reading.notation import number
 
 DECIMALS = 40
@@ -49,7 +49,7 @@ def _sizes(given: Mapping[str, Any]) -> tuple[Fraction, Fraction | None]:
             raise ProblemError(
                 "--time-ratio and --true-stroke make the crank and the rod; leave --rod and --ratio out"
             )
-        return by_time_ratio(stroke, offset, as_number(given["time_ratio"], "time ratio"))
+        return by_time_ratio(stroke, offset, as_share(given["time_ratio"], "time ratio"))
     if offset == Offset(None):
         return stroke / 2, None
     if rod is not None:
