@@ -12,6 +12,8 @@ import os
 import re
 import shlex
 import shutil
+import subprocess
+import sys
 import tomllib
 from pathlib import Path
 
@@ -20,7 +22,7 @@ from cli import kurbel
 from places import ROOT, SOURCES
 from registers import register
 from tex import compiled, complaints
-from tools import require_library
+from tools import require, require_library
 
 README = ROOT / "README.md"
 DOCS = ROOT / "docs"
@@ -124,6 +126,42 @@ def test_the_readme_names_no_extra_that_there_is_not() -> None:
     assert len(named) == 4
     for extras in named:
         assert project["optional-dependencies"].keys() >= set(extras.split(","))
+
+
+def for_the_shell(page: Path) -> str:
+    """The lines of the blocks for a shell, without those that run until they are ended."""
+    blocks = re.findall(r"```sh\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
+    return "".join(line for line in "".join(blocks).splitlines(True) if " watch " not in line)
+
+
+# The README has a test of its own, the set-up of the first page needs the net, and tests/handbook builds the
+# handbooks of the other two.
+TYPED_ELSEWHERE = {
+    README,
+    DOCS / "index.md",
+    DOCS / "howto" / "handbook.md",
+    DOCS / "subjects" / "teaching.md",
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "page",
+    [page for page in PAGES if page not in TYPED_ELSEWHERE and for_the_shell(page)],
+    ids=lambda page: page.name,
+)
+def test_every_line_for_the_shell_runs(page: Path, tmp_path: Path) -> None:
+    folder, script = reader(tmp_path / "typed"), for_the_shell(page)
+    for part in PART.finditer(page.read_text(encoding="utf-8")):
+        done(part, folder)
+    if "pdflatex" in script:
+        require("pdflatex")
+    environment = {name: text for name, text in os.environ.items() if "KURBEL" not in name}
+    environment["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
+    typed = subprocess.run(
+        ["bash", "-e", "-c", script], cwd=folder, env=environment, capture_output=True, text=True, check=False
+    )
+    assert typed.returncode == 0, typed.stderr
 
 
 @pytest.mark.slow
