@@ -27,6 +27,7 @@ from kurbel.reading.given import File, meant
 if TYPE_CHECKING:
     from kurbel.commands.shown import Drawing
     from kurbel.exact.numerals import Label
+    from kurbel.page.steps import Steps
 
 # Those that print lists, or work on whole files.
 NO_TABLES = frozenset(("sources", "layouts", "quantities", "handbook", "inject"))
@@ -160,7 +161,7 @@ def _table(task: Task, answer: Asked, table: Table) -> Made:
     records = table.records._replace(rows=[*table.records.rows])
     # The manifest's names are all different, also where one is that of a layout.
     data = replace(table, key=part.name, layout=layout, caption=caption, variant="", records=records)
-    named = replace(data, caption=_caption(task, table.caption, table.lang))
+    named = replace(data, caption=_caption(task, table.caption, table.lang), steps=_steps(task, table))
     with deadline(task.patience, GIGABYTES, bool(task.templates or named.templates)):
         files = {
             f"tables/{part.name}{FORMATS[name].suffixes[0]}": _text(
@@ -172,6 +173,16 @@ def _table(task: Task, answer: Asked, table: Table) -> Made:
 
     about = About("table", named.caption, named.lang, named.letters(), plain(named.source))
     return Made(files, answer.files, about)
+
+
+def _steps(task: Task, table: Table) -> Steps | None:
+    """Return the steps of an interactive table, called as it is in the handbook."""
+
+    def called(one: Table) -> Table:
+        caption = _caption(task, one.caption, one.lang)
+        return replace(one, key=task.part.name, layout=one.layout or one.key, caption=caption, variant="")
+
+    return table.steps and table.steps.named(called)
 
 
 def _caption(task: Task, own: Label, lang: str) -> Label:

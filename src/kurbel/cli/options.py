@@ -161,6 +161,10 @@ def printing_options(command: str, own: Mapping[str, click.Parameter]) -> list[c
         *(own[name] for name in ("digits", "rounding", "label", "caption", "note", "source") if name in own),
         Option(["--standalone"], is_flag=True,
                help="LaTeX, HTML and Typst: a whole document, not a fragment."),
+        # Without a crank ratio there is seldom a choice; a sentence says so.
+        Option(["--interactive"], is_flag=True, hidden="ratio" not in own,
+               help="HTML: a page with sliders for what has several values, such as --ratio 1:3..6, a"
+               " mechanism that moves, and certified digits at every step."),
         Option(["--longtable"], is_flag=True, help="LaTeX: a longtable, which breaks across pages."),
         Option(["--siunitx"], is_flag=True, help="LaTeX: S columns, whose numbers the package siunitx sets."),
     ]  # fmt: skip
@@ -183,6 +187,7 @@ class Given:
 
     def __init__(self, context: click.Context) -> None:
         self.values: dict[str, Any] = dict(context.params)
+        self.in_document = context.find_object(Document) is not None
         self.sources = {name: context.get_parameter_source(name) for name in context.params}
 
     def typed(self, name: str) -> bool:
@@ -268,6 +273,11 @@ def resolved(command: Command, given: Given, rivals: Rivals = ()) -> dict[str, A
 
     Raises ProblemError for what was typed in vain.
     """
+    return command.arguments(resolved_values(command, given, rivals))
+
+
+def resolved_values(command: Command, given: Given, rivals: Rivals = ()) -> dict[str, Any]:
+    """Return the same by the names of options."""
     given.settle(rivals)
     given.settle_loads()
     given.settle_unknown()
@@ -281,13 +291,9 @@ def resolved(command: Command, given: Given, rivals: Rivals = ()) -> dict[str, A
         given.settle_lengths()
     # What may be repeated and was not given is an empty tuple for click.
     defaults = {one.name: one.default for one in command.parameters.values()}
-    return command.arguments(
-        {
-            name: defaults[name] if value == () else value
-            for name, value in given.values.items()
-            if name in own
-        }
-    )
+    return {
+        name: defaults[name] if value == () else value for name, value in given.values.items() if name in own
+    }
 
 
 # Where a context keeps the name of the file.

@@ -26,6 +26,7 @@ from kurbel.cli.options import (
     machine_option,
     printing_options,
     resolved,
+    resolved_values,
 )
 from kurbel.commands.subject import Command
 from kurbel.errors import ProblemError
@@ -37,6 +38,8 @@ if TYPE_CHECKING:
 
 # What asks for colours where there is no terminal.
 FORCED = frozenset(("FORCE_COLOR", "CLICOLOR_FORCE"))
+# What helps, where a format alone says too little.
+HINTS = {"interactive": ", so add -f html or -o page.html"}
 # Shorter tables are done before a bar could be read.
 BAR_ROWS = 200_000
 
@@ -98,11 +101,26 @@ class TableCommand(MakingCommand):
         """Return the table and the exit code, for a document."""
         # What cannot be printed so is refused, too.
         Printing.chosen(given)
+        if Printing.interactive(given):
+            return self.stepped(given), 0
         question = self.question(given)
         return self.made_by.built(question, given.values), self.exit_code(given, question)
 
+    def stepped(self, given: Given) -> Table:
+        """Return the table of an interactive page, with those of its steps. Raises KurbelError."""
+        from kurbel.commands.steps.stepped import NOTHING, stepped
+
+        values = resolved_values(self.made_by, given, RIVALS.get(self.name or "", ()))
+        page = stepped(self.made_by, values, given.values)
+        if page.steps is None and given.typed("interactive"):
+            raise ProblemError(NOTHING)
+        return page
+
     def run(self, given: Given) -> int:
         printing = Printing.chosen(given)
+        if Printing.interactive(given):
+            printing._replace(standalone=True).print(self.stepped(given))
+            return 0
         question = self.question(given)
         self.print(question, printing, given)
         return self.exit_code(given, question)
@@ -166,6 +184,15 @@ class Printing(NamedTuple):
         names = ("output", "decimal", "standalone", "longtable", "siunitx")
         return cls(_format(given), *(given.values[name] for name in names))
 
+    @staticmethod
+    def interactive(given: Given) -> bool:
+        """Whether an interactive page is asked for; of a default from elsewhere in one format alone."""
+        if not given.values.get("interactive"):
+            return False
+        if given.in_document:
+            return not given.values["format"]
+        return given.typed("interactive") or _format(given).interactive
+
     def print(self, table: Table) -> None:
         """Write a table that is there already."""
         _write(self._rendered(table), self.output, 0)
@@ -213,14 +240,30 @@ def _format(given: Given) -> Format:
         )
     _check_able(given, chosen, "longtable", "breaks")
     _check_able(given, chosen, "siunitx", "siunitx")
+    _check_interactive(given, chosen)
     return chosen
+
+
+def _check_interactive(given: Given, chosen: Format) -> None:
+    """Raise UsageError for an interactive page that is no page by itself, nor part of a handbook."""
+    if not given.typed("interactive"):
+        return
+    if given.in_document and given.values["format"]:
+        raise click.UsageError(
+            "--interactive makes a whole page, with a script; it is for -o page.html and for handbooks, not"
+            " for places in a document of your own."
+        )
+    if not given.in_document:
+        _check_able(given, chosen, "interactive", "interactive")
 
 
 def _check_able(given: Given, chosen: Format, option: str, fact: str) -> None:
     """Raise UsageError for an option that was typed and is not for the format."""
     if given.typed(option) and not getattr(chosen, fact):
         able = ", ".join(name for name, entry in FORMATS.items() if getattr(entry, fact))
-        raise click.UsageError(f"--{option} is for {able}; the format is {chosen.name}.")
+        raise click.UsageError(
+            f"--{option} is for {able}; the format is {chosen.name}{HINTS.get(option, '')}."
+        )
 
 
 def _write(pieces: Iterator[bytes], output: str, rows: int) -> None:

@@ -217,6 +217,10 @@ class EngineRequest(Question):
         return [drive.crank.ratio for drive in self.drives]
 
     @property
+    def moving(self) -> tuple[str, Drive]:
+        return self.mechanism.name, self.drives[0]
+
+    @property
     def spans(self) -> tuple[int | None, ...]:
         """The strokes have extremes of their own where one crank turns by one double-acting cylinder."""
         return (OUTSTROKE, RETURN_STROKE, WHOLE) if self.first.plain else (WHOLE,)

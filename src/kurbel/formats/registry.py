@@ -52,6 +52,7 @@ class Format:
     folder: str = ""
     marked: bool = False
     draws: bool = False
+    interactive: bool = False
     engines: Mapping[str, Engine] = field(default_factory=dict)
 
     def decimal_name(self, lang: str, decimal: str | None = None) -> str:
@@ -129,7 +130,8 @@ class PageFormat(Format):
     `standalone` tells that a whole page differs from a fragment, `breaks` that a table longer than a page can
     be told to break, `siunitx` that its numbers can be left to that package. A format of whole documents has
     their `figures` as files of that suffix, and a `folder` if a document is many files. An author's own
-    documents can be `marked` with places for tables, and have drawings there if the format `draws`.
+    documents can be `marked` with places for tables, and have drawings there if the format `draws`. An
+    `interactive` one shows the steps of a page.
     """
 
     kind = "page"

@@ -15,7 +15,7 @@ import stat
 import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
-from functools import cache
+from functools import cache, partial
 from typing import TYPE_CHECKING, BinaryIO
 
 from kurbel.errors import ChoiceError, OutputError
@@ -79,6 +79,10 @@ def render(
         return _filled(form, template, values | more, templates)
 
     fragment = filled(form.name, {})
+    if table.steps is not None and form.interactive:
+        set_page = partial(render, format=format, decimal=decimal, templates=templates)
+        around = writer.stepped(table, fragment, set_page, mark)
+        fragment = filled(f"{form.name}.steps", around)
     if standalone and form.standalone:
         title = writer.escape(plain(table.caption, mark))
         return filled(f"{form.name}.document", {"fragment": fragment, "title": title})

@@ -102,6 +102,11 @@ class PageWriter:
         """Return what its templates read beside the page, or in its place."""
         return {}
 
+    def stepped(self, table: Table, fragment: str, page: Callable[[Table], str], mark: str) -> dict[str, Any]:
+        """Return what the template of an interactive page reads, of the page that is shown first and of what
+        sets the others, in a format that has such pages."""
+        return {"fragment": fragment}
+
     def is_tall(self, table: Table) -> bool:
         """Tell whether a table is longer than a page, in a format that breaks."""
         return False

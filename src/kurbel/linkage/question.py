@@ -9,6 +9,7 @@ from types import MappingProxyType
 from typing import Any
 
 from kurbel.drive.crank import Crank, check_angles
+from kurbel.drive.mechanisms import LINKAGES, MECHANISMS
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import floats
 from kurbel.exact.numerals import Label, Number
@@ -41,6 +42,12 @@ class LinkageRequest(AngleQuestion):
     @property
     def ratios(self) -> list[Fraction]:
         return [drive.crank.ratio for drive in self.drives] if "ratio" in self.subject.axes else []
+
+    @property
+    def moving(self) -> tuple[str, Any]:
+        # Coupled axles are parallel cranks.
+        own = (name for name in LINKAGES if MECHANISMS[name].subject == self.subject.key)
+        return next(own, "parallel"), self.drives[0]
 
     def missing(self, quantity: Quantity) -> str:
         return needed(quantity, [drive.crank for drive in self.drives])

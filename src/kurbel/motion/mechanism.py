@@ -30,8 +30,8 @@ class Mechanism(ABC):
     describe it on its pages of motion; those of forces also take the stroke. `motion` and `forces` are what
     is drawn unless columns are named: each quantity, and what stands for it where its unit is known.
     `examples` are columns for messages, by command. `drawing` makes the drawing to scale, of a drive, angles,
-    language, decimal mark and size. A drive with a `crosshead` has its pages of forces in common with
-    engines, and a polar diagram.
+    language, decimal mark and size, `moving` what moves on interactive pages, of a drive. A drive with a
+    `crosshead` has its pages of forces in common with engines, and a polar diagram.
     """
 
     name: ClassVar[str]
@@ -44,6 +44,7 @@ class Mechanism(ABC):
     forces: ClassVar[tuple[tuple[str, str], ...]] = ()
     examples: ClassVar[Mapping[str, str]]
     drawing: ClassVar[str]
+    moving: ClassVar[str]
     crosshead: ClassVar[bool] = False
 
     @property
@@ -126,6 +127,7 @@ class StraightCrank(Mechanism):
         "plot forces": "x,c,p",
     }
     drawing = "kurbel.plot.drawings:mechanism_drawing"
+    moving = "kurbel.plot.moving.slide:slide_scene"
     crosshead = True
 
     def drives(self, said: Described, ratios: Sequence[str]) -> tuple[Crank, ...]:

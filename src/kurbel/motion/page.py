@@ -47,6 +47,10 @@ class CrankQuestion(Question):
     def ratios(self) -> list[Fraction]:
         return [crank.ratio for crank in self.cranks]
 
+    @property
+    def moving(self) -> tuple[str, Any]:
+        return "straight", self.cranks[0]
+
     def missing(self, quantity: Quantity) -> str:
         return needed(quantity, self.cranks)
 

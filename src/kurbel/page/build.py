@@ -85,7 +85,7 @@ def own_grid(question: Question) -> tuple[Layout, Grid]:
 
     def cell(place: Place) -> Cell:
         column = columns[place.get("column", 0)]
-        shown, marks = _shown(question, column, place), about.marks(question, column, place)
+        shown, marks = shown_at(question, column, place), about.marks(question, column, place)
         return Cell(shown, marks, about.tone(question, column, place))
 
     def unit(place: Place) -> Label:
@@ -96,7 +96,7 @@ def own_grid(question: Question) -> tuple[Layout, Grid]:
     return layout, Grid(question.axes, question.lang, cell, unit if layout.unit else None, exists)
 
 
-def _shown(question: Question, column: Column, place: Place) -> Value:
+def shown_at(question: Question, column: Column, place: Place) -> Value:
     """Return the number, or degrees and minutes; of what has no minutes, whole degrees."""
     if not column.quantity.minutes:
         return question.number(column, place)

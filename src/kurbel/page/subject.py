@@ -162,6 +162,11 @@ class Question(Worded):
         return subject(self.layout.subject)
 
     @property
+    def moving(self) -> tuple[str, Any] | None:
+        """The mechanism, by its name, and the drive of which it is asked; of several the first."""
+        return None
+
+    @property
     def columnless(self) -> str:
         """Why this page, which has no column beside its axes, is refused."""
         hidden = [] if self.columns else [self._hidden(column) for column in self.layout.columns]

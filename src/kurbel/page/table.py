@@ -12,10 +12,13 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
 from itertools import groupby
-from typing import Literal, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, Literal, NamedTuple, TypeAlias
 
 from kurbel.exact.numerals import Label, Number
 from kurbel.page.quantity import Letter, Quantity, named, words
+
+if TYPE_CHECKING:
+    from kurbel.page.steps import Steps
 
 _NONE = words("")
 _MARK = re.compile(r"\[\^([^\]]+)\]")
@@ -129,7 +132,8 @@ class Table:
     `layout` names the templates' folder, where it is not the key; `templates` is the folder of the user's in
     which that lies, nothing where it is kurbel's. `pause` is the number of rows between small spaces, 0 for
     none; None leaves it to the step of the rows. `variant` is the key with what was asked for beside
-    the defaults of the layout: "kinematics-ratio-1-4". `quantities` are those of its columns.
+    the defaults of the layout: "kinematics-ratio-1-4". `quantities` are those of its columns. An interactive
+    page has `steps`, of which this is the first that is shown.
     """
 
     key: str
@@ -144,6 +148,7 @@ class Table:
     pause: int | None = None
     variant: str = ""
     quantities: tuple[Quantity, ...] = ()
+    steps: Steps | None = None
 
     @property
     def anchor(self) -> str:

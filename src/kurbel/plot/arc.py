@@ -111,13 +111,13 @@ def arc_position(crank: RockerCrank, angle: float) -> Position:
     point = circle(angle)
     turn = float(value(arc_registry()["rocker"], crank, point, floats()))
     side = 1 if crank.curvature > 0 else -1
-    (x, y), rocker = _pivot(crank), float(crank.rocker)
+    (x, y), rocker = arc_pivot(crank), float(crank.rocker)
     across, along = math.sin(math.radians(turn)), math.cos(math.radians(turn))
     head = (x + side * rocker * across, y - side * rocker * along)
     return Position(angle, (point.cosine, point.sine), head, turn)
 
 
-def _pivot(crank: RockerCrank) -> Point:
+def arc_pivot(crank: RockerCrank) -> Point:
     ratio, curvature, offset, shift = map(float, crank.figures(OUT, floats()))
     return 1 / ratio + shift, offset + 1 / curvature
 
@@ -131,16 +131,16 @@ def _drive(crank: RockerCrank) -> _Drive:
         )
     inner = arc_position(crank, float(crank.dead_angle(OUT, floats())))
     outer = arc_position(crank, 180 + float(crank.dead_angle(RETURN, floats())))
-    pivot = _pivot(crank)
-    swept = [polar_point(pivot, float(crank.rocker), turn) for turn in _swept(pivot, inner.head, outer.head)]
-    corners = [pivot, *swept, (-1.0, -1.0), (1.0, 1.0)]
+    pivot = arc_pivot(crank)
+    arc = [polar_point(pivot, float(crank.rocker), turn) for turn in swept(pivot, inner.head, outer.head)]
+    corners = [pivot, *arc, (-1.0, -1.0), (1.0, 1.0)]
     if not crank.at_end:
-        corners += [(2 * pivot[0] - x, 2 * pivot[1] - y) for x, y in swept]
+        corners += [(2 * pivot[0] - x, 2 * pivot[1] - y) for x, y in arc]
     low, high = ((end(x for x, _ in corners), end(y for _, y in corners)) for end in (min, max))
     return _Drive(pivot, float(crank.rocker), crank.letter, not crank.at_end, inner, outer, low, high)
 
 
-def _swept(pivot: Point, start: Point, end: Point) -> list[float]:
+def swept(pivot: Point, start: Point, end: Point) -> list[float]:
     """Return directions from the pivot to places of the arc between two, in degrees, rising."""
     first, last = (math.degrees(math.atan2(y - pivot[1], x - pivot[0])) for x, y in (start, end))
     turn = (last - first + 180) % 360 - 180
@@ -172,7 +172,7 @@ def _fixed_lines(sketch: Sketch, drive: _Drive) -> None:
     sketch.centre_line((-beyond, 0), (0, 0), (drive.high[0] + 4 * mm, 0))
     sketch.centre_line((x, y + sketch.side * 4 * mm), (x, y), (x, _lowest(sketch, drive)))
     sketch.crank_circle()
-    turns = _swept(drive.pivot, drive.inner.head, drive.outer.head)
+    turns = swept(drive.pivot, drive.inner.head, drive.outer.head)
     more = math.degrees(OVERRUN * mm / drive.rocker)
     path = [
         polar_point(drive.pivot, drive.rocker, one) for one in (turns[0] - more, *turns, turns[-1] + more)
@@ -226,7 +226,7 @@ def _rocker_angle(sketch: Sketch, drive: _Drive, one: Position) -> None:
 def _path(sketch: Sketch, drive: _Drive, one: Position) -> None:
     """Draw the path x outside of the arc, from the inner dead centre."""
     mm = sketch.mm
-    turns = _swept(drive.pivot, drive.inner.head, one.head)
+    turns = swept(drive.pivot, drive.inner.head, one.head)
     if math.radians(turns[-1] - turns[0]) * drive.rocker < 5 * mm:
         return
     radius = drive.rocker + OUTWARD * mm

@@ -13,4 +13,5 @@ FORMAT = PageFormat(
     usual=True,
     marked=True,
     draws=True,
+    interactive=True,
 )

@@ -1,4 +1,5 @@
-"""The handbook as one HTML page that needs nothing else: no script, no font, no picture from elsewhere."""
+"""The handbook as one HTML page that needs nothing else: no font, no picture from elsewhere, and no script
+but that of interactive tables."""
 
 from __future__ import annotations
 
@@ -8,6 +9,7 @@ from typing import NamedTuple
 
 from kurbel.documents.document import Chapter, Item
 from kurbel.formats.documents import DocumentMaker
+from kurbel.formats.html.live.pages import live_in, of_each_step
 from kurbel.formats.html.svg import inline
 from kurbel.formats.html.writer import panelled
 
@@ -65,6 +67,7 @@ class Maker(DocumentMaker):
             "head": css_string(title),
             "sections": values["chapters"],
             "words": {**values["words"], **WORDS[self.document.lang]},
+            "live": next(filter(None, map(live_in, self.fragments.values())), None),
         }
         return {NAME: self.filled("handbook", values)}
 
@@ -87,7 +90,7 @@ class Maker(DocumentMaker):
     def part(self, item: Item) -> Part:
         target, number, fragment = self.label(item), self.number(item), self.fragments[item.name]
         if item.kind == "table":
-            content = panelled(_numbered(_REMARK.sub("", fragment), target))
+            content = of_each_step(_REMARK.sub("", fragment), lambda page: panelled(_numbered(page, target)))
         else:
             title = f"{number}: {self.plain(item.caption, item.lang)}"
             content = inline(fragment, target, title, own_page=True)

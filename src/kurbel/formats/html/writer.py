@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from zlib import crc32
 
 from kurbel.formats.formula import has_bar, mathml
+from kurbel.formats.html.live.pages import live_in, of_each_step
 from kurbel.formats.html.words import OTHERS, WIDTHS, WORDS
 from kurbel.formats.spacing import Room, overhangs
 from kurbel.formats.writer import PageWriter
@@ -19,6 +20,7 @@ from kurbel.page.table import HeadCell
 
 if TYPE_CHECKING:
     from kurbel.formats.page import PageCell, PageGroup, PagePanel
+    from kurbel.page.table import Table
 
 
 class Writer(PageWriter):
@@ -38,7 +40,18 @@ class Writer(PageWriter):
         return beside(label)
 
     def filters(self) -> Mapping[str, Callable[..., Any]]:
-        return {"heads": Heads, "hyphenated": hyphenated, "measures": measures, "panelled": panelled}
+        return {
+            "heads": Heads,
+            "hyphenated": hyphenated,
+            "measures": measures,
+            "panelled": panelled,
+            "live": live_in,
+        }
+
+    def stepped(self, table: Table, fragment: str, page: Callable[[Table], str], mark: str) -> dict[str, Any]:
+        from kurbel.formats.html.live.block import block
+
+        return block(table, fragment, page, self, mark)
 
     def drawing(self, svg: str, name: str, title: str) -> str:
         from kurbel.formats.html.svg import inline
@@ -168,11 +181,11 @@ _MARK = 1.0
 
 def panelled(page: str) -> str:
     """Return a page with panels for telephones after each table that needs them."""
-    if '"scroll broad"' not in page:
+    if "scroll broad" not in page:
         return page
     from kurbel.formats.html.narrow import with_panels
 
-    return with_panels(page)
+    return of_each_step(page, with_panels)
 
 
 class Widths(NamedTuple):

@@ -39,6 +39,7 @@ class RockerMechanism(LinkageMechanism):
     loads = (FORCE, MASSES, STEAM, CARD, COMPRESSOR, PUMP, GAS)
     motion = (("path", "path"), ("velocity", "velocity"), ("acceleration", "acceleration"))
     drawing = "kurbel.plot.drawings:arc_drawing"
+    moving = "kurbel.plot.moving.rocker:rocker_scene"
     speech: ClassVar[Speech]
     names: ClassVar[Mapping[str, str]]
 

@@ -1,0 +1,133 @@
+"""Which options of a page are sliders, and what their steps are."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from itertools import product
+from math import prod
+from typing import Any, NamedTuple
+
+from kurbel.commands.options import Parameter, is_given
+from kurbel.errors import NotationError, ProblemError
+from kurbel.exact.numerals import Label, ratio_text
+from kurbel.page.quantity import Words, words
+from kurbel.page.steps import Slider
+from kurbel.reading import notation
+from kurbel.reading.given import as_numbers, as_ratios
+from kurbel.reading.notation import plain
+
+# Two hundred pages of the usual size are some seconds and about half a megabyte.
+MOST_STEPS = 1000
+RATIOS = tuple(Fraction(2, length) for length in range(6, 13))
+"""1:3 to 1:6, by half radii of the rod: the steps where nothing is said of the ratio."""
+# What can be chosen, by the names of options.
+WORDS: Mapping[str, Words] = {
+    "ratio": words("Kurbelverhältnis ${ratio}$|Crank ratio ${ratio}$"),
+    "offset": words("Schränkung $e/R$|Offset $e/R$"),
+    "rocker": words("Schwinge $B/R$|Rocker $B/R$"),
+    "beam": words("Balancierarm $a/R$|Beam arm $a/R$"),
+    "eps": words("Expansionsverhältnis $ε$|Expansion ratio $ε$"),
+    "back": words("Gegendruck|Back pressure"),
+    "exponent": words("Exponent $n$|Exponent $n$"),
+    "clearance": words("Schädlicher Raum|Clearance"),
+    "pressure": words("Dampfdruck|Steam pressure"),
+    "force": words("Kolbenkraft $F$|Piston force $F$"),
+    "stroke": words("Hub|Stroke"),
+    "rod": words("Schubstange $L$|Connecting rod $L$"),
+    "bore": words("Bohrung|Bore"),
+    "speed": words("Drehzahl|Speed"),
+    "reciprocating": words("Hin- und hergehende Masse|Reciprocating mass"),
+    "acceleration": words("Winkelbeschleunigung der Kurbel|Angular acceleration of the crank"),
+    "flywheel": words("Schwungrad|Flywheel"),
+}
+
+
+class Choice(NamedTuple):
+    """An option that is a slider: its values as the command takes them, and how each is written."""
+
+    name: str
+    values: tuple[Any, ...]
+    texts: tuple[Label, ...]
+    start: int = 0
+
+    def slider(self, lang: str, ratio: Label) -> Slider:
+        """Return it as pages of a language show it, which write the ratio so."""
+        label = WORDS[self.name][lang].replace("{ratio}", ratio)
+        return Slider(self.name, label, self.texts, self.start)
+
+
+def choices(parameters: Mapping[str, Parameter], values: Mapping[str, Any]) -> list[Choice]:
+    """Return the sliders of a command's values: the options that have several. Raises KurbelError for what
+    cannot be read.
+
+    Expansion ratios are steps of a page over the crank angle, and the rows of others.
+    """
+    known = {one.name: one for one in parameters.values()}
+    names = [name for name in WORDS if name in known and is_given(values.get(name))]
+    return [choice for name in names if (choice := _choice(name, known, values[name]))]
+
+
+def with_ratios(
+    found: Sequence[Choice],
+    values: Mapping[str, Any],
+    own: Sequence[Fraction],
+    turns: Callable[[Fraction], bool],
+) -> list[Choice]:
+    """Return the same with the ratio where nothing is said of it and the page has some of its own: if it has
+    one, the usual ones around it with which the drive `turns`."""
+    if not own or any(is_given(values.get(name)) for name in ("ratio", "rod")):
+        return list(found)
+    if len(own) > 1:
+        return [_of_ratios(own), *found]
+    ratios = sorted({own[0], *filter(turns, RATIOS)}, reverse=True)
+    return [_of_ratios(ratios)._replace(start=ratios.index(own[0])), *found]
+
+
+def check_count(found: Sequence[Choice]) -> None:
+    """Raise ProblemError for too many steps."""
+    if (count := prod(len(one.values) for one in found)) > MOST_STEPS:
+        said = " x ".join(f"{len(one.values)} of --{one.name}" for one in found)
+        raise ProblemError(
+            f"an interactive page of {count} steps ({said}) is too large; at most {MOST_STEPS} are allowed,"
+            " so give fewer values, such as a range with a wider step"
+        )
+
+
+def steps(found: Sequence[Choice]) -> Iterator[tuple[dict[str, Any], str]]:
+    """Yield the values of each step by their options, and the step in words."""
+    for places in product(*(range(len(one.values)) for one in found)):
+        chosen = list(zip(found, places, strict=True))
+        said = ", ".join(f"--{one.name} {one.texts[place].strip('$')}" for one, place in chosen)
+        yield {one.name: one.values[place] for one, place in chosen}, said
+
+
+def _of_ratios(ratios: Sequence[Fraction]) -> Choice:
+    return Choice("ratio", tuple(ratios), tuple(f"${ratio_text(one)}$" for one in ratios))
+
+
+def _choice(name: str, known: Mapping[str, Parameter], given: Any) -> Choice | None:
+    """Return a slider, nothing for one value."""
+    if name == "ratio":
+        ratios = as_ratios(given)
+        return _of_ratios(ratios) if len(ratios) > 1 else None
+    if known[name].option.many and not (name == "eps" and "angle" in known):
+        return None
+    if not isinstance(given, str | list | tuple):
+        return None
+    texts = [given] if isinstance(given, str) else list(given)
+    if not any(isinstance(one, str) and (";" in one or ".." in one) for one in texts) and len(texts) < 2:
+        return None
+    if name == "eps" or any(".." in str(one) for one in texts):
+        numbers = as_numbers(given, name)
+        return Choice(name, numbers, tuple(f"${plain(one)}$" for one in numbers)) if numbers[1:] else None
+    parts = tuple(dict.fromkeys(part.strip() for one in texts for part in str(one).split(";")))
+    return Choice(name, parts, tuple(map(_written, parts)))
+
+
+def _written(text: str) -> Label:
+    """Return a value as pages write it: a number as such, a measure as it was given."""
+    try:
+        return f"${plain(notation.number(text))}$"
+    except NotationError:
+        return text.replace("$", "")
