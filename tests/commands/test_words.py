@@ -49,7 +49,17 @@ PLOTS: Sequence[Callable[..., Any]] = (
     kurbel.plot_pressures,
     kurbel.plot_turning,
 )
-ONLY_TYPED = {"machine", "format", "output", "decimal", "standalone", "longtable", "siunitx", "strict"}
+ONLY_TYPED = {
+    "machine",
+    "format",
+    "output",
+    "decimal",
+    "standalone",
+    "longtable",
+    "siunitx",
+    "strict",
+    "interactive",
+}
 
 
 @pytest.mark.parametrize("name", TABLES)

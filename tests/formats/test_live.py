@@ -36,13 +36,22 @@ def static(*words: str) -> str:
 
 # A command with all that it needs, and its options with their steps.
 PAGES = [
-    ("table --label a --angle 0;90;205", {"ratio": ["1:4", "1:4.5"], "offset": ["0", "0.25", "-0.5"]}),
-    (
+    ("table --label a --angle 205", {"ratio": ["1:4", "1:4.5"], "offset": ["0.25", "-0.5"]}),
+    pytest.param(
         "table --label a --mechanism arc --angle 20 --lang en",
         {"ratio": ["1:4", "1:5"], "rocker": ["5", "6.5"]},
+        marks=pytest.mark.slow,
     ),
-    ("turning --label a --angle 0;30;60", {"ratio": ["1:4", "1:∞"], "eps": ["2", "4"]}),
-    ("delta --label a --eps 2..3 --decimal point", {"ratio": ["1:4", "1:5"], "clearance": ["1%", "5%"]}),
+    pytest.param(
+        "turning --label a --angle 0;30;60",
+        {"ratio": ["1:4", "1:∞"], "eps": ["2", "4"]},
+        marks=pytest.mark.slow,
+    ),
+    pytest.param(
+        "delta --label a --eps 2..3 --decimal point",
+        {"ratio": ["1:4", "1:5"], "clearance": ["1%", "5%"]},
+        marks=pytest.mark.slow,
+    ),
 ]
 
 

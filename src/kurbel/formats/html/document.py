@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from kurbel.documents.document import Chapter, Item
 from kurbel.formats.documents import DocumentMaker
-from kurbel.formats.html.live.pages import live_in, of_each_step
+from kurbel.formats.html.live.pages import LIVE, live_in, of_each_step
 from kurbel.formats.html.svg import inline
 from kurbel.formats.html.writer import panelled
 
@@ -67,7 +67,7 @@ class Maker(DocumentMaker):
             "head": css_string(title),
             "sections": values["chapters"],
             "words": {**values["words"], **WORDS[self.document.lang]},
-            "live": next(filter(None, map(live_in, self.fragments.values())), None),
+            "live": live_in(LIVE) if any(LIVE in one for one in self.fragments.values()) else None,
         }
         return {NAME: self.filled("handbook", values)}
 
@@ -90,7 +90,11 @@ class Maker(DocumentMaker):
     def part(self, item: Item) -> Part:
         target, number, fragment = self.label(item), self.number(item), self.fragments[item.name]
         if item.kind == "table":
-            content = of_each_step(_REMARK.sub("", fragment), lambda page: panelled(_numbered(page, target)))
+            bare = _REMARK.sub("", fragment)
+            if LIVE in fragment:
+                content = of_each_step(bare, lambda page: panelled(_numbered(page, target)))
+            else:
+                content = panelled(_numbered(bare, target))
         else:
             title = f"{number}: {self.plain(item.caption, item.lang)}"
             content = inline(fragment, target, title, own_page=True)
