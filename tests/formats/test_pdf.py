@@ -7,8 +7,10 @@ import json
 import os
 import pty
 import re
+import socketserver
 import subprocess
 import sys
+import threading
 from collections.abc import Callable
 from pathlib import Path
 
@@ -22,11 +24,12 @@ from verapdf import validate
 
 import kurbel
 from kurbel.formats.pdf import STANDARDS, Standard
-from kurbel.formats.pdf.by_typst import FONTS, LETTERS, compile_typst
+from kurbel.formats.pdf.by_typst import FONTS, LETTERS, compile_typst, offline
 from kurbel.reading.extras import how_to_install
 
 require_library("typst")
 HELP = "see kurbel table --help"
+NO_PACKAGES = "it imports a package (@...); packages come from the network and are not used"
 # Dates in the old dictionary and in the XML of a PDF.
 _DATE = re.compile(rb"(?:Creation|Mod)Date\(D:(\d{14})|<xmp:(?:Create|Modify)Date>([^<]+)")
 
@@ -145,7 +148,7 @@ def test_without_the_extra_a_sentence_says_what_to_install(
         ),
         (
             lambda: compile_typst('#import "@preview/x:1.0.0": *'),
-            "a document imports a package (@...); packages come from the network and are not used",
+            f"Typst cannot set the document, line 1: {NO_PACKAGES}",
         ),
     ],
 )
@@ -180,6 +183,49 @@ def test_a_document_reads_the_files_of_its_folder_and_no_others(tmp_path: Path) 
         with pytest.raises(kurbel.KurbelError) as caught:
             compile_typst(source, root=kind)
         assert str(caught.value).startswith(start)
+
+
+def test_nothing_that_a_document_includes_reaches_the_network(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    import typst
+
+    (tmp_path / "plain.typ").write_text('\n#import "@preview/x:1.0.0": *')
+    (tmp_path / "built.typ").write_text('#import ("@pre" + "view/x:1.0.0"): *')
+    package = tmp_path / "data/typst/packages/local/own/1.0.0"
+    package.mkdir(parents=True)
+    (package / "typst.toml").write_text(
+        '[package]\nname = "own"\nversion = "1.0.0"\nentrypoint = "own.typ"\n'
+    )
+    (package / "own.typ").write_text("Text")
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
+    asked: list[object] = []
+
+    class Refused(socketserver.BaseRequestHandler):
+        def handle(self) -> None:
+            asked.append(self.request.recv(100))
+
+    with socketserver.ThreadingTCPServer(("127.0.0.1", 0), Refused) as listening:
+        threading.Thread(target=listening.serve_forever, args=[0.01], daemon=True).start()
+        # The way out of this machine, for those who have no other.
+        proxy = f"http://127.0.0.1:{listening.server_address[1]}"
+        monkeypatch.setenv("HTTPS_PROXY", proxy)
+        monkeypatch.setenv("NO_PROXY", "localhost")
+        for source, place in (
+            ('#include "plain.typ"', "plain.typ, line 2"),
+            ('#include "built.typ"', "built.typ, line 1"),
+            ('#import "@local/own:1.0.0"', "line 1"),
+        ):
+            with pytest.raises(kurbel.KurbelError) as caught:
+                compile_typst(source, root=str(tmp_path))
+            assert str(caught.value) == f"Typst cannot set the document, {place}: {NO_PACKAGES}"
+        # Not even a name was looked up: Typst has no such proxies.
+        with offline(), pytest.raises(typst.TypstError, match="SOCKS"):
+            typst.compile(b'#import "@preview/x:1.0.0"', package_path=tmp_path, package_cache_path=tmp_path)
+        listening.shutdown()
+    assert asked == []
+    # Programs that are started later have the proxy again.
+    assert subprocess.run(["env"], capture_output=True, text=True, check=True).stdout.count(proxy) == 1
 
 
 def structure(made: bytes, folder: Path) -> list[str]:

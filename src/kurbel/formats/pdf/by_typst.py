@@ -1,7 +1,8 @@
 """PDF by Typst, a compiler that comes as a Python package. Needs the extra `pdf`.
 
 The same source is the same bytes on every day, in every time zone, locale and folder, given one version of
-the package: only the fonts that it and kurbel bring along are used, and no clock is read.
+the package: only the fonts that it and kurbel bring along are used, no clock is read, and no Typst package is
+found here or fetched, whatever a template of one's own writes.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ import os
 import re
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, nullcontext
+from threading import Lock
 
 import kurbel.formats.typst
 from kurbel.errors import LayoutError, NotationError, OutputError, ProblemError
@@ -23,8 +25,17 @@ FONTS = os.path.join(os.path.dirname(kurbel.formats.typst.__file__), "fonts")
 LETTERS = "Libertinus Math"
 # The last second of the year 9999, with which dates in a PDF end.
 LAST = 253402300799
-# Fetched from the network, another time perhaps another one.
-_PACKAGE = re.compile(r'\b(?:import|include)\s*\(?\s*"@')
+# Below a file there are no folders: no package lies here, and none can be put here.
+_NO_PACKAGES = os.path.join(os.path.abspath(__file__), "packages")
+# Typst has no switch against its fetching of packages, but it asks these variables for a proxy. One of this
+# kind is refused before anything is opened, and no program can listen at port 0.
+_PROXIES = {
+    **dict.fromkeys(("https_proxy", "HTTPS_PROXY"), "socks4://127.0.0.1:0"),
+    "no_proxy": "",
+    "NO_PROXY": "",
+}
+_OFFLINE = Lock()
+_OF_PACKAGES = re.compile(r"package not found|failed to download package")
 _UNDATED = "#set document(date: none)\n"
 _PLACE = re.compile(r"┌─ (.+):([0-9]+):[0-9]+$", re.MULTILINE)
 # What the compiler calls a document that is no file.
@@ -56,7 +67,7 @@ def compile_typst(source: str, *, root: str | None = None, standards: Sequence[S
     """
     from tempfile import TemporaryDirectory
 
-    _check(source, standards)
+    _check(standards)
     epoch = source_date_epoch()
     undated = epoch is None and not any(name.startswith("a-") for name in standards)
     if root is not None and not os.path.isdir(root):
@@ -69,13 +80,21 @@ def compile_typst(source: str, *, root: str | None = None, standards: Sequence[S
 
         document = (_UNDATED * undated + source).encode()
         fonts = Fonts(include_system_fonts=False, font_paths=[FONTS])
-        compiler = Compiler(document, root=folder, font_paths=fonts, sys_inputs={"letters": LETTERS})
-        made = compiler.compile(format="pdf", pdf_standards=list(standards), timestamp=epoch or 0)
+        compiler = Compiler(
+            document,
+            root=folder,
+            font_paths=fonts,
+            sys_inputs={"letters": LETTERS},
+            package_path=_NO_PACKAGES,
+            package_cache_path=_NO_PACKAGES,
+        )
+        with offline():
+            made = compiler.compile(format="pdf", pdf_standards=list(standards), timestamp=epoch or 0)
     assert isinstance(made, bytes)
     return with_row_headers(made)
 
 
-def _check(source: str, standards: Sequence[Standard]) -> None:
+def _check(standards: Sequence[Standard]) -> None:
     unknown = [name for name in standards if name not in STANDARDS]
     if unknown:
         raise ProblemError(f"PDF standard is {unknown[0]!r}; it must be one of {', '.join(STANDARDS)}")
@@ -83,10 +102,26 @@ def _check(source: str, standards: Sequence[Standard]) -> None:
         raise ProblemError(
             f"PDF standards are {', '.join(standards)}; only one of them may be a PDF/A (a-...)"
         )
-    if _PACKAGE.search(source):
-        raise LayoutError(
-            "a document imports a package (@...); packages come from the network and are not used"
-        )
+
+
+@contextmanager
+def offline() -> Iterator[None]:
+    """Keep Typst from the network.
+
+    The variables are those of the process, which Python knows nothing of: other threads' requests have the
+    proxy that they had.
+    """
+    with _OFFLINE:
+        for name, value in _PROXIES.items():
+            os.putenv(name, value)
+        try:
+            yield
+        finally:
+            for name in _PROXIES:
+                if name in os.environ:
+                    os.putenv(name, os.environ[name])
+                else:
+                    os.unsetenv(name)
 
 
 def source_date_epoch() -> int | None:
@@ -113,6 +148,8 @@ def _mistakes_as_sentences(folder: str, lines_before: int) -> Iterator[None]:
         yield
     except TypstError as error:
         mistake = " ".join(error.message.split())
+        if _OF_PACKAGES.match(mistake):
+            mistake = "it imports a package (@...); packages come from the network and are not used"
         where = _place(error.diagnostic, folder, lines_before)
         raise LayoutError(f"Typst cannot set the document{where}: {mistake}") from None
 
