@@ -73,6 +73,14 @@ def reader(folder: Path) -> Path:
     return folder
 
 
+def after(page: Path, folder: Path) -> Path:
+    """Return a folder in which all has been done that a page says."""
+    folder = reader(folder / "typed")
+    for part in PART.finditer(page.read_text(encoding="utf-8")):
+        done(part, folder)
+    return folder
+
+
 def with_blocks(kind: str) -> pytest.MarkDecorator:
     """Return the pages that have such blocks, as what a test is tried with."""
     found = [page for page in PAGES if f"```{kind}\n" in page.read_text(encoding="utf-8")]
@@ -151,9 +159,7 @@ TYPED_ELSEWHERE = {
     ids=lambda page: page.name,
 )
 def test_every_line_for_the_shell_runs(page: Path, tmp_path: Path) -> None:
-    folder, script = reader(tmp_path / "typed"), for_the_shell(page)
-    for part in PART.finditer(page.read_text(encoding="utf-8")):
-        done(part, folder)
+    folder, script = after(page, tmp_path), for_the_shell(page)
     if "pdflatex" in script:
         require("pdflatex")
     environment = {name: text for name, text in os.environ.items() if "KURBEL" not in name}
@@ -165,11 +171,19 @@ def test_every_line_for_the_shell_runs(page: Path, tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("page", ["tutorial.md", "anleitung.md", "howto/latex.md"])
-def test_a_document_of_a_page_compiles_without_a_complaint(page: str, tmp_path: Path) -> None:
-    folder, name = written(DOCS / page, "latex", tmp_path)
+@pytest.mark.parametrize(
+    ("page", "name"),
+    [
+        ("tutorial.md", "notes.tex"),
+        ("anleitung.md", "bericht.tex"),
+        ("howto/latex.md", "paper.tex"),
+        ("howto/latex.md", "book.tex"),
+    ],
+)
+def test_a_document_of_a_page_compiles_without_a_complaint(page: str, name: str, tmp_path: Path) -> None:
+    folder = after(DOCS / page, tmp_path)
     document = (folder / name).read_text(encoding="utf-8")
-    assert complaints(compiled("pdflatex", document, folder, runs=2)) == []
+    assert complaints(compiled("pdflatex", document, folder, runs=3)) == []
 
 
 @pytest.mark.slow
@@ -177,18 +191,8 @@ def test_the_paper_in_typst_compiles(tmp_path: Path) -> None:
     require_library("typst")
     import typst
 
-    folder, name = written(DOCS / "howto" / "typst.md", "typst", tmp_path)
-    assert typst.compile(str(folder / name), ignore_system_fonts=True).startswith(b"%PDF")
-
-
-def written(page: Path, kind: str, folder: Path) -> tuple[Path, str]:
-    """Do what a page says; return where, and the name of its one document of this kind."""
-    folder = reader(folder / "typed")
-    parts = list(PART.finditer(page.read_text(encoding="utf-8")))
-    for part in parts:
-        done(part, folder)
-    (name,) = [part[3] for part in parts if part[2] == kind and part[3]]
-    return folder, name
+    paper = after(DOCS / "howto" / "typst.md", tmp_path) / "paper.typ"
+    assert typst.compile(str(paper), ignore_system_fonts=True).startswith(b"%PDF")
 
 
 @with_blocks("pycon")
