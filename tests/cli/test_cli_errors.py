@@ -190,7 +190,7 @@ OUTPUTS = [
     (
         ("-o", "x.foo"),
         "the file name 'x.foo' names no format;"
-        " its suffix must be one of .txt, .md, .tex, .html, .htm, .typ, .rst, .pdf, .csv, .dat, .json",
+        " its suffix must be one of .txt, .md, .tex, .html, .htm, .typ, .rst, .pdf, .xlsx, .ods, .csv, .dat, .json",
     ),
 ]
 

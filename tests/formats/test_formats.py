@@ -19,7 +19,7 @@ from kurbel.formats.registry import FORMATS, PageFormat, by_name, for_suffix
 
 def test_every_format_is_found_by_each_of_its_suffixes() -> None:
     suffixes = [suffix for entry in FORMATS.values() for suffix in entry.suffixes]
-    assert len(suffixes) == len(set(suffixes)) == 11
+    assert len(suffixes) == len(set(suffixes)) == 13
     for entry in FORMATS.values():
         for suffix in entry.suffixes:
             assert for_suffix(f"a.b{suffix.upper()}") is entry
@@ -39,13 +39,14 @@ def test_unknown_choices_are_sentences() -> None:
     with pytest.raises(ChoiceError) as caught:
         by_name("docx")
     assert str(caught.value) == (
-        "format is 'docx'; it must be one of text, markdown, latex, html, typst, rst, pdf, csv, dat, json"
+        "format is 'docx'; it must be one of text, markdown, latex, html, typst, rst, pdf, xlsx, ods, csv,"
+        " dat, json"
     )
     with pytest.raises(ChoiceError) as caught:
         for_suffix("out/page.docx")
     assert str(caught.value) == (
         "the file name 'out/page.docx' names no format; its suffix must be one of"
-        " .txt, .md, .tex, .html, .htm, .typ, .rst, .pdf, .csv, .dat, .json"
+        " .txt, .md, .tex, .html, .htm, .typ, .rst, .pdf, .xlsx, .ods, .csv, .dat, .json"
     )
     with pytest.raises(ChoiceError) as caught:
         by_name("text").decimal_mark("de", "semicolon")
@@ -190,4 +191,4 @@ def test_a_folder_of_which_no_format_is_made_is_named_in_one_sentence(
 
 def test_a_format_elsewhere_is_gone_with_its_folder() -> None:
     assert "tabs" not in FORMATS
-    assert len(FORMATS) == 10
+    assert len(FORMATS) == 12

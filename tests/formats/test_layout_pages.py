@@ -23,7 +23,7 @@ from pages import (
 )  # fmt: skip
 from places import GOLDEN
 
-from kurbel.formats.registry import FORMATS
+from kurbel.formats.registry import FORMATS, BytesFormat
 from kurbel.formats.render import render
 from kurbel.page.layouts import LANGUAGES, layout_names
 
@@ -88,7 +88,11 @@ OTHERS = {
 }
 # A page whose cells are not all alike: angles beside numbers, a note, units and places without a value.
 RICH = "delta-detail"
-SUFFIXES = {entry.suffixes[0]: name for name, entry in FORMATS.items() if name not in ("text", "csv", "pdf")}
+SUFFIXES = {
+    entry.suffixes[0]: name
+    for name, entry in FORMATS.items()
+    if name not in ("text", "csv") and not isinstance(entry, BytesFormat)
+}
 PAGES = {
     **{
         f"{name}.{lang}.txt": (*command(name), *ROWS.get(name, ()), f"--lang={lang}")

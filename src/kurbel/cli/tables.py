@@ -30,7 +30,7 @@ from kurbel.cli.options import (
 )
 from kurbel.commands.subject import Command
 from kurbel.errors import ProblemError
-from kurbel.formats.registry import DEFAULT, FORMATS, CompiledFormat, Format, RecordsFormat, for_suffix
+from kurbel.formats.registry import DEFAULT, FORMATS, BytesFormat, Format, RecordsFormat, for_suffix
 from kurbel.page.table import Table
 
 if TYPE_CHECKING:
@@ -199,8 +199,10 @@ class Printing(NamedTuple):
 
     def _rendered(self, table: Table) -> Iterator[bytes]:
         form, output, decimal, standalone, longtable, siunitx = self
-        if isinstance(form, CompiledFormat):
-            yield form.writer.compiled(table, decimal)
+        if isinstance(form, BytesFormat):
+            yield form.content(table, decimal)
+            for remark in form.remarks(table, True):
+                say(remark)
             return
         from kurbel.formats.render import render
 
@@ -230,10 +232,11 @@ def _format(given: Given) -> Format:
     if not output:
         raise click.UsageError("--output names no file; - is standard output.")
     chosen = FORMATS[named or DEFAULT] if output == "-" or given.typed("format") else for_suffix(output)
-    if chosen.kind == "compiled" and output == "-" and sys.stdout.isatty():
+    of_bytes = isinstance(chosen, BytesFormat)
+    if of_bytes and output == "-" and sys.stdout.isatty():
         name = chosen.name
         raise click.UsageError(f"a terminal shows no {name}; name a file, such as -o kurbel.{name}")
-    if given.typed("standalone") and chosen.kind != "compiled" and not chosen.standalone:
+    if given.typed("standalone") and not of_bytes and not chosen.standalone:
         *documents, last = (name for name, entry in FORMATS.items() if entry.standalone)
         raise click.UsageError(
             f"--standalone is for {', '.join(documents)} and {last}; {chosen.name} has no documents."

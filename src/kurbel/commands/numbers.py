@@ -114,7 +114,7 @@ def typeset(
     longtable: bool = False,
     siunitx: bool = False,
 ) -> str:
-    """Return the page in a format: text, markdown, latex, html, typst, csv, dat or json; no PDF.
+    """Return the page in a format: text, markdown, latex, html, typst, csv, dat or json; no PDF or workbook.
 
     `decimal` is "comma" or "point", by default the mark of the page's language (point in CSV and JSON);
     `standalone` gives a whole document (LaTeX, HTML, Typst), `longtable` a LaTeX longtable, `siunitx` leaves

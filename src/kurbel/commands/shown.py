@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from kurbel.commands import frames
 from kurbel.exact.numerals import DECIMAL_OF_LANGUAGE, DECIMALS
-from kurbel.formats.registry import DEFAULT, CompiledFormat, for_suffix
+from kurbel.formats.registry import DEFAULT, BytesFormat, for_suffix
 from kurbel.page.labels import plain
 from kurbel.page.table import Table as Page
 
@@ -69,8 +69,8 @@ class Table(Page):
         from kurbel.formats.render import whole_file
 
         form = for_suffix(os.fspath(path))
-        if isinstance(form, CompiledFormat):
-            content = form.writer.compiled(self, decimal)
+        if isinstance(form, BytesFormat):
+            content = form.content(self, decimal)
         else:
             content = self.typeset(
                 form.name, decimal=decimal, standalone=standalone, longtable=longtable, siunitx=siunitx

@@ -7,6 +7,7 @@ written stands in other modules of its folder: see `Format.module`.
 from __future__ import annotations
 
 import os
+from abc import abstractmethod
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache
@@ -19,7 +20,7 @@ from kurbel.exact.numerals import DECIMAL_OF_LANGUAGE, DECIMALS
 
 if TYPE_CHECKING:
     from kurbel.documents.inject import Kind
-    from kurbel.formats.writer import CompiledWriter, PageWriter, RecordsWriter
+    from kurbel.formats.writer import CompiledWriter, PageWriter, RecordsWriter, WorkbookWriter
     from kurbel.page.table import Table
 
 # What is printed where nobody asks for a format.
@@ -37,7 +38,7 @@ class Format:
     `CompiledFormat`.
     """
 
-    kind: ClassVar[Literal["page", "records", "compiled"]]
+    kind: ClassVar[Literal["page", "records", "compiled", "workbook"]]
     name: str
     rank: int
     suffixes: tuple[str, ...]
@@ -110,18 +111,57 @@ class Engine(NamedTuple):
     obeys: bool = False
 
 
-class CompiledFormat(Format):
+class BytesFormat(Format):
+    """A format that is bytes and no text: a file, always a whole document."""
+
+    # What is said where it is asked for as a text.
+    no_text: ClassVar[str]
+
+    @abstractmethod
+    def content(self, table: Table, decimal: str | None) -> bytes:
+        """Return the page as a file."""
+
+
+class CompiledFormat(BytesFormat):
     """A format of bytes, made of the document in another format.
 
     `engines` are, by their names, what can set whole documents; the first does unless another one is named.
     """
 
     kind = "compiled"
+    no_text = "a {name} is bytes and no text; make it with kurbel.typeset_{name}"
 
     @property
     def writer(self) -> CompiledWriter:
         writer: CompiledWriter = self.module("writer").Writer()
         return writer
+
+    def content(self, table: Table, decimal: str | None) -> bytes:
+        return self.writer.compiled(table, decimal)
+
+
+class WorkbookFormat(BytesFormat):
+    """A format of spreadsheets: a workbook of sheets."""
+
+    kind = "workbook"
+    no_text = (
+        "a workbook is bytes and no text; write it with the method save of a table: save('table.{name}')"
+    )
+
+    @property
+    def writer(self) -> WorkbookWriter:
+        writer: WorkbookWriter = self.module("writer").Writer()
+        return writer
+
+    def content(self, table: Table, decimal: str | None) -> bytes:
+        from kurbel.formats.workbook import table_workbook
+
+        return self.writer.written(table_workbook(table, self.decimal_name(table.lang, decimal)))
+
+    def remarks(self, table: Table, breaks: bool) -> Iterator[str]:
+        from kurbel.formats.workbook import remarks
+
+        yield from remarks(table)
 
 
 class PageFormat(Format):

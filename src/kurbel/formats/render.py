@@ -19,7 +19,7 @@ from functools import cache, partial
 from typing import TYPE_CHECKING, BinaryIO
 
 from kurbel.errors import ChoiceError, OutputError
-from kurbel.formats.registry import PageFormat, RecordsFormat, by_name
+from kurbel.formats.registry import BytesFormat, PageFormat, RecordsFormat, by_name
 from kurbel.page.labels import plain
 from kurbel.page.layouts import template_folder
 from kurbel.page.table import Table
@@ -62,7 +62,8 @@ def render(
     if isinstance(form, RecordsFormat):
         return "".join(form.writer.rows(table, form.decimal_name(table.lang, decimal)))
     if not isinstance(form, PageFormat):
-        raise ChoiceError(f"a {form.name} is bytes and no text; make it with kurbel.typeset_{form.name}")
+        assert isinstance(form, BytesFormat)
+        raise ChoiceError(form.no_text.format(name=form.name))
     from kurbel.formats.page import page
     from kurbel.formats.writer import Wishes
 

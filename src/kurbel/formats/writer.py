@@ -17,6 +17,7 @@ from kurbel.page.table import HeadCell, Table
 if TYPE_CHECKING:
     from kurbel.formats.columns import Field
     from kurbel.formats.page import Page, PagePanel
+    from kurbel.formats.sheet import Workbook
 
 # Called with the decimal mark, yields the columns of each chunk by their names.
 Chunks = Callable[[str], Iterator[Mapping[str, "Field"]]]
@@ -44,6 +45,14 @@ class CompiledWriter(ABC):
     @abstractmethod
     def whole(self, folder: str, engine: str, standards: Sequence[str], read: Callable[[str], str]) -> bytes:
         """Return the handbook whose documents lie in the folder; `read` returns one of them as text."""
+
+
+class WorkbookWriter(ABC):
+    """Writes workbooks."""
+
+    @abstractmethod
+    def written(self, book: Workbook) -> bytes:
+        """Return the workbook as a file."""
 
 
 class Wishes(NamedTuple):

@@ -14,17 +14,15 @@ from contextlib import contextmanager, nullcontext
 from threading import Lock
 
 import kurbel.formats.typst
-from kurbel.errors import LayoutError, NotationError, OutputError, ProblemError
+from kurbel.errors import LayoutError, OutputError, ProblemError
 from kurbel.formats.pdf import STANDARDS, Standard
 from kurbel.formats.pdf.tagged import with_row_headers
 from kurbel.page.table import Table
+from kurbel.reading.dates import source_date_epoch
 
-EPOCH = "SOURCE_DATE_EPOCH"
 # Beside those that the package brings along: the letters of formulas, of the family of the text.
 FONTS = os.path.join(os.path.dirname(kurbel.formats.typst.__file__), "fonts")
 LETTERS = "Libertinus Math"
-# The last second of the year 9999, with which dates in a PDF end.
-LAST = 253402300799
 # Below a file there are no folders: no package lies here, and none can be put here.
 _NO_PACKAGES = os.path.join(os.path.abspath(__file__), "packages")
 # Typst has no switch against its fetching of packages, but it asks these variables for a proxy. One of this
@@ -122,18 +120,6 @@ def offline() -> Iterator[None]:
                     os.putenv(name, os.environ[name])
                 else:
                     os.unsetenv(name)
-
-
-def source_date_epoch() -> int | None:
-    """Return the date that the environment sets for what is made, in seconds since 1970, if it does."""
-    text = os.environ.get(EPOCH, "")
-    if not text:
-        return None
-    if not (text.isascii() and text.isdigit() and int(text[:20]) <= LAST):
-        raise NotationError(
-            f'{EPOCH} is "{text[:40]}"; it must be a number of seconds from 1970 up to the year 9999'
-        )
-    return int(text)
 
 
 @contextmanager

@@ -6,9 +6,10 @@ from collections.abc import Callable, Sequence
 from typing import cast
 
 from kurbel.formats.pdf import FORMAT, Standard
-from kurbel.formats.pdf.by_typst import compile_typst, source_date_epoch, typeset_pdf
+from kurbel.formats.pdf.by_typst import compile_typst, typeset_pdf
 from kurbel.formats.writer import CompiledWriter
 from kurbel.page.table import Table
+from kurbel.reading.dates import source_date_epoch
 
 
 class Writer(CompiledWriter):

@@ -9,6 +9,7 @@ from kurbel.documents import prose
 from kurbel.exact.numerals import Label
 from kurbel.handbook.matter.inlines import inlines, text
 from kurbel.page.quantity import words
+from kurbel.reading.dates import source_date_epoch
 
 MONTHS = tuple(
     map(
@@ -68,8 +69,6 @@ def colophon(
 
 def day_of(given: date | None) -> date | None:
     """Return the day that the manifest names, else that of SOURCE_DATE_EPOCH; never that of the clock."""
-    from kurbel.formats.pdf.by_typst import source_date_epoch
-
     if given:
         return given
     epoch = source_date_epoch()

@@ -1,0 +1,130 @@
+"""The looks of cells, columns, rows and sheets as automatic styles of OpenDocument."""
+
+from __future__ import annotations
+
+from html import escape
+
+from kurbel.formats.ods.xml import element
+from kurbel.formats.page import blank
+from kurbel.formats.sheet import Look, Sheet
+
+RULES = {"thin": "0.5pt solid #1c1b19", "heavy": "1.5pt solid #1c1b19"}
+SIZES = {"caption": "11.5pt", "note": "8.5pt", "source": "8.5pt"}
+BOLD = frozenset(("caption", "group", "key"))
+COLOURS = {"source": "#66625b", "entry": "#2b4f7d"}
+WRAPPED = frozenset(("caption", "head", "note", "source"))
+TOP = frozenset(("caption", "note", "source"))
+INDENT = "8pt"
+ALIGNS = {"left": "start", "center": "center", "right": "end"}
+# In points: a line, a figure, and what is beside the figures of a column.
+LINE, FIGURE, BESIDE = 15.0, 5.6, 3.0
+# As wide as a letter of a note's mark.
+RAISED = "\u2004"
+# The language whose numbers have this mark.
+LOCALES = {",": ("de", "DE"), ".": ("en", "GB")}
+
+
+class Looks:
+    """Gives each look its name, and knows the styles of all that were named.
+
+    Numbers have the decimal mark of the page, whatever the language of the program that shows them.
+    """
+
+    def __init__(self, mark: str) -> None:
+        self.language, self.country = LOCALES[mark]
+        self.names: dict[tuple[object, ...], str] = {}
+        self.cells: dict[tuple[Look, bool], str] = {}
+        self.styles: list[str] = []
+        self.italic = self.style("tx", "text", element("style:text-properties", fo__font_style="italic"))
+        self.text = self.named("nt", "number:text-style", element("number:text-content"))
+
+    def named(self, prefix: str, tag: str, content: str, **attributes: object) -> str:
+        """Return the name of a style, which is there once."""
+        key = (tag, content, *attributes.items())
+        if key not in self.names:
+            name = self.names[key] = f"{prefix}{len(self.names) + 1}"
+            self.styles.append(element(tag, content, style__name=name, **attributes))
+        return self.names[key]
+
+    def style(self, prefix: str, family: str, content: str, **attributes: object) -> str:
+        return self.named(prefix, "style:style", content, style__family=family, **attributes)
+
+    def column(self, width: float) -> str:
+        size = f"{width * FIGURE + BESIDE:.1f}pt"
+        return self.style(
+            "co", "table-column", element("style:table-column-properties", style__column_width=size)
+        )
+
+    def row(self, height: float | None) -> str:
+        own = element(
+            "style:table-row-properties",
+            style__row_height=f"{LINE if height is None else height:.1f}pt",
+            style__use_optimal_row_height="true" if height is None else "false",
+        )
+        return self.style("ro", "table-row", own)
+
+    def sheet(self, sheet: Sheet) -> str:
+        master = "Landscape" if sheet.landscape else "Portrait"
+        own = element("style:table-properties", table__display="true")
+        return self.style("ta", "table", own, style__master_page_name=master)
+
+    def cell(self, look: Look, is_number: bool) -> str:
+        """Return the name of the style of a cell."""
+        key = look, is_number
+        if key not in self.cells:
+            numbers = self.number(look) if is_number else self.text
+            self.cells[key] = self.style(
+                "ce",
+                "table-cell",
+                _properties(look),
+                style__parent_style_name="Default",
+                style__data_style_name=numbers,
+            )
+        return self.cells[key]
+
+    def number(self, look: Look) -> str:
+        """Return the name of the style of a number: its decimals, and what stands behind it."""
+        figures = element(
+            "number:number",
+            number__decimal_places=look.decimals,
+            number__min_decimal_places=look.decimals,
+            number__min_integer_digits=1,
+        )
+        behind = look.after + _spaces(look.blank)
+        after = element("number:text", escape(behind)) if behind else ""
+        return self.named(
+            "nu",
+            "number:number-style",
+            figures + after,
+            number__language=self.language,
+            number__country=self.country,
+        )
+
+
+def _spaces(characters: str) -> str:
+    """Return spaces as wide as these characters."""
+    spaces = blank(characters)
+    return "".join(one if one.isspace() else RAISED for one in spaces)
+
+
+def _properties(look: Look) -> str:
+    cell = element(
+        "style:table-cell-properties",
+        fo__border_top=RULES.get(look.above),
+        fo__border_bottom=RULES.get(look.below, RULES["thin"] if look.part == "key" else None),
+        fo__wrap_option="wrap" if look.wraps or look.part in WRAPPED else None,
+        style__vertical_align="top" if look.wraps or look.part in TOP else "bottom",
+        style__text_align_source="fix",
+    )
+    paragraph = element(
+        "style:paragraph-properties",
+        fo__text_align=ALIGNS[look.align],
+        fo__margin_left=INDENT if look.indented else "0pt",
+    )
+    text = element(
+        "style:text-properties",
+        fo__font_size=SIZES.get(look.part),
+        fo__font_weight="bold" if look.part in BOLD else None,
+        fo__color=COLOURS.get(look.part),
+    )
+    return cell + paragraph + text

@@ -1,0 +1,167 @@
+"""Workbooks as OpenDocument: a few files of XML in a zip file.
+
+They are written as text. A library that has an object for each cell, odfdo, takes 0.4 ms for one, and two
+minutes for a page of 300,000 numbers.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator, Mapping
+from datetime import UTC, datetime
+from html import escape
+from io import BytesIO
+from zipfile import ZIP_DEFLATED, ZIP_STORED, ZipFile, ZipInfo
+
+from kurbel.exact.numerals import Number, number_text
+from kurbel.formats.ods.looks import Looks
+from kurbel.formats.ods.parts import MIME, manifest, meta, settings, styles
+from kurbel.formats.ods.xml import document, element
+from kurbel.formats.sheet import Sheet, SheetCell, Workbook, runs
+from kurbel.formats.writer import WorkbookWriter
+
+EMPTY = "<table:table-cell/>"
+
+
+class Writer(WorkbookWriter):
+    def written(self, book: Workbook) -> bytes:
+        files = {
+            "content.xml": _content(book).encode(),
+            "styles.xml": styles(book).encode(),
+            "meta.xml": meta(book).encode(),
+            "settings.xml": settings(book).encode(),
+        }
+        return _zipped(
+            {"mimetype": MIME.encode(), **files, "META-INF/manifest.xml": manifest(files).encode()}, book
+        )
+
+
+def _zipped(files: Mapping[str, bytes], book: Workbook) -> bytes:
+    """Return the files as one, each of the same day; what the file is must stand first, as it is."""
+    day = datetime.fromtimestamp(book.epoch, UTC)
+    stream = BytesIO()
+    with ZipFile(stream, "w") as file:
+        for name, content in files.items():
+            one = ZipInfo(name, day.timetuple()[:6])
+            one.compress_type = ZIP_STORED if name == "mimetype" else ZIP_DEFLATED
+            # The same on every system.
+            one.create_system = 3
+            file.writestr(one, content)
+    return stream.getvalue()
+
+
+def _content(book: Workbook) -> str:
+    looks = Looks(book.mark)
+    tables = "".join(_Table(sheet, looks).text for sheet in book.sheets)
+    filters = "".join(_filter(sheet, place) for place, sheet in enumerate(book.sheets) if sheet.records)
+    ranges = element("table:database-ranges", filters) if filters else ""
+    return document(
+        "document-content",
+        element("office:automatic-styles", *looks.styles),
+        element("office:body", element("office:spreadsheet", tables, ranges)),
+    )
+
+
+class _Table:
+    """A sheet as a table of OpenDocument."""
+
+    def __init__(self, sheet: Sheet, looks: Looks) -> None:
+        self.looks = looks
+        self.mark = "," if looks.language == "de" else "."
+        self.rows: defaultdict[int, dict[int, str]] = defaultdict(dict)
+        for cell in sheet.cells:
+            self.put(cell)
+        columns = "".join(
+            element("table:table-column", table__style_name=looks.column(width)) for width in sheet.widths
+        )
+        first, end = sheet.head
+        lines = [self.row(sheet, place) for place in range(sheet.rows)]
+        head = element("table:table-header-rows", *lines[first:end]) if end > first else ""
+        self.text = element(
+            "table:table",
+            columns,
+            *lines[:first],
+            head,
+            *lines[end:],
+            table__name=sheet.name,
+            table__style_name=looks.sheet(sheet),
+            table__print_ranges=_whole(sheet),
+        )
+
+    def put(self, cell: SheetCell) -> None:
+        look = self.looks.cell(cell.look, isinstance(cell.value, Number))
+        named = f'table:style-name="{look}"'
+        for row in range(cell.row, cell.row + cell.down):
+            for column in range(cell.column, cell.column + cell.across):
+                self.rows[row][column] = f"<table:covered-table-cell {named}/>"
+        spans = ""
+        if cell.across > 1 or cell.down > 1:
+            spans = f' table:number-columns-spanned="{cell.across}" table:number-rows-spanned="{cell.down}"'
+        self.rows[cell.row][cell.column] = f"<table:table-cell {named}{spans}{self.content(cell)}"
+
+    def content(self, cell: SheetCell) -> str:
+        """Return the rest of the element of a cell."""
+        match cell.value:
+            case Number() as number:
+                shown = number_text(number, self.mark) + escape(cell.look.after)
+                value = f' office:value-type="float" office:value="{number_text(number)}"'
+                return f"{value}><text:p>{shown}</text:p></table:table-cell>"
+            case str() as text:
+                lines = "".join(element("text:p", self.line(line, cell.link)) for line in text.split("\n"))
+                return f' office:value-type="string">{lines}</table:table-cell>'
+            case None:
+                return "/>"
+
+    def line(self, text: str, link: str) -> str:
+        pieces = "".join(
+            element("text:span", escape(one.text), text__style_name=self.looks.italic)
+            if one.italic
+            else escape(one.text)
+            for one in runs(text)
+        )
+        if not link:
+            return pieces
+        return element("text:a", pieces, xlink__href=f"#{_quoted(link)}.A1", xlink__type="simple")
+
+    def row(self, sheet: Sheet, place: int) -> str:
+        style = self.looks.row(sheet.heights.get(place))
+        cells = "".join(_filled(self.rows.get(place, {}))) or EMPTY
+        return f'<table:table-row table:style-name="{style}">{cells}</table:table-row>'
+
+
+def _filled(cells: Mapping[int, str]) -> Iterator[str]:
+    """Yield the cells of a row in their order, with what is empty between them."""
+    done = 0
+    for column in sorted(cells):
+        if column > done:
+            yield f'<table:table-cell table:number-columns-repeated="{column - done}"/>'
+        yield cells[column]
+        done = column + 1
+
+
+def _filter(sheet: Sheet, place: int) -> str:
+    return element(
+        "table:database-range",
+        table__name=f"__Anonymous_Sheet_DB__{place}",
+        table__target_range_address=_whole(sheet),
+        table__display_filter_buttons="true",
+    )
+
+
+def _whole(sheet: Sheet) -> str:
+    """Return the address of all cells of a sheet."""
+    return f"{_place(sheet, 0, 0)}:{_place(sheet, sheet.rows - 1, sheet.columns - 1)}"
+
+
+def _place(sheet: Sheet, row: int, column: int) -> str:
+    """Return the address of a cell: 'Tafel'.A1."""
+    letters = ""
+    number = column + 1
+    while number:
+        number, rest = divmod(number - 1, 26)
+        letters = f"{chr(ord('A') + rest)}{letters}"
+    return f"{_quoted(sheet.name)}.{letters}{row + 1}"
+
+
+def _quoted(name: str) -> str:
+    return "'" + name.replace("'", "''") + "'"
