@@ -138,7 +138,8 @@ ENGINES = [
     (
         ("-o", "x.foo"),
         "the file name 'x.foo' names no format;"
-        " its suffix must be one of .txt, .md, .tex, .html, .htm, .typ, .rst, .pdf, .xlsx, .ods, .csv, .dat, .json",
+        " its suffix must be one of .txt, .md, .tex, .html, .htm, .typ, .rst, .pdf, .xlsx, .ods, .csv, .dat,"
+        " .json",
     ),
     (("--columns", ","), 'columns "," has an empty place; write it as epsilon,delta'),
 ]

@@ -190,7 +190,8 @@ OUTPUTS = [
     (
         ("-o", "x.foo"),
         "the file name 'x.foo' names no format;"
-        " its suffix must be one of .txt, .md, .tex, .html, .htm, .typ, .rst, .pdf, .xlsx, .ods, .csv, .dat, .json",
+        " its suffix must be one of .txt, .md, .tex, .html, .htm, .typ, .rst, .pdf, .xlsx, .ods, .csv, .dat,"
+        " .json",
     ),
 ]
 

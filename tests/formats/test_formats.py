@@ -87,7 +87,6 @@ OTHERS = {
     "formats.registry": {"text"},
     "handbook.init": {"typst"},
     "handbook.manifest": {"text", "pdf"},
-    "handbook.matter.colophon": {"pdf"},
     "handbook.matter.matter": {"text"},
     # The pages of notation are prose, which is written so.
     "handbook.matter.notation": {".md"},

@@ -19,7 +19,7 @@ from kurbel.cli.machine import machine_defaults
 from kurbel.cli.options import MACHINE, Document, FileName, Given
 from kurbel.cli.tables import MakingCommand
 from kurbel.errors import ChoiceError, FailedError, ProblemError
-from kurbel.formats.registry import FORMATS
+from kurbel.formats.registry import FORMATS, WorkbookFormat
 from kurbel.handbook.pool import GIGABYTES, About, Made, Task, deadline
 from kurbel.page.table import Table
 from kurbel.reading.given import File, meant
@@ -168,7 +168,9 @@ def _table(task: Task, answer: Asked, table: Table) -> Made:
                 data if FORMATS[name].kind == "records" else named, name, answer.decimal, task.templates
             )
             for name in task.formats
+            if not isinstance(FORMATS[name], WorkbookFormat)
         }
+        files |= _sheet(task, named, answer.decimal)
     from kurbel.page.labels import plain
 
     about = About("table", named.caption, named.lang, named.letters(), plain(named.source))
@@ -183,6 +185,19 @@ def _steps(task: Task, table: Table) -> Steps | None:
         return replace(one, key=task.part.name, layout=one.layout or one.key, caption=caption, variant="")
 
     return table.steps and table.steps.named(called)
+
+
+def _sheet(task: Task, table: Table, decimal: str | None) -> dict[str, bytes]:
+    """Return the sheet that the workbooks of the handbook have of a table."""
+    forms = [form for name in task.formats if isinstance(form := FORMATS[name], WorkbookFormat)]
+    if not forms:
+        return {}
+    from kurbel.formats.binder import kept
+    from kurbel.formats.sheet_page import page_sheet
+    from kurbel.handbook.pages import SHEET
+
+    sheet = page_sheet(table, forms[0].decimal_mark(table.lang, decimal), "")
+    return {SHEET.format(task.part.name): kept(sheet)}
 
 
 def _caption(task: Task, own: Label, lang: str) -> Label:

@@ -68,6 +68,7 @@ class Sheet(NamedTuple):
 
     The first rows and columns that are `frozen` stay in view; the rows of `head`, from one to before another,
     stand on every page of paper. A sheet of `records` has one line for the keys of its columns, and a filter.
+    `mark` is the decimal mark of its numbers, where the file can say it.
     """
 
     name: str
@@ -77,6 +78,7 @@ class Sheet(NamedTuple):
     frozen: tuple[int, int] = (0, 0)
     head: tuple[int, int] = (0, 0)
     records: bool = False
+    mark: str = "."
     pictures: tuple[Picture, ...] = ()
 
     @property
@@ -94,20 +96,13 @@ class Sheet(NamedTuple):
 
 
 class Workbook(NamedTuple):
-    """Sheets in their order. `mark` is the decimal mark of numbers where the file can say it; `epoch` is the
-    time that it is of, in seconds since 1970."""
+    """Sheets in their order; `epoch` is the time that it is of, in seconds since 1970."""
 
     title: str
     author: str
     lang: str
-    mark: str
     epoch: int
     sheets: tuple[Sheet, ...]
-
-    @property
-    def looks(self) -> tuple[Look, ...]:
-        """All looks of its cells, in the order in which they are first met."""
-        return tuple(dict.fromkeys(cell.look for sheet in self.sheets for cell in sheet.cells))
 
 
 class Run(NamedTuple):
@@ -194,7 +189,7 @@ _FOREIGN = re.compile(r"[\[\]:*?/\\\x00-\x1f]+")
 def sheet_name(wanted: str, taken: Container[str]) -> str:
     """Return a name that every spreadsheet takes for a sheet; those `taken` are in small letters."""
     # Excel counts as UTF-16 does, keeps "history" for itself, and takes no apostrophe at either end.
-    plain = " ".join(_FOREIGN.sub(" ", wanted).split()).strip("' ") or "1"
+    plain = " ".join(_FOREIGN.sub(" ", wanted).split()).strip("' -") or "1"
     name, number = _cut(plain, LONGEST_NAME), 1
     while name.lower() in taken or name.lower() == "history":
         number += 1
@@ -205,4 +200,4 @@ def sheet_name(wanted: str, taken: Container[str]) -> str:
 
 def _cut(text: str, longest: int) -> str:
     units = text.encode("utf-16-le", "replace")[: 2 * longest]
-    return units.decode("utf-16-le", "ignore").rstrip("' ")
+    return units.decode("utf-16-le", "ignore").rstrip("' -")

@@ -45,8 +45,7 @@ def page_sheet(table: Table, mark: str, name: str) -> Sheet:
     """
     model = joined(table)
     ready = page(model, SheetWriter(), mark)
-    draft = _Draft(model, ready)
-    return draft.sheet(name)
+    return _Draft(model, ready).sheet(name)._replace(mark=mark)
 
 
 def joined(table: Table) -> Table:
@@ -126,9 +125,7 @@ class _Draft:
 
     def prose_row(self, text: str, look: Look, size: float, line: float) -> None:
         """Put a text over as many columns as it may have, in a row as high as it needs."""
-        room = sum(self.widths[: self.prose]) + USUAL_WIDTH * max(0, self.prose - len(self.widths))
-        lines = ceil(figures_wide(text) * size * 1.04 / room)
-        self.heights[self.row] = max(lines, 1) * line + 1
+        self.heights[self.row] = height_of_prose(text, self.widths, self.prose, size, line)
         self.put(0, text, look, self.prose)
         self.row += 1
 
@@ -212,6 +209,12 @@ class _Draft:
         if self.ready.source:
             said = f"{self.ready.words['source']}: {self.ready.source}"
             self.prose_row(said, Look("source"), SMALL, SMALL_LINE)
+
+
+def height_of_prose(text: str, widths: Sequence[float], across: int, size: float, line: float) -> float:
+    """Return the height in points that a text needs over so many columns."""
+    room = sum(widths[:across]) + USUAL_WIDTH * max(0, across - len(widths))
+    return max(1, ceil(figures_wide(text) * size * WORDS / room)) * line + 1
 
 
 class _Figures(NamedTuple):

@@ -40,7 +40,7 @@ def table_workbook(table: Table, decimal: str) -> Workbook:
     """
     mark, words = DECIMALS[decimal], WORDS.get(table.lang, WORDS["en"])
     sheets = page_sheet(table, mark, words["page"]), records_sheet(table.records, mark, words["records"])
-    return Workbook(plain(table.caption, mark), "", table.lang, mark, epoch(), sheets)
+    return Workbook(plain(table.caption, mark), "", table.lang, epoch(), sheets)
 
 
 def remarks(table: Table) -> Iterator[str]:
@@ -71,7 +71,7 @@ def records_sheet(records: Records, mark: str, name: str) -> Sheet:
         for place, key in enumerate(keys)
     )
     body = _records(zip(*columns, strict=True))
-    return Sheet(name, (*head, *body), widths, {}, (1, 0), (0, 1), records=True)
+    return Sheet(name, (*head, *body), widths, {}, (1, 0), (0, 1), True, mark)
 
 
 def _column(values: Sequence[Value], mark: str) -> list[Number | str | None]:

@@ -10,8 +10,8 @@ from functools import cached_property, partial
 from typing import Any, NamedTuple
 
 from kurbel.errors import HandbookError, KurbelError
-from kurbel.formats.registry import FORMATS
-from kurbel.handbook.folder import Done, Folder, digest, key_of
+from kurbel.formats.registry import FORMATS, BytesFormat
+from kurbel.handbook.folder import Done, Folder, digest, is_own, key_of
 from kurbel.handbook.inputs import UNKNOWN, digest_of, fingerprint, glance
 from kurbel.handbook.manifest import Manifest, Part
 from kurbel.handbook.model import COMPILED, ENGINES
@@ -184,7 +184,7 @@ class Build:
             if isinstance(one, str):
                 raise HandbookError(one)
             for path, content in one.files.items():
-                if self.folder.write(path, content):
+                if self.folder.write(path, content) and not is_own(path):
                     self.written.append(path)
         except KurbelError as error:
             self.fail(piece.name, str(error), piece.line)
@@ -215,14 +215,14 @@ class Build:
         """Remove what is no longer built, and keep what this build knows for the next."""
         # Of earlier builds, also of those on another machine.
         earlier, files = self.folder.contents() | _hashes(self.old), _hashes(self.new)
-        self.unchanged += files.keys() - {*self.written}
+        self.unchanged += [path for path in files.keys() - {*self.written} if not is_own(path)]
         if self.only is not None:
             self.new, files = self.old | self.new, earlier | files
         for path, hashed in earlier.items():
             # What somebody changed by hand is not ours to remove.
             if path not in files and self.folder.has(path, hashed):
                 self.folder.remove(path)
-                self.removed.append(path)
+                self.removed += [] if is_own(path) else [path]
         self.folder.list_contents(files)
         self.folder.keep_state(self.new)
 
@@ -232,18 +232,19 @@ class Build:
             return []
         made = {name: done.about for name, done in self.new.items() if done.about}
         document = document_of(self.manifest, made, self.failures)
-        content, hashes = key_of(document), _hashes(self.new)
+        content, hashes, epoch = key_of(document), _hashes(self.new), os.environ.get("SOURCE_DATE_EPOCH")
         pieces = []
         for name in (name for name in self.formats if FORMATS[name].figures):
             paths = fragment_paths(document, name)
-            key = key_of(self.print, name, content, {path: hashes.get(path) for path in paths.values()})
+            dated = epoch if isinstance(FORMATS[name], BytesFormat) else None
+            used = {path: hashes.get(path) for path in paths.values()}
+            key = key_of(self.print, name, content, used, *([dated] if dated else []))
             if self.is_made(_named(name), key):
                 continue
             read = self.read(_named(name), [*paths.values()])
             if read is not None:
-                # Drawings in PDF are files beside the document and no text.
-                texts = {stem: read[path].decode("utf-8", "replace") for stem, path in paths.items()}
-                work = partial(make_document, document, name, texts, self.templates)
+                contents = {stem: read[path] for stem, path in paths.items()}
+                work = partial(make_document, document, name, contents, self.templates)
                 pieces.append(Piece(_named(name), key, work, self, 0, *self.end(STOPPED)))
         return pieces
 

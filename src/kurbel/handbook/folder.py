@@ -25,6 +25,8 @@ from kurbel.handbook.pool import About
 # What is only of use on this machine: the lock and what the last build knew.
 OWN = ".kurbel"
 STATE = f"{OWN}/state.json"
+# The sheets of tables, which wait here for their workbook.
+SHEETS = f"{OWN}/sheets"
 # All that was built, with hashes: it tells what an earlier build left behind, also on another machine.
 CONTENTS = "contents.json"
 # Bytes of a file; no page has so many.
@@ -145,7 +147,7 @@ class Folder:
             os.close(handle)
 
     def _remove_left_over(self) -> None:
-        for part in {"", OWN, "tables", "figures", *(form.folder for form in FORMATS.values())}:
+        for part in {"", OWN, SHEETS, "tables", "figures", *(form.folder for form in FORMATS.values())}:
             # A link in place of a folder leads to files of others.
             with suppress(HandbookError):
                 self._check(f"{part}/" if part else "")
@@ -173,7 +175,13 @@ class Folder:
 
     def list_contents(self, files: Mapping[str, str]) -> None:
         """Write the list of what was built: each file and its hash."""
-        self.write(CONTENTS, (json.dumps({"files": dict(sorted(files.items()))}, indent=0) + "\n").encode())
+        listed = {path: hashed for path, hashed in sorted(files.items()) if not is_own(path)}
+        self.write(CONTENTS, (json.dumps({"files": listed}, indent=0) + "\n").encode())
+
+
+def is_own(path: str) -> bool:
+    """Tell whether a file is nothing that is built, but what a build keeps for the next."""
+    return path.startswith(f"{OWN}/")
 
 
 def _check_place(path: str) -> None:

@@ -11,8 +11,8 @@ from typing import Any, NamedTuple
 from kurbel.documents import prose
 from kurbel.documents.document import PLACE, Chapter, Document, Item
 from kurbel.errors import HandbookError, KurbelError
-from kurbel.formats.registry import FORMATS
-from kurbel.handbook.folder import LARGEST
+from kurbel.formats.registry import FORMATS, WorkbookFormat
+from kurbel.handbook.folder import LARGEST, SHEETS
 from kurbel.handbook.manifest import ChapterPlan, Manifest, Part
 from kurbel.handbook.model import COMPILED, ENGINES
 from kurbel.handbook.pool import GIGABYTES, PATIENCE, PDF_PATIENCE, About, Made, deadline
@@ -20,6 +20,8 @@ from kurbel.page.labels import primed
 from kurbel.reading.given import did_you_mean
 
 WORDS = {"de": "Fehlt", "en": "Missing"}
+# Where the sheet of a table waits for its workbook.
+SHEET = f"{SHEETS}/{{}}.json"
 
 
 class Failure(NamedTuple):
@@ -129,18 +131,28 @@ def _printable(text: str) -> str:
 def fragment_paths(document: Document, name: str) -> dict[str, str]:
     """Return, by the names of tables and figures, the files that the document in a format is made of."""
     form = FORMATS[name]
-    ways = {"table": f"tables/{{}}{form.suffixes[0]}", "figure": f"figures/{{}}.{form.figures}"}
+    table = SHEET if isinstance(form, WorkbookFormat) else f"tables/{{}}{form.suffixes[0]}"
+    ways = {"table": table, "figure": f"figures/{{}}.{form.figures}"}
     return {item.name: ways[item.kind].format(item.name) for item in document.items(*ways)}
 
 
 def make_document(
-    document: Document, format: str, fragments: Mapping[str, str], templates: str | None
+    document: Document, format: str, fragments: Mapping[str, bytes], templates: str | None
 ) -> Made:
     """Return the files of the document in a format, of the fragments by their names."""
+    form = FORMATS[format]
+    if isinstance(form, WorkbookFormat):
+        from kurbel.formats.binder import document_workbook
+
+        return Made(
+            {f"handbook{form.suffixes[0]}": form.writer.written(document_workbook(document, fragments))}
+        )
     from kurbel.formats.documents import document_files
 
+    # Drawings in PDF are files beside the document and no text.
+    texts = {name: content.decode("utf-8", "replace") for name, content in fragments.items()}
     with deadline(PATIENCE, GIGABYTES, templates is not None):
-        files = document_files(document, format, fragments, templates)
+        files = document_files(document, format, texts, templates)
     return Made({path: text.encode() for path, text in files.items()})
 
 

@@ -30,10 +30,9 @@ class Looks:
     Numbers have the decimal mark of the page, whatever the language of the program that shows them.
     """
 
-    def __init__(self, mark: str) -> None:
-        self.language, self.country = LOCALES[mark]
+    def __init__(self) -> None:
         self.names: dict[tuple[object, ...], str] = {}
-        self.cells: dict[tuple[Look, bool], str] = {}
+        self.cells: dict[tuple[Look, str], str] = {}
         self.styles: list[str] = []
         self.italic = self.style("tx", "text", element("style:text-properties", fo__font_style="italic"))
         self.text = self.named("nt", "number:text-style", element("number:text-content"))
@@ -68,11 +67,11 @@ class Looks:
         own = element("style:table-properties", table__display="true")
         return self.style("ta", "table", own, style__master_page_name=master)
 
-    def cell(self, look: Look, is_number: bool) -> str:
-        """Return the name of the style of a cell."""
-        key = look, is_number
+    def cell(self, look: Look, mark: str) -> str:
+        """Return the name of the style of a cell; the mark is that of its number, or nothing of a text."""
+        key = look, mark
         if key not in self.cells:
-            numbers = self.number(look) if is_number else self.text
+            numbers = self.number(look, mark) if mark else self.text
             self.cells[key] = self.style(
                 "ce",
                 "table-cell",
@@ -82,7 +81,7 @@ class Looks:
             )
         return self.cells[key]
 
-    def number(self, look: Look) -> str:
+    def number(self, look: Look, mark: str) -> str:
         """Return the name of the style of a number: its decimals, and what stands behind it."""
         figures = element(
             "number:number",
@@ -90,14 +89,15 @@ class Looks:
             number__min_decimal_places=look.decimals,
             number__min_integer_digits=1,
         )
+        language, country = LOCALES[mark]
         behind = look.after + _spaces(look.blank)
         after = element("number:text", escape(behind)) if behind else ""
         return self.named(
             "nu",
             "number:number-style",
             figures + after,
-            number__language=self.language,
-            number__country=self.country,
+            number__language=language,
+            number__country=country,
         )
 
 

@@ -9,15 +9,16 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterator, Mapping
 from datetime import UTC, datetime
+from hashlib import sha256
 from html import escape
 from io import BytesIO
 from zipfile import ZIP_DEFLATED, ZIP_STORED, ZipFile, ZipInfo
 
 from kurbel.exact.numerals import Number, number_text
-from kurbel.formats.ods.looks import Looks
+from kurbel.formats.ods.looks import LINE, Looks
 from kurbel.formats.ods.parts import MIME, manifest, meta, settings, styles
 from kurbel.formats.ods.xml import document, element
-from kurbel.formats.sheet import Sheet, SheetCell, Workbook, runs
+from kurbel.formats.sheet import Picture, Sheet, SheetCell, Workbook, runs
 from kurbel.formats.writer import WorkbookWriter
 
 EMPTY = "<table:table-cell/>"
@@ -25,15 +26,21 @@ EMPTY = "<table:table-cell/>"
 
 class Writer(WorkbookWriter):
     def written(self, book: Workbook) -> bytes:
+        pictures = [picture for sheet in book.sheets for picture in sheet.pictures]
         files = {
             "content.xml": _content(book).encode(),
             "styles.xml": styles(book).encode(),
             "meta.xml": meta(book).encode(),
             "settings.xml": settings(book).encode(),
+            **{_name_of(picture): picture.content for picture in pictures},
         }
         return _zipped(
             {"mimetype": MIME.encode(), **files, "META-INF/manifest.xml": manifest(files).encode()}, book
         )
+
+
+def _name_of(picture: Picture) -> str:
+    return f"Pictures/{sha256(picture.content).hexdigest()[:24]}.png"
 
 
 def _zipped(files: Mapping[str, bytes], book: Workbook) -> bytes:
@@ -51,7 +58,7 @@ def _zipped(files: Mapping[str, bytes], book: Workbook) -> bytes:
 
 
 def _content(book: Workbook) -> str:
-    looks = Looks(book.mark)
+    looks = Looks()
     tables = "".join(_Table(sheet, looks).text for sheet in book.sheets)
     filters = "".join(_filter(sheet, place) for place, sheet in enumerate(book.sheets) if sheet.records)
     ranges = element("table:database-ranges", filters) if filters else ""
@@ -67,18 +74,20 @@ class _Table:
 
     def __init__(self, sheet: Sheet, looks: Looks) -> None:
         self.looks = looks
-        self.mark = "," if looks.language == "de" else "."
+        self.mark = sheet.mark
         self.rows: defaultdict[int, dict[int, str]] = defaultdict(dict)
         for cell in sheet.cells:
             self.put(cell)
         columns = "".join(
             element("table:table-column", table__style_name=looks.column(width)) for width in sheet.widths
         )
+        shapes = element("table:shapes", *map(_shape, sheet.pictures)) if sheet.pictures else ""
         first, end = sheet.head
         lines = [self.row(sheet, place) for place in range(sheet.rows)]
         head = element("table:table-header-rows", *lines[first:end]) if end > first else ""
         self.text = element(
             "table:table",
+            shapes,
             columns,
             *lines[:first],
             head,
@@ -89,7 +98,7 @@ class _Table:
         )
 
     def put(self, cell: SheetCell) -> None:
-        look = self.looks.cell(cell.look, isinstance(cell.value, Number))
+        look = self.looks.cell(cell.look, self.mark if isinstance(cell.value, Number) else "")
         named = f'table:style-name="{look}"'
         for row in range(cell.row, cell.row + cell.down):
             for column in range(cell.column, cell.column + cell.across):
@@ -127,6 +136,20 @@ class _Table:
         style = self.looks.row(sheet.heights.get(place))
         cells = "".join(_filled(self.rows.get(place, {}))) or EMPTY
         return f'<table:table-row table:style-name="{style}">{cells}</table:table-row>'
+
+
+def _shape(picture: Picture) -> str:
+    """Return a picture below its row, at the left edge of the sheet."""
+    image = element("draw:image", xlink__href=_name_of(picture), xlink__type="simple")
+    return element(
+        "draw:frame",
+        image,
+        element("svg:title", escape(picture.words)),
+        svg__width=f"{picture.width:.1f}pt",
+        svg__height=f"{picture.height:.1f}pt",
+        svg__x="0pt",
+        svg__y=f"{picture.row * LINE:.1f}pt",
+    )
 
 
 def _filled(cells: Mapping[int, str]) -> Iterator[str]:

@@ -69,6 +69,9 @@ class _Written:
             to.set_row(row, height)
         for cell in sheet.cells:
             self.cell(to, cell)
+        for number, picture in enumerate(sheet.pictures):
+            content = {"image_data": BytesIO(picture.content), "description": picture.words}
+            to.insert_image(picture.row, 0, f"{number}.png", content)
         to.freeze_panes(*sheet.frozen)
         if sheet.records:
             to.autofilter(0, 0, max(sheet.rows - 1, 0), max(sheet.columns - 1, 0))
