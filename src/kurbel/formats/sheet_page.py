@@ -86,6 +86,7 @@ class _Draft:
         self.model = model
         self.ready = ready
         self.cells: list[SheetCell] = []
+        self.looks: dict[Look, Look] = {}
         self.heights: dict[int, float] = {}
         self.row = 0
         self.widths = [max(column) for column in zip_longest(*map(_widths, ready.panels), fillvalue=0.0)]
@@ -120,7 +121,9 @@ class _Draft:
         self, column: int, value: Number | str | None, look: Look, across: int = 1, down: int = 1
     ) -> None:
         content = (checked_text(value) or None) if isinstance(value, str) else value
-        own = look._replace(indented=look.align == "left" and column > 0)
+        own = look._replace(indented=True) if look.align == "left" and column else look
+        # Of the looks of a hundred thousand cells each is kept once.
+        own = self.looks.setdefault(own, own)
         self.cells.append(SheetCell(self.row, column, content, own, across, down))
 
     def prose_row(self, text: str, look: Look, size: float, line: float) -> None:

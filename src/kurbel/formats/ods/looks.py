@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from html import escape
 
+from kurbel.exact.numerals import Number
 from kurbel.formats.ods.xml import element
 from kurbel.formats.page import blank
 from kurbel.formats.sheet import Look, Sheet
@@ -36,6 +37,16 @@ class Looks:
         self.styles: list[str] = []
         self.italic = self.style("tx", "text", element("style:text-properties", fo__font_style="italic"))
         self.text = self.named("nt", "number:text-style", element("number:text-content"))
+
+    def meet(self, sheet: Sheet) -> None:
+        """Name all looks of a sheet: their styles stand before it."""
+        self.sheet(sheet)
+        for width in sheet.widths:
+            self.column(width)
+        for height in (None, *sheet.heights.values()):
+            self.row(height)
+        for cell in sheet.cells:
+            self.cell(cell.look, sheet.mark if isinstance(cell.value, Number) else "")
 
     def named(self, prefix: str, tag: str, content: str, **attributes: object) -> str:
         """Return the name of a style, which is there once."""

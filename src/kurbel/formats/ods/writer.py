@@ -7,7 +7,7 @@ minutes for a page of 300,000 numbers.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from datetime import UTC, datetime
 from hashlib import sha256
 from html import escape
@@ -17,7 +17,7 @@ from zipfile import ZIP_DEFLATED, ZIP_STORED, ZipFile, ZipInfo
 from kurbel.exact.numerals import Number, number_text
 from kurbel.formats.ods.looks import LINE, Looks
 from kurbel.formats.ods.parts import MIME, manifest, meta, settings, styles
-from kurbel.formats.ods.xml import document, element
+from kurbel.formats.ods.xml import around, element, opened
 from kurbel.formats.sheet import Picture, Sheet, SheetCell, Workbook, runs
 from kurbel.formats.writer import WorkbookWriter
 
@@ -27,46 +27,51 @@ EMPTY = "<table:table-cell/>"
 class Writer(WorkbookWriter):
     def written(self, book: Workbook) -> bytes:
         pictures = [picture for sheet in book.sheets for picture in sheet.pictures]
-        files = {
-            "content.xml": _content(book).encode(),
-            "styles.xml": styles(book).encode(),
-            "meta.xml": meta(book).encode(),
-            "settings.xml": settings(book).encode(),
-            **{_name_of(picture): picture.content for picture in pictures},
+        parts = {"styles.xml": styles(book), "meta.xml": meta(book), "settings.xml": settings(book)}
+        files: dict[str, Iterable[bytes]] = {
+            "mimetype": [MIME.encode()],
+            "content.xml": _content(book),
+            **{name: [text.encode()] for name, text in parts.items()},
+            **{_name_of(picture): [picture.content] for picture in pictures},
         }
-        return _zipped(
-            {"mimetype": MIME.encode(), **files, "META-INF/manifest.xml": manifest(files).encode()}, book
-        )
+        listed = manifest([*files][1:])
+        return _zipped(files | {"META-INF/manifest.xml": [listed.encode()]}, book)
 
 
 def _name_of(picture: Picture) -> str:
     return f"Pictures/{sha256(picture.content).hexdigest()[:24]}.png"
 
 
-def _zipped(files: Mapping[str, bytes], book: Workbook) -> bytes:
+def _zipped(files: Mapping[str, Iterable[bytes]], book: Workbook) -> bytes:
     """Return the files as one, each of the same day; what the file is must stand first, as it is."""
     day = datetime.fromtimestamp(book.epoch, UTC)
     stream = BytesIO()
-    with ZipFile(stream, "w") as file:
-        for name, content in files.items():
+    with ZipFile(stream, "w") as whole:
+        for name, pieces in files.items():
             one = ZipInfo(name, day.timetuple()[:6])
             one.compress_type = ZIP_STORED if name == "mimetype" else ZIP_DEFLATED
             # The same on every system.
             one.create_system = 3
-            file.writestr(one, content)
+            with whole.open(one, "w") as file:
+                for piece in pieces:
+                    file.write(piece)
     return stream.getvalue()
 
 
-def _content(book: Workbook) -> str:
+def _content(book: Workbook) -> Iterator[bytes]:
+    """Yield the sheets in pieces: as one text a long table takes ten times the memory of its file."""
     looks = Looks()
-    tables = "".join(_Table(sheet, looks).text for sheet in book.sheets)
+    for sheet in book.sheets:
+        looks.meet(sheet)
+    begin, end = around("document-content")
+    yield f"{begin}{element('office:automatic-styles', *looks.styles)}".encode()
+    yield b"<office:body><office:spreadsheet>"
+    for sheet in book.sheets:
+        for row in _Table(sheet, looks).pieces(sheet):
+            yield row.encode()
     filters = "".join(_filter(sheet, place) for place, sheet in enumerate(book.sheets) if sheet.records)
     ranges = element("table:database-ranges", filters) if filters else ""
-    return document(
-        "document-content",
-        element("office:automatic-styles", *looks.styles),
-        element("office:body", element("office:spreadsheet", tables, ranges)),
-    )
+    yield f"{ranges}</office:spreadsheet></office:body>{end}".encode()
 
 
 class _Table:
@@ -75,38 +80,53 @@ class _Table:
     def __init__(self, sheet: Sheet, looks: Looks) -> None:
         self.looks = looks
         self.mark = sheet.mark
-        self.rows: defaultdict[int, dict[int, str]] = defaultdict(dict)
-        for cell in sheet.cells:
-            self.put(cell)
-        columns = "".join(
-            element("table:table-column", table__style_name=looks.column(width)) for width in sheet.widths
-        )
-        shapes = element("table:shapes", *map(_shape, sheet.pictures)) if sheet.pictures else ""
-        first, end = sheet.head
-        lines = [self.row(sheet, place) for place in range(sheet.rows)]
-        head = element("table:table-header-rows", *lines[first:end]) if end > first else ""
-        self.text = element(
+        # What cells above cover, by rows and columns.
+        self.covered: defaultdict[int, dict[int, str]] = defaultdict(dict)
+
+    def pieces(self, sheet: Sheet) -> Iterator[str]:
+        """Yield the element of the table in pieces."""
+        yield opened(
             "table:table",
-            shapes,
-            columns,
-            *lines[:first],
-            head,
-            *lines[end:],
             table__name=sheet.name,
-            table__style_name=looks.sheet(sheet),
+            table__style_name=self.looks.sheet(sheet),
             table__print_ranges=_whole(sheet),
         )
+        if sheet.pictures:
+            yield element("table:shapes", *map(_shape, sheet.pictures))
+        for width in sheet.widths:
+            yield element("table:table-column", table__style_name=self.looks.column(width))
+        first, end = sheet.head
+        for place, row in enumerate(self.rows(sheet)):
+            before = "<table:table-header-rows>" if place == first < end else ""
+            behind = "</table:table-header-rows>" if first < end == place + 1 else ""
+            yield f"{before}{row}{behind}"
+        yield "</table:table>"
 
-    def put(self, cell: SheetCell) -> None:
+    def rows(self, sheet: Sheet) -> Iterator[str]:
+        """Yield all rows; the cells of a sheet are in the order of these."""
+        cells = iter(sheet.cells)
+        cell = next(cells, None)
+        for place in range(sheet.rows):
+            row = self.covered.pop(place, {})
+            while cell and cell.row == place:
+                self.put(cell, row)
+                cell = next(cells, None)
+            style = self.looks.row(sheet.heights.get(place))
+            text = "".join(_filled(row)) or EMPTY
+            yield f'<table:table-row table:style-name="{style}">{text}</table:table-row>'
+
+    def put(self, cell: SheetCell, row: dict[int, str]) -> None:
+        """Put a cell into its row, and what it covers into that and those below."""
         look = self.looks.cell(cell.look, self.mark if isinstance(cell.value, Number) else "")
         named = f'table:style-name="{look}"'
-        for row in range(cell.row, cell.row + cell.down):
-            for column in range(cell.column, cell.column + cell.across):
-                self.rows[row][column] = f"<table:covered-table-cell {named}/>"
         spans = ""
         if cell.across > 1 or cell.down > 1:
             spans = f' table:number-columns-spanned="{cell.across}" table:number-rows-spanned="{cell.down}"'
-        self.rows[cell.row][cell.column] = f"<table:table-cell {named}{spans}{self.content(cell)}"
+            for down in range(cell.down):
+                below = self.covered[cell.row + down] if down else row
+                columns = range(cell.column, cell.column + cell.across)
+                below |= dict.fromkeys(columns, f"<table:covered-table-cell {named}/>")
+        row[cell.column] = f"<table:table-cell {named}{spans}{self.content(cell)}"
 
     def content(self, cell: SheetCell) -> str:
         """Return the rest of the element of a cell."""
@@ -131,11 +151,6 @@ class _Table:
         if not link:
             return pieces
         return element("text:a", pieces, xlink__href=f"#{_quoted(link)}.A1", xlink__type="simple")
-
-    def row(self, sheet: Sheet, place: int) -> str:
-        style = self.looks.row(sheet.heights.get(place))
-        cells = "".join(_filled(self.rows.get(place, {}))) or EMPTY
-        return f'<table:table-row table:style-name="{style}">{cells}</table:table-row>'
 
 
 def _shape(picture: Picture) -> str:
