@@ -29,11 +29,15 @@ myst_heading_anchors = 4
 html_theme = "pydata_sphinx_theme"
 html_title = "kurbel"
 html_favicon = "_static/logo-light.svg"
+# The search finds what an index would list.
+html_use_index = html_domain_indices = False
+templates_path = ["_templates"]
 html_static_path = ["_static"]
 html_css_files = ["kurbel.css"]
 html_copy_source = False
 html_show_sourcelink = False
 html_last_updated_fmt = None
+html_context = {"default_mode": "auto"}
 html_theme_options = {
     "logo": {
         "text": "kurbel",
@@ -41,6 +45,7 @@ html_theme_options = {
         "image_light": "_static/logo-light.svg",
         "image_dark": "_static/logo-dark.svg",
     },
+    "collapse_navigation": True,
     "navbar_align": "left",
     "header_links_before_dropdown": 6,
     "show_prev_next": True,
