@@ -67,7 +67,7 @@ peers: $(DEV) ## set one table with kurbel and its peers side by side, docs/gall
 
 docs: $(DOCS) ## build the site of the documentation in build/site, and write the JSON Schemas anew
 	$(BIN)/python docs/generate/schemas.py
-	$(BIN)/python docs/generate/website.py build/site
+	$(BIN)/python docs/generate/website.py build/site --playground
 
 playground: $(DOCS) ## build kurbel for browsers in build/site/playground; needs npm
 	$(BIN)/python docs/playground/build.py build/site/playground

@@ -138,7 +138,8 @@ def _region(one: Shown) -> str:
     """Return the picture in what scrolls, by keyboard too, where the screen is narrower."""
     alt = f"{one.title}, as the command below makes it"
     image = _image(f"{one.name}{one.picture.suffix}", alt, one.picture.width, one.picture.height)
-    label = html.escape(one.title)
+    # No two pictures of a page have the same name.
+    label = html.escape(one.command)
     return f'<div class="kurbel-picture" tabindex="0" role="region" aria-label="{label}">{image}</div>'
 
 

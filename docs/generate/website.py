@@ -27,25 +27,28 @@ def main() -> int:
     source = site.with_name(f"{site.name}-source")
     playable = "--playground" in sys.argv and playground(site / "playground")
     lay(pages() | {"playground.md": playground_page(playable).encode()}, source)
+    # Pages of the source that are there would be left as they are.
+    shutil.rmtree(site / "_modules", ignore_errors=True)
     # No warning is let pass, all of them are shown, and nothing is left of another build.
     return build_main(["-E", "-a", "-W", "--keep-going", "-n", "-q", "-b", "html", str(source), str(site)])
 
 
 def playground(target: Path) -> bool:
-    """Build the playground, where npm can fetch what it needs."""
-    if shutil.which("npm"):
-        subprocess.run([sys.executable, str(PLAYGROUND), str(target)], check=True)
-        return True
-    print("npm is not installed, and the site is built without the playground", file=sys.stderr)
-    return False
+    """Build the playground, where npm can fetch what it needs, and return whether there is one."""
+    if not shutil.which("npm"):
+        print("npm is not installed, and the site is built without the playground", file=sys.stderr)
+        return False
+    if subprocess.run([sys.executable, str(PLAYGROUND), str(target)], check=False).returncode:
+        raise SystemExit("the playground could not be built; docs/generate/website.py builds the site alone")
+    return True
 
 
 def playground_page(playable: bool) -> str:
-    about = "# Playground\n\nkurbel itself, in this browser: a command line is typed into a page, and what it prints appears."
-    if playable:
-        link = '<a class="sd-btn sd-btn-primary" href="playground/index.html">Open the playground</a>'
-        return f"{about} Nothing is sent anywhere.\n\n{link}\n"
-    return f"{about} This copy of the site was built without it: `make docs` builds it, where npm is installed.\n"
+    about = "# Playground\n\nkurbel itself in this browser: you type a command, and see what it prints."
+    if not playable:
+        return f"{about}\n\nThis copy of the site is without it; `make docs` builds it, where there is npm.\n"
+    link = '<a class="sd-btn sd-btn-primary" href="playground/index.html">Open the playground</a>'
+    return f"{about}\nNothing that is typed is sent anywhere.\n\n{link}\n"
 
 
 def pages() -> dict[str, bytes]:

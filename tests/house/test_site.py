@@ -1,0 +1,155 @@
+"""The site of the documentation as its readers have it: links, screens, screen readers, search, and LaTeX."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from collections.abc import Iterator
+from filecmp import dircmp
+from html.parser import HTMLParser
+from pathlib import Path
+from typing import Literal
+from urllib.parse import unquote, urlsplit
+
+import pytest
+from browser import DESKTOP, TELEPHONE, Viewer
+from cli import kurbel
+from places import ROOT
+from tools import require
+
+pytestmark = pytest.mark.slow
+SCREENS: tuple[tuple[int, Literal["light", "dark"]], ...] = ((TELEPHONE, "light"), (DESKTOP, "dark"))
+# What is loaded with a page; where other links lead needs a click.
+LOADED = {"script": "src", "img": "src", "link": "href", "iframe": "src", "source": "src"}
+
+
+def built(folder: Path) -> Path:
+    site = folder / "site"
+    done = subprocess.run(
+        [sys.executable, str(ROOT / "docs" / "generate" / "website.py"), str(site)],
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+    return site
+
+
+def read(site: Path) -> list[Path]:
+    """Return the pages; the theme has templates of its own among its scripts."""
+    return sorted(path for path in site.rglob("*.html") if "_static" not in path.parts)
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The site without the playground, which is built without a warning."""
+    return built(tmp_path_factory.mktemp("site"))
+
+
+class Page(HTMLParser):
+    """What a page links to, what is loaded with it, and the places in it."""
+
+    def __init__(self, path: Path) -> None:
+        super().__init__()
+        self.links: list[str] = []
+        self.loaded: list[str] = []
+        self.places: set[str] = set()
+        self.feed(path.read_text(encoding="utf-8"))
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        given = dict(attrs)
+        self.places.update(filter(None, (given.get("id"), given.get("name"))))
+        if address := given.get(LOADED.get(tag, "")):
+            self.loaded.append(address)
+        if tag == "a" and (address := given.get("href")):
+            self.links.append(address)
+
+
+def test_every_link_leads_somewhere_and_nothing_is_loaded_from_elsewhere(site: Path) -> None:
+    pages = {path: Page(path) for path in read(site)}
+    assert len(pages) > 150
+    for path, page in pages.items():
+        for address in (*page.links, *page.loaded):
+            scheme, host, name, _, place = urlsplit(address)
+            if scheme or host:
+                assert address in page.links and scheme in ("http", "https"), f"{path} loads {address}"
+                continue
+            target = (path.parent / unquote(name)).resolve() if name else path
+            assert target.is_file(), f"{path.relative_to(site)} links to {address}"
+            if place and target in pages:
+                assert unquote(place) in pages[target].places, f"{path.relative_to(site)} links to {address}"
+    for style in site.rglob("*.css"):
+        assert not re.search(r"url\(\s*[\"']?(https?:)?//", style.read_text(encoding="utf-8")), style
+
+
+def test_two_builds_are_the_same_bytes(site: Path, tmp_path: Path) -> None:
+    def differing(pair: dircmp[str]) -> Iterator[str]:
+        yield from (*pair.left_only, *pair.right_only, *pair.diff_files, *pair.funny_files)
+        for inner in pair.subdirs.values():
+            yield from differing(inner)
+
+    # Traces of the build for the next one.
+    again = dircmp(site, built(tmp_path), ignore=[".doctrees", ".buildinfo"])
+    assert [*differing(again)] == []
+
+
+def test_everybody_can_read_every_page(viewer: Viewer, site: Path) -> None:
+    """On a telephone in the light, and on a desktop in the dark, and by keyboard."""
+    found = []
+    for path in read(site):
+        for width, scheme in SCREENS:
+            viewer.open(path, width, scheme)
+            own = [one for one in viewer.complaints if not one.startswith("log: [PST]")]
+            own += [*viewer.page.evaluate(_MISFITS), *viewer.violations()]
+            found += [f"{path.relative_to(site)}, {width} px, {scheme}: {one}" for one in own]
+    assert found == []
+
+
+# What scrolls sideways must be no more than a part of the page, and reached by the keyboard.
+_MISFITS = """() => {
+    const root = document.documentElement;
+    const wide = root.scrollWidth > root.clientWidth ? [`the page is ${root.scrollWidth} px wide`] : [];
+    const scrolls = element => element.clientWidth && element.scrollWidth > element.clientWidth + 1
+        && ['auto', 'scroll'].includes(getComputedStyle(element).overflowX);
+    return [...document.body.querySelectorAll('*')]
+        .filter(element => scrolls(element) && element.tabIndex < 0)
+        .map(element => `${element.tagName}.${element.className} scrolls, but not by keyboard`).concat(wide);
+}"""
+
+
+@pytest.mark.parametrize(("asked", "page"), [("hammer blow", "locomotive"), ("--true-stroke", "given")])
+def test_the_search_finds_a_page_without_a_server(viewer: Viewer, site: Path, asked: str, page: str) -> None:
+    tab = viewer.open(site / "search.html")
+    tab.locator("input[type=search]:visible").first.fill(asked)
+    tab.keyboard.press("Enter")
+    tab.wait_for_selector("ul.search li a")
+    links = tab.eval_on_selector_all("ul.search li a", "links => links.map(link => link.href)")
+    assert any(page in link for link in links), links
+
+
+def test_three_clicks_lead_from_the_first_page_to_a_table_in_a_latex_document(
+    viewer: Viewer, site: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    tab = viewer.open(site / "index.html")
+    tab.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    tab.get_by_role("navigation").get_by_role("link", name="How-to").first.click()
+    tab.locator("article").get_by_role("link", name="Tables in LaTeX").click()
+    tab.locator(".highlight-console").first.hover()
+    tab.locator(".highlight-console button.copybtn").first.click()
+    typed = tab.evaluate("navigator.clipboard.readText()")
+    document = tab.locator(".highlight-latex pre").first.inner_text()
+    monkeypatch.chdir(tmp_path)
+    program, *words = re.split(r"\s+", typed.strip())
+    assert program == "kurbel"
+    assert kurbel(*words).code == 0
+    (tmp_path / "paper.tex").write_text(document, encoding="utf-8")
+    run = [require("pdflatex"), "-interaction=nonstopmode", "-halt-on-error", "paper.tex"]
+    for _ in range(2):
+        done = subprocess.run(run, cwd=tmp_path, capture_output=True, check=False)
+        assert done.returncode == 0, done.stdout.decode("latin-1")[-2000:]
+    text = subprocess.run(
+        [require("pdftotext"), "-layout", "paper.pdf", "-"],
+        cwd=tmp_path, capture_output=True, text=True, check=True,
+    ).stdout  # fmt: skip
+    # The path at the dead centre and half a turn later, and what the document says of the table.
+    assert "as Table 1 says" in text
+    assert re.search(r"^\s*180\s+2\.0000", text, re.MULTILINE)
