@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The checks of action.yml: handbooks in FOLDERS, documents in FILES, one a line.
+# The checks of action.yml: handbooks in FOLDERS, documents in FILES, one a line. Handbooks read no files outside
+# of their folders unless ALLOW_OUTSIDE is true.
 # What is stale goes to the log and to the job's summary, what is wrong to annotations. Runs in bash 3.2.
 set -euo pipefail
 
@@ -57,7 +58,10 @@ handbooks=()
 while IFS= read -r folder; do
     [ -z "$folder" ] || handbooks+=("$folder")
 done <<<"$folders"
-[ "${#handbooks[@]}" -eq 0 ] || checked handbook check -- "${handbooks[@]}" </dev/null
+outside=()
+[ "${ALLOW_OUTSIDE:-false}" != true ] || outside=(--allow-outside)
+# An empty list is an error in bash 3.2 unless it is asked for so.
+[ "${#handbooks[@]}" -eq 0 ] || checked handbook check ${outside[@]+"${outside[@]}"} -- "${handbooks[@]}" </dev/null
 
 documents=()
 while IFS= read -r pattern; do

@@ -52,6 +52,16 @@ class MarkerError(FailedError):
     """A document whose marked places cannot be found or filled."""
 
 
+class OutsideError(FailedError):
+    """A file that a handbook may not read, for it lies elsewhere."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__(
+            f'"{name[:60]}" leads out of the folder of the handbook; put what it names into that folder,'
+            " or add --allow-outside"
+        )
+
+
 class OutputError(FailedError):
     """A file or stream that could not be written."""
 

@@ -75,24 +75,26 @@ def asked(
     machine: str | None = None,
     format: str | None = None,
     folder: str = "",
+    inside: bool = False,
 ) -> Asked:
     """Return what the words, a command and its options, ask for.
 
     `defaults` are options by their names, for those commands that have them; `machine` is a machine's file,
-    which they outdo. Names of files count from the folder. With a format the table is for this one only, and
-    the words may say what else is set for a document at once: its label, and for LaTeX that it may break over
-    pages. Raises KurbelError, also for a mistake that click finds.
+    which they outdo. Names of files count from the folder; with `inside` they lie in it. With a format the
+    table is for this one only, and the words may say what else is set for a document at once: its label, and
+    for LaTeX that it may break over pages. Raises KurbelError, also for a mistake that click finds.
     """
     words = words[1:] if words[:1] in (["kurbel"], ("kurbel",)) else words
     if not words:
         raise ChoiceError(f"there is no command; write one of {', '.join(printing_commands())}")
     command = command_of(meant(words[0], printing_commands(), "command"))
     assert isinstance(command, MakingCommand)
-    own = None if machine is None else File(machine, folder)
+    document = Document(folder, inside)
+    own = None if machine is None else document.file(machine)
     given = _defaults(command, defaults, own)
     if format is not None and "longtable" in {one.name for one in command.params}:
         given["format"] = format
-    name, document = f"kurbel {words[0]}", Document(folder)
+    name = f"kurbel {words[0]}"
     try:
         context = command.make_context(name, [*words[1:]], obj=document, default_map=given)
         for one in SET_ELSEWHERE if format is None else ONLY_PRINTING:
@@ -147,7 +149,8 @@ def make_part(task: Task) -> Made:
     from kurbel.page.table import Table
 
     part = task.part
-    answer = asked(part.words, {**part.options, "label": part.name}, task.machine, folder=task.folder)
+    options = {**part.options, "label": part.name}
+    answer = asked(part.words, options, task.machine, folder=task.folder, inside=not task.outside)
     if answer.code:
         raise FailedError("the command ends with 1, for printed values deviate and it is strict")
     made = answer.made

@@ -53,6 +53,8 @@ FOLDER = click.argument("folder", type=click.Path(), default=".")
 FOLDERS = click.argument("folders", nargs=-1, type=click.Path(), metavar="[FOLDER]...")
 ONLY = click.option("--only", multiple=True, metavar="NAME",
                     help="Table, figure or chapter to make, and nothing else; repeatable.")  # fmt: skip
+OUTSIDE = click.option("--allow-outside", is_flag=True,
+                       help="Files that the manifest names may lie outside of its folder.")  # fmt: skip
 QUIET = click.option("-q", "--quiet", is_flag=True, help="Say only what is wrong.")
 JOBS = click.option("-j", "--jobs", type=Type(Count("jobs", 1, MOST_PROCESSES)), metavar="N",
                     help="Processes at once; default: one for each core.")  # fmt: skip
@@ -63,7 +65,7 @@ ENGINE = click.option("--pdf-engine", type=Type(ENGINES), metavar="ENGINE",
 
 def building(command: Callable[..., Any]) -> Callable[..., Any]:
     """Add what the commands have that build."""
-    return FOLDERS(ONLY(JOBS(ENGINE(QUIET(command)))))
+    return FOLDERS(ONLY(JOBS(ENGINE(OUTSIDE(QUIET(command))))))
 
 
 @handbook.command(
@@ -154,7 +156,8 @@ def _checked(one: Checked, options: dict[str, Any]) -> bool:
     for sentence in islice(places(one), MOST_PLACES):
         say(sentence)
     if one.stale:
-        mend = _build_words(one.handbook.given, options["pdf_engine"], one.handbook.names)
+        manifest, names = one.handbook.manifest, one.handbook.names
+        mend = _build_words(one.handbook.given, options["pdf_engine"], names, manifest.outside)
         first = "mend what failed, and then" if failed else "this mends it:"
         count = "1 file is" if len(one.stale) == 1 else f"{len(one.stale)} files are"
         say(f"{folder.path}: {count} stale{failed}; {first} {mend}")
@@ -165,11 +168,12 @@ def _checked(one: Checked, options: dict[str, Any]) -> bool:
 
 @handbook.command("list", short_help="List what would be built.")
 @FOLDER
-def listed(folder: str) -> None:
+@OUTSIDE
+def listed(folder: str, allow_outside: bool) -> None:
     """List the chapters and parts of the handbook in FOLDER, and what a build would make anew."""
     from kurbel.cli.handbook_list import show_handbook
 
-    show_handbook(*_opened(folder))
+    show_handbook(*_opened(folder, allow_outside))
 
 
 @handbook.command(short_help="Build again each time a file is saved.")
@@ -180,7 +184,11 @@ def watch(**options: Any) -> int:
     from kurbel.handbook.inputs import Seen, as_built, glance_at
 
     def look() -> Seen:
-        return {path: seen for one in _folders(options) for path, seen in glance_at(one).items()}
+        return {
+            path: seen
+            for one in _folders(options)
+            for path, seen in glance_at(one, options["allow_outside"]).items()
+        }
 
     # One that is not there, or has a mistake, ends the command; later ones are waited out.
     if _opened_all(options)[1]:
@@ -219,7 +227,7 @@ def _opened_all(options: dict[str, Any]) -> tuple[list[Handbook], bool]:
         names.setdefault(os.path.realpath(manifest_path(given)), given)
     for given in names.values():
         try:
-            one = Handbook(given, *_opened(given, options["pdf_engine"]))
+            one = Handbook(given, *_opened(given, options["allow_outside"], options["pdf_engine"]))
             if opened:
                 from kurbel.handbook.several import part_from
 
@@ -236,25 +244,28 @@ def _opened_all(options: dict[str, Any]) -> tuple[list[Handbook], bool]:
     return opened, wrong
 
 
-def _opened(given: str, engine: str | None = None) -> tuple[Manifest, Folder]:
+def _opened(given: str, outside: bool, engine: str | None = None) -> tuple[Manifest, Folder]:
     """Return the manifest and the output folder."""
     from kurbel.handbook.folder import Folder
     from kurbel.handbook.manifest import manifest_path, read_manifest
 
-    manifest = read_manifest(manifest_path(given))
+    manifest = read_manifest(manifest_path(given), outside)
     if engine:
         manifest = manifest.set_by(engine)
     return manifest, Folder(manifest.folder, manifest.output)
 
 
-def _build_words(folder: str, engine: str | None = None, only: Iterable[str] = ()) -> str:
+def _build_words(
+    folder: str, engine: str | None = None, only: Iterable[str] = (), outside: bool = False
+) -> str:
     """Return what one would type to build the handbook in a folder."""
     from shlex import join
 
     where = [] if folder == "." else [folder]
     names = [word for name in only for word in ("--only", name)]
     by = ["--pdf-engine", engine] if engine else []
-    return join(["kurbel", "handbook", "build", *where, *names, *by])
+    further = ["--allow-outside"] if outside else []
+    return join(["kurbel", "handbook", "build", *where, *names, *by, *further])
 
 
 def _report(done: Build) -> str:

@@ -95,10 +95,15 @@ class FileName(click.Path):
         self, value: str | File, param: click.Parameter | None, ctx: click.Context | None
     ) -> File:
         document = ctx and ctx.find_object(Document)
-        file = value if isinstance(value, File) else File(value, document.folder if document else "")
+        named = document.file if document else File
+        file = value if isinstance(value, File) else named(value)
         if "\0" in file.name:
             raise NotationError("the name of a file has a NUL, which no file can have")
         super().convert(os.fspath(file), param, ctx)
+        if file.inside:
+            from kurbel.reading.inside import check_below
+
+            check_below(os.fspath(file), file.folder, file.name)
         return file
 
 
@@ -106,11 +111,15 @@ class Document:
     """Stands for a document whose table is asked for in place of a page on paper.
 
     Names of files count from its folder, and variables of the environment do not count at all: they are
-    another one's on another machine.
+    another one's on another machine. With `inside` all of them lie in the folder.
     """
 
-    def __init__(self, folder: str) -> None:
+    def __init__(self, folder: str, inside: bool = False) -> None:
         self.folder = folder
+        self.inside = inside
+
+    def file(self, name: str) -> File:
+        return File(name, self.folder, self.inside)
 
 
 class Option(click.Option):

@@ -116,6 +116,7 @@ class Build:
         # What documents are made of beside their own format.
         figures = tuple(sorted({FORMATS[name].figures for name in self.formats} - {""}))
         self.given = manifest.machine, self.formats, figures, "notation" in manifest.matter
+        self.outside = manifest.outside
 
     @cached_property
     def old(self) -> dict[str, Done]:
@@ -127,6 +128,10 @@ class Build:
         """What tells the programs and templates by which all is made from others."""
         if self.templates and not os.path.isdir(self.templates):
             raise HandbookError(f"{self.manifest.path}: there is no folder {self.templates} with templates")
+        if self.templates and not self.outside:
+            from kurbel.reading.inside import check_inside
+
+            check_inside(self.templates, self.manifest.folder, self.templates)
         return key_of(fingerprint(), self.templates and digest_of(self.templates))
 
     @contextmanager
@@ -156,19 +161,26 @@ class Build:
         if (
             done is None
             or done.key != key
-            or any(digest_of(self.input(path)) != hashed for path, hashed in done.inputs.items())
+            or any(self.is_other(path, hashed) for path, hashed in done.inputs.items())
             or not all(self.folder.has(path, hashed) for path, hashed in done.files.items())
         ):
             return False
         self.new[name] = done
         return True
 
+    def is_other(self, path: str, hashed: str) -> bool:
+        """Tell whether an input is not what it was, or may be read no longer."""
+        from kurbel.reading.inside import is_inside
+
+        file = self.input(path)
+        return digest_of(file) != hashed or not (self.outside or is_inside(file, self.manifest.folder))
+
     def input(self, path: str) -> str:
         return os.path.join(self.manifest.folder, path)
 
     def parts(self, make: Maker) -> list[Piece]:
         """Return the parts that `make` must make."""
-        given = self.manifest.folder, self.templates, PATIENCE, *self.given
+        given = self.manifest.folder, self.templates, PATIENCE, *self.given, self.outside
         end = self.end(STOPPED)
         return [
             Piece(part.name, key, partial(make, Task(part, *given)), self, part.line, *end)

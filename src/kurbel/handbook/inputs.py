@@ -43,14 +43,14 @@ def glance(*paths: str) -> Seen:
     return seen
 
 
-def glance_at(given: str) -> Seen:
+def glance_at(given: str, outside: bool = False) -> Seen:
     """Look at the manifest, at the files that its parts name, at its templates and layouts.
 
     Of a manifest that cannot be read, or whose problems cannot, it is that with the TOML files beside it.
     """
     path = manifest_path(given)
     try:
-        manifest = read_manifest(path)
+        manifest = read_manifest(path, outside)
         state = Folder(manifest.folder, manifest.output).state()
     except KurbelError:
         folder = os.path.dirname(path)

@@ -29,7 +29,7 @@ from typing import Any, NamedTuple
 
 from msgspec.structs import asdict, replace
 
-from kurbel.errors import HandbookError
+from kurbel.errors import HandbookError, OutsideError
 from kurbel.handbook.model import (
     LONGEST_NAME,
     ChapterKeys,
@@ -43,6 +43,7 @@ from kurbel.handbook.model import (
 )
 from kurbel.handbook.problems import problems_of
 from kurbel.reading.given import did_you_mean
+from kurbel.reading.inside import is_inside
 from kurbel.reading.toml_file import Place, TomlFile, TomlKind, shown
 
 NAME = "handbook.toml"
@@ -88,10 +89,14 @@ class ChapterPlan(NamedTuple):
 
 
 class Manifest(HandbookKeys, frozen=True, kw_only=True):
-    """All that the file says; `path` is as it was given."""
+    """All that the file says; `path` is as it was given.
+
+    Files that it names may lie `outside` of its folder where that is allowed.
+    """
 
     path: str
     chapters: tuple[ChapterPlan, ...]
+    outside: bool
 
     @property
     def folder(self) -> str:
@@ -120,14 +125,14 @@ class ManifestError(HandbookError):
         self.mistakes = mistakes
 
 
-def read_manifest(path: str) -> Manifest:
-    """Return what the file says.
+def read_manifest(path: str, outside: bool = False) -> Manifest:
+    """Return what the file says; with `outside` the files that it names may lie anywhere.
 
     Raises ManifestError with file, line, what is allowed and the nearest name of each mistake.
     """
     if not os.path.lexists(path):
         raise HandbookError(f"there is no {path}; kurbel handbook init writes a first one")
-    reader = _Reader(TomlFile(path, KIND))
+    reader = _Reader(TomlFile(path, KIND), outside)
     manifest = reader.manifest()
     if reader.mistakes:
         raise ManifestError([said for _, said in sorted(reader.mistakes, key=lambda one: one[0])])
@@ -137,8 +142,9 @@ def read_manifest(path: str) -> Manifest:
 class _Reader:
     """Reads one file, knows where its keys stand, and notes all mistakes."""
 
-    def __init__(self, file: TomlFile) -> None:
+    def __init__(self, file: TomlFile, outside: bool) -> None:
         self.file = file
+        self.outside = outside
         self.line = file.line
         self.mistakes: list[tuple[int, str]] = []
         # Sections of which a key is left out: what they lack may be that.
@@ -175,7 +181,7 @@ class _Reader:
             self.lacking((), "the handbook has no chapter; write [[chapter]] and below it its title")
         if sum(len(chapter.parts) for chapter in chapters) > MOST_PARTS:
             self.wrong((), f"the handbook has more than {MOST_PARTS} parts; make two of it")
-        once = {"formats": tuple(dict.fromkeys(given.formats))}
+        once = {"formats": tuple(dict.fromkeys(given.formats)), "outside": self.outside}
         manifest = Manifest(path=os.fspath(self.file.path), chapters=chapters, **asdict(given) | once)
         try:
             return manifest.set_by(given.pdf.engine)
@@ -228,6 +234,9 @@ class _Reader:
         line = self.line((*place, "problems"))
         path = os.path.join(os.path.dirname(self.file.path), inside)
         mark = {"comma": ",", "point": "."}.get(str(options.get("decimal")), "")
+        if not self.outside and not is_inside(path, os.path.dirname(self.file.path)):
+            self.wrong((*place, "problems"), OutsideError(inside))
+            return
         try:
             problems = [*problems_of(path, options["lang"], given.variant or 1, mark)]
         except HandbookError as error:

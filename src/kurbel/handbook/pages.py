@@ -17,7 +17,7 @@ from kurbel.handbook.manifest import ChapterPlan, Manifest, Part
 from kurbel.handbook.model import COMPILED, ENGINES
 from kurbel.handbook.pool import GIGABYTES, PATIENCE, PDF_PATIENCE, About, Made, deadline
 from kurbel.page.labels import primed
-from kurbel.reading.given import did_you_mean
+from kurbel.reading.given import File, did_you_mean
 
 WORDS = {"de": "Fehlt", "en": "Missing"}
 # Where the sheet of a table waits for its workbook.
@@ -54,6 +54,7 @@ class _Items:
 
     def __init__(self, manifest: Manifest, made: Mapping[str, About], failures: list[Failure]) -> None:
         self.folder = manifest.folder
+        self.outside = manifest.outside
         self.matter = manifest.matter
         self.made = made
         self.failures = failures
@@ -81,12 +82,15 @@ class _Items:
         # With a name it is what should have been a table or a figure, and references lead to its chapter.
         return Item("text", part.name, lang=lang, blocks=blocks)
 
+    def file(self, name: str) -> File:
+        return File(name, self.folder, inside=not self.outside)
+
     def text(self, part: Part, lang: str, above: list[int]) -> prose.Blocks:
         """Return a text, of the manifest or of its own file, or a failure in its place."""
         from kurbel.documents.markdown import LONGEST, parse_prose
 
         try:
-            text = _text_of(os.path.join(self.folder, part.file), LONGEST) if part.file else part.text
+            text = _text_of(os.fspath(self.file(part.file)), LONGEST) if part.file else part.text
             blocks = parse_prose(text)
             for name in prose.references(blocks):
                 if name not in self.names:

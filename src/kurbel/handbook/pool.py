@@ -40,7 +40,8 @@ class Task(NamedTuple):
     """A part that is to be made, with all that a process of its own needs to make it.
 
     `templates` is a folder of one's own; they have `patience` in seconds. A `terse` caption does not say that
-    formulas are exact, for the page on notation does.
+    formulas are exact, for the page on notation does. Files that the command names may lie `outside` of the
+    folder where that is allowed.
     """
 
     part: Part
@@ -51,6 +52,7 @@ class Task(NamedTuple):
     formats: tuple[str, ...]
     figures: tuple[str, ...]
     terse: bool
+    outside: bool
 
 
 class About(NamedTuple):

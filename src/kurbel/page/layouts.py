@@ -227,7 +227,7 @@ def _names(folder: Folder) -> tuple[str, ...]:
 def layout_file(folder: Folder, name: str) -> Folder:
     """Return where the layout of that name in a folder is described."""
     file = os.path.join(str(folder), name, "layout.toml")
-    return File(file, folder.folder) if isinstance(folder, File) else file
+    return folder.named(file) if isinstance(folder, File) else file
 
 
 def layout_of(name: str, subjects: Sequence[str], folder: Folder | None = None) -> Layout:

@@ -27,16 +27,25 @@ _EITHER_WAY = re.compile(r"\s*(?:±|\+/?[-−])\s*(?=[\d.,])")
 
 
 class File(os.PathLike[str]):
-    """A file by its name, which counts from a folder; no folder is the one in which kurbel runs."""
+    """A file by its name, which counts from a folder; no folder is the one in which kurbel runs.
 
-    __slots__ = ("folder", "name")
+    One that is `inside` is refused where it is opened elsewhere, and so is what it names beside itself.
+    """
 
-    def __init__(self, name: str, folder: str = "") -> None:
+    __slots__ = ("folder", "inside", "name")
+
+    def __init__(self, name: str, folder: str = "", inside: bool = False) -> None:
         self.name = name
         self.folder = folder
+        self.inside = inside
 
     def __fspath__(self) -> str:
-        return os.path.join(self.folder, self.name)
+        path = os.path.join(self.folder, self.name)
+        if self.inside:
+            from kurbel.reading.inside import check_inside
+
+            check_inside(path, self.folder, self.name)
+        return path
 
     def __bool__(self) -> bool:
         return bool(self.name)
@@ -46,7 +55,11 @@ class File(os.PathLike[str]):
 
     def beside(self, name: str) -> File:
         """Return the file of a name that counts from where this one lies."""
-        return File(os.path.join(os.path.dirname(self.name), name), self.folder)
+        return self.named(os.path.join(os.path.dirname(self.name), name))
+
+    def named(self, name: str) -> File:
+        """Return the file of a name that counts from the same folder."""
+        return File(name, self.folder, self.inside)
 
 
 def choose(name: str, allowed: Iterable[str], what: str) -> str:

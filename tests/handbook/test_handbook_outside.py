@@ -1,0 +1,91 @@
+"""What a manifest names lies in its folder, wherever links lead, unless --allow-outside says otherwise."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from cli import Result, kurbel
+
+SECRET = "token-of-another-project"
+MACHINE = (
+    '[crank]\nstroke = "600mm"\nrod = "1.5m"\nspeed = "90/min"\n[steam]\nbore = "300mm"\npressure = "8bar"\n'
+)
+SAID = "leads out of the folder of the handbook; put what it names into that folder, or add --allow-outside"
+RUNS = {
+    "beside": "collate --csv ../secret.csv",
+    "by-its-root": "collate --csv {outside}/secret.csv",
+    "by-a-link": "collate --csv link.csv",
+    "by-a-way": "collate --csv way/secret.csv",
+    "by-a-machine": "turning --machine engine.toml",
+    "by-a-cylinder": "turning --machine cylinders.toml",
+    "by-a-rod": "inertia --rod-file ../secret.csv --stroke 1m --rod 2m --speed 1/s",
+    "by-a-book": "collate --sources books",
+    "by-layouts": "table --layouts pages-of-mine --layout mine",
+    "by-a-machine-elsewhere": "table --machine ../elsewhere.toml",
+}
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """The folder of a handbook, which leads in every way to files beside it."""
+    (tmp_path / "secret.csv").write_text(f"{SECRET}\n")
+    (tmp_path / "elsewhere.toml").write_text(MACHINE)
+    (tmp_path / "outside/book").mkdir(parents=True)
+    folder = tmp_path / "book"
+    for made in ("books/one", "pages-of-mine/mine"):
+        (folder / made).mkdir(parents=True)
+    (folder / "link.csv").symlink_to("../secret.csv")
+    (folder / "way").symlink_to("..")
+    (folder / "books/one/source.toml").symlink_to(tmp_path / "secret.csv")
+    (folder / "pages-of-mine/mine/layout.toml").symlink_to(tmp_path / "secret.csv")
+    (folder / "engine.toml").write_text(f'{MACHINE}card = "../secret.csv"\n')
+    cylinder = '[[cylinder]]\nangle = 0\ncard = "link.csv"\n[[cylinder]]\nangle = 90\neps = 3\n'
+    (folder / "cylinders.toml").write_text(f"{MACHINE}eps = 4\n{cylinder}")
+    return folder
+
+
+def build(folder: Path, parts: str, *words: str, top: str = "", command: str = "build") -> Result:
+    manifest = f'title = "T"\nformats = ["csv", "html"]\n{top}[[chapter]]\ntitle = "A"\n{parts}'
+    (folder / "handbook.toml").write_text(manifest)
+    return kurbel("handbook", command, str(folder), "--jobs", "1", *words)
+
+
+@pytest.mark.parametrize("command", ["build", "check"])
+def test_no_command_reads_outside(command: str, folder: Path) -> None:
+    runs = {name: run.format(outside=folder.parent) for name, run in RUNS.items()}
+    parts = "".join(f'[[chapter.part]]\nname = "{name}"\nrun = "{run}"\n' for name, run in runs.items())
+    done = build(folder, parts, command=command)
+    said = {name: line for name in runs for line in done.err.splitlines() if f", {name}: " in line}
+    assert {name for name, line in said.items() if line.endswith(SAID)} == {*runs}
+    assert SECRET not in done.err + done.out
+    allowed = build(folder, parts, "--allow-outside", command=command)
+    assert SAID not in allowed.err
+    assert allowed.err.count(SECRET) > 3
+
+
+@pytest.mark.parametrize(
+    ("parts", "top"),
+    [
+        ('[[chapter.part]]\nfile = "link.md"\n', ""),
+        ('[[chapter.part]]\nproblems = "link.toml"\n', ""),
+        ('[[chapter.part]]\nrun = "table"\n', 'templates = "link"\n'),
+        ('[[chapter.part]]\nrun = "table"\n', 'layouts = "link"\n'),
+        ('[[chapter.part]]\nrun = "table"\n', 'machine = "link.toml"\n'),
+    ],
+)
+def test_no_key_reads_outside(parts: str, top: str, folder: Path) -> None:
+    (folder.parent / "text.md").write_text(SECRET)
+    (folder / "link.md").symlink_to("../text.md")
+    (folder / "link.toml").symlink_to("../elsewhere.toml")
+    (folder / "link").symlink_to("../outside")
+    done = build(folder, parts, top=top)
+    assert (done.code, SAID in done.err) == (1, True)
+    assert not any(SECRET in path.read_text() for path in folder.glob("pages/**/*.html"))
+
+
+def test_what_was_built_of_files_outside_is_no_longer_taken_for_built(folder: Path) -> None:
+    part = '[[chapter.part]]\nname = "delta"\nrun = "table --machine ../elsewhere.toml"\n'
+    assert build(folder, part, "--allow-outside").code == 0
+    assert build(folder, part).code == 1
+    assert build(folder, part, "--allow-outside").code == 0
