@@ -52,6 +52,8 @@ html_theme_options = {
     "footer_start": [],
     "footer_end": [],
 }
+# Pages without pages below them have nothing to list at their left.
+html_sidebars = {name: [] for name in ("index", "tutorial", "anleitung", "digits", "changes")}
 copybutton_prompt_text = "$ "
 copybutton_only_copy_prompt_lines = True
 
