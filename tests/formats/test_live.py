@@ -144,6 +144,9 @@ REFUSED = {
     "table --interactive -f html --ratio 1:3..6:0,1 --offset 0..0,9:0,01": "an interactive page of 2821 steps"
     " (31 of --ratio x 91 of --offset) is too large; at most 1000 are allowed",
     "table --interactive -f html --ratio 1:2;1:4 --offset 0;2": "this is of the step --ratio 1:2, --offset 2",
+    "turning --interactive -f html --clearance 1%..5mm": 'clearance "1%..5mm" has the units % and mm; give its'
+    " ends and its step in one",
+    "table --interactive -f html --offset 0;;1": 'offset "0;;1" has an empty place; write a list as 2;3;4',
     "firing --interactive -f html": "an interactive page needs something to choose",
 }
 
@@ -155,6 +158,17 @@ def test_what_cannot_be_interactive_is_refused_in_one_sentence(words: str) -> No
     assert refused.out == ""
     assert REFUSED[words] in refused.err
     assert refused.err.count("\n") == 1
+
+
+@pytest.mark.slow
+def test_a_range_of_measures_has_its_unit_once() -> None:
+    words = ("table", "--ratio=1:5", "--stroke=0,6m", "--angle=90", "--columns=c_mps")
+    _, data = delivered(*words, "--speed=100..140:20/min")
+    assert data["texts"] == [["100/min", "120/min", "140/min"]]
+    speeds = [printed(*words, f"--speed={one}/min", "-f", "csv").records()[0] for one in (100, 120, 140)]
+    assert [data["tracks"][track].split(data["by"])[18] for (track,) in data["of"]] == [
+        one["c_mps"].replace(".", ",") for one in speeds
+    ]
 
 
 def test_the_usual_ratios_leave_out_those_with_which_the_drive_does_not_turn() -> None:

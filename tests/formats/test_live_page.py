@@ -94,6 +94,8 @@ def test_the_keyboard_chooses_and_the_table_is_what_is_printed_for_that_step(
     assert page.get_by_label("Kurbelverhältnis").count() == 1
     # What is chosen stands in the address, and opens the page again.
     assert page.evaluate("location.hash") == "#ratio=1:5&offset=0,3&phi=40"
+    assert "R:L = 1:5" in page.title()
+    assert page.locator("h1").text_content() == page.title()
     page.reload()
     assert page.evaluate(ROWS) == shown
     assert viewer.complaints == []

@@ -28,12 +28,13 @@ class Slider(NamedTuple):
 
 
 class Place(NamedTuple):
-    """A place along the axis that a page runs through: how it is written, where it lies, and the row of the
-    table that says most of it, where one does."""
+    """A place along the axis that a page runs through: how it is written, where it lies, and the row or the
+    column of the table that says most of it, where one does."""
 
     label: Label
     at: float
     row: int | None = None
+    column: int | None = None
 
 
 class Cursor(NamedTuple):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import product
@@ -10,12 +11,11 @@ from typing import Any, NamedTuple
 
 from kurbel.commands.options import Parameter, is_given
 from kurbel.errors import NotationError, ProblemError
-from kurbel.exact.numerals import Label, ratio_text
+from kurbel.exact.numerals import Label, finite_decimals, ratio_text
 from kurbel.page.quantity import Words, words
 from kurbel.page.steps import Slider
-from kurbel.reading import notation
-from kurbel.reading.given import as_numbers, as_ratios
-from kurbel.reading.notation import plain
+from kurbel.reading.given import as_ratios
+from kurbel.reading.notation import check_length, number, plain, progression, quoted
 
 # Two hundred pages of the usual size are some seconds and about half a megabyte.
 MOST_STEPS = 1000
@@ -41,6 +41,9 @@ WORDS: Mapping[str, Words] = {
     "acceleration": words("Winkelbeschleunigung der Kurbel|Angular acceleration of the crank"),
     "flywheel": words("Schwungrad|Flywheel"),
 }
+
+
+_MEASURE = re.compile(r"([-−+]?[\d.,]+(?:/\d+)?)\s*(.*)")
 
 
 class Choice(NamedTuple):
@@ -113,21 +116,46 @@ def _choice(name: str, known: Mapping[str, Parameter], given: Any) -> Choice | N
         return _of_ratios(ratios) if len(ratios) > 1 else None
     if known[name].option.many and not (name == "eps" and "angle" in known):
         return None
-    if not isinstance(given, str | list | tuple):
-        return None
-    texts = [given] if isinstance(given, str) else list(given)
-    if not any(isinstance(one, str) and (";" in one or ".." in one) for one in texts) and len(texts) < 2:
-        return None
-    if name == "eps" or any(".." in str(one) for one in texts):
-        numbers = as_numbers(given, name)
-        return Choice(name, numbers, tuple(f"${plain(one)}$" for one in numbers)) if numbers[1:] else None
-    parts = tuple(dict.fromkeys(part.strip() for one in texts for part in str(one).split(";")))
-    return Choice(name, parts, tuple(map(_written, parts)))
+    texts = [str(one) for one in given] if isinstance(given, list | tuple) else [str(given)]
+    parts = [part.strip() for text in texts for part in text.split(";")]
+    if len(parts) > 1 and not all(parts):
+        raise NotationError(f"{name} {quoted(';'.join(texts))} has an empty place; write a list as 2;3;4")
+    values = [one for part in parts for one in (_range(part, name) if ".." in part else [part])]
+    found = tuple(dict.fromkeys(values))
+    return Choice(name, found, tuple(map(_written, found))) if len(found) > 1 else None
+
+
+def _range(text: str, name: str) -> list[str]:
+    """Return the values of a range, whose unit may stand at each of its parts or once: 100..140:20/min."""
+    match = re.fullmatch(r"(.+?)\.\.([^:]+)(?::(.+))?", text)
+    if match is None:
+        raise NotationError(f"{name} {quoted(text)} is not a range; write it as 2..6 or 2..6:0.5")
+    parts = [_parted(part) for part in match.groups("1")]
+    units = dict.fromkeys(unit for _, unit in parts if unit)
+    if len(units) > 1:
+        raise NotationError(
+            f"{name} {quoted(text)} has the units {' and '.join(units)}; give its ends and its step in one"
+        )
+    first, last, step = (number(figures, name) for figures, _ in parts)
+    values = progression(first, last, step, name)
+    check_length(len(values), MOST_STEPS, f"steps of --{name}")
+    return [f"{_figures(value)}{next(iter(units), '')}" for value in values]
+
+
+def _parted(text: str) -> tuple[str, str]:
+    """Return the figures of a value, and its unit; what has no figures is all figures."""
+    match = _MEASURE.fullmatch(text.strip())
+    return (match[1], match[2]) if match else (text, "")
+
+
+def _figures(value: Fraction) -> str:
+    return str(value) if finite_decimals(value) is None else plain(value)
 
 
 def _written(text: str) -> Label:
-    """Return a value as pages write it: a number as such, a measure as it was given."""
-    try:
-        return f"${plain(notation.number(text))}$"
-    except NotationError:
+    """Return a value as pages write it: a number, and the unit as it was given."""
+    figures, unit = _parted(text)
+    if not _MEASURE.fullmatch(text):
         return text.replace("$", "")
+    space = " " if unit and not unit.startswith(("/", "°")) else ""
+    return f"${_figures(number(figures))}${space}{unit.replace('$', '')}"

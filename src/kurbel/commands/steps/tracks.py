@@ -131,7 +131,12 @@ def _along(question: Question, keys: tuple[str, ...], shown: tuple[Shown, ...]) 
     if len(numbers) < len(values):
         return None
     places = tuple(
-        Place(f"${number_text(one)}$", one.scaled / 10**one.decimals, place if in_rows else None)
+        Place(
+            f"${number_text(one)}$",
+            one.scaled / 10**one.decimals,
+            place if in_rows else None,
+            place if layout.across == (name,) and not layout.block else None,
+        )
         for place, one in enumerate(numbers)
     )
     field = axis.field()

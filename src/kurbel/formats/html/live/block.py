@@ -12,7 +12,7 @@ from importlib.resources import files
 from typing import Any, NamedTuple
 
 from kurbel.exact.numerals import Label, Number, number_text
-from kurbel.formats.html.live.packing import packed, separator_of, unpacked
+from kurbel.formats.html.live.packing import SPACE, packed, separator_of, unpacked
 from kurbel.formats.html.live.scenes import scenes_of
 from kurbel.formats.writer import PageWriter
 from kurbel.page.labels import plain, set_label
@@ -130,8 +130,11 @@ class _Setter:
 
     def data(self, steps: Steps, page: Callable[[Table], str]) -> dict[str, Any]:
         """Return what the script reads; the steps are made one after the other."""
-        made = ((_REMARK.sub("", page(step.table)), step.tracks, step.scene) for step in steps)
-        pages, of_steps, scenes = zip(*made, strict=True)
+        made = (
+            (_REMARK.sub("", page(step.table)), self.plain(step.table.caption), step.tracks, step.scene)
+            for step in steps
+        )
+        pages, titles, of_steps, scenes = zip(*made, strict=True)
         texts = [[*map(self.value, track)] for tracks in of_steps for track in tracks]
         separator = separator_of(text for track in texts for text in track)
         joined = [separator.join(track) for track in texts]
@@ -149,7 +152,9 @@ class _Setter:
                 "texts": [self.plain(place.label) for place in cursor.places],
                 "at": [place.at for place in cursor.places],
                 "rows": [place.row for place in cursor.places],
+                "columns": [place.column for place in cursor.places],
             },
+            "titles": packed(titles, SPACE),
             "pages": packed(pages),
             "by": separator,
             "tracks": list(known),

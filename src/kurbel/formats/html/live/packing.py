@@ -9,15 +9,16 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-_TAG = re.compile(r"(<[^>]*>)")
+# Where pages are cut, and lines of words.
+TAG, SPACE = re.compile(r"(<[^>]*>)"), re.compile(r"( )")
 # The first of these that no text has parts texts in one string.
 _SEPARATORS = ("|", "~", "^", "¦", "\t")
 
 
-def packed(pages: Sequence[str]) -> dict[str, Any]:
+def packed(pages: Sequence[str], cut: re.Pattern[str] = TAG) -> dict[str, Any]:
     """Return the pages for JSON: `shapes`, in each of which texts and numbers of gaps alternate, and for
-    every page its shape and what stands in the gaps, joined by `by`."""
-    tokens = [_TAG.split(page) for page in pages]
+    every page its shape and what stands in the gaps, joined by `by`. Pieces begin and end where pages are `cut`."""
+    tokens = [cut.split(page) for page in pages]
     separator = separator_of(token for page in tokens for token in page)
     lengths = list(dict.fromkeys(map(len, tokens)))
     shapes, texts = [], [""] * len(pages)

@@ -382,7 +382,7 @@
           if (output.textContent !== text) output.textContent = text;
           this.curves[column].show(this.values[track], this.figures[track], place);
         });
-        this.mark(data.cursor.rows[place]);
+        this.mark(data.cursor.rows[place], data.cursor.columns[place]);
       }
       const turned = this.turns() ? (angle ?? data.cursor.at[place]) + data.cursor.zero : this.angle;
       this.drawing?.show(data.moves[step], turned);
@@ -391,22 +391,25 @@
 
     // Show the table of another step, and leave what was scrolled where it was.
     turn(step) {
-      const {by, shapes, kinds, texts} = this.data.pages, own = texts[step].split(by);
       const scrolled = [...this.page.querySelectorAll(".scroll")].map(one => [one.scrollLeft, one.scrollTop]);
-      this.page.innerHTML = shapes[kinds[step]].map(piece => typeof piece === "number" ? own[piece] : piece).join("");
+      this.page.innerHTML = unpacked(this.data.pages, step);
+      const title = unpacked(this.data.titles, step), heading = document.querySelector("h1.unseen");
+      if (this.alone && heading && title) document.title = heading.textContent = title;
       [...this.page.querySelectorAll(".scroll")].forEach((one, place) => {
         if (scrolled[place]) [one.scrollLeft, one.scrollTop] = scrolled[place];
       });
       this.shown = step;
     }
 
-    mark(row) {
+    // Mark the row, or in a table that is whole the column, of a place.
+    mark(row, column) {
       for (const table of this.page.querySelectorAll("table")) {
-        const rows = table.querySelectorAll("tbody > tr:not(.group)"), marked = rows[row] ?? null;
-        const before = table.querySelector("tr[aria-current]");
-        if (before === marked) continue;
-        before?.removeAttribute("aria-current");
-        marked?.setAttribute("aria-current", "true");
+        const rows = [...table.querySelectorAll("tbody > tr:not(.group)")], whole = !table.closest(".narrow");
+        const cells = whole && column !== null ? rows.map(one => one.querySelectorAll("td")[column]) : [];
+        const marked = [rows[row], ...cells].filter(Boolean);
+        for (const one of table.querySelectorAll("[aria-current]"))
+          if (!marked.includes(one)) one.removeAttribute("aria-current");
+        for (const one of marked) if (!one.hasAttribute("aria-current")) one.setAttribute("aria-current", "true");
       }
     }
 
@@ -430,6 +433,11 @@
         if (place >= 0) (along ? this.along : this.inputs[slider]).value = place;
       }
     }
+  }
+
+  function unpacked({by, shapes, kinds, texts}, step) {
+    const own = texts[step].split(by);
+    return shapes[kinds[step]].map(piece => typeof piece === "number" ? own[piece] : piece).join("");
   }
 
   function nearest(values, wanted) {
