@@ -144,8 +144,8 @@ REFUSED = {
     "table --interactive -f html --ratio 1:3..6:0,1 --offset 0..0,9:0,01": "an interactive page of 2821 steps"
     " (31 of --ratio x 91 of --offset) is too large; at most 1000 are allowed",
     "table --interactive -f html --ratio 1:2;1:4 --offset 0;2": "this is of the step --ratio 1:2, --offset 2",
-    "turning --interactive -f html --clearance 1%..5mm": 'clearance "1%..5mm" has the units % and mm; give its'
-    " ends and its step in one",
+    "turning --interactive -f html --clearance 1%..5mm": 'clearance "1%..5mm" has the units % and mm; give'
+    " its ends and its step in one",
     "table --interactive -f html --offset 0;;1": 'offset "0;;1" has an empty place; write a list as 2;3;4',
     "firing --interactive -f html": "an interactive page needs something to choose",
 }

@@ -16,8 +16,11 @@ _SEPARATORS = ("|", "~", "^", "¦", "\t")
 
 
 def packed(pages: Sequence[str], cut: re.Pattern[str] = TAG) -> dict[str, Any]:
-    """Return the pages for JSON: `shapes`, in each of which texts and numbers of gaps alternate, and for
-    every page its shape and what stands in the gaps, joined by `by`. Pieces begin and end where pages are `cut`."""
+    """Return the pages for JSON; pieces of them begin and end where they are `cut`.
+
+    In `shapes` texts and numbers of gaps alternate; every page has one, of a kind, and a text of what stands
+    in its gaps, joined by `by`.
+    """
     tokens = [cut.split(page) for page in pages]
     separator = separator_of(token for page in tokens for token in page)
     lengths = list(dict.fromkeys(map(len, tokens)))
