@@ -81,7 +81,9 @@ class Viewer:
         if not self.page.evaluate("typeof axe === 'object'"):
             self.page.evaluate(AXE.read_text(encoding="utf-8"))
         only = {"type": "rule", "values": rules} if rules else {"type": "tag", "values": RULES}
-        found = self.page.evaluate(_AXE_RUN, {"runOnly": only, "resultTypes": ["violations", "incomplete"]})
+        # Axe would load style sheets again, which a page from a file may not.
+        options = {"runOnly": only, "resultTypes": ["violations", "incomplete"], "preload": False}
+        found = self.page.evaluate(_AXE_RUN, options)
         return [f"{rule}: {text}: {target}" for rule, text, target in found]
 
     def misfits(self) -> list[str]:
