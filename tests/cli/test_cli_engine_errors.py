@@ -217,7 +217,7 @@ DELTAS = [
         "--standalone is for latex, html and typst; csv has no documents; see kurbel delta --help",
     ),
     (("--longtable", "-f", "html"), "--longtable is for latex; the format is html; see kurbel delta --help"),
-    (("1:5",), "Got unexpected extra argument (1:5); see kurbel delta --help"),
+    (("1:5",), '"1:5" stands behind no option; write --ratio 1:5; see kurbel delta --help'),
     (("--epz", "2"), 'there is no option "--epz" (did you mean --eps?); see kurbel delta --help'),
     (("--angle", "30"), 'there is no option "--angle"; see kurbel delta --help'),
 ]
@@ -398,7 +398,7 @@ def test_pages_of_engines_are_not_printed_as_tables_of_motion() -> None:
 def test_without_pint_a_flywheel_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
     units.registry.cache_clear()
     monkeypatch.setitem(sys.modules, "pint", None)
-    assert refusal(*flywheel(), "--power", "68PS", code=1) == (
+    assert refusal(*flywheel("--power", "68PS"), code=1) == (
         f"quantities with units need pint; install it with: {how_to_install('units')}"
     )
     assert kurbel(*flywheel()).code == 0

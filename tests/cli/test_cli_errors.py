@@ -179,7 +179,7 @@ USAGE = [
     (("",), f'there is no command ""; choose from {", ".join(COMMANDS)}'),
     (("--foo",), 'there is no option "--foo"; see kurbel --help'),
     (("table", "--ratoi", "1:5"), f'there is no option "--ratoi" (did you mean --ratio?); {HELP}'),
-    (("table", "1:5"), f"Got unexpected extra argument (1:5); {HELP}"),
+    (("table", "1:5"), f'"1:5" stands behind no option; write --ratio 1:5; {HELP}'),
     (("table", "--ratio"), "Option '--ratio' requires an argument"),
     (("layouts", "--lang", "xx"), 'there is no language "xx"; choose from de, en'),
 ]

@@ -395,8 +395,8 @@ def test_what_is_typed_goes_before_the_environment() -> None:
         ),
         ("arc --rocker 6 --columns phi", "there is no column beside the axes; add one, such as path"),
         (
-            "parallel --columns phi,x",
-            'there is no column "x"; choose from phi, coupler_path, coupler_velocity, coupler_acceleration,'
+            "parallel --columns phi,y",
+            'there is no column "y"; choose from phi, coupler_path, coupler_velocity, coupler_acceleration,'
             " coupler_rise, coupler_rise_velocity, coupler_rise_acceleration, rod_velocity,"
             " rod_acceleration, tangential_force, tangential_force_n, radial_force, radial_force_n, torque,"
             " torque_nm",

@@ -13,7 +13,7 @@ import click
 
 from kurbel import __version__
 from kurbel.cli import COMMANDS, help_text, say
-from kurbel.errors import KurbelError
+from kurbel.errors import ChoiceError, KurbelError
 
 HELP_OPTIONS = ["-h", "--help"]
 
@@ -46,7 +46,14 @@ class Group(click.Group):
 
         # The help text is the answer to an option in place of a command.
         if not args[0].startswith("-") and not ctx.resilient_parsing:
-            args = [meant(args[0], self.list_commands(ctx), self.what), *args[1:]]
+            try:
+                args = [meant(args[0], self.list_commands(ctx), self.what), *args[1:]]
+            except ChoiceError:
+                from kurbel.cli.astray import command_for
+
+                if self.what == Group.what and (command := command_for(args[0])):
+                    raise ChoiceError(f'there is no command "{args[0][:60]}"; write {command}') from None
+                raise
         return super().resolve_command(ctx, args)
 
 

@@ -15,7 +15,7 @@ import click
 from kurbel.cli import say
 from kurbel.cli.app import Group
 from kurbel.cli.listing import show_lines
-from kurbel.cli.options import Type, lang_option
+from kurbel.cli.options import Option, Type, lang_option
 from kurbel.commands.options import Choice, Count
 from kurbel.formats.registry import compiled_format
 from kurbel.handbook.pool import MOST_PROCESSES, cores
@@ -56,10 +56,10 @@ ONLY = click.option("--only", multiple=True, metavar="NAME",
 OUTSIDE = click.option("--allow-outside", is_flag=True,
                        help="Files that the manifest names may lie outside of its folder.")  # fmt: skip
 QUIET = click.option("-q", "--quiet", is_flag=True, help="Say only what is wrong.")
-JOBS = click.option("-j", "--jobs", type=Type(Count("jobs", 1, MOST_PROCESSES)), metavar="N",
+JOBS = click.option("-j", "--jobs", cls=Option, type=Type(Count("jobs", 1, MOST_PROCESSES)), metavar="N",
                     help="Processes at once; default: one for each core.")  # fmt: skip
 ENGINES = Choice("PDF engine", compiled_format().engines)
-ENGINE = click.option("--pdf-engine", type=Type(ENGINES), metavar="ENGINE",
+ENGINE = click.option("--pdf-engine", cls=Option, type=Type(ENGINES), metavar="ENGINE",
                       help="typst (default), lualatex or latexmk; outdoes the manifest.")  # fmt: skip
 
 

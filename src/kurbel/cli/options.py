@@ -123,7 +123,32 @@ class Document:
 
 
 class Option(click.Option):
-    """An option that has no default from the environment where a document asks."""
+    """An option that has no default from the environment where a document asks, and one value at the most."""
+
+    def add_to_parser(self, parser: Any, ctx: click.Context) -> None:
+        if self.multiple or self.is_flag:
+            super().add_to_parser(parser, ctx)
+        else:
+            # All values that are typed, where click would keep the last.
+            parser.add_option(obj=self, opts=self.opts, dest=self.name, action="append", nargs=self.nargs)
+
+    def consume_value(self, ctx: click.Context, opts: Mapping[str, Any]) -> tuple[Any, ParameterSource]:
+        typed = opts.get(self.name or "")
+        if isinstance(typed, list) and not self.multiple:
+            return super().consume_value(ctx, {**opts, self.name or "": self._one_of(typed, ctx)})
+        return super().consume_value(ctx, opts)
+
+    def _one_of(self, typed: Sequence[Any], ctx: click.Context) -> Any:
+        """Return the value that is typed; raise UsageError for two that do not say the same."""
+        if len(dict.fromkeys(typed)) > 1 and not ctx.resilient_parsing:
+            said = [
+                self.type.convert(one, self, ctx) if isinstance(self.type, Type) else one for one in typed
+            ]
+            if len(dict.fromkeys(said)) > 1:
+                from kurbel.cli.astray import long_flag, twice
+
+                raise click.UsageError(twice(long_flag(self), dict.fromkeys(typed), ctx.command.name), ctx)
+        return typed[-1]
 
     def resolve_envvar_value(self, ctx: click.Context) -> str | None:
         return None if ctx.find_object(Document) else super().resolve_envvar_value(ctx)

@@ -55,6 +55,15 @@ class MakingCommand(click.Command, ABC):
     def run(self, given: Given) -> int:
         """Print what the options say, and return the exit code."""
 
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        ctx.allow_extra_args = True
+        left = super().parse_args(ctx, args)
+        if left and not ctx.resilient_parsing:
+            from kurbel.cli.astray import stray
+
+            raise click.UsageError(stray(left[0], self), ctx)
+        return left
+
     def invoke(self, ctx: click.Context) -> int:
         with augment_usage_errors(ctx):
             return self.run(Given(ctx))

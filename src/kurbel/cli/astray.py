@@ -1,0 +1,117 @@
+"""What was typed at the wrong place: an option twice, or a value without its option.
+
+Loaded where that is found.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any
+
+import click
+
+from kurbel.commands.options import Choice, Columns, Kind, LayoutName
+from kurbel.errors import KurbelError
+from kurbel.reading import notation
+
+# What has methods side by side, by the command.
+SIDE_BY_SIDE = {
+    "table": "--layout verfahren prints exact and series side by side, and --ratio '1:5;1:∞' the infinite rod"
+    " beside another",
+    "forces": "--layout forces-verfahren prints exact and series side by side",
+    "plot": "--infinite draws the infinite rod beside the other",
+}
+_LONGEST = 60
+
+
+def twice(flag: str, values: Iterable[Any], command: str | None) -> str:
+    """Return the sentence that refuses an option which takes one value and was given several."""
+    listed = " and as ".join(str(value)[:_LONGEST] for value in values)
+    hint = SIDE_BY_SIDE.get(command or "") if flag == "--method" else None
+    return f"{flag} is given as {listed}, and takes one value{f'; {hint}' if hint else ''}"
+
+
+def stray(text: str, command: click.Command) -> str:
+    """Return the sentence that refuses a value without an option, with the option that it is likely for."""
+    options = {one.name or "": one for one in command.params if isinstance(one, click.Option)}
+    shown = notation.quoted(text)
+    name = next((name for name in _names(text, options) if name in options), "")
+    if not name:
+        return f"{shown} stands behind no option, and kurbel {command.name} needs no such word"
+    return f"{shown} stands behind no option; write {long_flag(options[name])} {_as_typed(text)}"
+
+
+def long_flag(option: click.Option) -> str:
+    return next(one for one in option.opts if one.startswith("--"))
+
+
+def command_for(text: str) -> str:
+    """Return the command of a value in place of a command, nothing if none is likely."""
+    if _reads(notation.ratios, [text]) and any(mark in text for mark in ":∶"):
+        return f"kurbel table --ratio {_as_typed(text)}"
+    if _is_condition(text):
+        return f"kurbel solve --ratio 1:5 --where {_as_typed(text)}"
+    return ""
+
+
+def _names(text: str, options: Mapping[str, click.Option]) -> Iterable[str]:
+    """Yield the names of the options that the value can be for, the likeliest first."""
+    from kurbel.formats.registry import FORMATS
+    from kurbel.reading import units
+
+    if text.lower().endswith(".toml"):
+        yield "machine"
+    if any(text.lower().endswith(suffix) for one in FORMATS.values() for suffix in one.suffixes):
+        yield from ("output", "card")
+    if _is_condition(text):
+        yield "where"
+    for name in ("lang", "format", "method", "mechanism", "quantity", "engine", "layout", "columns"):
+        if name in options and _knows(getattr(options[name].type, "kind", None), text):
+            yield name
+    if ":" in text and ".." not in text and _reads(notation.ratios, [text]):
+        yield "ratio"
+    if _reads(notation.ratios, [text]) and text.lstrip().startswith("1:"):
+        yield "ratio"
+    if ".." in text and _reads(notation.angles, [text]):
+        yield "angle"
+    for name, read in (("speed", units.speed), ("stroke", _length), ("force", _force)):
+        if units.is_measure(text) and _reads(read, text):
+            yield name
+
+
+def _knows(kind: Kind | None, text: str) -> bool:
+    """Whether the value is one of those that an option of a few knows."""
+    if isinstance(kind, Columns):
+        return all(part in {*kind.offered(part, {})} for part in text.split(",") if part) and text != ""
+    return isinstance(kind, Choice | LayoutName) and _reads(lambda one: kind.read(one, {}), text)
+
+
+def _is_condition(text: str) -> bool:
+    left, equals, right = text.partition("=")
+    return bool(left.strip() and equals and right.strip()) and not text.startswith("-")
+
+
+def _length(text: str) -> Any:
+    from kurbel.reading import units
+
+    return units.length(text, "stroke")
+
+
+def _force(text: str) -> Any:
+    from kurbel.reading import units
+
+    return units.force(text)
+
+
+def _reads(read: Callable[[Any], Any], text: str | Sequence[str]) -> bool:
+    try:
+        read(text)
+    except KurbelError:
+        return False
+    return True
+
+
+def _as_typed(text: str) -> str:
+    from shlex import quote
+
+    return quote(text) if len(text) <= _LONGEST else "VALUE"
