@@ -89,6 +89,20 @@ def test_a_value_without_its_option_is_told_the_option(
     assert "no option" not in kurbel(command, *words[1:-1], right.split()[0], text).err
 
 
+@pytest.mark.parametrize(
+    ("words", "value"),
+    [
+        (("table", "--stroke", "600", "mm"), "'600 mm'"),
+        (("table", "--stroke=600mm", "--speed=120", "min^-1"), "'120 min^-1'"),
+        (("table", "--columns", "x,", "c"), "'x, c'"),
+    ],
+)
+def test_a_value_that_the_shell_parted_is_shown_in_quotes(words: tuple[str, ...], value: str) -> None:
+    assert f'"{words[-1]}" stands behind no option; a value with a space needs quotes: {value};' in refusal(
+        *words
+    )
+
+
 @pytest.mark.parametrize("words", [("table", "foo"), ("delta", "4"), ("table", ""), ("table", "x" * 5000)])
 def test_any_other_word_is_one_too_many(words: tuple[str, str]) -> None:
     said = refusal(*words)

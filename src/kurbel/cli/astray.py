@@ -5,6 +5,7 @@ Loaded where that is found.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
@@ -13,6 +14,7 @@ import click
 from kurbel.commands.options import Choice, Columns, Kind, LayoutName
 from kurbel.errors import KurbelError
 from kurbel.reading import notation
+from kurbel.reading.unit_text import plain_unit
 
 # What has methods side by side, by the command.
 SIDE_BY_SIDE = {
@@ -22,6 +24,7 @@ SIDE_BY_SIDE = {
     "plot": "--infinite draws the infinite rod beside the other",
 }
 _LONGEST = 60
+_NUMBER = re.compile(r"[+−-]?\d[\d.,/]*")
 
 
 def twice(flag: str, values: Iterable[Any], command: str | None) -> str:
@@ -31,14 +34,27 @@ def twice(flag: str, values: Iterable[Any], command: str | None) -> str:
     return f"{flag} is given as {listed}, and takes one value{f'; {hint}' if hint else ''}"
 
 
-def stray(text: str, command: click.Command) -> str:
-    """Return the sentence that refuses a value without an option, with the option that it is likely for."""
+def stray(text: str, command: click.Command, words: Sequence[str]) -> str:
+    """Return the sentence that refuses one of the words, which has no option, with what is likely meant: an
+    option, or quotes about a value with a space."""
+    if parted := _parted(text, words):
+        return f"{notation.quoted(text)} stands behind no option; a value with a space needs quotes: {parted}"
     options = {one.name or "": one for one in command.params if isinstance(one, click.Option)}
     shown = notation.quoted(text)
     name = next((name for name in _names(text, options) if name in options), "")
     if not name:
         return f"{shown} stands behind no option, and kurbel {command.name} needs no such word"
     return f"{shown} stands behind no option; write {long_flag(options[name])} {_as_typed(text)}"
+
+
+def _parted(text: str, words: Sequence[str]) -> str:
+    """Return the value in quotes of which the word before is the first part: '600 mm', 'x, c'."""
+    place = [*words].index(text) if text in words else 0
+    before = words[place - 1] if place > 1 else ""
+    first = before.rpartition("=")[2]
+    if first.endswith((",", ";")) or (_NUMBER.fullmatch(first) and plain_unit(text)):
+        return _as_typed(f"{first} {text}")
+    return ""
 
 
 def long_flag(option: click.Option) -> str:

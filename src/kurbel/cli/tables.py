@@ -57,11 +57,11 @@ class MakingCommand(click.Command, ABC):
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         ctx.allow_extra_args = True
-        left = super().parse_args(ctx, args)
+        left = super().parse_args(ctx, [*args])
         if left and not ctx.resilient_parsing:
             from kurbel.cli.astray import stray
 
-            raise click.UsageError(stray(left[0], self), ctx)
+            raise click.UsageError(stray(left[0], self, args), ctx)
         return left
 
     def invoke(self, ctx: click.Context) -> int:
