@@ -56,6 +56,8 @@ class Weighed:
     revolving: tuple[Fraction, ...] = ()
     revolving_share: Fraction = Fraction(0)
     balance_radius: Fraction | None = None
+    # How many units of the page a newton, or a newton metre, is.
+    unit: Fraction = Fraction(1)
 
     def __post_init__(self) -> None:
         if self.spacing is not None and self.spacing <= 0:
@@ -78,9 +80,9 @@ class Weighed:
         return residual == "force" or self.spacing is not None
 
     def times(self, factor: Factor, residual: str) -> Factor:
-        """Return a factor in units of m R ω² in newtons, for a moment in newton metres."""
+        """Return a factor in units of m R ω² in newtons, for a moment in newton metres, or their unit."""
         arm = Fraction(1) if residual == "force" else known(self.spacing)
-        exact = self.mass * arm
+        exact = self.mass * arm * self.unit
         if isinstance(factor, Fraction) and not known(self.crank.speed).turns:
             return factor * exact * known(self.crank.radius) * known(self.crank.speed).value ** 2
 
@@ -93,7 +95,7 @@ class Weighed:
     def scale(self, residual: str) -> Scale:
         """Return the unit m R ω² of a residual in newtons, of a moment in newton metres."""
         arm = Fraction(1) if residual == "force" else known(self.spacing)
-        return Scale.pin_acceleration(self.crank).times(self.mass * arm)
+        return Scale.pin_acceleration(self.crank).times(self.mass * arm * self.unit)
 
     def on(self, arrangement: Arrangement) -> Arrangement:
         """Return the arrangement with the masses of its cylinders, in units of m."""

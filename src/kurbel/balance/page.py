@@ -30,14 +30,14 @@ from kurbel.balance.harmonics_page import (
 from kurbel.balance.lengths import LENGTHS, certified_length
 from kurbel.balance.newtons import IN_NEWTONS, Weighed
 from kurbel.balance.words import ENGINES, UNITS, WORDS
-from kurbel.drive.crank import Crank
+from kurbel.drive.crank import Crank, known
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, exact_text
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis, angle_text
 from kurbel.page.quantity import Column, Formula, Quantity, entry, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field
-from kurbel.reading.amounts import amount
+from kurbel.reading.amounts import BOTH, amount
 from kurbel.reading.given import choose
 
 DEFAULT_ENGINE = "inline-4"
@@ -78,7 +78,7 @@ def balance_registry() -> Mapping[str, Quantity]:
 
 
 def _in_newtons(own: Quantity) -> Quantity:
-    unit = words("N, N m")
+    unit = words(BOTH)
     spanners = tuple({lang: f"{one[lang]} in {unit[lang]}" for lang in one} for one in own.spanners)
     return own._replace(
         key=own.key + IN_NEWTONS, unit=unit, decimals=NEWTON_DECIMALS, spanners=spanners, needs=IN_NEWTONS
@@ -115,6 +115,12 @@ class BalanceRequest(OrdersRequest):
     def in_own_units(self) -> bool:
         """Whether a column is in units of m R ω²."""
         return any(one.key != FACTOR and not one.quantity.needs for one in self.page_columns)
+
+    @property
+    def in_newtons(self) -> Weighed:
+        """The masses, whose forces are in the unit of the page."""
+        weighed = known(self.weighed)
+        return weighed if self.units is None else replace(weighed, unit=self.units.times(BOTH))
 
     @cached_property
     def residuals(self) -> Mapping[tuple[str, int], Residual]:
@@ -191,7 +197,7 @@ def _number(question: BalanceRequest, column: Column, place: Place, times: int) 
     if column.quantity.needs and question.weighed is not None:
         if not question.weighed.knows(key):
             return None
-        scale = question.weighed.times(scale, key)
+        scale = question.in_newtons.times(scale, key)
     return certified_length(length, residual, column.places, scale, question.rounding)
 
 

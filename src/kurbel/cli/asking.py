@@ -163,8 +163,10 @@ def _table(task: Task, answer: Asked, table: Table) -> Made:
     # Records are computed as they are run through: once for all formats.
     records = table.records._replace(rows=[*table.records.rows])
     # The manifest's names are all different, also where one is that of a layout.
-    data = replace(table, key=part.name, layout=layout, caption=caption, variant="", records=records)
-    named = replace(data, caption=_caption(task, table.caption, table.lang), steps=_steps(task, table))
+    named = replace(table, key=part.name, layout=layout, variant="", records=records)
+    told = table.told and (part.caption or table.told[0], table.told[1])
+    data = replace(named, caption=caption, told=told)
+    named = replace(named, caption=_caption(task, table.caption, table.lang), steps=_steps(task, table))
     with deadline(task.patience, GIGABYTES, bool(task.templates or named.templates)):
         files = {
             f"tables/{part.name}{FORMATS[name].suffixes[0]}": _text(

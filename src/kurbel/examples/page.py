@@ -20,8 +20,20 @@ from kurbel.examples.working import WORDS, Entry, Working, exact_text
 from kurbel.linkage.beam.engine import BeamEngine
 from kurbel.page.axes import angle_text
 from kurbel.page.layouts import LANGUAGES
-from kurbel.page.subject import check_label
-from kurbel.page.table import DITTO, Cell, Column, Field, Group, Note, Panel, Records, Row, Table, Value
+from kurbel.page.table import (
+    DITTO,
+    Cell,
+    Column,
+    Field,
+    Group,
+    Note,
+    Panel,
+    Records,
+    Row,
+    Table,
+    Value,
+    check_label,
+)
 from kurbel.page.wording import Worded
 from kurbel.reading.given import choose
 from kurbel.reading.notation import about, plain, ratio_text

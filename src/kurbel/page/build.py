@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 from itertools import groupby, pairwise
@@ -16,7 +17,7 @@ from kurbel.page.quantity import Column
 from kurbel.page.subject import Question
 from kurbel.page.table import DITTO, UNIT, Cell, Group, Note, Panel, Records, Row, Table, Value
 from kurbel.page.table import Column as Printed
-from kurbel.reading.amounts import printed_in
+from kurbel.reading.amounts import LARGER, TAKEN, printed_in
 
 # A page is held in memory whole; records stream. 300,000 cells take some seconds and 200 MB.
 MOST_CELLS = 300_000
@@ -24,14 +25,40 @@ MOST_COLUMNS = 500
 
 
 def build(question: Question, pages: bool = True) -> Table:
-    """Return the table that was asked for; without `pages` only its records, which need no memory."""
+    """Return the table that was asked for; without `pages` only its records, which need no memory.
+
+    Pages have larger units for long numbers, records have not.
+    """
+    if not pages:
+        return _in_units(question, pages, False)
+    shown = _enlarged(question)
+    token = TAKEN.set(set())
+    try:
+        page = _in_units(shown, pages, True)
+        if shown is question and not TAKEN.get():
+            return page
+    finally:
+        TAKEN.reset(token)
+    plain = _in_units(question, pages, False)
+    return replace(page, records=plain.records, told=(plain.caption, plain.notes))
+
+
+def _enlarged(question: Question) -> Question:
+    if not any(column.quantity.unit["en"] in LARGER for column in question.page_columns):
+        return question
+    from kurbel.page.larger import enlarged
+
+    return enlarged(question)
+
+
+def _in_units(question: Question, pages: bool, whole: bool) -> Table:
     if question.units is None:
-        return _built(question, pages)
+        return _built(question, pages, whole)
     with printed_in(question.units):
-        return _built(question, pages)
+        return _built(question, pages, whole)
 
 
-def _built(question: Question, pages: bool) -> Table:
+def _built(question: Question, pages: bool, whole: bool) -> Table:
     about, layout = question.subject, question.layout
     further = (*_zero(question), *(about.page_notes(question) if pages else ()))
     page = Table(
@@ -39,7 +66,7 @@ def _built(question: Question, pages: bool) -> Table:
         layout=layout.key,
         lang=question.lang,
         caption=about.caption(question),
-        panels=panels(*(about.grid or own_grid)(question)) if pages else (),
+        panels=panels(*(about.grid or own_grid)(question)) if whole else (),
         records=_records(question.for_data),
         notes=tuple(
             one if isinstance(one, Note) else Note(one) for one in (*about.notes(question), *further)

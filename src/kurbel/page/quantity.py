@@ -153,7 +153,8 @@ def of_multiple(ties: Ties, times: Fraction) -> Ties:
 
 
 class Column(NamedTuple):
-    """A column of a page with all choices made. `methods` are one, or two whose difference is shown."""
+    """A column of a page with all choices made. `methods` are one, or two whose difference is shown. A number
+    of five figures has so many decimals at the `least`."""
 
     key: str
     quantity: Quantity
@@ -161,6 +162,7 @@ class Column(NamedTuple):
     decimals: int | None
     spanners: tuple[Label, ...]
     heading: tuple[Label, ...]
+    least: int = 0
 
     @property
     def method(self) -> str:

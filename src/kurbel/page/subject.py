@@ -12,12 +12,13 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, TypeAlias
 
 from kurbel.errors import ProblemError
-from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS, Label
+from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS, Label, Number
 from kurbel.page.axes import Grid, PageAxis, Place
+from kurbel.page.known import Known, is_short, known_at
 from kurbel.page.layouts import Layout, LayoutColumn
 from kurbel.page.quantity import Column, Quantity
 from kurbel.page.subjects import SUBJECTS
-from kurbel.page.table import Field, Note, Records, Tone, Value
+from kurbel.page.table import Field, Note, Records, Tone, Value, check_label
 from kurbel.page.wording import Worded
 from kurbel.reading.given import choose, meant
 from kurbel.reading.notation import MOST_ROWS
@@ -131,6 +132,8 @@ class Question(Worded):
 
     # Whether records of the axes alone say something.
     axes_suffice: ClassVar[bool] = False
+    # Numbers that need not be computed.
+    known: ClassVar[Mapping[Known, Number]] = MappingProxyType({})
 
     def __post_init__(self) -> None:
         check_rounding(self.digits, self.rounding)
@@ -298,7 +301,12 @@ class Question(Worded):
 
     def number(self, column: Column, place: Place, times: int = 1) -> Value:
         """Return what stands at a place, times a factor; None where the column says nothing of it."""
-        return self.subject.number(self, column, place, times)
+        if self.known and times == 1 and (number := self.known.get(known_at(column, place))) is not None:
+            return number
+        found = self.subject.number(self, column, place, times)
+        if column.least and isinstance(found, Number) and is_short(found, column):
+            return self.subject.number(self, column._replace(decimals=column.least), place, times)
+        return found
 
 
 def check_rounding(digits: int | None, rounding: str) -> None:
@@ -306,11 +314,3 @@ def check_rounding(digits: int | None, rounding: str) -> None:
     if digits is not None and (not isinstance(digits, int) or not 0 <= digits <= MOST_DIGITS):
         raise ProblemError(f"digits is {digits}; it must be a whole number from 0 to {MOST_DIGITS}")
     choose(rounding, ROUNDINGS, "rounding")
-
-
-def check_label(label: str) -> None:
-    """Raise a KurbelError unless cross references can bear the label."""
-    if not isinstance(label, str):
-        raise ProblemError(f"label is {str(label)[:40]}; it must be text")
-    if any(not (one.isascii() and (one.isalnum() or one in "-.:")) for one in label):
-        raise ProblemError(f'label "{label[:40]}" may have letters, digits and the signs -.: only')

@@ -14,6 +14,7 @@ from enum import Enum
 from itertools import groupby
 from typing import TYPE_CHECKING, Literal, NamedTuple, TypeAlias
 
+from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number
 from kurbel.page.quantity import Letter, Quantity, named, words
 
@@ -133,7 +134,8 @@ class Table:
     which that lies, nothing where it is kurbel's. `pause` is the number of rows between small spaces, 0 for
     none; None leaves it to the step of the rows. `variant` is the key with what was asked for beside
     the defaults of the layout: "kinematics-ratio-1-4". `quantities` are those of its columns. An interactive
-    page has `steps`, of which this is the first that is shown.
+    page has `steps`, of which this is the first that is shown. `told` are caption and notes as they stand with
+    the records, where those of the page have other units.
     """
 
     key: str
@@ -149,6 +151,7 @@ class Table:
     variant: str = ""
     quantities: tuple[Quantity, ...] = ()
     steps: Steps | None = None
+    told: tuple[Label, tuple[Note, ...]] | None = None
 
     @property
     def anchor(self) -> str:
@@ -267,3 +270,11 @@ def _headings(
             kind: Literal["stub", "heading"] = "stub" if place < stubs else "heading"
             lines = column.heading[:-1] if without_symbols and column.spanners else column.heading
             yield HeadCell(lines, kind, place, 1, levels - level + 1, level)
+
+
+def check_label(label: str) -> None:
+    """Raise a KurbelError unless cross references can bear the label."""
+    if not isinstance(label, str):
+        raise ProblemError(f"label is {str(label)[:40]}; it must be text")
+    if any(not (one.isascii() and (one.isalnum() or one in "-.:")) for one in label):
+        raise ProblemError(f'label "{label[:40]}" may have letters, digits and the signs -.: only')

@@ -16,11 +16,13 @@ def in_units(column: Column, units: Units, lang: str, counted: bool) -> Column:
     own, other = pair
     more = _more_decimals(other.size / own.size)
     decimals = column.decimals
+    is_taken = own.dimension in units.taken and decimals is None
     return column._replace(
         quantity=multiplied(column.quantity, own.size / other.size)._replace(
             unit=dict.fromkeys(column.quantity.unit, other.symbol)
         ),
         decimals=decimals if decimals is None or counted else max(0, decimals + more),
+        least=more if is_taken else 0,
         heading=tuple(_renamed(label, own, other, lang) for label in column.heading),
         spanners=tuple(_renamed(label, own, other, lang) for label in column.spanners),
     )
@@ -29,7 +31,12 @@ def in_units(column: Column, units: Units, lang: str, counted: bool) -> Column:
 def _renamed(label: Label, own: Unit, other: Unit, lang: str) -> Label:
     """Return the head of a column with the unit that it names, if it names one, in its place."""
     said = other.named[lang] if other.named else other.symbol
-    return f"{label.removesuffix(own.symbol)}{said}" if label.endswith(f" in {own.symbol}") else label
+    return f"{label.removesuffix(own.symbol)}{said}" if names_unit(label, own) else label
+
+
+def names_unit(label: Label, unit: Unit) -> bool:
+    """Whether the head of a column is the unit or ends with it: "$F$ in N"."""
+    return label == unit.symbol or f" {label}".endswith(f" in {unit.symbol}")
 
 
 def _more_decimals(times: Fraction) -> int:

@@ -69,12 +69,12 @@ def _about(panels: Sequence[Panel]) -> Iterator[Label]:
         named = [spot.text for spot in panel.spots if spot.text]
         swing = [panel.swing.text] if panel.swing else []
         told = ", ".join((*labels, *swing, *named))
-        yield ": ".join(filter(None, (axis_label(panel.label, panel.unit), told)))
+        yield ": ".join(filter(None, (axis_label(panel.label, panel.unit, panel.power), told)))
 
 
 def polar_drawing(question: Question, force: PinForce, mark: str, size: Size = USUAL) -> Drawing:
     """Return the polar diagram of the force on the crank pin, of which names and unit are given."""
-    across, up = (axis_label(name, force.unit) for name in force.names)
+    across, up = (axis_label(name, force.unit, force.power) for name in force.names)
     figure = polar(force, mark, POLAR_WAYS[question.lang], size)
     about = "; ".join((across, up, *(force.strokes.names if force.strokes else ())))
     return Drawing(figure, f"{POLAR_TITLE[question.lang]}: {_title(question)}", about)

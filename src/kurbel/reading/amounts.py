@@ -13,12 +13,13 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from kurbel.errors import NotationError
-from kurbel.exact.numerals import Label, figure
+from kurbel.exact.numerals import Label, figure, nearest, number_text, plain
 from kurbel.reading.notation import quoted
 
 INCH, FOOT, POUND = Fraction("0.0254"), Fraction("0.3048"), Fraction("0.45359237")
 POUND_FORCE = POUND * Fraction("9.80665")
 METRIC, IMPERIAL = "metric", "imperial"
+BOTH = "N, N m"
 
 
 class Unit(NamedTuple):
@@ -47,16 +48,24 @@ def _units() -> Iterable[Unit]:
     yield Unit("in/s²", "acceleration", INCH, "inps2")
     yield Unit("N", "force", Fraction(1), "n")
     yield Unit("kN", "force", thousand, "kn")
+    yield Unit("MN", "force", thousand**2, "mn")
     yield Unit("lbf", "force", POUND_FORCE, "lbf")
     yield Unit("N m", "torque", Fraction(1), "nm")
     yield Unit("kN m", "torque", thousand, "knm")
+    yield Unit("MN m", "torque", thousand**2, "mnm")
     yield Unit("lbf ft", "torque", pound_foot, "lbfft")
     yield Unit("lbf in", "torque", POUND_FORCE * INCH, "lbfin")
+    # Of a column with forces in some rows and moments in others; nobody can ask for it.
+    yield Unit(BOTH, "force and torque", Fraction(1), "n")
+    yield Unit("kN, kN m", "force and torque", thousand, "kn")
+    yield Unit("MN, MN m", "force and torque", thousand**2, "mn")
     yield Unit("J", "energy", Fraction(1), "j")
     yield Unit("kJ", "energy", thousand, "kj")
+    yield Unit("MJ", "energy", thousand**2, "mj")
     yield Unit("ft lbf", "energy", pound_foot, "ftlbf")
     yield Unit("W", "power", Fraction(1), "w")
     yield Unit("kW", "power", thousand, "kw")
+    yield Unit("MW", "power", thousand**2, "mw")
     yield Unit("hp", "power", 550 * pound_foot, "hp")
     yield Unit("kPa", "pressure", thousand, "kpa")
     yield Unit("bar", "pressure", 100 * thousand, "bar")
@@ -76,6 +85,13 @@ def _units() -> Iterable[Unit]:
 
 
 UNITS: Mapping[str, Unit] = {one.symbol: one for one in _units()}
+# What pages have in place of a unit in which a number has five digits before the decimal mark.
+LARGER: Mapping[str, str] = {
+    **{"N": "kN", "kN": "MN", "N m": "kN m", "kN m": "MN m"},
+    **{BOTH: "kN, kN m", "kN, kN m": "MN, MN m"},
+    **{"J": "kJ", "kJ": "MJ", "W": "kW", "kW": "MW", "kPa": "MPa"},
+}
+LONG = 10_000
 OF_SYSTEM = {
     IMPERIAL: "in; ft/s; ft/s²; lbf; lbf ft; ft lbf; hp; psi; lb; lb ft²; in²; lb/in³; ft³/min",
     METRIC: "",
@@ -84,10 +100,11 @@ OF_SYSTEM = {
 
 class Units(NamedTuple):
     """The unit of every dimension that has another one than the metric pages; `data` whether records have
-    them, too, whose keys then say so."""
+    them, too, whose keys then say so. Those that are `taken` nobody asked for; no digit is lost in them."""
 
     chosen: Mapping[str, Unit]
     data: bool = True
+    taken: frozenset[str] = frozenset()
 
     def of(self, symbol: Label) -> tuple[Unit, Unit] | None:
         """Return a unit of metric pages and the one in its place, None where it stays."""
@@ -121,7 +138,7 @@ def read_units(text: str) -> Units:
         if unit is None:
             raise NotationError(
                 f"units {quoted(text)} has the unit {quoted(name)}; write metric, imperial or a list of"
-                f" {', '.join(UNITS)}"
+                f" {', '.join(name for name in UNITS if ',' not in name)}"
             )
         if chosen.setdefault(unit.dimension, unit) != unit:
             raise NotationError(
@@ -131,8 +148,17 @@ def read_units(text: str) -> Units:
     return Units(chosen)
 
 
+def larger(symbol: str, value: Fraction) -> str:
+    """Return the unit in which a value in this one has four digits before the decimal mark, or fewer."""
+    while symbol in LARGER and abs(value) >= LONG:
+        symbol, value = LARGER[symbol], value / 1000
+    return symbol
+
+
 # The units of the page that is being made.
 _OF_PAGE: ContextVar[Units | None] = ContextVar("units", default=None)
+# The larger units that the page has taken by itself; None where no amount of it has such.
+TAKEN: ContextVar[set[str] | None] = ContextVar("larger units", default=None)
 
 
 @contextmanager
@@ -146,16 +172,40 @@ def printed_in(units: Units) -> Iterator[None]:
 
 
 def amount(value: Fraction, symbol: str, shown: Callable[[Fraction], str] = figure) -> Label:
-    """Return an amount of the SI as it stands in a formula, on metric pages in this unit."""
-    times, label = unit_of_page(symbol)
+    """Return an amount of the SI as it stands in a formula, on metric pages in this unit or a larger one."""
     value /= UNITS[symbol].size
-    return f"{shown(value) if times == 1 else figure(times * value)} {label}"
+    times, label = unit_of_page(symbol, value)
+    return f"{shown(value) if times == 1 else _shown_in(shown(value), value, times)} {label}"
 
 
-def unit_of_page(symbol: str) -> tuple[Fraction, Label]:
-    """Return how many units of the page a metric one is, and the label of that as it stands in a formula."""
-    units = _OF_PAGE.get()
+def _shown_in(text: str, value: Fraction, times: Fraction) -> str:
+    """Return a value, which has this text, in a unit that it is so many times of: in a power of ten of its
+    unit with every digit of the text."""
+    places = len(str(1 / times)) - 1
+    if times != Fraction(1, 10**places) or "/" in text:
+        return figure(times * value)
+    printed = Fraction(text)
+    if printed == value:
+        return plain(times * printed)
+    return number_text(nearest(times * printed, len(text.partition(".")[2]) + places))
+
+
+def unit_of_page(symbol: str, value: Fraction = Fraction(0)) -> tuple[Fraction, Label]:
+    """Return how many units of the page a metric one is, and the label of that as it stands in a formula.
+
+    A page that was asked for no unit has a larger one for a long value.
+    """
+    units, taken = _OF_PAGE.get(), TAKEN.get()
     pair = units and units.of(symbol)
     printed = pair[1].symbol if pair else symbol
+    if taken is not None and _is_own(symbol) and (longer := larger(symbol, value)) != symbol:
+        printed = longer
+        taken.add(longer)
     name = printed.removesuffix("²")
-    return units.times(symbol) if units else Fraction(1), f'"{name}"{"" if name == printed else "^2"}'
+    return UNITS[symbol].size / UNITS[printed].size, f'"{name}"{"" if name == printed else "^2"}'
+
+
+def _is_own(symbol: str) -> bool:
+    """Whether no unit was asked for in place of a metric one."""
+    units = _OF_PAGE.get()
+    return units is None or UNITS[symbol].dimension not in units.chosen

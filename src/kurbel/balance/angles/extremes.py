@@ -24,6 +24,7 @@ from kurbel.exact.kind import balls
 from kurbel.exact.numerals import Label, Number
 from kurbel.page.axes import Place
 from kurbel.page.quantity import Column, Formula, Quantity, entry
+from kurbel.reading.amounts import BOTH
 
 GREATEST, PLACE = "greatest", "greatest_phi"
 PLACE_DECIMALS = 2
@@ -48,7 +49,7 @@ def quantities() -> Mapping[str, Quantity]:
 
 
 def _in_newtons(own: Mapping[str, Quantity]) -> Mapping[str, str]:
-    return {lang: f"{name} in N, N m" for lang, name in own[GREATEST].name.items()}
+    return {lang: f"{name} in {BOTH}" for lang, name in own[GREATEST].name.items()}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -102,7 +103,7 @@ def _number(question: ExtremesRequest, column: Column, place: Place, times: int)
     if column.quantity.needs and question.weighed is not None:
         if not question.weighed.knows(key):
             return None
-        scale = question.weighed.scale(key)
+        scale = question.in_newtons.scale(key)
     if order is None:
         curve = question.curve(key, ratio)
         if not (curve.waves or curve.slides):
@@ -126,7 +127,7 @@ def _of_order(
     if scale == 0 or length.vanishes(residual):
         return EXACT_ZERO
     if column.quantity.needs and question.weighed is not None:
-        scale = question.weighed.times(scale, key)
+        scale = question.in_newtons.times(scale, key)
     return certified_length(length, residual, column.places, scale, question.rounding)
 
 

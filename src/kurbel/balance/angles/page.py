@@ -28,6 +28,7 @@ from kurbel.exact.numerals import Label, Number
 from kurbel.page.axes import AngleAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, words
 from kurbel.page.table import Field
+from kurbel.reading.amounts import BOTH
 
 MOST_ANGLES = 10_000
 DIRECTION_DECIMALS = 2
@@ -62,11 +63,11 @@ def quantities() -> Mapping[str, Quantity]:
     for key, name, head in rows:
         formulas = {"exact": Formula(PRINTED[key])}
         own = entry(key, name, "", "m R ω²", DECIMALS, formulas, head)
-        in_newtons = {lang: f"{text} in N, N m" for lang, text in own.heading.items()}
+        in_newtons = {lang: f"{text} in {BOTH}" for lang, text in own.heading.items()}
         found += [
             own,
             own._replace(
-                key=key + IN_NEWTONS, unit=words("N, N m"), decimals=NEWTON_DECIMALS, heading=in_newtons,
+                key=key + IN_NEWTONS, unit=words(BOTH), decimals=NEWTON_DECIMALS, heading=in_newtons,
                 needs=IN_NEWTONS,
             ),
         ]  # fmt: skip
@@ -155,7 +156,7 @@ def _number(question: AngleRequest, column: Column, place: Place, times: int) ->
     if column.quantity.needs and question.weighed is not None:
         if not question.weighed.knows(key):
             return None if not vector.vanishes() else EXACT_ZERO
-        scale = question.weighed.scale(key).times(scale.value)._replace(factor=scale.factor)
+        scale = question.in_newtons.scale(key).times(scale.value)._replace(factor=scale.factor)
     printing = PRINTED[column.key.removesuffix(IN_NEWTONS)]
     return printing(vector, column.places, question.rounding, scale)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from fractions import Fraction
 from typing import Any
 
 from kurbel.engine.diagram.fluctuation import Extreme, Fluctuation
@@ -74,7 +75,7 @@ def shown(value: Callable[[Kind], Any], algebraic: bool) -> str:
 
 def _amount(value: Callable[[Kind], Any], algebraic: bool, symbol: str) -> Label:
     """Return the same of an amount in this unit of metric pages, with the unit of the page."""
-    times, unit = unit_of_page(symbol)
+    times, unit = unit_of_page(symbol, Fraction(float(value(floats()))))
     return f"{shown(lambda kind: value(kind) * kind.of(times), algebraic)} {unit}"
 
 

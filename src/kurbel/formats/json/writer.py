@@ -58,12 +58,13 @@ _CLOSING = "\n]\n}\n"
 
 def _opening(table: Table) -> str:
     """Return all that stands before the first row."""
+    caption, notes = table.told or (table.caption, table.notes)
     head = {
         "table": table.key,
         "lang": table.lang,
-        "caption": plain(table.caption),
+        "caption": plain(caption),
         "source": plain(table.source),
-        "notes": [{"mark": note.mark, "text": plain(note.text)} for note in table.notes],
+        "notes": [{"mark": note.mark, "text": plain(note.text)} for note in notes],
     }
     lines = "".join(f'"{name}": {_json(value)},\n' for name, value in head.items())
     columns = _SEPARATOR.join(

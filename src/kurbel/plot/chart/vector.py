@@ -11,6 +11,7 @@ import numpy as np
 from kurbel.exact.numerals import Label
 from kurbel.plot.chart.model import Strokes
 from kurbel.plot.place import Points
+from kurbel.plot.ticks import power_of_thousand
 
 MARK_STEP = 30
 
@@ -33,6 +34,12 @@ class PinForce(NamedTuple):
     names: tuple[Label, Label]
     unit: Label
     strokes: Strokes | None = None
+
+    @property
+    def power(self) -> int:
+        """The power of ten that is taken out of the numbers of its components."""
+        numbers = np.asarray((self.vector.across, self.vector.up), float)
+        return power_of_thousand(numbers[np.isfinite(numbers)])
 
 
 class Piece(NamedTuple):

@@ -1,0 +1,110 @@
+"""Columns whose numbers have five digits before the decimal mark, in a larger unit: kN in place of N.
+
+A page has one unit for all columns of a dimension, by the greatest number of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from copy import copy
+from fractions import Fraction
+from functools import partial
+
+from kurbel.exact.numerals import Number
+from kurbel.page.axes import places
+from kurbel.page.known import Known, known_at
+from kurbel.page.quantity import Column
+from kurbel.page.subject import Question
+from kurbel.page.units import names_unit
+from kurbel.reading.amounts import LARGER, UNITS, Unit, Units, larger
+
+# What a question finds once and depends on the units; all else that was found stays.
+OF_UNITS = ("page_columns", "axes", "for_data", "values")
+
+
+def enlarged(question: Question) -> Question:
+    """Return the question with larger units where its page has longer numbers."""
+    columns: dict[str, list[Column]] = {}
+    for column in question.page_columns:
+        if column.quantity.unit["en"] in LARGER:
+            columns.setdefault(_unit(column).dimension, []).append(column)
+    known: dict[Known, Number] = {}
+    taken: dict[str, Unit] = {}
+    for dimension, found in columns.items():
+        if _is_free(question, dimension) and all(_says(question, column) for column in found):
+            known |= (numbers := _numbers(question, found))
+            for longer in _longer(found, numbers):
+                taken[dimension] = UNITS[longer]
+    if not taken:
+        return question
+    asked = question.units.chosen if question.units else {}
+    units = Units({**asked, **taken}, data=False, taken=frozenset(taken))
+    other = copy(question)
+    for name in OF_UNITS:
+        vars(other).pop(name, None)
+    counted = question.digits is not None
+    vars(other).update(units=units, known={} if counted else _moved(known, columns, units))
+    return other
+
+
+def _unit(column: Column) -> Unit:
+    return UNITS[column.quantity.unit["en"]]
+
+
+def _is_free(question: Question, dimension: str) -> bool:
+    """Whether no unit of the dimension was asked for."""
+    asked = question.units.chosen if question.units else {}
+    return not any(one in asked for one in (dimension, *dimension.split(" and ")))
+
+
+def _says(question: Question, column: Column) -> bool:
+    """Whether the page says the unit of the column where another can stand in its place."""
+    return question.layout.unit or any(
+        names_unit(label, _unit(column)) for label in (*column.heading, *column.spanners)
+    )
+
+
+def _numbers(question: Question, columns: Sequence[Column]) -> dict[Known, Number]:
+    """Return what stands in these columns, by column and place."""
+    sizes = {name: axis.size for name, axis in question.axes.items() if name != "column"}
+    found = {}
+    for column in columns:
+        index = question.page_columns.index(column)
+        for place in places(sizes, partial(question.subject.exists, question)):
+            shown = question.number(column, at := {**place, "column": index})
+            if isinstance(shown, Number):
+                found[known_at(column, at)] = shown
+    return found
+
+
+def _longer(columns: Sequence[Column], numbers: Mapping[Known, Number]) -> Iterator[str]:
+    """Yield the unit in place of that of the columns, if their greatest number asks for one."""
+    sizes = {column.key: _unit(column).size for column in columns}
+    greatest = max(
+        (abs(one.scaled) * sizes[key] / 10**one.decimals for (key, _), one in numbers.items()),
+        default=Fraction(0),
+    )
+    for column in columns:
+        symbol = _unit(column).symbol
+        if (longer := larger(symbol, greatest / UNITS[symbol].size)) != symbol:
+            yield longer
+
+
+def _moved(
+    numbers: Mapping[Known, Number], columns: Mapping[str, Sequence[Column]], units: Units
+) -> dict[Known, Number]:
+    """Return the numbers in these units, each with every digit that it had.
+
+    What is printed to figures of its own, or is exact, is left out.
+    """
+    counted = {
+        one.key: (one.decimals, len(str(1 / units.times(_unit(one).symbol))) - 1)
+        for found in columns.values()
+        for one in found
+    }
+    moved = {}
+    for (key, place), number in numbers.items():
+        decimals, more = counted[key]
+        if number.decimals == decimals:
+            moved[key, place] = Number(number.scaled, decimals + more)
+    return moved
