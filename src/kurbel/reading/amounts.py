@@ -193,10 +193,10 @@ def _shown_in(text: str, value: Fraction, times: Fraction) -> str:
 def unit_of_page(symbol: str, value: Fraction = Fraction(0)) -> tuple[Fraction, Label]:
     """Return how many units of the page a metric one is, and the label of that as it stands in a formula.
 
-    A page that was asked for no unit has a larger one for a long value.
+    A page that was asked for no unit has a larger one for a long value, whatever its columns have.
     """
     units, taken = _OF_PAGE.get(), TAKEN.get()
-    pair = units and units.of(symbol)
+    pair = None if units is None or _is_own(symbol) else units.of(symbol)
     printed = pair[1].symbol if pair else symbol
     if taken is not None and _is_own(symbol) and (longer := larger(symbol, value)) != symbol:
         printed = longer
@@ -207,5 +207,5 @@ def unit_of_page(symbol: str, value: Fraction = Fraction(0)) -> tuple[Fraction, 
 
 def _is_own(symbol: str) -> bool:
     """Whether no unit was asked for in place of a metric one."""
-    units = _OF_PAGE.get()
-    return units is None or UNITS[symbol].dimension not in units.chosen
+    units, dimension = _OF_PAGE.get(), UNITS[symbol].dimension
+    return units is None or dimension not in units.chosen or dimension in units.taken
