@@ -23,9 +23,10 @@ from kurbel.page.layouts import LANGUAGES, layout
 from kurbel.page.subject import subject
 from kurbel.page.table import DITTO, Table
 
-TASK = {"power": 50_000, "speed": 2, "delta": "1:50;1:100", "radius": 1.5}
-LOAD = {"stroke": 0.6, "bore": 0.3, "pressure": 800_000}
-MACHINE = LOAD | {"speed": 2, "reciprocating": 300, "rod_mass": 150, "centre": "0.6", "gyration": "0.3"}
+# So small that no number has five digits, which pages would have in larger units (tests/page).
+TASK = {"power": 5_000, "speed": 2, "delta": "1:50;1:100", "radius": 1.5}
+LOAD = {"stroke": 0.6, "bore": 0.3, "pressure": 80_000}
+MACHINE = LOAD | {"speed": 2, "reciprocating": 30, "rod_mass": 15, "centre": "0.6", "gyration": "0.3"}
 # What columns of other loads than steam need.
 POWER = {"speed": 2}
 OTHERS: Mapping[str, dict[str, Any]] = {

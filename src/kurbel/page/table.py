@@ -134,8 +134,8 @@ class Table:
     which that lies, nothing where it is kurbel's. `pause` is the number of rows between small spaces, 0 for
     none; None leaves it to the step of the rows. `variant` is the key with what was asked for beside
     the defaults of the layout: "kinematics-ratio-1-4". `quantities` are those of its columns. An interactive
-    page has `steps`, of which this is the first that is shown. `told` are caption and notes as they stand with
-    the records, where those of the page have other units.
+    page has `steps`, of which this is the first that is shown. `told` are caption and notes as they stand
+    with the records, where those of the page have other units.
     """
 
     key: str

@@ -175,19 +175,23 @@ def amount(value: Fraction, symbol: str, shown: Callable[[Fraction], str] = figu
     """Return an amount of the SI as it stands in a formula, on metric pages in this unit or a larger one."""
     value /= UNITS[symbol].size
     times, label = unit_of_page(symbol, value)
-    return f"{shown(value) if times == 1 else _shown_in(shown(value), value, times)} {label}"
+    text = shown(value)
+    if times != 1:
+        is_moved = _is_power_of_ten(times) and "/" not in text
+        text = moved(text, times, exact=Fraction(text) == value) if is_moved else figure(times * value)
+    return f"{text} {label}"
 
 
-def _shown_in(text: str, value: Fraction, times: Fraction) -> str:
-    """Return a value, which has this text, in a unit that it is so many times of: in a power of ten of its
-    unit with every digit of the text."""
-    places = len(str(1 / times)) - 1
-    if times != Fraction(1, 10**places) or "/" in text:
-        return figure(times * value)
-    printed = Fraction(text)
-    if printed == value:
-        return plain(times * printed)
-    return number_text(nearest(times * printed, len(text.partition(".")[2]) + places))
+def _is_power_of_ten(times: Fraction) -> bool:
+    return times == Fraction(1, 10 ** (len(str(1 / times)) - 1))
+
+
+def moved(text: str, times: Fraction, exact: bool) -> str:
+    """Return the digits of a number in a unit that is a power of ten larger, all unless it is exact."""
+    if times == 1:
+        return text
+    places = len(text.partition(".")[2]) + len(str(1 / times)) - 1
+    return plain(times * Fraction(text)) if exact else number_text(nearest(times * Fraction(text), places))
 
 
 def unit_of_page(symbol: str, value: Fraction = Fraction(0)) -> tuple[Fraction, Label]:

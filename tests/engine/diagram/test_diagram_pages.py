@@ -65,7 +65,8 @@ def test_the_speed_is_that_of_the_equation_of_motion() -> None:
 def test_a_page_says_what_follows_of_the_cycle() -> None:
     page = said(f"--torque={TORQUE}", f"--load-torque={LOAD}", *WHEEL)
     for part in (
-        "mean torque 5000.0 N m, work of a cycle 31416 J, energy swing ΔW = 1656.5 J, power 157080 W",
+        # 10000 π J and 50000 π W.
+        "mean torque 5000.0 N m, work of a cycle 31.416 kJ, energy swing ΔW = 1656.5 J, power 157.080 kW",
         "speed greatest at 53.729°; 306.271°, least at 126.271°; 233.729°",
     ):
         assert part in page

@@ -11,7 +11,7 @@ from kurbel.engine.diagram.steady import Steady
 from kurbel.exact.kind import Kind, floats, settled
 from kurbel.exact.numerals import Label, Number, figures, finite_decimals, nearest, number_text
 from kurbel.page.quantity import Words, words
-from kurbel.reading.amounts import unit_of_page
+from kurbel.reading.amounts import moved, unit_of_page
 from kurbel.reading.units import Speed
 
 # So many places are named; more go on in the same steps.
@@ -75,8 +75,13 @@ def shown(value: Callable[[Kind], Any], algebraic: bool) -> str:
 
 def _amount(value: Callable[[Kind], Any], algebraic: bool, symbol: str) -> Label:
     """Return the same of an amount in this unit of metric pages, with the unit of the page."""
-    times, unit = unit_of_page(symbol, Fraction(float(value(floats()))))
-    return f"{shown(lambda kind: value(kind) * kind.of(times), algebraic)} {unit}"
+    times, unit = unit_of_page(symbol)
+    text = shown(lambda kind: value(kind) * kind.of(times), algebraic)
+    if times == 1:
+        # Every digit stays in a larger unit.
+        times, unit = unit_of_page(symbol, Fraction(text))
+        text = moved(text, times, exact=False)
+    return f"{text} {unit}"
 
 
 def outcome(
