@@ -60,6 +60,7 @@ copybutton_only_copy_prompt_lines = True
 
 def setup(app: Sphinx) -> None:
     app.connect("doctree-read", _with_dashes)
+    app.connect("doctree-read", _in_its_language)
 
 
 def _with_dashes(app: Sphinx, page: nodes.document) -> None:
@@ -67,3 +68,11 @@ def _with_dashes(app: Sphinx, page: nodes.document) -> None:
     for text in page.findall(nodes.Text):
         if text == " -- ":
             text.parent.replace(text, nodes.Text(" – "))
+
+
+def _in_its_language(app: Sphinx, page: nodes.document) -> None:
+    """Tell readers that speak which page is German: docutils makes an attribute `lang` of the class."""
+    if app.env.docname == "anleitung":
+        for section in page.findall(nodes.section):
+            section["classes"].append("language-de")
+            break
