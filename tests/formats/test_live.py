@@ -13,8 +13,10 @@ import pytest
 from cli import kurbel, printed
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from pages import COMMANDS, about
 
 from kurbel.formats.html.live.packing import packed, unpacked
+from kurbel.page.layouts import layout as layout_named
 
 DATA = re.compile(r'<script type="application/json" class="live-data">(.*?)</script>', re.DOTALL)
 SHOWN = re.compile(r'<div class="live-page">\n(.*?)</div>\n<script', re.DOTALL)
@@ -182,3 +184,17 @@ def test_the_usual_ratios_leave_out_those_with_which_the_drive_does_not_turn() -
 def test_pages_come_out_of_their_packing_as_they_went_in(pages: list[list[str]]) -> None:
     texts = ["".join(page) for page in pages]
     assert unpacked(json.loads(json.dumps(packed(texts)))) == texts
+
+
+SOME = about("motion", "turning", "irregularity", "compressor", "pressures over the angle", "crank forces")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("layout", SOME)
+def test_the_last_step_of_every_layout_is_what_is_printed_for_it(layout: str) -> None:
+    command = [*COMMANDS[layout_named(layout).subject], f"--layout={layout}", "--label=a", "--lang=en"]
+    _, data = delivered(*command)
+    last = {key: texts[-1] for key, texts in zip(data["keys"], data["texts"], strict=True)}
+    bare = [word for word in command if word.removeprefix("--").partition("=")[0] not in last]
+    expected = static(*bare, *(f"--{key}={text}" for key, text in last.items()))
+    assert unpacked(data["pages"])[-1] == expected

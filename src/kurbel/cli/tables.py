@@ -7,7 +7,8 @@ import os
 import sys
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import AbstractContextManager, nullcontext
+from contextlib import AbstractContextManager, contextmanager, nullcontext
+from dataclasses import replace
 from itertools import chain
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -35,6 +36,7 @@ from kurbel.page.table import Table
 
 if TYPE_CHECKING:
     from kurbel.commands.shown import Drawing
+    from kurbel.page.steps import Step
 
 # What asks for colours where there is no terminal.
 FORCED = frozenset(("FORCE_COLOR", "CLICOLOR_FORCE"))
@@ -42,6 +44,7 @@ FORCED = frozenset(("FORCE_COLOR", "CLICOLOR_FORCE"))
 HINTS = {"interactive": ", so add -f html or -o page.html"}
 # Shorter tables are done before a bar could be read.
 BAR_ROWS = 200_000
+BAR_STEPS = 100
 
 
 class MakingCommand(click.Command, ABC):
@@ -128,7 +131,9 @@ class TableCommand(MakingCommand):
     def run(self, given: Given) -> int:
         printing = Printing.chosen(given)
         if Printing.interactive(given):
-            printing._replace(standalone=True).print(self.stepped(given))
+            page = self.stepped(given)
+            with _counted(page) as counted:
+                printing._replace(standalone=True).print(counted)
             return 0
         question = self.question(given)
         self.print(question, printing, given)
@@ -292,6 +297,23 @@ def _write(pieces: Iterator[bytes], output: str, rows: int) -> None:
             stream.write(piece)
             if bar:
                 bar.update(1)
+
+
+@contextmanager
+def _counted(page: Table) -> Iterator[Table]:
+    """Give an interactive page whose steps a bar on the terminal counts, if they are many."""
+    steps = page.steps
+    if steps is None or len(steps) < BAR_STEPS or not sys.stderr.isatty():
+        yield page
+        return
+    with click.progressbar(length=len(steps), label=f"{len(steps)} steps", file=sys.stderr) as bar:
+
+        def make() -> Iterator[Step]:
+            for step in steps:
+                yield step
+                bar.update(1)
+
+        yield replace(page, steps=replace(steps, make=make))
 
 
 def _bar(rows: int) -> AbstractContextManager[Any]:

@@ -21,6 +21,8 @@ from kurbel.reading.notation import check_length, number, plain, progression, qu
 MOST_STEPS = 1000
 RATIOS = tuple(Fraction(2, length) for length in range(6, 13))
 """1:3 to 1:6, by half radii of the rod: the steps where nothing is said of the ratio."""
+CUT_OFFS = tuple(map(Fraction, range(2, 7)))
+"""ε of 2 to 6, likewise, on pages of steam over the crank angle."""
 # What can be chosen, by the names of options.
 WORDS: Mapping[str, Words] = {
     "ratio": words("Kurbelverhältnis ${ratio}$|Crank ratio ${ratio}$"),
@@ -71,20 +73,20 @@ def choices(parameters: Mapping[str, Parameter], values: Mapping[str, Any]) -> l
     return [choice for name in names if (choice := _choice(name, known, values[name]))]
 
 
-def with_ratios(
-    found: Sequence[Choice],
-    values: Mapping[str, Any],
-    own: Sequence[Fraction],
-    turns: Callable[[Fraction], bool],
-) -> list[Choice]:
-    """Return the same with the ratio where nothing is said of it and the page has some of its own: if it has
-    one, the usual ones around it with which the drive `turns`."""
-    if not own or any(is_given(values.get(name)) for name in ("ratio", "rod")):
-        return list(found)
+def usual_ratios(own: Sequence[Fraction], turns: Callable[[Fraction], bool]) -> Choice:
+    """Return the crank ratios of a page of which nothing is said: if it has one of its own, the usual ones
+    around it with which the drive `turns`."""
     if len(own) > 1:
-        return [_of_ratios(own), *found]
+        return _of_ratios(own)
     ratios = sorted({own[0], *filter(turns, RATIOS)}, reverse=True)
-    return [_of_ratios(ratios)._replace(start=ratios.index(own[0])), *found]
+    return _of_ratios(ratios)._replace(start=ratios.index(own[0]))
+
+
+def usual_cut_offs(own: Sequence[Fraction]) -> Choice:
+    """Return the expansion ratios of a page of which nothing is said, its own one among them."""
+    numbers = own if len(own) > 1 else sorted({*own, *CUT_OFFS})
+    texts = tuple(map(_figures, numbers))
+    return Choice("eps", texts, tuple(map(_written, texts)), numbers.index(own[0]))
 
 
 def check_count(found: Sequence[Choice]) -> None:

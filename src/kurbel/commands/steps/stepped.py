@@ -9,15 +9,25 @@ from functools import partial
 from pkgutil import resolve_name
 from typing import Any
 
-from kurbel.commands.steps.sliders import Choice, check_count, choices, steps, with_ratios
+from kurbel.commands.options import is_given
+from kurbel.commands.steps.sliders import (
+    Choice,
+    check_count,
+    choices,
+    steps,
+    usual_cut_offs,
+    usual_ratios,
+)
 from kurbel.commands.steps.tracks import Run, run_of
 from kurbel.commands.subject import Command
 from kurbel.drive.crank import Crank
+from kurbel.drive.load import STEAM
 from kurbel.errors import KurbelError, ProblemError
 from kurbel.motion.mechanism import mechanism
 from kurbel.page.steps import Scene, Step, Steps
 from kurbel.page.subject import Question
 from kurbel.page.table import Table
+from kurbel.reading.given import as_numbers
 
 NOTHING = (
     "an interactive page needs something to choose, and here is nothing; give an option several values, for"
@@ -33,10 +43,9 @@ def stepped(command: Command, values: Mapping[str, Any], named: Mapping[str, Any
     asking = _Asking(command, values, tuple(choices(command.parameters, values)))
     check_count(asking.choices)
     question = asking.first()
-    own = [ratio for ratio in getattr(question, "ratios", ()) if ratio] if "ratio" in values else []
-    found = with_ratios(asking.choices, values, own, asking.turns)
+    found = (*asking.usual(question), *asking.choices)
     check_count(found)
-    asking = replace(asking, choices=tuple(found))
+    asking = replace(asking, choices=found)
     question = asking.first()
     run = asking.run(question)
     page = command.built(question, named)
@@ -70,6 +79,16 @@ class _Asking:
     def first(self) -> Question:
         """Return what is asked for at the step that is shown first."""
         return self.question({one.name: one.values[one.start] for one in self.choices})
+
+    def usual(self, question: Question) -> Iterator[Choice]:
+        """Yield what can be chosen where nothing is said of it: the crank ratio, and of steam ε."""
+        said = {name for name, value in self.values.items() if is_given(value)}
+        ratios = [ratio for ratio in getattr(question, "ratios", ()) if ratio]
+        if "ratio" in self.values and ratios and said.isdisjoint(("ratio", "rod")):
+            yield usual_ratios(ratios, self.turns)
+        steams = [one.name for one in getattr(question, "steams", ())]
+        if "angle" in self.values and "eps" not in said and steams and {*steams} == {STEAM}:
+            yield usual_cut_offs(as_numbers(question.layout.expansions, "expansion ratio"))
 
     def turns(self, ratio: Fraction) -> bool:
         """Whether the drive turns with a ratio at every step."""
