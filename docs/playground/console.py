@@ -18,19 +18,19 @@ from pathlib import Path
 from typing import NamedTuple
 from unittest import mock
 
+from kurbel.errors import FailedError
+
 # What a telephone makes of quotes and of the two strokes of an option.
 TYPED = str.maketrans("“”„‘’‚\u00a0", "\"\"\"''' ")
 STROKES = re.compile(r"(?<!\S)[—–](?=[a-z])")
 VARIABLE = re.compile(r"([A-Z][A-Z_]*)=(.*)", re.DOTALL)
 OF_A_SHELL = frozenset(("|", "||", "&", "&&", "<", "<<", ">>", "2>", "&>", "2>&1"))
-HOME = "kurbel on a computer of your own has it"
-# The libraries that no browser has, and what needs them.
-ABSENT = {
-    "matplotlib": f"drawings need matplotlib, which does not run in this page; {HOME}",
-    "numpy": f"indicator cards need NumPy, which does not run in this page; {HOME}",
-    "scipy": f"indicator cards need SciPy, which does not run in this page; {HOME}",
-    "arro3": f"the format arrow needs arro3-core, which does not run in this page; {HOME}",
-}
+# The libraries that no browser has.
+ABSENT = frozenset(("numpy", "scipy"))
+NOT_HERE = (
+    "drawings, indicator cards and tables of very many rows need NumPy and SciPy, which do not run in this"
+    " page; kurbel on a computer of your own has them"
+)
 # Loaded when it is asked for.
 LATER = "typst"
 
@@ -52,13 +52,19 @@ class Typed(NamedTuple):
     target: str | None
 
 
+class AbsentError(FailedError, ImportError):
+    """A library that kurbel takes for granted, and that is not there."""
+
+
 class Watch(MetaPathFinder):
-    """Notes which libraries were asked for and are not there."""
+    """Asked last for a library, hence for those that are not there; notes which they were."""
 
     def __init__(self) -> None:
         self.asked: set[str] = set()
 
     def find_spec(self, name: str, path: object = None, target: object = None) -> None:
+        if name in ABSENT:
+            raise AbsentError(NOT_HERE)
         self.asked.add(name)
 
 
@@ -85,7 +91,7 @@ watch = Watch()
 
 
 def start() -> None:
-    """Note from now on what is missing, and import what every table needs."""
+    """Note from now on what is missing."""
     sys.meta_path.append(watch)
 
 
@@ -156,17 +162,9 @@ def _kurbel(words: Sequence[str]) -> int:
             main()
         except SystemExit as end:
             code = end.code
-        except ModuleNotFoundError as error:
-            if error.name not in ABSENT:
-                raise
         finally:
             # What main() keeps for the end of a process is to be freed here.
             gc.unfreeze()
-    if code and (absent := [name for name in ABSENT if name in watch.asked]):
-        assert isinstance(sys.stderr, io.StringIO)
-        sys.stderr.seek(0)
-        sys.stderr.truncate()
-        print(f"kurbel: {ABSENT[absent[0]]}", file=sys.stderr)
     return code if isinstance(code, int) else int(bool(code))
 
 

@@ -4,19 +4,28 @@ import { loadPyodide } from "./pyodide/pyodide.mjs";
 const WORK = "/work", PACKAGES = "/packages";
 const FOLDER = new URL("pyodide/", import.meta.url).href;
 // The libraries come from this folder; of what Pyodide could load from elsewhere nothing is listed.
-const NONE = { info: { abi_version: "2026_0", arch: "wasm32", platform: "emscripten_5_0_3", python: "3.14.2" }, packages: {} };
+const NONE = {
+    info: { abi_version: "2026_0", arch: "wasm32", platform: "emscripten_5_0_3", python: "3.14.2" },
+    packages: {},
+};
 
-const first = archive("kurbel.tar.gz");
-const python = await loadPyodide({
-    indexURL: FOLDER, packageBaseUrl: FOLDER, lockFileContents: NONE,
-    env: { HOME: WORK, PYTHONPATH: PACKAGES, PYTHONDONTWRITEBYTECODE: "1" },
-});
-unpack(await first);
-python.FS.chdir(WORK);
-const session = python.pyimport("console");
-session.start();
-let known = new Map(listed());
-postMessage({ kind: "ready" });
+let python, session, known;
+try {
+    const options = {
+        indexURL: FOLDER, packageBaseUrl: FOLDER, lockFileContents: NONE,
+        env: { HOME: WORK, PYTHONPATH: PACKAGES, PYTHONDONTWRITEBYTECODE: "1" },
+    };
+    const [packages, loaded] = await Promise.all([archive("kurbel.tar.gz"), loadPyodide(options)]);
+    python = loaded;
+    unpack(packages);
+    python.FS.chdir(WORK);
+    session = python.pyimport("console");
+    session.start();
+    known = new Map(listed());
+    postMessage({ kind: "ready" });
+} catch (error) {
+    postMessage({ kind: "broken", reason: error.message });
+}
 
 onmessage = async ({ data: { number, action, words } }) => {
     try {
@@ -28,15 +37,16 @@ onmessage = async ({ data: { number, action, words } }) => {
 
 const ACTIONS = {
     async run(line, columns) {
-        let ran = asRan(session.run(line, columns));
+        let ran = await called(line, columns);
         if (ran.later) {
             postMessage({ kind: "loading", what: ran.later });
             unpack(await archive(`${ran.later}.tar.gz`));
-            ran = asRan(session.run(line, columns));
+            ran = await called(line, columns);
         }
         return { ...ran, ...changes() };
     },
     complete: line => session.complete(line).toJs(),
+    read: path => python.FS.readFile(`${WORK}/${path}`),
     put(files) {
         for (const [path, content] of files) write(`${WORK}/${path}`, content);
         return changes();
@@ -47,7 +57,9 @@ const ACTIONS = {
     },
 };
 
-function asRan(proxy) {
+// Where the browser can, on a stack of its own: that of a worker is half as deep.
+async function called(line, columns) {
+    const proxy = await session.run.callPromising(line, columns);
     const [code, out, err, later] = proxy.toJs();
     proxy.destroy();
     return { code, out, err, later };

@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 import os
 import signal
+import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
@@ -19,6 +20,8 @@ if TYPE_CHECKING:
 
 # Windows waits for no more processes at once.
 MOST_PROCESSES = 61
+# A browser has none but its own.
+HAS_PROCESSES = sys.platform != "emscripten"
 # Fewer pieces than these are done before another process has loaded the libraries.
 WORTH_A_PROCESS = 4
 # So many more objects than before let a process look for garbage: a sixth less time than as Python does it,
@@ -108,7 +111,8 @@ def worked(pieces: Iterable[Piece], jobs: int) -> Iterator[tuple[Piece, Made | s
     for piece in pieces:
         lots.setdefault(0 if piece.killed == KILLED else id(piece.owner), []).append(piece)
     for lot in lots.values():
-        if any(piece.apart for piece in lot) or (jobs > 1 and len(lot) >= WORTH_A_PROCESS):
+        by_themselves = any(piece.apart for piece in lot) or (jobs > 1 and len(lot) >= WORTH_A_PROCESS)
+        if by_themselves and HAS_PROCESSES:
             yield from _worked_apart(lot, jobs)
         else:
             for piece in lot:
