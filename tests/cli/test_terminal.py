@@ -202,6 +202,6 @@ def test_no_file_has_colours(tmp_path: Path) -> None:
 def test_a_collation_on_a_terminal_fits_it_and_is_coloured() -> None:
     with own_terminal(60, 500) as end:
         assert screen.width() == 60
-        Printing(FORMATS["text"], "-", None, False, False, False).print(collation_table("blau-33"))
+        Printing(FORMATS["text"], "-", None, False, False, False, False).print(collation_table("blau-33"))
         there = end()
     assert there == render(collation_table("blau-33"), "text", width=60, colours=True)

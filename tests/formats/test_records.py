@@ -7,6 +7,7 @@ import io
 import json
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 from decimal import Decimal
 from itertools import islice
 
@@ -50,6 +51,30 @@ def test_csv_is_golden() -> None:
 
 def test_json_is_golden() -> None:
     assert_golden("everything.json", render(everything(), "json"))
+
+
+def test_csv_for_excel_has_its_marks_and_no_text_that_is_a_time_or_a_day() -> None:
+    words = (
+        "table",
+        "--ratio=1:4.5",
+        "--step=90",
+        "--to=90",
+        "--columns=ratio,phi,p",
+        "-f",
+        "csv",
+        "--excel",
+    )
+    german = printed(*words).out
+    assert german == "\ufeffratio;phi;p\n1∶4,5;0;1,2222\n1∶4,5;90;-0,2279\n"
+    assert printed(*words, "--lang=en").out == german.replace(",", ".").replace(";", ",")
+    # Ten thousand rows are made column by column, and look alike.
+    many = printed(*words[:2], "--step=0.01", *words[4:]).out.splitlines()
+    assert [many[0], many[1], many[9001]] == ["\ufeffratio;phi;p", "1∶4,5;0,00;1,2222", "1∶4,5;90,00;-0,2279"]
+    rows = [(text,) for text in ("1-3-2", "2/3", "0.5", "1 - 2", "2°30'", "6:8", "a:b")]
+    table = replace(everything(), records=Records((Field("x", "Weg"),), rows))
+    assert render(table, "csv", excel=True).split("\n")[1:-1] == [
+        "1‐3‐2", "2∕3", "0,5", "1 - 2", "2°30′", "6∶8", "a:b"
+    ]  # fmt: skip
 
 
 def test_csv_is_read_back_cell_by_cell() -> None:

@@ -144,8 +144,9 @@ class TableCommand(MakingCommand):
         if isinstance(printing.format, RecordsFormat):
             from kurbel.formats.streams import record_chunks
 
-            decimal = printing.format.decimal_name(question.lang, printing.decimal)
-            _write(record_chunks(question, printing.format, decimal), printing.output, len(question))
+            form = printing.format.for_excel if printing.excel else printing.format
+            decimal = form.decimal_name(question.lang, printing.decimal)
+            _write(record_chunks(question, form, decimal), printing.output, len(question))
         else:
             printing.print(self.made_by.built(question, given.values))
 
@@ -191,11 +192,12 @@ class Printing(NamedTuple):
     standalone: bool
     longtable: bool
     siunitx: bool
+    excel: bool
 
     @classmethod
     def chosen(cls, given: Given) -> Printing:
         """Return what the options say, checked."""
-        names = ("output", "decimal", "standalone", "longtable", "siunitx")
+        names = ("output", "decimal", "standalone", "longtable", "siunitx", "excel")
         return cls(_format(given), *(given.values[name] for name in names))
 
     @staticmethod
@@ -212,7 +214,7 @@ class Printing(NamedTuple):
         _write(self._rendered(table), self.output, 0)
 
     def _rendered(self, table: Table) -> Iterator[bytes]:
-        form, output, decimal, standalone, longtable, siunitx = self
+        form, output, decimal, standalone, longtable, siunitx, excel = self
         if isinstance(form, BytesFormat):
             yield form.content(table, decimal)
             for remark in form.remarks(table, True):
@@ -232,6 +234,7 @@ class Printing(NamedTuple):
             standalone=standalone,
             longtable=longtable,
             siunitx=siunitx,
+            excel=excel,
             width=width,
             colours=colours,
         )
@@ -256,7 +259,8 @@ def _format(given: Given) -> Format:
             f"--standalone is for {', '.join(documents)} and {last}; {chosen.name} has no documents."
         )
     _check_able(given, chosen, "longtable", "breaks")
-    _check_able(given, chosen, "siunitx", "siunitx")
+    for option in ("siunitx", "excel"):
+        _check_able(given, chosen, option, option)
     _check_interactive(given, chosen)
     return chosen
 

@@ -113,12 +113,13 @@ def typeset(
     standalone: bool = False,
     longtable: bool = False,
     siunitx: bool = False,
+    excel: bool = False,
 ) -> str:
     """Return the page in a format: text, markdown, latex, html, typst, csv, dat or json; no PDF or workbook.
 
     `decimal` is "comma" or "point", by default the mark of the page's language (point in CSV and JSON);
     `standalone` gives a whole document (LaTeX, HTML, Typst), `longtable` a LaTeX longtable, `siunitx` leaves
-    the numbers to that package, in LaTeX. Raises KurbelError.
+    the numbers to that package, in LaTeX, and `excel` gives CSV as Excel opens it. Raises KurbelError.
 
     >>> from kurbel import table
     >>> print(typeset(table("1:4", layout="blau-kolbenwege", angle=90), "markdown").splitlines()[-3])
@@ -129,7 +130,13 @@ def typeset(
     if not isinstance(page, Table):
         raise ProblemError(f"a {type(page).__name__} cannot be set; make a page, such as kurbel.table()")
     return rendered(
-        page, format, decimal=decimal, standalone=standalone, longtable=longtable, siunitx=siunitx
+        page,
+        format,
+        decimal=decimal,
+        standalone=standalone,
+        longtable=longtable,
+        siunitx=siunitx,
+        excel=excel,
     )
 
 

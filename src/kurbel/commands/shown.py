@@ -45,12 +45,19 @@ class Table(Page):
         standalone: bool = False,
         longtable: bool = False,
         siunitx: bool = False,
+        excel: bool = False,
     ) -> str:
         """Return the page in a format, as `kurbel.typeset`."""
         from kurbel.formats.render import render
 
         return render(
-            self, format, decimal=decimal, standalone=standalone, longtable=longtable, siunitx=siunitx
+            self,
+            format,
+            decimal=decimal,
+            standalone=standalone,
+            longtable=longtable,
+            siunitx=siunitx,
+            excel=excel,
         )
 
     def save(
@@ -61,6 +68,7 @@ class Table(Page):
         standalone: bool = False,
         longtable: bool = False,
         siunitx: bool = False,
+        excel: bool = False,
     ) -> None:
         """Write the page into a file, whole or not at all, in the format of its suffix.
 
@@ -73,7 +81,12 @@ class Table(Page):
             content = form.content(self, decimal)
         else:
             content = self.typeset(
-                form.name, decimal=decimal, standalone=standalone, longtable=longtable, siunitx=siunitx
+                form.name,
+                decimal=decimal,
+                standalone=standalone,
+                longtable=longtable,
+                siunitx=siunitx,
+                excel=excel,
             ).encode()
         with whole_file(os.fspath(path)) as stream:
             stream.write(content)

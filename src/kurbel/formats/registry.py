@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 from abc import abstractmethod
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple
@@ -49,6 +49,7 @@ class Format:
     standalone: bool = False
     breaks: bool = False
     siunitx: bool = False
+    excel: bool = False
     figures: str = ""
     folder: str = ""
     marked: bool = False
@@ -86,15 +87,22 @@ class Format:
         return import_module(f"kurbel.formats.{self.name}.{name}".rstrip("."))
 
 
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class RecordsFormat(Format):
-    """A format of records, which need not fit in memory."""
+    """A format of records, which need not fit in memory. One that `excel` opens has a `variant` for it."""
 
     kind = "records"
+    variant: str = "Writer"
 
     @property
     def writer(self) -> RecordsWriter:
-        writer: RecordsWriter = self.module("writer").Writer()
+        writer: RecordsWriter = getattr(self.module("writer"), self.variant)()
         return writer
+
+    @property
+    def for_excel(self) -> RecordsFormat:
+        """The same as Excel opens it, in the language of the table."""
+        return replace(self, variant="ForExcel", decimal="language") if self.excel else self
 
 
 class Engine(NamedTuple):

@@ -42,6 +42,7 @@ def render(
     standalone: bool = False,
     longtable: bool = False,
     siunitx: bool = False,
+    excel: bool = False,
     width: int | None = None,
     templates: str | None = None,
     colours: bool = False,
@@ -51,8 +52,9 @@ def render(
     `decimal` is "comma" or "point"; by default it follows the language of the table, and is a point in CSV
     and JSON. `standalone` makes a document of what is otherwise a fragment, in the formats that have
     documents; `longtable` lets a table break over pages, in the formats where it would not, and `siunitx`
-    leaves its numbers to that package, in LaTeX. JSON has only points. Plain text is fitted into `width`
-    characters; with `colours` it has verdicts in the colours of terminals.
+    leaves its numbers to that package, in LaTeX. With `excel` CSV is as Excel opens it: with a byte order
+    mark, the decimal mark of the language, and no ratio that would be a time. JSON has only points. Plain
+    text is fitted into `width` characters; with `colours` it has verdicts in the colours of terminals.
 
     `templates` is a folder whose templates outdo ours of the same names; by default it is the one that the
     table's layout lies in, if that is the user's. They run in a sandbox; one that cannot be used is a
@@ -60,6 +62,7 @@ def render(
     """
     form, templates = by_name(format), templates or table.templates or None
     if isinstance(form, RecordsFormat):
+        form = form.for_excel if excel else form
         return "".join(form.writer.rows(table, form.decimal_name(table.lang, decimal)))
     if not isinstance(form, PageFormat):
         assert isinstance(form, BytesFormat)
