@@ -241,7 +241,7 @@ def test_an_engine_of_the_environment_gives_way_to_cranks() -> None:
 
 
 NAMES = ", ".join(usual())
-COUNT = "cannot be printed; write a whole number from 1 to 100"
+COUNT = "does not say up to which one; write a whole number from 1 to 100"
 SHARE = "it must lie within 0..1, for it is a share of the reciprocating mass"
 
 

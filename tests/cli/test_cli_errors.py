@@ -215,6 +215,25 @@ def test_a_wrong_command_or_option_is_answered_with_a_sentence(words: tuple[str,
     assert refusal(*words) == sentence
 
 
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("table", "--{}"),
+        ("table", "{}"),
+        ("table", "--machine", "{}"),
+        ("table", "-o", "{}/x.csv"),
+        ("handbook", "build", "{}"),
+        ("inject", "{}.md"),
+        ("table", "--caption", "\0{}"),
+    ],
+)
+def test_what_was_typed_is_not_echoed_whole(words: tuple[str, ...]) -> None:
+    answer = kurbel(*(word.format("z" * 5000) for word in words))
+    assert answer.code in (1, 2)
+    assert len(answer.err) < 600
+    assert answer.err.count("\n") == 1
+
+
 def test_an_unknown_column_is_answered_with_the_nearest_and_all_of_the_layout() -> None:
     sentence = refusal("table", "--columns", "phi,x_retrun")
     start = 'there is no column "x_retrun" (did you mean x_return?); choose from '

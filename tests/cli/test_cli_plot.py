@@ -21,6 +21,7 @@ import pytest
 from cli import printed, refusal
 from numpy.typing import NDArray
 from places import CARDS
+from programs import Programs
 from tools import require_library
 
 import kurbel
@@ -1066,3 +1067,15 @@ def test_a_drawing_that_cannot_be_written_leaves_the_old_one(tmp_path: Path) -> 
     old.write_text("as it was")
     refusal("plot", "--columns", "x_mm", "-o", str(old))
     assert old.read_text() == "as it was"
+
+
+@pytest.mark.slow
+def test_a_home_that_cannot_be_written_is_no_word_beside_a_drawing(
+    programs: Programs, tmp_path: Path
+) -> None:
+    nowhere = dict.fromkeys(("HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME"), str(tmp_path / "file/none"))
+    (tmp_path / "file").write_text("")
+    environment = {name: text for name, text in os.environ.items() if name != "MPLCONFIGDIR"} | nowhere
+    run = programs.kurbel("plot", "-o", str(tmp_path / "drive.svg"), env=environment)
+    assert run.communicate()[1] == b""
+    assert (tmp_path / "drive.svg").exists()

@@ -281,6 +281,28 @@ def test_a_build_that_is_ended_ends_its_tex(programs: Programs, tmp_path: Path) 
     wait_until(lambda: not is_running(int(number.read_text())))
 
 
+def test_a_file_that_no_system_opens_fails_its_table_alone(tmp_path: Path) -> None:
+    longest = "n" * 300
+    machine = '[crank]\nstroke = "1m"\nrod = "5m"\n[steam]\ncard = "a\\u0000b"\n'
+    (tmp_path / "engine.toml").write_text(machine)
+    said = {
+        f"collate --sources {longest}": "File name too long",
+        f"table --layouts {longest} --layout x": "there is no such folder",
+        f"turning --card {longest}": "File name too long",
+        f"turning --machine {longest}": "File name too long",
+        "turning --machine engine.toml": 'card is "a\\x00b"; it must be the name of a file',
+    }
+    parts = "".join(f'[[chapter.part]]\nname = "p{i}"\nrun = "{run}"\n' for i, run in enumerate(said))
+    manifest = f'title = "T"\nformats = ["csv"]\n[[chapter]]\ntitle = "A"\n{parts}'
+    (tmp_path / "handbook.toml").write_text(f'{manifest}[[chapter.part]]\nrun = "table"\n')
+    came = kurbel("handbook", "build", "-j", "1", str(tmp_path))
+    for number, sentence in enumerate(said.values()):
+        line = next(line for line in came.err.splitlines() if f", p{number}: " in line)
+        assert sentence in line
+    assert "5 failed" in came.err
+    assert (tmp_path / "pages/tables/table.csv").exists()
+
+
 def test_a_file_with_a_nul_in_its_name_fails_its_table_with_a_sentence(tmp_path: Path) -> None:
     folder = tmp_path / "book"
     folder.mkdir()

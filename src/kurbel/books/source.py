@@ -244,9 +244,12 @@ def books(folder: str | os.PathLike[str] | None = None) -> Iterator[Book]:
     """Yield the books that kurbel knows, and those in a folder of the user's."""
     own = Path(__file__).parent / "sources"
     for path in (own, *([Path(folder)] if folder else [])):
-        if folder and path == Path(folder) and not path.is_dir():
-            raise SourceError(f"cannot read the sources {shown(folder)}: there is no such folder")
-        found = [each for each in sorted(path.iterdir()) if (each / "source.toml").is_file()]
+        try:
+            if folder and path == Path(folder) and not path.is_dir():
+                raise SourceError(f"cannot read the sources {shown(folder)}: there is no such folder")
+            found = [each for each in sorted(path.iterdir()) if (each / "source.toml").is_file()]
+        except OSError as error:
+            raise SourceError(f"cannot read the sources {shown(path)}: {error.strerror}") from None
         if not found:
             raise SourceError(f"{shown(path)} has no books: no folder in it has a source.toml")
         yield from map(Book, found)

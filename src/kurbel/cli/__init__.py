@@ -80,6 +80,8 @@ GROUPS = {
     "Drawings and documents": ("plot", "handbook", "inject"),
     "Lists": ("layouts", "quantities"),
 }
+# Characters of a word, such as a path, and of a sentence, which may list all columns.
+LONGEST_WORD, LONGEST_SENTENCE = 300, 3000
 # So many more objects than before let Python look for garbage.
 ALLOCATED = 100_000
 
@@ -137,7 +139,7 @@ def main() -> NoReturn:
     try:
         code = _run()
     except BrokenPipeError:
-        code = _silenced(128 + signal.SIGPIPE)
+        code = _silenced(128 + getattr(signal, "SIGPIPE", 13))
     except OSError as error:
         say(f"cannot write: {error.strerror or error}")
         code = _silenced(1)
@@ -182,7 +184,13 @@ def say(message: str) -> None:
     """Write a sentence to standard error, on one line."""
     # The user's own text may have line ends and other controls.
     shown = "".join(one if one.isprintable() else ascii(one)[1:-1] for one in message)
-    print(f"kurbel: {shown}", file=sys.stderr)
+    words = " ".join(_shortened(word, LONGEST_WORD) for word in shown.split(" "))
+    print(f"kurbel: {_shortened(words, LONGEST_SENTENCE)}", file=sys.stderr)
+
+
+def _shortened(text: str, longest: int) -> str:
+    """Return a text without its middle if it is longer than any of ours: then it has what was typed."""
+    return text if len(text) <= longest else f"{text[: longest * 2 // 3]}…{text[-longest // 6 :]}"
 
 
 def _silenced(code: int) -> int:

@@ -6,8 +6,10 @@ import importlib
 import os
 import signal
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from functools import cache
+from typing import Any
 
 import click
 
@@ -69,6 +71,26 @@ class LazyGroup(Group):
     def get_help(self, ctx: click.Context) -> str:
         return help_text().rstrip()
 
+    def make_context(self, *words: Any, **more: Any) -> click.Context:
+        with _before_click():
+            return super().make_context(*words, **more)
+
+    def invoke(self, ctx: click.Context) -> Any:
+        with _before_click():
+            return super().invoke(ctx)
+
+
+class ClosedPipe(Exception):
+    """A pipe that nobody reads any longer; the system's own error would be a failure for click."""
+
+
+@contextmanager
+def _before_click() -> Iterator[None]:
+    try:
+        yield
+    except BrokenPipeError as error:
+        raise ClosedPipe from error
+
 
 # Where a context keeps that long pages go through no pager.
 UNPAGED = "kurbel.cli.screen"
@@ -112,6 +134,8 @@ def run() -> tuple[int, str]:
         result = cli.main(prog_name="kurbel", standalone_mode=False)
         sys.stdout.flush()
         return (result if isinstance(result, int) else 0), ""
+    except ClosedPipe as closed:
+        raise BrokenPipeError from closed
     except KurbelError as error:
         return error.exit_code, str(error)
     except click.Abort:
@@ -139,7 +163,7 @@ def one_line(error: click.ClickException) -> str:
         from kurbel.reading.given import did_you_mean
 
         hint = did_you_mean(error.option_name, error.possibilities or ())
-        message = f'there is no option "{error.option_name}"{hint}'
+        message = f'there is no option "{error.option_name[:60]}"{hint}'
     else:
         message = " ".join(error.format_message().split()).rstrip(".").replace(". ", "; ")
     command = getattr(getattr(error, "ctx", None), "command_path", "")

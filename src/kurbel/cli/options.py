@@ -98,7 +98,8 @@ class FileName(click.Path):
         named = document.file if document else File
         file = value if isinstance(value, File) else named(value)
         if "\0" in file.name:
-            raise NotationError("the name of a file has a NUL, which no file can have")
+            option = f"{param.opts[0]}: " if param else ""
+            raise NotationError(f"{option}the name of a file has a NUL, which no file can have")
         super().convert(os.fspath(file), param, ctx)
         if file.inside:
             from kurbel.reading.inside import check_below

@@ -39,7 +39,7 @@ Orders = Annotated[
     Option(
         f"Orders up to N, 1 to {MOST_ORDERS}; odd ones above 1 are 0 and left out.",
         "N",
-        Count("orders", 1, MOST_ORDERS),
+        Count("orders", 1, MOST_ORDERS, "does not say up to which one"),
     ),
 ]
 Method = Annotated[

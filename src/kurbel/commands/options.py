@@ -100,19 +100,20 @@ class Choice(Kind):
 
 
 class Count(Kind):
-    """A whole number within bounds."""
+    """A whole number within bounds; `wrong` says of another text what it is."""
 
     name = "number"
 
-    def __init__(self, what: str, least: int, most: int) -> None:
+    def __init__(self, what: str, least: int, most: int, wrong: str = "is no such number") -> None:
         self.what = what
+        self.wrong = wrong
         self.allowed = {str(count): count for count in range(least, most + 1)}
         self.bounds = f"{least} to {most}"
 
     def read(self, text: str, typed: Mapping[str, Any]) -> int:
         if str(text) not in self.allowed:
             raise NotationError(
-                f'{self.what} "{text[:40]}" cannot be printed; write a whole number from {self.bounds}'
+                f'{self.what} "{text[:40]}" {self.wrong}; write a whole number from {self.bounds}'
             )
         return self.allowed[str(text)]
 

@@ -166,7 +166,10 @@ class Plain(TypedDict, total=False):
     digits: Annotated[
         int | None,
         Option(
-            f"Decimals of every column, 0 to {MOST_DIGITS}.", "N", Count("digits", 0, MOST_DIGITS), last=True
+            f"Decimals of every column, 0 to {MOST_DIGITS}.",
+            "N",
+            Count("digits", 0, MOST_DIGITS, "cannot be printed"),
+            last=True,
         ),
     ]
     rounding: Annotated[

@@ -45,9 +45,23 @@ class Joined(Several):
 class File(One):
     """A file beside the machine's."""
 
+    @classmethod
+    def read(cls, given: Any, name: str) -> Several:
+        return _of_files(super().read(given, name))
+
 
 class Files(Several):
     """Files beside the machine's."""
+
+    @classmethod
+    def read(cls, given: Any, name: str) -> Several:
+        return _of_files(super().read(given, name))
+
+
+def _of_files(names: Several) -> Several:
+    if any("\0" in one for one in names):
+        raise Fault("the name of a file, and none has a NUL in it")
+    return names
 
 
 def _is_value(given: Any) -> bool:

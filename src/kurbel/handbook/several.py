@@ -30,7 +30,8 @@ def chosen(handbooks: Sequence[Handbook], names: Sequence[str]) -> list[Handbook
         if not any(name in parts for parts in known):
             near = did_you_mean(name, [one for parts in known for one in parts])
             raise ChoiceError(
-                f'there is no table, figure or chapter "{name[:60]}"{near}; kurbel handbook list names them'
+                f'--only: there is no table, figure or chapter "{name[:60]}"{near}; kurbel handbook list'
+                " names them"
             )
     found = [
         (one, parts, tuple(filter(parts.__contains__, names)))

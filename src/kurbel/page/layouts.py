@@ -221,7 +221,11 @@ def layout_names(folder: Folder | None = None) -> tuple[str, ...]:
 
 
 def _names(folder: Folder) -> tuple[str, ...]:
-    return tuple(sorted(name for name in os.listdir(folder) if os.path.exists(layout_file(folder, name))))
+    try:
+        names = sorted(os.listdir(folder))
+    except OSError as error:
+        raise LayoutError(f"cannot read the layouts {folder}: {error.strerror}") from None
+    return tuple(name for name in names if os.path.exists(layout_file(folder, name)))
 
 
 def layout_file(folder: Folder, name: str) -> Folder:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import os
 import re
+import sys
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import lru_cache
@@ -124,6 +125,7 @@ def style(more: Mapping[Any, Any] = MappingProxyType({})) -> Iterator[None]:
     matplotlib's settings belong to the whole process: they are set for the time of the block, in one thread
     after the other.
     """
+    _without_notes()
     try:
         import matplotlib
     except ImportError:
@@ -135,6 +137,14 @@ def style(more: Mapping[Any, Any] = MappingProxyType({})) -> Iterator[None]:
         matplotlib.rcParams.update({name: defaults[name] for name in defaults if name not in _PROCESS})
         matplotlib.rcParams.update({**STYLE, **more})
         yield
+
+
+def _without_notes() -> None:
+    """Keep matplotlib's notes of its caches from standard error, unless another one uses it already."""
+    if "matplotlib" not in sys.modules:
+        import logging
+
+        logging.getLogger("matplotlib").addHandler(logging.NullHandler())
 
 
 def page(height: float, width: float = WIDTH) -> Figure:

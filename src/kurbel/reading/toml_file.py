@@ -148,7 +148,8 @@ def _text_of(path: str | os.PathLike[str], kind: TomlKind) -> str:
     except FileNotFoundError:
         raise kind.error(f"cannot read the {kind.name} {path}: there is no such file") from None
     except (OSError, ValueError) as error:
-        raise kind.error(f"cannot read the {kind.name} {path}: {error}") from None
+        said = getattr(error, "strerror", None) or error
+        raise kind.error(f"cannot read the {kind.name} {path}: {said}") from None
     if len(content) > kind.largest:
         raise kind.error(f"{path} has more than {kind.largest} bytes; no {kind.name} needs them")
     try:

@@ -81,7 +81,7 @@ def harmonics_table(
         Option(
             f"Orders up to N, 1 to {MOST_ORDERS}; odd ones above 1 are 0 and left out of the motion.",
             "N",
-            Count("orders", 1, MOST_ORDERS),
+            Count("orders", 1, MOST_ORDERS, "does not say up to which one"),
         ),
     ] = 6,
     method: Method = "exact",
