@@ -7,14 +7,17 @@ import math
 import re
 from base64 import b64encode
 from hashlib import sha256
+from pathlib import Path
 from typing import Any
 
 import pytest
-from cli import kurbel, printed
+from cli import kurbel as run
+from cli import printed
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from pages import COMMANDS, about
 
+import kurbel
 from kurbel.formats.html.live.packing import packed, unpacked
 from kurbel.page.layouts import layout as layout_named
 
@@ -155,7 +158,7 @@ REFUSED = {
 
 @pytest.mark.parametrize("words", REFUSED)
 def test_what_cannot_be_interactive_is_refused_in_one_sentence(words: str) -> None:
-    refused = kurbel(*words.split())
+    refused = run(*words.split())
     assert refused.code in (1, 2)
     assert refused.out == ""
     assert REFUSED[words] in refused.err
@@ -177,6 +180,14 @@ def test_the_usual_ratios_leave_out_those_with_which_the_drive_does_not_turn() -
     _, data = delivered("table", "--offset=2.5", "--angle=0")
     assert data["texts"] == [["1:4", "1:4,5", "1:5", "1:5,5", "1:6"]]
     assert data["texts"][0][data["start"]] == "1:5"
+
+
+def test_python_saves_the_page_that_the_command_prints(tmp_path: Path) -> None:
+    page = kurbel.table.interactive(["1:5", "1:4"], offset="0.2", angle=[0, 90])
+    page.save(tmp_path / "page.html")
+    words = ("--ratio=1:5;1:4", "--offset=0.2", "--angle=0;90", "--interactive", "-f", "html")
+    assert (tmp_path / "page.html").read_text(encoding="utf-8") == printed("table", *words).out
+    assert "live" not in page._repr_html_()
 
 
 @settings(max_examples=30)

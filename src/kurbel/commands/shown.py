@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING, Any
 
 from kurbel.commands import frames
@@ -72,10 +72,11 @@ class Table(Page):
     ) -> None:
         """Write the page into a file, whole or not at all, in the format of its suffix.
 
-        Raises KurbelError.
+        An interactive one is a whole document. Raises KurbelError.
         """
         from kurbel.formats.render import whole_file
 
+        standalone = standalone or self.steps is not None
         form = for_suffix(os.fspath(path))
         if isinstance(form, BytesFormat):
             content = form.content(self, decimal)
@@ -92,7 +93,8 @@ class Table(Page):
             stream.write(content)
 
     def _repr_html_(self) -> str:
-        return self.typeset("html")
+        # A notebook runs no script of a page.
+        return replace(self, steps=None).typeset("html")
 
     def _repr_latex_(self) -> str:
         return self.typeset("latex")

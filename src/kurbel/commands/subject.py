@@ -130,6 +130,9 @@ class Asking(Protocol[Words, Question]):
     def question(self, *args: Words.args, **kwargs: Words.kwargs) -> Question:
         """Return what is asked for, checked, without making the table."""
 
+    def interactive(self, *args: Words.args, **kwargs: Words.kwargs) -> Table:
+        """Return the table of an interactive page, to be saved as HTML, with a slider for several values."""
+
 
 class Drawing(Protocol[Words, Drawn]):
     """A function that draws."""
@@ -160,7 +163,8 @@ def makes_table(
             values = _given(command, args, kwargs)
             return Table.of(command.built(command.ask(**command.arguments(values)), values))
 
-        return cast("Asking[Words, Question]", _documented(make, command, question=question))
+        more = {"question": question, "interactive": _interactive(command)}
+        return cast("Asking[Words, Question]", _documented(make, command, **more))
 
     return decorate
 
@@ -185,6 +189,23 @@ def _checked(command: Command) -> Callable[..., Any]:
         return command.ask(**command.arguments(_given(command, args, kwargs)))
 
     return asked
+
+
+def _interactive(command: Command) -> Callable[..., Table]:
+    """Return what makes the table of the command with all its steps."""
+
+    @wraps(command.ask)
+    def make(*args: Any, **kwargs: Any) -> Table:
+        from kurbel.commands.shown import Table
+        from kurbel.commands.steps.stepped import NOTHING, stepped
+
+        values = _given(command, args, kwargs)
+        page = stepped(command, values, values)
+        if page.steps is None:
+            raise ProblemError(NOTHING)
+        return Table.of(page)
+
+    return make
 
 
 def _given(command: Command, args: tuple[Any, ...], kwargs: Mapping[str, Any]) -> Mapping[str, Any]:
