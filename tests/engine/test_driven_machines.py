@@ -290,7 +290,7 @@ def test_a_machine_may_be_a_compressor_and_what_is_typed_outdoes_it(tmp_path: Pa
         (("--pump=single", "--suction-pressure=-1bar"), "compared with what the pump makes; add --delivery-"),
         (("--pump", "--suction-pressure=3bar", "--delivery-pressure=2bar"), "a pump raises the pressure"),
         (("--pump", "--small-area=0.4"), "--small-area is for --pump differential, which has a ring"),
-        (("--pump=triple",), 'there is no pump "triple" (did you mean single?); choose from double,'),
+        (("--pump=triple",), 'there is no pump "triple"; choose from double,'),
         (("--compression=6",), "the Otto cycle needs --heat or --peak-pressure, for example"),
         (("--eps=4", "--columns=efficiency"), "needs the cycle of a gas engine, --compression, with one"),
         (("--eps=4", "--columns=volumetric_efficiency"), "needs a compressor, with --pressure-ratio; leave"),

@@ -15,14 +15,15 @@ _SAME = """
     c velocity coupler_velocity | v piston_velocity geschwindigkeit kolbengeschwindigkeit
     p acceleration coupler_acceleration | a piston_acceleration beschleunigung kolbenbeschleunigung
     x_stroke path_stroke s | stroke_share
-    phi crank_angle angle | kurbelwinkel winkel
+    phi crank_angle | angle kurbelwinkel winkel
     psi rod | rod_angle stangenwinkel schubstangenwinkel
     ratio | lambda crank_ratio kurbelverhaltnis
     epsilon eps | expansion
     torque | drehmoment
     rod_force | stangenkraft
     guide_force | fuhrungsdruck fuhrungskraft
-    tangential_force tangential | tangentialkraft
+    tangential_force | tangentialkraft
+    tangential | tangentialkraft
     radial_force | radialkraft
     speed rpm | drehzahl
     power | leistung
@@ -46,7 +47,8 @@ _SAME = """
 _GROUPS = [tuple(part.split() for part in line.split("|")) for line in _SAME.strip().splitlines()]
 _LETTERS = str.maketrans(
     {"φ": "phi", "ϕ": "phi", "ψ": "psi", "λ": "lambda", "ε": "epsilon", "δ": "delta", "ω": "omega",
-     "μ": "mu", "ν": "nu", "α": "alpha", "η": "eta", "θ": "theta", "ä": "a", "ö": "o", "ü": "u", "∞": "inf"}
+     "μ": "mu", "ν": "nu", "α": "alpha", "η": "eta", "θ": "theta", "ä": "a", "ö": "o", "ü": "u", "∞": "inf",
+     "%": " percent"}
 )  # fmt: skip
 _UNIT = re.compile(r"\s*\[.*")
 _SIGNS = re.compile(r"[\W_]+|(?<=[^\W\d_])(?=\d)")
@@ -99,9 +101,9 @@ def _with_more(asked: str, names: Sequence[str]) -> list[str]:
     """Return the names that begin with these words, or with others for them, and have more."""
     said = [asked]
     for keys, others in _GROUPS:
-        for word in others:
-            if asked.startswith(f"{word}_"):
-                said += (key + asked[len(word) :] for key in keys)
+        for word in (*keys, *others):
+            if asked == word or asked.startswith(f"{word}_"):
+                said += (key + asked[len(word) :] for key in keys if key not in asked.split("_"))
     return [
         name
         for name in names
@@ -150,10 +152,16 @@ def _distance(asked: str, way: str) -> int | None:
         return None
     if len(asked) >= 3 and _begins(asked, way):
         return 1
-    same_start = asked[0] == way[0]
-    most = max(1, len(asked) // 3) if same_start else int(len(asked) > 2)
-    if abs(len(asked) - len(way)) > most or (found := _edits(asked, way)) > most:
-        return None
+    words, others = asked.split("_"), way.split("_")
+    if len(words) != len(others):
+        # A sign between words may lack.
+        return _edits(asked, way) if asked.replace("_", "") == way.replace("_", "") else None
+    found = 0
+    for word, other in zip(words, others, strict=True):
+        most = max(1, len(word) // 3) if word[:1] == other[:1] else int(len(asked) > 2)
+        if abs(len(word) - len(other)) > most or (edits := _edits(word, other)) > most:
+            return None
+        found += edits
     return found
 
 
