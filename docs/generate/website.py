@@ -22,15 +22,19 @@ NOT_SHOWN = ("generate", "gallery/peers/*.py", "playground")
 PLAYGROUND = DOCS / "playground" / "build.py"
 
 
+# No warning is let pass, and all of them are shown.
+STRICTLY = ("-W", "--keep-going", "-n", "-q")
+
+
 def main() -> int:
     site = Path(sys.argv[1]).absolute()
-    source = site.with_name(f"{site.name}-source")
+    source, read = (site.with_name(f"{site.name}-{one}") for one in ("source", "read"))
     playable = "--playground" in sys.argv and playground(site / "playground")
     lay(pages() | {"playground.md": playground_page(playable).encode()}, source)
-    # Pages of the source that are there would be left as they are.
-    shutil.rmtree(site / "_modules", ignore_errors=True)
-    # No warning is let pass, all of them are shown, and nothing is left of another build.
-    return build_main(["-E", "-a", "-W", "--keep-going", "-n", "-q", "-b", "html", str(source), str(site)])
+    # What is left of another build would be taken for a page of this one.
+    for old in (read, *(one for one in site.glob("*") if one.name != "playground")):
+        shutil.rmtree(old) if old.is_dir() else old.unlink(missing_ok=True)
+    return build_main([*STRICTLY, "-b", "html", "-d", str(read), str(source), str(site)])
 
 
 def playground(target: Path) -> bool:
