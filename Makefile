@@ -9,7 +9,7 @@ DOCS := $(VENV)/docs
 IN_PARALLEL := -n 2 --dist loadfile
 
 .DEFAULT_GOAL := help
-.PHONY: help demo handbook test test-all check bench peers docs playground golden tools clean
+.PHONY: help demo handbook test test-all check bench peers docs links playground golden tools clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -68,6 +68,9 @@ peers: $(DEV) ## set one table with kurbel and its peers side by side, docs/gall
 docs: $(DOCS) ## build the site of the documentation in build/site, and write the JSON Schemas anew
 	$(BIN)/python docs/generate/schemas.py
 	$(BIN)/python docs/generate/website.py build/site --playground
+
+links: docs ## try the links of the documentation that lead elsewhere; needs a network
+	$(BIN)/python -m sphinx -q -b linkcheck -d build/site-read build/site-source build/links
 
 playground: $(DOCS) ## build kurbel for browsers in build/site/playground; needs npm
 	$(BIN)/python docs/playground/build.py build/site/playground

@@ -53,7 +53,9 @@ html_theme_options = {
     "footer_end": [],
 }
 # Pages without pages below them have nothing to list at their left.
-html_sidebars = {name: [] for name in ("index", "tutorial", "anleitung", "digits", "changes")}
+html_sidebars: dict[str, list[str]] = {
+    name: [] for name in ("index", "tutorial", "anleitung", "digits", "changes")
+}
 copybutton_prompt_text = "$ "
 copybutton_only_copy_prompt_lines = True
 

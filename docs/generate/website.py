@@ -52,7 +52,9 @@ def playground_page(playable: bool) -> str:
     if not playable:
         return f"{about}\n\nThis copy of the site is without it; `make docs` builds it, where there is npm.\n"
     link = '<a class="sd-btn sd-btn-primary" href="playground/index.html">Open the playground</a>'
-    return f"{about}\nNothing that is typed is sent anywhere.\n\n{link}\n"
+    served = "```sh\npython3 -m http.server --directory build/site    # then http://localhost:8000\n```"
+    own = f"On a machine of one's own browsers want it from a server:\n\n{served}"
+    return f"{about}\nNothing that is typed is sent anywhere.\n\n{link}\n\n{own}\n"
 
 
 def pages() -> dict[str, bytes]:
