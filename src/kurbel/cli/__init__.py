@@ -69,6 +69,7 @@ COMMANDS = {
     "inject": ("kurbel.cli.inject", "Refresh the tables at marked places of your own documents."),
     "layouts": ("kurbel.cli.lists", "List the page layouts."),
     "quantities": ("kurbel.cli.lists", "List the quantities that columns can show."),
+    "man": ("kurbel.cli.man", "Show a manual page, or write all of them for man."),
 }
 
 # What stands together in the help.
@@ -78,7 +79,7 @@ GROUPS = {
     "Balance": ("balance", "rotor", "locomotive", "firing"),
     "Books": ("collate", "sources", "example"),
     "Drawings and documents": ("plot", "handbook", "inject"),
-    "Lists": ("layouts", "quantities"),
+    "Lists and manual": ("layouts", "quantities", "man"),
 }
 # Characters of a word, such as a path, and of a sentence, which may list all columns.
 LONGEST_WORD, LONGEST_SENTENCE = 300, 3000
@@ -86,10 +87,16 @@ LONGEST_WORD, LONGEST_SENTENCE = 300, 3000
 ALLOCATED = 100_000
 
 LANGUAGES = "Pages are in German; in English with --lang en, or KURBEL_LANG=en for all."
+SUMMARY = "Compute and typeset tables of the crank drive; every printed digit is right."
+VARIABLES = """\
+KURBEL_LANG, KURBEL_FORMAT and KURBEL_DECIMAL set defaults for
+  all commands, KURBEL_TABLE_RATIO and the like one option of a command. Long
+  pages go through KURBEL_PAGER, else PAGER, else less; NO_COLOR takes colours
+  away, FORCE_COLOR has them in pipes."""
 HELP = """\
 Usage: kurbel [OPTIONS] COMMAND [ARGS]...
 
-  Compute and typeset tables of the crank drive; every printed digit is right.
+  {summary}
 
   kurbel table --ratio 1:5
   kurbel table --ratio 1:5 --lang en
@@ -103,12 +110,10 @@ Options:
   --version    Show the version and exit.
   -h, --help   Show this message and exit.
 
-  Each command has its own help: kurbel table --help.
+  Each command has its own help, kurbel table --help, and the same as a manual
+  page, kurbel man table.
 
-  Environment: KURBEL_LANG, KURBEL_FORMAT and KURBEL_DECIMAL set defaults for
-  all commands, KURBEL_TABLE_RATIO and the like one option of a command. Long
-  pages go through KURBEL_PAGER, else PAGER, else less; NO_COLOR takes colours
-  away, FORCE_COLOR has them in pipes.
+  Environment: {variables}
 """
 
 
@@ -116,7 +121,9 @@ def help_text() -> str:
     """Return the help of `kurbel` itself."""
     width = max(map(len, COMMANDS))
     return HELP.format(
+        summary=SUMMARY,
         languages=LANGUAGES,
+        variables=VARIABLES,
         commands="\n\n".join(
             "\n".join((f"{title}:", *(f"  {name:{width}}  {COMMANDS[name][1]}" for name in names)))
             for title, names in GROUPS.items()
