@@ -60,7 +60,8 @@ class Shown(NamedTuple):
 
 class Line(NamedTuple):
     """What does not move: a chain line ("centre"), a circle of radius R ("circle"), an edge of the frame
-    whose hatch lies to its left or right ("left", "right"), a bearing ("bearing"), a dead centre ("dead")."""
+    whose hatch lies to its left or right ("left", "right"), a dead centre ("dead"); a bearing that makes room
+    for its crank ("bearing"), or whose ground is below, above or at the left ("below", "hung", "beside")."""
 
     kind: str
     points: tuple[Point, ...]

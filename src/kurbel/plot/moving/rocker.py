@@ -32,7 +32,7 @@ def rocker_scene(crank: RockerCrank) -> Scene | None:
             Line("centre", ((-1.25, 0), (high[0], 0))),
             Line("centre", path),
             Line("bearing", (SHAFT,)),
-            Line("bearing", (pivot,)),
+            Line(_bearing(crank, pivot), (pivot,)),
             *(Line("dead", (place,)) for dead in (inner, outer) for place in (dead.pin, dead.head)),
         ),
         links=(
@@ -47,3 +47,10 @@ def rocker_scene(crank: RockerCrank) -> Scene | None:
 def _beyond(head: Joint, pivot: Point) -> Joint:
     """Return where the other arm of a beam ends."""
     return tuple((2 * pivot[0] - x, 2 * pivot[1] - y) for x, y in head)
+
+
+def _bearing(crank: RockerCrank, pivot: Point) -> str:
+    """Return where the ground of the pivot is: away from the rocker, or beside a beam."""
+    if not crank.at_end:
+        return "beside"
+    return "hung" if pivot[1] >= 0 else "below"

@@ -46,6 +46,8 @@
       this.unit = Math.min(room / (right - left), 110);
       const size = [(right - left) * this.unit, (high - low) * this.unit];
       put(this.svg, {viewBox: `0 0 ${size[0].toFixed(1)} ${size[1].toFixed(1)}`, width: size[0], height: size[1]});
+      // What follows stays where it is when a step has no drawing.
+      this.svg.parentElement.style.minHeight = `${size[1]}px`;
       this.svg.replaceChildren();
       Object.assign(this, {shafts: [], stands: []});
       for (const [kind, ...flat] of scene.fixed) {
@@ -89,11 +91,12 @@
 
     move(angle) {
       const scene = this.scene, at = number => this.place(...this.joint(number, angle));
-      scene.links.forEach(([, start, end], place) => {
+      scene.links.forEach(([kind, start, end], place) => {
         const [[x1, y1], [x2, y2]] = [at(start), at(end)], length = Math.hypot(x2 - x1, y2 - y1) || 1;
         put(this.links[place], {x1, y1, x2, y2});
-        // On its left side, seen from above: below a bar the way of the crosshead is drawn.
-        const side = x2 >= x1 ? 1 : -1, share = 0.55;
+        // Of a crank on the side away from φ, of other bars above: below is the way of the crosshead.
+        const isCrank = kind === "crank", share = isCrank ? 0.6 : 0.42;
+        const side = (isCrank ? y2 <= y1 : x2 >= x1) ? 1 : -1;
         put(this.letters[place], {
           x: x1 + (x2 - x1) * share + side * 12 * (y2 - y1) / length,
           y: y1 + (y2 - y1) * share - side * 12 * (x2 - x1) / length + 5,
@@ -128,7 +131,8 @@
       put(this.arc, {d: path(points)});
       const lean = Math.min(turn, 8 / (radius * this.unit) * 180 / Math.PI);
       this.head(this.tip, at(turn - lean), at(turn));
-      const [x, y] = at(turn / 2, radius + 13 / this.unit);
+      // Above the middle of a longer arc the rod passes.
+      const [x, y] = at(Math.min(turn / 2, 25), radius + 13 / this.unit);
       put(this.phi, {x, y: y + 5});
     }
 
@@ -180,15 +184,32 @@
       element(parent, "path", {class: "live-thin", d: marks.join("")});
     }
 
-    bearing([[x, y]]) {
+    bearing(points) {
+      this.stands.push([this.stand(points), ...points[0]]);
+    }
+
+    below(points) {
+      this.stand(points);
+    }
+
+    hung(points) {
+      put(this.stand(points), {transform: `rotate(180 ${points[0].join(" ")})`});
+    }
+
+    beside(points) {
+      put(this.stand(points), {transform: `rotate(90 ${points[0].join(" ")})`});
+    }
+
+    // A bearing on its ground, and the end of the shaft, which is drawn over all links.
+    stand([[x, y]]) {
       const foot = y + 22, stand = element(this.svg, "g");
       element(stand, "path", {class: "live-edge", d: `M${x - 3} ${y}L${x - 11} ${foot}M${x + 3} ${y}L${x + 11} ${foot}`});
       this.ground([x - 16, foot], [x + 16], 1, stand);
-      this.stands.push([stand, x, y]);
       const shaft = element(this.svg, "g");
       element(shaft, "circle", {class: "live-pin", cx: x, cy: y, r: 7});
       element(shaft, "circle", {class: "live-dot", cx: x, cy: y, r: 2});
       this.shafts.push(shaft);
+      return stand;
     }
   }
 
