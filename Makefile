@@ -82,6 +82,7 @@ golden: $(DEV) ## write the golden files anew; then read the difference
 tools: $(DEV) ## install TeX, Chromium, poppler, fish, axe and veraPDF, which some tests need (Debian, as root)
 	sh scripts/debian-tools.sh
 	npm ci --prefix tests --ignore-scripts --no-audit --no-fund
+	$(BIN)/python docs/playground/build.py --fetch
 	$(BIN)/python -m pip install --quiet --group tools
 
 clean: ## remove what was built

@@ -36,7 +36,16 @@ def is_long(columns: Sequence[Column], cranks: Sequence[Crank], angles: Sequence
     doubtful = (
         2 * float_bound(column, crank, reach) * 10.0**column.places for column in columns for crank in cranks
     )
-    return max(doubtful) < DOUBTFUL_SHARE
+    return max(doubtful) < DOUBTFUL_SHARE and _has_arrays()
+
+
+def _has_arrays() -> bool:
+    # In a browser there is no NumPy, and balls do what floats would do sooner.
+    try:
+        import numpy  # noqa: F401
+    except ImportError:
+        return False
+    return True
 
 
 def float_bound(column: Column, crank: Crank, largest_angle: float) -> float:
