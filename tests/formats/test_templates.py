@@ -82,6 +82,9 @@ def test_a_changed_template_is_read_again(folder: Path) -> None:
     assert render(everything(), "markdown", templates=str(folder)) == render(everything(), "markdown")
 
 
+WITH_ADDRESS = "it prints an object with its place in memory, which is another one every time"
+
+
 @pytest.mark.parametrize(
     ("template", "line", "reason"),
     [
@@ -101,6 +104,8 @@ def test_a_changed_template_is_read_again(folder: Path) -> None:
             1,
             "access to attribute '__class__' of 'Page' object is unsafe.",
         ),
+        ("\n{{ page.words.keys }}", 2, WITH_ADDRESS),
+        ("{{ 'words: ' ~ [page.words.keys] }}", 1, WITH_ADDRESS),
         ("{{ page.words.update(a=1) }}", 1, "access to attribute 'update' of 'dict' object is unsafe."),
     ],
 )

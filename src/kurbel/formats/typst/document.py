@@ -47,7 +47,7 @@ class Maker(DocumentMaker):
             "indexed": any(
                 isinstance(block, Index) for one in document.items("text") for block in one.blocks
             ),
-            "kinds": {item.kind for item in document.items("table", "figure")},
+            "kinds": sorted({item.kind for item in document.items("table", "figure")}),
         }
         return {"handbook.typ": self.filled("handbook", self.values() | more)}
 
