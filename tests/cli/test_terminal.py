@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import os
 import shlex
@@ -14,7 +15,7 @@ from places import ROOT
 from programs import Programs, wait_until
 from terminals import own_terminal, shown
 
-from kurbel import collation_table
+from kurbel import collation_table, delta_table
 from kurbel.cli import screen
 from kurbel.cli.tables import Printing
 from kurbel.formats.registry import FORMATS
@@ -205,3 +206,17 @@ def test_a_collation_on_a_terminal_fits_it_and_is_coloured() -> None:
         Printing(FORMATS["text"], "-", None, False, False, False, False).print(collation_table("blau-33"))
         there = end()
     assert there == render(collation_table("blau-33"), "text", width=60, colours=True)
+
+
+def test_a_page_that_takes_long_counts_its_numbers_on_a_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Screen(io.StringIO):
+        def isatty(self) -> bool:
+            return True
+
+    for patience, counted in ((0.0, True), (1e9, False)):
+        error = Screen()
+        monkeypatch.setattr(sys, "stderr", error)
+        with screen.counted(patience):
+            page = delta_table(eps="2;3;4")
+        assert ("3 numbers" in error.getvalue(), "100%" in error.getvalue()) == (counted, counted)
+        assert str(page) == str(delta_table(eps="2;3;4"))

@@ -5,10 +5,13 @@ from __future__ import annotations
 import os
 import re
 import sys
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import ExitStack, contextmanager
+from functools import partial
 from itertools import chain
 from shutil import get_terminal_size
 from stat import S_ISREG
+from time import monotonic
 
 # A terminal that can do nothing but print.
 DUMB = "dumb"
@@ -16,6 +19,8 @@ DUMB = "dumb"
 LOCALE = ("LC_ALL", "LC_MESSAGES", "LANG")
 # It comes back until a language is chosen, for nothing is kept of earlier calls.
 HINT = "English: --lang en, or KURBEL_LANG=en for all; KURBEL_LANG=de ends this"
+# Seconds in which nobody doubts that something goes on.
+PATIENCE = 1.0
 _CODES = re.compile("\x1b\\[[0-9;]*m")
 
 
@@ -81,3 +86,34 @@ def _screenful(pieces: Iterator[bytes]) -> tuple[list[bytes], bool]:
         if height >= rows:
             return first, True
     return first, False
+
+
+@contextmanager
+def counted(patience: float = PATIENCE) -> Iterator[None]:
+    """Show on a terminal how many numbers of a page are done, where that takes long."""
+    from kurbel.page.build import WATCHER
+
+    with ExitStack() as bars:
+        token = WATCHER.set(partial(_bar, bars, monotonic() + patience))
+        try:
+            yield
+        finally:
+            WATCHER.reset(token)
+
+
+def _bar(bars: ExitStack, begin: float, count: int) -> Callable[[], None]:
+    """Return what counts the numbers, on a bar as soon as it is time to begin."""
+    done, bar = 0, None
+
+    def passed() -> None:
+        nonlocal done, bar
+        done += 1
+        if bar is not None:
+            bar.update(1)
+        elif monotonic() >= begin:
+            from click import progressbar
+
+            bar = bars.enter_context(progressbar(length=count, label=f"{count} numbers", file=sys.stderr))
+            bar.update(done)
+
+    return passed

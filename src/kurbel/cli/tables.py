@@ -148,7 +148,9 @@ class TableCommand(MakingCommand):
             decimal = form.decimal_name(question.lang, printing.decimal)
             _write(record_chunks(question, form, decimal), printing.output, len(question))
         else:
-            printing.print(self.made_by.built(question, given.values))
+            with _numbers_counted():
+                page = self.made_by.built(question, given.values)
+            printing.print(page)
 
 
 class CollateCommand(TableCommand):
@@ -318,6 +320,15 @@ def _counted(page: Table) -> Iterator[Table]:
                 bar.update(1)
 
         yield replace(page, steps=replace(steps, make=make))
+
+
+def _numbers_counted() -> AbstractContextManager[None]:
+    """A bar on the terminal where the numbers of a page take long."""
+    if not sys.stderr.isatty():
+        return nullcontext()
+    from kurbel.cli import screen
+
+    return screen.counted()
 
 
 def _bar(rows: int) -> AbstractContextManager[Any]:

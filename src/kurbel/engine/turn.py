@@ -8,6 +8,7 @@ turns says are kept between two near ones, over which the excess is proved not t
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from fractions import Fraction
 from functools import cache, cached_property, partial
@@ -45,6 +46,8 @@ class Piece(NamedTuple):
     start: Fraction
     end: Fraction
     strokes: tuple[tuple[int, int, Fraction], ...]
+    # Cranks that stand alike are one, so many times.
+    unlike: tuple[tuple[int, int, int, Fraction], ...]
 
     @property
     def stroke(self) -> int:
@@ -93,7 +96,9 @@ class Turn(AnyTurn):
     def _piece(self, low: Fraction, high: Fraction) -> Piece:
         middle = (low + high) / 2
         standing = self.positions(middle)
-        return Piece(low, high, tuple((part, stroke, middle - angle) for part, stroke, angle in standing))
+        strokes = tuple((part, stroke, middle - angle) for part, stroke, angle in standing)
+        unlike = tuple((count, *one) for one, count in Counter(strokes).items())
+        return Piece(low, high, strokes, unlike)
 
     @cached_property
     def _gaps(self) -> list[tuple[Fraction, Fraction]]:
@@ -176,21 +181,24 @@ class Turn(AnyTurn):
     def excess(self, piece: Piece, place: Angle) -> Number:
         cylinders = self.cylinders
         total = sum(
-            cylinders[part].effort(stroke, _since(place, begun)) for part, stroke, begun in piece.strokes
+            count * cylinders[part].effort(stroke, _since(place, begun))
+            for count, part, stroke, begun in piece.unlike
         )
         return total - self.mean_force()
 
     def slope(self, piece: Piece, place: Angle) -> Number:
         cylinders = self.cylinders
         return sum(
-            cylinders[part].slope(stroke, _since(place, begun)) for part, stroke, begun in piece.strokes
+            count * cylinders[part].slope(stroke, _since(place, begun))
+            for count, part, stroke, begun in piece.unlike
         )
 
     def energy(self, piece: Piece, place: Angle) -> Number:
         """The excess work W/(Q R) since the first crank's inner dead centre."""
         cylinders = self.cylinders
         since = sum(
-            cylinders[part].energy(stroke, _since(place, begun)) for part, stroke, begun in piece.strokes
+            count * cylinders[part].energy(stroke, _since(place, begun))
+            for count, part, stroke, begun in piece.unlike
         )
         return since - self.energy_begun()
 
@@ -235,9 +243,16 @@ class Turn(AnyTurn):
         for bits in (ISOLATING_BITS, EQUAL_BITS):
             if len(left) > 1:
                 with flint.ctx.workprec(bits):
-                    energies = [sign * self.energy(one.piece, place(one)) for one in left]
-                found = zip(left, energies, strict=True)
-                left = [one for one, energy in found if not any(other < energy for other in energies)]
+                    places = [place(one) for one in left]
+                    energies = [
+                        sign * self.energy(one.piece, at) for one, at in zip(left, places, strict=True)
+                    ]
+                found = zip(left, places, energies, strict=True)
+                left = [
+                    _narrowed(one, at)
+                    for one, at, energy in found
+                    if not any(other < energy for other in energies)
+                ]
         if any(one.root.rising is None for one in left):
             raise ProblemError("the speed rests where it should turn; its extremes cannot be told apart")
         return left
@@ -273,6 +288,14 @@ def turn_of(engine: Engine | Assembly, method: str) -> AnyTurn:
 def place(extremum: Extremum) -> Number:
     """Return where the extremum lies, in half turns, as narrow as the precision in force allows."""
     return refined(extremum.function, extremum.slope, extremum.root)
+
+
+def _narrowed(extremum: Extremum, found: Number) -> Extremum:
+    """Return the extremum with what is known of its place, from where a higher precision goes on."""
+    root = extremum.root
+    if root.rising is None or not found.rad() > 0:
+        return extremum
+    return extremum._replace(root=Root(*_ends(found), root.rising))
 
 
 def stationary(piece: Piece, function: Function, slope: Function) -> list[Extremum]:

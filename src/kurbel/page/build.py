@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextvars import ContextVar
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
@@ -22,6 +23,8 @@ from kurbel.reading.amounts import LARGER, TAKEN, printed_in
 # A page is held in memory whole; records stream. 300,000 cells take some seconds and 200 MB.
 MOST_CELLS = 300_000
 MOST_COLUMNS = 500
+# Who is told how many numbers a page has, and returns what is called for each of them.
+WATCHER: ContextVar[Callable[[int], Callable[[], None]] | None] = ContextVar("watcher", default=None)
 
 
 def build(question: Question, pages: bool = True) -> Table:
@@ -66,7 +69,7 @@ def _built(question: Question, pages: bool, whole: bool) -> Table:
         layout=layout.key,
         lang=question.lang,
         caption=about.caption(question),
-        panels=panels(*(about.grid or own_grid)(question)) if whole else (),
+        panels=panels(*_watched(*(about.grid or own_grid)(question))) if whole else (),
         records=_records(question.for_data),
         notes=tuple(
             one if isinstance(one, Note) else Note(one) for one in (*about.notes(question), *further)
@@ -78,6 +81,21 @@ def _built(question: Question, pages: bool, whole: bool) -> Table:
     )
     spoken = question.note or question.caption is not None or question.source is not None
     return question.worded(page) if spoken else page
+
+
+def _watched(layout: Layout, grid: Grid) -> tuple[Layout, Grid]:
+    """Return the grid with somebody told of each number, if anybody wants to be."""
+    watcher = WATCHER.get()
+    if watcher is None:
+        return layout, grid
+    passed = watcher(prod(grid.axes[name].size for name in (*layout.down, *layout.across)))
+
+    def cell(place: Place) -> Cell:
+        found = grid.cell(place)
+        passed()
+        return found
+
+    return layout, replace(grid, cell=cell)
 
 
 def _zero(question: Question) -> Iterator[Label]:
