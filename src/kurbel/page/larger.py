@@ -12,8 +12,7 @@ from functools import partial
 
 from kurbel.exact.numerals import Number
 from kurbel.page.axes import places
-from kurbel.page.known import Known, known_at
-from kurbel.page.quantity import Column
+from kurbel.page.quantity import Column, Known, known_at
 from kurbel.page.subject import Question
 from kurbel.page.units import names_unit
 from kurbel.reading.amounts import LARGER, UNITS, Unit, Units, larger

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeAlias
 
-from kurbel.exact.numerals import Label
+from kurbel.exact.numerals import Label, Number, figures
 from kurbel.reading.notation import ratio_text
 
 # A text in every language.
@@ -173,6 +173,22 @@ class Column(NamedTuple):
         """The decimals of a quantity that has so many of its own."""
         assert self.decimals is not None
         return self.decimals
+
+
+# A number of a page: the key of its column, and its place.
+Known: TypeAlias = tuple[str, frozenset[tuple[str, int]]]
+
+
+def known_at(column: Column, place: Mapping[str, int]) -> Known:
+    return column.key, frozenset(place.items())
+
+
+def is_short(number: Number, column: Column) -> bool:
+    """Whether a number of five figures has fewer decimals than the column has at the least.
+
+    What is printed to fewer figures is exact.
+    """
+    return number.decimals < column.least and number.decimals == figures(number.scaled / 10**number.decimals)
 
 
 def bare(quantity: Quantity, method: str, decimals: int | None) -> Column:

@@ -14,9 +14,8 @@ from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, TypeAlias
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS, Label, Number
 from kurbel.page.axes import Grid, PageAxis, Place
-from kurbel.page.known import Known, is_short, known_at
 from kurbel.page.layouts import Layout, LayoutColumn
-from kurbel.page.quantity import Column, Quantity
+from kurbel.page.quantity import Column, Known, Quantity, is_short, known_at
 from kurbel.page.subjects import SUBJECTS
 from kurbel.page.table import Field, Note, Records, Tone, Value, check_label
 from kurbel.page.wording import Worded
