@@ -161,8 +161,9 @@ TYPED_ELSEWHERE = {
 )
 def test_every_line_for_the_shell_runs(page: Path, tmp_path: Path) -> None:
     folder, script = after(page, tmp_path), for_the_shell(page)
-    if "pdflatex" in script:
-        require("pdflatex")
+    for program in ("pdflatex", "pandoc"):
+        if program in script:
+            require(program)
     environment = {name: text for name, text in os.environ.items() if "KURBEL" not in name}
     environment["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
     typed = subprocess.run(

@@ -88,7 +88,7 @@ class _Written:
             case Number() as number:
                 to.write_number(row, column, float(number_text(number)), form)
             case str() as text if cell.link:
-                to.write_url(row, column, f"internal:'{cell.link}'!A1", form, bare(text))
+                to.write_url(row, column, f"internal:{_quoted(cell.link)}!A1", form, bare(text))
             case str() as text:
                 self.text(to, row, column, text, cell.look)
             case None:
@@ -110,6 +110,10 @@ class _Written:
             own = _properties(look, is_text) | ({"italic": True} if italic else {})
             self.formats[key] = self.file.add_format(own)
         return self.formats[key]
+
+
+def _quoted(name: str) -> str:
+    return "'" + name.replace("'", "''") + "'"
 
 
 def _properties(look: Look, is_text: bool) -> dict[str, Any]:
