@@ -109,6 +109,14 @@ def test_a_share_has_many_spellings() -> None:
             share(text)
 
 
+def test_ratios_of_pressures_and_volumes_are_ratios_and_no_ranges() -> None:
+    three = printed("delta", "--pressure-ratio=3", "-f", "csv").out
+    assert printed("delta", "--pressure-ratio=3:1", "-f", "csv").out == three
+    five = ("delta", "--cycle=otto", "--peak-pressure=30", "-f", "csv")
+    assert printed(*five, "--compression=5:1").out == printed(*five, "--compression=5").out
+    assert refusal("delta", "--eps=4:1").startswith('expansion ratio "4:1" is not a number')
+
+
 STEAM = ("--eps=4", "--ratio=1:5")
 SHARES = {
     "clearance": ("delta", *STEAM),

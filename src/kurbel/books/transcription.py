@@ -87,7 +87,7 @@ def collated_table(
     tables = all_tables(folder)
     if table is None:
         raise ProblemError(f"name a table, such as roetscher-112, or --csv; kurbel has {', '.join(tables)}")
-    found = tables[choose(table, tables, "table")]
+    found = tables[meant(table, tables, "table")]
     return found, tuple(Collation(found) if isinstance(found, SourceTable) else found.collated())
 
 
@@ -172,7 +172,7 @@ class _Read:
         """Return whose column it is; what the head says must be what was given."""
         axis, quantity, crank_ratio = self.axis, self.quantity, self.crank_ratio
         own_ratio = ratio(head) if ":" in head else None
-        own_quantity = known_quantity(head) if head in (*registry(), *keys_by(axis)) else None
+        own_quantity = self._own_quantity(head)
         if own_ratio is None and own_quantity is None and not alone:
             raise NotationError(f'the head "{head[:40]}" is neither a crank ratio nor a quantity, such as p')
         key = own_quantity or quantity
@@ -191,6 +191,16 @@ class _Read:
             raise ProblemError(f"the file has a column headed {head}, and --ratio is another; leave one out")
         Crank(value)
         return _Column(key, value)
+
+    def _own_quantity(self, head: str) -> str | None:
+        """Return the quantity that a head names, by any word for it where none was given."""
+        keys = (*registry(), *keys_by(self.axis))
+        if head in keys:
+            return known_quantity(head)
+        from kurbel.reading.names import meant as in_other_words
+
+        found = in_other_words(head, keys) if self.quantity is None else None
+        return known_quantity(found) if found else None
 
     def row(self, texts: list[str], head: Head, line: int) -> None:
         first, *others = texts

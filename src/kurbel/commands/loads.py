@@ -9,7 +9,7 @@ from kurbel.commands.options import FLAG, Choice, Option, is_given
 from kurbel.drive.load import CARD, COMPRESSOR, GAS, LOADS, PUMP, STEAM
 from kurbel.errors import ProblemError
 from kurbel.page.layouts import Layout
-from kurbel.reading.given import Exact, as_number, as_numbers, as_pressure, as_share
+from kurbel.reading.given import Exact, as_number, as_pressure, as_share, as_shares
 
 if TYPE_CHECKING:
     from kurbel.drive.load import Load as Acting
@@ -229,7 +229,7 @@ def _compressors(given: Mapping[str, Any]) -> Sequence["Acting"]:
         if given["suction_pressure"] is None:
             raise ProblemError("--other-side is compared with the suction pressure; add --suction-pressure")
         known["other_side"] /= _above_zero(as_pressure(given["suction_pressure"], "suction pressure"))
-    ratios = as_numbers(given["pressure_ratio"], "pressure ratio")
+    ratios = as_shares(given["pressure_ratio"], "pressure ratio")
     return [Compressor(ratio, **known) for ratio in ratios]
 
 
@@ -265,7 +265,7 @@ def _cycles(given: Mapping[str, Any]) -> Sequence["Acting"]:
     in_suctions = partial(_in_suctions, given["suction_pressure"])
     found = _known(given, *((name, as_number) for name in numbers), *((name, in_suctions) for name in names))
     known: dict[str, Any] = {names.get(name, name): value for name, value in found.items()}
-    cycle, ratios = given["cycle"] or OTTO, as_numbers(given["compression"], "compression ratio")
+    cycle, ratios = given["cycle"] or OTTO, as_shares(given["compression"], "compression ratio")
     return [GasCycle(ratio, cycle, two_stroke=given["two_stroke"], **known) for ratio in ratios]
 
 

@@ -51,9 +51,10 @@ def sheet_of(given: Mapping[str, Any]) -> dict[str, Any]:
 def zero_of(given: Mapping[str, Any]) -> Fraction:
     """Return the angle φ that the page calls 0."""
     zero = given.get("zero")
-    if zero is None or zero == "inner":
+    named = zero.strip().lower() if isinstance(zero, str) else ""
+    if zero is None or named == "inner":
         return Fraction(0)
-    if zero != "outer":
+    if named != "outer":
         return as_angle(zero, "zero")
     if given.get("offset") is not None or given.get("mechanism") not in (None, "straight"):
         raise ProblemError(

@@ -57,7 +57,8 @@ def _range(text: str, colons: bool) -> str:
     if match is None and colons and (match := _COLONS.fullmatch(text)):
         first, middle, last = match.groups()
         if last is None:
-            return f"{first}..{middle}"
+            # 3:1 is a ratio.
+            return f"{first}..{middle}" if _steps("0", first, middle) else ""
         return _written(first, last, middle) if _steps(first, middle, last) else _written(first, middle, last)
     return _written(*match.groups()) if match else ""
 
