@@ -4,18 +4,30 @@ from __future__ import annotations
 
 import re
 import runpy
+import shlex
+import shutil
 from collections.abc import Iterator
+from pathlib import Path
 
 import click
 import pytest
+from cli import kurbel
 from places import ROOT
 
-import kurbel
+import kurbel as library
 from kurbel.cli import COMMANDS
 from kurbel.cli.app import command_of
 
 DOCS = ROOT / "docs"
 GENERATE = DOCS / "generate"
+# What the examples of the help name, beside the examples.
+NAMED = {
+    "rod.csv": "from [mm];to [mm];mass [kg]\n-120;140;16,8\n140;1350;24,2\n1350;1580;9,1\n",
+    # The acceleration to the first order at R:L = 1:4, cos φ + cos 2φ/4.
+    "scan.csv": "phi;p\n0;1,250\n60;0,375\n90;-0,250\n180;-0,750\n",
+    "notes.md": "<!-- kurbel: table --ratio 1:5 -->\n<!-- /kurbel -->\n",
+    "lectures/first.tex": "% kurbel: table\n% /kurbel\n",
+}
 
 
 def options(command: click.Command) -> Iterator[tuple[str, str]]:
@@ -46,7 +58,7 @@ def test_the_reference_describes_every_option_of_every_command(pages: dict[str, 
 
 def test_the_reference_describes_every_name_of_the_library(pages: dict[str, str]) -> None:
     described = "".join(text for name, text in pages.items() if name.startswith("reference/python/"))
-    for name in set(kurbel.__all__) - {"__version__"}:
+    for name in set(library.__all__) - {"__version__"}:
         assert re.search(rf"^:+{{py:\w+}} {name}\b", described, re.MULTILINE), name
 
 
@@ -58,3 +70,29 @@ def test_links_lead_to_pages_that_there_are(pages: dict[str, str]) -> None:
         for target in re.findall(r"\]\((?!https?:)([^)#\s]+)", text):
             leads_to = (page.parent / target).resolve()
             assert leads_to.exists() or leads_to in made, f"{page.relative_to(ROOT)} links to {target}"
+
+
+@pytest.mark.slow
+def test_every_example_of_the_reference_runs(
+    pages: dict[str, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """In turn, in a folder with the files that they name; but for what runs until it is ended."""
+    monkeypatch.chdir(shutil.copytree(ROOT / "examples", tmp_path / "examples"))
+    shutil.rmtree("appendix")
+    for name, text in NAMED.items():
+        Path(name).parent.mkdir(exist_ok=True)
+        Path(name).write_text(text, encoding="utf-8")
+    shown = "".join(text for name, text in pages.items() if "command-line" in name)
+    lines = [
+        line for block in re.findall(r"```sh\n(.*?)```", shown, re.DOTALL) for line in block.splitlines()
+    ]
+    typed = [line for line in lines if " watch " not in line]
+    assert len(typed) > 100
+    assert kurbel("handbook", "init", "lectures").code == 0
+    assert kurbel("handbook", "build", "lectures", "--jobs", "1").code == 0
+    for line in typed:
+        words = shlex.split(line.replace("*.tex", "first.tex"))
+        assert words[0] == "kurbel", line
+        own = ("--jobs", "1") if words[1:3] == ["handbook", "build"] else ()
+        result = kurbel(*words[1:], *own)
+        assert result.code == 0, (line, result.err)

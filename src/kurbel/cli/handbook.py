@@ -44,7 +44,7 @@ def handbook() -> None:
     \b
     kurbel handbook init appendix/
     kurbel handbook build appendix/
-    kurbel handbook build appendix/ --only motion
+    kurbel handbook build appendix/ --only kolbenbewegung
     kurbel handbook check appendix/ lectures/
     """  # fmt: skip
 
