@@ -46,7 +46,7 @@ PAGES = {
     **{
         f"{SHORT}{entry.suffixes[0]}": (*TEXTS[SHORT], "-f", form)
         for form, entry in FORMATS.items()
-        if form not in ("text", "json", "pdf")
+        if form not in ("text", "json") and entry.kind in ("page", "records")
     },
 }
 
