@@ -99,6 +99,9 @@ def test_the_same_table_is_the_same_bytes_of_the_day_that_is_asked_for(
     assert b"1980-01-01T00:00:00Z" in about(first)
     monkeypatch.setenv("SOURCE_DATE_EPOCH", "1000000000")
     assert b"2001-09-09T01:46:40Z" in about(form.content(everything(), None))
+    # A zip file ends with the year 2107, what is said in it does not.
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "253402300799")
+    assert b"9999-12-31T23:59:59Z" in about(form.content(everything(), None))
 
 
 def about(content: bytes) -> bytes:
@@ -106,9 +109,8 @@ def about(content: bytes) -> bytes:
         return file.read("meta.xml" if "meta.xml" in file.namelist() else "docProps/core.xml")
 
 
-@each_book
-def test_panels_of_the_same_rows_are_one_table(form: WorkbookFormat) -> None:
-    page, _ = sheets_of(form.content(kurbel.table(layout="roetscher-112"), None)).values()
+def test_panels_of_the_same_rows_are_one_table() -> None:
+    page, _ = sheets_of(BOOKS[-1].content(kurbel.table("1:5", layout="roetscher-112"), None)).values()
     heads = [text for (row, _), text in sorted(page.values.items()) if row == 2]
     assert heads[-1] == "180\n180"
     assert len(heads) == 2 + 19
@@ -163,7 +165,7 @@ def test_what_no_sheet_holds_is_refused() -> None:
             form.content(page, None)
 
 
-@settings(deadline=None, max_examples=60)
+@settings(deadline=None, max_examples=20)
 @given(st.lists(st.text(max_size=60), max_size=5))
 def test_every_name_of_a_sheet_is_one_that_excel_takes(wanted: list[str]) -> None:
     taken: set[str] = set()

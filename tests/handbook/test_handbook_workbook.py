@@ -79,6 +79,7 @@ def test_each_page_has_a_sheet_and_a_line_in_the_contents(tmp_path: Path) -> Non
     assert links.count(f"location=\"'{NAMES[1]}'!A1\"") == 1
 
 
+@pytest.mark.slow
 def test_a_build_makes_only_what_changed_and_a_check_finds_what_is_stale(tmp_path: Path) -> None:
     manifest = tmp_path / "handbook.toml"
     manifest.write_text(MANIFEST, encoding="utf-8")

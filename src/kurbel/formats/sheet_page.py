@@ -8,9 +8,12 @@ from itertools import chain, zip_longest
 from math import ceil
 from typing import Literal, NamedTuple
 
+from kurbel.errors import LayoutError
 from kurbel.exact.numerals import Number
 from kurbel.formats.page import Page, PageCell, PagePanel, page
 from kurbel.formats.sheet import (
+    MOST_COLUMNS,
+    MOST_ROWS,
     Look,
     Rule,
     Sheet,
@@ -45,7 +48,13 @@ def page_sheet(table: Table, mark: str, name: str) -> Sheet:
     """
     model = joined(table)
     ready = page(model, SheetWriter(), mark)
-    return _Draft(model, ready).sheet(name)._replace(mark=mark)
+    sheet = _Draft(model, ready).sheet(name)._replace(mark=mark)
+    if sheet.columns > MOST_COLUMNS or sheet.rows > MOST_ROWS:
+        raise LayoutError(
+            f"a sheet of {sheet.rows} rows and {sheet.columns} columns is too large;"
+            f" spreadsheets have {MOST_ROWS} and {MOST_COLUMNS} at most, use -f csv"
+        )
+    return sheet
 
 
 def joined(table: Table) -> Table:

@@ -21,6 +21,8 @@ from kurbel.formats.ods.xml import around, element, opened
 from kurbel.formats.sheet import Picture, Sheet, SheetCell, Workbook, runs
 from kurbel.formats.writer import WorkbookWriter
 
+# A zip file has no later day than the end of 2107.
+LATEST = 4354819198
 EMPTY = "<table:table-cell/>"
 
 
@@ -44,7 +46,7 @@ def _name_of(picture: Picture) -> str:
 
 def _zipped(files: Mapping[str, Iterable[bytes]], book: Workbook) -> bytes:
     """Return the files as one, each of the same day; what the file is must stand first, as it is."""
-    day = datetime.fromtimestamp(book.epoch, UTC)
+    day = datetime.fromtimestamp(min(book.epoch, LATEST), UTC)
     stream = BytesIO()
     with ZipFile(stream, "w") as whole:
         for name, pieces in files.items():

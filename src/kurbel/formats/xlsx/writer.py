@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 # A4.
 PAPER = 9
+# The widest column and the highest row that Excel has.
+BROADEST, TALLEST = 255, 409
 LINES = {"thin": 1, "heavy": 2}
 PARTS: dict[str, dict[str, Any]] = {
     "caption": {"bold": True, "font_size": 12.5, "text_wrap": True, "valign": "top"},
@@ -64,9 +66,9 @@ class _Written:
     def sheet(self, sheet: Sheet) -> None:
         to = self.file.add_worksheet(sheet.name)
         for place, width in enumerate(sheet.widths):
-            to.set_column(place, place, round(width, 2))
+            to.set_column(place, place, min(round(width, 2), BROADEST))
         for row, height in sheet.heights.items():
-            to.set_row(row, height)
+            to.set_row(row, min(height, TALLEST))
         for cell in sheet.cells:
             self.cell(to, cell)
         for number, picture in enumerate(sheet.pictures):
