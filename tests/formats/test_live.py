@@ -176,6 +176,16 @@ def test_a_range_of_measures_has_its_unit_once() -> None:
     ]
 
 
+def test_a_place_in_a_document_of_ones_own_is_not_interactive(tmp_path: Path) -> None:
+    document = tmp_path / "own.html"
+    document.write_text("<!-- kurbel: table --interactive -->\n<!-- /kurbel -->\n", encoding="utf-8")
+    before = document.read_bytes()
+    refused = run("inject", str(document))
+    assert refused.code == 1
+    assert "not for places in a document of your own" in refused.err
+    assert document.read_bytes() == before
+
+
 def test_the_usual_ratios_leave_out_those_with_which_the_drive_does_not_turn() -> None:
     _, data = delivered("table", "--offset=2.5", "--angle=0")
     assert data["texts"] == [["1:4", "1:4,5", "1:5", "1:5,5", "1:6"]]

@@ -194,5 +194,19 @@ def test_a_handbook_has_several_interactive_tables_and_one_script(viewer: Viewer
     assert (viewer.misfits(), viewer.violations(), viewer.complaints) == ([], [], [])
 
 
+def test_other_formats_of_a_handbook_have_the_first_step(tmp_path: Path) -> None:
+    first = MANIFEST.replace("interactive = true", "").replace("--ratio 1:4;1:5", "--ratio 1:4")
+    for name, manifest in (("interactive", MANIFEST), ("first", first)):
+        (tmp_path / name).mkdir()
+        text = manifest.replace('["html"]', '["latex", "typst", "text", "csv"]')
+        (tmp_path / name / "handbook.toml").write_text(text, encoding="utf-8")
+        assert kurbel("handbook", "build", str(tmp_path / name)).code == 0
+    pages = [path for path in (tmp_path / "first" / "pages" / "tables").iterdir()]
+    assert len(pages) == 12
+    for path in pages:
+        other = tmp_path / "interactive" / "pages" / "tables" / path.name
+        assert other.read_bytes() == path.read_bytes(), path.name
+
+
 def test_the_script_is_javascript() -> None:
     subprocess.run([require("node"), "--check", str(SCRIPT)], check=True)
