@@ -160,7 +160,7 @@ def test_pages_state_formulas_and_directions() -> None:
     page = " ".join(printed(*ARC, "--force", "10kN", "--stroke", "600mm", "--lang", "en").out.split())
     for said in (
         "S/F = 1/cos τ", "N/F = tan τ", "T/F = c/v = sin(ζ + τ)/cos τ", "Z/F = cos(ζ + τ)/cos τ",
-        "M_d/(F R) = T/F", "F along the arc, in the direction of the stroke", "F = 10000 N", "R = 300 mm",
+        "M_d/(F R) = T/F", "F along the arc, in the direction of the stroke", "F = 10 kN", "R = 300 mm",
     ):  # fmt: skip
         assert said in page
     bare = printed("forces", "--mechanism", "parallel", "--lang", "en").out
