@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 from kurbel.commands.options import Parameter, is_given
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.numerals import Label, finite_decimals, ratio_text
+from kurbel.page.build import MOST_CELLS
 from kurbel.page.quantity import Words, words
 from kurbel.page.steps import Slider
 from kurbel.reading.given import as_ratios
@@ -96,6 +97,15 @@ def check_count(found: Sequence[Choice]) -> None:
         raise ProblemError(
             f"an interactive page of {count} steps ({said}) is too large; at most {MOST_STEPS} are allowed,"
             " so give fewer values, such as a range with a wider step"
+        )
+
+
+def check_numbers(numbers: int, found: Sequence[Choice]) -> None:
+    """Raise ProblemError for steps of so many numbers that no browser shows them at once."""
+    if (count := prod([numbers, *(len(one.values) for one in found)])) > MOST_CELLS:
+        raise ProblemError(
+            f"an interactive page of {count} numbers in all its steps is too large; at most {MOST_CELLS} are"
+            " allowed, so give fewer angles, such as --step 10, or fewer steps"
         )
 
 

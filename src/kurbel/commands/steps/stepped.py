@@ -13,6 +13,7 @@ from kurbel.commands.options import is_given
 from kurbel.commands.steps.sliders import (
     Choice,
     check_count,
+    check_numbers,
     choices,
     steps,
     usual_cut_offs,
@@ -47,6 +48,10 @@ def stepped(command: Command, values: Mapping[str, Any], named: Mapping[str, Any
     check_count(found)
     asking = replace(asking, choices=found)
     question = asking.first()
+    if not isinstance(question, Question):
+        # The pages of examples have no columns, and nothing runs along them.
+        return command.built(question, named)
+    check_numbers(len(question) * len(question.page_columns), found)
     run = asking.run(question)
     page = command.built(question, named)
     if not found and run is None:
