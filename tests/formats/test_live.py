@@ -106,6 +106,18 @@ def test_what_stands_beside_the_mechanism_is_what_csv_prints_for_the_angle(words
 
 
 @pytest.mark.slow
+def test_figures_beside_a_mechanism_are_in_the_units_of_its_table() -> None:
+    """Long forces stand there in kN, and at the rows of the table they are the same figures."""
+    words = ("--stroke=600mm", "--bore=300mm", "--columns=rod_force_n", "--angle=30;90")
+    _, data = delivered("forces", "--eps=4", "--ratio=1:5", "--pressure=1bar;8bar", *words)
+    assert [data["units"][unit] for unit in data["measured"]] == [[" N"], [" kN"]]
+    for step, page in enumerate(unpacked(data["pages"])):
+        (track,) = data["of"][step]
+        figures = data["tracks"][track].split(data["by"])
+        assert [figures[6], figures[18]] == re.findall(r"<td[^>]*>([^<]*)</td>", page)
+
+
+@pytest.mark.slow
 def test_the_links_of_a_mechanism_keep_their_lengths_all_the_turn() -> None:
     """Crank, rod and rocker, from the joints that are delivered, in thousandths of R."""
     for words, lengths in [

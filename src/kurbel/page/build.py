@@ -34,7 +34,7 @@ def build(question: Question, pages: bool = True) -> Table:
     """
     if not pages:
         return _in_units(question, pages, False)
-    shown = _enlarged(question)
+    shown = enlarged(question)
     token = TAKEN.set(set())
     try:
         page = _in_units(shown, pages, True)
@@ -46,12 +46,13 @@ def build(question: Question, pages: bool = True) -> Table:
     return replace(page, records=plain.records, told=(plain.caption, plain.notes))
 
 
-def _enlarged(question: Question) -> Question:
+def enlarged(question: Question) -> Question:
+    """Return the question with larger units where its page has long numbers."""
     if not any(column.quantity.unit["en"] in LARGER for column in question.page_columns):
         return question
-    from kurbel.page.larger import enlarged
+    from kurbel.page import larger
 
-    return enlarged(question)
+    return larger.enlarged(question)
 
 
 def _in_units(question: Question, pages: bool, whole: bool) -> Table:

@@ -55,7 +55,6 @@ class Shown(NamedTuple):
 
     name: Label
     symbol: Label
-    unit: Label
 
 
 class Line(NamedTuple):
@@ -92,10 +91,12 @@ class Scene(NamedTuple):
 
 
 class Step(NamedTuple):
-    """The page of one step: its table, at each place of the axis the quantities, by them, and what moves."""
+    """The page of one step: its table, at each place of the axis the quantities, by them, with the unit of
+    each, and what moves."""
 
     table: Table
     tracks: tuple[tuple[Value, ...], ...]
+    units: tuple[Label, ...]
     scene: Scene | None
 
 

@@ -122,8 +122,8 @@ class _Asking:
     ) -> Step:
         question = self.question(chosen)
         table = replace(self.command.built(question, {}), key=first.key, variant=first.variant)
-        tracks = run.tracks(question, self.along(chosen, run)) if run else ()
-        return Step(table, tracks, _scene(question, scenes))
+        tracks, units = run.tracks(question, self.along(chosen, run)) if run else ((), ())
+        return Step(table, tracks, units, _scene(question, scenes))
 
     def along(self, chosen: Mapping[str, Any], run: Run) -> Question | None:
         """Return the same question at the angles that a page runs through, where it runs through these."""

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from contextlib import nullcontext
+from dataclasses import replace
 from fractions import Fraction
 from typing import NamedTuple
 
-from kurbel.exact.numerals import Number, number_text
+from kurbel.exact.numerals import Label, Number, number_text
 from kurbel.motion.evaluation import RETURN
 from kurbel.page.axes import AngleAxis, Axis
-from kurbel.page.build import shown_at
-from kurbel.page.quantity import Column, named
+from kurbel.page.build import enlarged, shown_at
+from kurbel.page.quantity import Column, Quantity, named
 from kurbel.page.steps import Cursor, Place, Shown
 from kurbel.page.subject import Question
 from kurbel.page.table import Value
@@ -21,6 +22,10 @@ from kurbel.reading.amounts import printed_in
 STEP, FIRST, HALF = 5, 60, 180
 # So many quantities are read beside a drawing.
 MOST_COLUMNS = 8
+
+
+# What stands at each place, by column.
+Tracks = tuple[tuple[Value, ...], ...]
 
 
 class Run(NamedTuple):
@@ -33,9 +38,12 @@ class Run(NamedTuple):
     columns: tuple[Shown, ...]
     angles: tuple[Fraction, ...] = ()
 
-    def tracks(self, question: Question, along: Question | None) -> tuple[tuple[Value, ...], ...]:
-        """Return the values of each column at each place, of the page's question or that along the axis."""
-        asked = along or question
+    def tracks(self, question: Question, along: Question | None) -> tuple[Tracks, tuple[Label, ...]]:
+        """Return the values of each column at each place, of the page's question or that along the axis, and
+        their units, which are those of the page."""
+        asked = enlarged(question)
+        if along is not None:
+            asked = along if asked.units == along.units else replace(along, units=asked.units)
         columns = {column.key: column for column in asked.page_columns}
         axis = asked.axes[self.axis]
         places: Sequence[int] = range(axis.size)
@@ -43,9 +51,10 @@ class Run(NamedTuple):
             found = {angle: place for place, angle in enumerate(axis.angles)}
             places = [found[min(one % 360, -one % 360)] for one in self.angles]
         with printed_in(asked.units) if asked.units else nullcontext():
-            return tuple(
+            tracks = tuple(
                 tuple(_value(asked, columns[key], self.axis, place) for place in places) for key in self.keys
             )
+        return tracks, tuple(_unit(columns[key].quantity, asked.lang) for key in self.keys)
 
 
 def _value(question: Question, column: Column, axis: str, place: int) -> Value:
@@ -74,8 +83,11 @@ def _columns(question: Question) -> list[Column]:
 
 
 def _shown(column: Column, lang: str) -> Shown:
-    one = column.quantity
-    return Shown(named(one.name[lang], lang), one.symbol, "" if one.minutes else one.unit[lang])
+    return Shown(named(column.quantity.name[lang], lang), column.quantity.symbol)
+
+
+def _unit(quantity: Quantity, lang: str) -> Label:
+    return "" if quantity.minutes else quantity.unit[lang]
 
 
 def _turned(question: Question, axis: AngleAxis, angles: Sequence[Fraction], turn: int) -> Cursor:

@@ -131,10 +131,17 @@ class _Setter:
     def data(self, steps: Steps, page: Callable[[Table], str]) -> dict[str, Any]:
         """Return what the script reads; the steps are made one after the other."""
         made = (
-            (_REMARK.sub("", page(step.table)), self.plain(step.table.caption), step.tracks, step.scene)
-            for step in steps
+            (
+                _REMARK.sub("", page(one.table)),
+                self.plain(one.table.caption),
+                one.tracks,
+                one.units,
+                one.scene,
+            )
+            for one in steps
         )
-        pages, titles, of_steps, scenes = zip(*made, strict=True)
+        pages, titles, of_steps, units, scenes = zip(*made, strict=True)
+        known_units = list(dict.fromkeys(units))
         texts = [[*map(self.value, track)] for tracks in of_steps for track in tracks]
         separator = separator_of(text for track in texts for text in track)
         joined = [separator.join(track) for track in texts]
@@ -159,8 +166,14 @@ class _Setter:
             "by": separator,
             "tracks": list(known),
             "of": [of[place : place + count] for place in range(0, len(of), count)] if count else [],
+            "units": [[self.unit(one) for one in own] for own in known_units],
+            "measured": [known_units.index(own) for own in units],
             **scenes_of(scenes),
         }  # fmt: skip
+
+    def unit(self, label: Label) -> str:
+        """Return a unit as it stands behind a figure."""
+        return self.label(label) if label in ("", "°") else f" {self.label(label)}"
 
     def value(self, value: Value) -> str:
         if isinstance(value, Number):

@@ -318,6 +318,7 @@
       this.figures = data.tracks.map(text => text.split(data.by));
       this.values = this.figures.map(texts => texts.map(number));
       this.outputs = [...root.querySelectorAll(".live-value")];
+      this.units = [...root.querySelectorAll(".live-unit")];
       this.curves = [...root.querySelectorAll(".live-curve")].map(
         (curve, place) => new Curve(curve, data.cursor.at, this.ticks(), [...new Set(data.of.map(own => own[place]))].map(track => this.values[track])));
       this.listen();
@@ -395,6 +396,10 @@
       const {data} = this, step = this.inputs.reduce((step, input, place) => step * data.sizes[place] + Number(input.value), 0);
       this.inputs.forEach((input, place) => say(input, data.texts[place][input.value]));
       if (step !== this.shown) this.turn(step);
+      if (data.measured[step] !== this.measured) {
+        this.measured = data.measured[step];
+        this.units.forEach((unit, column) => { unit.innerHTML = data.units[this.measured][column]; });
+      }
       const place = this.along ? Number(this.along.value) : 0;
       if (data.cursor) {
         say(this.along, data.cursor.texts[place] + data.cursor.unit);
