@@ -95,6 +95,12 @@ def test_what_cannot_be_shown_or_written_is_said(tmp_path: Path, monkeypatch: py
             man.main(["table"], standalone_mode=False)
 
 
+def test_shells_complete_the_names_of_pages() -> None:
+    words = {"_KURBEL_COMPLETE": "bash_complete", "COMP_WORDS": "kurbel man handbook", "COMP_CWORD": "2"}
+    offered = [line.split(",")[1] for line in kurbel(**words).out.splitlines()]
+    assert offered == [name for name in pages() if name.startswith("handbook")]
+
+
 @pytest.mark.slow
 def test_man_and_mandoc_show_every_page_without_a_warning(tmp_path: Path) -> None:
     kurbel("man", "-o", str(tmp_path))

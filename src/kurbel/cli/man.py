@@ -20,8 +20,14 @@ if TYPE_CHECKING:
     from kurbel.cli.manual.pages import Page
 
 
+def _offered(context: click.Context, parameter: click.Parameter, begun: str) -> list[str]:
+    from kurbel.cli.manual.pages import pages
+
+    return [name for name in pages() if name.startswith(begun)]
+
+
 @click.command()
-@click.argument("page", nargs=-1, metavar="[PAGE]")
+@click.argument("page", nargs=-1, metavar="[PAGE]", shell_complete=_offered)
 @click.option(
     "-o", "--output", metavar="DIR", type=click.Path(),
     help="Write the pages into man1 and man5 of this folder, all of them if none is named:"
