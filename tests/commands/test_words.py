@@ -57,6 +57,7 @@ ONLY_TYPED = {
     "standalone",
     "longtable",
     "siunitx",
+    "excel",
     "strict",
     "interactive",
 }
