@@ -69,6 +69,7 @@ def test_functions_of_numpy_are_answered_with_their_numbers(first: int, over: in
         (("delta", "--eps=2:6"), "2..6"),
         (("deadcentres", "--ratio=1:5", "--beam=3-4:0,5"), "3..4:0,5"),
         (("balance", "--cranks=0-180-180-0"), "0;180;180;0"),
+        (("balance", "--cranks=0-180"), "0;180"),
     ],
     ids=lambda one: one if isinstance(one, str) else " ".join(one),
 )

@@ -35,7 +35,6 @@ _ANGLE = re.compile(
     rf"(?:(?P<min>{_PART})\s*['′’])?\s*(?:(?P<sec>{_PART})\s*(?:\"|″|''))?",
     re.ASCII,
 )
-_WHOLE = re.compile(r"[+-]?\d+", re.ASCII)
 _INFINITE = {"∞", "inf", "oo"}
 
 
@@ -142,7 +141,7 @@ def angles(texts: Iterable[str], repeated: bool = False) -> Sequence[Fraction]:
     parts = [*parts_of(texts, angle, "angle")]
     if len(parts) == 1 and ".." in parts[0]:
         return _read(parts[0], angle, _angle_range)
-    values = _values(parts, angle, _angle_range, LONGEST_ANGLE_LIST, "angles in a list")
+    values = _values(parts, angle, _angle_range, LONGEST_ANGLE_LIST, "angles in a list", repeated)
     return values if repeated else tuple(dict.fromkeys(values))
 
 
@@ -187,18 +186,25 @@ def _values(
     several: Callable[[str], Sequence[Fraction]],
     most: int,
     what: str,
+    lists: bool = False,
 ) -> tuple[Fraction, ...]:
-    """Return the values of all parts, of which some are ranges; raise NotationError for too many."""
+    """Return the values of all parts, of which some are ranges; raise NotationError for too many.
+
+    Where `lists` are more likely than ranges, sentences write what has dashes so.
+    """
     found: list[Fraction] = []
     for part in parts:
-        values = _read(part, one, several)
+        values = _read(part, one, several, lists)
         check_length(len(found) + len(values), most, what)
         found.extend(values)
     return tuple(found)
 
 
 def _read(
-    part: str, one: Callable[[str], Fraction], several: Callable[[str], Sequence[Fraction]]
+    part: str,
+    one: Callable[[str], Fraction],
+    several: Callable[[str], Sequence[Fraction]],
+    lists: bool = False,
 ) -> Sequence[Fraction]:
     """Return the values of a part; raise NotationError, for a range of another spelling with ours."""
     try:
@@ -206,7 +212,7 @@ def _read(
     except NotationError:
         from kurbel.reading.ranges import respelled
 
-        spelled = respelled(part, ratios=one is ratio)
+        spelled = respelled(part, one is ratio, lists)
         if spelled in ("", part):
             raise
         for each in spelled.split(";"):
@@ -219,7 +225,10 @@ def _read(
 def parts_of(texts: Iterable[str], read: Callable[[str], Fraction], what: str) -> Iterator[str]:
     """Yield the parts of lists, each of which is one value or a range."""
     for text in texts:
-        _check_commas(text, read, what)
+        if "," in text:
+            from kurbel.reading.ranges import check_commas
+
+            check_commas(text, read, what)
         parts = [part.strip() for part in text.split(";")]
         if len(parts) > 1 and not all(parts):
             raise NotationError(f"{what} {quoted(text)} has an empty place; write a list as 2;3;4")
@@ -229,32 +238,6 @@ def parts_of(texts: Iterable[str], read: Callable[[str], Fraction], what: str) -
                 f"{what} {quoted(longest)} has {len(longest)} characters; at most {LONGEST_RANGE} are read"
             )
         yield from parts
-
-
-def _check_commas(text: str, read: Callable[[str], Fraction], what: str) -> None:
-    """Raise NotationError if commas could part a list: 2,3 or 1:4,1:5; in 1:4,5 they cannot."""
-    parts = [part.strip() for part in text.split(",")]
-    if len(parts) == 1 or not all(_is_read(part, read) for part in parts):
-        return
-    listed = _clipped(";".join(parts))
-    if not _is_read(text, read):
-        raise NotationError(
-            f"{what} {quoted(text)} has commas between its values; write the list as {listed}"
-        )
-    if all(_WHOLE.fullmatch(part) for part in parts):
-        decimal = ".".join(parts)
-        raise NotationError(
-            f"{what} {quoted(text)} can be read as the number {decimal} or the list {listed};"
-            f" write {decimal} or {listed}"
-        )
-
-
-def _is_read(text: str, read: Callable[[str], Fraction]) -> bool:
-    try:
-        read(text)
-    except NotationError:
-        return False
-    return True
 
 
 def _ratio_range(text: str) -> Sequence[Fraction]:
@@ -298,8 +281,8 @@ def check_length(count: int, most: int, what: str) -> None:
 
 
 def quoted(text: str) -> str:
-    return f'"{_clipped(text)}"'
+    return f'"{clipped(text)}"'
 
 
-def _clipped(text: str) -> str:
+def clipped(text: str) -> str:
     return text if len(text) <= LONGEST_NUMBER else f"{text[:20]}..."

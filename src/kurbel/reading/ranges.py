@@ -1,17 +1,17 @@
 """Ranges and lists of other spellings, 0-180, 0:10:180, linspace(0, 180, 19), 0 45 90, in kurbel's.
 
-Loaded where a text is no number and no range.
+Loaded where a text is no number and no range, or has a comma.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 
 from kurbel.errors import NotationError
 from kurbel.exact.numerals import exact_text
-from kurbel.reading.notation import angle
+from kurbel.reading.notation import angle, clipped, quoted
 
 # A number, or an angle with its marks.
 _NUMBER = r"\d+(?:[.,]\d+)?"
@@ -22,6 +22,7 @@ _FROM_TO = re.compile(rf"({_ONE}){_TO}({_ONE})(?:{_BY}({_ONE}))?", re.IGNORECASE
 _COLONS = re.compile(rf"({_ONE})\s*:\s*({_ONE})(?:\s*:\s*({_ONE}))?")
 _MEMBER = rf"(?:1[:/])?{_ONE}"
 _LIST = re.compile(rf"{_MEMBER}(?:(?:\s+|\s*\|\s*){_MEMBER})+|{_MEMBER}(?:\s*[-–—]\s*{_MEMBER}){{2,}}")
+_TWO = re.compile(rf"{_ONE}\s*[-–—]\s*{_ONE}")
 _BETWEEN = re.compile(r"\s*[-–—|]\s*|\s+")
 _CALL = re.compile(r"(?:\w+\.)?(linspace|arange|range)\s*\(([^()]*)\)")
 _IN_BRACKETS = re.compile(r"[\[({]\s*(.*?)\s*[\])}]")
@@ -29,10 +30,14 @@ _IN_BRACKETS = re.compile(r"[\[({]\s*(.*?)\s*[\])}]")
 _RATIO = re.compile(r"(1\s*[:/])\s*(.*)")
 _AGAIN = re.compile(r"((?:\.{2,}|…|[-–—]|\bto\b|\bbis\b)\s*)1\s*[:/]\s*")
 _LONGEST = 120
+_WHOLE = re.compile(r"[+-]?\d+", re.ASCII)
 
 
-def respelled(text: str, ratios: bool = False) -> str:
-    """Return a range or list of another spelling in kurbel's, nothing for a text that is neither."""
+def respelled(text: str, ratios: bool = False, lists: bool = False) -> str:
+    """Return a range or list of another spelling in kurbel's, nothing for a text that is neither.
+
+    Two numbers with a dash are a range, or one of the `lists`.
+    """
     text = text.strip()
     if len(text) > _LONGEST:
         return ""
@@ -40,6 +45,8 @@ def respelled(text: str, ratios: bool = False) -> str:
         return _of_call(called[1], [part.strip() for part in called[2].split(",")])
     bracketed = _IN_BRACKETS.fullmatch(text)
     inner = bracketed[1] if bracketed else text
+    if lists and _TWO.fullmatch(inner):
+        return ";".join(_BETWEEN.split(inner))
     if ratios and (start := _RATIO.fullmatch(inner)):
         found = _range(_AGAIN.sub(r"\1", start[2]), colons=False)
         found = f"{start[1]}{found}" if found else ""
@@ -50,6 +57,32 @@ def respelled(text: str, ratios: bool = False) -> str:
     if not found and bracketed and re.search("[,;]", inner):
         return ";".join(part.strip() for part in re.split("[,;]", inner))
     return found
+
+
+def check_commas(text: str, read: Callable[[str], Fraction], what: str) -> None:
+    """Raise NotationError if commas could part a list: 2,3 or 1:4,1:5; in 1:4,5 they cannot."""
+    parts = [part.strip() for part in text.split(",")]
+    if len(parts) == 1 or not all(_is_read(part, read) for part in parts):
+        return
+    listed = clipped(";".join(parts))
+    if not _is_read(text, read):
+        raise NotationError(
+            f"{what} {quoted(text)} has commas between its values; write the list as {listed}"
+        )
+    if all(_WHOLE.fullmatch(part) for part in parts):
+        decimal = ".".join(parts)
+        raise NotationError(
+            f"{what} {quoted(text)} can be read as the number {decimal} or the list {listed};"
+            f" write {decimal} or {listed}"
+        )
+
+
+def _is_read(text: str, read: Callable[[str], Fraction]) -> bool:
+    try:
+        read(text)
+    except NotationError:
+        return False
+    return True
 
 
 def _range(text: str, colons: bool) -> str:

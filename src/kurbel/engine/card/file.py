@@ -67,8 +67,6 @@ _FOUR_STROKES = ("position", "p_expansion", "p_exhaust", "p_suction", "p_compres
 _BY_ANGLE = ("angle", "p")
 # What is no pressure.
 _PLAIN = ("position", "angle")
-_WORD = r"([A-Za-zµ]+)(?:\^|\*\*)?([2²]?)"
-_UNIT = re.compile(rf"{_WORD}(?:\s*[/·*]\s*{_WORD})*")
 # As engineers wrote it, the kg of a pressure is a force; pint's is a mass, and it knows no kp.
 _FORCES = {"kp": "kgf", "kg": "kgf", "lb": "lbf", "lbs": "lbf"}
 _PRESSURES = ("bar", "mbar", "Pa", "hPa", "kPa", "MPa", "psi", "atm", "at")
@@ -184,7 +182,7 @@ def pressure_unit(text: str) -> float:
     """Return the pressure in Pa that the unit is: "bar", "kPa", "psi", "at", "kp/cm²", "N/mm^2"."""
     if not text:
         raise NotationError("has no unit; write it in the head, as in p_forward [bar], or behind each value")
-    pascals = _pascals(text) if len(text) <= 40 and _UNIT.fullmatch(text) else None
+    pascals = _pascals(text) if len(text) <= 40 else None
     if pascals is None:
         near = did_you_mean(text, _PRESSURES)
         raise NotationError(f'has the unit "{clipped(text)}", which is no pressure{near}; write {_EXAMPLES}')
@@ -193,15 +191,15 @@ def pressure_unit(text: str) -> float:
 
 def _pascals(unit: str) -> float | None:
     """Return the unit in Pa, None if pint does not know it or it is no pressure."""
+    from kurbel.reading.unit_text import plain_unit
     from kurbel.reading.units import unit_in
 
-    pascals = unit_in(re.sub(_WORD, _pint_word, unit), "Pa", "[pressure]")
+    plain = plain_unit(unit)
+    if plain is None:
+        return None
+    forces = re.sub(r"\w+", lambda word: _FORCES.get(word[0], word[0]), plain)
+    pascals = unit_in(forces, "Pa", "[pressure]")
     return None if pascals is None else float(pascals)
-
-
-def _pint_word(word: re.Match[str]) -> str:
-    name, power = word.groups()
-    return _FORCES.get(name, name) + ("**2" if power else "")
 
 
 _FACTORS: dict[str, Callable[[str], float]] = {
