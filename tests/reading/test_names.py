@@ -98,6 +98,9 @@ def test_capitals_say_the_same() -> None:
     ):
         assert printed(*page, *words).out == data(*page)
     assert kurbel("TABLE", *page[1:]).out == printed(*page).out
+    assert (
+        library.typeset(library.table("1:5", angle=30, lang="EN", columns="Velocity"), "CSV") == "c\n0.5870\n"
+    )
 
 
 @pytest.mark.parametrize("name", ["flywheel sizing", "locomotive", "torques"])

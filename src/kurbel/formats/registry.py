@@ -250,7 +250,11 @@ FORMATS: Mapping[str, Format] = _Formats()
 
 
 def by_name(name: str) -> Format:
-    """Return the format of that name; raise ChoiceError if there is none."""
+    """Return the format of that name, by any word for it; raise ChoiceError if there is none."""
+    if isinstance(name, str) and name not in FORMATS:
+        from kurbel.reading.names import meant
+
+        name = meant(name, [*FORMATS]) or name
     if name not in FORMATS:
         raise ChoiceError(f"format is {name!r}; it must be one of {', '.join(FORMATS)}")
     return FORMATS[name]
