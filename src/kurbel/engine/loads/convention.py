@@ -31,7 +31,7 @@ WORDS = {
         "Dreht der Kurbelzapfen im inneren Totpunkt nach oben, trägt bei liegender Maschine die obere"
         " Gleitbahn; Arbeitsmaschinen drehen daher anders herum als Kraftmaschinen, und die untere trägt"
         "|Where the crank pin rises at the inner dead centre, the upper guide face of a horizontal machine is"
-        " loaded; driven machines therefore turn the other way than driving ones, and the lower one is"
+        " loaded; driven machines therefore turn the other way than driving ones, which loads the lower one"
     ),
 }
 SUPPLIED = {
