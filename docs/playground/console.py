@@ -28,8 +28,8 @@ OF_A_SHELL = frozenset(("|", "||", "&", "&&", "<", "<<", ">>", "2>", "&>", "2>&1
 # The libraries that no browser has.
 ABSENT = frozenset(("numpy", "scipy"))
 NOT_HERE = (
-    "drawings and indicator cards need NumPy and SciPy, which do not run in this page; kurbel on a computer of"
-    " your own has them"
+    "drawings, interactive pages and indicator cards need NumPy and SciPy, which do not run in this page;"
+    " kurbel on a computer of your own has them"
 )
 # Loaded when it is asked for.
 LATER = "typst"

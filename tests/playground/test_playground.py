@@ -215,7 +215,7 @@ def test_files_go_in_and_out_and_outlive_a_stop(page: Page) -> None:
 
 
 def test_what_needs_other_libraries_says_so(page: Page) -> None:
-    assert "drawings and indicator cards need NumPy" in typed(
+    assert "drawings, interactive pages and indicator cards need NumPy" in typed(
         page, "kurbel plot --ratio 1:5 -o motion.svg", "Failed, exit code 1"
     )
 

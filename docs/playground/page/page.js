@@ -3,7 +3,7 @@ import { completing } from "./completion.js";
 import { EXAMPLES } from "./examples.js";
 import { Files } from "./files.js";
 import { Kurbel, Stopped } from "./kurbel.js";
-import { columnsOf, painted } from "./screen.js";
+import { begun, columnsOf, painted } from "./screen.js";
 import { isPage, show } from "./view.js";
 
 const at = id => document.getElementById(id);
@@ -26,12 +26,11 @@ async function run(text) {
     try {
         await kurbel.ready;
         say("Running …");
-        const begun = performance.now();
+        const start = performance.now();
         const { code, out, err, ...changes } = await kurbel.ask("run", text, columnsOf(screen));
         print(out, err);
-        say(`${code ? `Failed, exit code ${code}` : "Done"}, ${((performance.now() - begun) / 1000).toFixed(2)} s`);
-        const written = files.changed(changes);
-        const last = written.findLast(path => path !== undefined);
+        say(`${code ? `Failed, exit code ${code}` : "Done"}, ${((performance.now() - start) / 1000).toFixed(2)} s`);
+        const last = files.changed(changes).at(-1);
         if (last) files.show(last);
         else if (isPage(out)) show(at("view"), "output.html", out);
         else at("view").hidden = true;
@@ -58,7 +57,7 @@ function busy(now) {
 
 function print(out, err) {
     printed = out;
-    screen.replaceChildren(...painted(new TextDecoder().decode(out)));
+    screen.replaceChildren(...painted(begun(new TextDecoder().decode(out))));
     if (err) screen.append(Object.assign(document.createElement("span"), { className: "error", textContent: err }));
     screen.scrollTo(0, 0);
     at("tools").hidden = !out.length;

@@ -1,5 +1,13 @@
 // What a terminal does with text: how many columns there are, and colours.
 
+// Of more a browser makes hard work; whoever needs it downloads it.
+const MOST = 200_000;
+
+// The text, or its beginning with a word on the rest.
+export function begun(text) {
+    return text.length > MOST ? `${text.slice(0, text.lastIndexOf("\n", MOST) + 1)}… the rest is in the download\n` : text;
+}
+
 // How many characters of its type stand side by side in a box.
 export function columnsOf(box) {
     const ruler = document.createElement("span"), style = getComputedStyle(box);

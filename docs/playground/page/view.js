@@ -1,6 +1,7 @@
 // A file as it looks: pages in a frame that is shut off from this page, pictures, PDF, and text.
+import { begun } from "./screen.js";
+
 const PICTURES = { svg: "image/svg+xml", png: "image/png" };
-const MOST_TEXT = 1_000_000;
 let address = "";
 
 // Whether what was printed is a page or a drawing.
@@ -21,12 +22,11 @@ function shown(path, kind, content) {
     if (kind in PICTURES) return Object.assign(new Image(), { alt: path, src: linked(content, PICTURES[kind]) });
     const plain = text(content);
     if (plain === null) return note("This file is no text; download it to open it.");
-    if (plain.length > MOST_TEXT) return note("This file is long; download it to read it.");
     const box = document.createElement("pre");
     box.tabIndex = 0;
     box.role = "region";
     box.ariaLabel = path;
-    box.textContent = plain;
+    box.textContent = begun(plain);
     return box;
 }
 
