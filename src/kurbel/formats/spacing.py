@@ -12,6 +12,7 @@ from itertools import chain, pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 from kurbel.exact.numerals import Number
+from kurbel.formats.writer import added
 from kurbel.page.labels import plain
 from kurbel.page.table import DITTO, Cell, Column, Group, HeadCell, Panel
 
@@ -77,8 +78,8 @@ def overhangs(
     for cell in chain.from_iterable(reversed(panel.spanners)):
         below = range(cell.first, cell.last + 1)
         hanging = [*left[cell.first : cell.last + 1], *right[cell.first : cell.last + 1]]
-        em = width(cell) - sum(columns[place] for place in below) - sum(one.em for one in hanging)
-        gaps = sum(panel.columns[place].gap for place in below[1:]) + sum(one.gaps for one in hanging)
+        em = width(cell) - added(columns[place] for place in below) - added(one.em for one in hanging)
+        gaps = added(panel.columns[place].gap for place in below[1:]) + added(one.gaps for one in hanging)
         if em > gaps:
             for side, place in ((left, cell.first), (right, cell.last)):
                 side[place] = Room(side[place].em + em / 2, side[place].gaps - gaps / 2)

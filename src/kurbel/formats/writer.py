@@ -7,7 +7,9 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import reduce
 from itertools import chain
+from operator import add
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 from kurbel.page.formula import Formula
@@ -168,9 +170,17 @@ _CHARACTERS = (
 _EM = {character: width for characters, width in _CHARACTERS for character in characters}
 
 
+def added(lengths: Iterable[float]) -> float:
+    """Return the sum, added one after the other.
+
+    From Python 3.12 on sum() carries what floats lose, and a length here and there had another last digit.
+    """
+    return reduce(add, lengths, 0)
+
+
 def em(text: str) -> float:
     """Return the width of a text; a character that is not listed is as wide as a digit."""
-    return sum([_EM.get(character, 0.5) for character in text])
+    return added([_EM.get(character, 0.5) for character in text])
 
 
 def _cell_widths(panel: PagePanel) -> list[float]:
@@ -198,12 +208,12 @@ class Widths(NamedTuple):
     @property
     def all(self) -> float:
         """The width of all columns without the gaps."""
-        return sum(self.columns) + sum(self.left) + sum(self.right)
+        return added(self.columns) + added(self.left) + added(self.right)
 
     @property
     def natural(self) -> float:
         """The width with whole gaps."""
-        return self.all + sum(self.gaps)
+        return self.all + added(self.gaps)
 
 
 def widths(page: Page, stacked: bool) -> Widths:
@@ -224,7 +234,7 @@ def whole_pairs(page: Page, room: Widths) -> Widths:
     innermost = page.panels[0].spanners[-1] if len(page.panels) == 1 and page.panels[0].spanners else ()
     for cell in innermost:
         inner = range(cell.first + 1, cell.last + 1)
-        needed = (1 - TIGHT) * sum(gaps[place] for place in inner) / 2
+        needed = (1 - TIGHT) * added(gaps[place] for place in inner) / 2
         if needed and min(left[cell.first], right[cell.last]) >= needed:
             left[cell.first] -= needed
             right[cell.last] -= needed
@@ -247,8 +257,8 @@ def _room(panel: PagePanel, stacked: bool) -> Widths:
     left, right = [0.0] * len(cells), [0.0] * len(cells)
     for cell in chain.from_iterable(reversed(panel.spanners)):
         inner = range(cell.first + 1, cell.last + 1)
-        extent = sum(columns[cell.first : cell.last + 1])
-        extent += sum(TIGHT * gaps[place] + right[place - 1] + left[place] for place in inner)
+        extent = added(columns[cell.first : cell.last + 1])
+        extent += added(TIGHT * gaps[place] + right[place - 1] + left[place] for place in inner)
         over = max((spanner_width(cell, stacked) - extent) / 2, 0.0)
         left[cell.first], right[cell.last] = max(left[cell.first], over), max(right[cell.last], over)
     return Widths(columns, cells, gaps, left, right)

@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 from kurbel.formats.html.writer import Widths
 from kurbel.formats.page import WORDS
+from kurbel.formats.writer import added
 
 _FIGURE = re.compile(r'<figure class="kurbel"[^>]* lang="([^"]*)"')
 _REGION = re.compile(
@@ -78,7 +79,7 @@ def _of(widths: Widths, kept: Sequence[int]) -> Widths:
     """Return the widths of some of the columns, of which no whole heads are known."""
     columns = (widths.leasts, widths.gaps, widths.shifts, widths.mores)
     leasts, gaps, shifts, mores = (tuple(one[place] for place in kept) for one in columns)
-    return Widths(sum(leasts), leasts, gaps, shifts, mores)
+    return Widths(added(leasts), leasts, gaps, shifts, mores)
 
 
 def _shares(widths: Widths, sizes: Sequence[int]) -> list[list[int]]:

@@ -14,7 +14,7 @@ from kurbel.formats.formula import has_bar, mathml
 from kurbel.formats.html.live.pages import live_in, of_each_step
 from kurbel.formats.html.words import OTHERS, WIDTHS, WORDS
 from kurbel.formats.spacing import Room, overhangs
-from kurbel.formats.writer import PageWriter
+from kurbel.formats.writer import PageWriter, added
 from kurbel.page.formula import Formula
 from kurbel.page.table import HeadCell
 
@@ -203,20 +203,20 @@ class Widths(NamedTuple):
 
     @property
     def slim(self) -> bool:
-        beside = sum(room.whole for room in (*self.left, *self.right))
-        return self.wide + sum(self.gaps) + beside <= _SLIM
+        beside = added(room.whole for room in (*self.left, *self.right))
+        return self.wide + added(self.gaps) + beside <= _SLIM
 
     @property
     def broad(self) -> bool:
-        return sum(self.leasts) + _LEAST_UNIT * sum(self.gaps) > _TELEPHONE
+        return added(self.leasts) + _LEAST_UNIT * added(self.gaps) > _TELEPHONE
 
     @property
     def style(self) -> str:
         """Return them as the style sheet reads them, columns counted from the last one."""
         beside = (*self.left, *self.right)
-        said = {"wide": self.wide + sum(room.em for room in beside), "least": sum(self.leasts)}
-        said |= {"gaps": max(sum(self.gaps), 0.1), "taken": sum(-room.gaps for room in beside)}
-        said["more"] = sum(self.mores)
+        said = {"wide": self.wide + added(room.em for room in beside), "least": added(self.leasts)}
+        said |= {"gaps": max(added(self.gaps), 0.1), "taken": added(-room.gaps for room in beside)}
+        said["more"] = added(self.mores)
         for kind, rooms in {"g": self.gaps, "s": self.shifts, "l": self.leasts, "m": self.mores}.items():
             said |= {f"{kind}{place}": room for place, room in enumerate(reversed(rooms), 1) if any(rooms)}
         lengths = [
@@ -270,7 +270,7 @@ def measures(panel: PagePanel, lang: str) -> Widths:
         least = [room + _LEAST_UNIT * gap for room, gap in zip(least, gaps, strict=True)]
     one_word = not any(" " in line for column in panel.columns[panel.stubs :] for line in column.heading)
     mores = tuple(max(whole - room, 0.0) * one_word for whole, room in zip(wide, least, strict=True))
-    return Widths(sum(wide), tuple(least), gaps, shifts, mores, left, right)
+    return Widths(added(wide), tuple(least), gaps, shifts, mores, left, right)
 
 
 def _cells(panel: PagePanel, place: int) -> list[str]:
@@ -289,8 +289,8 @@ def _spanned(panel: PagePanel, columns: list[float], width: Callable[[str], floa
     """Return the width of each column with its share of the spanners above it."""
     for spanner in (cell for row in reversed(panel.spanners) for cell in row):
         below = range(spanner.first, spanner.last + 1)
-        inner = sum(panel.columns[place].gap for place in below[1:])
-        lacking = width(spanner.text) - inner - sum(columns[place] for place in below)
+        inner = added(panel.columns[place].gap for place in below[1:])
+        lacking = width(spanner.text) - inner - added(columns[place] for place in below)
         for place in below:
             columns[place] += max(lacking, 0.0) / spanner.across
     return columns
@@ -302,7 +302,7 @@ def _whole(text: str) -> float:
 
 
 def _ems(text: str) -> float:
-    return sum(WIDTHS.get(character, OTHERS) for character in text)
+    return added(WIDTHS.get(character, OTHERS) for character in text)
 
 
 def _longest(text: str) -> str:

@@ -15,7 +15,16 @@ from typing import Any, NamedTuple
 from kurbel.formats.formula import TEX_OBEYED, TexMath, has_bar
 from kurbel.formats.page import Page, PageCell, page
 from kurbel.formats.spacing import WITHIN
-from kurbel.formats.writer import PERCENT_DELIMITERS, PLAIN, PageWriter, Widths, Wishes, whole_pairs, widths
+from kurbel.formats.writer import (
+    PERCENT_DELIMITERS,
+    PLAIN,
+    PageWriter,
+    Widths,
+    Wishes,
+    added,
+    whole_pairs,
+    widths,
+)
 from kurbel.page.formula import GREEK, SIGNS, SYMBOLS, Formula
 from kurbel.page.table import HeadCell, Table
 
@@ -149,7 +158,7 @@ class TexLayout(NamedTuple):
     @property
     def gaps(self) -> int:
         """The hundreds of \\tabcolsep in all gaps."""
-        return max(1, round(100 * sum(self.widths.gaps) / WHOLE))
+        return max(1, round(100 * added(self.widths.gaps) / WHOLE))
 
     @property
     def least(self) -> str:
@@ -158,7 +167,7 @@ class TexLayout(NamedTuple):
 
     @property
     def _least(self) -> float:
-        return self.widths.all + sum(self.widths.gaps) * LEAST / WHOLE
+        return self.widths.all + added(self.widths.gaps) * LEAST / WHOLE
 
     @property
     def fits(self) -> bool:

@@ -16,7 +16,7 @@ from kurbel.exact.numerals import Label
 from kurbel.formats.page import Page, PageCell, PagePanel
 from kurbel.formats.page import page as plain_page
 from kurbel.formats.typst.strings import string
-from kurbel.formats.writer import PLAIN
+from kurbel.formats.writer import PLAIN, added
 from kurbel.formats.writer import em as computer_modern
 from kurbel.page.formula import Formula
 from kurbel.page.labels import formula_plain, parse
@@ -28,7 +28,7 @@ _EM = {**dict.fromkeys("0123456789", 0.465), **dict.fromkeys(",.", 0.24), "−":
 
 def em(text: str) -> float:
     """Return the width of a text in units of the type size; a little too much."""
-    return sum(_EM.get(one) or 0.95 * computer_modern(one) for one in text)
+    return added(_EM.get(one) or 0.95 * computer_modern(one) for one in text)
 
 
 NOTHING = PageCell("", "", "label")
@@ -101,7 +101,7 @@ def typst_layout(table: Table, mark: str, ready: Page) -> TypstLayout:
             for cell in row:
                 _make_room(columns, gaps, cell, (number, cell.level, cell.first) in stacked)
     width = _width(columns, gaps)
-    narrow = width - (1 - LEAST) * sum(gaps)
+    narrow = width - (1 - LEAST) * added(gaps)
     above, below = _spaces(page)
     if any(group.held for panel in page.panels for group in panel.groups):
         # Cells of a column without width hold the rows of a line together.
@@ -175,7 +175,7 @@ def _columns(page: Page) -> list[TypstColumn]:
 
 
 def _width(columns: Sequence[TypstColumn], gaps: Sequence[float]) -> float:
-    return sum(column.left + column.width + column.right for column in columns) + sum(gaps)
+    return added(column.left + column.width + column.right for column in columns) + added(gaps)
 
 
 def _extent(columns: Sequence[TypstColumn], gaps: Sequence[float], spanner: HeadCell) -> float:
@@ -199,7 +199,7 @@ def _stacked(
     """Yield the spanners whose symbols stand below their names: all of a row for which there is no room."""
     for number, panel in enumerate(page.panels):
         for row in panel.spanners:
-            beyond = sum(max(em(cell.text) - _extent(columns, gaps, cell), 0.0) for cell in row)
+            beyond = added(max(em(cell.text) - _extent(columns, gaps, cell), 0.0) for cell in row)
             if beyond and _width(columns, gaps) + beyond > ROOMY:
                 yield from ((number, cell.level, cell.first) for cell in row if len(cell.lines) > 1)
 
