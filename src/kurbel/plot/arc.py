@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import floats
-from kurbel.kernel.circle import circle
-from kurbel.linkage.arc.quantities import arc_registry
 from kurbel.linkage.arc.rocker import RockerCrank
-from kurbel.linkage.linkage import value
 from kurbel.motion.evaluation import OUT, RETURN
 from kurbel.plot.mechanism import LARGEST_RADIUS, LEFT, LONGEST_ROD
+from kurbel.plot.moving.arcs import arc_pivot, swept
+from kurbel.plot.moving.arcs import arc_position as arc_position
+from kurbel.plot.moving.positions import Position
 from kurbel.plot.paper.fit import fitted
 from kurbel.plot.place import CLEAR
 from kurbel.plot.sketch import (
@@ -24,7 +24,6 @@ from kurbel.plot.sketch import (
     LEFTWARD,
     UP,
     Point,
-    Position,
     Sketch,
     laid_out,
     pin_texts,
@@ -106,22 +105,6 @@ def arc_mechanism(
     return sketch.figure
 
 
-def arc_position(crank: RockerCrank, angle: float) -> Position:
-    """Return where the drive stands at a crank angle in degrees."""
-    point = circle(angle)
-    turn = float(value(arc_registry()["rocker"], crank, point, floats()))
-    side = 1 if crank.curvature > 0 else -1
-    (x, y), rocker = arc_pivot(crank), float(crank.rocker)
-    across, along = math.sin(math.radians(turn)), math.cos(math.radians(turn))
-    head = (x + side * rocker * across, y - side * rocker * along)
-    return Position(angle, (point.cosine, point.sine), head, turn)
-
-
-def arc_pivot(crank: RockerCrank) -> Point:
-    ratio, curvature, offset, shift = map(float, crank.figures(OUT, floats()))
-    return 1 / ratio + shift, offset + 1 / curvature
-
-
 def _drive(crank: RockerCrank) -> _Drive:
     rod = f"{about(1 / crank.crank.ratio)} R" if crank.crank.ratio else "infinite"
     if crank.crank.ratio * LONGEST_ROD < 1 or crank.rocker > LONGEST_ROD:
@@ -138,13 +121,6 @@ def _drive(crank: RockerCrank) -> _Drive:
         corners += [(2 * pivot[0] - x, 2 * pivot[1] - y) for x, y in arc]
     low, high = ((end(x for x, _ in corners), end(y for _, y in corners)) for end in (min, max))
     return _Drive(pivot, float(crank.rocker), crank.letter, not crank.at_end, inner, outer, low, high)
-
-
-def swept(pivot: Point, start: Point, end: Point) -> list[float]:
-    """Return directions from the pivot to places of the arc between two, in degrees, rising."""
-    first, last = (math.degrees(math.atan2(y - pivot[1], x - pivot[0])) for x, y in (start, end))
-    turn = (last - first + 180) % 360 - 180
-    return sorted(first + turn * step / 40 for step in range(41))
 
 
 def _laid_out(drive: _Drive, size: Size) -> Sketch:

@@ -8,8 +8,10 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, NamedTuple
 
 from kurbel.errors import ProblemError
-from kurbel.kernel.circle import circle
-from kurbel.kernel.kinematics import dead_centre_sine, rod_sine
+from kurbel.kernel.kinematics import dead_centre_sine
+from kurbel.plot.moving.positions import LONGEST_ROD as LONGEST_ROD
+from kurbel.plot.moving.positions import Position
+from kurbel.plot.moving.positions import position as position
 from kurbel.plot.paper.fit import fitted
 from kurbel.plot.sketch import (
     DEAD_CENTRES,
@@ -19,7 +21,6 @@ from kurbel.plot.sketch import (
     LEAST_DIMENSION,
     UP,
     Point,
-    Position,
     Sketch,
     laid_out,
     pin_texts,
@@ -31,7 +32,6 @@ if TYPE_CHECKING:
 
 # In mm. A short rod leaves the crank more room than it needs.
 LARGEST_RADIUS = 24.0
-LONGEST_ROD = 12
 LEFT, OFFSET_LEFT, RIGHT, OUTSIDE, DIMENSIONS, LETTER = 8.0, 3.0, 9.0, 7.0, 17.0, 3.5
 HEAD_LENGTH, HEAD_HEIGHT, OVERRUN = 8.0, 6.5, 3.0
 
@@ -76,14 +76,6 @@ def mechanism(
         sketch.beside_points(pin_texts([one.pin for one in positions], angles, mark))
         sketch.write()
     return sketch.figure
-
-
-def position(ratio: float, offset: float, angle: float) -> Position:
-    """Return crank pin and crosshead pin in units of R, from the shaft; the rod's angle ψ in degrees."""
-    point = circle(angle)
-    sine = rod_sine(point, ratio, offset)
-    along = point.cosine + math.sqrt((1 - sine) * (1 + sine)) / ratio
-    return Position(angle, (point.cosine, point.sine), (along, offset), math.degrees(math.asin(sine)))
 
 
 def _drive(ratio: float, offset: float) -> _Drive:

@@ -17,6 +17,7 @@ import numpy as np
 
 from kurbel.page.quantity import words
 from kurbel.plot.lettering import Lettering
+from kurbel.plot.moving.positions import polar_point as polar_point
 from kurbel.plot.paper.holes import Hole, cut
 from kurbel.plot.style import (
     BLACK,
@@ -61,15 +62,6 @@ LARGEST_ARC = 0.65
 STRONG_LEVEL = 6
 PHI = text_of("$φ$", ".")
 UP, DOWN, LEFTWARD = (0.0, 1.0), (0.0, -1.0), (-1.0, 0.0)
-
-
-class Position(NamedTuple):
-    """A drive at one angle: crank pin and head of the rod from the shaft, the angle of rod or rocker."""
-
-    angle: float
-    pin: Point
-    head: Point
-    lean: float = 0.0
 
 
 class Sketch(NamedTuple):
@@ -270,11 +262,6 @@ def pin_texts(pins: Sequence[Point], angles: Sequence[float | Fraction], mark: s
     if len(pins) < 2:
         return []
     return [(pin, pin, degrees(angle, mark)) for pin, angle in zip(pins, angles, strict=True)]
-
-
-def polar_point(centre: Point, radius: float, turn: float) -> Point:
-    angle = math.radians(turn)
-    return centre[0] + radius * math.cos(angle), centre[1] + radius * math.sin(angle)
 
 
 def moved(point: Point, way: Point, distance: float) -> Point:

@@ -6,10 +6,9 @@ from kurbel.exact.kind import floats
 from kurbel.linkage.arc.rocker import RockerCrank
 from kurbel.motion.evaluation import OUT, RETURN
 from kurbel.page.steps import Joint, Line, Link, Point, Scene
-from kurbel.plot.arc import arc_pivot, arc_position, swept
-from kurbel.plot.mechanism import LONGEST_ROD
+from kurbel.plot.moving.arcs import arc_pivot, arc_position, swept
+from kurbel.plot.moving.positions import LONGEST_ROD, polar_point
 from kurbel.plot.moving.turn import LETTERS, SHAFT, around, crossed, fixed, joint
-from kurbel.plot.sketch import polar_point
 
 
 def rocker_scene(crank: RockerCrank) -> Scene | None:

@@ -7,7 +7,7 @@ import math
 from kurbel.drive.crank import Crank
 from kurbel.kernel.kinematics import dead_centre_sine
 from kurbel.page.steps import Line, Link, Scene
-from kurbel.plot.mechanism import LONGEST_ROD, position
+from kurbel.plot.moving.positions import LONGEST_ROD, position
 from kurbel.plot.moving.turn import LETTERS, SHAFT, crossed, fixed, joint
 
 # Half the length of the crosshead, half the height of its way and the place of dimensions below it, in R.
