@@ -54,7 +54,7 @@ html_theme_options = {
 }
 # Pages without pages below them have nothing to list at their left.
 html_sidebars: dict[str, list[str]] = {
-    name: [] for name in ("index", "tutorial", "anleitung", "digits", "changes")
+    name: [] for name in ("index", "tutorial", "anleitung", "digits", "changes", "playground")
 }
 copybutton_prompt_text = "$ "
 copybutton_only_copy_prompt_lines = True
