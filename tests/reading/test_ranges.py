@@ -86,7 +86,7 @@ def test_what_is_no_range_keeps_its_own_sentence(text: str) -> None:
     assert "write it as" not in str(raised.value) or "22°30'" in str(raised.value)
 
 
-@settings(deadline=None, max_examples=60)
+@settings(deadline=None, max_examples=30)
 @given(st.text(st.sampled_from("0123 .,:-–…/;[]()°'tobyrangelisp"), max_size=30))
 def test_any_text_is_respelled_or_left(text: str) -> None:
     respelled(text)
@@ -144,7 +144,7 @@ SHARES = {
 @pytest.mark.parametrize("option", SHARES)
 def test_options_that_ask_for_a_share_take_any_spelling(option: str) -> None:
     flag, words = f"--{option.replace('_', '-')}", SHARES[option]
-    assert len({printed(*words, flag, text, "-f", "csv").out for text in TENTH[:6]}) == 1
+    assert len({printed(*words, flag, text, "-f", "csv").out for text in ("0,1", "10 %", "1:10")}) == 1
 
 
 @pytest.mark.parametrize("text", ["25%", "25 %", "0,25", "0.25", "1/4", "1:4", "4;25%"])
