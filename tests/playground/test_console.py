@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import importlib.util
+import re
+import shutil
 import signal
 from collections.abc import Iterator
 from pathlib import Path
@@ -74,3 +76,14 @@ def test_words_are_completed_as_in_a_shell(console: ModuleType) -> None:
     assert [value for value, _ in console.complete("kurbel delt")] == ["delta"]
     assert [value for value, _ in console.complete("table --lang ")] == ["de", "en"]
     assert console.complete("kurbel table --machine eng") == [("engine.toml", "")]
+
+
+@pytest.mark.slow
+def test_every_example_of_the_page_works(console: ModuleType) -> None:
+    shutil.copytree(ROOT / "examples", "examples")
+    page = (ROOT / "docs" / "playground" / "page" / "examples.js").read_text(encoding="utf-8")
+    lines = re.findall(r'^    \["(kurbel [^"]*)", "[^"]+"\],$', page, re.MULTILINE)
+    assert len(lines) == page.count('["')
+    for line in lines:
+        ran = console.run(line, 80)
+        assert (line, ran.code, ran.err) == (line, 0, "")
