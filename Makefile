@@ -38,7 +38,7 @@ demo: $(READY) ## print the table for R:L = 1:5
 
 handbook: $(READY) ## build the example handbooks, pages/handbook.pdf and .html in examples/appendix and appendix-en
 	$(BIN)/python -m pip install --quiet --editable '.[units,plot,pdf]'
-	$(BIN)/kurbel handbook build --allow-outside examples/appendix examples/appendix-en
+	$(BIN)/kurbel handbook build examples/appendix examples/appendix-en
 
 test: $(DEV) check ## run linters, type checks and the tests, in CI all of them
 	$(BIN)/python -m pytest $(IN_PARALLEL) $(if $(filter true,$(CI)),,-m 'not slow')

@@ -24,6 +24,7 @@ import time
 import tomllib
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, chdir, redirect_stderr, redirect_stdout
+from decimal import Decimal
 from difflib import unified_diff
 from pathlib import Path
 from typing import Any, NamedTuple, TypeAlias
@@ -259,8 +260,9 @@ def compare(old: Recording, new: Recording, chosen: argparse.Namespace) -> int:
 def is_wanted(old: Came, new: Came, changes: Sequence[Mapping[str, str]]) -> bool:
     """Tell whether the wanted changes, each a pattern and what takes its place, make the new of the old.
 
-    A change of `figures` is one of the look of pages: exit code, errors and every printed decimal stay. One
-    without a pattern is of command lines whose difference was read and is wanted as it is.
+    A change of `figures` is one of the look of pages: exit code, errors and every printed decimal stay, or it
+    stands there with all its digits in a unit a thousand or a million times as large. One without a pattern
+    is of command lines whose difference was read and is wanted as it is.
     """
     text, alike = "\0".join(said(old)), False
     for change in changes:
@@ -285,13 +287,20 @@ _DECIMAL = re.compile(r"(?<![\w.,:])[0-9]+[.,][0-9]+(?![\w.,])")
 def has_figures_of(old: Sequence[str], new: Sequence[str]) -> bool:
     """Tell whether no decimal of the old is lost, and all but the pages is the same."""
     return len(old) == len(new) and all(
-        one == other or (_place(one) == _place(other) != "err" and decimals(one) <= decimals(other))
+        one == other or (_place(one) == _place(other) != "err" and has_decimals_of(one, other))
         for one, other in zip(old, new, strict=True)
     )
 
 
 def _place(said: str) -> str:
     return said.partition(":")[0]
+
+
+def has_decimals_of(old: str, new: str) -> bool:
+    there = decimals(new)
+    return all(
+        any(str(Decimal(one).scaleb(-power)) in there for power in (0, 3, 6)) for one in decimals(old) - there
+    )
 
 
 def decimals(text: str) -> set[str]:

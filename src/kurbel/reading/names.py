@@ -158,6 +158,9 @@ def _distance(asked: str, way: str) -> int | None:
         return _edits(asked, way) if asked.replace("_", "") == way.replace("_", "") else None
     found = 0
     for word, other in zip(words, others, strict=True):
+        if word != other and word.isdigit():
+            # Another number is another thing.
+            return None
         most = max(1, len(word) // 3) if word[:1] == other[:1] else int(len(asked) > 2)
         if abs(len(word) - len(other)) > most or (edits := _edits(word, other)) > most:
             return None
