@@ -97,6 +97,15 @@ def test_what_cannot_be_shown_or_written_is_said(tmp_path: Path, monkeypatch: py
             man.main(["table"], standalone_mode=False)
 
 
+def test_a_page_is_found_by_the_name_that_man_has_for_it() -> None:
+    assert kurbel("man", "kurbel-handbook-build").out == kurbel("man", "handbook build").out
+    assert (
+        kurbel("man", "kurbel").out
+        != kurbel("man", "kurbel-handbook.toml").out
+        == kurbel("man", "handbook.toml").out
+    )
+
+
 def test_shells_complete_the_names_of_pages() -> None:
     words = {"_KURBEL_COMPLETE": "bash_complete", "COMP_WORDS": "kurbel man handbook", "COMP_CWORD": "2"}
     offered = [line.split(",")[1] for line in kurbel(**words).out.splitlines()]

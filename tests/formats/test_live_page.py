@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 from collections.abc import Iterator
 from pathlib import Path
@@ -100,6 +101,14 @@ def test_the_keyboard_chooses_and_the_table_is_what_is_printed_for_that_step(
     assert page.evaluate(ROWS) == shown
     assert viewer.complaints == []
     assert [url for url in requests if url.partition("#")[0] != offset.as_uri()] == []
+
+
+def test_a_figure_in_a_curve_is_that_of_the_step_it_names(viewer: Viewer, tmp_path: Path) -> None:
+    # The true greatest velocity, 1,0198 at 79,1°, is none of the figures of the steps.
+    page = viewer.open(written(tmp_path, "table", "--columns=c"))
+    labels = page.locator(".live-extreme").all_text_contents()
+    named = [re.findall(r"(\S+) \((\d+)°\)", one) for one in labels]
+    assert named == [[("−1,0197", "280")], [("1,0197", "80")]]
 
 
 def test_an_address_may_have_points_and_what_it_does_not_know(viewer: Viewer, offset: Path) -> None:

@@ -48,7 +48,9 @@ def man(page: tuple[str, ...], output: str | None) -> int:
     from kurbel.cli.manual.pages import pages
 
     known = pages()
-    name = choose("-".join(page), known, "manual page") if page else None
+    # The name that `man` itself has for it does as well: kurbel-table, kurbel-handbook.toml.
+    asked = "-".join(" ".join(page).split()).removeprefix("kurbel-")
+    name = choose(asked, known, "manual page") if page else None
     if output is not None:
         return _write([known[name]] if name else [*known.values()], output)
     shown = known[name or "kurbel"]

@@ -219,10 +219,10 @@
   /* A curve through the figures of one quantity. */
 
   class Curve {
-    constructor(svg, at, ticks, tracks) {
+    constructor(svg, at, names, ticks, tracks) {
       const known = tracks.flat().filter(Number.isFinite);
       const [low, high] = extremes(known);
-      Object.assign(this, {svg, at, ticks, low, high});
+      Object.assign(this, {svg, at, names, ticks, low, high});
       if (this.low > 0 && this.low < 0.5 * this.high) this.low = 0;
       if (this.high < 0 && this.high > 0.5 * this.low) this.high = 0;
     }
@@ -259,9 +259,10 @@
       this.line = element(this.svg, "line", {class: "live-at"});
       this.dot = element(this.svg, "circle", {class: "live-point", r: 3.5});
       const [low, high] = extremes(values.filter(Number.isFinite));
+      // A figure is that of its step: the curve itself may go further between two of them.
       for (const [value, lift] of low < high ? [[low, 15], [high, -6]] : [[high, -6]]) {
-        const place = values.indexOf(value);
-        if (place >= 0) this.text(this.across(this.at[place]), this.up(value) + lift, texts[place], "extreme");
+        const place = values.indexOf(value), step = low < high ? ` (${this.names[place]})` : "";
+        if (place >= 0) this.text(this.across(this.at[place]), this.up(value) + lift, texts[place] + step, "extreme");
       }
     }
 
@@ -320,16 +321,21 @@
       this.outputs = [...root.querySelectorAll(".live-value")];
       this.units = [...root.querySelectorAll(".live-unit")];
       this.curves = [...root.querySelectorAll(".live-curve")].map(
-        (curve, place) => new Curve(curve, data.cursor.at, this.ticks(), [...new Set(data.of.map(own => own[place]))].map(track => this.values[track])));
+        (curve, place) => new Curve(curve, data.cursor.at, this.names(), this.ticks(), [...new Set(data.of.map(own => own[place]))].map(track => this.values[track])));
       this.listen();
       this.read();
       this.update();
     }
 
+    names() {
+      const {texts, unit} = this.data.cursor;
+      return texts.map(text => text + unit);
+    }
+
     // Where the axis of curves is marked: at quarters of the turn, else at up to nine places.
     ticks() {
-      const {turn, at, texts, unit} = this.data.cursor, every = Math.ceil(at.length / 9);
-      return at.map((value, place) => [value, texts[place] + unit]).filter(
+      const {turn, at} = this.data.cursor, names = this.names(), every = Math.ceil(at.length / 9);
+      return at.map((value, place) => [value, names[place]]).filter(
         ([value], place) => turn ? value % (turn / 4) === 0 : place % every === 0);
     }
 
