@@ -28,7 +28,7 @@ OF_A_SHELL = frozenset(("|", "||", "&", "&&", "<", "<<", ">>", "2>", "&>", "2>&1
 # The libraries that no browser has.
 ABSENT = frozenset(("numpy", "scipy"))
 NOT_HERE = (
-    "drawings, interactive pages and indicator cards need NumPy and SciPy, which do not run in this page;"
+    "drawings and indicator cards need NumPy and SciPy, which do not run in this page;"
     " kurbel on a computer of your own has them"
 )
 # Loaded when it is asked for.

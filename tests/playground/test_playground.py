@@ -215,9 +215,11 @@ def test_files_go_in_and_out_and_outlive_a_stop(page: Page) -> None:
 
 
 def test_what_needs_other_libraries_says_so(page: Page) -> None:
-    assert "drawings, interactive pages and indicator cards need NumPy" in typed(
+    assert "drawings and indicator cards need NumPy" in typed(
         page, "kurbel plot --ratio 1:5 -o motion.svg", "Failed, exit code 1"
     )
+    # Interactive pages draw what moves without them.
+    typed(page, "kurbel turning --eps 2..4 --interactive -o turning.html")
 
 
 def test_it_opens_without_a_network_and_connects_to_nothing_else(
@@ -236,6 +238,9 @@ def test_it_opens_without_a_network_and_connects_to_nothing_else(
     context.set_offline(True)
     opened(viewer, server)
     assert "1.1010" in (viewer.page.text_content("#screen") or "")
+    # What is loaded for the first PDF was never asked for.
+    said = typed(viewer.page, "kurbel table -o table.pdf", "This did not work")
+    assert "typst.tar.gz is loaded when it is first needed, and cannot be now: no network" in said
     mine = (server.address, "blob:", "data:", "about:", other.address)
     assert [url for url in requests if not url.startswith(mine)] == []
 

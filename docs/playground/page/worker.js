@@ -31,7 +31,7 @@ onmessage = async ({ data: { number, action, words } }) => {
     try {
         postMessage({ kind: "answer", number, answer: await ACTIONS[action](...words) });
     } catch (error) {
-        postMessage({ kind: "failed", number, reason: String(error) });
+        postMessage({ kind: "failed", number, reason: error.message });
     }
 };
 
@@ -80,8 +80,8 @@ function changes() {
 }
 
 async function archive(name) {
-    const answer = await fetch(new URL(name, import.meta.url));
-    if (!answer.ok) throw new Error(`${name} cannot be loaded (${answer.status})`);
+    const answer = await fetch(new URL(name, import.meta.url)).catch(() => ({ status: "no network" }));
+    if (!answer.ok) throw new Error(`${name} is loaded when it is first needed, and cannot be now: ${answer.status}`);
     const plain = answer.body.pipeThrough(new DecompressionStream("gzip"));
     return new Uint8Array(await new Response(plain).arrayBuffer());
 }
