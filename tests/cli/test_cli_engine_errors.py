@@ -157,6 +157,11 @@ WEISBACHS = [
 ]
 DELTAS = [
     (
+        ("--cut-off", "25%"),
+        "--cut-off is for the cycle of a gas engine; add --compression;"
+        " steam cut off after a quarter of the stroke is --eps 4",
+    ),
+    (
         ("--layout", "kinematics"),
         f"layout kinematics is about something else; choose from {IRREGULARITY}",
     ),

@@ -46,7 +46,8 @@ def test_unknown_choices_are_sentences() -> None:
         for_suffix("out/page.docx")
     assert str(caught.value) == (
         "the file name 'out/page.docx' names no format; its suffix must be one of"
-        " .txt, .md, .tex, .html, .htm, .typ, .rst, .pdf, .xlsx, .ods, .csv, .dat, .json"
+        " .txt, .md, .tex, .html, .htm, .typ, .rst, .pdf, .xlsx, .ods, .csv, .dat, .json;"
+        " Word takes -f html through pandoc, see docs/howto/word.md"
     )
     with pytest.raises(ChoiceError) as caught:
         by_name("text").decimal_mark("de", "semicolon")

@@ -188,7 +188,10 @@ def _key(given: Mapping[str, Any]) -> str:
 
 def astray(name: str) -> str:
     """Return the sentence that refuses an option of loads of which none is named."""
-    return f"{_flag(name)} is for {_owners(name)}; add {' or '.join(_flag(key) for key in _keys(name))}"
+    steam = "; steam cut off after a quarter of the stroke is --eps 4" if name == "cut_off" else ""
+    return (
+        f"{_flag(name)} is for {_owners(name)}; add {' or '.join(_flag(key) for key in _keys(name))}{steam}"
+    )
 
 
 def _keys(name: str) -> list[str]:

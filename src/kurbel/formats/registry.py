@@ -272,7 +272,10 @@ def for_suffix(path: str) -> Format:
         if suffix in entry.suffixes:
             return entry
     known = ", ".join(suffix for entry in FORMATS.values() for suffix in entry.suffixes)
-    raise ChoiceError(f"the file name {str(path)!r} names no format; its suffix must be one of {known}")
+    word = (
+        "; Word takes -f html through pandoc, see docs/howto/word.md" if suffix in (".doc", ".docx") else ""
+    )
+    raise ChoiceError(f"the file name {str(path)!r} names no format; its suffix must be one of {known}{word}")
 
 
 def kinds() -> list[tuple[PageFormat, Kind]]:
