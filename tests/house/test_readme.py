@@ -143,12 +143,13 @@ def for_the_shell(page: Path) -> str:
     return "".join(line for line in "".join(blocks).splitlines(True) if " watch " not in line)
 
 
-# The README has a test of its own, the set-up of the first page needs the net, and tests/handbook builds the
-# handbooks of the other two.
+# The README has a test of its own, the set-up of the first page needs the net, tests/playground builds the
+# playground and tests/handbook the handbooks of the other two.
 TYPED_ELSEWHERE = {
     README,
     DOCS / "index.md",
     DOCS / "howto" / "handbook.md",
+    DOCS / "howto" / "playground.md",
     DOCS / "subjects" / "teaching.md",
 }
 

@@ -127,7 +127,8 @@ def test_the_search_finds_a_page_without_a_server(viewer: Viewer, site: Path, as
     tab = viewer.open(site / "search.html")
     tab.locator("input[type=search]:visible").first.fill(asked)
     tab.keyboard.press("Enter")
-    tab.wait_for_selector("ul.search li a")
+    # Links come one after the other.
+    tab.wait_for_function("document.querySelector('.search-summary')?.textContent.includes('finished')")
     links = tab.eval_on_selector_all("ul.search li a", "links => links.map(link => link.href)")
     assert any(page in link for link in links), links
 

@@ -51,6 +51,7 @@ _LETTERS = str.maketrans(
      "%": " percent"}
 )  # fmt: skip
 _UNIT = re.compile(r"\s*\[.*")
+_NUMBER = re.compile(r"[0-9]+")
 _SIGNS = re.compile(r"[\W_]+|(?<=[^\W\d_])(?=\d)")
 # What stands behind a locale: en_GB.UTF-8.
 _ENCODING = re.compile(r"\.(?:utf-?8|iso-?8859.*)$")
@@ -90,11 +91,17 @@ def near(name: str, names: Sequence[str], words: bool = False) -> list[str]:
         for place, way in enumerate(ways)
         if ways[way] and (distance := _distance(asked, way)) is not None
     )
-    if ranked:
+    if ranked and _tells_apart(asked, [[*ways][place] for _, _, place in ranked]):
         way = [*ways][ranked[0][2]]
         return [way if words and way not in own and way.isalpha() else ways[way]]
     found = [one for one in names if _is_part(asked, _spelled(one))]
     return found if len(found) <= MOST else []
+
+
+def _tells_apart(asked: str, ranked: Sequence[str]) -> bool:
+    """Whether the nearest is more than one of several that have another number each."""
+    besides = _NUMBER.sub("", asked)
+    return ranked[0] == asked or sum(_NUMBER.sub("", way) == besides for way in ranked) < 2
 
 
 def _with_more(asked: str, names: Sequence[str]) -> list[str]:
@@ -158,8 +165,7 @@ def _distance(asked: str, way: str) -> int | None:
         return _edits(asked, way) if asked.replace("_", "") == way.replace("_", "") else None
     found = 0
     for word, other in zip(words, others, strict=True):
-        if word != other and word.isdigit():
-            # Another number is another thing.
+        if word.isdigit() != other.isdigit():
             return None
         most = max(1, len(word) // 3) if word[:1] == other[:1] else int(len(asked) > 2)
         if abs(len(word) - len(other)) > most or (edits := _edits(word, other)) > most:
