@@ -29,10 +29,10 @@ class Installed:
     ("noted", "words"),
     [
         (
-            {"url": "file:///home/a/kurbel", "dir_info": {"editable": True}},
-            "--editable '/home/a/kurbel[pdf]'",
+            {"url": "file:///books/kurbel", "dir_info": {"editable": True}},
+            "--editable '/books/kurbel[pdf]'",
         ),
-        ({"url": "file:///home/a%20b/kurbel", "dir_info": {}}, "'/home/a b/kurbel[pdf]'"),
+        ({"url": "file:///my%20books/kurbel", "dir_info": {}}, "'/my books/kurbel[pdf]'"),
         (
             {"url": "https://host/kurbel.git", "vcs_info": {"vcs": "git", "commit_id": "4e1d"}},
             "'kurbel[pdf] @ git+https://host/kurbel.git@4e1d'",

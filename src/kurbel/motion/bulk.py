@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
+from importlib import import_module
 from math import lcm
 from typing import TYPE_CHECKING, Any
 
@@ -42,7 +43,7 @@ def is_long(columns: Sequence[Column], cranks: Sequence[Crank], angles: Sequence
 def _has_arrays() -> bool:
     # In a browser there is no NumPy, and balls do what floats would do sooner.
     try:
-        import numpy  # noqa: F401
+        import_module("numpy")
     except ImportError:
         return False
     return True
