@@ -15,7 +15,7 @@ from readers import fragment
 from tex import PREAMBLE, compiled, complaints, each_engine, each_kind_of_table
 
 import kurbel
-from kurbel.examples.source import numbers_of, source_keys
+from kurbel.books.examples.source import numbers_of, source_keys
 from kurbel.formats.registry import FORMATS
 from kurbel.formats.render import render
 from kurbel.page.layouts import LANGUAGES

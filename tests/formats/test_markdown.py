@@ -10,7 +10,7 @@ from pages import default_page, each_layout
 from readers import markdown_tables, model_cells
 
 import kurbel
-from kurbel.examples.source import numbers_of, source_keys
+from kurbel.books.examples.source import numbers_of, source_keys
 from kurbel.formats.render import render
 from kurbel.page.labels import plain
 from kurbel.page.layouts import LANGUAGES

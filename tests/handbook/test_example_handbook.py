@@ -7,7 +7,7 @@ from places import ROOT
 
 from kurbel.books.source import books
 from kurbel.cli.asking import asked
-from kurbel.examples.source import numbers_of, source_keys
+from kurbel.books.examples.source import numbers_of, source_keys
 from kurbel.handbook.manifest import Manifest, Part, read_manifest
 from kurbel.page.layouts import layout_names
 from kurbel.page.table import Table

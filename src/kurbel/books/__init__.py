@@ -1,1 +1,1 @@
-"""Printed values of the books against recomputed ones, with verdicts."""
+"""Printed values of the books against recomputed ones, with verdicts; their worked examples."""

@@ -79,7 +79,7 @@ class ExampleCommand(TableCommand):
 
 def _keys(key: str | None) -> Sequence[str]:
     """Return the source of that key alone, or all."""
-    from kurbel.examples.source import source, source_keys
+    from kurbel.books.examples.source import source, source_keys
 
     return source_keys() if key is None else [source(key).key]
 
@@ -105,7 +105,7 @@ def _print_list(keys: Sequence[str], lang: str, form: str) -> None:
 
 
 def _rows(key: str, lang: str) -> Iterator[tuple[str, ...]]:
-    from kurbel.examples.source import example, numbers_of
+    from kurbel.books.examples.source import example, numbers_of
 
     for number in numbers_of(key):
         one = example(key, number)

@@ -26,14 +26,14 @@ from kurbel.reading.given import (
 if TYPE_CHECKING:
     from kurbel.books.collate_page import CollateRequest
     from kurbel.books.formulas.page import FormulaRequest
-    from kurbel.examples.page import ExampleRequest
+    from kurbel.books.examples.page import ExampleRequest
 
 
 class Source(Kind):
     """The key of a source; the page itself refuses a wrong one."""
 
     def known(self, typed: Mapping[str, Any]) -> Iterable[str]:
-        from kurbel.examples.source import source_keys
+        from kurbel.books.examples.source import source_keys
 
         return source_keys()
 
@@ -42,7 +42,7 @@ class ExampleNumber(Kind):
     """The number of an example; which there are depends on the source."""
 
     def known(self, typed: Mapping[str, Any]) -> Iterable[str]:
-        from kurbel.examples.source import numbers_of, source_keys
+        from kurbel.books.examples.source import numbers_of, source_keys
 
         return numbers_of(typed["book"]) if typed.get("book") in source_keys() else ()
 
@@ -135,7 +135,7 @@ def collation_table(
     return FormulaRequest(layout=layout_of(own, ("formulas",), layouts), **asked)
 
 
-@makes_table(machine=False, build="kurbel.examples.page:build_example")
+@makes_table(machine=False, build="kurbel.books.examples.page:build_example")
 def example_table(
     book: Annotated[
         str | None, Option("The book, as `kurbel example` lists it.", kind=Source(), positional=True)
@@ -182,7 +182,7 @@ def example_table(
     >>> print(kurbel.typeset(kurbel.example_table("blau", 35), "csv").splitlines()[-1])
     ,"cos α = −5/2, unbrauchbar",other,cos α,−5/2,−5/2,
     """
-    from kurbel.examples.page import ExampleRequest
+    from kurbel.books.examples.page import ExampleRequest
 
     if book is None or number is None:
         raise ProblemError("name an example by its book and its number, as kurbel example lists them")

@@ -15,8 +15,8 @@ from kurbel.drive.crank import Crank, check_angles
 from kurbel.drive.load import PistonForce
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number
-from kurbel.examples.source import Example, Part, example
-from kurbel.examples.working import WORDS, Entry, Working, exact_text
+from kurbel.books.examples.source import Example, Part, example
+from kurbel.books.examples.working import WORDS, Entry, Working, exact_text
 from kurbel.linkage.beam.engine import BeamEngine
 from kurbel.page.axes import angle_text
 from kurbel.page.layouts import LANGUAGES
