@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from kurbel.books.examples.source import example, numbers_of, source_keys
 from kurbel.drive.load import LOADS
 from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.engine.quantities import ENGINE_METHODS
-from kurbel.books.examples.source import example, numbers_of, source_keys
 from kurbel.formats.registry import FORMATS
 from kurbel.motion.drives import condition_names
 from kurbel.motion.evaluation import METHODS

@@ -19,12 +19,12 @@ from registers import register
 from textbook import Drive, evaluate, real, rounded
 
 import kurbel
+from kurbel.books.examples.source import example, numbers_of, source_keys
+from kurbel.books.examples.working import WORDS, arc_text, names_in
 from kurbel.books.expression import Expression
 from kurbel.books.printed_value import printed_value
 from kurbel.books.source import source_tables
 from kurbel.errors import KurbelError
-from kurbel.books.examples.source import example, numbers_of, source_keys
-from kurbel.books.examples.working import WORDS, arc_text, names_in
 
 BOOKS = SOURCES / "examples"
 EXAMPLES = [(key, number) for key in source_keys() for number in numbers_of(key)]

@@ -19,9 +19,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pages import command
 
+from kurbel.books.examples.source import numbers_of, source_keys
 from kurbel.books.source import source_tables
 from kurbel.exact.numerals import Number
-from kurbel.books.examples.source import numbers_of, source_keys
 from kurbel.formats.csv.writer import Writer as CsvWriter
 from kurbel.formats.json.writer import Writer as JsonWriter
 from kurbel.formats.render import render

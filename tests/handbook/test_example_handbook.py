@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 from places import ROOT
 
+from kurbel.books.examples.source import numbers_of, source_keys
 from kurbel.books.source import books
 from kurbel.cli.asking import asked
-from kurbel.books.examples.source import numbers_of, source_keys
 from kurbel.handbook.manifest import Manifest, Part, read_manifest
 from kurbel.page.layouts import layout_names
 from kurbel.page.table import Table

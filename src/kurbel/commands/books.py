@@ -25,8 +25,8 @@ from kurbel.reading.given import (
 
 if TYPE_CHECKING:
     from kurbel.books.collate_page import CollateRequest
-    from kurbel.books.formulas.page import FormulaRequest
     from kurbel.books.examples.page import ExampleRequest
+    from kurbel.books.formulas.page import FormulaRequest
 
 
 class Source(Kind):

@@ -9,14 +9,14 @@ from functools import cached_property
 from itertools import product
 from math import prod
 
+from kurbel.books.examples.source import Example, Part, example
+from kurbel.books.examples.working import WORDS, Entry, Working, exact_text
 from kurbel.books.printed_value import Printed
 from kurbel.books.quantities import engine_turn
 from kurbel.drive.crank import Crank, check_angles
 from kurbel.drive.load import PistonForce
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number
-from kurbel.books.examples.source import Example, Part, example
-from kurbel.books.examples.working import WORDS, Entry, Working, exact_text
 from kurbel.linkage.beam.engine import BeamEngine
 from kurbel.page.axes import angle_text
 from kurbel.page.layouts import LANGUAGES

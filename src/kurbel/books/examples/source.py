@@ -24,7 +24,7 @@ from kurbel.reading.given import choose, meant
 from kurbel.reading.notation import number, ratio
 from kurbel.reading.toml_file import Fault, TomlFile
 
-FOLDER = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "books", "sources")
+FOLDER = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "sources")
 
 
 class Line(NamedTuple):

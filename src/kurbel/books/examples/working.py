@@ -15,12 +15,12 @@ from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from typing import NamedTuple
 
+from kurbel.books.examples.source import Example, Line, Part
 from kurbel.books.expression import Expression
 from kurbel.books.printed_value import Printed, printed_value
 from kurbel.books.quantities import quantity_truth
 from kurbel.books.truth import FRACTIONS, Truth, formula_truth, kept
 from kurbel.exact.numerals import Label, finite_decimals, nearest, number_text
-from kurbel.books.examples.source import Example, Line, Part
 from kurbel.page.axes import angle_text
 from kurbel.page.quantity import Words, words
 
