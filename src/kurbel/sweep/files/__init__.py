@@ -1,0 +1,1 @@
+"""Files of columns: one module a format, found by the suffix of the file."""
