@@ -25,8 +25,8 @@ class Axis(NamedTuple):
 class Plan:
     """A sweep as it was asked for.
 
-    `command` is the place of the function, "kurbel.commands.engine:delta_table", and `given` are the values of
-    its options by their names, without those that vary. The axes of a group are linked: they go through
+    `command` is the place of the function, "kurbel.commands.engine:delta_table", and `given` are the values
+    of its options by their names, without those that vary. The axes of a group are linked: they go through
     their values together. The rows are the product of the groups, of which the last varies fastest. `digits`
     asks for certified decimals in place of floats, `bounds` for a column beside each of floats that says how
     far from the true value they may lie.
