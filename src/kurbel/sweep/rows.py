@@ -47,8 +47,8 @@ class Part(NamedTuple):
     """Rows of a sweep, in order.
 
     `values` has by key of a column: of numbers an array of floats, NaN where there is nothing; of decimals
-    whole numbers of the last place, of texts texts, in lists with None there. `reasons` tell of the rows that were
-    refused why, by their place in the part.
+    whole numbers of the last place, of texts texts, in lists with None there. `reasons` tell of the rows that
+    were refused why, by their place in the part.
     """
 
     rows: int
