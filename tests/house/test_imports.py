@@ -115,13 +115,18 @@ def test_only_drawings_know_matplotlib() -> None:
     drawing = {f"kurbel.plot.{name}" for name in names}
     assert importers("matplotlib") == drawing | {"kurbel.plot.drawings"}
     knowing = {name for name in MODULES if drawing & {name, *reached(name)}}
-    above = ("kurbel.commands.", "kurbel.cli", "kurbel.__main__")
+    above = ("kurbel.commands.", "kurbel.sweeps.", "kurbel.cli", "kurbel.__main__")
     assert all(name == "kurbel" or name.startswith(("kurbel.plot.", *above)) for name in knowing)
 
 
 def test_only_pdf_knows_its_compiler() -> None:
     assert importers("typst") == {"kurbel.formats.pdf.by_typst"}
     assert "typst" not in {one.split(".")[0] for one in at_import("kurbel.formats.pdf.by_typst")}
+
+
+@pytest.mark.parametrize("library", ["dask", "distributed", "h5netcdf", "pyarrow", "xarray", "zarr"])
+def test_only_sweeps_know_frames_and_clusters(library: str) -> None:
+    assert importers(library) <= SWEEPS
 
 
 def test_no_circle_of_modules_that_import_each_other_as_they_are_imported() -> None:
@@ -152,7 +157,11 @@ RUN = "import sys\nsys.argv[0] = 'kurbel'\nfrom kurbel.cli import main\nmain()"
 
 
 # Modules about arrays or drawings and nothing else, which others import inside functions.
-ARRAYS = within("kurbel.plot", set(MODULES)) - {"kurbel.plot", "kurbel.plot.style", "kurbel.plot.ticks"} | {
+SWEEPS = within("kurbel.sweeps", set(MODULES))
+DRAWINGS = within("kurbel.plot", set(MODULES)) - {"kurbel.plot", "kurbel.plot.style", "kurbel.plot.ticks"}
+ARRAYS = {
+    *SWEEPS,
+    *DRAWINGS,
     "kurbel.commands.arrays.asked",
     "kurbel.engine.arrays",
     "kurbel.engine.card.force",

@@ -16,7 +16,7 @@ from kurbel.exact.numerals import Number
 from kurbel.page.build import records_of
 from kurbel.page.subject import Question
 from kurbel.page.table import Field, Records
-from kurbel.sweep.plan import Plan
+from kurbel.sweeps.plan import Plan
 
 # To so many decimals a value of the order of one is its nearest float.
 DECIMALS = 30

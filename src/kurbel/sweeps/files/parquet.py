@@ -5,8 +5,8 @@ from __future__ import annotations
 import pyarrow.parquet as parquet
 
 from kurbel.formats.render import whole_file
-from kurbel.sweep.files.arrow import batch_of, schema_of
-from kurbel.sweep.rows import Sweep
+from kurbel.sweeps.files.arrow import batch_of, schema_of
+from kurbel.sweeps.rows import Sweep
 
 
 def write(sweep: Sweep, target: str) -> None:

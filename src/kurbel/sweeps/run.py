@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections import Counter
 from typing import NamedTuple
 
-from kurbel.sweep.files.parquet import write
-from kurbel.sweep.rows import Sweep
+from kurbel.sweeps.files.parquet import write
+from kurbel.sweeps.rows import Sweep
 
 
 class Outcome(NamedTuple):

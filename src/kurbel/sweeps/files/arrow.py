@@ -6,7 +6,7 @@ from typing import Any
 
 import pyarrow as pa
 
-from kurbel.sweep.rows import Column, Part, Sweep
+from kurbel.sweeps.rows import Column, Part, Sweep
 
 # The column that tells of a refused row why.
 REASON = "reason"
