@@ -1,12 +1,35 @@
-"""A sweep is run: its parts are computed, and become a file that is whole or absent."""
+"""A sweep is run: its parts are computed, and become a file that is whole or absent.
+
+Parts are computed in any order, by whoever there is, into a folder beside the target. From there they go
+in order into the file. What is in memory does not grow with the sweep: few parts at once are being computed,
+and of those that are done only the names are known.
+"""
 
 from __future__ import annotations
 
+import os
 from collections import Counter
-from typing import NamedTuple
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from kurbel.sweeps.files.parquet import write
+from kurbel.errors import FailedError, OutputError
 from kurbel.sweeps.rows import Sweep
+from kurbel.sweeps.work.folder import Work, working
+from kurbel.sweeps.work.hands import Hands, Here, Processes, Threads
+from kurbel.sweeps.work.identity import identity_of
+from kurbel.sweeps.work.task import kept, made
+
+if TYPE_CHECKING:
+    import pyarrow as pa
+
+# Parts that are done before one that is not: their names are all that is kept.
+AHEAD = 10_000
+# Of so many kinds of refused rows is told how many there are of each, of all others together.
+MOST_REASONS = 100
+OTHERS = "other reasons"
 
 
 class Outcome(NamedTuple):
@@ -16,7 +39,135 @@ class Outcome(NamedTuple):
     refused: Counter[str]
 
 
-def run(sweep: Sweep, target: str) -> Outcome:
-    """Write the sweep to a file. Raises KurbelError."""
-    write(sweep, target)
-    return Outcome(len(sweep), Counter())
+class StoppedError(FailedError):
+    """A run that was ended by Ctrl-C, and of which parts are kept."""
+
+    exit_code = 130
+
+
+@dataclass(frozen=True)
+class Running:
+    """How a sweep is run: by so many `jobs` on this machine, or by the cluster of a `scheduler`.
+
+    `resume` goes on with the parts of an earlier run, `restart` removes them. `watch` is told of rows that
+    are done.
+    """
+
+    scheduler: str | None = None
+    jobs: int | None = None
+    resume: bool = False
+    restart: bool = False
+    watch: Callable[[int], None] = lambda rows: None
+
+
+def run(sweep: Sweep, target: str, running: Running = Running()) -> Outcome:
+    """Write the sweep to a file. Raises KurbelError; then parts that are done are kept for `resume`."""
+    from kurbel.sweeps.files.parquet import write
+
+    refused: Counter[str] = Counter()
+    # A new one goes to other processes, without what it knows already.
+    sweep = replace(sweep)
+    with working(target, identity_of(sweep), resume=running.resume, restart=running.restart) as work:
+        with _telling(work), _hands(sweep, work, running) as hands:
+            write(sweep, _batches(_parts(sweep, work, hands, running.watch), work, refused), target)
+        work.remove()
+    return Outcome(len(sweep), refused)
+
+
+def _parts(sweep: Sweep, work: Work, hands: Hands, watch: Callable[[int], None]) -> Iterator[str]:
+    """Yield the files of all parts, in order."""
+    count, coming, given = parts_of(sweep), 0, 0
+    ready: dict[int, str] = {}
+
+    def done(number: int, name: str) -> None:
+        ready[number] = name
+        watch(min(sweep.rows_at_once, len(sweep) - number * sweep.rows_at_once))
+
+    for number in range(count):
+        while number not in ready or (given < hands.most and coming < min(count, number + AHEAD)):
+            if given < hands.most and coming < min(count, number + AHEAD):
+                if name := work.found(coming):
+                    done(coming, name)
+                else:
+                    hands.give(coming)
+                    given += 1
+                coming += 1
+            else:
+                one, result = hands.take()
+                given -= 1
+                done(one, result if isinstance(result, str) else kept(result, one, work.folder))
+        yield ready.pop(number)
+
+
+def parts_of(sweep: Sweep) -> int:
+    """Return how many parts a sweep has."""
+    return -(-len(sweep) // sweep.rows_at_once)
+
+
+def _batches(names: Iterator[str], work: Work, refused: Counter[str]) -> Iterator[pa.RecordBatch]:
+    """Yield the parts as they go into the file, and count what was refused."""
+    import pyarrow as pa
+    import pyarrow.compute as compute
+
+    from kurbel.sweeps.files.arrow import REASON
+
+    for name in names:
+        with pa.memory_map(work.at(name)) as file:
+            batch = pa.ipc.open_file(file).get_batch(0)
+            if REASON in batch.schema.names:
+                for one in compute.value_counts(batch[REASON].drop_null()):
+                    reason = one["values"].as_py()
+                    known = reason in refused or len(refused) < MOST_REASONS
+                    refused[reason if known else OTHERS] += one["counts"].as_py()
+            yield batch
+
+
+@contextmanager
+def _hands(sweep: Sweep, work: Work, running: Running) -> Iterator[Hands]:
+    """Give who computes the parts; they end with the block."""
+    hands = _hired(sweep, work, running)
+    try:
+        yield hands
+    except BaseException:
+        hands.end(at_once=True)
+        raise
+    hands.end(at_once=False)
+
+
+def _hired(sweep: Sweep, work: Work, running: Running) -> Hands:
+    make = partial(_made, sweep, work.place)
+    count = min(running.jobs or cores(), parts_of(sweep))
+    if count == 1:
+        return Here(make)
+    return Threads(make, count) if sweep.in_threads else Processes(make, count)
+
+
+def _made(sweep: Sweep, place: Any, number: int) -> str | bytes:
+    return made(sweep, number, place)
+
+
+def cores() -> int:
+    """Return how many processes run at once."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+@contextmanager
+def _telling(work: Work) -> Iterator[None]:
+    """Say how to go on where a run ends early and parts are kept."""
+    try:
+        yield
+    except KeyboardInterrupt:
+        if work.is_empty():
+            raise
+        raise StoppedError(f"stopped; {_kept(work)}") from None
+    except OSError as error:
+        said = f"cannot write {error.filename or work.path}: {error.strerror or error}"
+        raise OutputError(said if work.is_empty() else f"{said}; {_kept(work)}") from error
+    except FailedError as error:
+        if work.is_empty():
+            raise
+        raise type(error)(f"{error}; {_kept(work)}") from error
+
+
+def _kept(work: Work) -> str:
+    return f"finished parts are kept in {work.path}: the same command with --resume goes on"

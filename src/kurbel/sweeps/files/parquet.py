@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
+import pyarrow as pa
 import pyarrow.parquet as parquet
 
 from kurbel.formats.render import whole_file
-from kurbel.sweeps.files.arrow import batch_of, schema_of
+from kurbel.sweeps.files.arrow import schema_of
 from kurbel.sweeps.rows import Sweep
 
 
-def write(sweep: Sweep, target: str) -> None:
-    """Write all rows, part by part."""
+def write(sweep: Sweep, batches: Iterable[pa.RecordBatch], target: str) -> None:
+    """Write all batches, in order."""
     with whole_file(target) as stream, parquet.ParquetWriter(stream, schema_of(sweep)) as writer:
-        for start in range(0, len(sweep), sweep.rows_at_once):
-            part = sweep.part(start, min(start + sweep.rows_at_once, len(sweep)))
-            writer.write_batch(batch_of(sweep, part))
+        for batch in batches:
+            writer.write_batch(batch)

@@ -1,0 +1,179 @@
+"""Who computes parts on this machine: this thread, its threads, or processes of which one may die."""
+
+from __future__ import annotations
+
+import gc
+import os
+import signal
+from collections.abc import Callable
+from queue import SimpleQueue
+from typing import TYPE_CHECKING, Any, Protocol
+
+from kurbel.errors import FailedError
+
+if TYPE_CHECKING:
+    from concurrent.futures import Future, ProcessPoolExecutor
+
+# What a part becomes: the name of its file, or its content.
+Result = str | bytes
+Make = Callable[[int], Result]
+# A part that ended so many processes will end those that come after.
+MOST_DEATHS = 3
+# One is computed, and one is there as soon as that is done.
+FOR_EACH = 2
+# So many more objects than before let a process look for garbage.
+ALLOCATED = 1_000_000
+
+
+class Hands(Protocol):
+    """Who computes parts: some at once are given, and each is taken as it is done."""
+
+    @property
+    def most(self) -> int:
+        """How many parts are to be given at once."""
+
+    def give(self, number: int) -> None:
+        """Have a part computed."""
+
+    def take(self) -> tuple[int, Result]:
+        """Return a part that is done, waiting for it; raise what kept it from being made."""
+
+    def end(self, at_once: bool) -> None:
+        """Let all go; `at_once` without what they are computing."""
+
+
+class Here:
+    """This thread, for a sweep that is done before a process has started."""
+
+    most = 1
+
+    def __init__(self, make: Make) -> None:
+        self._make = make
+        self._given: list[int] = []
+
+    def give(self, number: int) -> None:
+        self._given.append(number)
+
+    def take(self) -> tuple[int, Result]:
+        number = self._given.pop(0)
+        return number, self._make(number)
+
+    def end(self, at_once: bool) -> None:
+        self._given.clear()
+
+
+class Threads:
+    """Threads of this process, for what NumPy and compiled loops compute."""
+
+    def __init__(self, make: Make, count: int) -> None:
+        from concurrent.futures import ThreadPoolExecutor
+
+        self.most = count * FOR_EACH
+        self._make = make
+        self._pool = ThreadPoolExecutor(count)
+        self._done: SimpleQueue[tuple[int, Future[Result]]] = SimpleQueue()
+
+    def give(self, number: int) -> None:
+        future = self._pool.submit(self._make, number)
+        future.add_done_callback(lambda done: self._done.put((number, done)))
+
+    def take(self) -> tuple[int, Result]:
+        number, future = self._done.get()
+        return number, future.result()
+
+    def end(self, at_once: bool) -> None:
+        self._pool.shutdown(cancel_futures=True)
+
+
+class Processes:
+    """Processes, each by itself: one that dies takes nothing along but the parts that it was given."""
+
+    def __init__(self, make: Make, count: int) -> None:
+        self.most = count * FOR_EACH
+        self._make = make
+        self._pools = [_pool(make) for _ in range(count)]
+        self._given = [0] * count
+        self._deaths: dict[int, int] = {}
+        self._done: SimpleQueue[tuple[int, int, ProcessPoolExecutor, Future[Result]]] = SimpleQueue()
+
+    def give(self, number: int) -> None:
+        from concurrent.futures.process import BrokenProcessPool
+
+        place = self._given.index(min(self._given))
+        try:
+            future = self._pools[place].submit(_made, number)
+        except BrokenProcessPool:
+            self._replace(place)
+            future = self._pools[place].submit(_made, number)
+        self._given[place] += 1
+        pool = self._pools[place]
+        future.add_done_callback(lambda done: self._done.put((number, place, pool, done)))
+
+    def take(self) -> tuple[int, Result]:
+        from concurrent.futures.process import BrokenProcessPool
+
+        while True:
+            number, place, pool, future = self._done.get()
+            self._given[place] -= 1
+            if not isinstance(future.exception(), BrokenProcessPool):
+                self._deaths.pop(number, None)
+                return number, future.result()
+            if pool is self._pools[place]:
+                self._replace(place)
+            self._again(number)
+
+    def _again(self, number: int) -> None:
+        self._deaths[number] = self._deaths.get(number, 0) + 1
+        if self._deaths[number] == MOST_DEATHS:
+            raise FailedError(
+                f"processes that had to compute part {number} were ended {MOST_DEATHS} times, for want of"
+                " memory or from outside; --jobs 1 leaves more memory to each"
+            )
+        self.give(number)
+
+    def _replace(self, place: int) -> None:
+        self._pools[place].shutdown(wait=False)
+        self._pools[place] = _pool(self._make)
+
+    def end(self, at_once: bool) -> None:
+        for pool in self._pools:
+            if at_once:
+                for process in [*(pool._processes or {}).values()]:
+                    process.kill()
+                # The rest of what one of them had begun to send would be waited for without end.
+                if pool._processes:
+                    pool._result_queue._writer.close()  # type: ignore[attr-defined]
+            pool.shutdown(cancel_futures=True)
+
+
+def _pool(make: Make) -> ProcessPoolExecutor:
+    from concurrent.futures import ProcessPoolExecutor
+    from multiprocessing import get_context
+
+    # Started anew, not copied, so that a part finds the same process on every system.
+    return ProcessPoolExecutor(1, get_context("spawn"), initializer=_start, initargs=(make,))
+
+
+_make: list[Make] = []
+
+
+def _start(make: Make) -> None:
+    """Make a process ready: it ends with the one that started it, and by no other's Ctrl-C."""
+    from multiprocessing import parent_process
+    from threading import Thread
+
+    _make[:] = [make]
+    gc.set_threshold(ALLOCATED)
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    parent = parent_process()
+    assert parent is not None
+
+    def follow() -> None:
+        parent.join()
+        os._exit(1)
+
+    Thread(target=follow, daemon=True).start()
+
+
+def _made(number: int) -> Any:
+    return _make[0](number)
