@@ -16,6 +16,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.errors import FailedError, OutputError
+from kurbel.sweeps.files.forms import form_of
 from kurbel.sweeps.rows import Sweep
 from kurbel.sweeps.work.folder import Work, working
 from kurbel.sweeps.work.hands import Hands, Here, Processes, Threads
@@ -60,16 +61,20 @@ class Running:
     watch: Callable[[int], None] = lambda rows: None
 
 
-def run(sweep: Sweep, target: str, running: Running = Running()) -> Outcome:
-    """Write the sweep to a file. Raises KurbelError; then parts that are done are kept for `resume`."""
-    from kurbel.sweeps.files.parquet import write
+def run(sweep: Sweep, target: str, running: Running = Running(), format: str | None = None) -> Outcome:
+    """Write the sweep to a file, in the form of its suffix unless its `format` is said.
 
+    Raises KurbelError; then parts that are done are kept for `resume`.
+    """
+    form = form_of(target, format)
+    form.check(sweep, target)
     refused: Counter[str] = Counter()
     # A new one goes to other processes, without what it knows already.
     sweep = replace(sweep)
     with working(target, identity_of(sweep), resume=running.resume, restart=running.restart) as work:
         with _telling(work), _hands(sweep, work, running) as hands:
-            write(sweep, _batches(_parts(sweep, work, hands, running.watch), work, refused), target)
+            batches = _batches(_parts(sweep, work, hands, running.watch), work, refused)
+            form.write(sweep, batches, target, work.folder)
         work.remove()
     return Outcome(len(sweep), refused)
 

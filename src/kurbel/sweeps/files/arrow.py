@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import json
+from collections.abc import Iterable, Iterator
 from typing import Any
 
+import numpy as np
 import pyarrow as pa
 
+from kurbel.sweeps.files.about import about, about_column
+from kurbel.sweeps.files.decimals import decimal_type, decimals_of
 from kurbel.sweeps.rows import Column, Part, Sweep
 
 # The column that tells of a refused row why.
@@ -14,24 +19,55 @@ REASON = "reason"
 
 def schema_of(sweep: Sweep) -> pa.Schema:
     """Return the schema; each field has what is known of its column."""
-    return pa.schema([*map(_field, sweep.columns), pa.field(REASON, pa.string())])
+    fields = [pa.field(one.key, _type(one), metadata=about_column(one)) for one in sweep.columns]
+    said = json.dumps(about(sweep), ensure_ascii=False)
+    return pa.schema([*fields, pa.field(REASON, pa.string())], metadata={"kurbel": said})
 
 
 def batch_of(sweep: Sweep, part: Part) -> pa.RecordBatch:
     """Return the rows of a part."""
     arrays = [_array(column, part.values[column.key]) for column in sweep.columns]
-    reasons = pa.array([part.reasons.get(row) for row in range(part.rows)], pa.string())
-    return pa.record_batch([*arrays, reasons], schema_of(sweep))
+    return pa.record_batch([*arrays, _reasons(part)], schema_of(sweep))
 
 
-def _field(column: Column) -> pa.Field:
-    about = {name: text for name in ("name", "symbol", "unit") if (text := getattr(column, name))}
-    return pa.field(column.key, _type(column), metadata=about)
+def in_groups(batches: Iterable[pa.RecordBatch], rows: int) -> Iterator[pa.RecordBatch]:
+    """Yield the same rows in batches of so many, but for the last one."""
+    waiting: list[pa.RecordBatch] = []
+    missing = rows
+    for batch in batches:
+        start = 0
+        while batch.num_rows - start >= missing:
+            yield _joined([*waiting, batch.slice(start, missing)])
+            start, missing, waiting = start + missing, rows, []
+        if start < batch.num_rows:
+            waiting.append(batch.slice(start))
+            missing -= batch.num_rows - start
+    if waiting:
+        yield _joined(waiting)
+
+
+def _joined(batches: list[pa.RecordBatch]) -> pa.RecordBatch:
+    if len(batches) == 1:
+        return batches[0]
+    (joined,) = pa.Table.from_batches(batches).combine_chunks().to_batches()
+    return joined
+
+
+def _reasons(part: Part) -> pa.Array:
+    if not part.reasons:
+        return pa.nulls(part.rows, pa.string())
+    texts = np.full(part.rows, None, object)
+    texts[[*part.reasons]] = [*part.reasons.values()]
+    return pa.array(texts, pa.string())
 
 
 def _type(column: Column) -> pa.DataType:
+    if column.kind == "decimal":
+        return decimal_type(column)
     return pa.float64() if column.kind == "number" else pa.string()
 
 
 def _array(column: Column, values: Any) -> pa.Array:
+    if column.kind == "decimal":
+        return decimals_of(column, values)
     return pa.array(values, _type(column), from_pandas=True)

@@ -1,19 +1,69 @@
-"""A sweep in one Parquet file, whole or not at all."""
+"""A sweep as Parquet: one file, or a folder of files that programs read as one."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import os
+import re
+from collections.abc import Iterable, Iterator
+from itertools import chain, islice
+from typing import Any, BinaryIO
 
 import pyarrow as pa
 import pyarrow.parquet as parquet
 
 from kurbel.formats.render import whole_file
-from kurbel.sweeps.files.arrow import schema_of
+from kurbel.sweeps.files.arrow import in_groups, schema_of
+from kurbel.sweeps.files.whole import whole_path
 from kurbel.sweeps.rows import Sweep
 
+# Rows of a row group, and row groups of a file in a folder: some hundred megabytes.
+GROUP, GROUPS = 1 << 18, 64
+_PARTITION = re.compile(r"part-\d{6,}\.parquet")
 
-def write(sweep: Sweep, batches: Iterable[pa.RecordBatch], target: str) -> None:
-    """Write all batches, in order."""
-    with whole_file(target) as stream, parquet.ParquetWriter(stream, schema_of(sweep)) as writer:
-        for batch in batches:
-            writer.write_batch(batch)
+
+def write(sweep: Sweep, batches: Iterable[pa.RecordBatch], target: str, scratch: str) -> None:
+    """Write all batches, in order, to one file."""
+    with whole_file(target) as stream:
+        _write(schema_of(sweep), in_groups(batches, GROUP), stream)
+
+
+def write_folder(sweep: Sweep, batches: Iterable[pa.RecordBatch], target: str, scratch: str) -> None:
+    """Write all batches, in order, to the files part-000000.parquet and so on of a folder."""
+    schema, groups = schema_of(sweep), in_groups(batches, GROUP)
+    with whole_path(target, scratch, _is_ours) as folder:
+        os.mkdir(folder)
+        for number, files in enumerate(_parted(groups)):
+            with open(os.path.join(folder, f"part-{number:06d}.parquet"), "wb") as stream:
+                _write(schema, files, stream)
+
+
+def _parted(groups: Iterator[pa.RecordBatch]) -> Iterator[Iterator[pa.RecordBatch]]:
+    for first in groups:
+        yield chain([first], islice(groups, GROUPS - 1))
+
+
+def _is_ours(folder: str) -> bool:
+    return all(map(_PARTITION.fullmatch, os.listdir(folder)))
+
+
+def _write(schema: pa.Schema, groups: Iterable[pa.RecordBatch], stream: BinaryIO) -> None:
+    with parquet.ParquetWriter(stream, schema, **_options(schema)) as writer:
+        for group in groups:
+            writer.write_batch(group, row_group_size=GROUP)
+
+
+def _options(schema: pa.Schema) -> dict[str, Any]:
+    """Return how columns are encoded.
+
+    The bytes of floats are parted by their places, the first ones of all, then the second ones: three digits
+    of neighbours are alike. This takes a fifth of the time of dictionaries, which floats fill in vain, and
+    half of the room.
+    """
+    floats = [one.name for one in schema if pa.types.is_floating(one.type)]
+    others = [one.name for one in schema if not pa.types.is_floating(one.type)]
+    return {
+        "compression": "zstd",
+        "compression_level": 1,
+        "use_dictionary": others,
+        "column_encoding": dict.fromkeys(floats, "BYTE_STREAM_SPLIT"),
+    }
