@@ -141,6 +141,10 @@ def _hands(sweep: Sweep, work: Work, running: Running) -> Iterator[Hands]:
 
 def _hired(sweep: Sweep, work: Work, running: Running) -> Hands:
     make = partial(_made, sweep, work.place)
+    if running.scheduler:
+        from kurbel.sweeps.work.cluster import Cluster
+
+        return Cluster(running.scheduler, make, work.place.word)
     count = min(running.jobs or cores(), parts_of(sweep))
     if count == 1:
         return Here(make)

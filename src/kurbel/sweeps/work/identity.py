@@ -6,6 +6,7 @@ import hashlib
 import os
 import platform
 from collections.abc import Mapping
+from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 
 import kurbel
@@ -24,6 +25,7 @@ def identity_of(sweep: Sweep) -> dict[str, str]:
     return {ASKED: asked, **makers()}
 
 
+@cache
 def makers() -> dict[str, str]:
     """Return kurbel and all that its digits and files are made by, with their versions."""
     python = f"{platform.python_implementation()} {'.'.join(platform.python_version_tuple()[:2])}"

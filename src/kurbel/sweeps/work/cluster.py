@@ -1,0 +1,209 @@
+"""The workers of a cluster that runs already, by dask.distributed.
+
+A worker that dies costs what it was computing: the scheduler gives it to another one. Parts are written by
+the workers themselves where they see the folder of the run, and come over the network where they do not.
+"""
+
+from __future__ import annotations
+
+import logging
+import warnings
+from collections.abc import Callable, Mapping
+from contextlib import suppress
+from functools import partial
+from importlib.util import find_spec
+from queue import Empty, SimpleQueue
+from time import monotonic
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from kurbel.errors import ChoiceError, FailedError, MissingExtraError
+from kurbel.reading.extras import missing_extra
+from kurbel.sweeps.work.identity import LIBRARIES, makers, other
+
+if TYPE_CHECKING:
+    from distributed import Client, Future
+
+Made = TypeVar("Made")
+# Seconds in which a scheduler answers, and in which a worker has come to it.
+PATIENCE = 10
+# Seconds in which one comes back when all have gone.
+RETURN = 60
+# How often the cluster is looked at, in seconds.
+GLANCE = 1.0
+# For each thread of a worker one is computed, and one is there as soon as that is done.
+FOR_EACH = 2
+SCHEMES = ("tcp://", "tls://")
+# What runs the work, though no digit depends on it.
+RUNNERS = ("kurbel", "dask", "distributed")
+
+
+class Cluster:
+    """The workers of a scheduler, to whom pieces are given by their numbers; `make` goes to them once."""
+
+    def __init__(self, scheduler: str, make: Callable[[int], Any], name: str) -> None:
+        self._client = connected(scheduler)
+        self._scheduler, self._name = scheduler, name
+        try:
+            self._made_by = checked(self._client, scheduler)
+        except BaseException:
+            self._client.close(timeout=PATIENCE)
+            raise
+        # A task, not data: if those who have it die, it comes anew from the scheduler.
+        self._make = self._client.submit(_same, make, key=f"kurbel-{name}")
+        self._done: SimpleQueue[tuple[int, Future[Any]]] = SimpleQueue()
+        self._given: dict[int, Future[Any]] = {}
+        self._seen, self._most = monotonic(), self._looked(1)
+
+    @property
+    def most(self) -> int:
+        """How many pieces are to be given at once; workers come and go."""
+        if monotonic() - self._seen > GLANCE:
+            self._seen, self._most = monotonic(), self._looked(self._most)
+        return self._most
+
+    def _looked(self, before: int) -> int:
+        # Of a scheduler that is gone the pieces tell.
+        with suppress(OSError):
+            threads: int = sum(self._client.nthreads().values())
+            return FOR_EACH * max(1, threads)
+        return before
+
+    def give(self, number: int) -> None:
+        """Have a piece made."""
+        key = f"kurbel-{self._name}-{number}"
+        future = self._client.submit(_made, self._make, number, self._made_by, key=key, pure=False)
+        self._given[number] = future
+        future.add_done_callback(partial(self._note, number))
+
+    def _note(self, number: int, future: Future[Any]) -> None:
+        self._done.put((number, future))
+
+    def take(self) -> tuple[int, Any]:
+        """Return a piece that is done; raise what kept it from being made."""
+        from distributed import KilledWorker
+
+        number, future = self._next()
+        try:
+            made = future.result()
+        except KilledWorker as error:
+            raise FailedError(
+                f"workers that had to make part {number} died, one after the other, for want of memory or"
+                " from outside; give them more memory each, or fewer threads"
+            ) from error
+        except ModuleNotFoundError as error:
+            raise FailedError(
+                f"a worker of {self._scheduler} has no {error.name}; install it there"
+            ) from error
+        except Exception as error:
+            if future.status in ("cancelled", "lost"):
+                raise self._gone() from error
+            raise
+        del self._given[number]
+        return number, made
+
+    def _next(self) -> tuple[int, Future[Any]]:
+        """Return a piece that has an end, good or bad, as long as there is anybody who works."""
+        alone = None
+        while True:
+            with suppress(Empty):
+                return self._done.get(timeout=GLANCE)
+            if self._client.status not in ("running", "connecting"):
+                raise self._gone()
+            if self._has_workers():
+                alone = None
+            else:
+                alone = alone or monotonic()
+                if monotonic() - alone > RETURN:
+                    raise FailedError(
+                        f"all workers of {self._scheduler} have gone, and none came in {RETURN} s"
+                    )
+
+    def _has_workers(self) -> bool:
+        try:
+            return bool(self._client.nthreads())
+        except OSError:
+            return True
+
+    def _gone(self) -> FailedError:
+        return FailedError(f"the scheduler at {self._scheduler} is gone, or it dropped the work")
+
+    def end(self, at_once: bool) -> None:
+        """Let the cluster go; what is given is cancelled."""
+        with suppress(Exception):
+            self._client.cancel([*self._given.values(), self._make], force=True)
+        with suppress(Exception):
+            self._client.close(timeout=PATIENCE)
+
+
+def connected(scheduler: str) -> Client:
+    """Return the client of a scheduler, by its address or a file that it wrote."""
+    by_file = scheduler.endswith(".json")
+    if not by_file and not scheduler.startswith(SCHEMES):
+        raise ChoiceError(
+            f'scheduler "{scheduler[:60]}" is no address; write tcp://HOST:8786, tls://HOST:8786, or the'
+            " scheduler.json that dask scheduler --scheduler-file wrote"
+        )
+    if find_spec("distributed") is None:
+        raise missing_library()
+    from distributed import Client
+
+    # Of what it has to say about connections the sentences here say what matters.
+    logging.getLogger("distributed").setLevel(logging.CRITICAL + 1)
+    where: dict[str, Any] = {"scheduler_file": scheduler} if by_file else {"address": scheduler}
+    try:
+        # Other versions are refused, and not warned of.
+        with warnings.catch_warnings(action="ignore"):
+            return Client(**where, timeout=PATIENCE, set_as_default=False)
+    except (OSError, ValueError) as error:
+        raise FailedError(
+            f"no scheduler answered at {scheduler} within {PATIENCE} s; start one by: dask scheduler"
+        ) from error
+
+
+def missing_library() -> MissingExtraError:
+    return missing_extra("a scheduler needs dask.distributed", "scale")
+
+
+def checked(client: Client, scheduler: str) -> dict[str, str]:
+    """Return by what workers and this process make the same bytes; raise FailedError if one is by others."""
+    try:
+        client.wait_for_workers(1, timeout=PATIENCE)
+    except TimeoutError as error:
+        raise FailedError(
+            f"the scheduler at {scheduler} has no workers, and none came in {PATIENCE} s; start some by:"
+            f" dask worker {scheduler}"
+        ) from error
+    found = client.get_versions(packages=[*RUNNERS, *LIBRARIES])
+    ours = _packages(found["client"])
+    for worker, versions in found["workers"].items():
+        _refuse_others(worker, ours, _packages(versions))
+    own = makers()
+    # The same versions, but perhaps another state of the source.
+    for worker, theirs in client.run(makers).items():
+        _refuse_others(worker, own, theirs)
+    return own
+
+
+def _packages(versions: Mapping[str, Any]) -> dict[str, str]:
+    packages = versions["packages"]
+    python = ".".join(packages["python"].split(".")[:2])
+    return {"python": python} | {name: packages.get(name) or "none" for name in (*RUNNERS, *LIBRARIES)}
+
+
+def _refuse_others(worker: str, ours: Mapping[str, str], theirs: Mapping[str, str]) -> None:
+    if differences := other(ours, theirs):
+        raise FailedError(
+            f"worker {worker} has {differences}; its bytes might differ: install there what is here"
+        )
+
+
+def _same(one: Made) -> Made:
+    return one
+
+
+def _made(make: Callable[[int], Made], number: int, made_by: Mapping[str, str]) -> Made:
+    """Make a piece on a worker; one that came later was not asked by what it computes."""
+    from distributed import get_worker
+
+    _refuse_others(get_worker().address, made_by, makers())
+    return make(number)
