@@ -4,8 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from math import prod
-from typing import Any, NamedTuple
+from pkgutil import resolve_name
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from kurbel.commands.options import is_given
+from kurbel.commands.subject import SPELLED, spelling
+from kurbel.page.subject import Question
+
+if TYPE_CHECKING:
+    from kurbel.commands.subject import Command
 
 # More rows than these nobody waits for.
 MOST_ROWS = 10**12
@@ -26,10 +35,11 @@ class Plan:
     """A sweep as it was asked for.
 
     `command` is the place of the function, "kurbel.commands.engine:delta_table", and `given` are the values
-    of its options by their names, without those that vary. The axes of a group are linked: they go through
-    their values together. The rows are the product of the groups, of which the last varies fastest. `digits`
-    asks for certified decimals in place of floats, `bounds` for a column beside each of floats that says how
-    far from the true value they may lie.
+    of its options by their names on the command line, with underscores, without those that vary. Of these
+    `defaults` come from elsewhere, such as a machine's file, and give way where they say nothing. The axes of
+    a group are linked: they go through their values together. The rows are the product of the groups, of
+    which the last varies fastest. `digits` asks for certified decimals in place of floats, `bounds` for a
+    column beside each of floats that says how far from the true value they may lie.
     """
 
     command: str
@@ -37,6 +47,7 @@ class Plan:
     groups: tuple[tuple[Axis, ...], ...]
     digits: int | None = None
     bounds: bool = False
+    defaults: tuple[str, ...] = ()
 
     @property
     def sizes(self) -> tuple[int, ...]:
@@ -51,5 +62,42 @@ class Plan:
         found: dict[str, Any] = {}
         for group, size in zip(reversed(self.groups), reversed(self.sizes), strict=True):
             point, place = divmod(point, size)
-            found |= {axis.option: axis.values[place] for axis in group}
+            found = {axis.option: axis.values[place] for axis in group} | found
         return found
+
+    def question(self, values: Mapping[str, Any], digits: int) -> Question:
+        """Return what the command asks with these values beside those that are the same everywhere.
+
+        Raises KurbelError where it is refused.
+        """
+        asking = self.asking
+        settled = dict(asking.settled({**self._everywhere, **values, "digits": digits}))
+        own = self.defaults
+
+        def typed(name: str) -> bool:
+            return name not in own and is_given(settled.get(name))
+
+        asking.refuse(settled, typed, spelling(values))
+        for name in asking.foreign(settled):
+            if name in own:
+                settled[name] = self._unsaid[name]
+        question: Question = asking.ask(**asking.arguments(settled))
+        return question
+
+    def parameter(self, option: str) -> str:
+        """Return the name of the function's parameter for an option."""
+        return next(key for key, one in self.asking.parameters.items() if one.name == option)
+
+    @property
+    def asking(self) -> Command:
+        """The command behind the function."""
+        found: Command = resolve_name(self.command).command
+        return found
+
+    @cached_property
+    def _unsaid(self) -> Mapping[str, Any]:
+        return {one.name: one.default for one in self.asking.parameters.values()}
+
+    @cached_property
+    def _everywhere(self) -> Mapping[str, Any]:
+        return {**self._unsaid, **dict.fromkeys(SPELLED), **self.given}

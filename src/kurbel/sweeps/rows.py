@@ -2,58 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from pkgutil import resolve_name
-from typing import Any, Literal, NamedTuple
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from kurbel.commands.subject import Asking
 from kurbel.errors import KurbelError
 from kurbel.exact.numerals import Number
-from kurbel.page.build import records_of
-from kurbel.page.subject import Question
-from kurbel.page.table import Field, Records
+from kurbel.page.table import Field
+from kurbel.sweeps.axes import coordinates
+from kurbel.sweeps.columns import BOUND, columns_of
+from kurbel.sweeps.columns import Column as Column
+from kurbel.sweeps.columns import Part as Part
+from kurbel.sweeps.general import double_of, first_of, rows_at, text_of
 from kurbel.sweeps.plan import Plan
 
-# To so many decimals a value of the order of one is its nearest float.
-DECIMALS = 30
 # Rows of a command that is asked for every point: some seconds.
 ROWS_AT_ONCE = 4096
-Kind = Literal["number", "decimal", "text"]
-
-
-class Column(NamedTuple):
-    """A column of a sweep: its key, what it is, and what files say of it.
-
-    A "number" is a float, a "decimal" has so many `decimals`, each of them certified. `role` tells what it
-    is: what varies, what the command says, or how far a float may lie from the true value.
-    """
-
-    key: str
-    kind: Kind
-    name: str = ""
-    symbol: str = ""
-    unit: str = ""
-    formula: str = ""
-    source: str = ""
-    decimals: int | None = None
-    role: Literal["axis", "value", "bound"] = "value"
-
-
-class Part(NamedTuple):
-    """Rows of a sweep, in order.
-
-    `values` has by key of a column: of numbers an array of floats, NaN where there is nothing; of decimals
-    whole numbers of the last place, of texts texts, in lists with None there. `reasons` tell of the rows that
-    were refused why, by their place in the part.
-    """
-
-    rows: int
-    values: Mapping[str, Any]
-    reasons: Mapping[int, str]
 
 
 @dataclass(frozen=True)
@@ -83,62 +51,67 @@ class Sweep:
     @cached_property
     def each(self) -> int:
         """How many records a point has."""
-        return len(self._first)
+        return len(self._first[1])
 
     @cached_property
     def columns(self) -> tuple[Column, ...]:
-        """The columns: what varies, and what the command says."""
-        own = {axis.option for group in self.plan.groups for axis in group}
-        known = {field.key for field in self._fields}
-        axes = [Column(key, "text", role="axis") for key in sorted(own - known)]
-        return (*axes, *(self._column(field) for field in self._fields))
+        """The columns: what varies, what the command says and, on request, how far floats may be off."""
+        return columns_of(self.plan, *self._first)
 
     def part(self, start: int, stop: int) -> Part:
         """Return the rows from one to another; raise no KurbelError for points that are refused."""
         found: list[Mapping[str, Any]] = []
         reasons: dict[int, str] = {}
-        for row in range(start, stop):
-            point, record = divmod(row, self.each)
+        points = range(start // self.each, -(-stop // self.each))
+        for point in points:
+            begins = point * self.each
+            within = range(max(start, begins) - begins, min(stop, begins + self.each) - begins)
             try:
-                found.append(self._record(point, record))
+                rows = rows_at(self.plan, self.plan.at(point), self._fields, self.each)
             except KurbelError as error:
-                reasons[len(found)] = str(error)
-                found.append(self.plan.at(point))
+                reasons |= {len(found) + place: str(error) for place, _ in enumerate(within)}
+                rows = [{}] * self.each
+            found += [rows[record] for record in within]
+        axes = coordinates(self.plan, np.arange(start, stop) // self.each)
         values = {
-            column.key: _values(column, [row.get(column.key) for row in found]) for column in self.columns
+            column.key: axes[column.option] if column.option else _values(column, found)
+            for column in self.columns
         }
         return Part(len(found), values, reasons)
 
-    def _record(self, point: int, record: int) -> Mapping[str, Any]:
-        asked = self.plan.at(point)
-        rows = list(_records(self._question(point)).rows)
-        return {**asked, **dict(zip([field.key for field in self._fields], rows[record], strict=True))}
-
-    def _question(self, point: int) -> Question:
-        function: Asking[..., Question] = resolve_name(self.plan.command)
-        digits = DECIMALS if self.plan.digits is None else self.plan.digits
-        return function.question(**{**self.plan.given, **self.plan.at(point), "digits": digits})
-
     @cached_property
-    def _first(self) -> Sequence[Any]:
-        return list(_records(self._question(0)).rows)
+    def _first(self) -> tuple[tuple[Field, ...], Sequence[Any]]:
+        return first_of(self.plan)
 
-    @cached_property
+    @property
     def _fields(self) -> tuple[Field, ...]:
-        return _records(self._question(0)).fields
-
-    def _column(self, field: Field) -> Column:
-        kind: Kind = "text" if field.decimals is None else "number"
-        return Column(field.key, kind, field.name, field.symbol, field.unit, decimals=field.decimals)
+        return self._first[0]
 
 
-def _records(question: Question) -> Records:
-    return question.subject.rows(question) if question.subject.rows else records_of(question)
-
-
-def _values(column: Column, found: Sequence[Any]) -> Any:
+def _values(column: Column, rows: Sequence[Mapping[str, Any]]) -> Any:
     if column.kind == "text":
-        return [None if one is None else str(one) for one in found]
+        return [text_of(row.get(column.key)) for row in rows]
     if column.kind == "decimal":
-        return [one.scaled if isinstance(one, Number) else None for one in found]
-    return np.array([one.scaled / 10**one.decimals if isinstance(one, Number) else np.nan for one in found])
+        return [*_decimals(column, rows)]
+    return np.array([*_floats(column, rows)], np.float64)
+
+
+def _decimals(column: Column, rows: Sequence[Mapping[str, Any]]) -> Iterator[int | None]:
+    assert column.decimals is not None
+    for row in rows:
+        number = row.get(column.key)
+        # What is exact may have fewer decimals.
+        yield (
+            number.scaled * 10 ** (column.decimals - number.decimals) if isinstance(number, Number) else None
+        )
+
+
+def _floats(column: Column, rows: Sequence[Mapping[str, Any]]) -> Iterator[float]:
+    bound = column.role == "bound"
+    key = column.key.removesuffix(BOUND) if bound else column.key
+    for row in rows:
+        number = row.get(key)
+        yield double_of(number)[bound] if isinstance(number, Number) else np.nan
+
+
+Floats = NDArray[np.float64]

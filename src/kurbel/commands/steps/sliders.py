@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import product
@@ -10,13 +9,14 @@ from math import prod
 from typing import Any, NamedTuple
 
 from kurbel.commands.options import Parameter, is_given
-from kurbel.errors import NotationError, ProblemError
-from kurbel.exact.numerals import Label, finite_decimals, ratio_text
+from kurbel.commands.steps.several import figures, is_measured, parted, values_of
+from kurbel.errors import ProblemError
+from kurbel.exact.numerals import Label, ratio_text
 from kurbel.page.build import MOST_CELLS
 from kurbel.page.quantity import Words, words
 from kurbel.page.steps import Slider
 from kurbel.reading.given import as_ratios
-from kurbel.reading.notation import check_length, number, plain, progression, quoted
+from kurbel.reading.notation import check_length, number
 
 # Two hundred pages of the usual size are some seconds and about half a megabyte.
 MOST_STEPS = 1000
@@ -44,9 +44,6 @@ WORDS: Mapping[str, Words] = {
     "acceleration": words("Winkelbeschleunigung der Kurbel|Angular acceleration of the crank"),
     "flywheel": words("Schwungrad|Flywheel"),
 }
-
-
-_MEASURE = re.compile(r"([-−+]?[\d.,]+(?:/\d+)?)\s*(.*)")
 
 
 class Choice(NamedTuple):
@@ -86,7 +83,7 @@ def usual_ratios(own: Sequence[Fraction], turns: Callable[[Fraction], bool]) -> 
 def usual_cut_offs(own: Sequence[Fraction]) -> Choice:
     """Return the expansion ratios of a page of which nothing is said, its own one among them."""
     numbers = own if len(own) > 1 else sorted({*own, *CUT_OFFS})
-    texts = tuple(map(_figures, numbers))
+    texts = tuple(map(figures, numbers))
     return Choice("eps", texts, tuple(map(_written, texts)), numbers.index(own[0]))
 
 
@@ -129,45 +126,15 @@ def _choice(name: str, known: Mapping[str, Parameter], given: Any) -> Choice | N
     if known[name].option.many and not (name == "eps" and "angle" in known):
         return None
     texts = [str(one) for one in given] if isinstance(given, list | tuple) else [str(given)]
-    parts = [part.strip() for text in texts for part in text.split(";")]
-    if len(parts) > 1 and not all(parts):
-        raise NotationError(f"{name} {quoted(';'.join(texts))} has an empty place; write a list as 2;3;4")
-    values = [one for part in parts for one in (_range(part, name) if ".." in part else [part])]
-    found = tuple(dict.fromkeys(values))
-    return Choice(name, found, tuple(map(_written, found))) if len(found) > 1 else None
-
-
-def _range(text: str, name: str) -> list[str]:
-    """Return the values of a range, whose unit may stand at each of its parts or once: 100..140:20/min."""
-    match = re.fullmatch(r"(.+?)\.\.([^:]+)(?::(.+))?", text)
-    if match is None:
-        raise NotationError(f"{name} {quoted(text)} is not a range; write it as 2..6 or 2..6:0.5")
-    parts = [_parted(part) for part in match.groups("1")]
-    units = dict.fromkeys(unit for _, unit in parts if unit)
-    if len(units) > 1:
-        raise NotationError(
-            f"{name} {quoted(text)} has the units {' and '.join(units)}; give its ends and its step in one"
-        )
-    first, last, step = (number(figures, name) for figures, _ in parts)
-    values = progression(first, last, step, name)
-    check_length(len(values), MOST_STEPS, f"steps of --{name}")
-    return [f"{_figures(value)}{next(iter(units), '')}" for value in values]
-
-
-def _parted(text: str) -> tuple[str, str]:
-    """Return the figures of a value, and its unit; what has no figures is all figures."""
-    match = _MEASURE.fullmatch(text.strip())
-    return (match[1], match[2]) if match else (text, "")
-
-
-def _figures(value: Fraction) -> str:
-    return str(value) if finite_decimals(value) is None else plain(value)
+    found = values_of(name, texts)
+    check_length(len(found), MOST_STEPS, f"steps of --{name}")
+    return Choice(name, tuple(found), tuple(map(_written, found))) if len(found) > 1 else None
 
 
 def _written(text: str) -> Label:
     """Return a value as pages write it: a number, and the unit as it was given."""
-    figures, unit = _parted(text)
-    if not _MEASURE.fullmatch(text):
+    shown, unit = parted(text)
+    if not is_measured(text):
         return text.replace("$", "")
     space = " " if unit and not unit.startswith(("/", "°")) else ""
-    return f"${_figures(number(figures))}${space}{unit.replace('$', '')}"
+    return f"${figures(number(shown))}${space}{unit.replace('$', '')}"

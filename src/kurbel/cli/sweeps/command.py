@@ -1,0 +1,104 @@
+"""One command as a sweep: its options with their several values become a plan, and that a file."""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import click
+from click.core import augment_usage_errors
+
+from kurbel.cli import say
+from kurbel.cli.options import RIVALS, Given, help_of, resolved_values
+from kurbel.cli.sweeps.options import own_options, sweep_options
+from kurbel.commands.options import is_given
+from kurbel.commands.subject import SPELLED, Command
+from kurbel.errors import KurbelError
+
+if TYPE_CHECKING:
+    from kurbel.sweeps.plan import Plan
+
+# Where a context keeps the options in the order in which they were typed.
+ORDER = "kurbel.cli.sweeps"
+
+
+class SweepCommand(click.Command):
+    """The sweep of a command, which lies at a place."""
+
+    def __init__(self, name: str, place: str, command: Command) -> None:
+        super().__init__(name, params=[*own_options(command), *sweep_options()], help=help_of(command.ask))
+        self.place, self.asking = place, command
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        ctx.allow_extra_args = True
+        if not ctx.resilient_parsing:
+            *_, order = self.make_parser(ctx).parse_args(args=[*args])
+            ctx.meta[ORDER] = [one.name for one in order]
+        left = super().parse_args(ctx, [*args])
+        if left and not ctx.resilient_parsing:
+            from kurbel.cli.astray import stray
+
+            raise click.UsageError(stray(left[0], self, args), ctx)
+        return left
+
+    def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        from kurbel.cli.manual.help import write_options
+
+        write_options(self, ctx, formatter)
+
+    def format_help_text(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        from kurbel.cli.manual.help import write_text
+
+        write_text(self.help or "", formatter)
+
+    def invoke(self, ctx: click.Context) -> int:
+        with augment_usage_errors(ctx):
+            return self.run(Given(ctx), ctx.meta[ORDER])
+
+    def run(self, given: Given, order: Sequence[str]) -> int:
+        """Write the file, and return the exit code."""
+        from kurbel.sweeps.rows import Sweep
+        from kurbel.sweeps.run import run
+
+        outcome = run(Sweep(self.plan(given, order)), given.values["output"])
+        say(f"{given.values['output']}: {outcome.rows} rows")
+        return 0
+
+    def plan(self, given: Given, order: Sequence[str]) -> Plan:
+        """Return the plan that the options make. Raises KurbelError."""
+        from kurbel.sweeps.asked import planned
+
+        values = given.values
+        linked = [text.replace("-", "_").replace(";", ",").split(",") for text in values["zip_"]]
+        told = self.told(given, order)
+        return planned(
+            self.place,
+            told,
+            linked=[[name.strip() for name in names] for names in linked],
+            defaults=[name for name in told if not given.typed(name)],
+            digits=values["digits"],
+            bounds=values["bounds"],
+        )
+
+    def told(self, given: Given, order: Sequence[str]) -> dict[str, Any]:
+        """Return the options that say something by what they are given, in the order of the command line;
+        behind them those whose values come from elsewhere, without what others outdo."""
+        from kurbel.sweeps.asked import values_of
+
+        own = {one.name: one for one in self.asking.parameters.values()}
+        said = {name: value for name, value in given.values.items() if name in own and is_given(value)}
+        left = self._left(given, {name: values_of(own[name], value)[0] for name, value in said.items()})
+        names = [*dict.fromkeys(name for name in order if name in said), *said]
+        return {name: said[name] for name in dict.fromkeys(names) if name in left}
+
+    def _left(self, given: Given, first: dict[str, Any]) -> set[str]:
+        """Return the names of the options that are not outdone by others."""
+        trial = copy.copy(given)
+        trial.values, trial.sources = {**given.values, **first}, dict(given.sources)
+        try:
+            values = resolved_values(self.asking, trial, RIVALS.get(self.name or "", ()))
+        except KurbelError:
+            # What is refused everywhere is refused at the first combination, too.
+            return set(first)
+        return {name for name in first if name in SPELLED or is_given(values.get(name))}

@@ -1,0 +1,117 @@
+"""From options with their values to a plan: what varies, in which order, and what is the same everywhere."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import replace
+from math import prod
+from typing import Any
+
+from kurbel.commands.options import TEXT, Parameter, is_given
+from kurbel.commands.steps.several import is_whole, several
+from kurbel.errors import KurbelError, NotationError, ProblemError
+from kurbel.page.axes import AngleAxis, shifted
+from kurbel.page.subject import Question
+from kurbel.reading.given import meant
+from kurbel.sweeps.general import DECIMALS, tried
+from kurbel.sweeps.measures import is_readable
+from kurbel.sweeps.plan import MOST_ROWS, Axis, Plan
+
+RUN = ("from", "to", "step")
+# Longer lists are not tried one by one.
+MOST_TRIED = 1000
+
+
+def values_of(parameter: Parameter, given: Any) -> Sequence[Any]:
+    """Return the values that an option was given, each as the command takes it. Raises NotationError."""
+    if isinstance(given, bool) or not is_given(given):
+        return (given,)
+    if is_whole(parameter) and parameter.option.many:
+        return (given,)
+    found = several(parameter, given if isinstance(given, list | tuple) else [given])
+    if parameter.option.kind is TEXT and not is_whole(parameter) and isinstance(found, tuple):
+        for one in found if len(found) > 1 else ():
+            if isinstance(one, str) and not is_readable(parameter, one):
+                raise NotationError(
+                    f'{parameter.name} "{one[:40]}" is no number; give numbers, with their unit where they'
+                    " have one"
+                )
+    return found
+
+
+def planned(
+    command: str,
+    options: Mapping[str, Any],
+    *,
+    linked: Iterable[Collection[str]] = (),
+    defaults: Collection[str] = (),
+    digits: int | None = None,
+    bounds: bool = False,
+) -> Plan:
+    """Return the plan of a command, found at this place, by the values of its options in their order.
+
+    An option with several values varies; those that are `linked` vary together. Raises KurbelError.
+    """
+    first = Plan(command, {}, (), digits, bounds, tuple(defaults))
+    known = {one.name: one for one in first.asking.parameters.values()}
+    values = {name: values_of(known[name], given) for name, given in options.items()}
+    axes = [Axis(name, found) for name, found in values.items() if len(found) > 1]
+    given = {name: found[0] for name, found in values.items() if len(found) == 1}
+    groups = _grouped(axes, linked)
+    plan = replace(first, given=given, groups=groups)
+    if "angle" in known and "angle" not in {axis.option for axis in axes}:
+        plan = _with_angles(plan, [*options])
+    _check_size(plan)
+    return plan
+
+
+def _grouped(axes: Sequence[Axis], linked: Iterable[Collection[str]]) -> tuple[tuple[Axis, ...], ...]:
+    """Return the groups of axes in their order, a group where its first axis stands."""
+    by_name = {axis.option: axis for axis in axes}
+    groups: dict[str, tuple[Axis, ...]] = {axis.option: (axis,) for axis in axes}
+    for names in linked:
+        found = [meant(name, by_name, "option with several values") for name in names]
+        sizes = {name: len(by_name[name].values) for name in found}
+        if len({*sizes.values()}) > 1:
+            said = ", ".join(f"{size} of --{name.replace('_', '-')}" for name, size in sizes.items())
+            raise ProblemError(f"linked options go through their values together, and there are {said}")
+        if any(len(groups.get(name, ())) != 1 for name in found) or len({*found}) != len(found):
+            raise ProblemError("an option is linked twice; name each once")
+        order = [name for name in by_name if name in found]
+        groups[order[0]] = tuple(by_name[name] for name in order)
+        for name in order[1:]:
+            del groups[name]
+    return tuple(groups.values())
+
+
+def _with_angles(plan: Plan, order: Sequence[str]) -> Plan:
+    """Return the plan with the crank angles of the command's page as an axis, where it has such."""
+    question = _first(plan)
+    if question is None or not any(isinstance(axis, AngleAxis) for axis in question.axes.values()):
+        return plan
+    angles: Any = getattr(question, "angles", ())
+    axis = Axis("angle", shifted(angles, -question.zero))
+    given = {name: value for name, value in plan.given.items() if name not in (*RUN, "angle")}
+    typed = [order.index(name) for name in RUN if name in order]
+    before = [group for group in plan.groups if typed and order.index(group[0].option) < min(typed)]
+    place = len(before) if typed else len(plan.groups)
+    return replace(plan, given=given, groups=(*plan.groups[:place], (axis,), *plan.groups[place:]))
+
+
+def _first(plan: Plan) -> Question | None:
+    """Return what is asked at the first combination that is not refused, of those that are tried."""
+    for point in tried(plan):
+        try:
+            return plan.question(plan.at(point), DECIMALS)
+        except KurbelError:
+            continue
+    return None
+
+
+def _check_size(plan: Plan) -> None:
+    if (count := prod(plan.sizes)) > MOST_ROWS:
+        said = " x ".join(f"{len(group[0].values)} of --{group[0].option}" for group in plan.groups)
+        raise ProblemError(
+            f"the sweep would have {count} rows ({said}), and at most 10^12 are computed; give wider steps,"
+            " or divide it"
+        )

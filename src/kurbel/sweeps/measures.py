@@ -1,0 +1,106 @@
+"""What the values of an axis are as floats, and in which unit: the coordinates of a file."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from math import pi
+from typing import Any
+
+from kurbel.commands.options import TEXT, Parameter
+from kurbel.commands.steps.several import Written, parted
+from kurbel.errors import KurbelError
+from kurbel.reading import notation, units
+from kurbel.reading.given import as_fraction, as_share
+from kurbel.reading.notation import Progression
+from kurbel.reading.unit_text import plain_unit
+
+# Units of the SI by what pint calls their dimension.
+SI: Mapping[str, str] = {
+    "[length]": "m",
+    "[length]/[time]": "m/s",
+    "[length]/[time]**2": "m/s²",
+    "[power]": "W",
+    "[mass]": "kg",
+    "[mass]*[length]**2": "kg m²",
+    "[force]": "N",
+    "[energy]": "J",
+    "[length]**3/[mass]": "m³/kg",
+    "[time]": "s",
+    "[pressure]": "Pa",
+    "[mass]/[length]**3": "kg/m³",
+    "[force]/[length]": "J/m²",
+    "[length]**2": "m²",
+}
+TURNS = "1/s"
+
+
+def measured(parameter: Parameter, values: Sequence[Any]) -> tuple[Sequence[Any], float, str] | None:
+    """Return numbers, what they are to be multiplied by and their unit, nothing for what are no numbers.
+
+    Of a range the numbers are never written out.
+    """
+    if parameter.option.kind is not TEXT:
+        return None
+    if isinstance(values, Progression):
+        return values, 1.0, _own(parameter)
+    if isinstance(values, Written):
+        factor, unit = _factor(values.unit, parameter)
+        return (values.numbers, factor, unit) if factor else None
+    found = [_value(parameter, one) for one in values]
+    known = {one[1] for one in found if one is not None}
+    if None in found or len(known) != 1:
+        return None
+    return [one[0] for one in found if one is not None], 1.0, known.pop()
+
+
+def _value(parameter: Parameter, given: Any) -> tuple[float, str] | None:
+    if isinstance(given, bool):
+        return None
+    if not isinstance(given, str):
+        return float(as_fraction(given)), _own(parameter)
+    try:
+        if parameter.option.unit == "degrees":
+            return float(notation.angle(given)), "°"
+        if ":" in given or "∶" in given:
+            return float(notation.ratio(given)), ""
+        if given.strip().endswith("%"):
+            return float(as_share(given)), ""
+        if not units.is_measure(given):
+            return float(notation.number(given)), _own(parameter)
+        shown, unit = units.split(given)
+        factor, si = _factor(unit, parameter)
+        return (float(shown * Fraction(factor)), si) if factor else None
+    except KurbelError:
+        return None
+
+
+def _own(parameter: Parameter) -> str:
+    """Return the unit of a bare number."""
+    return {"degrees": "°", "turns a second": TURNS}.get(parameter.option.unit, parameter.option.unit)
+
+
+def _factor(unit: str, parameter: Parameter) -> tuple[Any, str]:
+    """Return what the unit is in that of the SI, and this one; 0 for one that is not known."""
+    if not unit:
+        return 1, _own(parameter)
+    if unit == "%":
+        return Fraction(1, 100), ""
+    if unit == "°":
+        return 1, "°"
+    plain = plain_unit(unit) or unit
+    if plain in units.TURNS:
+        return units.TURNS[plain], TURNS
+    if plain == units.RADIANS:
+        return 1 / (2 * pi), TURNS
+    if plain == f"{units.RADIANS}/s":
+        return 1, "rad/s²"
+    for dimension, known in units.KNOWN.items():
+        if plain in known and dimension in SI:
+            return known[plain], SI[dimension]
+    return 0, ""
+
+
+def is_readable(parameter: Parameter, text: str) -> bool:
+    """Whether a text that is to be a number may be one: it begins with figures."""
+    return parted(text)[0] != text or _value(parameter, text) is not None
