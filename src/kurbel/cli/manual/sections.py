@@ -49,7 +49,6 @@ SECTIONS: Mapping[str, str] = {
     "Pressures and friction": "head_pressure crank_pressure pressure_difference piston_rod tail_rod friction"
     " pin_friction crosshead_pin crank_pin shaft",
     PAGE: "lang layout columns units decimal digits rounding caption note source label layouts width height",
-    "The sweep": "zip_ bounds strict",
     "The output": "output format interactive standalone longtable siunitx excel text help",
 }
 # The section that a command begins with, where it is not the first of these.
@@ -67,9 +66,15 @@ LEADING: Mapping[str, str] = {
 def sections(command: click.Command) -> Iterator[tuple[str, Sequence[click.Option]]]:
     """Yield the heads of a command's help with the options below them."""
     options = {_name(one): one for one in command.get_params(click.Context(command)) if _is_option(one)}
+    own: Mapping[str, str] = getattr(command, "sections", {})
+    further = {one for listed in own.values() for one in listed.split()}
     for title in sorted(SECTIONS, key=lambda one: one != LEADING.get(command.name or "")):
-        if found := [options[name] for name in names(title, command.name or "") if name in options]:
+        listed = [name for name in names(title, command.name or "") if name not in further]
+        listed += own.get(title, "").split()
+        if found := [options[name] for name in listed if name in options]:
             yield title, found
+    for title in set(own).difference(SECTIONS):
+        yield title, [options[name] for name in own[title].split()]
 
 
 def _is_option(one: click.Parameter) -> TypeGuard[click.Option]:

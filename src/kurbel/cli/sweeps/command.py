@@ -19,12 +19,16 @@ from kurbel.errors import KurbelError
 if TYPE_CHECKING:
     from kurbel.sweeps.plan import Plan
 
+# The heads of the help below which the options of sweeps stand.
+SECTIONS = {"The sweep": "zip_ digits bounds strict", "The output": "output format help"}
 # Where a context keeps the options in the order in which they were typed.
 ORDER = "kurbel.cli.sweeps"
 
 
 class SweepCommand(click.Command):
     """The sweep of a command, which lies at a place."""
+
+    sections = SECTIONS
 
     def __init__(self, name: str, place: str, command: Command) -> None:
         super().__init__(name, params=[*own_options(command), *sweep_options()], help=help_of(command.ask))
