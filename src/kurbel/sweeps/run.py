@@ -169,13 +169,15 @@ def _telling(work: Work) -> Iterator[None]:
         if work.is_empty():
             raise
         raise StoppedError(f"stopped; {_kept(work)}") from None
+    except BrokenPipeError:
+        raise
     except OSError as error:
         said = f"cannot write {error.filename or work.path}: {error.strerror or error}"
         raise OutputError(said if work.is_empty() else f"{said}; {_kept(work)}") from error
     except FailedError as error:
         if work.is_empty():
             raise
-        raise type(error)(f"{error}; {_kept(work)}") from error
+        raise FailedError(f"{error}; {_kept(work)}") from error
 
 
 def _kept(work: Work) -> str:

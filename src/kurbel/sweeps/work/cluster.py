@@ -147,8 +147,7 @@ def connected(scheduler: str) -> Client:
         raise missing_library()
     from distributed import Client
 
-    # Of what it has to say about connections the sentences here say what matters.
-    logging.getLogger("distributed").setLevel(logging.CRITICAL + 1)
+    _quiet()
     where: dict[str, Any] = {"scheduler_file": scheduler} if by_file else {"address": scheduler}
     try:
         # Other versions are refused, and not warned of.
@@ -158,6 +157,13 @@ def connected(scheduler: str) -> Client:
         raise FailedError(
             f"no scheduler answered at {scheduler} within {PATIENCE} s; start one by: dask scheduler"
         ) from error
+
+
+def _quiet() -> None:
+    """Keep dask's log from the terminal: of connections that end, the sentences here say what matters."""
+    for name in logging.root.manager.loggerDict:
+        if name.partition(".")[0] == "distributed":
+            logging.getLogger(name).setLevel(logging.CRITICAL + 1)
 
 
 def missing_library() -> MissingExtraError:

@@ -85,10 +85,12 @@ def working(
     work = Work(path, identity, word)
     try:
         _begin(work, identity, resume, restart)
-        yield work
+        try:
+            yield work
+        finally:
+            if work.is_empty():
+                work.remove()
     finally:
-        if work.is_empty():
-            work.remove()
         _released(handle, path)
 
 
