@@ -119,6 +119,12 @@ def test_only_drawings_know_matplotlib() -> None:
     assert all(name == "kurbel" or name.startswith(("kurbel.plot.", *above)) for name in knowing)
 
 
+def test_only_fast_loops_know_numba() -> None:
+    names = {name for name, path in MODULES.items() if '"numba"' in path.read_text(encoding="utf-8")}
+    assert not importers("numba")
+    assert names == {"kurbel.kernel.fast.loops", "kurbel.kernel.fast.worth"}
+
+
 def test_only_pdf_knows_its_compiler() -> None:
     assert importers("typst") == {"kurbel.formats.pdf.by_typst"}
     assert "typst" not in {one.split(".")[0] for one in at_import("kurbel.formats.pdf.by_typst")}
@@ -174,6 +180,7 @@ ARRAYS = {
     "kurbel.formats.columns",
     "kurbel.kernel.half_tangent",
     "kurbel.kernel.irregularity",
+    "kurbel.motion.arrays",
 }
 
 
@@ -284,4 +291,4 @@ def test_a_page_is_made_without_numpy(formats: tuple[str, ...], by_templates: bo
 def test_a_long_table_takes_numpy_but_neither_jinja_nor_scipy() -> None:
     names = loaded(RUN, "table", "--ratio", "1:5", "-f", "csv", "--step", "0.001", "--to", "90")
     assert "numpy" in names
-    assert not names & {"jinja2", "scipy", "matplotlib"}
+    assert not names & {"jinja2", "scipy", "matplotlib", "numba"}

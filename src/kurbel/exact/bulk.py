@@ -10,7 +10,7 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from kurbel.kernel.circle import Circle, circle
+from kurbel.kernel.circle import circle
 
 Integers: TypeAlias = NDArray[np.int64]
 
@@ -33,37 +33,63 @@ class OfDegrees(NamedTuple):
     of: Callable[[NDArray[np.float64]], Any]
 
 
-Column = Callable[[Circle[Any]], Any]
+# Loops of numba hold no intermediate columns; with blocks of 65536 threads wait for each other (8 % slower).
+LONG_BLOCK = 1 << 18
+
+Column = Callable[..., Any]
 
 
-def evaluate(functions: Sequence[Column | OfDegrees], angles: NDArray[np.float64]) -> NDArray[np.float64]:
+def evaluate(
+    functions: Sequence[Column | OfDegrees],
+    angles: NDArray[np.float64],
+    *others: NDArray[np.float64],
+    fast: bool | None = None,
+) -> NDArray[np.float64]:
     """Return one row a function, one column an angle in degrees: shape (len(functions), len(angles)).
 
-    Each function maps the circle of a block of angles, or the angles, to an array (or to one number for all
-    of them).
-    Besides them only a block a core is held in memory. The bits do not depend on the number of cores.
+    Each function maps the circle of a block of angles, and the same block of each of the others, or the
+    angles, to an array (or to one number for all of them).
+    Besides them only a block a core is held in memory. The bits depend neither on the number of cores nor on
+    `fast`: whether numba computes, where it is installed; None leaves that to `kernel/fast/worth.py`.
     """
+    from kurbel.kernel.fast.worth import chosen
+
     out = np.empty((len(functions), len(angles)))
-
-    def fill(block: slice) -> None:
-        point = circle(angles[block])
-        for row, function in zip(out, functions, strict=True):
-            if isinstance(function, OfDegrees):
-                row[block] = function.of(angles[block])
-            else:
-                row[block] = function(point)
-
-    in_blocks(fill, len(angles))
+    plain = [None if isinstance(one, OfDegrees) else one for one in functions]
+    loop = chosen(plain, len(others), out.size, fast)
+    done = [] if loop is None else loop[1]
+    if loop is not None:
+        run, inputs = loop[0], [np.require(one, np.float64, ["C", "A"]) for one in (angles, *others)]
+        arrays = [*inputs, *(out[row] for row in done)]
+        in_blocks(lambda block: run(*(one[block] for one in arrays)), len(angles), LONG_BLOCK)
+    rows = [(one, out[row]) for row, one in enumerate(functions) if row not in done]
+    if rows:
+        in_blocks(lambda block: _fill(rows, block, angles, others), len(angles))
     return out
 
 
-def in_blocks(fill: Callable[[slice], None], size: int) -> None:
+def _fill(
+    rows: Sequence[tuple[Column | OfDegrees, NDArray[np.float64]]],
+    block: slice,
+    angles: NDArray[np.float64],
+    others: Sequence[NDArray[np.float64]],
+) -> None:
+    point, more = None, [one[block] for one in others]
+    for function, row in rows:
+        if isinstance(function, OfDegrees):
+            row[block] = function.of(angles[block])
+        else:
+            point = circle(angles[block]) if point is None else point
+            row[block] = function(point, *more)
+
+
+def in_blocks(fill: Callable[[slice], None], size: int, each: int = BLOCK) -> None:
     """Call the function with each block of so many places, on all cores; the first exception is raised."""
     # glibc returns an intermediate column to the system as soon as it is freed, and the next one is mapped
     # and cleared page by page: two thirds of the time. Having freed one large array, which is never
     # touched, it keeps what is smaller (mallopt(3), M_MMAP_THRESHOLD). Elsewhere this does nothing.
     np.empty(LARGEST_KEPT, np.uint8)
-    blocks = [slice(start, start + BLOCK) for start in range(0, size, BLOCK)]
+    blocks = [slice(start, start + each) for start in range(0, size, each)]
     workers = min(cores(), len(blocks))
     if workers < 2:
         for block in blocks:

@@ -1,0 +1,80 @@
+"""Loops that numba compiles: the same bits as the functions on arrays, without the arrays in between."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from functools import cache, lru_cache
+from importlib import import_module
+from importlib.util import find_spec
+from types import FunctionType
+from typing import Any
+
+from kurbel.kernel.fast.written import Written, written
+
+# Older ones know no NumPy 2.
+OLDEST = (0, 61)
+
+
+def loop(functions: Sequence[Callable[..., Any]], others: int = 0) -> Callable[..., None]:
+    """Return what fills a row with each function, at arrays of angles in degrees and of so many others.
+
+    It takes these arrays and then the rows, all of them contiguous float64 arrays of one size. It holds no
+    lock while it runs and has no threads of its own. Needs numba; raises UntraceableError.
+    """
+    import numpy as np
+
+    text = written(functions, others)
+    constants, run = np.array(text.constants), compiled(text._replace(constants=()))
+
+    def fill(*arrays: Any) -> None:
+        run(constants, *arrays)
+
+    return fill
+
+
+@cache
+def installed() -> bool:
+    """Whether there is a numba that works, which is asked without loading it only if there is none."""
+    if find_spec("numba") is None:
+        return False
+    try:
+        return bool(_numba().version_info.short >= OLDEST)
+    except (ImportError, OSError):
+        # It refuses a NumPy that it does not know, and its compiler is a shared library.
+        return False
+
+
+def _numba() -> Any:
+    return import_module("numba")
+
+
+@lru_cache(maxsize=256)
+def compiled(text: Written) -> Callable[..., None]:
+    """Return the loop as machine code, from numba's cache on disk if it is there."""
+    numba = _numba()
+    read, filled = (numba.types.Array(numba.float64, 1, "C", readonly=one) for one in (True, False))
+    signature = numba.void(read, *[read] * text.reads, *[filled] * text.fills)
+    # No fastmath: each operation is done as NumPy does it.
+    options: dict[str, Any] = {"nogil": True, "error_model": "numpy"}
+    try:
+        found = numba.njit(signature, cache=True, **options)(_function(text))
+    except (RuntimeError, OSError):
+        # There is no place for the cache, or no room in it.
+        found = numba.njit(signature, **options)(_function(text))
+    return found  # type: ignore[no-any-return]
+
+
+def _function(text: Written) -> FunctionType:
+    import numpy as np
+
+    # numba caches by file and name: this file stands for the lines, and the name has all of them in it.
+    names: dict[str, Any] = {
+        "sqrt": math.sqrt,
+        "int64": np.int64,
+        "float64": np.float64,
+        "__name__": __name__,
+    }
+    exec(compile(text.text, __file__, "exec"), names)
+    function: FunctionType = names[text.name]
+    return function

@@ -1,0 +1,142 @@
+"""Numbers that are not known yet: a formula run on them writes itself down, one operation a line."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from kurbel.errors import KurbelError
+
+
+class UntraceableError(KurbelError):
+    """The formula asks for more than arithmetic: what a number is decides what happens next."""
+
+
+class Tape:
+    """The lines of a formula, each operation once, and the floats that it was given.
+
+    These are its `constants`, by their place: formulas that differ by nothing else are the same lines.
+    """
+
+    def __init__(self) -> None:
+        self.lines: list[str] = []
+        self.constants: list[float] = []
+        self._written: dict[str, str] = {}
+        self._places: dict[str, int] = {}
+        self._is_law = False
+
+    @contextmanager
+    def law(self) -> Iterator[None]:
+        """Within it floats are numbers that never change, and stand in the lines themselves."""
+        before, self._is_law = self._is_law, True
+        yield
+        self._is_law = before
+
+    def input(self, name: str) -> Traced:
+        """Return a number that the reader of the lines knows by this name."""
+        return Traced(self, name)
+
+    def number(self, expression: str) -> Traced:
+        """Return the number that an expression gives."""
+        if expression not in self._written:
+            name = f"v{len(self.lines)}"
+            self.lines.append(f"{name} = {expression}")
+            self._written[expression] = name
+        return Traced(self, self._written[expression])
+
+    def name(self, number: Any) -> str:
+        """Return what stands in a line for a number of any kind: whole numbers themselves."""
+        if isinstance(number, Traced):
+            return number.name
+        if isinstance(number, int):
+            return repr(float(number))
+        if not isinstance(number, float):
+            raise UntraceableError(f"a {type(number).__name__} is no number of a traced formula")
+        if self._is_law:
+            return repr(float(number))
+        # A comparison tells neither 0.0 from -0.0 nor NaN from NaN.
+        place = self._places.setdefault(float(number).hex(), len(self.constants))
+        if place == len(self.constants):
+            self.constants.append(float(number))
+        return f"k{place}"
+
+
+class Traced:
+    """A number by its name on the tape. It has arithmetic and nothing else: no size, no sign, no truth."""
+
+    __slots__ = ("name", "tape")
+
+    def __init__(self, tape: Tape, name: str) -> None:
+        self.tape = tape
+        self.name = name
+
+    def _of(self, left: Any, sign: str, right: Any) -> Traced:
+        name = self.tape.name
+        return self.tape.number(f"{name(left)} {sign} {name(right)}")
+
+    def __add__(self, other: Any) -> Traced:
+        return self._of(self, "+", other)
+
+    def __radd__(self, other: Any) -> Traced:
+        return self._of(other, "+", self)
+
+    def __sub__(self, other: Any) -> Traced:
+        return self._of(self, "-", other)
+
+    def __rsub__(self, other: Any) -> Traced:
+        return self._of(other, "-", self)
+
+    def __mul__(self, other: Any) -> Traced:
+        return self._of(self, "*", other)
+
+    def __rmul__(self, other: Any) -> Traced:
+        return self._of(other, "*", self)
+
+    def __truediv__(self, other: Any) -> Traced:
+        return self._of(self, "/", other)
+
+    def __rtruediv__(self, other: Any) -> Traced:
+        return self._of(other, "/", self)
+
+    def __neg__(self) -> Traced:
+        return self.tape.number(f"-{self.name}")
+
+    def __pow__(self, power: Any) -> Traced:
+        # What NumPy makes of these powers, to the bit.
+        if power == 2:
+            return self * self
+        if power == 0.5:
+            return self.tape.number(f"sqrt({self.name})")
+        raise UntraceableError(f"the power {power} is not traced")
+
+    def unrounded(self, parts: Callable[[Traced], Any]) -> Any:
+        """Return what `circle` does of an angle in degrees, without asking in which quarter it lies."""
+        from kurbel.kernel.fast.quarter import unrounded
+
+        return unrounded(self, parts)
+
+    def __array_ufunc__(self, ufunc: Any, method: str, *numbers: Any, **options: Any) -> Any:
+        done = _UFUNCS.get(ufunc.__name__)
+        if method != "__call__" or options or done is None:
+            raise UntraceableError(f"{ufunc.__name__} is not traced")
+        return done(*(number.item() if hasattr(number, "item") else number for number in numbers))
+
+    def _refuse(self, *_: Any, **__: Any) -> Any:
+        raise UntraceableError("a traced number is not known yet")
+
+    __array__ = __array_function__ = __bool__ = __float__ = __int__ = __index__ = __abs__ = _refuse
+    __eq__ = __ne__ = __lt__ = __le__ = __gt__ = __ge__ = _refuse
+    __len__ = __iter__ = __getitem__ = __hash__ = __round__ = __floordiv__ = __mod__ = _refuse
+
+
+# What a float of NumPy's own does with a traced number.
+_UFUNCS: dict[str, Callable[..., Any]] = {
+    "add": lambda one, other: one + other,
+    "subtract": lambda one, other: one - other,
+    "multiply": lambda one, other: one * other,
+    "divide": lambda one, other: one / other,
+    "negative": lambda one: -one,
+    "square": lambda one: one * one,
+    "sqrt": lambda one: one**0.5,
+}
