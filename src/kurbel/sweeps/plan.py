@@ -100,4 +100,5 @@ class Plan:
 
     @cached_property
     def _everywhere(self) -> Mapping[str, Any]:
-        return {**self._unsaid, **dict.fromkeys(SPELLED), **self.given}
+        # Files are in the language of --lang, else in English.
+        return {**self._unsaid, "lang": "en", **dict.fromkeys(SPELLED), **self.given}

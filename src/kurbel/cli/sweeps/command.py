@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import click
-from click.core import augment_usage_errors
+from click.core import ParameterSource, augment_usage_errors
 
 from kurbel.cli import say
 from kurbel.cli.options import RIVALS, Given, help_of, resolved_values
@@ -92,6 +92,9 @@ class SweepCommand(click.Command):
 
         own = {one.name: one for one in self.asking.parameters.values()}
         said = {name: value for name, value in given.values.items() if name in own and is_given(value)}
+        if given.sources["lang"] is ParameterSource.DEFAULT:
+            # Files are in English unless somebody asks for another language.
+            del said["lang"]
         left = self._left(given, {name: values_of(own[name], value)[0] for name, value in said.items()})
         names = [*dict.fromkeys(name for name in order if name in said), *said]
         return {name: said[name] for name in dict.fromkeys(names) if name in left}

@@ -2,26 +2,153 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import kurbel
+from kurbel.commands.steps.several import Written
+from kurbel.errors import KurbelError
+from kurbel.exact.numerals import exact_text
 from kurbel.page.labels import plain
+from kurbel.page.quantity import Quantity
+from kurbel.page.subject import Question
+from kurbel.page.table import Note
+from kurbel.reading.notation import Progression
+from kurbel.sweeps.general import tried
+from kurbel.sweeps.plan import Plan
 from kurbel.sweeps.rows import Column, Sweep
 
-
-def about(sweep: Sweep) -> dict[str, Any]:
-    """Return what is said of the whole file."""
-    return {"kurbel": kurbel.__version__, "inputs": {"command": sweep.plan.command}}
+BOUND = "the true value lies at most so far from {}"
+DECIMALS = "each digit is certified: the exact value, correctly rounded to {} decimals"
 
 
-def about_column(column: Column) -> dict[str, str]:
-    """Return what is said of a column, as plain text; what there is nothing to say of is left out."""
-    said = {
-        "name": column.name,
-        "symbol": plain(column.symbol),
-        "unit": plain(column.unit),
-        "formula": column.formula,
-        "source": column.source,
-        "role": column.role,
-    }
-    return {name: text for name, text in said.items() if text}
+@dataclass(frozen=True)
+class About:
+    """What is known of a sweep: `questions` are those of two combinations, or of one.
+
+    What they both say holds everywhere.
+    """
+
+    sweep: Sweep
+    questions: tuple[Question, ...]
+
+    @classmethod
+    def of(cls, sweep: Sweep) -> About:
+        found = _questions(sweep.plan)
+        return cls(sweep, (*found[:1], *found[1:][-1:]))
+
+    def file(self) -> dict[str, Any]:
+        """Return what is said of the whole file."""
+        said = {
+            "title": self.title,
+            "kurbel": kurbel.__version__,
+            "source": self._common(lambda one: [one.origin]),
+            "notes": self._common(_notes),
+            "inputs": self.inputs(),
+        }
+        return {name: value for name, value in said.items() if value}
+
+    @property
+    def command(self) -> str:
+        """The command that prints pages of this."""
+        return self.questions[0].subject.command.split()[0]
+
+    @property
+    def title(self) -> str:
+        names = dict.fromkeys(one.name or one.key for one in self.sweep.columns if one.role == "value")
+        axes = [one.key for one in self.sweep.columns if one.role == "axis"]
+        return f"{', '.join(names)} over {', '.join(axes)}"
+
+    def inputs(self) -> dict[str, Any]:
+        """Return the exact inputs as they can be typed again."""
+        plan = self.sweep.plan
+        unsaid = {one.name: one.default for one in plan.asking.parameters.values()}
+        given = {name: _text(value) for name, value in plan.given.items() if value != unsaid[name]}
+        axes = [{axis.option: _text(axis.values) for axis in group} for group in plan.groups]
+        asked = {"digits": plan.digits, "bounds": plan.bounds or None}
+        said = {"command": self.command, "options": given, "axes": axes, **asked}
+        return {name: value for name, value in said.items() if value is not None}
+
+    def column(self, column: Column) -> dict[str, str]:
+        """Return what is said of a column, as plain text; what there is nothing to say of is left out."""
+        said = {
+            "name": column.name,
+            "symbol": plain(column.symbol),
+            "unit": plain(column.unit),
+            "formula": column.formula or self._formula(column.key),
+            "source": column.source,
+            "role": column.role,
+            "note": _note(column),
+        }
+        return {name: text for name, text in said.items() if text}
+
+    def _formula(self, key: str) -> str:
+        """Return the formula of a quantity as pages print it where they do so in a line of its own."""
+        lines = self._common(lambda one: [*_formulas(one, key)])
+        return "; ".join(lines)
+
+    def _common(self, lines: Any) -> list[str]:
+        """Return the lines that all questions say."""
+        first, *others = ([plain(line) for line in lines(one) if line] for one in self.questions)
+        return [line for line in first if all(line in other for other in others)]
+
+
+def _questions(plan: Plan) -> list[Question]:
+    found = []
+    for point in tried(plan, 8):
+        try:
+            found.append(plan.question(plan.at(point), 0))
+        except KurbelError:
+            continue
+    return found or [_first(plan)]
+
+
+def _first(plan: Plan) -> Question:
+    for point in tried(plan):
+        try:
+            return plan.question(plan.at(point), 0)
+        except KurbelError as error:
+            refused = error
+    raise refused
+
+
+def _notes(question: Question) -> Iterator[str]:
+    for note in question.subject.notes(question):
+        yield note.text if isinstance(note, Note) else note
+
+
+def _formulas(question: Question, key: str) -> Iterator[str]:
+    for column in question.page_columns:
+        if column.key == key:
+            for method in column.methods:
+                if (printed := _printed(column.quantity, method)) and "{" not in printed:
+                    yield printed
+
+
+def _printed(quantity: Quantity, method: str) -> str:
+    formula = quantity.formulas.get(method)
+    return formula.printed if formula else ""
+
+
+def _note(column: Column) -> str:
+    if column.role == "bound":
+        return BOUND.format(column.key.removesuffix("_bound"))
+    return DECIMALS.format(column.decimals) if column.kind == "decimal" else ""
+
+
+def _text(value: Any) -> Any:
+    """Return a value, or several, as text that can be typed."""
+    if isinstance(value, Written):
+        return f"{_range(value.numbers)}{value.unit}"
+    if isinstance(value, Progression):
+        return _range(value)
+    if isinstance(value, str | bool | int):
+        return value
+    if isinstance(value, Sequence):
+        return [_text(one) for one in value]
+    return exact_text(value) if hasattr(value, "numerator") else str(value)
+
+
+def _range(values: Progression) -> str:
+    return f"{exact_text(values[0])}..{exact_text(values[-1])}:{exact_text(values.step)}"

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Iterator
+from itertools import repeat
 from typing import Any
 
 import numpy as np
 import pyarrow as pa
 
-from kurbel.sweeps.files.about import about, about_column
+from kurbel.sweeps.files.about import About
 from kurbel.sweeps.files.decimals import decimal_type, decimals_of
 from kurbel.sweeps.rows import Column, Part, Sweep
 
@@ -18,27 +19,39 @@ REASON = "reason"
 
 
 def schema_of(sweep: Sweep) -> pa.Schema:
-    """Return the schema; each field has what is known of its column."""
-    fields = [pa.field(one.key, _type(one), metadata=about_column(one)) for one in sweep.columns]
-    said = json.dumps(about(sweep), ensure_ascii=False)
-    return pa.schema([*fields, pa.field(REASON, pa.string())], metadata={"kurbel": said})
+    """Return the schema of a file; each field has what is known of its column."""
+    about = About.of(sweep)
+    bare = bare_schema(sweep)
+    fields = [bare.field(one.key).with_metadata(about.column(one)) for one in sweep.columns]
+    said = json.dumps(about.file(), ensure_ascii=False)
+    return pa.schema([*fields, bare.field(REASON)], metadata={"kurbel": said})
+
+
+def bare_schema(sweep: Sweep) -> pa.Schema:
+    """Return the names and types of the columns."""
+    return pa.schema([*((one.key, _type(one)) for one in sweep.columns), (REASON, pa.string())])
 
 
 def batch_of(sweep: Sweep, part: Part) -> pa.RecordBatch:
     """Return the rows of a part."""
     arrays = [_array(column, part.values[column.key]) for column in sweep.columns]
-    return pa.record_batch([*arrays, _reasons(part)], schema_of(sweep))
+    return pa.record_batch([*arrays, _reasons(part)], bare_schema(sweep))
 
 
 def in_groups(batches: Iterable[pa.RecordBatch], rows: int) -> Iterator[pa.RecordBatch]:
     """Yield the same rows in batches of so many, but for the last one."""
+    return in_sizes(batches, repeat(rows))
+
+
+def in_sizes(batches: Iterable[pa.RecordBatch], sizes: Iterator[int]) -> Iterator[pa.RecordBatch]:
+    """Yield the same rows in batches of these sizes, but for the last one."""
     waiting: list[pa.RecordBatch] = []
-    missing = rows
+    missing = next(sizes)
     for batch in batches:
         start = 0
-        while batch.num_rows - start >= missing:
+        while 0 < missing <= batch.num_rows - start:
             yield _joined([*waiting, batch.slice(start, missing)])
-            start, missing, waiting = start + missing, rows, []
+            start, missing, waiting = start + missing, next(sizes, 0), []
         if start < batch.num_rows:
             waiting.append(batch.slice(start))
             missing -= batch.num_rows - start

@@ -1,0 +1,62 @@
+"""A sweep as NetCDF-4: arrays over the axes, described by the conventions for climate and forecast data."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any
+
+import h5netcdf
+import h5py
+import numpy as np
+
+from kurbel.sweeps.files.grid import Array, fill
+from kurbel.sweeps.files.whole import whole_path
+from kurbel.sweeps.rows import Sweep
+
+if TYPE_CHECKING:
+    import pyarrow as pa
+
+# What is longer has no room in an attribute, and becomes a variable without dimensions.
+LONGEST = 60_000
+_TYPES = {"number": np.dtype("f8"), "whole": np.dtype("i4"), "text": h5py.string_dtype()}
+_EMPTY = {"number": np.nan, "whole": None, "text": None}
+_PACKED: Mapping[str, Any] = {"compression": "gzip", "compression_opts": 1, "shuffle": True}
+
+
+def write(sweep: Sweep, batches: Iterable[pa.RecordBatch], target: str, scratch: str) -> None:
+    """Write all batches, in order."""
+    with whole_path(target, scratch) as path, h5netcdf.File(path, "w") as file:
+        fill(sweep, batches, _File(file))
+
+
+class _File:
+    def __init__(self, file: Any) -> None:
+        self._file = file
+
+    def create(self, array: Array) -> Any:
+        for dim, size in zip(array.dims, array.sizes, strict=True):
+            if dim not in self._file.dimensions:
+                self._file.dimensions[dim] = size
+        packed = (
+            {"compression": "gzip", "compression_opts": 1, "shuffle": True} if array.kind != "text" else {}
+        )
+        variable = self._file.create_variable(
+            array.key,
+            array.dims,
+            _TYPES[array.kind],
+            chunks=array.chunks or None,
+            fillvalue=_EMPTY[array.kind],
+            **packed,
+        )
+        variable.attrs.update(array.attributes)
+        return variable
+
+    def describe(self, attributes: Mapping[str, Any]) -> None:
+        for name, text in attributes.items():
+            if len(text.encode()) <= LONGEST:
+                self._file.attrs[name] = text
+            else:
+                self._file.create_variable(name, (), h5py.string_dtype())[...] = text
+
+    def flags(self, key: str, attributes: Mapping[str, Any]) -> None:
+        self._file.variables[key].attrs.update(attributes)
