@@ -13,9 +13,9 @@ from kurbel.errors import KurbelError, NotationError, ProblemError
 from kurbel.page.axes import AngleAxis, shifted
 from kurbel.page.subject import Question
 from kurbel.reading.given import meant
-from kurbel.sweeps.general import DECIMALS, tried
 from kurbel.sweeps.measures import is_readable
 from kurbel.sweeps.plan import MOST_ROWS, Axis, Plan
+from kurbel.sweeps.ways.records import DECIMALS, tried
 
 RUN = ("from", "to", "step")
 # Longer lists are not tried one by one.
@@ -47,12 +47,13 @@ def planned(
     defaults: Collection[str] = (),
     digits: int | None = None,
     bounds: bool = False,
+    strict: bool = False,
 ) -> Plan:
     """Return the plan of a command, found at this place, by the values of its options in their order.
 
     An option with several values varies; those that are `linked` vary together. Raises KurbelError.
     """
-    first = Plan(command, {}, (), digits, bounds, tuple(defaults))
+    first = Plan(command, {}, (), digits, bounds, tuple(defaults), strict)
     known = {one.name: one for one in first.asking.parameters.values()}
     values = {name: values_of(known[name], given) for name, given in options.items()}
     axes = [Axis(name, found) for name, found in values.items() if len(found) > 1]

@@ -3,58 +3,92 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from kurbel.exact.numerals import exact_text
 from kurbel.motion.bulk import float_angles
 from kurbel.reading.notation import Progression
 from kurbel.sweeps.measures import measured
-from kurbel.sweeps.plan import Axis, Plan
+from kurbel.sweeps.plan import Axis, Plan, text_of
+from kurbel.sweeps.ways.way import Points
 
 Places = NDArray[np.int64]
+# Shorter runs of equal values cost more than a division.
+LEAST_RUN = 64
 
 
-def places_of(plan: Plan, points: Places) -> list[Places]:
-    """Return the places of points on each group of axes."""
-    found: list[Places] = []
-    for size in reversed(plan.sizes):
-        points, places = np.divmod(points, size)
-        found.append(places)
-    return found[::-1]
+@dataclass(frozen=True)
+class Coordinates:
+    """The axes of a plan, as columns have them."""
+
+    plan: Plan
+
+    def at(self, points: Points) -> Mapping[str, Any]:
+        """Return the values of each axis at these points: an array of floats, or a list of texts."""
+        last = len(self.plan.groups) - 1
+        found: dict[str, Any] = {}
+        repeated, places = 1, points.places
+        for number in range(last, -1, -1):
+            group, size = self.plan.groups[number], self.plan.sizes[number]
+            runs = points.first is not None and repeated >= LEAST_RUN
+            if runs and points.first is not None:
+                for axis in group:
+                    found[axis.option] = self._in_runs(axis, points.first, len(points), repeated)
+            else:
+                own = (places // repeated) % size if repeated > 1 else places % size
+                for axis in group:
+                    found[axis.option] = self._known[axis.option].at(own)
+            repeated *= size
+        return found
+
+    def _in_runs(self, axis: Axis, start: int, count: int, repeated: int) -> Any:
+        """Return the values of an axis on which so many rows stand at each place."""
+        first, last = start // repeated, (start + count - 1) // repeated + 1
+        places = np.arange(first, last) % len(axis.values)
+        lengths = np.full(last - first, repeated)
+        lengths[0] -= start - first * repeated
+        lengths[-1] -= last * repeated - (start + count)
+        values = self._known[axis.option].at(places)
+        if isinstance(values, list):
+            return np.repeat(np.array(values, object), lengths).tolist()
+        return np.repeat(values, lengths)
+
+    @cached_property
+    def _known(self) -> Mapping[str, _Values]:
+        return {axis.option: _Values.of(self.plan, axis) for group in self.plan.groups for axis in group}
 
 
-def coordinates(plan: Plan, points: Places) -> Mapping[str, Any]:
-    """Return the values of each axis at these points: an array of floats, or a list of texts."""
-    return {
-        axis.option: values_at(plan, axis, places)
-        for group, places in zip(plan.groups, places_of(plan, points), strict=True)
-        for axis in group
-    }
+@dataclass(frozen=True)
+class _Values:
+    """The values of an axis: of a range they are made where they are wanted."""
 
+    numbers: Sequence[Any] | None
+    factor: Any
+    texts: Sequence[Any]
 
-def values_at(plan: Plan, axis: Axis, places: Places) -> Any:
-    """Return the values of an axis at these places."""
-    numbers = measured(plan.asking.parameters[plan.parameter(axis.option)], axis.values)
-    if numbers is None:
-        return [text_of(axis.values[place]) for place in places.tolist()]
-    values, factor, _ = numbers
-    first, last = int(places.min()), int(places.max()) + 1
-    floats = np.array(_floats(values[first:last]))
-    if factor != 1:
-        # As one number each, not as a product of two roundings.
-        floats = np.array([float(one * factor) for one in values[first:last]])
-    return floats[places - first]
+    @classmethod
+    def of(cls, plan: Plan, axis: Axis) -> _Values:
+        found = measured(plan.asking.parameters[plan.parameter(axis.option)], axis.values)
+        if found is None:
+            return cls(None, 1, axis.values)
+        numbers, factor, _ = found
+        if isinstance(numbers, Progression):
+            return cls(numbers, factor, ())
+        return cls(np.array([float(one) for one in numbers]), factor, ())  # type: ignore[arg-type]
 
-
-def _floats(values: Sequence[Any]) -> Any:
-    return float_angles(values) if isinstance(values, Progression) else [float(one) for one in values]
-
-
-def text_of(value: Any) -> str:
-    """Return a value of an axis as text that the command line takes."""
-    return (
-        str(value) if isinstance(value, str | bool) or not hasattr(value, "numerator") else exact_text(value)
-    )
+    def at(self, places: Places) -> Any:
+        """Return the values at these places."""
+        if self.numbers is None:
+            return [text_of(self.texts[place]) for place in places.tolist()]
+        if not isinstance(self.numbers, Progression):
+            return self.numbers[places]  # type: ignore[call-overload]
+        first, last = int(places.min()), int(places.max()) + 1
+        within = self.numbers[first:last]
+        if self.factor != 1:
+            # One number each, not the product of two roundings.
+            return np.array([float(one * self.factor) for one in within])[places - first]
+        return float_angles(within)[places - first]

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 from math import prod
 from pkgutil import resolve_name
+from shlex import quote
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.commands.options import is_given
 from kurbel.commands.subject import SPELLED, spelling
+from kurbel.exact.numerals import exact_text
 from kurbel.page.subject import Question
 
 if TYPE_CHECKING:
@@ -30,6 +33,11 @@ class Axis(NamedTuple):
     values: Sequence[Any]
 
 
+def text_of(value: Any) -> str:
+    """Return a value of an option as text that the command line takes."""
+    return exact_text(value) if isinstance(value, Fraction) else str(value)
+
+
 @dataclass(frozen=True)
 class Plan:
     """A sweep as it was asked for.
@@ -39,7 +47,8 @@ class Plan:
     `defaults` come from elsewhere, such as a machine's file, and give way where they say nothing. The axes of
     a group are linked: they go through their values together. The rows are the product of the groups, of
     which the last varies fastest. `digits` asks for certified decimals in place of floats, `bounds` for a
-    column beside each of floats that says how far from the true value they may lie.
+    column beside each of floats that says how far from the true value they may lie; a `strict` sweep ends at
+    the first point that is refused.
     """
 
     command: str
@@ -48,6 +57,7 @@ class Plan:
     digits: int | None = None
     bounds: bool = False
     defaults: tuple[str, ...] = ()
+    strict: bool = False
 
     @property
     def sizes(self) -> tuple[int, ...]:
@@ -64,6 +74,12 @@ class Plan:
             point, place = divmod(point, size)
             found = {axis.option: axis.values[place] for axis in group} | found
         return found
+
+    def said(self, point: int) -> str:
+        """Return a point in the words of the command line."""
+        return " ".join(
+            f"--{name.replace('_', '-')} {quote(text_of(value))}" for name, value in self.at(point).items()
+        )
 
     def question(self, values: Mapping[str, Any], digits: int) -> Question:
         """Return what the command asks with these values beside those that are the same everywhere.

@@ -2,26 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from kurbel.errors import KurbelError
-from kurbel.exact.numerals import Number
+from kurbel.errors import FailedError
 from kurbel.page.table import Field
-from kurbel.sweeps.axes import coordinates
-from kurbel.sweeps.columns import BOUND, columns_of
+from kurbel.sweeps.axes import Coordinates
 from kurbel.sweeps.columns import Column as Column
 from kurbel.sweeps.columns import Part as Part
-from kurbel.sweeps.general import double_of, first_of, rows_at, text_of
+from kurbel.sweeps.columns import columns_of
 from kurbel.sweeps.plan import Plan
-
-# Rows of a command that is asked for every point: some seconds.
-ROWS_AT_ONCE = 4096
+from kurbel.sweeps.ways.choice import way_of
+from kurbel.sweeps.ways.records import first_of
+from kurbel.sweeps.ways.way import Asked, Points, Way
 
 
 @dataclass(frozen=True)
@@ -41,12 +38,12 @@ class Sweep:
     @property
     def rows_at_once(self) -> int:
         """How many rows make a part. It depends on the plan alone: a part is what a file has of it."""
-        return ROWS_AT_ONCE
+        return self._way.rows_at_once
 
     @property
     def in_threads(self) -> bool:
         """Whether parts can be computed in several threads of a process at once; balls cannot."""
-        return False
+        return self._way.in_threads
 
     @cached_property
     def each(self) -> int:
@@ -59,59 +56,35 @@ class Sweep:
         return columns_of(self.plan, *self._first)
 
     def part(self, start: int, stop: int) -> Part:
-        """Return the rows from one to another; raise no KurbelError for points that are refused."""
-        found: list[Mapping[str, Any]] = []
-        reasons: dict[int, str] = {}
-        points = range(start // self.each, -(-stop // self.each))
-        for point in points:
-            begins = point * self.each
-            within = range(max(start, begins) - begins, min(stop, begins + self.each) - begins)
-            try:
-                rows = rows_at(self.plan, self.plan.at(point), self._fields, self.each)
-            except KurbelError as error:
-                reasons |= {len(found) + place: str(error) for place, _ in enumerate(within)}
-                rows = [{}] * self.each
-            found += [rows[record] for record in within]
-        axes = coordinates(self.plan, np.arange(start, stop) // self.each)
+        """Return the rows from one to another; raise no KurbelError for points that are refused, unless the
+        plan is strict."""
+        points = self._points(start, stop)
+        found = self._way.rows(points)
+        if self.plan.strict and found.reasons:
+            row = min(found.reasons)
+            said = self.plan.said(int(points.places[row]))
+            raise FailedError(f"{found.reasons[row]}; this is of {said}, and --strict ends there")
+        axes = self._coordinates.at(points)
         values = {
-            column.key: axes[column.option] if column.option else _values(column, found)
+            column.key: axes[column.option] if column.option else found.values[column.key]
             for column in self.columns
         }
-        return Part(len(found), values, reasons)
+        return Part(stop - start, values, found.reasons)
+
+    def _points(self, start: int, stop: int) -> Points:
+        rows = np.arange(start, stop)
+        if self.each == 1:
+            return Points(rows, np.zeros_like(rows), start)
+        return Points(*np.divmod(rows, self.each))
+
+    @cached_property
+    def _coordinates(self) -> Coordinates:
+        return Coordinates(self.plan)
+
+    @cached_property
+    def _way(self) -> Way:
+        return way_of(Asked(self.plan, self._first[0], self.each, self.columns))
 
     @cached_property
     def _first(self) -> tuple[tuple[Field, ...], Sequence[Any]]:
         return first_of(self.plan)
-
-    @property
-    def _fields(self) -> tuple[Field, ...]:
-        return self._first[0]
-
-
-def _values(column: Column, rows: Sequence[Mapping[str, Any]]) -> Any:
-    if column.kind == "text":
-        return [text_of(row.get(column.key)) for row in rows]
-    if column.kind == "decimal":
-        return [*_decimals(column, rows)]
-    return np.array([*_floats(column, rows)], np.float64)
-
-
-def _decimals(column: Column, rows: Sequence[Mapping[str, Any]]) -> Iterator[int | None]:
-    assert column.decimals is not None
-    for row in rows:
-        number = row.get(column.key)
-        # What is exact may have fewer decimals.
-        yield (
-            number.scaled * 10 ** (column.decimals - number.decimals) if isinstance(number, Number) else None
-        )
-
-
-def _floats(column: Column, rows: Sequence[Mapping[str, Any]]) -> Iterator[float]:
-    bound = column.role == "bound"
-    key = column.key.removesuffix(BOUND) if bound else column.key
-    for row in rows:
-        number = row.get(key)
-        yield double_of(number)[bound] if isinstance(number, Number) else np.nan
-
-
-Floats = NDArray[np.float64]

@@ -1,0 +1,1 @@
+"""How the values of a sweep are computed: point by point, over the crank angle, or in arrays."""

@@ -1,0 +1,39 @@
+"""The general way: the command is asked at every combination, and its certified digits become floats."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from kurbel.errors import KurbelError
+from kurbel.sweeps.ways.records import rows_at
+from kurbel.sweeps.ways.way import Asked, Points, Rows, columns_from
+
+
+@dataclass(frozen=True)
+class Pointwise:
+    """Every point is a question; some seconds of them at once."""
+
+    asked: Asked
+    rows_at_once: int = 4096
+    in_threads: bool = False
+
+    def rows(self, points: Points) -> Rows:
+        plan, fields, each = self.asked.plan, self.asked.fields, self.asked.each
+        found: list[Mapping[str, Any]] = []
+        reasons: dict[int, str] = {}
+        last, answer, refused = -1, list[dict[str, Any]](), ""
+        for row, (point, record) in enumerate(
+            zip(points.places.tolist(), points.records.tolist(), strict=True)
+        ):
+            if point != last:
+                last, refused = point, ""
+                try:
+                    answer = rows_at(plan, plan.at(point), fields, each)
+                except KurbelError as error:
+                    refused = str(error)
+            if refused:
+                reasons[row] = refused
+            found.append({} if refused else answer[record])
+        return columns_from(self.asked, found, reasons)
