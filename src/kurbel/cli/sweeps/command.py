@@ -12,6 +12,7 @@ from click.core import ParameterSource, augment_usage_errors
 from kurbel.cli import say
 from kurbel.cli.options import RIVALS, Given, help_of, resolved_values
 from kurbel.cli.sweeps.options import own_options, sweep_options
+from kurbel.cli.sweeps.running import running, running_options
 from kurbel.commands.options import is_given
 from kurbel.commands.subject import SPELLED, Command
 from kurbel.errors import KurbelError
@@ -20,7 +21,11 @@ if TYPE_CHECKING:
     from kurbel.sweeps.plan import Plan
 
 # The heads of the help below which the options of sweeps stand.
-SECTIONS = {"The sweep": "zip_ digits bounds strict", "The output": "output format help"}
+SECTIONS = {
+    "The sweep": "zip_ digits bounds strict",
+    "The run": "scheduler jobs resume restart",
+    "The output": "output format help",
+}
 # Where a context keeps the options in the order in which they were typed.
 ORDER = "kurbel.cli.sweeps"
 
@@ -31,7 +36,11 @@ class SweepCommand(click.Command):
     sections = SECTIONS
 
     def __init__(self, name: str, place: str, command: Command) -> None:
-        super().__init__(name, params=[*own_options(command), *sweep_options()], help=help_of(command.ask))
+        super().__init__(
+            name,
+            params=[*own_options(command), *sweep_options(), *running_options()],
+            help=help_of(command.ask),
+        )
         self.place, self.asking = place, command
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
@@ -65,7 +74,9 @@ class SweepCommand(click.Command):
         from kurbel.sweeps.rows import Sweep
         from kurbel.sweeps.run import run
 
-        outcome = run(Sweep(self.plan(given, order)), given.values["output"])
+        sweep = Sweep(self.plan(given, order))
+        with running(given.values, sweep) as how:
+            outcome = run(sweep, given.values["output"], how)
         say(f"{given.values['output']}: {outcome.rows} rows")
         return 0
 
