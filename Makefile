@@ -52,14 +52,9 @@ check: $(DEV)
 	$(BIN)/mypy
 	$(BIN)/lint-imports --no-cache
 
-bench: $(DEV) ## measure start-up, kernels, δ and CSV against their rivals
+bench: $(DEV) ## measure kurbel beside its peers, some ten minutes, and write docs/speed.md
 	$(BIN)/python -m pip install --quiet --group bench
-	$(BIN)/python benchmarks/bench_start.py
-	$(BIN)/python benchmarks/bench_kernel.py
-	$(BIN)/python benchmarks/bench_csv.py
-	$(BIN)/python benchmarks/bench_delta.py
-	$(BIN)/python benchmarks/bench_handbook.py
-	$(BIN)/python benchmarks/walk.py
+	$(BIN)/python -m benchmarks --write
 
 peers: $(DEV) ## set one table with kurbel and its peers side by side, docs/gallery/peers/*.png; needs make tools
 	$(BIN)/python -m pip install --quiet --group peers

@@ -13,7 +13,7 @@ MOST = {"table --ratio 1:5": 35, "delta --eps 4": 47, "handbook build .": 55}
 
 
 def test_the_way_of_a_table_becomes_no_longer() -> None:
-    script = [sys.executable, str(ROOT / "benchmarks" / "walk.py")]
+    script = [sys.executable, str(ROOT / "scripts" / "walk.py")]
     printed = subprocess.run(script, capture_output=True, text=True, check=True).stdout
     rows = re.findall(r"^kurbel (.+?) {2,}(\d+) +\d+$", printed, re.MULTILINE)
     entered = {command: int(count) for command, count in rows}

@@ -1,6 +1,6 @@
 """Walk through the modules that a command enters: which, in their order, and from which floor to which.
 
-python benchmarks/walk.py [COMMAND ...]      by default the three commands below
+python scripts/walk.py [COMMAND ...]      by default the three commands below
 
 A module is entered where one of its functions runs; what runs only as it is imported does not count, and a
 template is no module.

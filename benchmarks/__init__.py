@@ -1,0 +1,1 @@
+"""What kurbel costs beside its peers: `python -m benchmarks` prints the table of docs/speed.md."""

@@ -1,0 +1,218 @@
+"""Contestants do the same work in turn, each in a process of its own; of each the least time counts.
+
+What else runs on a machine only ever adds, and strikes all that run in turn alike. A child inherits the peak
+of memory of its parent: this module imports nothing large.
+"""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import resource
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager, ExitStack, contextmanager
+from dataclasses import dataclass, field
+from importlib.util import find_spec
+from math import isclose
+from multiprocessing.connection import Connection
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any, Literal, NamedTuple, Protocol, cast
+
+# A wheel brings what it has compiled, or its installer compiles it. Here the first round does, and does not
+# count.
+ENVIRONMENT = {
+    name: value
+    for name, value in os.environ.items()
+    if name != "PYTHONDONTWRITEBYTECODE" and not name.startswith("KURBEL_")
+}
+KURBEL = str(Path(sys.executable).with_name("kurbel"))
+# How far the sums of two contestants' results may lie apart.
+AGREEMENT = 1e-9
+Run = Callable[[], object]
+
+
+class Taken(NamedTuple):
+    """Seconds on the clock and of the processors, the peak of memory in MiB, and the sum of the result."""
+
+    wall: float
+    processor: float
+    memory: float
+    sum: float | None = None
+
+
+class Contestant(Protocol):
+    """One that does the work of a race."""
+
+    @property
+    def needs(self) -> str:
+        """The module without which it cannot, if any."""
+        ...
+
+    def ready(self) -> AbstractContextManager[Callable[[], Taken]]:
+        """Be ready: each call does the work once."""
+        ...
+
+
+@dataclass(frozen=True)
+class Task:
+    """Work within Python: `prepare` gives the function that is timed, in a process that stays.
+
+    The modules named in `without` are missing there. `sums` adds up a result, so that all can be compared.
+    A slow one does a `share` of the work, and its time is that of the whole. Memory is what the process has
+    at its peak beyond what it was prepared with.
+    """
+
+    prepare: Callable[..., Run]
+    arguments: tuple[Any, ...] = ()
+    without: tuple[str, ...] = ()
+    sums: Callable[[Any], float] | None = None
+    share: float = 1
+    needs: str = ""
+
+    @contextmanager
+    def ready(self) -> Iterator[Callable[[], Taken]]:
+        ours, theirs = (context := multiprocessing.get_context("spawn")).Pipe()
+        process = context.Process(target=_serve, args=(theirs, self))
+        process.start()
+        theirs.close()
+
+        def once() -> Taken:
+            ours.send("once")
+            return cast("Taken", ours.recv())
+
+        try:
+            yield once
+        finally:
+            ours.close()
+            process.join()
+
+
+def _serve(pipe: Connection, task: Task) -> None:
+    for name in task.without:
+        cast("dict[str, Any]", sys.modules)[name] = None
+    run = task.prepare(*task.arguments)
+    before = _peak(resource.getrusage(resource.RUSAGE_SELF))
+    while True:
+        try:
+            pipe.recv()
+        except EOFError:
+            return
+        wall, processor = time.perf_counter(), time.process_time()
+        result = run()
+        wall, processor = time.perf_counter() - wall, time.process_time() - processor
+        memory = _peak(resource.getrusage(resource.RUSAGE_SELF)) - before
+        wall, processor = wall / task.share, processor / task.share
+        pipe.send(Taken(wall, processor, memory, task.sums(result) if task.sums else None))
+        del result
+
+
+@dataclass(frozen=True)
+class Program:
+    """A whole process from a cold start, in a folder with `files`: a new one for each run, unless `kept`."""
+
+    words: Sequence[str]
+    files: Mapping[str, str] = field(default_factory=dict)
+    kept: bool = False
+    needs: str = ""
+
+    @contextmanager
+    def ready(self) -> Iterator[Callable[[], Taken]]:
+        with TemporaryDirectory() as kept:
+            self._furnish(kept)
+
+            def once() -> Taken:
+                if self.kept:
+                    return _process(self.words, kept)
+                with TemporaryDirectory() as folder:
+                    self._furnish(folder)
+                    return _process(self.words, folder)
+
+            yield once
+
+    def _furnish(self, folder: str) -> None:
+        for name, text in self.files.items():
+            Path(folder, name).write_text(text, encoding="utf-8")
+
+
+def kurbel(words: str, **more: Any) -> Program:
+    """Return the program for a command line of kurbel without spaces in its words."""
+    return Program((KURBEL, *words.split()), **more)
+
+
+def python(code: str, **more: Any) -> Program:
+    """Return the program for a script."""
+    return Program((sys.executable, "-c", code), **more)
+
+
+def _process(words: Sequence[str], folder: str) -> Taken:
+    begun = time.perf_counter()
+    process = subprocess.Popen(
+        words, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, env=ENVIRONMENT, cwd=folder
+    )
+    assert process.stderr
+    said = process.stderr.read()
+    _, status, used = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    wall = time.perf_counter() - begun
+    if process.returncode:
+        raise SystemExit(f"{' '.join(words)} ended with {process.returncode}: {said.decode()}")
+    return Taken(wall, used.ru_utime + used.ru_stime, _peak(used))
+
+
+def _peak(used: resource.struct_rusage) -> float:
+    # In bytes there, in KiB elsewhere.
+    return used.ru_maxrss / (1024**2 if sys.platform == "darwin" else 1024)
+
+
+class Row(NamedTuple):
+    """A row of the table: one of the contestants, kurbel, beside another.
+
+    `aim` is how many times the other's figure it may be at most, `times` how many things were done, whose
+    rate is of interest, `limit` a peak of memory in MiB that the other's stands for.
+    """
+
+    what: str
+    kurbel: str
+    beside: str
+    aim: float | None = None
+    times: int = 0
+    limit: float = 0
+
+
+@dataclass(frozen=True)
+class Race:
+    """Contestants by their names, and what is said of them."""
+
+    contestants: Mapping[str, Contestant]
+    rows: Sequence[Row]
+    rounds: int = 5
+    clock: Literal["wall", "processor"] = "wall"
+
+
+def run(race: Race, rounds: int | None = None) -> dict[str, Taken]:
+    """Let all that are installed run in turn.
+
+    The first round, which compiles and fills caches, does not count.
+    """
+    there = {name: one for name, one in race.contestants.items() if not one.needs or find_spec(one.needs)}
+    with ExitStack() as stack:
+        ready = {name: stack.enter_context(one.ready()) for name, one in there.items()}
+        found = [{name: once() for name, once in ready.items()} for _ in range(1 + (rounds or race.rounds))]
+    _agree(found[0])
+    return {name: _least([one[name] for one in found[1:]]) for name in there}
+
+
+def _least(taken: Sequence[Taken]) -> Taken:
+    return Taken(
+        min(one.wall for one in taken), min(one.processor for one in taken), max(one.memory for one in taken)
+    )
+
+
+def _agree(found: Mapping[str, Taken]) -> None:
+    sums = {name: one.sum for name, one in found.items() if one.sum is not None}
+    for one in sums.values():
+        assert isclose(one, next(iter(sums.values())), rel_tol=AGREEMENT), sums
