@@ -53,6 +53,9 @@ class File(os.PathLike[str]):
     def __str__(self) -> str:
         return self.name
 
+    def __repr__(self) -> str:
+        return f"File({self.name!r}, {self.folder!r}, {self.inside!r})"
+
     def beside(self, name: str) -> File:
         """Return the file of a name that counts from where this one lies."""
         return self.named(os.path.join(os.path.dirname(self.name), name))

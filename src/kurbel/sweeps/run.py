@@ -20,7 +20,7 @@ from kurbel.sweeps.files.forms import form_of
 from kurbel.sweeps.rows import Sweep
 from kurbel.sweeps.work.folder import Work, working
 from kurbel.sweeps.work.hands import Hands, Here, Processes, Threads
-from kurbel.sweeps.work.identity import identity_of
+from kurbel.sweeps.work.identity import files_of, grounded, identity_of
 from kurbel.sweeps.work.task import kept, made
 
 if TYPE_CHECKING:
@@ -70,7 +70,7 @@ def run(sweep: Sweep, target: str, running: Running = Running(), format: str | N
     form.check(sweep, target)
     refused: Counter[str] = Counter()
     # A new one goes to other processes, without what it knows already.
-    sweep = replace(sweep)
+    sweep = replace(sweep, plan=grounded(sweep.plan))
     with working(target, identity_of(sweep), resume=running.resume, restart=running.restart) as work:
         with _telling(work), _hands(sweep, work, running) as hands:
             batches = _batches(_parts(sweep, work, hands, running.watch), work, refused)
@@ -144,7 +144,7 @@ def _hired(sweep: Sweep, work: Work, running: Running) -> Hands:
     if running.scheduler:
         from kurbel.sweeps.work.cluster import Cluster
 
-        return Cluster(running.scheduler, make, work.place.word)
+        return Cluster(running.scheduler, make, work.place.word, files_of(sweep.plan))
     count = min(running.jobs or cores(), parts_of(sweep))
     if count == 1:
         return Here(make)

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from kurbel.errors import ChoiceError, FailedError, MissingExtraError
 from kurbel.reading.extras import missing_extra
-from kurbel.sweeps.work.identity import LIBRARIES, makers, other
+from kurbel.sweeps.work.identity import LIBRARIES, NONE, content_of, makers, other
 
 if TYPE_CHECKING:
     from distributed import Client, Future
@@ -38,13 +38,18 @@ RUNNERS = ("kurbel", "dask", "distributed")
 
 
 class Cluster:
-    """The workers of a scheduler, to whom pieces are given by their numbers; `make` goes to them once."""
+    """The workers of a scheduler, to whom pieces are given by their numbers; `make` goes to them once.
 
-    def __init__(self, scheduler: str, make: Callable[[int], Any], name: str) -> None:
+    `name` is no other run's; of the `files` that pieces are made of, workers must see the same content.
+    """
+
+    def __init__(
+        self, scheduler: str, make: Callable[[int], Any], name: str, files: Mapping[str, str]
+    ) -> None:
         self._client = connected(scheduler)
         self._scheduler, self._name = scheduler, name
         try:
-            self._made_by = checked(self._client, scheduler)
+            self._made_by, self._files = checked(self._client, scheduler), files
         except BaseException:
             self._client.close(timeout=PATIENCE)
             raise
@@ -71,7 +76,8 @@ class Cluster:
     def give(self, number: int) -> None:
         """Have a piece made."""
         key = f"kurbel-{self._name}-{number}"
-        future = self._client.submit(_made, self._make, number, self._made_by, key=key, pure=False)
+        made_by = self._made_by, self._files
+        future = self._client.submit(_made, self._make, number, *made_by, key=key, pure=False)
         self._given[number] = future
         future.add_done_callback(partial(self._note, number))
 
@@ -193,7 +199,7 @@ def checked(client: Client, scheduler: str) -> dict[str, str]:
 def _packages(versions: Mapping[str, Any]) -> dict[str, str]:
     packages = versions["packages"]
     python = ".".join(packages["python"].split(".")[:2])
-    return {"python": python} | {name: packages.get(name) or "none" for name in (*RUNNERS, *LIBRARIES)}
+    return {"python": python} | {name: packages.get(name) or NONE for name in (*RUNNERS, *LIBRARIES)}
 
 
 def _refuse_others(worker: str, ours: Mapping[str, str], theirs: Mapping[str, str]) -> None:
@@ -207,9 +213,17 @@ def _same(one: Made) -> Made:
     return one
 
 
-def _made(make: Callable[[int], Made], number: int, made_by: Mapping[str, str]) -> Made:
+def _made(
+    make: Callable[[int], Made], number: int, made_by: Mapping[str, str], files: Mapping[str, str]
+) -> Made:
     """Make a piece on a worker; one that came later was not asked by what it computes."""
     from distributed import get_worker
 
-    _refuse_others(get_worker().address, made_by, makers())
+    worker = get_worker().address
+    _refuse_others(worker, made_by, makers())
+    for path, content in files.items():
+        if content_of(path) != content:
+            raise FailedError(
+                f"worker {worker} does not see {path} as it is here; put it where all see it by the same name"
+            )
     return make(number)
