@@ -41,9 +41,13 @@ class Coordinates:
             else:
                 own = (places // repeated) % size if repeated > 1 else places % size
                 for axis in group:
-                    found[axis.option] = self._known[axis.option].at(own)
+                    found[axis.option] = self.along(axis, own)
             repeated *= size
         return found
+
+    def along(self, axis: Axis, places: Places) -> Any:
+        """Return the values at places of an axis: an array of floats, or a list of texts."""
+        return self._known[axis.option].at(places)
 
     def _in_runs(self, axis: Axis, start: int, count: int, repeated: int) -> Any:
         """Return the values of an axis on which so many rows stand at each place."""
@@ -52,7 +56,7 @@ class Coordinates:
         lengths = np.full(last - first, repeated)
         lengths[0] -= start - first * repeated
         lengths[-1] -= last * repeated - (start + count)
-        values = self._known[axis.option].at(places)
+        values = self.along(axis, places)
         if isinstance(values, list):
             return np.repeat(np.array(values, object), lengths).tolist()
         return np.repeat(values, lengths)

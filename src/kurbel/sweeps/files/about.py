@@ -15,9 +15,9 @@ from kurbel.page.quantity import Quantity
 from kurbel.page.subject import Question
 from kurbel.page.table import Note
 from kurbel.reading.notation import Progression
-from kurbel.sweeps.general import tried
 from kurbel.sweeps.plan import Plan
 from kurbel.sweeps.rows import Column, Sweep
+from kurbel.sweeps.ways.records import tried
 
 BOUND = "the true value lies at most so far from {}"
 DECIMALS = "each digit is certified: the exact value, correctly rounded to {} decimals"

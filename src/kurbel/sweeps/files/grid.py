@@ -12,12 +12,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 import numpy as np
 
 from kurbel.errors import ProblemError
-from kurbel.sweeps.axes import values_at
+from kurbel.sweeps.axes import Coordinates
 from kurbel.sweeps.files.about import About
 from kurbel.sweeps.files.cf import cf_of, cf_of_file
-from kurbel.sweeps.general import tried
 from kurbel.sweeps.plan import Axis
 from kurbel.sweeps.rows import Column, Part, Sweep
+from kurbel.sweeps.ways.records import tried
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -203,11 +203,11 @@ def _check_records(records: Mapping[str, Any], batch: pa.RecordBatch, first: int
 
 
 def _fill_axis(sweep: Sweep, into: Any, array: Array, axis: Axis) -> None:
-    (size,) = array.sizes
+    (size,), values = array.sizes, Coordinates(sweep.plan)
     for start in range(0, size, CHUNK):
         stop = min(start + CHUNK, size)
-        values = values_at(sweep.plan, axis, np.arange(start, stop))
-        into[start:stop] = np.array(values, object if array.kind == "text" else np.float64)
+        own = values.along(axis, np.arange(start, stop))
+        into[start:stop] = np.array(own, object if array.kind == "text" else np.float64)
 
 
 def values_of(column: pa.Array, kind: str) -> Any:
