@@ -298,6 +298,33 @@ def test_greatest_forces_are_found_in_a_search_of_newton_s_reactions(ratio: str,
             assert value * (1 - NEAR) < samples[place] < value * (1 + 1e-9), (model, name)
 
 
+# A search whose pieces grow in number like 1/√(1 - λ) looks at more than 50,000 places.
+FEW_PLACES = 4000
+
+
+def test_a_rod_nearly_as_long_as_the_crank_is_searched_in_few_pieces(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    rod = Rod.from_crosshead(Fraction(65, 100), Fraction(35, 100))
+    crank = Crank(1 - Fraction(1, 10**7), rod=rod)
+    looked: list[int] = []
+    run = Peak._run
+    monkeypatch.setattr(Peak, "_run", lambda self, *words: looked.append(0) or run(self, *words))
+    drive, body = Drive(1 - mp.mpf(10) ** -7, mp.mpf(0)), bodies("0.65", "0.35")["exact"]
+    with mp.workdps(60):
+        # Beside 90°, where the forces are greatest, the peaks are as wide as the rod's cosine.
+        beside = [reactions(drive, body, mp.pi / 2 + mp.mpf(step) / 10000) for step in range(-5, 6)]
+    for name in ("guide", "torque"):
+        looked.clear()
+        peak = Peak(ROD_FORCES[name], crank, rod.masses("exact", Fraction))
+        value, place = float(peak.value()), mp.mpf(peak.degrees().mid().str(60, radius=False))
+        assert len(looked) < FEW_PLACES, name
+        with mp.workdps(60):
+            there = reactions(drive, body, place / 180 * mp.pi)[NEWTON[name]]
+        assert abs(abs(there) / value - 1) < 1e-12, name
+        assert max(abs(one[NEWTON[name]]) for one in beside) < value * (1 + 1e-12), name
+
+
 @pytest.mark.parametrize("ratio", ["1:4", "1:1,5"])
 def test_percents_are_those_of_a_search_of_newton_s_reactions(ratio: str) -> None:
     words = (f"--ratio={ratio}", "--centre=0.55", "--gyration=0.4", "--layout=inertia-errors", "-f", "csv")

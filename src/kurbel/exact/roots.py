@@ -17,6 +17,8 @@ from flint import arb
 from kurbel.exact.certify import ball
 
 Function = Callable[[arb], arb]
+# Whether anything within a piece is asked for.
+Concern = Callable[[arb], bool]
 
 # What is undecided below this width, 2e-10 of a stroke, is a double zero or lies on a kink or an end.
 LEAST_WIDTH = Fraction(1, 2**32)
@@ -39,20 +41,30 @@ class Root(NamedTuple):
         return self.low == self.high
 
 
-def isolate(function: Function, slope: Function, start: Fraction, end: Fraction) -> list[Root]:
-    """Return every zero within start..end, in order.
+def _everywhere(piece: arb) -> bool:
+    return True
+
+
+def isolate(
+    function: Function, slope: Function, start: Fraction, end: Fraction, concerns: Concern = _everywhere
+) -> list[Root]:
+    """Return every zero within start..end, in order, but for those in pieces that do not concern.
 
     The function is continuous; where it has kinks the ball of its slope holds both sides.
     """
     ends = [start + (end - start) * part / PARTS for part in range(PARTS + 1)]
     with flint.ctx.workprec(ISOLATING_BITS):
-        return [root for low, high in pairwise(ends) for root in _isolated(function, slope, low, high)]
+        return [
+            root for low, high in pairwise(ends) for root in _isolated(function, slope, low, high, concerns)
+        ]
 
 
-def _isolated(function: Function, slope: Function, low: Fraction, high: Fraction) -> Iterator[Root]:
+def _isolated(
+    function: Function, slope: Function, low: Fraction, high: Fraction, concerns: Concern
+) -> Iterator[Root]:
     middle = (low + high) / 2
     whole = interval(low, high)
-    if not function(whole).contains(0):
+    if not (concerns(whole) and function(whole).contains(0)):
         return
     steepness = slope(whole)
     # The mean-value form is far narrower than the formula where the interval is short.
@@ -70,8 +82,8 @@ def _isolated(function: Function, slope: Function, low: Fraction, high: Fraction
     if high - low < LEAST_WIDTH:
         yield Root(low, high, None)
         return
-    yield from _isolated(function, slope, low, middle)
-    yield from _isolated(function, slope, middle, high)
+    yield from _isolated(function, slope, low, middle, concerns)
+    yield from _isolated(function, slope, middle, high, concerns)
 
 
 def refined(function: Function, slope: Function, root: Root) -> arb:

@@ -44,6 +44,8 @@ class Peak:
         self.force = force
         self.crank = crank
         self.masses = masses
+        # The greatest magnitude so far: what lies below it everywhere is not searched.
+        self._reached = flint.arb(0)
 
     @cached_property
     def vanishes(self) -> bool:
@@ -139,6 +141,7 @@ class Peak:
         turn, parts = (2 if self.crank.offset else 1), (2 if self.crank.ratio else 4)
         quarters = [Fraction(quarter, parts) for quarter in range(parts * turn + 1)]
         for quarter in quarters:
+            self._reach(ball(quarter))
             yield Root(quarter, quarter)
         for low, high in pairwise(quarters):
             first, last = self._cleared(low, high), self._cleared(high, low)
@@ -147,7 +150,24 @@ class Peak:
                     yield Root(edge, end)
             cut = first + (last - first) * CUT
             for start, end in ((first, cut), (cut, last)):
-                yield from isolate(self._slope, self._bend, start, end)
+                yield from isolate(self._slope, self._bend, start, end, self._contends)
+
+    def _contends(self, piece: arb) -> bool:
+        """Whether the force may be greatest within a piece of the turn.
+
+        Beside the peak of a rod as long as the crank the slope of what is left, a millionth of it, is told
+        from zero in millions of pieces, of which none matters.
+        """
+        self._reach(piece.mid())
+        return not self._magnitude(piece) < self._reached
+
+    def _reach(self, half_turns: arb) -> None:
+        least = self._magnitude(half_turns).abs_lower()
+        if least > self._reached:
+            self._reached = least
+
+    def _magnitude(self, half_turns: arb) -> arb:
+        return abs(self._run(self.force.formula, half_turn_circle(half_turns), ball))
 
     def _cleared(self, quarter: Fraction, other: Fraction) -> Fraction:
         """Return up to where no zero of the slope follows that of the quarter, if it has one.
