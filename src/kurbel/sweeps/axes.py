@@ -66,6 +66,11 @@ class Coordinates:
         return {axis.option: _Values.of(self.plan, axis) for group in self.plan.groups for axis in group}
 
 
+def values_at(plan: Plan, axis: Axis, places: Places) -> Any:
+    """Return the values of an axis at these places: an array of floats, or a list of texts."""
+    return _Values.of(plan, axis).at(places)
+
+
 @dataclass(frozen=True)
 class _Values:
     """The values of an axis: of a range they are made where they are wanted."""

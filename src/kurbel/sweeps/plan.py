@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.commands.options import is_given
 from kurbel.commands.subject import SPELLED, spelling
-from kurbel.exact.numerals import exact_text
+from kurbel.exact.numerals import exact_text, ratio_text
 from kurbel.page.subject import Question
 
 if TYPE_CHECKING:
@@ -33,8 +33,10 @@ class Axis(NamedTuple):
     values: Sequence[Any]
 
 
-def text_of(value: Any) -> str:
+def text_of(value: Any, option: str = "") -> str:
     """Return a value of an option as text that the command line takes."""
+    if option == "ratio" and isinstance(value, Fraction) and value >= 0:
+        return ratio_text(value)
     return exact_text(value) if isinstance(value, Fraction) else str(value)
 
 
@@ -78,7 +80,8 @@ class Plan:
     def said(self, point: int) -> str:
         """Return a point in the words of the command line."""
         return " ".join(
-            f"--{name.replace('_', '-')} {quote(text_of(value))}" for name, value in self.at(point).items()
+            f"--{name.replace('_', '-')} {quote(text_of(value, name))}"
+            for name, value in self.at(point).items()
         )
 
     def question(self, values: Mapping[str, Any], digits: int) -> Question:

@@ -71,6 +71,10 @@ class Sweep:
         }
         return Part(stop - start, values, found.reasons)
 
+    def said(self, row: int) -> str:
+        """Return the combination of a row in the words of the command line."""
+        return self.plan.said(int(self._points(row, row + 1).places[0]))
+
     def _points(self, start: int, stop: int) -> Points:
         rows = np.arange(start, stop)
         if self.each == 1:

@@ -19,12 +19,13 @@ from kurbel.errors import KurbelError
 
 if TYPE_CHECKING:
     from kurbel.sweeps.plan import Plan
+    from kurbel.sweeps.run import Outcome
 
 # The heads of the help below which the options of sweeps stand.
 SECTIONS = {
     "The sweep": "zip_ digits bounds strict",
     "The run": "scheduler jobs resume restart",
-    "The output": "output format help",
+    "The output": "output format dry_run help",
 }
 # Where a context keeps the options in the order in which they were typed.
 ORDER = "kurbel.cli.sweeps"
@@ -75,9 +76,18 @@ class SweepCommand(click.Command):
         from kurbel.sweeps.run import run
 
         sweep = Sweep(self.plan(given, order))
+        if given.values["dry_run"]:
+            from kurbel.cli.sweeps.dry import show_estimate
+
+            show_estimate(sweep, given.values["output"], given.values["format"])
+            return 0
+        if not given.values["output"]:
+            raise click.UsageError(
+                "a sweep needs a file to write, -o sweep.parquet; --dry-run says how large it would be"
+            )
         with running(given.values, sweep) as how:
-            outcome = run(sweep, given.values["output"], how)
-        say(f"{given.values['output']}: {outcome.rows} rows")
+            outcome = run(sweep, given.values["output"], how, given.values["format"])
+        say(_told(given.values["output"], outcome))
         return 0
 
     def plan(self, given: Given, order: Sequence[str]) -> Plan:
@@ -94,6 +104,7 @@ class SweepCommand(click.Command):
             defaults=[name for name in told if not given.typed(name)],
             digits=values["digits"],
             bounds=values["bounds"],
+            strict=values["strict"],
         )
 
     def told(self, given: Given, order: Sequence[str]) -> dict[str, Any]:
@@ -120,3 +131,16 @@ class SweepCommand(click.Command):
             # What is refused everywhere is refused at the first combination, too.
             return set(first)
         return {name for name in first if name in SPELLED or is_given(values.get(name))}
+
+
+def _told(target: str, outcome: Outcome) -> str:
+    """Return what was written, and how much of it was refused."""
+    count = outcome.refused.total()
+    if not count:
+        return f"{target}: {outcome.rows} rows"
+    [(reason, most)] = outcome.refused.most_common(1)
+    times = "" if most == count else f" ({most} times)"
+    return (
+        f"{target}: {outcome.rows} rows, of which {count} were refused and have no values; the column reason"
+        f" says why, such as: {reason}{times}"
+    )

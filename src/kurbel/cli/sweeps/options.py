@@ -64,7 +64,10 @@ def _swept(parameter: Parameter) -> click.Parameter:
 def sweep_options() -> list[click.Parameter]:
     """Return the options of sweeps alone."""
     return [
-        Option(["output", "-o", "--output"], type=click.Path(), metavar="FILE", required=True,
+        Option(["format", "-f", "--format"], metavar="FORM",
+               help="parquet, arrow, csv, netcdf or zarr; default: by the suffix of -o, a folder such as out/"
+               " for Parquet in partitions."),
+        Option(["output", "-o", "--output"], type=click.Path(), metavar="FILE",
                help="File to write, whole or not at all: sweep.parquet."),
         Option(["zip_", "--zip"], multiple=True, metavar="NAMES",
                help="Options that go through their values together, not each with each: eps,back."),
@@ -74,4 +77,6 @@ def sweep_options() -> list[click.Parameter]:
         Option(["--bounds"], is_flag=True,
                help="Beside each float how far from the true value it may lie at the most."),
         Option(["--strict"], is_flag=True, help="End at the first combination that is refused."),
+        Option(["--dry-run"], is_flag=True,
+               help="Say how many rows, which columns, how large and how long, and write nothing."),
     ]  # fmt: skip

@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
+
 from kurbel.errors import KurbelError
+from kurbel.motion.page import Request
+from kurbel.page.subject import Question
+from kurbel.sweeps.plan import Plan
+from kurbel.sweeps.ways.motion import Motion, is_motion
 from kurbel.sweeps.ways.over_angle import OverAngle, has_arrays
 from kurbel.sweeps.ways.pointwise import Pointwise
 from kurbel.sweeps.ways.records import DECIMALS, tried
@@ -11,21 +17,20 @@ from kurbel.sweeps.ways.way import Asked, Way
 
 def way_of(asked: Asked) -> Way:
     """Return how the rows of a plan are computed."""
-    plan = asked.plan
+    plan, questions = asked.plan, _some(asked.plan)
+    if asked.each == 1 and is_motion(plan, questions[0]):
+        assert isinstance(questions[0], Request)
+        return Motion(asked, questions[0])
     alone = any(len(group) == 1 and group[0].option == "angle" for group in plan.groups)
-    if asked.each == 1 and alone and _all_have_arrays(asked):
+    if asked.each == 1 and alone and all(has_arrays(plan, one) for one in questions):
         return OverAngle(asked)
     return Pointwise(asked)
 
 
-def _all_have_arrays(asked: Asked) -> bool:
-    found = False
-    for point in tried(asked.plan):
-        try:
-            question = asked.plan.question(asked.plan.at(point), DECIMALS).for_data
-        except KurbelError:
-            continue
-        if not has_arrays(asked.plan, question):
-            return False
-        found = True
+def _some(plan: Plan) -> list[Question]:
+    """Return what is asked at some of the points that are not refused."""
+    found = []
+    for point in tried(plan):
+        with suppress(KurbelError):
+            found.append(plan.question(plan.at(point), DECIMALS).for_data)
     return found

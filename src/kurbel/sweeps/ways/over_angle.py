@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from kurbel.drive.crank import largest
 from kurbel.engine.request import EngineRequest
 from kurbel.errors import KurbelError, ProblemError
 from kurbel.exact.numerals import Number
@@ -117,11 +118,8 @@ class OverAngle:
 
     @cached_property
     def _reach(self) -> float:
-        return float(max(abs(self.angles[0]), abs(self.angles[-1]), *map(abs, self._listed))) + 360
-
-    @property
-    def _listed(self) -> Sequence[Fraction]:
-        return (Fraction(0), Fraction(0)) if isinstance(self.angles, Progression) else self.angles
+        # Angles of the page may count from elsewhere.
+        return float(largest(self.angles)) + 360
 
     def _single(
         self, points: Points, rows: Places, values: dict[str, Floats], reasons: dict[int, str]

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from threading import Lock
 from typing import Any
 
 from kurbel.errors import KurbelError
 from kurbel.sweeps.ways.records import rows_at
 from kurbel.sweeps.ways.way import Asked, Points, Rows, columns_from
+
+_BALLS = Lock()
 
 
 @dataclass(frozen=True)
@@ -20,6 +23,11 @@ class Pointwise:
     in_threads: bool = False
 
     def rows(self, points: Points) -> Rows:
+        # The precision of balls is that of the process, and other ways run in several threads.
+        with _BALLS:
+            return self._rows(points)
+
+    def _rows(self, points: Points) -> Rows:
         plan, fields, each = self.asked.plan, self.asked.fields, self.asked.each
         found: list[Mapping[str, Any]] = []
         reasons: dict[int, str] = {}

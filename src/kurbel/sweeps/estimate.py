@@ -1,0 +1,74 @@
+"""What a sweep would be, before it is run: its rows, its size and its time, measured on some of them."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from kurbel.sweeps.files.arrow import batch_of
+from kurbel.sweeps.files.forms import Form
+from kurbel.sweeps.rows import Sweep
+from kurbel.sweeps.ways.records import tried
+
+# Seconds that are spent on measuring, and rows of one measurement at the most.
+PATIENCE = 1.0
+LONGEST = 1 << 18
+# Forms that are arrays of their own are written by axes: eight bytes a number.
+BYTES = 8
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """The time is that of one core; `refused` is the first point of the sample that was refused, with why."""
+
+    rows: int
+    parts: int
+    seconds: float
+    size: float
+    refused: tuple[str, str] | None
+
+
+def estimated(sweep: Sweep, form: Form) -> Estimate:
+    """Return what the sweep would be as a file of a form. Writes nothing that stays."""
+    seconds, rows, refused = 0.0, 0, None
+    for start, stop in _samples(sweep):
+        begun = time.process_time()
+        part = sweep.part(start, stop)
+        seconds += time.process_time() - begun
+        rows += stop - start
+        if part.reasons and refused is None:
+            row = min(part.reasons)
+            refused = (sweep.said(start + row), part.reasons[row])
+        if seconds > PATIENCE:
+            break
+    parts = -(-len(sweep) // sweep.rows_at_once)
+    return Estimate(len(sweep), parts, seconds / rows * len(sweep), _size(sweep, form), refused)
+
+
+def _samples(sweep: Sweep) -> Iterator[tuple[int, int]]:
+    """Yield runs of rows spread over the sweep: single ones first, then as long as they are computed."""
+    count = len(sweep)
+    length = 1 if sweep.rows_at_once <= 4096 else min(count, sweep.rows_at_once, LONGEST)
+    # The first of all also pays for what is loaded.
+    sweep.part(0, min(length, count))
+    for start in dict.fromkeys(min(point * sweep.each, count - length) for point in tried(sweep.plan)):
+        yield start, start + length
+
+
+def _size(sweep: Sweep, form: Form) -> float:
+    """Return about how many bytes the file has, by one of its first rows."""
+    if not form.streams and form.name != "partitions":
+        return float(len(sweep) * BYTES * sum(column.role != "axis" for column in sweep.columns))
+    rows = min(len(sweep), 256 if sweep.rows_at_once <= 4096 else LONGEST)
+    batch = batch_of(sweep, sweep.part(0, rows))
+    with tempfile.TemporaryDirectory() as folder:
+        one = os.path.join(folder, "sample")
+        plain = form if form.streams else FORMS_OF_FILES
+        plain.write(sweep, iter([batch]), one, folder)
+        return os.path.getsize(one) / rows * len(sweep)
+
+
+FORMS_OF_FILES = Form("parquet", (), "kurbel.sweeps.files.parquet:write")
