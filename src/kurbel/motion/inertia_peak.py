@@ -167,7 +167,8 @@ class Peak:
             self._reached = least
 
     def _magnitude(self, half_turns: arb) -> arb:
-        return abs(self._run(self.force.formula, half_turn_circle(half_turns), ball))
+        magnitude: arb = abs(self._run(self.force.formula, half_turn_circle(half_turns), ball))
+        return magnitude
 
     def _cleared(self, quarter: Fraction, other: Fraction) -> Fraction:
         """Return up to where no zero of the slope follows that of the quarter, if it has one.
