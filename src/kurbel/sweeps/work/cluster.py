@@ -87,6 +87,7 @@ class Cluster:
     def take(self) -> tuple[int, Any]:
         """Return a piece that is done; raise what kept it from being made."""
         from distributed import KilledWorker
+        from distributed.comm import CommClosedError
 
         number, future = self._next()
         try:
@@ -101,7 +102,7 @@ class Cluster:
                 f"a worker of {self._scheduler} has no {error.name}; install it there"
             ) from error
         except Exception as error:
-            if future.status in ("cancelled", "lost"):
+            if future.status in ("cancelled", "lost") or isinstance(error, CommClosedError | TimeoutError):
                 raise self._gone() from error
             raise
         del self._given[number]

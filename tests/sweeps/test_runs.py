@@ -1,0 +1,219 @@
+"""Runs of sweeps on this machine: what becomes of their parts, and the same bytes however they ended."""
+
+from __future__ import annotations
+
+import errno
+import json
+import os
+import resource
+from collections.abc import Callable
+from fractions import Fraction
+from itertools import islice
+from pathlib import Path
+
+import pytest
+from small_parts import DEADLY, KILLS, InThreads, SmallParts, plan_of
+
+from kurbel.errors import FailedError, OutputError
+from kurbel.sweeps import run as runs
+from kurbel.sweeps.rows import Part, Sweep
+from kurbel.sweeps.run import Running, StoppedError, run
+from kurbel.sweeps.work.folder import working
+from kurbel.sweeps.work.identity import identity_of
+
+SWEEP = SmallParts(plan_of(6))
+PARTS = 9
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory: pytest.TempPathFactory) -> bytes:
+    """What a run that nothing disturbed writes."""
+    target = tmp_path_factory.mktemp("whole") / "delta.parquet"
+    outcome = run(SWEEP, str(target), Running(jobs=1))
+    # Without expansion there is no best back pressure.
+    ((said, refused),) = outcome.refused.items()
+    assert (outcome.rows, refused, said[:24]) == (18, 3, "expansion ratio ε = 1 at")
+    assert [path.name for path in target.parent.iterdir()] == ["delta.parquet"]
+    return target.read_bytes()
+
+
+@pytest.fixture
+def target(tmp_path: Path) -> str:
+    return str(tmp_path / "delta.parquet")
+
+
+def stopped_after(count: int, error: BaseException | Callable[[], None]) -> Callable[[int], None]:
+    """Return what raises an error, or does something, when so many parts are done."""
+    seen = []
+
+    def watch(rows: int) -> None:
+        seen.append(rows)
+        if len(seen) == count:
+            if isinstance(error, BaseException):
+                raise error
+            error()
+
+    return watch
+
+
+def ended(target: str, parts: int = 4) -> str:
+    """End a run by Ctrl-C when so many parts are done, and return what is said."""
+    with pytest.raises(StoppedError) as raised:
+        run(SWEEP, target, Running(jobs=1, watch=stopped_after(parts, KeyboardInterrupt())))
+    assert not Path(target).exists()
+    return str(raised.value)
+
+
+def computed(monkeypatch: pytest.MonkeyPatch) -> list[int]:
+    """Return a list to which the first row of each part goes as it is computed."""
+    starts: list[int] = []
+    part = SmallParts.part
+
+    def noted(self: SmallParts, start: int, stop: int) -> Part:
+        starts.append(start)
+        return part(self, start, stop)
+
+    monkeypatch.setattr(SmallParts, "part", noted)
+    return starts
+
+
+def test_a_run_that_was_ended_goes_on_with_its_parts(
+    target: str, whole: bytes, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = f"{target}.parts"
+    said = f"stopped; finished parts are kept in {folder}: the same command with --resume goes on"
+    assert ended(target) == said
+    with pytest.raises(OutputError, match="--resume goes on with them, --restart begins anew"):
+        run(SWEEP, target)
+    starts = computed(monkeypatch)
+    run(SWEEP, target, Running(jobs=1, resume=True))
+    assert starts == [8, 10, 12, 14, 16]
+    assert Path(target).read_bytes() == whole
+    assert os.listdir(os.path.dirname(target)) == ["delta.parquet"]
+
+
+def test_a_run_can_begin_anew(target: str, whole: bytes, monkeypatch: pytest.MonkeyPatch) -> None:
+    ended(target)
+    starts = computed(monkeypatch)
+    run(SWEEP, target, Running(jobs=1, restart=True))
+    assert len(starts) == PARTS
+    assert Path(target).read_bytes() == whole
+
+
+def test_without_a_finished_part_nothing_is_left(target: str) -> None:
+    with pytest.MonkeyPatch.context() as patch, pytest.raises(KeyboardInterrupt):
+        patch.setattr(SmallParts, "part", lambda *rows: stopped_after(1, KeyboardInterrupt())(0))
+        run(SWEEP, target, Running(jobs=1))
+    assert os.listdir(os.path.dirname(target)) == []
+
+
+@pytest.mark.parametrize("cut", ["shorter", "other"])
+def test_a_broken_part_is_computed_again(
+    cut: str, target: str, whole: bytes, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ended(target)
+    broken = sorted(Path(f"{target}.parts").rglob("*.arrow"))[2]
+    content = broken.read_bytes()
+    broken.write_bytes(content[:-9] if cut == "shorter" else bytes(len(content)))
+    starts = computed(monkeypatch)
+    run(SWEEP, target, Running(jobs=1, resume=True))
+    assert starts == [4, 8, 10, 12, 14, 16]
+    assert Path(target).read_bytes() == whole
+
+
+def test_parts_of_another_sweep_or_of_other_libraries_are_refused_and_stay(target: str, whole: bytes) -> None:
+    ended(target)
+    with pytest.raises(
+        OutputError, match="has parts of another sweep; give what that run was given, or --restart"
+    ):
+        run(SmallParts(plan_of(7)), target, Running(resume=True))
+    noted = Path(f"{target}.parts/sweep.json")
+    mine = noted.read_text()
+    noted.write_text(json.dumps(json.loads(mine) | {"numpy": "1.0"}))
+    with pytest.raises(OutputError, match=r"were computed by numpy 1\.0 in place of [2-9].*with --restart"):
+        run(SWEEP, target, Running(resume=True))
+    noted.write_text(mine)
+    run(SWEEP, target, Running(jobs=1, resume=True))
+    assert Path(target).read_bytes() == whole
+
+
+def test_a_second_run_of_one_target_is_refused(target: str) -> None:
+    with (
+        working(target, identity_of(SWEEP)),
+        pytest.raises(OutputError, match=rf"another run writes {target} at this moment"),
+    ):
+        run(SWEEP, target)
+
+
+def test_a_folder_of_ones_own_is_left_as_it_is(target: str, whole: bytes) -> None:
+    own = Path(f"{target}.parts/of-mine.txt")
+    own.parent.mkdir()
+    own.write_text("mine")
+    run(SWEEP, target, Running(jobs=1))
+    assert Path(target).read_bytes() == whole
+    assert [path.name for path in own.parent.iterdir()] == ["of-mine.txt"]
+
+
+def test_a_full_disk_is_one_sentence_and_parts_stay(target: str, whole: bytes) -> None:
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+
+    def fill() -> None:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (100, hard))
+
+    try:
+        with pytest.raises(FailedError) as raised:
+            run(SWEEP, target, Running(jobs=1, watch=stopped_after(3, fill)))
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+    folder = f"{target}.parts"
+    said = f"{os.strerror(errno.EFBIG)}; finished parts are kept in {folder}: the same command with --resume"
+    assert said in str(raised.value)
+    assert str(raised.value).startswith("cannot write ")
+    assert len([*Path(folder).rglob("*.arrow*")]) == 3
+    run(SWEEP, target, Running(jobs=1, resume=True))
+    assert Path(target).read_bytes() == whole
+
+
+class Counting:
+    """Hands that note how many parts they have at once, and write nothing."""
+
+    most = 4
+
+    def __init__(self) -> None:
+        self.given: list[int] = []
+        self.at_most = 0
+
+    def give(self, number: int) -> None:
+        self.given.append(number)
+        self.at_most = max(self.at_most, len(self.given))
+
+    def take(self) -> tuple[int, str]:
+        # The last one first, as nobody promises an order.
+        return (number := self.given.pop()), f"part {number}"
+
+    def end(self, at_once: bool) -> None: ...
+
+
+def test_few_parts_of_the_largest_sweep_are_asked_for_at_once(target: str) -> None:
+    endless = Sweep(plan_of(10**12 // 3, Fraction(1, 10**11)))
+    hands = Counting()
+    with working(target, {"sweep": "endless"}) as work:
+        first = [*islice(runs._parts(endless, work, hands, lambda rows: None), 3)]
+    assert first == ["part 0", "part 1", "part 2"]
+    assert hands.at_most == hands.most
+
+
+@pytest.mark.slow
+def test_threads_processes_and_one_that_dies_give_the_same_bytes(
+    target: str, whole: bytes, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    kills = tmp_path / KILLS
+    kills.touch()
+    sweep = SmallParts(plan_of(DEADLY + 4))
+    run(sweep, "deadly.parquet", Running(jobs=2))
+    assert not kills.exists()
+    run(sweep, "calm.parquet", Running(jobs=1))
+    run(InThreads(sweep.plan), "threads.parquet", Running(jobs=3))
+    assert Path("deadly.parquet").read_bytes() == Path("calm.parquet").read_bytes()
+    assert Path("threads.parquet").read_bytes() == Path("calm.parquet").read_bytes()
