@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from contextlib import suppress
 
+from kurbel.engine.request import EngineRequest
 from kurbel.errors import KurbelError
 from kurbel.motion.page import Request
 from kurbel.page.subject import Question
 from kurbel.sweeps.plan import Plan
+from kurbel.sweeps.ways.irregularity import Irregularities, is_irregularity
 from kurbel.sweeps.ways.motion import Motion, is_motion
 from kurbel.sweeps.ways.over_angle import OverAngle, has_arrays
 from kurbel.sweeps.ways.pointwise import Pointwise
@@ -21,6 +23,9 @@ def way_of(asked: Asked) -> Way:
     if asked.each == 1 and is_motion(plan, questions[0]):
         assert isinstance(questions[0], Request)
         return Motion(asked, questions[0])
+    if asked.each == 1 and all(is_irregularity(plan, one) for one in questions):
+        assert isinstance(questions[0], EngineRequest)
+        return Irregularities(asked, questions[0])
     alone = any(len(group) == 1 and group[0].option == "angle" for group in plan.groups)
     if asked.each == 1 and alone and all(has_arrays(plan, one) for one in questions):
         return OverAngle(asked)
