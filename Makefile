@@ -60,7 +60,8 @@ peers: $(DEV) ## set one table with kurbel and its peers side by side, docs/gall
 	$(BIN)/python -m pip install --quiet --group peers
 	$(BIN)/python docs/gallery/peers
 
-docs: $(DOCS) ## build the site of the documentation in build/site, manual pages in build/man, and the JSON Schemas
+docs: $(DOCS) ## build the site of the documentation in build/site, manual pages in build/man, and what is made ahead
+	$(BIN)/python scripts/made_ahead.py
 	$(BIN)/python docs/generate/schemas.py
 	$(BIN)/python docs/generate/website.py build/site --playground
 

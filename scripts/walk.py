@@ -2,8 +2,8 @@
 
 python scripts/walk.py [COMMAND ...]      by default the three commands below
 
-A module is entered where one of its functions runs; what runs only as it is imported does not count, and a
-template is no module.
+A module is entered where one of its functions runs; what runs only as it is imported does not count. A
+template is no module, be it compiled ahead, and neither is what fills it, Jinja or `formats/filling`.
 """
 
 from __future__ import annotations
@@ -60,8 +60,10 @@ def is_imported(frame: FrameType | None) -> bool:
 
 def room_of(frame: FrameType) -> str | None:
     path = frame.f_code.co_filename
-    is_module = path.startswith(PACKAGE) and path.endswith(".py")
-    return path.removeprefix(PACKAGE).removesuffix(".py") if is_module else None
+    if not (path.startswith(PACKAGE) and path.endswith(".py")):
+        return None
+    name = path.removeprefix(PACKAGE).removesuffix(".py")
+    return None if name == "formats/filling" or name.endswith("/ahead") else name
 
 
 def walked(words: list[str]) -> Walk:

@@ -71,13 +71,13 @@ def test_layout_may_bring_a_template_of_its_own(tmp_path: Path, monkeypatch: pyt
     # The package offers the function under the name of the module.
     module = import_module("kurbel.formats.render")
     monkeypatch.setattr(module, "template_folder", lambda: str(tmp_path))
-    module._environment.cache_clear()
+    module.environment_of.cache_clear()
     try:
         assert render(everything("mine", caption="A"), "text") == "mine: A\n"
         assert render(everything("mine", caption="A"), "markdown") == "mine: A\n"
         assert render(everything("other"), "markdown") == common
     finally:
-        module._environment.cache_clear()
+        module.environment_of.cache_clear()
 
 
 def test_text_needs_no_numpy_and_no_scipy() -> None:

@@ -12,12 +12,11 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from os import PathLike
-from pkgutil import resolve_name
 from typing import Any, NamedTuple, cast, get_args
 
 from kurbel.errors import NotationError
 from kurbel.reading import given
-from kurbel.reading.given import meant
+from kurbel.reading.given import found_at, meant
 
 
 class Kind:
@@ -86,7 +85,7 @@ class Choice(Kind):
     def names(self) -> Iterable[str]:
         found = self._names
         if isinstance(found, str):
-            found = cast("Iterable[str]", resolve_name(found))
+            found = cast("Iterable[str]", found_at(found))
         return found() if callable(found) else found
 
     def read(self, text: str, typed: Mapping[str, Any]) -> str:

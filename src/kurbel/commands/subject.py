@@ -7,12 +7,11 @@ import re
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
 from functools import wraps
-from hashlib import sha256
-from pkgutil import resolve_name
 from typing import TYPE_CHECKING, Any, NamedTuple, ParamSpec, Protocol, TypeVar, cast
 
 from kurbel.commands.options import Parameter, described, is_given, parameters_of, signature_of
 from kurbel.errors import ProblemError
+from kurbel.reading.given import found_at
 
 if TYPE_CHECKING:
     from kurbel.commands.shown import Table
@@ -28,17 +27,17 @@ Refusals = Callable[[Mapping[str, Any]], Mapping[str, str]]
 
 # Units that follow a number; of time there is one kind.
 _MARK = r"(?<=[\d. *·/])(?:%s)(?![A-Za-z])"
-_IMPERIAL = re.compile(_MARK % "in|inch|inches|ft|foot|feet|lb|lbs|lbf|psi|hp")
-_METRIC = re.compile(_MARK % "[cdkmµ]?m|[km]?g|t|[kM]?N|[hkM]?Pa|m?bar|atm?|[kM]?W|PS|[kM]?J|kp|kgf")
+_IMPERIAL = _MARK % "in|inch|inches|ft|foot|feet|lb|lbs|lbf|psi|hp"
+_METRIC = _MARK % "[cdkmµ]?m|[km]?g|t|[kM]?N|[hkM]?Pa|m?bar|atm?|[kM]?W|PS|[kM]?J|kp|kgf"
 # Options with words of one's own.
 OWN_WORDS = ("caption", "note", "source")
 # What a page is called or where its layout lies, and its language, which its document has, too.
 UNTOLD = frozenset(("label", "caption", "note", "source", "layouts", "layout", "lang"))
 # A longer name nobody would type.
 LONGEST = 40
-_FIGURES = re.compile(r"[A-Za-z0-9.,:;/% -]*")
-_MINUS = re.compile(r"(?<![\w.])-(?=[0-9.])")
-_PARTS = re.compile(r"[^A-Za-z0-9.]+")
+_FIGURES = r"[A-Za-z0-9.,:;/% -]*"
+_MINUS = r"(?<![\w.])-(?=[0-9.])"
+_PARTS = r"[^A-Za-z0-9.]+"
 # Options that stand for another, the stroke.
 SPELLED = ("crank", "true_stroke", "time_ratio")
 
@@ -95,7 +94,7 @@ class Command(NamedTuple):
         asked = values["units"]
         measured = [values.get(one.name) for one in self.parameters.values() if one.option.unit]
         texts = str(measured) + str(values.get("cylinder") or "")
-        if not is_given(asked) and (_METRIC.search(texts) or not _IMPERIAL.search(texts)):
+        if not is_given(asked) and (re.search(_METRIC, texts) or not re.search(_IMPERIAL, texts)):
             return None
         from kurbel.reading.amounts import IMPERIAL, read_units
 
@@ -103,7 +102,7 @@ class Command(NamedTuple):
 
     def built(self, question: Any, values: Mapping[str, Any]) -> Page:
         """Return the table that was asked for, which these values of the options name."""
-        page = cast("Page", resolve_name(self.builder)(question))
+        page = cast("Page", found_at(self.builder)(question))
         name = variant(page.key, self.parameters, values)
         return replace(page, variant=name and f"{page.key}-{name}")
 
@@ -241,12 +240,14 @@ def variant(key: str, parameters: Mapping[str, Parameter], values: Mapping[str, 
     told = [one for one in parameters.values() if one.name not in UNTOLD and _is_other(one, values)]
     words = [("" if one.option.positional else f"{one.name} ") + _text(values[one.name]) for one in told]
     said = " ".join(words)
-    signed = _MINUS.sub("minus ", said.replace(",", ".").replace("%", " percent"))
-    name = _PARTS.sub("-", signed).strip("-.")
+    signed = re.sub(_MINUS, "minus ", said.replace(",", ".").replace("%", " percent"))
+    name = re.sub(_PARTS, "-", signed).strip("-.")
     if name in ("", key):
         return ""
-    if len(name) <= LONGEST and _FIGURES.fullmatch(said):
+    if len(name) <= LONGEST and re.fullmatch(_FIGURES, said):
         return name
+    from hashlib import sha256
+
     return f"{name[:LONGEST].rstrip('-.')}-{sha256(said.encode()).hexdigest()[:6]}"
 
 

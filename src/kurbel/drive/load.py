@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from pkgutil import resolve_name
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Protocol
 
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
 from kurbel.exact.numerals import figure as figure
-from kurbel.reading.given import Exact, as_force
+from kurbel.reading.given import Exact, as_force, found_at
 from kurbel.reading.notation import about
 
 if TYPE_CHECKING:
@@ -104,7 +103,7 @@ def examples() -> str:
 
 def piston_forces() -> Iterator[type[PistonForce]]:
     """Return the loads that --force describes."""
-    return (resolve_name(entry.place) for entry in LOADS.values() if entry.place)
+    return (found_at(entry.place) for entry in LOADS.values() if entry.place)
 
 
 class Load(Protocol):

@@ -6,7 +6,6 @@ import os
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from functools import cache, cached_property
-from pkgutil import resolve_name
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.drive.load import CARD, COMPRESSOR, GAS, PUMP, STEAM
@@ -16,6 +15,7 @@ from kurbel.page.axes import Axis, ListAxis, Place, angle_decimals, angle_number
 from kurbel.page.quantity import Words, words
 from kurbel.page.table import Field
 from kurbel.reading.amounts import amount
+from kurbel.reading.given import found_at
 from kurbel.reading.notation import plain
 
 if TYPE_CHECKING:
@@ -67,7 +67,7 @@ SAID: Mapping[str, str] = {
 @cache
 def words_of(load: str) -> LoadWords:
     """Return what is said of a load, by its name."""
-    found = resolve_name(SAID[load])
+    found = found_at(SAID[load])
     assert isinstance(found, LoadWords)
     return found
 

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
     from jinja2 import Environment
 
-_LEFT_OVER = re.compile(r"\..*\.[0-9a-f]{12}\.part")
+_LEFT_OVER = r"\..*\.[0-9a-f]{12}\.part"
 # Where opened files are found by their numbers.
 _OPENED = "/proc/self/fd"
 
@@ -104,7 +104,12 @@ def render_document(
 
 
 def _filled(form: PageFormat, template: str, values: Mapping[str, object], templates: str | None) -> str:
-    environment = _environment(form, templates)
+    if templates is None and template == f"base/{form.name}.jinja":
+        from kurbel.formats.filling import filled as filled_ahead
+
+        if (text := filled_ahead(form, values)) is not None:
+            return text
+    environment = environment_of(form, templates)
     if templates is None:
         return environment.get_template(template).render(values)
     from kurbel.formats.sandbox import filled
@@ -122,7 +127,7 @@ def _own_template(table: Table, name: str, templates: str | None) -> str:
 
 
 @cache
-def _environment(form: PageFormat, templates: str | None) -> Environment:
+def environment_of(form: PageFormat, templates: str | None) -> Environment:
     """Return what loads the templates of a format; a user's own run in a sandbox."""
     from jinja2 import BaseLoader, ChoiceLoader, Environment, FileSystemLoader, PrefixLoader, StrictUndefined
 
@@ -263,7 +268,7 @@ def remove_left_over(folder: str) -> None:
     """Remove what killed runs left half written in a folder, and nothing that is being written."""
     # Nothing is left over in a folder that cannot be read, or for whoever may not remove it.
     with suppress(OSError):
-        for name in filter(_LEFT_OVER.fullmatch, os.listdir(folder)):
+        for name in filter(partial(re.fullmatch, _LEFT_OVER), os.listdir(folder)):
             with suppress(OSError):
                 _remove_unless_written(os.path.join(folder, name))
 

@@ -29,7 +29,7 @@ _ROUND_ANGLES = (30, 90, 15, 45, 60)
 _COUNTS = (3, 5)
 # Rows of one line that stay together.
 MOST_HELD = 8
-_RELATION = re.compile(r"\s*\$\s*[=≈<>≤≥]")
+_RELATION = r"\s*\$\s*[=≈<>≤≥]"
 
 
 def gaps(panel: Panel) -> Iterator[float]:
@@ -113,7 +113,7 @@ def held(group: Group) -> frozenset[int]:
 
 def _continues(stub: Sequence[Cell]) -> bool:
     return all(cell.value is DITTO or cell.value == "" for cell in stub) or (
-        isinstance(stub[-1].value, str) and _RELATION.match(stub[-1].value) is not None
+        isinstance(stub[-1].value, str) and re.match(_RELATION, stub[-1].value) is not None
     )
 
 
@@ -159,12 +159,12 @@ def _is_round(value: Fraction) -> bool:
     return value in (1, 2, 5)
 
 
-_DEGREES = re.compile(r"([0-9]+)°(?:([0-9]+)′)?")
+_DEGREES = r"([0-9]+)°(?:([0-9]+)′)?"
 
 
 def _value(cell: Cell) -> Fraction | None:
     """Return the number of a cell of the stub, or its degrees and minutes; None for words."""
     if isinstance(cell.value, Number):
         return Fraction(cell.value.scaled, 10**cell.value.decimals)
-    degrees = _DEGREES.fullmatch(plain(cell.value)) if isinstance(cell.value, str) else None
+    degrees = re.fullmatch(_DEGREES, plain(cell.value)) if isinstance(cell.value, str) else None
     return None if degrees is None else int(degrees[1]) + Fraction(int(degrees[2] or 0), 60)

@@ -17,7 +17,7 @@ from kurbel.page.quantity import Formula, Quantity, entry, words
 Formulas = Mapping[str, Formula]
 Kernel = Callable[..., Any]
 # What keys say of their unit at their end.
-_UNIT = re.compile(r"_(?:mm|mps2?|radps2?|nm?|stroke|percent)$")
+_UNIT = r"_(?:mm|mps2?|radps2?|nm?|stroke|percent)$"
 
 # In printed formulas {±} is the sign that the return stroke changes, {ψ} the same where ψ itself is printed
 # (cos ψ knows no sign), {sign} that sign before a whole formula and {turned} the opposite one, {angle} the
@@ -234,7 +234,7 @@ def spanned(
 
 def on_strokes(one: Quantity) -> Iterator[Quantity]:
     """Yield the quantity on the outstroke and, as x_return_mm, on the return."""
-    stem = _UNIT.sub("", one.key)
+    stem = re.sub(_UNIT, "", one.key)
     for key, stroke in ((one.key, OUT), (f"{stem}_return{one.key.removeprefix(stem)}", RETURN)):
         part = STROKES[stroke]
         yield one._replace(

@@ -5,7 +5,6 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import cache
-from pkgutil import resolve_name
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from kurbel.drive.crank import Crank, Described
@@ -13,6 +12,7 @@ from kurbel.drive.load import CARD, COMPRESSOR, FORCE, GAS, LOADS, MASSES, PUMP,
 from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
+from kurbel.reading.given import found_at
 
 if TYPE_CHECKING:
     from kurbel.motion.drives import Drive
@@ -178,7 +178,7 @@ def mechanism(name: str) -> Mechanism:
 
 @cache
 def _at(place: str) -> Mechanism:
-    found = resolve_name(place)
+    found = found_at(place)
     assert isinstance(found, Mechanism)
     return found
 

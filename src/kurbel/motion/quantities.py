@@ -34,7 +34,7 @@ def effort_keys() -> tuple[str, ...]:
 
 
 def _of_effort(key: str) -> bool:
-    return _UNIT.sub("", key).removesuffix("_return") in EFFORT
+    return re.sub(_UNIT, "", key).removesuffix("_return") in EFFORT
 
 
 class Force(NamedTuple):
@@ -124,7 +124,7 @@ FORCES: Mapping[str, Force] = {
 
 
 EFFORT = ("piston_force", "inertia_force", "weight_force", "friction_force", "crosshead_load", "net_torque")
-_UNIT = re.compile("_nm?$")
+_UNIT = "_nm?$"
 
 
 def _force_entries() -> Iterator[Quantity]:

@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache, cached_property
 from math import prod
-from pkgutil import resolve_name
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, TypeAlias
 
@@ -19,7 +18,7 @@ from kurbel.page.quantity import Column, Known, Quantity, is_short, known_at
 from kurbel.page.subjects import SUBJECTS
 from kurbel.page.table import Field, Note, Records, Tone, Value, check_label
 from kurbel.page.wording import Worded
-from kurbel.reading.given import choose, meant
+from kurbel.reading.given import choose, found_at, meant
 from kurbel.reading.notation import MOST_ROWS
 
 if TYPE_CHECKING:
@@ -106,7 +105,7 @@ class Subject(NamedTuple):
 @cache
 def subject(key: str) -> Subject:
     """Return what pages are about that say so."""
-    found = resolve_name(SUBJECTS[key].place)
+    found = found_at(SUBJECTS[key].place)
     assert isinstance(found, Subject)
     return found
 

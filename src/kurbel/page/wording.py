@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import unicodedata
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, TypeVar
@@ -15,7 +14,7 @@ from kurbel.page.table import Note, Table
 
 # Whatever is longer is a text beside the table.
 LONGEST = 2000
-_MARKED = re.compile(r"\s*\[\^([^\]\s]+)\]\s*(.*)", re.DOTALL)
+_MARKED = r"(?s)\s*\[\^([^\]\s]+)\]\s*(.*)"
 Page = TypeVar("Page", bound=Table)
 
 
@@ -74,7 +73,7 @@ def _note(given: Any) -> Note:
     if isinstance(given, Note):
         return given
     said = _said(given, "note")
-    marked = _MARKED.fullmatch(said)
+    marked = re.fullmatch(_MARKED, said)
     mark, text = (marked[1], marked[2]) if marked else ("", said)
     if not text:
         raise ProblemError("a note is empty; give its words, or leave --note out")
@@ -88,7 +87,9 @@ def _said(given: Any, name: str) -> Label:
     text = WHITE.sub(" ", given).strip()
     if len(text) > LONGEST:
         raise ProblemError(f"the {name} has {len(text)} characters; at most {LONGEST} are set")
-    if any(unicodedata.category(one) in ("Cc", "Cs") for one in text):
+    from unicodedata import category
+
+    if any(category(one) in ("Cc", "Cs") for one in text):
         raise ProblemError(f"the {name} has a character that cannot be printed; write letters and signs only")
     try:
         parse(text)

@@ -1,4 +1,4 @@
-"""What was typed, or given in Python: names of files, names that must be one of a few, exact numbers.
+"""What was typed, or given in Python: files, names that must be one of a few, exact numbers, places.
 
 A number may be text, an integer, a fraction or a float; bare numbers are in units of the SI, in degrees, or
 in turns a second.
@@ -11,8 +11,9 @@ import re
 from collections.abc import Callable, Iterable, Sequence
 from decimal import Decimal
 from fractions import Fraction
+from importlib import import_module
 from itertools import chain
-from typing import TYPE_CHECKING, Concatenate, ParamSpec, TypeAlias
+from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, TypeAlias
 
 from kurbel.errors import ChoiceError, NotationError
 from kurbel.reading import notation
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
 # A float is read by its shortest decimal, so that 0.2 is 1/5; text as on the command line.
 Exact: TypeAlias = str | int | float | Fraction | Decimal
 P = ParamSpec("P")
-_EITHER_WAY = re.compile(r"\s*(?:±|\+/?[-−])\s*(?=[\d.,])")
+_EITHER_WAY = r"\s*(?:±|\+/?[-−])\s*(?=[\d.,])"
 
 
 class File(os.PathLike[str]):
@@ -63,6 +64,12 @@ class File(os.PathLike[str]):
     def named(self, name: str) -> File:
         """Return the file of a name that counts from the same folder."""
         return File(name, self.folder, self.inside)
+
+
+def found_at(place: str) -> Any:
+    """Return what stands at a place as registries have it, "module:name"."""
+    module, _, name = place.partition(":")
+    return getattr(import_module(module), name)
 
 
 def choose(name: str, allowed: Iterable[str], what: str) -> str:
@@ -168,7 +175,7 @@ def _irregularities(texts: Iterable[str]) -> Sequence[Fraction]:
 
 
 def _irregularity(text: str) -> Fraction:
-    either_way = _EITHER_WAY.match(text)
+    either_way = re.match(_EITHER_WAY, text)
     if either_way:
         return 2 * _irregularity(text[either_way.end() :])
     try:

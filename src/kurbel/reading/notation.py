@@ -25,15 +25,12 @@ MOST_ROWS = 10**9
 _MINUS = ("-", "−")
 _DECIMAL = r"(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d{1,3})?"
 _SIGN = "[+−-]?"
-_NUMERAL = re.compile(
-    rf"({_SIGN})(?:(\d+)\s+(?=\d+/\d+$))?({_DECIMAL})(?:\s*/\s*({_SIGN}{_DECIMAL}))?", re.ASCII
-)
+_NUMERAL = rf"(?a)({_SIGN})(?:(\d+)\s+(?=\d+/\d+$))?({_DECIMAL})(?:\s*/\s*({_SIGN}{_DECIMAL}))?"
 # A number without a sign where further text follows, such as the degrees before their mark.
 _PART = r"(?:(?:\d+\s+)?\d+/\d+|\d+(?:[.,]\d+)?)"
-_ANGLE = re.compile(
-    rf"([+−-]?)(?:(?P<deg>{_PART})\s*(?:°|deg))?\s*"
-    rf"(?:(?P<min>{_PART})\s*['′’])?\s*(?:(?P<sec>{_PART})\s*(?:\"|″|''))?",
-    re.ASCII,
+_ANGLE = (
+    rf"(?a)([+−-]?)(?:(?P<deg>{_PART})\s*(?:°|deg))?\s*"
+    rf"(?:(?P<min>{_PART})\s*['′’])?\s*(?:(?P<sec>{_PART})\s*(?:\"|″|''))?"
 )
 _INFINITE = {"∞", "inf", "oo"}
 
@@ -65,13 +62,20 @@ def number(text: str, what: str = "number") -> Fraction:
         raise NotationError(
             f"{what} {quoted(text)} has {len(stripped)} characters; at most {LONGEST_NUMBER} are read"
         )
-    match = _NUMERAL.fullmatch(stripped)
+    if _is_plain(stripped):
+        return Fraction(int(stripped))
+    match = re.fullmatch(_NUMERAL, stripped)
     if match is None:
         raise NotationError(f"{what} {quoted(text)} is not a number; write it as 4.5 or 4,5")
     try:
         return _value_of(match)
     except ZeroDivisionError:
         raise NotationError(f"{what} {quoted(text)} is a fraction over 0, which is no number") from None
+
+
+def _is_plain(text: str) -> bool:
+    """Whether a text is digits alone, for which no pattern needs to be compiled."""
+    return text.isascii() and text.isdigit()
 
 
 def _value_of(match: re.Match[str]) -> Fraction:
@@ -88,7 +92,8 @@ def _decimal(text: str) -> Fraction:
 def ratio(text: str) -> Fraction:
     """Return λ = R/L from "1:5", "1:4,5", "1/4.5", "2:9", "1:10/3", "0.2"; "1:∞" is the infinite rod, 0."""
     # A slash parts R from L, too, but where a colon does it belongs to a fraction.
-    parts = re.split(r"[:∶]" if re.search("[:∶]", text) else "/", text.strip())
+    said = text.strip().replace("∶", ":")
+    parts = said.split(":" if ":" in said else "/")
     try:
         if len(parts) == 1:
             return number(parts[0])
@@ -112,7 +117,9 @@ def ratio(text: str) -> Fraction:
 def angle(text: str, what: str = "angle") -> Fraction:
     """Return degrees from "45", "22.5", "2°30'", "79°20'15\"", with signs."""
     stripped = text.strip()
-    match = _ANGLE.fullmatch(stripped) if len(stripped) <= LONGEST_NUMBER else None
+    if len(stripped) <= LONGEST_NUMBER and _is_plain(stripped):
+        return Fraction(int(stripped))
+    match = re.fullmatch(_ANGLE, stripped) if len(stripped) <= LONGEST_NUMBER else None
     if match is None or not any(match.group("deg", "min", "sec")):
         try:
             return number(text)

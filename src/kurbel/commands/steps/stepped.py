@@ -6,7 +6,6 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
-from pkgutil import resolve_name
 from typing import Any
 
 from kurbel.commands.options import is_given
@@ -28,7 +27,7 @@ from kurbel.motion.mechanism import mechanism
 from kurbel.page.steps import Scene, Step, Steps
 from kurbel.page.subject import Question
 from kurbel.page.table import Table
-from kurbel.reading.given import as_numbers
+from kurbel.reading.given import as_numbers, found_at
 
 NOTHING = (
     "an interactive page needs something to choose, and here is nothing; give an option several values, for"
@@ -142,5 +141,5 @@ def _scene(question: Question, scenes: dict[Any, Scene | None]) -> Scene | None:
     # What acts on a drive is nothing to its way.
     bare = drive.of(Crank(drive.crank.ratio, drive.crank.offset))
     if bare not in scenes:
-        scenes[bare] = resolve_name(mechanism(name).moving)(bare)
+        scenes[bare] = found_at(mechanism(name).moving)(bare)
     return scenes[bare]

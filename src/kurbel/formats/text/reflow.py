@@ -9,8 +9,8 @@ from string import ascii_lowercase
 from typing import NamedTuple
 
 from kurbel.formats.page import Page, PageCell, PageGroup, PageNote, PagePanel
+from kurbel.formats.text.wrap import fitted, lines_of, longest_word
 from kurbel.formats.text.writer import TIGHTEST, Measure, grid_with, longest, measured
-from kurbel.formats.wrap import fitted, lines_of, longest_word
 from kurbel.page.labels import mark_text
 
 # A column of words is not squeezed below that.
