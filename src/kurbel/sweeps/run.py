@@ -10,13 +10,16 @@ from __future__ import annotations
 import os
 from collections import Counter
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from dataclasses import dataclass, replace
 from functools import partial
+from importlib.util import find_spec
+from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from kurbel.errors import FailedError, OutputError
-from kurbel.sweeps.files.forms import form_of
+from kurbel.errors import ChoiceError, FailedError, OutputError
+from kurbel.reading.extras import missing_extra
+from kurbel.sweeps.files.forms import form_of, is_device
 from kurbel.sweeps.rows import Sweep
 from kurbel.sweeps.work.folder import Work, working
 from kurbel.sweeps.work.hands import Hands, Here, Processes, Threads
@@ -66,17 +69,36 @@ def run(sweep: Sweep, target: str, running: Running = Running(), format: str | N
 
     Raises KurbelError; then parts that are done are kept for `resume`.
     """
+    if find_spec("pyarrow") is None:
+        raise missing_extra("files of columns need pyarrow", "scale")
     form = form_of(target, format)
     form.check(sweep, target)
     refused: Counter[str] = Counter()
     # A new one goes to other processes, without what it knows already.
     sweep = replace(sweep, plan=grounded(sweep.plan))
-    with working(target, identity_of(sweep), resume=running.resume, restart=running.restart) as work:
-        with _telling(work), _hands(sweep, work, running) as hands:
+    with _beside(target, running) as place, _working(place, sweep, running) as work:
+        telling = _telling(work) if place == target else nullcontext()
+        with telling, _hands(sweep, work, running) as hands:
             batches = _batches(_parts(sweep, work, hands, running.watch), work, refused)
             form.write(sweep, batches, target, work.folder)
         work.remove()
     return Outcome(len(sweep), refused)
+
+
+@contextmanager
+def _beside(target: str, running: Running) -> Iterator[str]:
+    """Give the file beside which parts lie: the target, or one that nobody keeps if it is a stream."""
+    if target != "-" and not is_device(target):
+        yield target
+        return
+    if running.resume:
+        raise ChoiceError(f"of what is written to {target} nothing is kept to go on with; name a file")
+    with TemporaryDirectory(prefix="kurbel-") as folder:
+        yield os.path.join(folder, "sweep")
+
+
+def _working(place: str, sweep: Sweep, running: Running) -> AbstractContextManager[Work]:
+    return working(place, identity_of(sweep), resume=running.resume, restart=running.restart)
 
 
 def _parts(sweep: Sweep, work: Work, hands: Hands, watch: Callable[[int], None]) -> Iterator[str]:

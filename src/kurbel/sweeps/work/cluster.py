@@ -16,7 +16,7 @@ from queue import Empty, SimpleQueue
 from time import monotonic
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from kurbel.errors import ChoiceError, FailedError, MissingExtraError
+from kurbel.errors import ChoiceError, FailedError
 from kurbel.reading.extras import missing_extra
 from kurbel.sweeps.work.identity import LIBRARIES, NONE, content_of, makers, other
 
@@ -151,7 +151,7 @@ def connected(scheduler: str) -> Client:
             " scheduler.json that dask scheduler --scheduler-file wrote"
         )
     if find_spec("distributed") is None:
-        raise missing_library()
+        raise missing_extra("a scheduler needs dask.distributed", "scale")
     from distributed import Client
 
     _quiet()
@@ -171,10 +171,6 @@ def _quiet() -> None:
     for name in logging.root.manager.loggerDict:
         if name.partition(".")[0] == "distributed":
             logging.getLogger(name).setLevel(logging.CRITICAL + 1)
-
-
-def missing_library() -> MissingExtraError:
-    return missing_extra("a scheduler needs dask.distributed", "scale")
 
 
 def checked(client: Client, scheduler: str) -> dict[str, str]:
