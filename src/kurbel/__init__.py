@@ -44,6 +44,7 @@ if TYPE_CHECKING:
     from kurbel.commands.solve import solve_table
     from kurbel.engine.irregularity import delta
     from kurbel.formats.pdf.by_typst import typeset_pdf
+    from kurbel.sweeps.dataset import sweep
 
 __version__ = "0.2.0"
 __all__ = [
@@ -77,6 +78,7 @@ __all__ = [
     "pressures_table",
     "rotor_table",
     "solve_table",
+    "sweep",
     "table",
     "turning_table",
     "typeset",
@@ -103,6 +105,7 @@ _MODULES = {
     "kurbel.commands.solve": ("solve_table",),
     "kurbel.engine.irregularity": ("delta",),
     "kurbel.formats.pdf.by_typst": ("typeset_pdf",),
+    "kurbel.sweeps.dataset": ("sweep",),
 }
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable
+from importlib.util import find_spec
 from pkgutil import resolve_name
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -21,7 +22,8 @@ class Form(NamedTuple):
 
     `writer` is the place of the function that takes a sweep, its batches in order, the target, and a folder
     beside it for what is half written. `refuse` is that of the function that raises KurbelError for a sweep
-    which such a file cannot hold. What `streams` can go to standard output.
+    which such a file cannot hold. What `streams` can go to standard output; `needs` are the libraries that
+    must be there.
     """
 
     name: str
@@ -29,9 +31,11 @@ class Form(NamedTuple):
     writer: str
     refuse: str = ""
     streams: bool = True
+    needs: tuple[str, ...] = ("pyarrow",)
 
     def check(self, sweep: Sweep, target: str) -> None:
         """Raise KurbelError for a sweep or a target that cannot become such a file."""
+        need(f"A file of columns ({self.name})", *self.needs)
         if not self.streams and (target == "-" or is_device(target)):
             raise OutputError(f"{self.name} cannot be written to {target}; name a file or a folder")
         if self.refuse:
@@ -45,14 +49,15 @@ class Form(NamedTuple):
 
 
 _HERE = "kurbel.sweeps.files"
+_NETCDF, _ZARR = ("pyarrow", "h5netcdf", "h5py"), ("pyarrow", "zarr")
 PARTITIONS = Form("partitions", ("/",), f"{_HERE}.parquet:write_folder", streams=False)
 FORMS = (
     Form("parquet", (".parquet", ".pq"), f"{_HERE}.parquet:write"),
     PARTITIONS,
     Form("arrow", (".arrow", ".feather"), f"{_HERE}.ipc:write"),
     Form("csv", (".csv",), f"{_HERE}.csv:write"),
-    Form("netcdf", (".nc",), f"{_HERE}.netcdf:write", f"{_HERE}.grid:refuse", streams=False),
-    Form("zarr", (".zarr",), f"{_HERE}.zarr:write", f"{_HERE}.grid:refuse", streams=False),
+    Form("netcdf", (".nc",), f"{_HERE}.netcdf:write", f"{_HERE}.grid:refuse", False, _NETCDF),
+    Form("zarr", (".zarr",), f"{_HERE}.zarr:write", f"{_HERE}.grid:refuse", False, _ZARR),
 )
 _KNOWN = ".parquet, .arrow, .feather, .csv, .nc, .zarr, or a folder such as delta/ for Parquet in partitions"
 
@@ -72,6 +77,15 @@ def form_of(target: str, name: str | None = None) -> Form:
             return form
     suffix = os.path.splitext(target)[1]
     raise ChoiceError(f"{suffix or target[-40:]} is no form of columns; name a file with {_KNOWN}")
+
+
+def need(what: str, *libraries: str) -> None:
+    """Raise MissingExtraError if one of the libraries is not installed."""
+    for library in libraries:
+        if find_spec(library) is None:
+            from kurbel.reading.extras import missing_extra
+
+            raise missing_extra(f"{what} needs {library}", "scale")
 
 
 def _is_folder(target: str) -> bool:

@@ -37,9 +37,7 @@ class _File:
         for dim, size in zip(array.dims, array.sizes, strict=True):
             if dim not in self._file.dimensions:
                 self._file.dimensions[dim] = size
-        packed = (
-            {"compression": "gzip", "compression_opts": 1, "shuffle": True} if array.kind != "text" else {}
-        )
+        packed = _PACKED if array.dims and array.kind != "text" else {}
         variable = self._file.create_variable(
             array.key,
             array.dims,

@@ -8,7 +8,7 @@ from contextlib import nullcontext, suppress
 from threading import Lock
 from typing import NamedTuple
 
-from kurbel.sweeps.rows import Sweep
+from kurbel.sweeps.rows import Part, Sweep
 
 # The parts of a folder: as many files as every file system likes.
 IN_A_FOLDER = 1000
@@ -38,6 +38,13 @@ def made(sweep: Sweep, number: int, place: Place) -> str | bytes:
     return kept(content, number, place.folder) if place.is_here else content
 
 
+def computed(sweep: Sweep, start: int, stop: int) -> Part:
+    """Return the rows from one to another, in whatever thread this is."""
+    # The precision of balls is that of the process.
+    with nullcontext() if sweep.in_threads else _BALLS:
+        return sweep.part(start, stop)
+
+
 def content_of(sweep: Sweep, number: int) -> bytes:
     """Return a part as an Arrow file."""
     import pyarrow as pa
@@ -45,9 +52,7 @@ def content_of(sweep: Sweep, number: int) -> bytes:
     from kurbel.sweeps.files.arrow import batch_of
 
     start = number * sweep.rows_at_once
-    # The precision of balls is that of the process.
-    with nullcontext() if sweep.in_threads else _BALLS:
-        part = sweep.part(start, min(start + sweep.rows_at_once, len(sweep)))
+    part = computed(sweep, start, min(start + sweep.rows_at_once, len(sweep)))
     batch, sink = batch_of(sweep, part), pa.BufferOutputStream()
     with pa.ipc.new_file(sink, batch.schema) as writer:
         writer.write_batch(batch)

@@ -1,0 +1,141 @@
+"""A sweep for Python: a dataset of xarray, or a file."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, overload
+
+import kurbel
+from kurbel.commands.options import is_given
+from kurbel.errors import NotationError
+from kurbel.reading.given import meant
+from kurbel.sweeps.asked import planned
+from kurbel.sweeps.files.forms import need
+from kurbel.sweeps.rows import Sweep
+from kurbel.sweeps.run import Outcome, Running, run
+
+if TYPE_CHECKING:
+    from os import PathLike
+
+    from xarray import Dataset
+
+# Their pages are of books, in which nothing varies.
+_BOOKS = frozenset(("collation_table", "example_table"))
+
+
+@overload
+def sweep(
+    command: Callable[..., Any] | str,
+    *,
+    digits: int | None = ...,
+    bounds: bool = ...,
+    zip: str | Iterable[str | Sequence[str]] = ...,
+    output: None = ...,
+    jobs: int | None = ...,
+    scheduler: str | None = ...,
+    **options: Any,
+) -> Dataset: ...
+@overload
+def sweep(
+    command: Callable[..., Any] | str,
+    *,
+    digits: int | None = ...,
+    bounds: bool = ...,
+    zip: str | Iterable[str | Sequence[str]] = ...,
+    output: str | PathLike[str],
+    jobs: int | None = ...,
+    scheduler: str | None = ...,
+    **options: Any,
+) -> Outcome: ...
+def sweep(
+    command: Callable[..., Any] | str,
+    *,
+    digits: int | None = None,
+    bounds: bool = False,
+    zip: str | Iterable[str | Sequence[str]] = (),
+    output: str | PathLike[str] | None = None,
+    jobs: int | None = None,
+    scheduler: str | None = None,
+    **options: Any,
+) -> Dataset | Outcome:
+    """Compute a command at every combination of what its options are given, as a dataset of xarray.
+
+    `command` is a function that makes a table, such as `kurbel.delta_table`, or its name, "delta". Its
+    options may be given several values: lists, NumPy arrays, ranges as text. The dataset has a dimension
+    for each of these, in their order; options that `zip` names, "eps,back", go through their values together
+    and share the dimension "point". Where nothing can be computed is NaN, and `refused` is true; a small
+    dataset also has the sentences, `reason`.
+
+    What takes some seconds is computed at once; more becomes arrays of Dask, which compute what is asked of
+    them and no more. Values are floats; with `bounds` each has a variable beside it that says how far from
+    the true value it may lie, and with `digits` they are `Decimal`, certified to so many decimals. With an
+    `output` all becomes a file instead, whose form its suffix says: .parquet, .arrow, .csv, .nc, .zarr, or a
+    folder. It is computed by so many `jobs` on this machine, or by the cluster of a `scheduler`; what comes
+    back says how many rows there are, and how many of them were refused.
+
+    >>> import kurbel
+    >>> found = kurbel.sweep("delta", eps=[2, 3, 4], ratio="1:4..1:6")
+    >>> dict(found.sizes)
+    {'epsilon': 3, 'ratio': 3}
+    >>> found["delta"].sel(epsilon=3, ratio=0.2).round(3).item()
+    1.374
+
+    Raises KurbelError.
+    """
+    if output is None:
+        need("kurbel.sweep", "xarray", "dask")
+    asking = _command(command)
+    plan = planned(
+        f"{asking.__module__}:{asking.__name__}",
+        _named(asking, options),
+        linked=_linked(zip),
+        digits=digits,
+        bounds=bounds,
+    )
+    asked = Sweep(plan)
+    if output is not None:
+        return run(asked, str(output), Running(scheduler=scheduler, jobs=jobs))
+    from kurbel.sweeps.lazy import dataset_of
+
+    return dataset_of(asked)
+
+
+def _command(command: Callable[..., Any] | str) -> Any:
+    """Return the function that makes a table."""
+    tables = [name for name in kurbel.__all__ if name.endswith("table") and name not in _BOOKS]
+    known = {name.removesuffix("_table").replace("_", ""): getattr(kurbel, name) for name in tables}
+    if isinstance(command, str):
+        name = command.removesuffix("_table").replace("_", "")
+        return known[meant(name, known, "command")]
+    if command not in known.values():
+        raise NotationError(
+            f"{getattr(command, '__name__', command)} is no function that makes a table of a machine, such as"
+            " kurbel.delta_table"
+        )
+    return command
+
+
+def _named(asking: Any, options: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the options by their names on the command line, arrays as lists."""
+    known = {**{one.name: one.name for one in asking.command.parameters.values()}}
+    known |= {key: one.name for key, one in asking.command.parameters.items()}
+    given = {known[meant(name, known, "option")]: value for name, value in options.items()}
+    return {name: _values(value) for name, value in given.items() if is_given(value)}
+
+
+def _values(value: Any) -> Any:
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    return list(value) if isinstance(value, range) else value
+
+
+def _linked(zip: str | Iterable[str | Sequence[str]]) -> list[list[str]]:
+    """Return the names of options that are linked, group by group: "eps,back", or a list of such."""
+    groups = [zip] if isinstance(zip, str) else list(zip)
+    alone = [one for one in groups if isinstance(one, str) and "," not in one]
+    return [_names(group) for group in ([alone] if alone and alone == groups else groups)]
+
+
+def _names(group: str | Sequence[str]) -> list[str]:
+    names = group.split(",") if isinstance(group, str) else group
+    return [name.strip().replace("-", "_") for name in names]
