@@ -5,8 +5,11 @@ from __future__ import annotations
 import gc
 import os
 import signal
-from collections.abc import Callable
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from queue import SimpleQueue
+from types import ModuleType
 from typing import TYPE_CHECKING, Any, Protocol
 
 from kurbel.errors import FailedError
@@ -100,11 +103,12 @@ class Processes:
         from concurrent.futures.process import BrokenProcessPool
 
         place = self._given.index(min(self._given))
-        try:
-            future = self._pools[place].submit(_made, number)
-        except BrokenProcessPool:
-            self._replace(place)
-            future = self._pools[place].submit(_made, number)
+        with _without_script():
+            try:
+                future = self._pools[place].submit(_made, number)
+            except BrokenProcessPool:
+                self._replace(place)
+                future = self._pools[place].submit(_made, number)
         self._given[place] += 1
         pool = self._pools[place]
         future.add_done_callback(lambda done: self._done.put((number, place, pool, done)))
@@ -152,6 +156,18 @@ def _pool(make: Make) -> ProcessPoolExecutor:
 
     # Started anew, not copied, so that a part finds the same process on every system.
     return ProcessPoolExecutor(1, get_context("spawn"), initializer=_start, initargs=(make,))
+
+
+@contextmanager
+def _without_script() -> Iterator[None]:
+    """Have processes that start here not run the script anew that started this one: they do not need it, and
+    it may have no place that only the first process passes."""
+    script = sys.modules["__main__"]
+    sys.modules["__main__"] = ModuleType("__main__")
+    try:
+        yield
+    finally:
+        sys.modules["__main__"] = script
 
 
 _make: list[Make] = []
