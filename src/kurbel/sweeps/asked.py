@@ -13,7 +13,9 @@ from kurbel.errors import KurbelError, NotationError, ProblemError
 from kurbel.page.axes import AngleAxis, shifted
 from kurbel.page.subject import Question
 from kurbel.reading.given import meant
+from kurbel.sweeps.kept import named_axes
 from kurbel.sweeps.measures import is_readable
+from kurbel.sweeps.only import Condition
 from kurbel.sweeps.plan import MOST_ROWS, Axis, Plan
 from kurbel.sweeps.ways.records import DECIMALS, tried
 
@@ -48,6 +50,7 @@ def planned(
     digits: int | None = None,
     bounds: bool = False,
     strict: bool = False,
+    only: str = "",
 ) -> Plan:
     """Return the plan of a command, found at this place, by the values of its options in their order.
 
@@ -63,6 +66,10 @@ def planned(
     if "angle" in known and "angle" not in {axis.option for axis in axes}:
         plan = _with_angles(plan, [*options])
     _check_size(plan)
+    if only:
+        plan = replace(plan, only=only)
+        named_axes(plan, Condition(only))
+        len(plan)
     return plan
 
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from kurbel.sweeps.files.arrow import batch_of
 from kurbel.sweeps.files.forms import Form
 from kurbel.sweeps.rows import Sweep
-from kurbel.sweeps.ways.records import tried
+from kurbel.sweeps.ways.records import TRIED
 
 # Seconds that are spent on measuring, and rows of one measurement at the most.
 PATIENCE = 1.0
@@ -54,7 +54,7 @@ def _samples(sweep: Sweep) -> Iterator[tuple[int, int]]:
     length = 1 if sweep.rows_at_once <= 4096 else min(count, sweep.rows_at_once, LONGEST)
     # The first of all also pays for what is loaded.
     sweep.part(0, min(length, count))
-    for start in dict.fromkeys(min(point * sweep.each, count - length) for point in tried(sweep.plan)):
+    for start in dict.fromkeys((count - length) * place // TRIED for place in range(TRIED + 1)):
         yield start, start + length
 
 

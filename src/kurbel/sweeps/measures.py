@@ -14,6 +14,7 @@ from kurbel.reading import notation, units
 from kurbel.reading.given import as_fraction, as_share
 from kurbel.reading.notation import Progression
 from kurbel.reading.unit_text import plain_unit
+from kurbel.sweeps.plan import Axis, Plan, text_of
 
 # Units of the SI by what pint calls their dimension.
 SI: Mapping[str, str] = {
@@ -54,23 +55,23 @@ def measured(parameter: Parameter, values: Sequence[Any]) -> tuple[Sequence[Any]
     return [one[0] for one in found if one is not None], 1.0, known.pop()
 
 
-def _value(parameter: Parameter, given: Any) -> tuple[float, str] | None:
+def _value(parameter: Parameter, given: Any) -> tuple[Any, str] | None:
     if isinstance(given, bool):
         return None
     if not isinstance(given, str):
-        return float(as_fraction(given)), _own(parameter)
+        return as_fraction(given), _own(parameter)
     try:
         if parameter.option.unit == "degrees":
-            return float(notation.angle(given)), "°"
+            return notation.angle(given), "°"
         if ":" in given or "∶" in given:
-            return float(notation.ratio(given)), ""
+            return notation.ratio(given), ""
         if given.strip().endswith("%"):
-            return float(as_share(given)), ""
+            return as_share(given), ""
         if not units.is_measure(given):
-            return float(notation.number(given)), _own(parameter)
+            return notation.number(given), _own(parameter)
         shown, unit = units.split(given)
         factor, si = _factor(unit, parameter)
-        return (float(shown * Fraction(factor)), si) if factor else None
+        return (shown * factor, si) if factor else None
     except KurbelError:
         return None
 
@@ -104,3 +105,9 @@ def _factor(unit: str, parameter: Parameter) -> tuple[Any, str]:
 def is_readable(parameter: Parameter, text: str) -> bool:
     """Whether a text that is to be a number may be one: it begins with figures."""
     return parted(text)[0] != text or _value(parameter, text) is not None
+
+
+def exact_at(plan: Plan, axis: Axis, place: int) -> Any:
+    """Return the value of an axis at a place as an exact number, or as text."""
+    found = measured(plan.asking.parameters[plan.parameter(axis.option)], axis.values[place : place + 1])
+    return text_of(axis.values[place]) if found is None else found[0][0] * found[1]

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from fractions import Fraction
 from functools import cached_property
 from math import prod
 from pkgutil import resolve_name
 from shlex import quote
 from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
 
 from kurbel.commands.options import is_given
 from kurbel.commands.subject import SPELLED, spelling
@@ -18,6 +20,7 @@ from kurbel.page.subject import Question
 
 if TYPE_CHECKING:
     from kurbel.commands.subject import Command
+    from kurbel.sweeps.kept import Kept
 
 # More rows than these nobody waits for.
 MOST_ROWS = 10**12
@@ -50,7 +53,10 @@ class Plan:
     a group are linked: they go through their values together. The rows are the product of the groups, of
     which the last varies fastest. `digits` asks for certified decimals in place of floats, `bounds` for a
     column beside each of floats that says how far from the true value they may lie; a `strict` sweep ends at
-    the first point that is refused.
+    the first point that is refused. Points at which `only` does not hold are left out. `design` tells how the
+    values of linked axes were chosen.
+
+    Points are counted on the whole grid; the length is that of those that are left.
     """
 
     command: str
@@ -60,6 +66,8 @@ class Plan:
     bounds: bool = False
     defaults: tuple[str, ...] = ()
     strict: bool = False
+    only: str = ""
+    design: str = ""
 
     @property
     def sizes(self) -> tuple[int, ...]:
@@ -67,7 +75,24 @@ class Plan:
         return tuple(len(group[0].values) for group in self.groups)
 
     def __len__(self) -> int:
-        return prod(self.sizes)
+        return prod(self.sizes) if self.kept is None else len(self.kept)
+
+    def point(self, place: int) -> int:
+        """Return one of the points that are left, by its place among them."""
+        return place if self.kept is None else int(self.kept.points(np.array([place]))[0])
+
+    @cached_property
+    def kept(self) -> Kept | None:
+        """The points that are left, where not all are."""
+        if not self.only:
+            return None
+        from kurbel.sweeps.kept import kept_of
+
+        return kept_of(self)
+
+    def __getstate__(self) -> dict[str, Any]:
+        # What follows from it is found again where it goes.
+        return {one.name: getattr(self, one.name) for one in fields(self)}
 
     def at(self, point: int) -> dict[str, Any]:
         """Return the values of the options that vary, at a point."""

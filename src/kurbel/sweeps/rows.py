@@ -32,8 +32,10 @@ class Sweep:
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """The sizes of the groups of the plan, and of the records of a point, if there are several."""
-        return (*self.plan.sizes, *((self.each,) if self.each > 1 else ()))
+        """The sizes of the groups of the plan, or how many points of it are left, and of the records of a
+        point, if there are several."""
+        sizes = self.plan.sizes if self.plan.kept is None else (len(self.plan),)
+        return (*sizes, *((self.each,) if self.each > 1 else ()))
 
     @property
     def rows_at_once(self) -> int:
@@ -76,10 +78,11 @@ class Sweep:
         return self.plan.said(int(self._points(row, row + 1).places[0]))
 
     def _points(self, start: int, stop: int) -> Points:
-        rows = np.arange(start, stop)
-        if self.each == 1:
-            return Points(rows, np.zeros_like(rows), start)
-        return Points(*np.divmod(rows, self.each))
+        rows, kept = np.arange(start, stop), self.plan.kept
+        places, records = (rows, np.zeros_like(rows)) if self.each == 1 else np.divmod(rows, self.each)
+        if kept is not None:
+            return Points(kept.points(places), records)
+        return Points(places, records, start if self.each == 1 else None)
 
     @cached_property
     def _coordinates(self) -> Coordinates:

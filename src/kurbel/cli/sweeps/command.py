@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 # The heads of the help below which the options of sweeps stand.
 SECTIONS = {
-    "The sweep": "zip_ digits bounds strict",
+    "The sweep": "zip_ only digits bounds strict",
     "The run": "scheduler jobs resume restart",
     "The output": "output format dry_run help",
 }
@@ -105,6 +105,7 @@ class SweepCommand(click.Command):
             digits=values["digits"],
             bounds=values["bounds"],
             strict=values["strict"],
+            only=joined(values["only"]),
         )
 
     def told(self, given: Given, order: Sequence[str]) -> dict[str, Any]:
@@ -144,3 +145,8 @@ def _told(target: str, outcome: Outcome) -> str:
         f"{target}: {outcome.rows} rows, of which {count} were refused and have no values; the column reason"
         f" says why, such as: {reason}{times}"
     )
+
+
+def joined(conditions: Sequence[str]) -> str:
+    """Return several conditions as one."""
+    return conditions[0] if len(conditions) == 1 else " and ".join(f"({one})" for one in conditions)

@@ -71,6 +71,8 @@ def sweep_options() -> list[click.Parameter]:
                help="File to write, whole or not at all: sweep.parquet."),
         Option(["zip_", "--zip"], multiple=True, metavar="NAMES",
                help="Options that go through their values together, not each with each: eps,back."),
+        Option(["--only"], multiple=True, metavar="CONDITION",
+               help="Combinations to compute, the others are left out: 'eps*back < 1', 'ratio < 1/4'."),
         Option(["--digits"], metavar="N",
                type=Type(kinds.Count("digits", 0, MOST_DIGITS, "cannot be stored")),
                help="Certified decimals in place of floats, the very digits of the single command."),

@@ -55,6 +55,11 @@ class Store(Protocol):
 
 def refuse(sweep: Sweep) -> None:
     """Raise ProblemError for a sweep that no array holds."""
+    if sweep.plan.only:
+        raise ProblemError(
+            "NetCDF and Zarr hold whole grids, and --only leaves combinations out; write .parquet, .arrow or"
+            " .csv, or leave --only out"
+        )
     if sweep.plan.digits is not None:
         raise ProblemError(
             "NetCDF and Zarr have no decimals; write .parquet, .arrow or .csv, or leave --digits out for"

@@ -46,7 +46,8 @@ def first_of(plan: Plan) -> tuple[tuple[Field, ...], list[Sequence[Any]]]:
 def tried(plan: Plan, most: int = TRIED) -> list[int]:
     """Return some combinations, spread over the sweep, the first one first."""
     count = len(plan)
-    return sorted({count * place // most for place in range(min(most, count))} | {count - 1})
+    places = sorted({count * place // most for place in range(min(most, count))} | {count - 1})
+    return [plan.point(place) for place in places]
 
 
 def rows_at(

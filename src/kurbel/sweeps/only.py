@@ -1,0 +1,190 @@
+"""Conditions on the axes of a sweep, such as eps*back < 1: which combinations are computed, exactly."""
+
+from __future__ import annotations
+
+import ast
+import operator
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kurbel.errors import NotationError
+
+Mask = NDArray[np.bool_]
+# Longer conditions nobody writes.
+LONGEST = 300
+# A float is known better than this; nearer numbers are compared exactly.
+NEAR = 1e-9
+# A power of exact numbers grows without end.
+MOST_POWER = 64
+GRAMMAR = "write it as 'eps*back < 1', with + - * / **, < <= > >= == !=, and, or, not, and names of axes"
+
+_NUMBERS: Mapping[type, Callable[[Any, Any], Any]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+    ast.Pow: operator.pow,
+}
+_COMPARED: Mapping[type, Callable[[Any, Any], Any]] = {
+    ast.Lt: operator.lt,
+    ast.LtE: operator.le,
+    ast.Gt: operator.gt,
+    ast.GtE: operator.ge,
+    ast.Eq: operator.eq,
+    ast.NotEq: operator.ne,
+}
+
+
+@dataclass(frozen=True)
+class Condition:
+    """A condition as it was written."""
+
+    text: str
+
+    def __post_init__(self) -> None:
+        if not isinstance(_checked(self.tree.body, self.text), ast.Compare | ast.BoolOp | ast.UnaryOp):
+            raise NotationError(f'condition "{self.text[:60]}" compares nothing; {GRAMMAR}')
+
+    @cached_property
+    def tree(self) -> ast.Expression:
+        """The parsed text."""
+        if len(self.text) > LONGEST:
+            raise NotationError(f"the condition has {len(self.text)} characters; at most {LONGEST} are read")
+        try:
+            return ast.parse(self.text.strip(), mode="eval")
+        except (SyntaxError, ValueError, RecursionError, MemoryError):
+            raise NotationError(f'condition "{self.text[:60]}" cannot be read; {GRAMMAR}') from None
+
+    @property
+    def names(self) -> list[str]:
+        """The names of axes in it, in their order."""
+        found = [one for one in ast.walk(self.tree) if isinstance(one, ast.Name)]
+        return list(dict.fromkeys(one.id for one in sorted(found, key=lambda one: one.col_offset)))
+
+    def holds(self, floats: Mapping[str, Any], exact: Callable[[int], Mapping[str, Any]], count: int) -> Mask:
+        """Return where it holds, by the values of the names at so many places: floats or texts in arrays,
+        and exact ones at a place, for where floats do not tell. A division by zero holds nowhere."""
+        doubtful = np.zeros(count, bool)
+        with np.errstate(all="ignore"):
+            found = np.broadcast_to(_floats(self.tree.body, floats, doubtful).value, count).copy()
+        for place in np.flatnonzero(doubtful).tolist():
+            try:
+                found[place] = _exact(self.tree.body, exact(place))
+            except (ZeroDivisionError, OverflowError):
+                found[place] = False
+        mask: Mask = found.astype(bool)
+        return mask
+
+
+def _checked(node: ast.expr, text: str) -> ast.expr:
+    """Return the tree if all of it is allowed. Raises NotationError."""
+    match node:
+        case ast.BoolOp(values=values):
+            parts = values
+        case ast.UnaryOp(op=ast.Not() | ast.USub() | ast.UAdd(), operand=one):
+            parts = [one]
+        case ast.BinOp(left=left, op=op, right=right) if type(op) in _NUMBERS:
+            parts = [left, right]
+        case ast.Compare(left=left, ops=ops, comparators=others) if all(type(op) in _COMPARED for op in ops):
+            parts = [left, *others]
+        case ast.Name() | ast.Constant(value=int() | float() | str()):
+            parts = []
+        case _:
+            raise NotationError(f'condition "{text[:60]}" cannot be read; {GRAMMAR}')
+    for one in parts:
+        _checked(one, text)
+    return node
+
+
+class _Float(NamedTuple):
+    """Floats or texts, and how large what they were made of is: their error counts in that."""
+
+    value: Any
+    size: Any
+
+
+def _floats(node: ast.expr, values: Mapping[str, Any], doubtful: Mask) -> _Float:
+    """Return the value in floats, and mark the places at which a comparison is too near."""
+    match node:
+        case ast.BoolOp(op=op, values=parts):
+            join = np.logical_and if isinstance(op, ast.And) else np.logical_or
+            found = [_floats(one, values, doubtful).value for one in parts]
+            return _Float(join.reduce(np.broadcast_arrays(*found)), None)
+        case ast.UnaryOp(op=op, operand=one):
+            value, size = _floats(one, values, doubtful)
+            return _Float(np.logical_not(value) if isinstance(op, ast.Not) else _signed(op, value), size)
+        case ast.BinOp(left=left, op=op, right=right):
+            return _joined(_floats(left, values, doubtful), op, _floats(right, values, doubtful))
+        case ast.Compare(left=left, ops=ops, comparators=others):
+            told = [_floats(one, values, doubtful) for one in (left, *others)]
+            steps = zip(told, ops, told[1:], strict=False)
+            compared = [_compared(first, op, second, doubtful) for first, op, second in steps]
+            return _Float(np.logical_and.reduce(np.broadcast_arrays(*compared)), None)
+        case ast.Name(id=name):
+            known = values[name]
+            return _Float(known, None if known.dtype.kind == "O" else np.abs(known))
+        case ast.Constant(value=str() as text):
+            return _Float(text, None)
+        case ast.Constant(value=int() | float() as value):
+            return _Float(np.float64(value), abs(np.float64(value)))
+    raise AssertionError(ast.dump(node))
+
+
+def _joined(first: _Float, op: ast.operator, second: _Float) -> _Float:
+    if first.size is None or second.size is None:
+        raise NotationError(f"words have neither sums nor products; {GRAMMAR}")
+    value = _NUMBERS[type(op)](first.value, second.value)
+    if isinstance(op, ast.Add | ast.Sub):
+        return _Float(value, first.size + second.size)
+    if isinstance(op, ast.Mult):
+        return _Float(value, first.size * second.size)
+    share = first.size / np.abs(first.value)
+    if isinstance(op, ast.Div):
+        return _Float(value, np.abs(value) * share * second.size / np.abs(second.value))
+    return _Float(value, np.abs(value) * (1 + share * np.abs(second.value)))
+
+
+def _compared(first: _Float, op: ast.cmpop, second: _Float, doubtful: Mask) -> Any:
+    if (first.size is None) != (second.size is None):
+        raise NotationError(f"a word is compared with a number; {GRAMMAR}")
+    if first.size is not None:
+        apart = np.abs(first.value - second.value)
+        # What is no number is settled by exact numbers, too.
+        doubtful |= ~(apart > NEAR * (first.size + second.size))
+    return _COMPARED[type(op)](first.value, second.value)
+
+
+def _signed(op: ast.unaryop, value: Any) -> Any:
+    return -value if isinstance(op, ast.USub) else value
+
+
+def _exact(node: ast.expr, values: Mapping[str, Any]) -> Any:
+    """Return the value in exact numbers."""
+    match node:
+        case ast.BoolOp(op=ast.And(), values=parts):
+            return all(_exact(one, values) for one in parts)
+        case ast.BoolOp(values=parts):
+            return any(_exact(one, values) for one in parts)
+        case ast.UnaryOp(op=op, operand=one):
+            value = _exact(one, values)
+            return not value if isinstance(op, ast.Not) else _signed(op, value)
+        case ast.BinOp(left=left, op=op, right=right):
+            first, second = _exact(left, values), _exact(right, values)
+            if isinstance(op, ast.Pow) and (abs(second) > MOST_POWER or second != int(second)):
+                return float(first) ** float(second)
+            return _NUMBERS[type(op)](first, second)
+        case ast.Compare(left=left, ops=ops, comparators=others):
+            found = [_exact(one, values) for one in (left, *others)]
+            steps = zip(found, ops, found[1:], strict=False)
+            return all(_COMPARED[type(op)](first, second) for first, op, second in steps)
+        case ast.Name(id=name):
+            return values[name]
+        case ast.Constant(value=value):
+            return value if isinstance(value, str) else Fraction(str(value))
+    raise AssertionError(ast.dump(node))
