@@ -1,0 +1,123 @@
+"""Sweeps by a Dask cluster: the same bytes, whatever becomes of it, and sentences where it cannot be used."""
+
+from __future__ import annotations
+
+import os
+import socket
+from pathlib import Path
+
+import pytest
+from cli import refusal
+from clusters import Cluster
+from programs import Programs, wait_until
+from small_parts import DEADLY, KILLS, SmallParts, plan_of
+
+from kurbel.errors import FailedError
+from kurbel.sweeps import run as runs
+from kurbel.sweeps.run import Running, run
+from kurbel.sweeps.work import cluster as clusters
+from kurbel.sweeps.work import folder
+from kurbel.sweeps.work.task import Place
+
+SWEEP = SmallParts(plan_of(DEADLY + 4))
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory: pytest.TempPathFactory) -> bytes:
+    target = tmp_path_factory.mktemp("whole") / "delta.parquet"
+    run(SWEEP, str(target), Running(jobs=1))
+    return target.read_bytes()
+
+
+@pytest.fixture
+def cluster(programs: Programs, tmp_path: Path) -> Cluster:
+    return Cluster(programs, tmp_path)
+
+
+@pytest.mark.slow
+def test_workers_write_the_bytes_of_one_machine_and_one_that_dies_changes_none(
+    cluster: Cluster, tmp_path: Path, whole: bytes, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    cluster.work()
+    cluster.work()
+    target = str(tmp_path / "delta.parquet")
+    with monkeypatch.context() as patch:
+        # Elsewhere they see no folder, and what they make comes over the network.
+        patch.setattr(folder, "Place", lambda *names: Place(names[0], str(tmp_path / "elsewhere"), names[2]))
+        run(SWEEP, target, Running(scheduler=cluster.address))
+    assert Path(target).read_bytes() == whole
+    # Here they write it.
+    monkeypatch.delattr(runs, "kept")
+    (tmp_path / KILLS).touch()
+    run(SWEEP, target, Running(scheduler=cluster.file))
+    assert Path(target).read_bytes() == whole
+    wait_until(lambda: sum(worker.poll() is not None for worker in cluster.workers) == 1)
+    assert not Path(f"{target}.parts").exists()
+
+
+@pytest.mark.slow
+def test_a_scheduler_that_goes_away_leaves_parts_that_one_goes_on_with(
+    cluster: Cluster, tmp_path: Path, whole: bytes
+) -> None:
+    target, seen = str(tmp_path / "delta.parquet"), []
+
+    def watch(rows: int) -> None:
+        seen.append(rows)
+        if len(seen) == 3:
+            cluster.scheduler.kill()
+
+    cluster.work()
+    with pytest.raises(FailedError) as raised:
+        run(SWEEP, target, Running(scheduler=cluster.address, watch=watch))
+    assert str(raised.value) == (
+        f"the scheduler at {cluster.address} is gone, or it dropped the work; finished parts are kept in"
+        f" {target}.parts: the same command with --resume goes on"
+    )
+    run(SWEEP, target, Running(jobs=1, resume=True))
+    assert Path(target).read_bytes() == whole
+
+
+@pytest.mark.slow
+def test_workers_that_might_write_other_bytes_are_refused(
+    cluster: Cluster, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    target = str(tmp_path / "delta.parquet")
+    monkeypatch.setattr(clusters, "PATIENCE", 1)
+    with pytest.raises(
+        FailedError, match=r"has no workers, and none came in 1 s; start some by: dask worker tcp"
+    ):
+        run(SWEEP, target, Running(scheduler=cluster.address))
+    monkeypatch.undo()
+    noted = tmp_path / "other" / "numpy-1.0.dist-info" / "METADATA"
+    noted.parent.mkdir(parents=True)
+    noted.write_text("Metadata-Version: 2.1\nName: numpy\nVersion: 1.0\n")
+    cluster.work(str(tmp_path / "other"))
+    with pytest.raises(
+        FailedError, match=r"^worker tcp://127\.\S+ has numpy 1\.0 in place of [2-9]\S+; its bytes"
+    ):
+        run(SWEEP, target, Running(scheduler=cluster.address))
+    assert os.listdir(tmp_path).count("delta.parquet.parts") == 0
+
+
+@pytest.mark.slow
+def test_a_scheduler_that_is_not_there_is_one_sentence(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(clusters, "PATIENCE", 1)
+    with socket.socket() as taken:
+        # Nobody listens there.
+        taken.bind(("127.0.0.1", 0))
+        address = f"tcp://127.0.0.1:{taken.getsockname()[1]}"
+        said = refusal("sweep", "delta", "--eps=2..4", "-o", "d.csv", "--scheduler", address, code=1)
+    assert said == f"no scheduler answered at {address} within 1 s; start one by: dask scheduler"
+    assert not [*tmp_path.iterdir()]
+
+
+def test_what_is_no_address_of_a_scheduler_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    said = refusal("sweep", "delta", "--eps=2..4", "-o", "d.csv", "--scheduler", "cluster", code=2)
+    assert said.startswith('scheduler "cluster" is no address; write tcp://HOST:8786')
+    assert not [*tmp_path.iterdir()]
