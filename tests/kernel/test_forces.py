@@ -171,7 +171,7 @@ def test_square_position_runs_on_balls() -> None:
 
 SAMPLED = np.concatenate([np.arange(0, 361, 5.0), np.random.default_rng(5).uniform(0, 360, 300)])
 # Least magnitude of which an ulp is meant, bound for |λ| <= 1/3, for |λ| <= 0.99.
-BOUNDS = {"rod": (1e-50, 1.5, 3), "guide": (1e-50, 3, 3), "tangential": (1, 2, 3), "radial": (1, 2, 5)}
+BOUNDS = {"rod": (1e-50, 1.5, 3), "guide": (1e-50, 1.5, 3), "tangential": (1, 2, 3), "radial": (1, 2, 5)}
 
 
 def in_ulp(name: str, ratio: float, offset: float | None, floor: float) -> float:

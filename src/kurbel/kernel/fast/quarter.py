@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from kurbel.kernel.circle import QUARTER
 from kurbel.kernel.fast.trace import Traced
 
 # Added to a number below 2**51 it leaves the nearest whole number, half to even, in the last bits.
@@ -30,7 +29,7 @@ def unrounded(degrees: Traced, parts: Callable[[Traced], Any]) -> Any:
     """
     tape = degrees.tape
     with tape.law():
-        raised = degrees * QUARTER + WHOLE
+        raised = degrees / 90 + WHOLE
         sine, versine = parts(degrees - 90 * (raised - WHOLE))
         # Rows of QUARTERS in kernel/circle.py, by the last two bits of the number of quarters.
         bits = tape.number(f"float64({raised.name}).view(int64)")
