@@ -23,11 +23,11 @@ class SmallParts(Sweep):
     def rows_at_once(self) -> int:
         return 2
 
-    def part(self, start: int, stop: int) -> Part:
+    def computed(self, start: int, stop: int) -> Part:
         if start == DEADLY * self.rows_at_once and Path(KILLS).exists():
             Path(KILLS).unlink()
             os.kill(os.getpid(), signal.SIGKILL)
-        return super().part(start, stop)
+        return super().computed(start, stop)
 
 
 class InThreads(SmallParts):

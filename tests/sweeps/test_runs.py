@@ -67,13 +67,13 @@ def ended(target: str, parts: int = 4) -> str:
 def computed(monkeypatch: pytest.MonkeyPatch) -> list[int]:
     """Return a list to which the first row of each part goes as it is computed."""
     starts: list[int] = []
-    part = SmallParts.part
+    part = SmallParts.computed
 
     def noted(self: SmallParts, start: int, stop: int) -> Part:
         starts.append(start)
         return part(self, start, stop)
 
-    monkeypatch.setattr(SmallParts, "part", noted)
+    monkeypatch.setattr(SmallParts, "computed", noted)
     return starts
 
 
@@ -102,7 +102,7 @@ def test_a_run_can_begin_anew(target: str, whole: bytes, monkeypatch: pytest.Mon
 
 def test_without_a_finished_part_nothing_is_left(target: str) -> None:
     with pytest.MonkeyPatch.context() as patch, pytest.raises(KeyboardInterrupt):
-        patch.setattr(SmallParts, "part", lambda *rows: stopped_after(1, KeyboardInterrupt())(0))
+        patch.setattr(SmallParts, "computed", lambda *rows: stopped_after(1, KeyboardInterrupt())(0))
         run(SWEEP, target, Running(jobs=1))
     assert os.listdir(os.path.dirname(target)) == []
 

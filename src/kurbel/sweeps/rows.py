@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -60,18 +60,24 @@ class Sweep:
     def part(self, start: int, stop: int) -> Part:
         """Return the rows from one to another; raise no KurbelError for points that are refused, unless the
         plan is strict."""
+        found = self.computed(start, stop)
+        return found._replace(values={**self.varied(start, stop), **found.values})
+
+    def computed(self, start: int, stop: int) -> Part:
+        """Return rows without the options that vary."""
         points = self._points(start, stop)
         found = self._way.rows(points)
         if self.plan.strict and found.reasons:
             row = min(found.reasons)
             said = self.plan.said(int(points.places[row]))
             raise FailedError(f"{found.reasons[row]}; this is of {said}, and --strict ends there")
-        axes = self._coordinates.at(points)
-        values = {
-            column.key: axes[column.option] if column.option else found.values[column.key]
-            for column in self.columns
-        }
+        values = {column.key: found.values[column.key] for column in self.columns if not column.option}
         return Part(stop - start, values, found.reasons)
+
+    def varied(self, start: int, stop: int) -> Mapping[str, Any]:
+        """Return the values of the options that vary, by the keys of their columns."""
+        axes = self._coordinates.at(self._points(start, stop))
+        return {column.key: axes[column.option] for column in self.columns if column.option}
 
     def said(self, row: int) -> str:
         """Return the combination of a row in the words of the command line."""

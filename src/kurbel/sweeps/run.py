@@ -79,7 +79,7 @@ def run(sweep: Sweep, target: str, running: Running = Running(), format: str | N
     with _beside(target, running) as place, _working(place, sweep, running) as work:
         telling = _telling(work) if place == target else nullcontext()
         with telling, _hands(sweep, work, running) as hands:
-            batches = _batches(_parts(sweep, work, hands, running.watch), work, refused)
+            batches = _batches(sweep, _parts(sweep, work, hands, running.watch), work, refused)
             form.write(sweep, batches, target, work.folder)
         work.remove()
     return Outcome(len(sweep), refused)
@@ -131,14 +131,16 @@ def parts_of(sweep: Sweep) -> int:
     return -(-len(sweep) // sweep.rows_at_once)
 
 
-def _batches(names: Iterator[str], work: Work, refused: Counter[str]) -> Iterator[pa.RecordBatch]:
+def _batches(
+    sweep: Sweep, names: Iterator[str], work: Work, refused: Counter[str]
+) -> Iterator[pa.RecordBatch]:
     """Yield the parts as they go into the file, and count what was refused."""
     import pyarrow as pa
     import pyarrow.compute as compute
 
-    from kurbel.sweeps.files.arrow import REASON
+    from kurbel.sweeps.files.arrow import REASON, with_options
 
-    for name in names:
+    for number, name in enumerate(names):
         with pa.memory_map(work.at(name)) as file:
             batch = pa.ipc.open_file(file).get_batch(0)
             if REASON in batch.schema.names:
@@ -146,7 +148,7 @@ def _batches(names: Iterator[str], work: Work, refused: Counter[str]) -> Iterato
                     reason = one["values"].as_py()
                     known = reason in refused or len(refused) < MOST_REASONS
                     refused[reason if known else OTHERS] += one["counts"].as_py()
-            yield batch
+            yield with_options(sweep, batch, number * sweep.rows_at_once)
 
 
 @contextmanager

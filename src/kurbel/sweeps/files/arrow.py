@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import repeat
 from typing import Any
 
 import numpy as np
 import pyarrow as pa
+from numpy.typing import NDArray
 
 from kurbel.sweeps.files.about import About
 from kurbel.sweeps.files.decimals import decimal_type, decimals_of
@@ -34,8 +35,28 @@ def bare_schema(sweep: Sweep) -> pa.Schema:
 
 def batch_of(sweep: Sweep, part: Part) -> pa.RecordBatch:
     """Return the rows of a part."""
-    arrays = [_array(column, part.values[column.key]) for column in sweep.columns]
-    return pa.record_batch([*arrays, _reasons(part)], bare_schema(sweep))
+    return _completed(sweep, part.values, _reasons(part))
+
+
+def own_batch_of(sweep: Sweep, part: Part) -> pa.RecordBatch:
+    """Return what was computed of a part: no option, and reasons where there are any."""
+    arrays = {one.key: _array(one, part.values[one.key]) for one in sweep.columns if not one.option}
+    if part.reasons:
+        arrays[REASON] = _reasons(part)
+    return pa.record_batch(arrays)
+
+
+def with_options(sweep: Sweep, batch: pa.RecordBatch, start: int) -> pa.RecordBatch:
+    """Return rows from a first one on, of which a batch has what was computed, with their options."""
+    rows = batch.num_rows
+    found = {name: batch[name] for name in batch.schema.names}
+    reasons = found.get(REASON, pa.nulls(rows, pa.string()))
+    return _completed(sweep, {**found, **sweep.varied(start, start + rows)}, reasons)
+
+
+def _completed(sweep: Sweep, values: Mapping[str, Any], reasons: pa.Array) -> pa.RecordBatch:
+    arrays = [_array(column, values[column.key]) for column in sweep.columns]
+    return pa.record_batch([*arrays, reasons], bare_schema(sweep))
 
 
 def in_groups(batches: Iterable[pa.RecordBatch], rows: int) -> Iterator[pa.RecordBatch]:
@@ -81,6 +102,17 @@ def _type(column: Column) -> pa.DataType:
 
 
 def _array(column: Column, values: Any) -> pa.Array:
+    if isinstance(values, pa.Array):
+        return values
     if column.kind == "decimal":
         return decimals_of(column, values)
-    return pa.array(values, _type(column), from_pandas=True)
+    if column.kind == "text":
+        return pa.array(values, pa.string())
+    return _floats(np.ascontiguousarray(values, np.float64))
+
+
+def _floats(values: NDArray[np.float64]) -> pa.Array:
+    """Return floats as they lie in memory, with a null for NaN."""
+    nothing = np.isnan(values)
+    known = pa.py_buffer(np.packbits(~nothing, bitorder="little")) if nothing.any() else None
+    return pa.Array.from_buffers(pa.float64(), len(values), [known, pa.py_buffer(values)])

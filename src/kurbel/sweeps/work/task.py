@@ -4,10 +4,16 @@ from __future__ import annotations
 
 import os
 import zlib
+from collections.abc import Callable
 from contextlib import nullcontext, suppress
+from functools import partial
+from io import FileIO
 from threading import Lock
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
+import pyarrow as pa
+
+from kurbel.sweeps.files.arrow import own_batch_of
 from kurbel.sweeps.rows import Part, Sweep
 
 # The parts of a folder: as many files as every file system likes.
@@ -34,43 +40,71 @@ class Place(NamedTuple):
 
 def made(sweep: Sweep, number: int, place: Place) -> str | bytes:
     """Make a part and return the name of its file; where the folder cannot be seen, its content."""
-    content = content_of(sweep, number)
-    return kept(content, number, place.folder) if place.is_here else content
-
-
-def computed(sweep: Sweep, start: int, stop: int) -> Part:
-    """Return the rows from one to another, in whatever thread this is."""
-    # The precision of balls is that of the process.
-    with nullcontext() if sweep.in_threads else _BALLS:
-        return sweep.part(start, stop)
-
-
-def content_of(sweep: Sweep, number: int) -> bytes:
-    """Return a part as an Arrow file."""
-    import pyarrow as pa
-
-    from kurbel.sweeps.files.arrow import batch_of
-
-    start = number * sweep.rows_at_once
-    part = computed(sweep, start, min(start + sweep.rows_at_once, len(sweep)))
-    batch, sink = batch_of(sweep, part), pa.BufferOutputStream()
-    with pa.ipc.new_file(sink, batch.schema) as writer:
-        writer.write_batch(batch)
+    batch = _batch(sweep, number)
+    if place.is_here:
+        return _kept(partial(_write, batch), number, place.folder)
+    sink = pa.BufferOutputStream()
+    _write(batch, sink)
     return memoryview(sink.getvalue()).tobytes()
 
 
+def _batch(sweep: Sweep, number: int) -> pa.RecordBatch:
+    start = number * sweep.rows_at_once
+    return own_batch_of(sweep, computed(sweep, start, min(start + sweep.rows_at_once, len(sweep))))
+
+
+def _write(batch: pa.RecordBatch, sink: Any) -> None:
+    """Write a part as an Arrow file."""
+    with pa.ipc.new_file(sink, batch.schema) as writer:
+        writer.write_batch(batch)
+
+
+def computed(sweep: Sweep, start: int, stop: int) -> Part:
+    """Return rows without the options that vary, in whatever thread this is."""
+    # The precision of balls is that of the process.
+    with nullcontext() if sweep.in_threads else _BALLS:
+        return sweep.computed(start, stop)
+
+
 def kept(content: bytes, number: int, folder: str) -> str:
+    """Keep a part that came from another machine, and return its name."""
+    return _kept(lambda file: file.write(content), number, folder)
+
+
+class _Summed:
+    """A file and the sum of what was written to it, as arrays lie in memory and without a copy of them."""
+
+    closed = False
+
+    def __init__(self, path: str) -> None:
+        self.file = FileIO(path, "wb")
+        self.sum = 0
+
+    def write(self, content: Any) -> int:
+        self.sum = zlib.crc32(content, self.sum)
+        left = memoryview(content).cast("B")
+        while left:
+            # At once a system writes two gigabytes at the most.
+            left = left[self.file.write(left) :]
+        return len(content)
+
+    def flush(self) -> None:
+        """All is written as it comes."""
+
+
+def _kept(write: Callable[[Any], object], number: int, folder: str) -> str:
     """Write a part, whole or not at all, and return its name, which tells whether it is still whole."""
-    name = f"{subfolder(number)}/{number:012d}.{zlib.crc32(content):08x}.arrow"
-    path = os.path.join(folder, name)
+    begin = f"{subfolder(number)}/{number:012d}"
     # Not the folders above: if they are gone, the run has ended.
     with suppress(FileExistsError):
-        os.mkdir(os.path.dirname(path))
-    part = f"{path}.{os.urandom(6).hex()}"
+        os.mkdir(os.path.join(folder, subfolder(number)))
+    part = os.path.join(folder, f"{begin}.{os.urandom(6).hex()}")
     try:
-        with open(part, "wb") as file:
-            file.write(content)
-        os.replace(part, path)
+        into = _Summed(part)
+        with into.file:
+            write(into)
+        name = f"{begin}.{into.sum:08x}.arrow"
+        os.replace(part, os.path.join(folder, name))
     except BaseException:
         with suppress(OSError):
             os.unlink(part)
