@@ -15,7 +15,6 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from kurbel.errors import ProblemError
-from kurbel.sweeps.axes import values_at
 from kurbel.sweeps.files.cf import cf_of, cf_of_file
 from kurbel.sweeps.files.grid import Grid, chunks_of
 from kurbel.sweeps.rows import Column, Part, Sweep
@@ -43,14 +42,10 @@ def dataset_of(sweep: Sweep) -> xr.Dataset:
 
 def _coordinates(grid: Grid) -> dict[str, Any]:
     along = {
-        array.key: (array.dims, _axis(grid.sweep, axis, array.sizes[0]), array.attributes)
-        for array, axis in grid.coordinates()
+        array.key: (array.dims, values(0, array.sizes[0]), array.attributes)
+        for array, values in grid.coordinates()
     }
     return along | {array.key: (array.dims, values, array.attributes) for array, values in grid.records()}
-
-
-def _axis(sweep: Sweep, axis: Any, size: int) -> Any:
-    return np.array(values_at(sweep.plan, axis, np.arange(size)))
 
 
 def _all(sweep: Sweep, columns: list[Column]) -> dict[str, Any]:

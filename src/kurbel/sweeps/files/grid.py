@@ -5,14 +5,16 @@ A chunk of an array is a run of rows, so that each is written once, as its rows 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import partial
+from itertools import chain
 from math import prod
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
 import numpy as np
 
 from kurbel.errors import ProblemError
-from kurbel.sweeps.axes import Coordinates
+from kurbel.sweeps.axes import values_at
 from kurbel.sweeps.files.about import About
 from kurbel.sweeps.files.cf import cf_of, cf_of_file
 from kurbel.sweeps.plan import Axis
@@ -27,6 +29,8 @@ CHUNK = 1 << 18
 POINT, RECORD = "point", "record"
 REASON, REASONS = "reason", "reason_text"
 Place = tuple[slice, ...]
+# From one place on an axis to another: what stands there.
+Values = Callable[[int, int], Any]
 
 
 class Array(NamedTuple):
@@ -55,11 +59,6 @@ class Store(Protocol):
 
 def refuse(sweep: Sweep) -> None:
     """Raise ProblemError for a sweep that no array holds."""
-    if sweep.plan.only:
-        raise ProblemError(
-            "NetCDF and Zarr hold whole grids, and --only leaves combinations out; write .parquet, .arrow or"
-            " .csv, or leave --only out"
-        )
     if sweep.plan.digits is not None:
         raise ProblemError(
             "NetCDF and Zarr have no decimals; write .parquet, .arrow or .csv, or leave --digits out for"
@@ -79,14 +78,20 @@ class Grid:
 
     def _dims(self) -> Iterator[str]:
         linked = 0
-        for group in self.sweep.plan.groups:
-            if len(group) == 1:
+        for group in self._groups:
+            if len(group) == 1 and self.sweep.plan.kept is None:
                 yield self.columns[group[0].option].key
             else:
                 linked += 1
                 yield POINT if linked == 1 else f"{POINT}_{linked}"
-        if len(self.sweep.shape) > len(self.sweep.plan.groups):
+        if len(self.sweep.shape) > len(self._groups):
             yield self.apart[0].key if len(self.apart) == 1 else RECORD
+
+    @property
+    def _groups(self) -> tuple[tuple[Axis, ...], ...]:
+        """The options that vary along each dimension: all along one where combinations are left out."""
+        groups = self.sweep.plan.groups
+        return groups if self.sweep.plan.kept is None else (tuple(chain(*groups)),)
 
     @property
     def apart(self) -> list[Column]:
@@ -111,13 +116,22 @@ class Grid:
                 break
         return part
 
-    def coordinates(self) -> Iterator[tuple[Array, Axis]]:
-        """Yield the arrays of the options that vary."""
-        for dim, size, group in zip(self.dims, self.sizes, self.sweep.plan.groups, strict=False):
+    def coordinates(self) -> Iterator[tuple[Array, Values]]:
+        """Yield the arrays of the options that vary, with what gives the values from one place to another."""
+        for dim, size, group in zip(self.dims, self.sizes, self._groups, strict=False):
             for axis in group:
                 column = self.columns[axis.option]
-                chunks = (min(size, CHUNK),)
-                yield Array(column.key, column.kind, (dim,), (size,), chunks, cf_of(self.about, column)), axis
+                about = cf_of(self.about, column)
+                array = Array(column.key, column.kind, (dim,), (size,), (min(size, CHUNK),), about)
+                yield array, partial(self._along, axis, column)
+
+    def _along(self, axis: Axis, column: Column, start: int, stop: int) -> Any:
+        if self.sweep.plan.kept is None:
+            found = values_at(self.sweep.plan, axis, np.arange(start, stop))
+        else:
+            each = self.sweep.each
+            found = self.sweep.varied(start * each, stop * each)[column.key][::each]
+        return np.array(found, object if column.kind == "text" else np.float64)
 
     def variables(self) -> list[Array]:
         """Return the arrays of what is computed."""
@@ -171,8 +185,8 @@ def fill(sweep: Sweep, batches: Iterable[pa.RecordBatch], store: Store) -> None:
 
     grid = Grid(sweep)
     store.describe(cf_of_file(grid.about))
-    for array, axis in grid.coordinates():
-        _fill_axis(sweep, store.create(array), array, axis)
+    for array, values in grid.coordinates():
+        _fill_axis(store.create(array), array, values)
     records = dict(_records(store, grid))
     arrays = {array.key: (store.create(array), array.kind) for array in grid.variables()}
     refused, numbers = store.create(grid.reasons()), {"": 0}
@@ -207,12 +221,11 @@ def _check_records(records: Mapping[str, Any], batch: pa.RecordBatch, first: int
             )
 
 
-def _fill_axis(sweep: Sweep, into: Any, array: Array, axis: Axis) -> None:
-    (size,), values = array.sizes, Coordinates(sweep.plan)
+def _fill_axis(into: Any, array: Array, values: Values) -> None:
+    (size,) = array.sizes
     for start in range(0, size, CHUNK):
         stop = min(start + CHUNK, size)
-        own = values.along(axis, np.arange(start, stop))
-        into[start:stop] = np.array(own, object if array.kind == "text" else np.float64)
+        into[start:stop] = values(start, stop)
 
 
 def values_of(column: pa.Array, kind: str) -> Any:
