@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from kurbel.exact import bulk
 from kurbel.exact.bulk import evaluate
 from kurbel.kernel import forces, kinematics
 from kurbel.kernel.circle import circle
+from kurbel.kernel.fast import loops, worth
 from kurbel.kernel.fast.trace import UntraceableError
 from kurbel.kernel.fast.written import traceable, written
 
@@ -76,3 +81,66 @@ def test_formulas_that_differ_by_a_ratio_are_one_loop() -> None:
     one, other = (written([lambda point, r=r: kinematics.piston_path(point, r)]) for r in (0.2, 0.3))
     assert one.name == other.name
     assert one.constants != other.constants
+
+
+def paths(places: NDArray[np.float64], fast: bool) -> NDArray[np.float64]:
+    (found,) = evaluate([lambda point: kinematics.piston_path(point, 0.25)], places, fast=fast)
+    return found
+
+
+def test_bits_depend_neither_on_the_threads_nor_on_who_else_computes(monkeypatch: pytest.MonkeyPatch) -> None:
+    places = np.linspace(0, 360, 700_001)
+    monkeypatch.setattr(bulk, "cores", lambda: 1)
+    alone = paths(places, fast=True)
+    monkeypatch.setattr(bulk, "cores", lambda: 3)
+    with ThreadPoolExecutor(4) as pool:
+        for found in pool.map(lambda _: paths(places, fast=True), range(4)):
+            assert same_bits(found, alone)
+
+
+def test_arrays_that_cannot_be_written_to_or_lie_apart_are_read() -> None:
+    places = np.linspace(0, 360, 1001)
+    places.flags.writeable = False
+    assert same_bits(paths(places[::2], fast=True), paths(places, fast=False)[::2].copy())
+
+
+def test_numba_is_taken_once_arrays_have_taken_as_long_as_loading_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    sine, cells = (lambda point: point.sine), 60_000
+    monkeypatch.setattr(worth, "_done", Counter())
+    monkeypatch.setattr(worth, "_is_loaded", lambda: False)
+    monkeypatch.setattr(worth, "LOADING", 3 * cells)
+    monkeypatch.setattr(worth, "COMPILING", 2 * cells)
+    taken = [worth.chosen([sine], 0, cells, None) is not None for _ in range(5)]
+    assert taken == [False, False, False, True, True]
+    assert worth.chosen([sine], 0, worth.FEWEST - 1, None) is None
+    assert worth.chosen([sine], 0, 1, True) is not None
+    assert worth.chosen([sine], 0, 10**9, False) is None
+
+
+def broken() -> Any:
+    raise ImportError("Numba needs NumPy 2.3 or less")
+
+
+def old() -> Any:
+    return SimpleNamespace(version_info=SimpleNamespace(short=(0, 60)))
+
+
+@pytest.mark.parametrize("numba", [broken, old])
+def test_without_a_numba_that_works_arrays_do_it(
+    numba: Callable[[], Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(loops, "_numba", numba)
+    monkeypatch.setattr(loops, "installed", loops.installed.__wrapped__)
+    places = np.linspace(0, 360, 101)
+    assert same_bits(paths(places, fast=True), paths(places, fast=False))
+
+
+def test_without_a_place_for_the_cache_a_loop_is_compiled_all_the_same(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    from numba.core.caching import CacheImpl
+
+    monkeypatch.setattr(CacheImpl, "_locator_classes", [])
+    loops.compiled.cache_clear()
+    places = np.linspace(0, 360, 101)
+    assert same_bits(paths(places, fast=True), paths(places, fast=False))

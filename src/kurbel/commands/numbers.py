@@ -159,6 +159,8 @@ def _plain() -> list[str]:
 def _degrees(angles: ArrayLike) -> NDArray[np.float64]:
     import numpy as np
 
+    from kurbel.exact.bulk import within
+
     if isinstance(angles, str):
         angles = [float(angle) for angle in notation.angles([angles])]
     try:
@@ -167,7 +169,6 @@ def _degrees(angles: ArrayLike) -> NDArray[np.float64]:
         degrees = np.asarray(angles, dtype=np.float64)
     except (TypeError, ValueError, OverflowError):
         raise NotationError("angles must be numbers of degrees, or text such as 0..180:10") from None
-    # Not a comparison of extremes, which NaN would pass.
-    if not (np.abs(degrees) <= LARGEST_ANGLE).all():
+    if not within(degrees.ravel(), LARGEST_ANGLE):
         raise ProblemError(f"angles must be finite and within {LARGEST_ANGLE}° of zero")
     return degrees

@@ -100,6 +100,19 @@ def in_blocks(fill: Callable[[slice], None], size: int, each: int = BLOCK) -> No
         list(pool.map(fill, blocks))
 
 
+def within(values: NDArray[np.float64], largest: float) -> bool:
+    """Whether all of them are numbers and none is farther from zero."""
+    inside: list[bool] = []
+
+    def look(block: slice) -> None:
+        # Both extremes are NaN where one of the values is.
+        part = values[block]
+        inside.append(bool(part.min() >= -largest and part.max() <= largest))
+
+    in_blocks(look, len(values), LONG_BLOCK)
+    return all(inside)
+
+
 def cores() -> int:
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))

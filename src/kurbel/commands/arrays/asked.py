@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -30,14 +30,27 @@ Floats = NDArray[np.float64]
 PAGES: tuple[Asking[..., Question], ...] = (table, forces_table, inertia_table, turning_table)
 
 
-def arrays(columns: Sequence[str], degrees: Floats, given: Mapping[str, Any]) -> Iterator[Floats]:
-    """Yield each quantity at these angles, by the options of a page that shows it. Raises KurbelError."""
-    for key in columns:
-        yield _array(_asked(key, given), key, degrees)
+def arrays(columns: Sequence[str], degrees: Floats, given: Mapping[str, Any]) -> list[Floats]:
+    """Return each quantity at these angles, by the options of a page that shows it. Raises KurbelError."""
+    asked = {key: _asked(key, given) for key in columns}
+    together: dict[Asking[..., Question], list[str]] = {}
+    for key, (page, question) in asked.items():
+        if isinstance(question, AngleQuestion):
+            together.setdefault(page, []).append(key)
+    found: dict[str, Floats] = {}
+    for page, keys in together.items():
+        # Columns of one page share the circle of each angle.
+        question = asked[keys[0]][1] if len(keys) == 1 else page.question(**given, columns=keys)
+        assert isinstance(question, AngleQuestion)
+        found |= zip(keys, map(_single, keys, question.curves(degrees)), strict=True)
+    for key, (_, question) in asked.items():
+        if key not in found:
+            found[key] = _single(key, _curves(question, key, degrees))
+    return [np.broadcast_to(found[key], degrees.shape) for key in columns]
 
 
-def _asked(key: str, given: Mapping[str, Any]) -> Question:
-    """Return the question of the first page that takes the options and has the quantity."""
+def _asked(key: str, given: Mapping[str, Any]) -> tuple[Asking[..., Question], Question]:
+    """Return the first page that takes the options and has the quantity, and its question."""
     takers = [page for page in PAGES if set(given) <= set(page.command.parameters)]
     if not takers:
         unknown = {*given}.difference(*(page.command.parameters for page in PAGES))
@@ -52,27 +65,27 @@ def _asked(key: str, given: Mapping[str, Any]) -> Question:
             question = page.question(**given, columns=key)
             # Whether the page has the quantity is known once its columns are.
             if question.page_columns:
-                return question
+                return page, question
         except KurbelError as error:
             refused.append(error)
     # The last one knows most of what was given.
     raise refused[-1 if len(takers) < len(PAGES) else 0]
 
 
-def _array(question: Question, key: str, degrees: Floats) -> Floats:
+def _curves(question: Question, key: str, degrees: Floats) -> list[Floats]:
+    """Return the quantity of each drive that was asked for."""
     (column,) = question.page_columns
-    if isinstance(question, AngleQuestion):
-        (found,) = question.curves(degrees)
-    elif isinstance(question, EngineRequest):
-        method = (question.methods or ("exact",))[0]
-        found = at_angles(question, column.quantity, method, degrees)
-    elif isinstance(question, TorquesRequest):
-        found = [_of_torques(question, column.quantity, degrees)]
-    else:
-        raise ProblemError(f"{key} has no array over the crank angle on this page; print it")
+    if isinstance(question, EngineRequest):
+        return at_angles(question, column.quantity, (question.methods or ("exact",))[0], degrees)
+    if isinstance(question, TorquesRequest):
+        return [_of_torques(question, column.quantity, degrees)]
+    raise ProblemError(f"{key} has no array over the crank angle on this page; print it")
+
+
+def _single(key: str, found: list[Floats]) -> Floats:
     if len(found) != 1:
         raise ProblemError(f"{key} was asked for of {len(found)} drives; compute takes one")
-    return np.broadcast_to(found[0], degrees.shape)
+    return found[0]
 
 
 def _of_torques(question: TorquesRequest, quantity: Quantity, degrees: Floats) -> Floats:

@@ -45,6 +45,11 @@ def chosen(
     return loops.loop(ours, others), places
 
 
+def of_all(cells: int) -> bool | None:
+    """Return what `fast` is to be of a part of so many cells in all: True if these pay, else None."""
+    return True if cells >= LOADING + COMPILING else None
+
+
 def _is_loaded() -> bool:
     return "numba" in sys.modules
 

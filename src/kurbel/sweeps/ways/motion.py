@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from kurbel.drive.crank import LARGEST_ANGLE, Crank, largest
+from kurbel.kernel.fast.worth import of_all
 from kurbel.motion.arrays import motion
 from kurbel.motion.bulk import float_bound
 from kurbel.motion.page import MOTION, Request
@@ -49,7 +50,8 @@ class Motion:
 
     def _values(self, degrees: Floats, ratios: Floats) -> Mapping[str, Any]:
         columns = self.question.page_columns
-        found = motion([one.quantity.key for one in columns], degrees, ratios, columns[0].method)
+        keys, fast = [one.quantity.key for one in columns], of_all(len(self.asked.plan) * len(columns))
+        found = motion(keys, degrees, ratios, columns[0].method, fast=fast)
         values = {one.key: array for one, array in zip(columns, found, strict=True)}
         if self.asked.plan.bounds:
             for one in columns:
