@@ -123,7 +123,7 @@ def test_only_fast_loops_know_numba() -> None:
     names = {name for name, path in MODULES.items() if '"numba"' in path.read_text(encoding="utf-8")}
     assert not importers("numba")
     # The third names it among the libraries that a sweep's bytes depend on.
-    assert names == {"kurbel.kernel.fast.loops", "kurbel.kernel.fast.worth", "kurbel.sweeps.work.identity"}
+    assert names == {"kurbel.kernel.fast.loops", "kurbel.kernel.fast.worth", "kurbel.sweeps.work.versions"}
 
 
 def test_only_pdf_knows_its_compiler() -> None:

@@ -23,6 +23,10 @@ class SmallParts(Sweep):
     def rows_at_once(self) -> int:
         return 2
 
+    @property
+    def in_threads(self) -> bool:
+        return False
+
     def computed(self, start: int, stop: int) -> Part:
         if start == DEADLY * self.rows_at_once and Path(KILLS).exists():
             Path(KILLS).unlink()

@@ -18,7 +18,7 @@ from kurbel.cli.listing import show_lines
 from kurbel.cli.options import Option, Type, lang_option
 from kurbel.commands.options import Choice, Count
 from kurbel.formats.registry import compiled_format
-from kurbel.handbook.pool import MOST_PROCESSES, cores
+from kurbel.handbook.pool import MOST_PROCESSES, by_whom, cores
 
 if TYPE_CHECKING:
     from kurbel.handbook.build import Build, Handbook
@@ -58,6 +58,8 @@ OUTSIDE = click.option("--allow-outside", is_flag=True,
 QUIET = click.option("-q", "--quiet", is_flag=True, help="Say only what is wrong.")
 JOBS = click.option("-j", "--jobs", cls=Option, type=Type(Count("jobs", 1, MOST_PROCESSES)), metavar="N",
                     help="Processes at once; default: one for each core.")  # fmt: skip
+CLUSTER = click.option("--scheduler", metavar="ADDRESS",
+                       help="Dask cluster that makes the parts: tcp://HOST:8786.")  # fmt: skip
 ENGINES = Choice("PDF engine", compiled_format().engines)
 ENGINE = click.option("--pdf-engine", cls=Option, type=Type(ENGINES), metavar="ENGINE",
                       help="typst (default), lualatex or latexmk; outdoes the manifest.")  # fmt: skip
@@ -65,7 +67,7 @@ ENGINE = click.option("--pdf-engine", cls=Option, type=Type(ENGINES), metavar="E
 
 def building(command: Callable[..., Any]) -> Callable[..., Any]:
     """Add what the commands have that build."""
-    return FOLDERS(ONLY(JOBS(ENGINE(OUTSIDE(QUIET(command))))))
+    return FOLDERS(ONLY(JOBS(CLUSTER(ENGINE(OUTSIDE(QUIET(command)))))))
 
 
 @handbook.command(
@@ -96,7 +98,8 @@ def _build(options: dict[str, Any]) -> int:
 
     handbooks, wrong = _opened_all(options)
     waiting = partial(_tell, options, WAITING)
-    builds = built(handbooks, make_part, options["jobs"] or cores(), _bar_of(options), waiting)
+    jobs, by = options["jobs"] or cores(), by_whom(options["scheduler"])
+    builds = built(handbooks, make_part, jobs, _bar_of(options), waiting, by)
     for one in builds:
         failed = _report(one)
         if not one.ended:
@@ -129,7 +132,8 @@ def check(**options: Any) -> int:
     from kurbel.handbook.check import check as checked
 
     handbooks, wrong = _opened_all(options)
-    found = checked(handbooks, make_part, options["jobs"] or cores(), _bar_of(options))
+    jobs, by = options["jobs"] or cores(), by_whom(options["scheduler"])
+    found = checked(handbooks, make_part, jobs, _bar_of(options), by)
     show_lines(
         line
         for one in found

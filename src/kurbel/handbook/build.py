@@ -16,7 +16,7 @@ from kurbel.handbook.inputs import UNKNOWN, digest_of, fingerprint, glance
 from kurbel.handbook.manifest import Manifest, Part
 from kurbel.handbook.model import COMPILED, ENGINES
 from kurbel.handbook.pages import Failure, document_of, fragment_paths, make_document, make_pdf, program_of
-from kurbel.handbook.pool import KILLED, PATIENCE, PDF_STOPPED, STOPPED, Made, Piece, Task, worked
+from kurbel.handbook.pool import KILLED, PATIENCE, PDF_STOPPED, STOPPED, Made, Piece, Task, Worked, worked
 
 PDF = COMPILED.name
 # Makes a part; raises KurbelError if it cannot be made.
@@ -44,12 +44,13 @@ def build(
     jobs: int,
     bar: Bar,
     waiting: Callable[[], None] = lambda: None,
+    by: Worked = worked,
 ) -> list[Build]:
     """Build what changed and return the builds, which know what was done.
 
-    `make` makes a part, perhaps in another process; `bar` sees the parts pass as they are made; `waiting` is
-    called if another build of the same folder is under way. Parts that fail are in the report of their build,
-    and the others are built; a folder that cannot be used ends its own build alone.
+    `make` makes a part, perhaps in another process, `by` whom it is worked; `bar` sees the parts pass as they
+    are made; `waiting` is called if another build of the same folder is under way. Parts that fail are in the
+    report of their build, and the others are built; a folder that cannot be used ends its own build alone.
     """
     builds = [Build(one.manifest, one.folder, one.only) for one in handbooks]
     with ExitStack() as held:
@@ -57,7 +58,7 @@ def build(
         for one in sorted(builds, key=lambda one: os.path.realpath(one.folder.path)):
             with one.ending():
                 held.enter_context(one.folder.locked(waiting))
-        _work(builds, lambda one: one.parts(make), jobs, bar)
+        _work(builds, lambda one: one.parts(make), jobs, bar, by)
         for one in builds:
             _work([one], Build.documents)
         # Typst takes much memory to set many pages, in a process of its own. A TeX is one by itself, and is
@@ -79,6 +80,7 @@ def _work(
     pieces: Callable[[Build], list[Piece]],
     jobs: int = 1,
     bar: Bar = lambda steps, _: steps,
+    by: Worked = worked,
 ) -> None:
     """Have the pieces of the builds worked, and give each build its own."""
     work: list[Piece] = []
@@ -86,7 +88,7 @@ def _work(
         if not one.ended:
             with one.ending():
                 work += pieces(one)
-    for piece, made in bar(worked(work, jobs), len(work)):
+    for piece, made in bar(by(work, jobs), len(work)):
         piece.owner.take(piece, made)
 
 

@@ -13,6 +13,7 @@ from typing import NamedTuple
 from kurbel.formats.registry import FORMATS
 from kurbel.handbook.build import Bar, Build, Handbook, Maker, build
 from kurbel.handbook.folder import CONTENTS, Folder, digest
+from kurbel.handbook.pool import Worked, worked
 
 # A reader wants to see what changed, not all that did: of each table one difference, in the first of these
 # formats, of documents none beside those of tables.
@@ -49,7 +50,9 @@ class Checked(NamedTuple):
     stale: list[Stale]
 
 
-def check(handbooks: Sequence[Handbook], make: Maker, jobs: int, bar: Bar) -> list[Checked]:
+def check(
+    handbooks: Sequence[Handbook], make: Maker, jobs: int, bar: Bar, by: Worked = worked
+) -> list[Checked]:
     """Build all anew in folders of their own, and return what failed and which files are stale.
 
     Nothing that an earlier build knew is believed, and nothing of the folders is changed. Where a part fails,
@@ -60,7 +63,7 @@ def check(handbooks: Sequence[Handbook], make: Maker, jobs: int, bar: Bar) -> li
         elsewhere = [
             one._replace(folder=Folder(place, "build")) for one, place in zip(handbooks, places, strict=True)
         ]
-        builds = build(elsewhere, make, jobs, bar)
+        builds = build(elsewhere, make, jobs, bar, by=by)
         return [
             Checked(one, anew, [] if anew.ended else _stale(one, anew))
             for one, anew in zip(handbooks, builds, strict=True)

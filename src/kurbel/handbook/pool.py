@@ -8,6 +8,7 @@ import signal
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from functools import partial
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 from kurbel.errors import KurbelError
@@ -96,10 +97,23 @@ class Piece(NamedTuple):
     killed: str = KILLED
 
 
+# Works pieces by so many processes.
+Worked = Callable[[Iterable[Piece], int], Iterator[tuple[Piece, Made | str]]]
+
+
 def cores() -> int:
     """Return how many processes run at once."""
     count = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
     return min(count, MOST_PROCESSES)
+
+
+def by_whom(scheduler: str | None) -> Worked:
+    """Return what works the pieces: the cluster of a scheduler, or the cores of this machine."""
+    if scheduler is None:
+        return worked
+    from kurbel.handbook.elsewhere import worked_by
+
+    return partial(worked_by, scheduler)
 
 
 def worked(pieces: Iterable[Piece], jobs: int) -> Iterator[tuple[Piece, Made | str]]:
@@ -116,10 +130,11 @@ def worked(pieces: Iterable[Piece], jobs: int) -> Iterator[tuple[Piece, Made | s
             yield from _worked_apart(lot, jobs)
         else:
             for piece in lot:
-                yield piece, _tried(piece.make)
+                yield piece, tried(piece.make)
 
 
-def _tried(make: Callable[[], Made]) -> Made | str:
+def tried(make: Callable[[], Made]) -> Made | str:
+    """Return what is made, or why nothing is."""
     try:
         return make()
     except KurbelError as error:
@@ -132,7 +147,7 @@ def _worked_apart(pieces: Sequence[Piece], jobs: int) -> Iterator[tuple[Piece, M
 
     left = dict(enumerate(pieces))
     with _pool(min(jobs, len(pieces))) as pool:
-        places = {pool.submit(_tried, piece.make): place for place, piece in left.items()}
+        places = {pool.submit(tried, piece.make): place for place, piece in left.items()}
         for future in as_completed(places):
             if not _was_killed(future):
                 yield left.pop(places[future]), future.result()
@@ -143,7 +158,7 @@ def _worked_apart(pieces: Sequence[Piece], jobs: int) -> Iterator[tuple[Piece, M
             yield piece, NOT_TRIED
             continue
         with _pool(1) as pool:
-            alone = pool.submit(_tried, piece.make)
+            alone = pool.submit(tried, piece.make)
             ended = _was_killed(alone)
             count += ended
             yield piece, piece.killed if ended else alone.result()

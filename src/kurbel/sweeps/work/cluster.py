@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from kurbel.errors import ChoiceError, FailedError
 from kurbel.reading.extras import missing_extra
-from kurbel.sweeps.work.identity import LIBRARIES, NONE, content_of, makers, other
+from kurbel.sweeps.work.versions import LIBRARIES, NONE, content_of, makers, other
 
 if TYPE_CHECKING:
     from distributed import Client, Future
@@ -40,16 +40,23 @@ RUNNERS = ("kurbel", "dask", "distributed")
 class Cluster:
     """The workers of a scheduler, to whom pieces are given by their numbers; `make` goes to them once.
 
-    `name` is no other run's; of the `files` that pieces are made of, workers must see the same content.
+    `name` is no other run's. Of the `files` that pieces are made of workers must see the same content, and
+    they must have the same `libraries`.
     """
 
     def __init__(
-        self, scheduler: str, make: Callable[[int], Any], name: str, files: Mapping[str, str]
+        self,
+        scheduler: str,
+        make: Callable[[int], Any],
+        name: str,
+        files: Mapping[str, str],
+        libraries: tuple[str, ...] = LIBRARIES,
     ) -> None:
         self._client = connected(scheduler)
         self._scheduler, self._name = scheduler, name
         try:
-            self._made_by, self._files = checked(self._client, scheduler), files
+            self._libraries = libraries
+            self._made_by, self._files = checked(self._client, scheduler, libraries), files
         except BaseException:
             self._client.close(timeout=PATIENCE)
             raise
@@ -76,7 +83,7 @@ class Cluster:
     def give(self, number: int) -> None:
         """Have a piece made."""
         key = f"kurbel-{self._name}-{number}"
-        made_by = self._made_by, self._files
+        made_by = self._libraries, self._made_by, self._files
         future = self._client.submit(_made, self._make, number, *made_by, key=key, pure=False)
         self._given[number] = future
         future.add_done_callback(partial(self._note, number))
@@ -173,7 +180,7 @@ def _quiet() -> None:
             logging.getLogger(name).setLevel(logging.CRITICAL + 1)
 
 
-def checked(client: Client, scheduler: str) -> dict[str, str]:
+def checked(client: Client, scheduler: str, libraries: tuple[str, ...]) -> dict[str, str]:
     """Return by what workers and this process make the same bytes; raise FailedError if one is by others."""
     try:
         client.wait_for_workers(1, timeout=PATIENCE)
@@ -182,21 +189,21 @@ def checked(client: Client, scheduler: str) -> dict[str, str]:
             f"the scheduler at {scheduler} has no workers, and none came in {PATIENCE} s; start some by:"
             f" dask worker {scheduler}"
         ) from error
-    found = client.get_versions(packages=[*RUNNERS, *LIBRARIES])
-    ours = _packages(found["client"])
+    found = client.get_versions(packages=[*RUNNERS, *libraries])
+    ours = _packages(found["client"], libraries)
     for worker, versions in found["workers"].items():
-        _refuse_others(worker, ours, _packages(versions))
-    own = makers()
+        _refuse_others(worker, ours, _packages(versions, libraries))
+    own = makers(libraries)
     # The same versions, but perhaps another state of the source.
-    for worker, theirs in client.run(makers).items():
+    for worker, theirs in client.run(makers, libraries).items():
         _refuse_others(worker, own, theirs)
     return own
 
 
-def _packages(versions: Mapping[str, Any]) -> dict[str, str]:
+def _packages(versions: Mapping[str, Any], libraries: tuple[str, ...]) -> dict[str, str]:
     packages = versions["packages"]
     python = ".".join(packages["python"].split(".")[:2])
-    return {"python": python} | {name: packages.get(name) or NONE for name in (*RUNNERS, *LIBRARIES)}
+    return {"python": python} | {name: packages.get(name) or NONE for name in (*RUNNERS, *libraries)}
 
 
 def _refuse_others(worker: str, ours: Mapping[str, str], theirs: Mapping[str, str]) -> None:
@@ -211,13 +218,17 @@ def _same(one: Made) -> Made:
 
 
 def _made(
-    make: Callable[[int], Made], number: int, made_by: Mapping[str, str], files: Mapping[str, str]
+    make: Callable[[int], Made],
+    number: int,
+    libraries: tuple[str, ...],
+    made_by: Mapping[str, str],
+    files: Mapping[str, str],
 ) -> Made:
     """Make a piece on a worker; one that came later was not asked by what it computes."""
     from distributed import get_worker
 
     worker = get_worker().address
-    _refuse_others(worker, made_by, makers())
+    _refuse_others(worker, made_by, makers(libraries))
     for path, content in files.items():
         if content_of(path) != content:
             raise FailedError(

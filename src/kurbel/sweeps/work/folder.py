@@ -16,8 +16,9 @@ from contextlib import contextmanager, suppress
 from typing import Any
 
 from kurbel.errors import OutputError
-from kurbel.sweeps.work.identity import ASKED, other
+from kurbel.sweeps.work.identity import ASKED
 from kurbel.sweeps.work.task import Place, is_whole, subfolder
+from kurbel.sweeps.work.versions import other
 
 SUFFIX = ".parts"
 _FOLDER = re.compile("[0-9a-f]{16}")

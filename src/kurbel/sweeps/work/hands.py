@@ -9,6 +9,7 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from queue import SimpleQueue
+from threading import Lock
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -17,6 +18,8 @@ from kurbel.errors import FailedError
 if TYPE_CHECKING:
     from concurrent.futures import Future, ProcessPoolExecutor
 
+# The precision of balls is that of the process: of several threads one at a time computes with them.
+BALLS = Lock()
 # What a part becomes: the name of its file, or its content.
 Result = str | bytes
 Make = Callable[[int], Result]

@@ -8,17 +8,16 @@ from collections.abc import Callable
 from contextlib import nullcontext, suppress
 from functools import partial
 from io import FileIO
-from threading import Lock
 from typing import Any, NamedTuple
 
 import pyarrow as pa
 
 from kurbel.sweeps.files.arrow import own_batch_of
 from kurbel.sweeps.rows import Part, Sweep
+from kurbel.sweeps.work.hands import BALLS
 
 # The parts of a folder: as many files as every file system likes.
 IN_A_FOLDER = 1000
-_BALLS = Lock()
 
 
 class Place(NamedTuple):
@@ -62,7 +61,7 @@ def _write(batch: pa.RecordBatch, sink: Any) -> None:
 def computed(sweep: Sweep, start: int, stop: int) -> Part:
     """Return rows without the options that vary, in whatever thread this is."""
     # The precision of balls is that of the process.
-    with nullcontext() if sweep.in_threads else _BALLS:
+    with nullcontext() if sweep.in_threads else BALLS:
         return sweep.computed(start, stop)
 
 

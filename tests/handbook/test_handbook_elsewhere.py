@@ -1,0 +1,85 @@
+"""A handbook whose parts a cluster makes: the files of a build on one machine, whatever the workers see."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+import pytest
+from cli import kurbel
+from clusters import Cluster
+from programs import Programs
+
+from kurbel.handbook import elsewhere
+from kurbel.handbook.pool import Made, Piece, worked
+
+MANIFEST = """\
+title = "Tafeln"
+formats = ["latex", "csv"]
+
+[[chapter]]
+title = "Wege"
+
+[[chapter.part]]
+run = "table --ratio 1:5 --step 45"
+name = "wege"
+
+[[chapter.part]]
+run = "flywheel --machine engine.toml"
+name = "schwung"
+
+[[chapter.part]]
+run = "delta --eps 0.5"
+name = "ungleich"
+"""
+MACHINE = """\
+[crank]
+ratio = "1:5"
+speed = "120/min"
+[steam]
+eps = 4
+[flywheel]
+power = "50kW"
+delta = "1:100"
+"""
+
+
+def files(folder: Path) -> dict[str, bytes]:
+    built = folder / "pages"
+    found = {path.relative_to(built).as_posix(): path for path in built.rglob("*") if path.is_file()}
+    return {name: path.read_bytes() for name, path in found.items() if not name.startswith(".kurbel/")}
+
+
+@pytest.mark.slow
+def test_workers_make_the_parts_that_one_machine_makes(
+    programs: Programs, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    said = {}
+    cluster = Cluster(programs, tmp_path)
+    cluster.work()
+    for name, words in {"here": (), "there": ("--scheduler", cluster.address)}.items():
+        # Workers run in the folder above, and find a relative name nowhere.
+        (folder := tmp_path / name / "book").mkdir(parents=True)
+        (folder / "handbook.toml").write_text(MANIFEST)
+        (folder / "engine.toml").write_text(MACHINE)
+        monkeypatch.chdir(tmp_path / name)
+        result = kurbel("handbook", "build", "book", *words)
+        said[name] = (result.code, result.err)
+    assert files(tmp_path / "there" / "book") == files(tmp_path / "here" / "book")
+    assert len(files(tmp_path / "here" / "book")) > 5
+    # A part that cannot be made is told of as ever.
+    assert said["there"] == said["here"]
+    assert "book/handbook.toml, line 16, ungleich: expansion ratio" in said["here"][1]
+
+    # What a worker made of a file that is another one here is made again.
+    made_here: list[str] = []
+
+    def noted(pieces: Sequence[Piece], jobs: int) -> Iterator[tuple[Piece, Made | str]]:
+        made_here.extend(piece.name for piece in pieces)
+        return worked(pieces, jobs)
+
+    monkeypatch.setattr(elsewhere, "worked", noted)
+    monkeypatch.setattr(elsewhere, "_inputs", lambda make, made: ("other",) * len(made.inputs))
+    assert kurbel("handbook", "check", "book", "--scheduler", cluster.address).code == 1
+    assert sorted(made_here) == ["schwung", "ungleich"]
