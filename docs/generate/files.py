@@ -14,6 +14,7 @@ FOLDER = "reference/files"
 FILES = {
     "machine.schema.json": ("machine", "A machine", "subjects/engines.md"),
     "layout.schema.json": ("layout", "layout.toml", "howto/layouts.md"),
+    "sweep.schema.json": ("sweep", "sweep.toml", "howto/sweeps.md"),
     "handbook.schema.json": ("handbook", "handbook.toml", "howto/handbook.md"),
 }
 Schema = Mapping[str, Any]

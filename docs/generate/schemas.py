@@ -1,4 +1,4 @@
-"""Write the JSON Schemas of machines, layouts and handbooks, for editors, into the package."""
+"""Write the JSON Schemas of machines, layouts, sweeps and handbooks, for editors, into the package."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from kurbel.drive.sections import Machine
 from kurbel.handbook.model import SCHEMA, HandbookKeys
 from kurbel.page.layouts import LayoutFile
 from kurbel.reading.toml_model import left
+from kurbel.sweeps.sweep_file import SweepFile
 
 PACKAGE = Path(kurbel.__file__).parent
 
@@ -30,6 +31,7 @@ def schemas() -> dict[Path, dict[str, Any]]:
     return {
         PACKAGE / "drive" / "machine.schema.json": schema_of(Machine, "A machine for kurbel"),
         PACKAGE / "page" / "layout.schema.json": schema_of(LayoutFile, "A page layout for kurbel"),
+        PACKAGE / "sweeps" / "sweep.schema.json": schema_of(SweepFile, "A sweep for kurbel"),
         PACKAGE / "handbook" / SCHEMA: handbook_schema(option_names()),
     }
 

@@ -17,6 +17,7 @@ from kurbel.sweeps.kept import named_axes
 from kurbel.sweeps.measures import is_readable
 from kurbel.sweeps.only import Condition
 from kurbel.sweeps.plan import MOST_ROWS, Axis, Plan
+from kurbel.sweeps.sample import Design, is_varied, sampled
 from kurbel.sweeps.ways.records import DECIMALS, tried
 
 RUN = ("from", "to", "step")
@@ -51,26 +52,39 @@ def planned(
     bounds: bool = False,
     strict: bool = False,
     only: str = "",
+    sample: str = "",
+    seed: int = 0,
 ) -> Plan:
     """Return the plan of a command, found at this place, by the values of its options in their order.
 
     An option with several values varies; those that are `linked` vary together. Raises KurbelError.
     """
-    first = Plan(command, {}, (), digits, bounds, tuple(defaults), strict)
-    known = {one.name: one for one in first.asking.parameters.values()}
-    values = {name: values_of(known[name], given) for name, given in options.items()}
+    plan = Plan(command, {}, (), digits, bounds, tuple(defaults), strict, only)
+    known = {one.name: one for one in plan.asking.parameters.values()}
+    if sample:
+        plan = _designed(plan, known, options, Design.read(sample, seed))
+        if [*linked]:
+            raise ProblemError("a sample links all options that vary; leave --zip out")
+    values = {name: values_of(known[name], one) for name, one in options.items() if name not in plan.varied}
     axes = [Axis(name, found) for name, found in values.items() if len(found) > 1]
     given = {name: found[0] for name, found in values.items() if len(found) == 1}
-    groups = _grouped(axes, linked)
-    plan = replace(first, given=given, groups=groups)
-    if "angle" in known and "angle" not in {axis.option for axis in axes}:
+    plan = replace(plan, given=given, groups=plan.groups or _grouped(axes, linked))
+    if "angle" in known and "angle" not in plan.varied:
         plan = _with_angles(plan, [*options])
     _check_size(plan)
     if only:
-        plan = replace(plan, only=only)
         named_axes(plan, Condition(only))
+        # What holds nowhere is said at once.
         len(plan)
     return plan
+
+
+def _designed(plan: Plan, known: Mapping[str, Parameter], options: Mapping[str, Any], design: Design) -> Plan:
+    """Return the plan with the points of a design on those options that vary, but for the run of angles."""
+    varied = {name: (known[name], one) for name, one in options.items() if is_varied(known[name], one)}
+    if not varied:
+        raise ProblemError("a sample needs something that varies; give a range, such as --eps 1..10")
+    return replace(plan, groups=(sampled(design, varied),), design=str(design))
 
 
 def _grouped(axes: Sequence[Axis], linked: Iterable[Collection[str]]) -> tuple[tuple[Axis, ...], ...]:

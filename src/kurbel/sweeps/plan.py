@@ -74,6 +74,11 @@ class Plan:
         """How many places each group has."""
         return tuple(len(group[0].values) for group in self.groups)
 
+    @property
+    def varied(self) -> frozenset[str]:
+        """The names of the options that vary."""
+        return frozenset(axis.option for group in self.groups for axis in group)
+
     def __len__(self) -> int:
         return prod(self.sizes) if self.kept is None else len(self.kept)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import copy
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -11,6 +11,7 @@ from click.core import ParameterSource, augment_usage_errors
 
 from kurbel.cli import say
 from kurbel.cli.options import RIVALS, Given, help_of, resolved_values
+from kurbel.cli.sweeps.from_file import FLAGS
 from kurbel.cli.sweeps.options import own_options, sweep_options
 from kurbel.cli.sweeps.running import running, running_options
 from kurbel.commands.options import is_given
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
 
 # The heads of the help below which the options of sweeps stand.
 SECTIONS = {
-    "The sweep": "zip_ only digits bounds strict",
+    "The sweep": "zip_ only sample seed digits bounds strict",
     "The run": "scheduler jobs resume restart",
     "The output": "output format dry_run help",
 }
@@ -96,7 +97,7 @@ class SweepCommand(click.Command):
 
         values = given.values
         linked = [text.replace("-", "_").replace(";", ",").split(",") for text in values["zip_"]]
-        told = self.told(given, order)
+        told = {**self.told(given, order), **click.get_current_context().meta.get(FLAGS, {})}
         return planned(
             self.place,
             told,
@@ -106,6 +107,8 @@ class SweepCommand(click.Command):
             bounds=values["bounds"],
             strict=values["strict"],
             only=joined(values["only"]),
+            sample=_sample(values),
+            seed=values["seed"] or 0,
         )
 
     def told(self, given: Given, order: Sequence[str]) -> dict[str, Any]:
@@ -150,3 +153,10 @@ def _told(target: str, outcome: Outcome) -> str:
 def joined(conditions: Sequence[str]) -> str:
     """Return several conditions as one."""
     return conditions[0] if len(conditions) == 1 else " and ".join(f"({one})" for one in conditions)
+
+
+def _sample(values: Mapping[str, Any]) -> str:
+    sample: str | None = values["sample"]
+    if values["seed"] is not None and not sample:
+        raise click.UsageError("--seed is of a sample; add one, such as --sample sobol:1024")
+    return sample or ""

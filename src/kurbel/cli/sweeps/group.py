@@ -17,6 +17,22 @@ class _Commands(Group):
     def list_commands(self, ctx: click.Context) -> list[str]:
         return list(TABLES)
 
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        from kurbel.cli.sweeps.from_file import FLAGS, SUFFIX, words_of
+
+        if not args[0].endswith(SUFFIX) or ctx.resilient_parsing:
+            return super().resolve_command(ctx, args)
+        from kurbel.cli.sweeps.command import SweepCommand
+        from kurbel.sweeps.sweep_file import ReadFile
+
+        read = ReadFile(args[0])
+        command = self.get_command(ctx, read.said.command)
+        assert isinstance(command, SweepCommand)
+        words, ctx.meta[FLAGS] = words_of(read, command, args[1:])
+        return args[0], command, words
+
     def get_command(self, ctx: click.Context, name: str) -> click.Command | None:
         if name not in TABLES:
             return None
@@ -28,11 +44,14 @@ class _Commands(Group):
         return SweepCommand(name, COMMANDS[name][0], table.made_by)
 
 
-@click.group(cls=_Commands)
+@click.group(cls=_Commands, subcommand_metavar="COMMAND|FILE.toml [OPTIONS]...")
 def sweep() -> None:
     """Compute a command at every combination of what its options are given, into a file of columns.
 
     \b
     kurbel sweep delta --eps 1..10:0.01 --ratio 1:3..8:0.05 -o delta.parquet
     kurbel sweep table --ratio 1:3..8:0.05 --step 0.01 --columns x,c,p -o motion.parquet
+    kurbel sweep sweep.toml --dry-run
+
+    A file sweep.toml says the same: command, [axes], [options], output; what is typed outdoes it.
     """

@@ -13,6 +13,7 @@ from kurbel.commands.options import Parameter
 from kurbel.commands.subject import Command
 from kurbel.exact.numerals import MOST_DIGITS
 
+MOST_SEED = 9999
 # What says nothing of columns of numbers, or is another thing of sweeps.
 PAGES = frozenset(("label", "caption", "note", "source", "units", "digits"))
 
@@ -73,6 +74,11 @@ def sweep_options() -> list[click.Parameter]:
                help="Options that go through their values together, not each with each: eps,back."),
         Option(["--only"], multiple=True, metavar="CONDITION",
                help="Combinations to compute, the others are left out: 'eps*back < 1', 'ratio < 1/4'."),
+        Option(["--sample"], metavar="DESIGN",
+               help="Points between the ends of ranges in place of a grid: random:1000, sobol:1024,"
+               " halton:1000, or lhs:1000, the Latin hypercube."),
+        Option(["--seed"], type=Type(kinds.Count("seed", 0, MOST_SEED, "is no seed")), metavar="N",
+               help="Of the sample: other points for another number; default 0."),
         Option(["--digits"], metavar="N",
                type=Type(kinds.Count("digits", 0, MOST_DIGITS, "cannot be stored")),
                help="Certified decimals in place of floats, the very digits of the single command."),

@@ -1,0 +1,115 @@
+"""The file of a sweep, sweep.toml: its keys, the types of their values, and how it is read."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from typing import Annotated, Any, ClassVar
+
+from msgspec import Struct
+
+from kurbel.commands.options import Parameter
+from kurbel.errors import FailedError, KurbelError
+from kurbel.exact.numerals import MOST_DIGITS
+from kurbel.reading.given import choose
+from kurbel.reading.toml_file import Choice, Fault, TomlFile, TomlKind, about, within
+from kurbel.sweeps.asked import values_of
+
+COMMANDS = (
+    *("table", "forces", "inertia", "solve", "delta", "turning", "pressures", "power", "flywheel"),
+    *("deadcentres", "harmonics", "balance", "rotor", "locomotive", "firing"),
+)
+MOST_SEED = 9999
+KIND = TomlKind(
+    "sweep",
+    FailedError,
+    10**7,
+    'a sweep has command = "delta", its [axes], [options] and an output',
+    "sweep.toml",
+)
+VALUE: Mapping[str, Any] = {"type": ["string", "number", "boolean"]}
+
+
+class Command(Choice, what="command that can be swept", allowed=COMMANDS):
+    """A command by its name."""
+
+
+class Given(tuple[Any, ...]):
+    """One value or several: texts as they would be typed, numbers, or true and false."""
+
+    SCHEMA: ClassVar[Mapping[str, Any]] = {"anyOf": [VALUE, {"type": "array", "items": VALUE, "minItems": 1}]}
+
+    @classmethod
+    def read(cls, given: Any, _: str) -> Given:
+        values = given if isinstance(given, list) else [given]
+        if not values or not all(isinstance(one, str | int | float) for one in values):
+            raise Fault('a text such as "1..10:0.5", a number, true or false, or a list of them')
+        return cls(one if isinstance(one, bool) else str(one) for one in values)
+
+
+class SweepFile(Struct, frozen=True):
+    """A sweep: a command, what is the same everywhere, what varies, and where its rows go."""
+
+    NOUN: ClassVar[str] = "key of a sweep"
+
+    command: Annotated[Command, about("The command that is computed.", "delta")]
+    output: Annotated[
+        str | None, about("The file that is written, beside this one: its suffix says the form.")
+    ] = None
+    format: Annotated[str | None, about("The form of the file, where its suffix does not say it.")] = None
+    axes: Annotated[
+        dict[str, Given] | None,
+        about("What varies, in this order, the last fastest: options with a range, or a list of values."),
+    ] = None
+    options: Annotated[
+        dict[str, Given] | None, about("Options of the command that are the same everywhere.")
+    ] = None
+    columns: Annotated[tuple[str, ...], about("The columns, as in `kurbel quantities`.")] = ()
+    zip: Annotated[
+        tuple[str, ...], about('Axes that go through their values together: "eps,back", a text a group.')
+    ] = ()
+    only: Annotated[
+        tuple[str, ...], about("Conditions: combinations at which one does not hold are left out.")
+    ] = ()
+    sample: Annotated[
+        str | None, about("Points between the ends of ranges in place of a grid.", "sobol:1024")
+    ] = None
+    seed: Annotated[int, about("Of the sample: other points for another number."), within(0, MOST_SEED)] = 0
+    digits: Annotated[
+        Annotated[int, within(0, MOST_DIGITS)] | None, about("Certified decimals in place of floats.")
+    ] = None
+    bounds: Annotated[bool, about("Whether each float has a column that says how far it may be off.")] = False
+    strict: Annotated[bool, about("Whether the first combination that is refused ends the run.")] = False
+
+
+class ReadFile:
+    """A sweep's file that was read."""
+
+    def __init__(self, path: str) -> None:
+        self.file = TomlFile(path, KIND)
+        self.said = self.file.read(SweepFile)
+        self.folder = os.path.dirname(path)
+
+    def beside(self, name: str) -> str:
+        """Return the name of a file, which counts from where this one lies."""
+        return os.path.join(self.folder, name)
+
+    def values(self, known: Mapping[str, Parameter]) -> dict[str, Given]:
+        """Return the options by their names, the axes first, in the order of the file.
+
+        Raises FailedError for one that the command does not have, or a value that cannot be read.
+        """
+        found: dict[str, Given] = {}
+        for section in ("axes", "options"):
+            for key, given in (getattr(self.said, section) or {}).items():
+                name = key.replace("-", "_")
+                try:
+                    choose(name, known, f"option of kurbel {self.said.command}")
+                    if len(given) > 1 and section == "options" and not known[name].option.many:
+                        raise FailedError(f"{key} has several values; put it under [axes]")
+                    if not isinstance(given[0], bool):
+                        values_of(known[name], given)
+                except KurbelError as error:
+                    raise self.file.error((section, key), error) from None
+                found.setdefault(name, given)
+        return found
